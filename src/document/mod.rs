@@ -1,0 +1,1 @@
+//! The path being edited: commands with undo, presets, files.

@@ -1,0 +1,70 @@
+//! One error type for the whole library. Each message is one sentence that
+//! names the place and the reason, fit to be shown to a person as it stands.
+
+use std::borrow::Cow;
+
+/// The text of an error: mostly fixed, so that failing costs no memory.
+pub type Message = Cow<'static, str>;
+
+/// What can go wrong. The variants are those of the C interface's statuses.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// An argument that makes no sense whatever its size: not finite, a
+    /// target on its own point, a view without direction.
+    #[error("{0}")]
+    Argument(Message),
+    /// An index or a value outside its range.
+    #[error("{0}")]
+    Range(Message),
+    /// More of something than [`crate::limits`] allows.
+    #[error("{0}")]
+    Limit(Message),
+    /// There was no memory left; nothing was changed.
+    #[error("out of memory")]
+    Memory,
+    /// The operating system refused to read or write a file.
+    #[error("{place}: {source}")]
+    Io {
+        /// The file, as the caller named it.
+        place: String,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// A file's contents are not what they should be; the text names the
+    /// line and the reason.
+    #[error("{0}")]
+    Format(Message),
+}
+
+/// The result of everything that can fail.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+impl Error {
+    /// The same error with the place where it happened put before it.
+    #[must_use]
+    pub fn at(self, place: impl std::fmt::Display) -> Self {
+        let put = |message: Message| Message::Owned(format!("{place}: {message}"));
+        match self {
+            Self::Argument(message) => Self::Argument(put(message)),
+            Self::Range(message) => Self::Range(put(message)),
+            Self::Limit(message) => Self::Limit(put(message)),
+            Self::Format(message) => Self::Format(put(message)),
+            Self::Memory | Self::Io { .. } => self,
+        }
+    }
+}
+
+impl From<std::collections::TryReserveError> for Error {
+    fn from(_: std::collections::TryReserveError) -> Self {
+        Self::Memory
+    }
+}
+
+/// An empty vector with room for `capacity` elements, or [`Error::Memory`].
+/// Everything between a host's call and its list of poses allocates through
+/// this, so that running out of memory is a status and not an abort.
+pub(crate) fn vec_with_room<T>(capacity: usize) -> Result<Vec<T>> {
+    let mut vec = Vec::new();
+    vec.try_reserve_exact(capacity)?;
+    Ok(vec)
+}

@@ -1,0 +1,66 @@
+//! Every limit of the library in one place, each with its reason.
+
+/// Support points of one path. Far more than a person places; a path of this
+/// size is prepared in well under a second.
+pub const MAX_POINTS: usize = 100_000;
+
+/// Support points of one path: a curve needs a start and an end.
+pub const MIN_POINTS: usize = 2;
+
+/// Orientations at one support point (thesis A.4.2).
+pub const MAX_ORIENTATIONS: usize = 10;
+
+/// Presets of one path (thesis A.6.1).
+pub const PRESETS: usize = 10;
+
+/// Speeds of one section (thesis 5.2).
+pub const SPEEDS: usize = 10;
+
+/// Points that one division of a segment inserts (`Pos.++`, thesis A.4.1).
+pub const MAX_DIVISION: usize = 10;
+
+/// The largest magnitude of a coordinate: squares and cubes of differences
+/// stay far from overflow, and 1e-7 is still told apart at the far end.
+pub const MAX_COORDINATE: f64 = 1e9;
+
+/// The slowest speed of a speed curve (thesis A.4.3).
+pub const MIN_SPEED: f64 = 1.0;
+
+/// The fastest speed of a speed curve (thesis A.4.3).
+pub const MAX_SPEED: f64 = 100.0;
+
+/// The speed at which the base speeds hold exactly (thesis B.2.2).
+pub const BASE_SPEED: f64 = 50.0;
+
+/// The smallest zoom (thesis A.4.4).
+pub const MIN_ZOOM: f64 = 1.0;
+
+/// The largest zoom (thesis A.4.4).
+pub const MAX_ZOOM: f64 = 100.0;
+
+/// Frames that one path may yield: over an hour of film at 25,000 frames a
+/// second, 8 GB of poses, and it fits the `int` that numbers a list in C.
+pub const MAX_FRAMES: usize = 100_000_000;
+
+/// Frames that one key may rest.
+pub const MAX_HOLD: u32 = 1_000_000;
+
+/// Bytes of a `.vid` file: room for `MAX_POINTS` with some orientations each,
+/// yet nothing that exhausts the memory of a small machine while parsed.
+pub const MAX_FILE_BYTES: u64 = 256 << 20;
+
+/// Points of the wireframe object that a host or a file hands over.
+pub const MAX_OBJECT_POINTS: usize = 1_000_000;
+
+/// Bytes of a name, a title or a unit.
+pub const MAX_NAME_BYTES: usize = 1_024;
+
+/// Bytes of a comment.
+pub const MAX_COMMENT_BYTES: usize = 65_536;
+
+/// Control points of one Bézier curve of any degree: de Casteljau costs the
+/// square of it.
+pub const MAX_BEZIER_POINTS: usize = 1_024;
+
+/// Keys of one quaternion spline handed over in a call.
+pub const MAX_KEYS: usize = 1_000_000;

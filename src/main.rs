@@ -1,0 +1,3 @@
+//! The command `vides`.
+
+fn main() {}

@@ -1,0 +1,6 @@
+//! Mathematics that knows nothing of cameras' paths: quaternions and
+//! orientations, polynomials, views and projections. It uses no other part of
+//! the library but its errors and limits.
+
+pub mod orientation;
+pub mod quaternion;

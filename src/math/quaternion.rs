@@ -1,0 +1,91 @@
+//! Unit quaternions as points on the sphere S³ (thesis 4.4; Shoemake 1985).
+//! Angles here are angles on S³: half the angle of the rotation.
+
+use glam::{DQuat, DVec3, DVec4};
+
+/// Below this angle an arc is as good as straight.
+const STRAIGHT: f64 = 1e-12;
+
+/// Keys whose |q_i·q_{i+1}| is at most this lie half a turn apart, so that
+/// both ways are equally long.
+pub const HALF_TURN: f64 = 1e-12;
+
+/// The angle between two unit quaternions on S³, in [0, π]; accurate at both
+/// ends, where the arc cosine is not.
+#[must_use]
+pub fn angle(a: DQuat, b: DQuat) -> f64 {
+    let (a, b) = (DVec4::from(a), DVec4::from(b));
+    2.0 * (a - b).length().atan2((a + b).length())
+}
+
+/// Interpolates along the great arc from `a` to `b` with no test of signs;
+/// any finite `t`. Antipodes have no arc: the result is then `a`.
+#[must_use]
+pub fn slerp(a: DQuat, b: DQuat, t: f64) -> DQuat {
+    let theta = angle(a, b);
+    let sin = theta.sin();
+    if theta < STRAIGHT {
+        return a.lerp_raw(b, t);
+    }
+    if sin < STRAIGHT {
+        return a;
+    }
+    a * (((1.0 - t) * theta).sin() / sin) + b * ((t * theta).sin() / sin)
+}
+
+/// As [`slerp`], by the shorter way: `b` and −`b` are the same orientation.
+#[must_use]
+pub fn slerp_shortest(a: DQuat, b: DQuat, t: f64) -> DQuat {
+    slerp(a, if a.dot(b) < 0.0 { -b } else { b }, t)
+}
+
+/// exp of the pure quaternion (0, v): a rotation by 2·|v| about v.
+#[must_use]
+pub fn exp(v: DVec3) -> DQuat {
+    let length = v.length();
+    let (sin, cos) = length.sin_cos();
+    let v = if length > 0.0 { v * (sin / length) } else { v };
+    DQuat::from_xyzw(v.x, v.y, v.z, cos)
+}
+
+/// The inverse of [`exp`] for a unit quaternion: |result| in [0, π].
+#[must_use]
+pub fn log(q: DQuat) -> DVec3 {
+    let v = DVec3::new(q.x, q.y, q.z);
+    let length = v.length();
+    if length > 0.0 {
+        v * (length.atan2(q.w) / length)
+    } else {
+        v
+    }
+}
+
+/// `q` or −`q`, whichever continues the sequence after `before` by the shorter
+/// way. Half a turn apart either way is right; then the sign for which the
+/// first non-zero component of the rotation vector in the camera's own frame,
+/// in the order y, x, z, is positive (SPEC 2.3). The flag tells that case.
+#[must_use]
+pub fn continue_sign(before: DQuat, q: DQuat) -> (DQuat, bool) {
+    let dot = before.dot(q);
+    if dot.abs() > HALF_TURN {
+        return (if dot < 0.0 { -q } else { q }, false);
+    }
+    let relative = before.conjugate() * q;
+    for component in [relative.y, relative.x, relative.z] {
+        if component.abs() > HALF_TURN {
+            return (if component < 0.0 { -q } else { q }, true);
+        }
+    }
+    (q, true)
+}
+
+/// Plain linear interpolation, without glam's test of signs.
+trait LerpRaw {
+    fn lerp_raw(self, other: Self, t: f64) -> Self;
+}
+
+impl LerpRaw for DQuat {
+    fn lerp_raw(self, other: Self, t: f64) -> Self {
+        self * (1.0 - t) + other * t
+    }
+}

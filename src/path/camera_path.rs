@@ -1,0 +1,384 @@
+//! The data of a camera path (SPEC 2): what a person plans and a file keeps.
+//! Nothing here is computed; [`super::timeline`] and [`super::sampling`] do that.
+
+use glam::DVec3;
+
+use crate::error::{Error, Result};
+use crate::limits;
+use crate::math::orientation;
+
+/// Tension, continuity and bias, each in [−1, 1] (Kochanek and Bartels 1984;
+/// thesis 3.6.2, where tension is called a).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Tcb {
+    /// −1 round, 0 normal, 1 tight.
+    pub tension: f64,
+    /// −1 corner, 0 smooth, 1 inverted corner.
+    pub continuity: f64,
+    /// −1 turns before the point, 0 even, 1 turns after it ("overshoot").
+    pub bias: f64,
+}
+
+impl Tcb {
+    /// The three values in the order of their name.
+    #[must_use]
+    pub const fn new(tension: f64, continuity: f64, bias: f64) -> Self {
+        Self {
+            tension,
+            continuity,
+            bias,
+        }
+    }
+
+    /// Each finite and in [−1, 1].
+    ///
+    /// # Errors
+    /// [`Error::Range`] names the value that is not.
+    pub fn check(self) -> Result<()> {
+        let named = [
+            (self.tension, "the tension must lie between -1 and 1"),
+            (self.continuity, "the continuity must lie between -1 and 1"),
+            (self.bias, "the bias must lie between -1 and 1"),
+        ];
+        for (value, message) in named {
+            if !(-1.0..=1.0).contains(&value) {
+                return Err(Error::Range(message.into()));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Where a point takes its tension, continuity and bias from (thesis A.4.1).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CurveParameters {
+    /// The path's preset of this number, 0–9 ("Standard n").
+    Preset(u8),
+    /// The point's own values ("Eigendef.").
+    Own(Tcb),
+}
+
+/// What the camera of an orientation looks at (thesis A.4.2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Target {
+    /// A point of the world; it stays where it is when the support point moves.
+    Absolute(DVec3),
+    /// An offset from the support point; only its direction turns the camera,
+    /// its length is kept.
+    Relative(DVec3),
+}
+
+impl Target {
+    /// Direction and distance from the point at `position` to the target.
+    #[must_use]
+    pub fn offset_from(self, position: DVec3) -> DVec3 {
+        match self {
+            Self::Absolute(target) => target - position,
+            Self::Relative(offset) => offset,
+        }
+    }
+}
+
+/// One camera orientation at a support point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Orientation {
+    /// What the camera looks at.
+    pub target: Target,
+    /// Degrees in (−180, 180]: turns VUP about VPN.
+    pub roll: f64,
+    /// 1…100: the focal length in mm of a 36×24 mm camera.
+    pub zoom: f64,
+    /// Tension, continuity and bias of the turning.
+    pub turning: Tcb,
+    /// The speed curve of the section that begins here, each 1…100.
+    pub speeds: [f64; limits::SPEEDS],
+    /// Frames that the camera rests here before it goes on.
+    pub hold: u32,
+}
+
+impl Default for Orientation {
+    fn default() -> Self {
+        Self {
+            target: Target::Relative(DVec3::new(0.0, 0.0, -0.4)),
+            roll: 0.0,
+            zoom: 24.0,
+            turning: Tcb::default(),
+            speeds: [limits::BASE_SPEED; limits::SPEEDS],
+            hold: 0,
+        }
+    }
+}
+
+impl Orientation {
+    /// Everything finite and in range. The view from `position` must have a
+    /// direction.
+    ///
+    /// # Errors
+    /// [`Error::Range`] or [`Error::Argument`] with the reason.
+    pub fn check(&self, position: DVec3) -> Result<()> {
+        let (Target::Absolute(v) | Target::Relative(v)) = self.target;
+        check_coordinates(v)?;
+        if self.target.offset_from(position) == DVec3::ZERO {
+            return Err(Error::Argument(
+                "the target must not lie on the camera's own position".into(),
+            ));
+        }
+        if !self.roll.is_finite() {
+            return Err(Error::Argument("the roll must be a finite number".into()));
+        }
+        if !(limits::MIN_ZOOM..=limits::MAX_ZOOM).contains(&self.zoom) {
+            return Err(Error::Range("the zoom must lie between 1 and 100".into()));
+        }
+        self.turning.check()?;
+        for speed in self.speeds {
+            if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&speed) {
+                return Err(Error::Range(
+                    "each value of a speed curve must lie between 1 and 100".into(),
+                ));
+            }
+        }
+        if self.hold > limits::MAX_HOLD {
+            return Err(Error::Range(
+                "the hold must lie between 0 and 1000000 frames".into(),
+            ));
+        }
+        Ok(())
+    }
+
+    /// View direction of a camera at `position`: a unit vector.
+    #[must_use]
+    pub fn view(&self, position: DVec3) -> DVec3 {
+        orientation::unit(self.target.offset_from(position))
+    }
+}
+
+/// A support point: a key position of the curve with its orientations.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SupportPoint {
+    /// World coordinates, each of magnitude ≤ [`limits::MAX_COORDINATE`].
+    pub position: DVec3,
+    /// A name for people; the engine does not read it.
+    pub name: Option<String>,
+    /// Shape of the curve through this point.
+    pub curve: CurveParameters,
+    /// 1…[`limits::MAX_ORIENTATIONS`] orientations in the order they are taken.
+    pub orientations: Vec<Orientation>,
+}
+
+impl SupportPoint {
+    /// A point with one default orientation and preset 0.
+    #[must_use]
+    pub fn new(position: DVec3) -> Self {
+        Self {
+            position,
+            name: None,
+            curve: CurveParameters::Preset(0),
+            orientations: vec![Orientation::default()],
+        }
+    }
+}
+
+/// The four base speeds (thesis B.2.2): frames for one unit of change at
+/// speed 50. Each finite and > 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BaseSpeeds {
+    /// `move_speed`: frames for a way of length 1.
+    pub movement: f64,
+    /// `orient_speed`: frames for turning the view by 180°.
+    pub turning: f64,
+    /// `zoom_speed`: frames for the zoom from 1 to 100.
+    pub zoom: f64,
+    /// `winkel_speed`: frames for rolling by 90°.
+    pub rolling: f64,
+}
+
+impl Default for BaseSpeeds {
+    /// 100 each, as in the host program of Anhang C.
+    fn default() -> Self {
+        Self {
+            movement: 100.0,
+            turning: 100.0,
+            zoom: 100.0,
+            rolling: 100.0,
+        }
+    }
+}
+
+/// How the camera turns between its orientations (SPEC 2.3).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum OrientationMode {
+    /// Cubic spherical Bézier curve with limited angular velocities.
+    #[default]
+    Tcb,
+    /// Barry and Goldman's curve with knots at the times (thesis 4.4.4).
+    BarryGoldman,
+    /// Great arcs from key to key.
+    Slerp,
+}
+
+/// How the zoom runs between its keys (SPEC 2.3).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ZoomMode {
+    /// Monotone cubic (Fritsch and Carlson 1980).
+    #[default]
+    Smooth,
+    /// Straight lines, as in the thesis.
+    Linear,
+}
+
+/// A camera path.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CameraPath {
+    /// ≥ [`limits::MIN_POINTS`] support points.
+    pub points: Vec<SupportPoint>,
+    /// The ten presets for tension, continuity and bias.
+    pub presets: [Tcb; limits::PRESETS],
+    /// Whether one more segment leads from the last point to the first.
+    pub closed: bool,
+    /// How the camera turns.
+    pub orientation_mode: OrientationMode,
+    /// How the zoom runs.
+    pub zoom_mode: ZoomMode,
+    /// The base speeds.
+    pub speeds: BaseSpeeds,
+}
+
+/// The presets of thesis A.6.1.
+pub const DEFAULT_PRESETS: [Tcb; limits::PRESETS] = [
+    Tcb::new(0.0, 0.0, 0.0),
+    Tcb::new(0.3, 0.0, 0.0),
+    Tcb::new(0.6, 0.0, 0.0),
+    Tcb::new(-0.3, 0.0, 0.0),
+    Tcb::new(-0.6, 0.0, 0.0),
+    Tcb::new(0.0, -0.5, 0.0),
+    Tcb::new(0.0, 0.5, 0.0),
+    Tcb::new(0.0, 0.0, 0.5),
+    Tcb::new(0.0, 0.0, -0.5),
+    Tcb::new(0.0, 0.0, 0.0),
+];
+
+impl Default for CameraPath {
+    /// The path that a new window begins with (SPEC 2).
+    fn default() -> Self {
+        Self {
+            points: vec![
+                SupportPoint::new(DVec3::new(-0.6, 0.2, 0.8)),
+                SupportPoint::new(DVec3::new(0.6, 0.2, 0.8)),
+            ],
+            presets: DEFAULT_PRESETS,
+            closed: false,
+            orientation_mode: OrientationMode::default(),
+            zoom_mode: ZoomMode::default(),
+            speeds: BaseSpeeds::default(),
+        }
+    }
+}
+
+impl CameraPath {
+    /// Curve segments: one fewer than points, as many if the path is closed.
+    #[must_use]
+    pub fn segment_count(&self) -> usize {
+        if self.closed {
+            self.points.len()
+        } else {
+            self.points.len() - 1
+        }
+    }
+
+    /// Tension, continuity and bias in force at a point.
+    ///
+    /// # Panics
+    /// If there is no such point.
+    #[must_use]
+    pub fn tcb(&self, point: usize) -> Tcb {
+        match self.points[point].curve {
+            CurveParameters::Preset(preset) => self.presets[usize::from(preset)],
+            CurveParameters::Own(tcb) => tcb,
+        }
+    }
+
+    /// Whether every invariant of SPEC 2 holds.
+    ///
+    /// # Errors
+    /// The first one that does not, with its place.
+    pub fn check(&self) -> Result<()> {
+        if self.points.len() < limits::MIN_POINTS {
+            return Err(Error::Range(
+                "a path needs at least two support points".into(),
+            ));
+        }
+        if self.points.len() > limits::MAX_POINTS {
+            return Err(Error::Limit(
+                format!("a path has at most {} support points", limits::MAX_POINTS).into(),
+            ));
+        }
+        for preset in self.presets {
+            preset.check()?;
+        }
+        check_speeds(self.speeds)?;
+        for (index, point) in self.points.iter().enumerate() {
+            point
+                .check()
+                .map_err(|error| error.at(format!("point {}", index + 1)))?;
+        }
+        Ok(())
+    }
+}
+
+impl SupportPoint {
+    /// Whether every invariant of SPEC 2 holds for this point.
+    ///
+    /// # Errors
+    /// The first one that does not.
+    pub fn check(&self) -> Result<()> {
+        check_coordinates(self.position)?;
+        match self.curve {
+            CurveParameters::Preset(preset) if usize::from(preset) >= limits::PRESETS => {
+                return Err(Error::Range("the preset must lie between 0 and 9".into()));
+            }
+            CurveParameters::Preset(_) => {}
+            CurveParameters::Own(tcb) => tcb.check()?,
+        }
+        if self.orientations.is_empty() || self.orientations.len() > limits::MAX_ORIENTATIONS {
+            return Err(Error::Range(
+                "a point has between 1 and 10 orientations".into(),
+            ));
+        }
+        for (index, orientation) in self.orientations.iter().enumerate() {
+            orientation
+                .check(self.position)
+                .map_err(|error| error.at(format!("orientation {}", index + 1)))?;
+        }
+        Ok(())
+    }
+}
+
+/// Finite, and small enough to compute with.
+///
+/// # Errors
+/// [`Error::Argument`] if not finite, [`Error::Range`] if too large.
+pub fn check_coordinates(v: DVec3) -> Result<()> {
+    if !v.is_finite() {
+        return Err(Error::Argument(
+            "a coordinate must be a finite number".into(),
+        ));
+    }
+    if v.abs().max_element() > limits::MAX_COORDINATE {
+        return Err(Error::Range("a coordinate must not exceed 1e9".into()));
+    }
+    Ok(())
+}
+
+/// All four finite and > 0.
+///
+/// # Errors
+/// [`Error::Argument`] otherwise.
+pub fn check_speeds(speeds: BaseSpeeds) -> Result<()> {
+    let all = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling];
+    if all.iter().any(|&speed| !(speed > 0.0 && speed.is_finite())) {
+        return Err(Error::Argument(
+            "a base speed must be finite and greater than zero".into(),
+        ));
+    }
+    Ok(())
+}

@@ -1,0 +1,16 @@
+//! One camera pose, in the layout of the C interface's `V_POSE`.
+
+/// Where the camera is, where it looks, what is up and how far it zooms.
+/// The layout is frozen: ten doubles without padding.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct Pose {
+    /// Position (view reference point), world coordinates.
+    pub vrp: [f64; 3],
+    /// View direction: unit vector along which the camera looks.
+    pub vpn: [f64; 3],
+    /// Up: unit vector, perpendicular to `vpn`.
+    pub vup: [f64; 3],
+    /// 1…100; the vertical field of view is 2·atan(12/zoom).
+    pub zoom: f64,
+}
