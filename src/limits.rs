@@ -52,8 +52,15 @@ pub const MAX_FILE_BYTES: u64 = 256 << 20;
 /// Points of the wireframe object that a host or a file hands over.
 pub const MAX_OBJECT_POINTS: usize = 1_000_000;
 
-/// Bytes of a name, a title or a unit.
-pub const MAX_NAME_BYTES: usize = 1_024;
+/// Orientations of all points of one path together: what `MAX_FILE_BYTES` can
+/// hold even if every number takes its 24 characters.
+pub const MAX_ALL_ORIENTATIONS: usize = 200_000;
+
+/// Frames that a film shows in a second: the fastest cameras there are.
+pub const MAX_FPS: f64 = 100_000.0;
+
+/// Bytes of a name, a title or a unit: one line on a screen.
+pub const MAX_NAME_BYTES: usize = 256;
 
 /// Bytes of a comment.
 pub const MAX_COMMENT_BYTES: usize = 65_536;

@@ -1,1 +1,23 @@
-//! The path being edited: commands with undo, presets, files.
+//! The path being edited (thesis 7.3, A.4 to A.6): every edit as a command
+//! that can be taken back, and the files that paths and poses are kept in.
+//!
+//! Why commands: the window, the C interface and a script change a path in the
+//! same few ways, each must leave a path that can be saved and sampled, and
+//! each must be undone to the last bit. So there is one [`Edit`] per way. It
+//! is checked first, as a whole, and turned into a small record of the values
+//! that it exchanges; applying a record gives the record that takes it back.
+//!
+//! It stands on [`crate::path`] and knows nothing of windows or of C.
+
+pub mod ascii;
+mod change;
+mod edit;
+mod editing;
+pub mod export;
+mod history;
+mod info;
+pub mod save;
+
+pub use edit::Edit;
+pub use editing::{Document, Selection};
+pub use info::{Info, ObjectPoint, Space};

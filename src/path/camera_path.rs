@@ -332,6 +332,9 @@ impl SupportPoint {
     /// The first one that does not.
     pub fn check(&self) -> Result<()> {
         check_coordinates(self.position)?;
+        if let Some(name) = &self.name {
+            check_name(name).map_err(|error| error.at("the name"))?;
+        }
         match self.curve {
             CurveParameters::Preset(preset) if usize::from(preset) >= limits::PRESETS => {
                 return Err(Error::Range("the preset must lie between 0 and 9".into()));
@@ -365,6 +368,23 @@ pub fn check_coordinates(v: DVec3) -> Result<()> {
     }
     if v.abs().max_element() > limits::MAX_COORDINATE {
         return Err(Error::Range("a coordinate must not exceed 1e9".into()));
+    }
+    Ok(())
+}
+
+/// One line of text: no control characters, at most
+/// [`limits::MAX_NAME_BYTES`] bytes.
+///
+/// # Errors
+/// [`Error::Argument`] or [`Error::Limit`].
+pub fn check_name(name: &str) -> Result<()> {
+    if name.len() > limits::MAX_NAME_BYTES {
+        return Err(Error::Limit(
+            format!("at most {} bytes are allowed", limits::MAX_NAME_BYTES).into(),
+        ));
+    }
+    if name.chars().any(char::is_control) {
+        return Err(Error::Argument("control characters are not allowed".into()));
     }
     Ok(())
 }

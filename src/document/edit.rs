@@ -1,0 +1,128 @@
+//! The edits: what each one means, and the check that it may be done.
+
+use glam::DVec3;
+
+use super::info::Info;
+use crate::path::{BaseSpeeds, CameraPath, Orientation, OrientationMode, Tcb, ZoomMode};
+
+/// One change of a document. Points, orientations, segments and presets are
+/// counted from 0. [`super::Document::apply`] does it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Edit {
+    /// A new support point before the one that is number `at` now; `at` = their
+    /// number appends. Everything but its name is copied from the predecessor
+    /// (at 0 from the successor); an absolute target that would lie on the new
+    /// position becomes relative with the predecessor's direction. It becomes
+    /// current.
+    InsertPoint {
+        /// Number that the new point will have.
+        at: usize,
+        /// Where it lies.
+        position: DVec3,
+    },
+    /// A new point behind the last one of an open path: along the curve's end
+    /// tangent, as far as the last segment is long, kept in the movement
+    /// space. It becomes current.
+    AppendAfterLast,
+    /// The same before the first point.
+    PrependBeforeFirst,
+    /// New points on the curve of a segment, at equal arc lengths (`Pos.+` is
+    /// one point). Everything but the name is copied from the point in which
+    /// the segment begins. The first new one becomes current.
+    DivideSegment {
+        /// The segment.
+        segment: usize,
+        /// 1…[`crate::limits::MAX_DIVISION`] new points.
+        points: usize,
+    },
+    /// Takes a point away; its predecessor becomes current, for the first the
+    /// new first. Two always remain.
+    RemovePoint {
+        /// The point.
+        at: usize,
+    },
+    /// Moves a point: absolute targets stay, relative ones go along. Refused
+    /// where an absolute target of its own lies.
+    SetPosition {
+        /// The point.
+        at: usize,
+        /// Where to.
+        position: DVec3,
+    },
+    /// Names a point; one line, at most [`crate::limits::MAX_NAME_BYTES`].
+    SetName {
+        /// The point.
+        at: usize,
+        /// Its name; none or empty takes it away.
+        name: Option<String>,
+    },
+    /// Own tension, continuity and bias for a point ("Eigendef.").
+    SetOwn {
+        /// The point.
+        at: usize,
+        /// The values, each in [−1, 1].
+        tcb: Tcb,
+    },
+    /// A preset for a point ("Standard n").
+    UsePreset {
+        /// The point.
+        at: usize,
+        /// 0…9.
+        preset: usize,
+    },
+    /// Changes a preset, and with it every point that uses it.
+    SetPreset {
+        /// 0…9.
+        preset: usize,
+        /// The values, each in [−1, 1].
+        tcb: Tcb,
+    },
+    /// A new orientation before the one that is number `at` now; `at` = their
+    /// number appends. It becomes current.
+    InsertOrientation {
+        /// The point.
+        point: usize,
+        /// Number that the new orientation will have.
+        at: usize,
+        /// None copies the one before it (at 0 the first). Its roll may be any
+        /// finite number and is brought into (−180, 180].
+        orientation: Option<Orientation>,
+    },
+    /// Takes an orientation away; its predecessor becomes current, else the
+    /// new first. One always remains.
+    RemoveOrientation {
+        /// The point.
+        point: usize,
+        /// The orientation.
+        at: usize,
+    },
+    /// Changes every value of an orientation.
+    SetOrientation {
+        /// The point.
+        point: usize,
+        /// The orientation.
+        at: usize,
+        /// The values; the roll may be any finite number and is brought into
+        /// (−180, 180].
+        orientation: Orientation,
+    },
+    /// Makes a target absolute or relative. The view stays, to rounding.
+    SetAbsolute {
+        /// The point.
+        point: usize,
+        /// The orientation.
+        at: usize,
+        /// Absolute (true) or relative (false).
+        absolute: bool,
+    },
+    /// The base speeds, each finite and > 0.
+    SetSpeeds(BaseSpeeds),
+    /// Joins the last point to the first by one more segment, or opens it.
+    SetClosed(bool),
+    /// How the camera turns and how the zoom runs.
+    SetModes(OrientationMode, ZoomMode),
+    /// Title, comment, frames per second, space and object.
+    SetInfo(Box<Info>),
+    /// Another path in place of this one; its first point becomes current.
+    ReplacePath(Box<CameraPath>),
+}

@@ -1,0 +1,158 @@
+//! What a file says besides the path itself: who it is for, how fast it is
+//! shown, where the movement space lies in the user's world.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::error::{Error, Result};
+use crate::limits;
+use crate::path::Pose;
+use crate::path::camera_path::check_coordinates;
+
+/// Everything of a document that the engine does not read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Info {
+    /// One line, at most [`limits::MAX_NAME_BYTES`].
+    pub title: String,
+    /// Any lines, at most [`limits::MAX_COMMENT_BYTES`].
+    pub comment: String,
+    /// Frames shown in a second; > 0, at most [`limits::MAX_FPS`].
+    pub fps: f64,
+    /// Number of the first frame in the user's film.
+    pub first_frame: i32,
+    /// Where the movement space lies in the user's world.
+    pub space: Space,
+    /// Wireframe object, shown for orientation; shared, since it may be large
+    /// and hardly ever changes.
+    pub object: Arc<Vec<ObjectPoint>>,
+}
+
+/// Where the movement space lies in the user's world:
+/// world = origin + scale · position.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Space {
+    /// World units for one unit of the movement space; > 0, at most
+    /// [`limits::MAX_COORDINATE`].
+    pub scale: f64,
+    /// The movement space's (0, 0, 0) in world units.
+    pub origin: DVec3,
+    /// Name of the world's unit ("m"); may be empty.
+    pub unit: String,
+}
+
+/// One point of a wireframe object (thesis B.2.2, `V_OBJEKT_LIST`).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ObjectPoint {
+    /// In the movement space.
+    pub position: DVec3,
+    /// Whether a line leads here from the point before.
+    pub draw: bool,
+}
+
+impl Default for Info {
+    fn default() -> Self {
+        Self {
+            title: String::new(),
+            comment: String::new(),
+            fps: 25.0,
+            first_frame: 1,
+            space: Space::default(),
+            object: Arc::default(),
+        }
+    }
+}
+
+impl Default for Space {
+    /// The world is the movement space itself.
+    fn default() -> Self {
+        Self {
+            scale: 1.0,
+            origin: DVec3::ZERO,
+            unit: String::new(),
+        }
+    }
+}
+
+impl Space {
+    /// The world's coordinates of a point of the movement space.
+    #[must_use]
+    pub fn to_world(&self, position: DVec3) -> DVec3 {
+        self.origin + self.scale * position
+    }
+
+    /// The same pose in the world: the position moves, directions and zoom stay.
+    #[must_use]
+    pub fn pose_to_world(&self, pose: &Pose) -> Pose {
+        Pose {
+            vrp: self.to_world(DVec3::from_array(pose.vrp)).to_array(),
+            ..*pose
+        }
+    }
+
+    /// Whether scale, origin and unit can be used.
+    ///
+    /// # Errors
+    /// [`Error::Range`], [`Error::Argument`] or [`Error::Limit`].
+    pub fn check(&self) -> Result<()> {
+        if !(self.scale > 0.0 && self.scale <= limits::MAX_COORDINATE) {
+            return Err(Error::Range(
+                "the scale must be greater than 0 and at most 1e9".into(),
+            ));
+        }
+        check_coordinates(self.origin).map_err(|error| error.at("the origin"))?;
+        check_line(&self.unit, "the unit")
+    }
+}
+
+impl Info {
+    /// Whether every field is in its range.
+    ///
+    /// # Errors
+    /// The first field that is not, with the reason.
+    pub fn check(&self) -> Result<()> {
+        check_line(&self.title, "the title")?;
+        check_comment(&self.comment)?;
+        check_fps(self.fps)?;
+        self.space.check()?;
+        if self.object.len() > limits::MAX_OBJECT_POINTS {
+            return Err(Error::Limit(
+                format!("an object has at most {} points", limits::MAX_OBJECT_POINTS).into(),
+            ));
+        }
+        for (index, point) in self.object.iter().enumerate() {
+            check_coordinates(point.position)
+                .map_err(|error| error.at(format_args!("object point {}", index + 1)))?;
+        }
+        Ok(())
+    }
+}
+
+/// Frames per second that a film can have.
+pub(super) fn check_fps(fps: f64) -> Result<()> {
+    if !(fps > 0.0 && fps <= limits::MAX_FPS) {
+        return Err(Error::Range(
+            "the frames per second must be greater than 0 and at most 100000".into(),
+        ));
+    }
+    Ok(())
+}
+
+/// A comment: not too long.
+pub(super) fn check_comment(comment: &str) -> Result<()> {
+    if comment.len() > limits::MAX_COMMENT_BYTES {
+        return Err(Error::Limit(
+            format!(
+                "the comment has at most {} bytes",
+                limits::MAX_COMMENT_BYTES
+            )
+            .into(),
+        ));
+    }
+    Ok(())
+}
+
+/// A text that stands on one line: no control characters, not too long.
+pub(super) fn check_line(text: &str, what: &str) -> Result<()> {
+    crate::path::camera_path::check_name(text).map_err(|error| error.at(what))
+}
