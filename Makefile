@@ -1,0 +1,167 @@
+# VIDES: builds the C libraries and the command, tests and installs them.
+#
+#   make             the libraries and the command, in target/
+#   make demo        the flight around the pyramid
+#   make test        every check there is
+#   make bench       speed, beside other libraries
+#   make soak        the random checks again, with many more cases
+#   make install     PREFIX=/usr/local DESTDIR=
+#   make uninstall   the same
+#   make header      writes include/libvides.h anew
+#   make clean
+#
+# Each target installs by itself what it misses (mk/need.sh).
+
+SHELL = /bin/sh
+.SUFFIXES:
+.DELETE_ON_ERROR:
+# The steps of a target run in the order written; cargo itself works in parallel.
+.NOTPARALLEL:
+
+PREFIX ?= /usr/local
+DESTDIR ?=
+bindir = $(PREFIX)/bin
+libdir = $(PREFIX)/lib
+includedir = $(PREFIX)/include
+mandir = $(PREFIX)/share/man
+
+CARGO ?= cargo
+CC ?= cc
+CARGO_TARGET_DIR ?= target
+export CARGO_TARGET_DIR CC
+
+VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
+RELEASE = $(CARGO_TARGET_DIR)/release
+# The C libraries as they are installed.
+LIB = $(CARGO_TARGET_DIR)/c
+DEMO = $(CARGO_TARGET_DIR)/demo
+TOOLS = $(CARGO_TARGET_DIR)/tools
+
+SOAK_CASES ?= 20000
+LINT = -D warnings
+
+.PHONY: all libs demo test bench soak install uninstall header clean FORCE \
+	toolchain check-format check-lints check-rust check-c check-linking \
+	check-install check-docs check-dependencies
+
+all: libs $(RELEASE)/vides
+
+# ---- The libraries and the command -------------------------------------------
+
+toolchain:
+	@command -v $(CARGO) >/dev/null || { \
+	    echo 'No Rust toolchain here: see https://rustup.rs' >&2; exit 1; }
+	@mk/need.sh $(CC)=gcc ld=binutils
+
+libs: toolchain $(LIB)/libvides.a
+
+# cargo knows best whether something changed; if not, it leaves the file alone.
+# A crate type per call: with several in Cargo.toml, link-time optimisation is
+# off without a word.
+$(RELEASE)/libvides.a: FORCE
+	$(CARGO) rustc --release --locked --lib --crate-type staticlib
+
+$(LIB)/libvides.a: $(RELEASE)/libvides.a $(wildcard mk/*)
+	mk/libraries.sh $(RELEASE)/libvides.a $(LIB) $(VERSION)
+
+$(RELEASE)/vides: FORCE
+	$(CARGO) build --release --locked --bin vides
+
+header: toolchain
+	UPDATE_HEADER=1 $(CARGO) test --locked --test header
+
+# ---- Seeing it ------------------------------------------------------------------
+
+demo: all
+	@mkdir -p $(DEMO)
+	$(RELEASE)/vides info examples/pyramid.vid
+	$(RELEASE)/vides sample examples/pyramid.vid -o $(DEMO)/pyramid.txt
+	$(CC) -std=c89 -pedantic -Wall -Wextra -Iinclude -o $(DEMO)/headless \
+	    c_examples/headless.c -L$(LIB) -lvides -lm
+	LD_LIBRARY_PATH=$(LIB) $(DEMO)/headless examples/pyramid.vid
+
+# ---- Checks, the cheap ones first -----------------------------------------------
+
+test: toolchain check-format check-lints check-rust check-c check-linking \
+	check-install check-docs check-dependencies
+	@echo 'make test: every check passed'
+
+check-format:
+	@command -v cargo-fmt >/dev/null || mk/component.sh rustfmt
+	$(CARGO) fmt --check
+
+check-lints:
+	@command -v cargo-clippy >/dev/null || mk/component.sh clippy
+	$(CARGO) clippy --locked --all-targets -- $(LINT)
+
+check-rust:
+	@mk/need.sh python3=python3
+	@mk/locale.sh
+	$(CARGO) test --locked
+
+check-c: libs
+	@mk/need.sh c++=g++ valgrind=valgrind
+	tests/c/run.sh $(LIB)
+
+check-linking: libs
+	@mk/need.sh c++=g++ /usr/include/Xm/Xm.h=libmotif-dev
+	tests/linking/run.sh $(LIB) include
+
+check-install: all
+	@mk/need.sh pkg-config=pkg-config man=man-db
+	tests/install/run.sh
+
+check-docs:
+	RUSTDOCFLAGS='$(LINT)' $(CARGO) doc --locked --no-deps --document-private-items
+
+# Licences, sources and duplicates. Known weaknesses of dependencies are asked
+# for apart (`cargo deny check advisories`): they come from the network and
+# change without a change here.
+check-dependencies:
+	@command -v cargo-deny >/dev/null || [ -x $(TOOLS)/bin/cargo-deny ] || \
+	    $(CARGO) install --locked --root $(TOOLS) --target-dir $(TOOLS)/build cargo-deny
+	PATH="$$PATH:$(abspath $(TOOLS))/bin" $(CARGO) deny --locked check bans licenses sources
+
+bench: libs
+	$(CARGO) bench --locked
+	@mk/need.sh python3=python3
+	benches/peers/run.sh
+
+soak: toolchain
+	PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked
+
+# ---- Laying it down -------------------------------------------------------------
+
+install: all
+	install -d '$(DESTDIR)$(libdir)/pkgconfig' '$(DESTDIR)$(includedir)' \
+	    '$(DESTDIR)$(bindir)' '$(DESTDIR)$(mandir)/man1' '$(DESTDIR)$(mandir)/man3'
+	install -m 644 $(LIB)/libvides.a '$(DESTDIR)$(libdir)'
+	install -m 644 $(LIB)/libvides.so.$(VERSION) '$(DESTDIR)$(libdir)'
+	ln -sf libvides.so.$(VERSION) '$(DESTDIR)$(libdir)/libvides.so.1'
+	ln -sf libvides.so.1 '$(DESTDIR)$(libdir)/libvides.so'
+	install -m 644 include/libvides.h '$(DESTDIR)$(includedir)'
+	install -m 755 $(RELEASE)/vides '$(DESTDIR)$(bindir)'
+	sed -e 's|@prefix@|$(PREFIX)|' -e 's|@version@|$(VERSION)|' vides.pc.in \
+	    >'$(DESTDIR)$(libdir)/pkgconfig/vides.pc'
+	chmod 644 '$(DESTDIR)$(libdir)/pkgconfig/vides.pc'
+	install -m 644 man/vides.1 '$(DESTDIR)$(mandir)/man1'
+	install -m 644 man/libvides.3 '$(DESTDIR)$(mandir)/man3'
+	@# So that the loader finds the library at once; in a package's folder
+	@# that is the package's business.
+	@if [ -z '$(DESTDIR)' ] && [ "$$(id -u)" -eq 0 ]; then ldconfig; fi
+
+uninstall:
+	rm -f '$(DESTDIR)$(libdir)/libvides.a' \
+	    '$(DESTDIR)$(libdir)/libvides.so' \
+	    '$(DESTDIR)$(libdir)/libvides.so.1' \
+	    '$(DESTDIR)$(libdir)/libvides.so.$(VERSION)' \
+	    '$(DESTDIR)$(includedir)/libvides.h' \
+	    '$(DESTDIR)$(bindir)/vides' \
+	    '$(DESTDIR)$(libdir)/pkgconfig/vides.pc' \
+	    '$(DESTDIR)$(mandir)/man1/vides.1' \
+	    '$(DESTDIR)$(mandir)/man3/libvides.3'
+	@if [ -z '$(DESTDIR)' ] && [ "$$(id -u)" -eq 0 ]; then ldconfig; fi
+
+clean:
+	$(CARGO) clean
+	rm -f libvides.a

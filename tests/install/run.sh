@@ -1,0 +1,100 @@
+#!/bin/bash
+# What `make install` lays down and `make uninstall` takes away again, and
+# whether a C program can be built with it as any other library's user would.
+set -u
+
+top=$(dirname "$(realpath "$0")")/../..
+cd "$top" || exit 1
+make=${MAKE:-make}
+cc=${CC:-cc}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
+passed=0
+failed=0
+
+check() { # NAME COMMAND...
+    local name=$1
+    shift
+    if "$@" >"$work/output" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "install: FAILED: $name"
+        sed 's/^/    /' "$work/output"
+    fi
+}
+
+same() {
+    diff <(echo "$1") <(echo "$2")
+}
+
+files() { # every file and link below a folder; a link with where it leads
+    (cd "$1" && find . -type f -printf '%P %m\n' -o -type l -printf '%P -> %l\n' | LC_ALL=C sort)
+}
+
+laid_down="bin/vides 755
+include/libvides.h 644
+lib/libvides.a 644
+lib/libvides.so -> libvides.so.1
+lib/libvides.so.$version 644
+lib/libvides.so.1 -> libvides.so.$version
+lib/pkgconfig/vides.pc 644
+share/man/man1/vides.1 644
+share/man/man3/libvides.3 644"
+laid_down=$(LC_ALL=C sort <<<"$laid_down")
+
+# A folder for a package, and a prefix of one's own with a blank in its name.
+stage=$work/stage
+own="$work/my own"
+check "into DESTDIR" "$make" install DESTDIR="$stage" PREFIX=/usr
+check "into DESTDIR: the files" same "$laid_down" "$(files "$stage/usr")"
+check "into a prefix with a blank" "$make" install PREFIX="$own"
+check "into a prefix with a blank: the files" same "$laid_down" "$(files "$own")"
+check "twice is once" "$make" install PREFIX="$own"
+check "twice is once: the files" same "$laid_down" "$(files "$own")"
+
+# ---- A C program against the installed files --------------------------------
+export PKG_CONFIG_SYSROOT_DIR=$stage
+export PKG_CONFIG_LIBDIR=$stage/usr/lib/pkgconfig
+export PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1
+config() { pkg-config "$@" vides; }
+
+check "pkg-config: version" same "$version" "$(config --modversion)"
+# The program is the README's own.
+sed -n '/^```c$/,/^```$/p' README.md | sed '/^```/d' >"$work/host.c"
+check "the README shows a C program" test -s "$work/host.c"
+warnings=(-std=c99 -pedantic -Wall -Wextra -Werror)
+# shellcheck disable=SC2046 (pkg-config's answer is several words)
+check "README's program, shared" \
+    "$cc" "${warnings[@]}" $(config --cflags) -o "$work/shared" "$work/host.c" $(config --libs) -lm
+# shellcheck disable=SC2046
+check "README's program, archive" \
+    "$cc" "${warnings[@]}" $(config --cflags) -o "$work/archive" "$work/host.c" \
+    "$stage/usr/lib/libvides.a" $(config --libs-only-l --static | sed 's/-lvides//')
+check "the shared one asks for libvides.so.1" \
+    same libvides.so.1 "$(readelf -dW "$work/shared" | sed -n 's/.*NEEDED.*\[\(libvides.*\)\]/\1/p')"
+check "the other one does not" \
+    same "" "$(readelf -dW "$work/archive" | sed -n 's/.*NEEDED.*\[\(libvides.*\)\]/\1/p')"
+check "README's program runs, shared" env LD_LIBRARY_PATH="$stage/usr/lib" "$work/shared"
+said=$(LD_LIBRARY_PATH=$stage/usr/lib "$work/shared" 2>&1)
+check "README's program runs, archive" "$work/archive"
+check "both say the same" same "$said" "$("$work/archive" 2>&1)"
+check "and they say something" test -n "$said"
+
+# ---- The command and the manual ----------------------------------------------
+check "vides --version" same "vides $version" "$("$stage/usr/bin/vides" --version)"
+for page in 1/vides.1 3/libvides.3; do
+    check "manual page ${page#*/}" \
+        same "" "$(LC_ALL=C.UTF-8 man -l --warnings -E UTF-8 "$stage/usr/share/man/man$page" 2>&1 >/dev/null)"
+done
+
+# ---- Away again ----------------------------------------------------------------
+touch "$stage/usr/lib/libother.so" "$own/lib/libvides.so.0"
+check "uninstall from DESTDIR" "$make" uninstall DESTDIR="$stage" PREFIX=/usr
+check "only what was laid down is gone" same "lib/libother.so 644" "$(files "$stage/usr")"
+check "uninstall from the prefix" "$make" uninstall PREFIX="$own"
+check "only what was laid down is gone there" same "lib/libvides.so.0 644" "$(files "$own")"
+
+echo "install: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]
