@@ -45,9 +45,17 @@ pub const MAX_FRAMES: usize = 100_000_000;
 /// Frames that one key may rest.
 pub const MAX_HOLD: u32 = 1_000_000;
 
-/// Bytes of a `.vid` file: room for `MAX_POINTS` with some orientations each,
-/// yet nothing that exhausts the memory of a small machine while parsed.
-pub const MAX_FILE_BYTES: u64 = 256 << 20;
+/// Bytes of a `.vid` file: every document within the limits here fits in, even
+/// if each number takes its 24 characters; more would only exhaust the memory
+/// of a small machine while it is parsed.
+pub const MAX_FILE_BYTES: u64 = 320 << 20;
+
+/// Steps that can be taken back: more than a day's work by hand.
+pub const MAX_HISTORY_STEPS: usize = 10_000;
+
+/// Bytes, about, that the steps to be taken back may hold: some large paths
+/// that replaced one another. The newest step is kept whatever its size.
+pub const MAX_HISTORY_BYTES: usize = 256 << 20;
 
 /// Points of the wireframe object that a host or a file hands over.
 pub const MAX_OBJECT_POINTS: usize = 1_000_000;

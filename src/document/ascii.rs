@@ -1,19 +1,195 @@
-//! ASCII output.
+//! The ASCII output (thesis B.2.3): one line for each pose, ten numbers as C's
+//! `%3.4f` prints them, single spaces between.
+//!
+//! Two things differ from C: the decimal sign is a point whatever the locale,
+//! and what rounds to zero has no minus sign.
 
 use std::io::Write;
 use std::path::Path;
 
+use super::blocks::{self, Progress};
 use super::info::Space;
+use super::save;
 use crate::error::Result;
-use crate::path::Sampler;
+use crate::path::{Pose, Sampler};
 
-/// Writes every pose as one line of ten numbers; `space` puts the positions
-/// into the user's world.
-pub fn write_ascii(_sampler: &Sampler, _space: Option<&Space>, _out: &mut dyn Write) -> Result<()> {
-    unimplemented!()
+/// Writes every pose of a path as one line
+/// `VRP.x VRP.y VRP.z VPN.x VPN.y VPN.z VUP.x VUP.y VUP.z zoom`; `space` puts
+/// the positions into the user's world.
+///
+/// # Errors
+/// [`crate::Error::Io`] if `out` fails, [`crate::Error::Memory`].
+pub fn write_ascii(sampler: &Sampler, space: Option<&Space>, out: &mut dyn Write) -> Result<()> {
+    write_with_progress(sampler, space, out, &mut |_, _| {})
 }
 
-/// The same into a file, atomically.
-pub fn write_ascii_file(_sampler: &Sampler, _space: Option<&Space>, _file: &Path) -> Result<()> {
-    unimplemented!()
+/// The same into a file, which is replaced only when all is written
+/// ([`save::save_with`]).
+///
+/// # Errors
+/// [`crate::Error::Io`] naming the file, [`crate::Error::Memory`].
+pub fn write_ascii_file(sampler: &Sampler, space: Option<&Space>, file: &Path) -> Result<()> {
+    save::save_with(file, &mut |out| write_ascii(sampler, space, out))
+}
+
+pub(super) fn write_with_progress(
+    sampler: &Sampler,
+    space: Option<&Space>,
+    out: &mut dyn Write,
+    progress: Progress<'_>,
+) -> Result<()> {
+    blocks::write(sampler, space, out, progress, &mut |text, _, pose| {
+        push_line(text, pose);
+    })
+}
+
+fn push_line(text: &mut Vec<u8>, pose: &Pose) {
+    for number in [pose.vrp, pose.vpn, pose.vup].as_flattened() {
+        push_number(text, *number);
+        text.push(b' ');
+    }
+    push_number(text, pose.zoom);
+    text.push(b'\n');
+}
+
+/// Decimals behind the point, as a factor.
+const DECIMALS: u64 = 10_000;
+
+/// Below this a ten-thousandth is more than the rounding of 10⁴·x: 10⁴·10¹¹ < 2⁵².
+const FAST: f64 = 1e11;
+
+/// Appends `x`, finite, as `%.4f` does: the exact value rounded to the nearest
+/// ten-thousandth, a tie to the even one.
+///
+/// `p`, the rounded product 10⁴·x, decides alone wherever it is not exactly
+/// half-way: half-way numbers are multiples of `p`'s last place here, so the
+/// product's own rounding cannot step over one. Half-way, its sign decides.
+fn push_number(text: &mut Vec<u8>, x: f64) {
+    let magnitude = x.abs();
+    if magnitude >= FAST {
+        // Never met in the movement space; a world may be that large.
+        let _ = write!(text, "{x:.4}");
+        return;
+    }
+    let product = magnitude * DECIMALS as f64;
+    let mut count = product as u64;
+    let rest = product - count as f64;
+    let up = if rest == 0.5 {
+        let lost = magnitude.mul_add(DECIMALS as f64, -product);
+        lost > 0.0 || (lost == 0.0 && count % 2 == 1)
+    } else {
+        rest > 0.5
+    };
+    count += u64::from(up);
+    if x < 0.0 && count > 0 {
+        text.push(b'-');
+    }
+    push_count(text, count);
+}
+
+/// Appends a number of ten-thousandths.
+fn push_count(text: &mut Vec<u8>, count: u64) {
+    // 10¹⁵ ten-thousandths at most: 12 digits, the point, 4 digits.
+    let mut digits = [0_u8; 17];
+    let mut at = digits.len();
+    let mut rest = count;
+    let mut digit = || {
+        let last = (rest % 10) as u8;
+        rest /= 10;
+        (b'0' + last, rest > 0)
+    };
+    for _ in 0..4 {
+        at -= 1;
+        digits[at] = digit().0;
+    }
+    at -= 1;
+    digits[at] = b'.';
+    loop {
+        let (character, more) = digit();
+        at -= 1;
+        digits[at] = character;
+        if !more {
+            break;
+        }
+    }
+    text.extend_from_slice(&digits[at..]);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ours(x: f64) -> String {
+        let mut text = Vec::new();
+        push_number(&mut text, x);
+        String::from_utf8(text).unwrap()
+    }
+
+    /// Any bits but those of infinities and NaN.
+    fn finite(bits: u64) -> f64 {
+        let x = f64::from_bits(bits);
+        if x.is_finite() { x } else { 0.0 }
+    }
+
+    /// Rust's own formatting is exact, and what it prints for all these
+    /// numbers is compared with C's in `tests/ascii.rs`.
+    fn check(x: f64) {
+        let expected = format!("{x:.4}");
+        let expected = if expected == "-0.0000" {
+            "0.0000"
+        } else {
+            &expected
+        };
+        assert_eq!(ours(x), expected, "{x:?}");
+    }
+
+    #[test]
+    fn numbers_are_rounded_like_exact_decimals() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            state ^ (state >> 29)
+        };
+        for _ in 0..200_000 {
+            check(finite(random()));
+            check((random() as i64) as f64 / 2_f64.powi(63));
+            check((random() as i64) as f64 / 2_f64.powi(40));
+            // Half-way or next to it: odd multiples of 1/20000, and ties that
+            // are exact in binary, odd multiples of 1/32.
+            let near = (random() % 2_000_001) as f64 / 20_000.0;
+            for x in [near, near.next_up(), near.next_down()] {
+                check(x);
+                check(-x);
+            }
+            let tie = (random() % 65_536) as f64 / 32.0;
+            check(tie);
+            check(-tie);
+        }
+    }
+
+    #[test]
+    fn zero_has_no_minus() {
+        for x in [0.0, -0.0, -0.000_01, -5e-324, -0.000_05, 0.000_05] {
+            let text = ours(x);
+            assert!(text == "0.0000" || text == "0.0001" || text == "-0.0001");
+            assert_ne!(text, "-0.0000");
+        }
+        assert_eq!(ours(-0.000_01), "0.0000");
+        assert_eq!(ours(-0.0), "0.0000");
+        // 0.00005 lies a little above the half-way, in binary.
+        assert_eq!(ours(0.000_05), "0.0001");
+        // Exact ties go to the even digit: 0.03125, 0.09375.
+        assert_eq!(ours(0.031_25), "0.0312");
+        assert_eq!(ours(0.093_75), "0.0938");
+    }
+
+    #[test]
+    fn large_worlds_keep_every_digit() {
+        check(1e11);
+        check(99_999_999_999.999_95);
+        check(-123_456_789_012_345.68);
+        check(f64::MAX);
+    }
 }

@@ -1,1 +1,323 @@
-//! placeholder
+//! The records behind the edits. A record holds the values that it puts in
+//! place; applying it hands back the record that takes it back, with the
+//! values that were there. So undo and redo are one operation, cost what the
+//! edit cost, and restore every bit.
+
+use glam::DVec3;
+
+use super::info::Info;
+use crate::error::{Result, vec_with_room};
+use crate::path::{
+    BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, Plan, SupportPoint,
+    Target, Tcb, ZoomMode,
+};
+
+/// What the records change.
+#[derive(Debug)]
+pub(super) struct Content {
+    pub(super) path: CameraPath,
+    pub(super) info: Info,
+    /// Orientations of all points together.
+    pub(super) orientations: usize,
+}
+
+impl Content {
+    pub(super) fn new(path: CameraPath, info: Info) -> Self {
+        let orientations = count_orientations(&path.points);
+        Self {
+            path,
+            info,
+            orientations,
+        }
+    }
+}
+
+/// Orientations of some points together.
+pub(super) fn count_orientations(points: &[SupportPoint]) -> usize {
+    points.iter().map(|point| point.orientations.len()).sum()
+}
+
+/// One exchange of values. Its indices have been checked.
+#[derive(Debug)]
+pub(super) enum Change {
+    Position {
+        at: usize,
+        position: DVec3,
+    },
+    Name {
+        at: usize,
+        name: Option<String>,
+    },
+    Curve {
+        at: usize,
+        curve: CurveParameters,
+    },
+    Orientation {
+        point: usize,
+        at: usize,
+        orientation: Orientation,
+    },
+    Preset {
+        preset: usize,
+        tcb: Tcb,
+    },
+    Speeds(BaseSpeeds),
+    Closed(bool),
+    Modes(OrientationMode, ZoomMode),
+    InsertPoints {
+        at: usize,
+        points: Vec<SupportPoint>,
+    },
+    /// `room` is empty and has room for `count` points, so that taking an
+    /// insertion back needs no memory.
+    RemovePoints {
+        at: usize,
+        count: usize,
+        room: Vec<SupportPoint>,
+    },
+    InsertOrientation {
+        point: usize,
+        at: usize,
+        orientation: Orientation,
+    },
+    RemoveOrientation {
+        point: usize,
+        at: usize,
+    },
+    Info(Box<Info>),
+    Path(Box<CameraPath>),
+}
+
+impl Change {
+    /// A record that takes one point away.
+    pub(super) fn remove_point(at: usize) -> Result<Self> {
+        Ok(Self::RemovePoints {
+            at,
+            count: 1,
+            room: vec_with_room(1)?,
+        })
+    }
+
+    /// Takes the memory that applying needs. Taking back and doing again never
+    /// need any: no vector of a path ever shrinks its room.
+    pub(super) fn reserve(&self, content: &mut Content) -> Result<()> {
+        let points = &mut content.path.points;
+        match self {
+            Self::InsertPoints { points: new, .. } => points.try_reserve(new.len())?,
+            Self::InsertOrientation { point, .. } => {
+                points[*point].orientations.try_reserve_exact(1)?;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// Whether applying it would change no bit.
+    pub(super) fn is_idle(&self, content: &Content) -> bool {
+        let path = &content.path;
+        match self {
+            Self::Position { at, position } => same_vector(path.points[*at].position, *position),
+            Self::Name { at, name } => path.points[*at].name == *name,
+            Self::Curve { at, curve } => match (path.points[*at].curve, *curve) {
+                (CurveParameters::Preset(a), CurveParameters::Preset(b)) => a == b,
+                (CurveParameters::Own(a), CurveParameters::Own(b)) => same_tcb(a, b),
+                _ => false,
+            },
+            Self::Orientation {
+                point,
+                at,
+                orientation,
+            } => same_orientation(&path.points[*point].orientations[*at], orientation),
+            Self::Preset { preset, tcb } => same_tcb(path.presets[*preset], *tcb),
+            // Base speeds are > 0: none of them has two zeros to tell apart.
+            Self::Speeds(speeds) => path.speeds == *speeds,
+            Self::Closed(closed) => path.closed == *closed,
+            Self::Modes(orientation, zoom) => {
+                path.orientation_mode == *orientation && path.zoom_mode == *zoom
+            }
+            _ => false,
+        }
+    }
+
+    /// Applies the record and returns the one that takes it back.
+    pub(super) fn apply(self, content: &mut Content) -> Self {
+        let path = &mut content.path;
+        match self {
+            Self::Position { at, position } => Self::Position {
+                at,
+                position: std::mem::replace(&mut path.points[at].position, position),
+            },
+            Self::Name { at, name } => Self::Name {
+                at,
+                name: std::mem::replace(&mut path.points[at].name, name),
+            },
+            Self::Curve { at, curve } => Self::Curve {
+                at,
+                curve: std::mem::replace(&mut path.points[at].curve, curve),
+            },
+            Self::Orientation {
+                point,
+                at,
+                orientation,
+            } => Self::Orientation {
+                point,
+                at,
+                orientation: std::mem::replace(
+                    &mut path.points[point].orientations[at],
+                    orientation,
+                ),
+            },
+            Self::Preset { preset, tcb } => Self::Preset {
+                preset,
+                tcb: std::mem::replace(&mut path.presets[preset], tcb),
+            },
+            Self::Speeds(speeds) => Self::Speeds(std::mem::replace(&mut path.speeds, speeds)),
+            Self::Closed(closed) => Self::Closed(std::mem::replace(&mut path.closed, closed)),
+            Self::Modes(orientation, zoom) => Self::Modes(
+                std::mem::replace(&mut path.orientation_mode, orientation),
+                std::mem::replace(&mut path.zoom_mode, zoom),
+            ),
+            Self::InsertPoints { at, mut points } => {
+                let count = points.len();
+                content.orientations += count_orientations(&points);
+                path.points.splice(at..at, points.drain(..));
+                Self::RemovePoints {
+                    at,
+                    count,
+                    room: points,
+                }
+            }
+            Self::RemovePoints {
+                at,
+                count,
+                mut room,
+            } => {
+                room.extend(path.points.drain(at..at + count));
+                content.orientations -= count_orientations(&room);
+                Self::InsertPoints { at, points: room }
+            }
+            Self::InsertOrientation {
+                point,
+                at,
+                orientation,
+            } => {
+                path.points[point].orientations.insert(at, orientation);
+                content.orientations += 1;
+                Self::RemoveOrientation { point, at }
+            }
+            Self::RemoveOrientation { point, at } => {
+                content.orientations -= 1;
+                Self::InsertOrientation {
+                    point,
+                    at,
+                    orientation: path.points[point].orientations.remove(at),
+                }
+            }
+            Self::Info(mut info) => {
+                std::mem::swap(&mut content.info, &mut info);
+                Self::Info(info)
+            }
+            Self::Path(mut other) => {
+                std::mem::swap(path, &mut other);
+                content.orientations = count_orientations(&path.points);
+                Self::Path(other)
+            }
+        }
+    }
+
+    /// Tells `plan` what applying it made out of date.
+    pub(super) fn announce(&self, plan: &mut Plan) {
+        match self {
+            Self::Name { .. } | Self::Info(_) => {}
+            Self::Position { at, .. } | Self::Curve { at, .. } => plan.point_changed(*at),
+            Self::Orientation { point, .. } => plan.point_changed(*point),
+            _ => plan.all_changed(),
+        }
+    }
+
+    /// Whether both exchange the value at the same place, so that within one
+    /// step the older of two records is enough.
+    pub(super) fn is_at_place_of(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Position { at: a, .. }, Self::Position { at: b, .. })
+            | (Self::Name { at: a, .. }, Self::Name { at: b, .. })
+            | (Self::Curve { at: a, .. }, Self::Curve { at: b, .. })
+            | (Self::Preset { preset: a, .. }, Self::Preset { preset: b, .. }) => a == b,
+            (
+                Self::Orientation {
+                    point: p, at: a, ..
+                },
+                Self::Orientation {
+                    point: q, at: b, ..
+                },
+            ) => (p, a) == (q, b),
+            (Self::Speeds(_), Self::Speeds(_))
+            | (Self::Closed(_), Self::Closed(_))
+            | (Self::Modes(..), Self::Modes(..))
+            | (Self::Info(_), Self::Info(_)) => true,
+            _ => false,
+        }
+    }
+
+    /// Whether it gives other places other numbers.
+    pub(super) fn renumbers(&self) -> bool {
+        matches!(
+            self,
+            Self::InsertPoints { .. }
+                | Self::RemovePoints { .. }
+                | Self::InsertOrientation { .. }
+                | Self::RemoveOrientation { .. }
+                | Self::Path(_)
+        )
+    }
+
+    /// About the bytes of memory that keeping it takes.
+    pub(super) fn weight(&self) -> usize {
+        let beyond = match self {
+            Self::Name { name, .. } => name.as_ref().map_or(0, String::len),
+            Self::InsertPoints { points, .. } => weigh(points),
+            Self::RemovePoints { room, .. } => room.capacity() * size_of::<SupportPoint>(),
+            Self::Info(info) => {
+                info.title.len() + info.comment.len() + size_of_val(info.object.as_slice())
+            }
+            Self::Path(path) => weigh(&path.points),
+            _ => 0,
+        };
+        size_of::<Self>() + beyond
+    }
+}
+
+fn weigh(points: &[SupportPoint]) -> usize {
+    size_of_val(points) + count_orientations(points) * size_of::<Orientation>()
+}
+
+/// Equal bit by bit: 0 and −0 differ.
+fn same_number(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits()
+}
+
+fn same_vector(a: DVec3, b: DVec3) -> bool {
+    a.to_array().map(f64::to_bits) == b.to_array().map(f64::to_bits)
+}
+
+fn same_tcb(a: Tcb, b: Tcb) -> bool {
+    same_number(a.tension, b.tension)
+        && same_number(a.continuity, b.continuity)
+        && same_number(a.bias, b.bias)
+}
+
+fn same_orientation(a: &Orientation, b: &Orientation) -> bool {
+    let same_target = match (a.target, b.target) {
+        (Target::Absolute(a), Target::Absolute(b)) | (Target::Relative(a), Target::Relative(b)) => {
+            same_vector(a, b)
+        }
+        _ => false,
+    };
+    // Zoom and speeds are ≥ 1: there `==` is bit by bit.
+    same_target
+        && same_number(a.roll, b.roll)
+        && same_tcb(a.turning, b.turning)
+        && a.zoom == b.zoom
+        && a.speeds == b.speeds
+        && a.hold == b.hold
+}

@@ -1,4 +1,4 @@
-//! The edits: what each one means, and the check that it may be done.
+//! The edits: what each one means.
 
 use glam::DVec3;
 

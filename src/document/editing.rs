@@ -2,12 +2,17 @@
 
 use std::io::Read;
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use super::change::Content;
 use super::edit::Edit;
+use super::history::{History, Step};
 use super::info::Info;
-use crate::error::Result;
-use crate::path::{CameraPath, Sampler, Timeline};
+use super::prepare;
+use super::vid;
+use crate::error::{Result, vec_with_room};
+use crate::limits;
+use crate::path::{CameraPath, Plan, Sampler, SupportPoint, Timeline};
 
 /// The current point and its current orientation, counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -18,91 +23,350 @@ pub struct Selection {
     pub orientation: usize,
 }
 
-/// A path being edited.
-#[derive(Debug)]
-pub struct Document {
-    path: CameraPath,
-    info: Info,
+impl Selection {
+    /// This point, this orientation.
+    #[must_use]
+    pub const fn at(point: usize, orientation: usize) -> Self {
+        Self { point, orientation }
+    }
 }
 
-#[allow(clippy::missing_errors_doc, missing_docs)]
+/// A path being edited: the path, what its file says besides, the current
+/// point, the history, and what has been computed. Whatever is done to it, it
+/// can be saved, loaded and sampled (more than [`limits::MAX_FRAMES`] frames
+/// excepted).
+///
+/// Reading takes `&self` and may happen on several threads at once.
+#[derive(Debug)]
+pub struct Document {
+    content: Content,
+    selection: Selection,
+    history: History,
+    /// The step to which edits are added at present.
+    open: Option<Step>,
+    /// Number of the present state; each edit makes a new one.
+    state: u64,
+    /// The highest number given so far.
+    newest: u64,
+    /// Number of the state that was saved.
+    saved: u64,
+    plan: Mutex<Plan>,
+}
+
+impl Default for Document {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Document {
+    /// The path that a new window begins with.
+    #[must_use]
     pub fn new() -> Self {
-        unimplemented!()
+        Self::with(CameraPath::default(), Info::default())
     }
-    pub fn without_history() -> Self {
-        unimplemented!()
+
+    /// A document of this path.
+    ///
+    /// # Errors
+    /// The first value that is not as [`crate::path::camera_path`] and
+    /// [`Info`] demand, with its place.
+    pub fn from_parts(mut path: CameraPath, mut info: Info) -> Result<Self> {
+        prepare::normalise(&mut path)?;
+        info.check()?;
+        info.normalise();
+        Ok(Self::with(path, info))
     }
-    pub fn from_parts(_path: CameraPath, _info: Info) -> Result<Self> {
-        unimplemented!()
+
+    fn with(path: CameraPath, info: Info) -> Self {
+        Self {
+            content: Content::new(path, info),
+            selection: Selection::default(),
+            history: History::new(limits::MAX_HISTORY_STEPS),
+            open: None,
+            state: 0,
+            newest: 0,
+            saved: 0,
+            plan: Mutex::new(Plan::new()),
+        }
     }
-    pub fn path(&self) -> &CameraPath {
-        &self.path
+
+    /// The same document, keeping no history from now on: edits leave nothing
+    /// behind, and `undo` has nothing to take back.
+    #[must_use]
+    pub fn without_history(mut self) -> Self {
+        self.open = None;
+        self.history = History::new(0);
+        self
     }
-    pub fn info(&self) -> &Info {
-        &self.info
-    }
-    pub fn selection(&self) -> Selection {
-        unimplemented!()
-    }
-    pub fn select(&mut self, _point: usize, _orientation: usize) -> Result<()> {
-        unimplemented!()
-    }
-    pub fn apply(&mut self, _edit: Edit) -> Result<()> {
-        unimplemented!()
-    }
-    pub fn undo(&mut self) -> bool {
-        unimplemented!()
-    }
-    pub fn redo(&mut self) -> bool {
-        unimplemented!()
-    }
-    pub fn can_undo(&self) -> bool {
-        unimplemented!()
-    }
-    pub fn can_redo(&self) -> bool {
-        unimplemented!()
-    }
-    pub fn begin_step(&mut self) {
-        unimplemented!()
-    }
-    pub fn end_step(&mut self) {
-        unimplemented!()
-    }
-    pub fn cancel_step(&mut self) {
-        unimplemented!()
-    }
-    pub fn drop_history(&mut self) {
-        unimplemented!()
-    }
-    pub fn is_modified(&self) -> bool {
-        unimplemented!()
-    }
-    pub fn mark_saved(&mut self) {
-        unimplemented!()
-    }
-    pub fn timeline<R>(&self, _f: impl FnOnce(&Timeline) -> R) -> Result<R> {
-        unimplemented!()
-    }
-    pub fn sampler(&self) -> Result<Arc<Sampler>> {
-        unimplemented!()
-    }
-    pub fn load(_file: &Path) -> Result<Self> {
-        unimplemented!()
-    }
-    pub fn load_from(_reader: &mut dyn Read, _name: &str) -> Result<Self> {
-        unimplemented!()
-    }
-    pub fn save(&self, _file: &Path) -> Result<()> {
-        unimplemented!()
-    }
-    pub fn from_toml(_text: &str) -> Result<Self> {
-        unimplemented!()
-    }
-    pub fn to_toml(&self) -> Result<String> {
-        unimplemented!()
-    }
+
+    /// A copy with the same selection, without the history.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
     pub fn try_clone(&self) -> Result<Self> {
-        unimplemented!()
+        let path = &self.content.path;
+        let mut points = vec_with_room(path.points.len())?;
+        for point in &path.points {
+            let mut orientations = vec_with_room(point.orientations.len())?;
+            orientations.extend_from_slice(&point.orientations);
+            points.push(SupportPoint {
+                position: point.position,
+                name: point.name.as_deref().map(copy_text).transpose()?,
+                curve: point.curve,
+                orientations,
+            });
+        }
+        let path = CameraPath {
+            points,
+            presets: path.presets,
+            closed: path.closed,
+            orientation_mode: path.orientation_mode,
+            zoom_mode: path.zoom_mode,
+            speeds: path.speeds,
+        };
+        let mut copy = Self::with(path, self.content.info.clone());
+        copy.selection = self.selection;
+        if !self.history.keeps_any() {
+            copy = copy.without_history();
+        }
+        if self.is_modified() {
+            copy.state = 1;
+            copy.newest = 1;
+        }
+        Ok(copy)
     }
+
+    /// The path.
+    #[must_use]
+    pub fn path(&self) -> &CameraPath {
+        &self.content.path
+    }
+
+    /// What the file says besides the path.
+    #[must_use]
+    pub fn info(&self) -> &Info {
+        &self.content.info
+    }
+
+    /// The current point and orientation.
+    #[must_use]
+    pub fn selection(&self) -> Selection {
+        self.selection
+    }
+
+    /// Makes a point and one of its orientations current. That is no edit: it
+    /// cannot be undone by itself and leaves the document unmodified.
+    ///
+    /// # Errors
+    /// [`crate::Error::Range`] if there is no such point or orientation.
+    pub fn select(&mut self, point: usize, orientation: usize) -> Result<()> {
+        prepare::orientation(&self.content.path, point, orientation)?;
+        self.selection = Selection::at(point, orientation);
+        Ok(())
+    }
+
+    /// Does an edit: one step of the history, or a part of the one that
+    /// [`Document::begin_step`] opened. An edit that changes nothing adds none.
+    ///
+    /// # Errors
+    /// What makes the edit impossible; the document is unchanged then.
+    pub fn apply(&mut self, edit: Edit) -> Result<()> {
+        let (change, selection) = prepare::prepare(&self.content, edit)?;
+        if change.is_idle(&self.content) {
+            return Ok(());
+        }
+        change.reserve(&mut self.content)?;
+        let keeps_record = self.open.is_some() || self.history.keeps_any();
+        let mut own = Step::new(self.selection, self.state);
+        let step = self.open.as_mut().unwrap_or(&mut own);
+        if keeps_record {
+            step.reserve()?;
+            self.history.reserve()?;
+        }
+        change.reserve(&mut self.content)?;
+        change.announce(unpoisoned(self.plan.get_mut()));
+        let inverse = change.apply(&mut self.content);
+        if keeps_record {
+            step.push(inverse);
+        }
+        if self.open.is_none() {
+            own.close();
+            self.history.push(own);
+        }
+        if let Some(selection) = selection {
+            self.selection = selection;
+        }
+        self.newest += 1;
+        self.state = self.newest;
+        Ok(())
+    }
+
+    /// From here to [`Document::end_step`] all edits are one step: a drag, the
+    /// `ok` of a window. A step that is open already is ended.
+    pub fn begin_step(&mut self) {
+        self.end_step();
+        self.open = Some(Step::new(self.selection, self.state));
+    }
+
+    /// Ends the step that is open, if one is.
+    pub fn end_step(&mut self) {
+        if let Some(mut step) = self.open.take() {
+            step.close();
+            // Without memory for one more step it cannot be taken back; what
+            // was done stands.
+            if self.history.reserve().is_ok() {
+                self.history.push(step);
+            }
+        }
+    }
+
+    /// Takes back what was done since [`Document::begin_step`], selection
+    /// included, and ends the step. Nothing of it can be done again.
+    pub fn cancel_step(&mut self) {
+        if let Some(mut step) = self.open.take() {
+            step.close();
+            self.exchange(&mut step);
+        }
+    }
+
+    /// Takes the last step back, with the selection that was there; ends the
+    /// step that is open. False if there is none. Needs no memory.
+    pub fn undo(&mut self) -> bool {
+        self.end_step();
+        let mut history = std::mem::replace(&mut self.history, History::new(0));
+        let done = history.back(|step| self.exchange(step));
+        self.history = history;
+        done
+    }
+
+    /// Does again the step that was taken back last, with the selection that
+    /// was there. False if there is none. Needs no memory.
+    pub fn redo(&mut self) -> bool {
+        self.end_step();
+        let mut history = std::mem::replace(&mut self.history, History::new(0));
+        let done = history.forth(|step| self.exchange(step));
+        self.history = history;
+        done
+    }
+
+    /// Whether there is a step to take back.
+    #[must_use]
+    pub fn can_undo(&self) -> bool {
+        self.history.can_undo() || self.open.as_ref().is_some_and(|step| !step.is_empty())
+    }
+
+    /// Whether there is a step to do again.
+    #[must_use]
+    pub fn can_redo(&self) -> bool {
+        self.history.can_redo()
+    }
+
+    /// Goes to the other side of a step, and makes it lead back here.
+    fn exchange(&mut self, step: &mut Step) {
+        let plan = unpoisoned(self.plan.get_mut());
+        step.exchange(|change| {
+            change.announce(plan);
+            change.apply(&mut self.content)
+        });
+        std::mem::swap(&mut step.selection, &mut self.selection);
+        std::mem::swap(&mut step.state, &mut self.state);
+    }
+
+    /// Whether there is something that the file does not know. Undoing back to
+    /// the state that was saved makes it false again.
+    #[must_use]
+    pub fn is_modified(&self) -> bool {
+        self.state != self.saved
+    }
+
+    /// The present state is that of the file.
+    pub fn mark_saved(&mut self) {
+        self.saved = self.state;
+    }
+
+    /// Lengths and frames, brought up to date.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub fn timeline<R>(&self, f: impl FnOnce(&Timeline) -> R) -> Result<R> {
+        let mut plan = self.lock_plan();
+        plan.timeline(&self.content.path).map(f)
+    }
+
+    /// Everything prepared for sampling; it stays valid when the document
+    /// changes, and speaks of the path as it was.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`], or [`crate::Error::Limit`] if the path yields
+    /// more than [`limits::MAX_FRAMES`] frames.
+    pub fn sampler(&self) -> Result<Arc<Sampler>> {
+        self.lock_plan().sampler(&self.content.path)
+    }
+
+    /// A panic while it was locked leaves a plan that computes anew what was
+    /// being computed.
+    fn lock_plan(&self) -> MutexGuard<'_, Plan> {
+        unpoisoned(self.plan.lock())
+    }
+
+    /// The document in a `.vid` file.
+    ///
+    /// # Errors
+    /// [`crate::Error::Io`] if it cannot be read; [`crate::Error::Format`] with
+    /// file, line and reason if its contents are not what they should be.
+    pub fn load(file: &Path) -> Result<Self> {
+        let (path, info) = vid::load(file)?;
+        Self::from_parts(path, info)
+    }
+
+    /// The document in what `reader` gives, to its end; `name` stands for it
+    /// in messages.
+    ///
+    /// # Errors
+    /// As [`Document::load`].
+    pub fn load_from(reader: &mut dyn Read, name: &str) -> Result<Self> {
+        let (path, info) = vid::load_from(reader, name)?;
+        Self::from_parts(path, info)
+    }
+
+    /// The document in the text of a `.vid` file.
+    ///
+    /// # Errors
+    /// [`crate::Error::Format`] with line and reason.
+    pub fn from_toml(text: &str) -> Result<Self> {
+        let (path, info) = vid::from_toml(text)?;
+        Self::from_parts(path, info)
+    }
+
+    /// The text of a `.vid` file. Loading it gives the same document, bit by bit.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub fn to_toml(&self) -> Result<String> {
+        vid::to_toml(&self.content.path, &self.content.info)
+    }
+
+    /// Saves as a `.vid` file, atomically and durably ([`super::save`]). Call
+    /// [`Document::mark_saved`] when it is the file being edited.
+    ///
+    /// # Errors
+    /// [`crate::Error::Io`] with the file and what the system said; the old
+    /// file is whole then.
+    pub fn save(&self, file: &Path) -> Result<()> {
+        super::save::save(file, self.to_toml()?.as_bytes())
+    }
+}
+
+/// The value, whether or not a thread panicked while it held the lock.
+fn unpoisoned<T>(result: std::result::Result<T, PoisonError<T>>) -> T {
+    result.unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A copy of a text, or [`crate::Error::Memory`].
+fn copy_text(text: &str) -> Result<String> {
+    let mut copy = String::new();
+    copy.try_reserve_exact(text.len())?;
+    copy.push_str(text);
+    Ok(copy)
 }

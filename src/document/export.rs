@@ -1,20 +1,29 @@
-//! Poses in the formats of the command.
+//! Poses in the formats of the command `vides sample`: the thesis's ASCII
+//! lines, CSV and JSON, the latter two with every digit.
 
 use std::io::Write;
 use std::path::Path;
 
+use super::ascii;
+use super::blocks;
+pub use super::blocks::Progress;
 use super::editing::Document;
+use super::info::Space;
+use super::save;
 use crate::error::Result;
+use crate::path::{Pose, Sampler};
 
 /// How poses are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Format {
-    /// Ten numbers a line, four decimals (thesis B.2.3).
+    /// Ten numbers a line, four decimals ([`super::ascii`]).
     #[default]
     Ascii,
-    /// Comma-separated, a header row, every digit.
+    /// Comma-separated values: a header row, then the frame's number and ten
+    /// numbers, with as many digits as give the same bits back.
     Csv,
-    /// An object with meta data and poses, every digit.
+    /// One object: what the document says about itself, then an array of
+    /// poses, with as many digits as give the same bits back.
     Json,
 }
 
@@ -23,29 +32,122 @@ pub enum Format {
 pub struct Options {
     /// The format.
     pub format: Format,
-    /// Positions in the user's world instead of the movement space.
+    /// Positions in the user's world ([`Space`]) instead of the movement space.
     pub world: bool,
 }
 
-/// Called now and then with the number of poses written and that of all.
-pub type Progress<'a> = &'a mut dyn FnMut(usize, usize);
-
 /// Writes all poses of a document.
+///
+/// # Errors
+/// [`crate::Error::Io`] if `out` fails, [`crate::Error::Limit`] if the path
+/// yields too many frames, [`crate::Error::Memory`].
 pub fn write(
-    _document: &Document,
-    _options: Options,
-    _out: &mut dyn Write,
-    _progress: Progress,
+    document: &Document,
+    options: Options,
+    out: &mut dyn Write,
+    progress: Progress<'_>,
 ) -> Result<()> {
-    unimplemented!()
+    let sampler = document.sampler()?;
+    let space = options.world.then_some(&document.info().space);
+    match options.format {
+        Format::Ascii => ascii::write_with_progress(&sampler, space, out, progress),
+        Format::Csv => write_csv(document, &sampler, space, out, progress),
+        Format::Json => write_json(document, &sampler, space, out, progress),
+    }
 }
 
-/// The same into a file, atomically.
+/// The same into a file, which is replaced only when all is written
+/// ([`save::save_with`]).
+///
+/// # Errors
+/// As [`write`], naming the file.
 pub fn write_file(
-    _document: &Document,
-    _options: Options,
-    _file: &Path,
-    _progress: Progress,
+    document: &Document,
+    options: Options,
+    file: &Path,
+    progress: Progress<'_>,
 ) -> Result<()> {
-    unimplemented!()
+    save::save_with(file, &mut |out| write(document, options, out, progress))
+}
+
+const HEADER: &str = "frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom\n";
+
+fn write_csv(
+    document: &Document,
+    sampler: &Sampler,
+    space: Option<&Space>,
+    out: &mut dyn Write,
+    progress: Progress<'_>,
+) -> Result<()> {
+    let first = i64::from(document.info().first_frame);
+    out.write_all(HEADER.as_bytes()).map_err(blocks::failed)?;
+    blocks::write(sampler, space, out, progress, &mut |text, index, pose| {
+        // Writing into a vector cannot fail.
+        let _ = write!(text, "{}", first + index as i64);
+        for number in [pose.vrp, pose.vpn, pose.vup].as_flattened() {
+            let _ = write!(text, ",{number:?}");
+        }
+        let _ = writeln!(text, ",{:?}", pose.zoom);
+    })
+}
+
+fn write_json(
+    document: &Document,
+    sampler: &Sampler,
+    space: Option<&Space>,
+    out: &mut dyn Write,
+    progress: Progress<'_>,
+) -> Result<()> {
+    let info = document.info();
+    let mut head = Vec::new();
+    head.extend_from_slice(b"{\n  \"title\": ");
+    push_json_text(&mut head, &info.title);
+    head.extend_from_slice(b",\n  \"comment\": ");
+    push_json_text(&mut head, &info.comment);
+    let _ = write!(
+        head,
+        ",\n  \"fps\": {:?},\n  \"first_frame\": {},\n  \"frame_count\": {},\n  \"space\": ",
+        info.fps,
+        info.first_frame,
+        sampler.frame_count()
+    );
+    match space {
+        Some(space) => {
+            head.extend_from_slice(b"\"world\",\n  \"unit\": ");
+            push_json_text(&mut head, &space.unit);
+        }
+        None => head.extend_from_slice(b"\"movement\""),
+    }
+    head.extend_from_slice(b",\n  \"poses\": [");
+    out.write_all(&head).map_err(blocks::failed)?;
+    blocks::write(sampler, space, out, progress, &mut |text, index, pose| {
+        text.extend_from_slice(if index == 0 { b"\n    " } else { b",\n    " });
+        push_json_pose(text, pose);
+    })?;
+    out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
+}
+
+fn push_json_pose(text: &mut Vec<u8>, pose: &Pose) {
+    for (name, [x, y, z]) in [("vrp", pose.vrp), ("vpn", pose.vpn), ("vup", pose.vup)] {
+        let open = if name == "vrp" { "{" } else { "" };
+        let _ = write!(text, "{open}\"{name}\": [{x:?}, {y:?}, {z:?}], ");
+    }
+    let _ = write!(text, "\"zoom\": {:?}}}", pose.zoom);
+}
+
+/// Appends a text as a JSON string.
+fn push_json_text(out: &mut Vec<u8>, text: &str) {
+    out.push(b'"');
+    for character in text.chars() {
+        let _ = match character {
+            '"' => write!(out, "\\\""),
+            '\\' => write!(out, "\\\\"),
+            '\n' => write!(out, "\\n"),
+            '\r' => write!(out, "\\r"),
+            '\t' => write!(out, "\\t"),
+            control if control.is_control() => write!(out, "\\u{:04x}", u32::from(control)),
+            other => write!(out, "{other}"),
+        };
+    }
+    out.push(b'"');
 }

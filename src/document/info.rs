@@ -46,7 +46,8 @@ pub struct Space {
 pub struct ObjectPoint {
     /// In the movement space.
     pub position: DVec3,
-    /// Whether a line leads here from the point before.
+    /// Whether a line leads here from the point before; a document keeps
+    /// `false` for the first.
     pub draw: bool,
 }
 
@@ -95,17 +96,21 @@ impl Space {
     /// # Errors
     /// [`Error::Range`], [`Error::Argument`] or [`Error::Limit`].
     pub fn check(&self) -> Result<()> {
-        if !(self.scale > 0.0 && self.scale <= limits::MAX_COORDINATE) {
-            return Err(Error::Range(
-                "the scale must be greater than 0 and at most 1e9".into(),
-            ));
-        }
+        check_scale(self.scale)?;
         check_coordinates(self.origin).map_err(|error| error.at("the origin"))?;
         check_line(&self.unit, "the unit")
     }
 }
 
 impl Info {
+    /// Brings it into the form that documents keep: no line leads to the first
+    /// point of an object.
+    pub(super) fn normalise(&mut self) {
+        if self.object.first().is_some_and(|first| first.draw) {
+            Arc::make_mut(&mut self.object)[0].draw = false;
+        }
+    }
+
     /// Whether every field is in its range.
     ///
     /// # Errors
@@ -126,6 +131,16 @@ impl Info {
         }
         Ok(())
     }
+}
+
+/// Scale of a space.
+pub(super) fn check_scale(scale: f64) -> Result<()> {
+    if !(scale > 0.0 && scale <= limits::MAX_COORDINATE) {
+        return Err(Error::Range(
+            "the scale must be greater than 0 and at most 1e9".into(),
+        ));
+    }
+    Ok(())
 }
 
 /// Frames per second that a film can have.

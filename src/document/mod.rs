@@ -10,13 +10,18 @@
 //! It stands on [`crate::path`] and knows nothing of windows or of C.
 
 pub mod ascii;
+mod blocks;
 mod change;
 mod edit;
 mod editing;
 pub mod export;
 mod history;
 mod info;
+mod place;
+mod prepare;
 pub mod save;
+mod target;
+mod vid;
 
 pub use edit::Edit;
 pub use editing::{Document, Selection};

@@ -1,1 +1,163 @@
-//! placeholder
+//! Saving so that a file is wholly the old or wholly the new, whatever happens
+//! in between: written beside it, brought to the disk, renamed over it, and
+//! the folder brought to the disk too.
+
+use std::fs::{self, File, OpenOptions, Permissions};
+use std::io::{self, BufWriter, Write};
+use std::os::unix::fs::{MetadataExt, OpenOptionsExt, PermissionsExt};
+use std::path::{Path, PathBuf};
+
+use crate::error::{Error, Result};
+
+/// Saves bytes. See [`save_with`].
+///
+/// # Errors
+/// As [`save_with`].
+pub fn save(file: &Path, bytes: &[u8]) -> Result<()> {
+    save_with(file, &mut |out| {
+        out.write_all(bytes).map_err(|error| failed(file, error))
+    })
+}
+
+/// Saves what `write` writes. A symbolic link stays, and the file it leads to
+/// is replaced; permissions stay; a new file has those that the process gives
+/// to new files.
+///
+/// # Errors
+/// [`Error::Io`] naming the file, or the error of `write`. The old file is
+/// whole then, and nothing is left beside it.
+pub fn save_with(file: &Path, write: &mut dyn FnMut(&mut dyn Write) -> Result<()>) -> Result<()> {
+    let io = |error| failed(file, error);
+    let target = destination(file).map_err(io)?;
+    let old = match fs::metadata(&target) {
+        Ok(metadata) if metadata.is_file() => Some(metadata),
+        Ok(metadata) => {
+            let what = if metadata.is_dir() {
+                "this is a directory, not a file"
+            } else {
+                "this is not a regular file"
+            };
+            return Err(Error::Argument(what.into()).at(file.display()));
+        }
+        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+        Err(error) => return Err(io(error)),
+    };
+    // Renaming over a file asks the folder only; ask the file as well.
+    if old.is_some() {
+        OpenOptions::new().write(true).open(&target).map_err(io)?;
+    }
+    let folder = match target.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let mut temporary = Temporary::beside(&target, folder).map_err(io)?;
+    let mut out = BufWriter::with_capacity(1 << 16, &temporary.file);
+    write(&mut out).map_err(|error| match error {
+        Error::Io { source, .. } => io(source),
+        other => other,
+    })?;
+    out.flush().map_err(io)?;
+    drop(out);
+    if let Some(old) = old {
+        // The group first: changing it may take permissions away again.
+        let _ = std::os::unix::fs::fchown(&temporary.file, None, Some(old.gid()));
+        let permissions = Permissions::from_mode(old.mode() & 0o7777);
+        temporary.file.set_permissions(permissions).map_err(io)?;
+    }
+    temporary.file.sync_all().map_err(io)?;
+    fs::rename(&temporary.path, &target).map_err(io)?;
+    temporary.renamed = true;
+    // The new file is in place; only a power cut could still bring the old one
+    // back. Some file systems cannot sync a folder and say so.
+    match File::open(folder).and_then(|folder| folder.sync_all()) {
+        Err(error) if !unsupported(&error) => Err(io(error)),
+        _ => Ok(()),
+    }
+}
+
+fn failed(file: &Path, source: io::Error) -> Error {
+    Error::Io {
+        place: file.display().to_string(),
+        source,
+    }
+}
+
+fn unsupported(error: &io::Error) -> bool {
+    matches!(
+        error.raw_os_error(),
+        Some(libc::EINVAL | libc::ENOTSUP | libc::EACCES)
+    )
+}
+
+/// Symbolic links that are followed: as many as Linux itself follows.
+const MAX_LINKS: usize = 40;
+
+/// The file that is to be replaced: the end of the chain if `file` is a
+/// symbolic link, also where nothing is there yet.
+fn destination(file: &Path) -> io::Result<PathBuf> {
+    let mut file = file.to_path_buf();
+    for _ in 0..MAX_LINKS {
+        match fs::symlink_metadata(&file) {
+            Ok(metadata) if metadata.file_type().is_symlink() => {
+                let link = fs::read_link(&file)?;
+                // Absolute links replace the whole, relative ones the name.
+                file.pop();
+                file.push(link);
+            }
+            _ => return Ok(file),
+        }
+    }
+    Err(io::Error::from_raw_os_error(libc::ELOOP))
+}
+
+/// A new file beside another, removed again unless it was renamed.
+struct Temporary {
+    path: PathBuf,
+    file: File,
+    renamed: bool,
+}
+
+impl Temporary {
+    fn beside(target: &Path, folder: &Path) -> io::Result<Self> {
+        if target.file_name().is_none() {
+            return Err(io::Error::from_raw_os_error(libc::EISDIR));
+        }
+        // The name need not be secret, only free: create_new tells.
+        for attempt in 0..1000 {
+            let number = NEXT.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+            // Not made from the target's name, which may be as long as names can be.
+            let path = folder.join(format!(
+                ".vides-{}-{number}-{attempt}.tmp",
+                std::process::id()
+            ));
+            match OpenOptions::new()
+                .write(true)
+                .create_new(true)
+                .mode(0o666)
+                .open(&path)
+            {
+                Ok(file) => {
+                    return Ok(Self {
+                        path,
+                        file,
+                        renamed: false,
+                    });
+                }
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Err(io::Error::from(io::ErrorKind::AlreadyExists))
+    }
+}
+
+/// Number of the next temporary file of this process.
+static NEXT: std::sync::atomic::AtomicU64 = std::sync::atomic::AtomicU64::new(0);
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        if !self.renamed {
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+}

@@ -35,17 +35,9 @@ impl Tcb {
     /// # Errors
     /// [`Error::Range`] names the value that is not.
     pub fn check(self) -> Result<()> {
-        let named = [
-            (self.tension, "the tension must lie between -1 and 1"),
-            (self.continuity, "the continuity must lie between -1 and 1"),
-            (self.bias, "the bias must lie between -1 and 1"),
-        ];
-        for (value, message) in named {
-            if !(-1.0..=1.0).contains(&value) {
-                return Err(Error::Range(message.into()));
-            }
-        }
-        Ok(())
+        check_shape(self.tension, "tension")?;
+        check_shape(self.continuity, "continuity")?;
+        check_shape(self.bias, "bias")
     }
 }
 
@@ -76,6 +68,21 @@ impl Target {
             Self::Absolute(target) => target - position,
             Self::Relative(offset) => offset,
         }
+    }
+
+    /// Finite, in range, and seen in some direction from `position`.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] or [`Error::Range`].
+    pub fn check(self, position: DVec3) -> Result<()> {
+        let (Self::Absolute(v) | Self::Relative(v)) = self;
+        check_coordinates(v)?;
+        if self.offset_from(position) == DVec3::ZERO {
+            return Err(Error::Argument(
+                "the target must not lie on the camera's own position".into(),
+            ));
+        }
+        Ok(())
     }
 }
 
@@ -116,33 +123,14 @@ impl Orientation {
     /// # Errors
     /// [`Error::Range`] or [`Error::Argument`] with the reason.
     pub fn check(&self, position: DVec3) -> Result<()> {
-        let (Target::Absolute(v) | Target::Relative(v)) = self.target;
-        check_coordinates(v)?;
-        if self.target.offset_from(position) == DVec3::ZERO {
-            return Err(Error::Argument(
-                "the target must not lie on the camera's own position".into(),
-            ));
-        }
+        self.target.check(position)?;
         if !self.roll.is_finite() {
             return Err(Error::Argument("the roll must be a finite number".into()));
         }
-        if !(limits::MIN_ZOOM..=limits::MAX_ZOOM).contains(&self.zoom) {
-            return Err(Error::Range("the zoom must lie between 1 and 100".into()));
-        }
+        check_zoom(self.zoom)?;
         self.turning.check()?;
-        for speed in self.speeds {
-            if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&speed) {
-                return Err(Error::Range(
-                    "each value of a speed curve must lie between 1 and 100".into(),
-                ));
-            }
-        }
-        if self.hold > limits::MAX_HOLD {
-            return Err(Error::Range(
-                "the hold must lie between 0 and 1000000 frames".into(),
-            ));
-        }
-        Ok(())
+        self.speeds.into_iter().try_for_each(check_speed)?;
+        check_hold(self.hold)
     }
 
     /// View direction of a camera at `position`: a unit vector.
@@ -389,16 +377,74 @@ pub fn check_name(name: &str) -> Result<()> {
     Ok(())
 }
 
+/// A tension, continuity or bias (`name` says which): in [−1, 1].
+///
+/// # Errors
+/// [`Error::Range`].
+pub fn check_shape(value: f64, name: &str) -> Result<()> {
+    if !(-1.0..=1.0).contains(&value) {
+        return Err(Error::Range(
+            format!("the {name} must lie between -1 and 1").into(),
+        ));
+    }
+    Ok(())
+}
+
+/// A zoom: 1…100.
+///
+/// # Errors
+/// [`Error::Range`].
+pub fn check_zoom(zoom: f64) -> Result<()> {
+    if !(limits::MIN_ZOOM..=limits::MAX_ZOOM).contains(&zoom) {
+        return Err(Error::Range("the zoom must lie between 1 and 100".into()));
+    }
+    Ok(())
+}
+
+/// One value of a speed curve: 1…100.
+///
+/// # Errors
+/// [`Error::Range`].
+pub fn check_speed(speed: f64) -> Result<()> {
+    if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&speed) {
+        return Err(Error::Range(
+            "each value of a speed curve must lie between 1 and 100".into(),
+        ));
+    }
+    Ok(())
+}
+
+/// Frames that a key rests: at most [`limits::MAX_HOLD`].
+///
+/// # Errors
+/// [`Error::Range`].
+pub fn check_hold(hold: u32) -> Result<()> {
+    if hold > limits::MAX_HOLD {
+        return Err(Error::Range(
+            "the hold must lie between 0 and 1000000 frames".into(),
+        ));
+    }
+    Ok(())
+}
+
+/// One base speed: finite and > 0.
+///
+/// # Errors
+/// [`Error::Argument`].
+pub fn check_base_speed(speed: f64) -> Result<()> {
+    if !(speed > 0.0 && speed.is_finite()) {
+        return Err(Error::Argument(
+            "a base speed must be finite and greater than zero".into(),
+        ));
+    }
+    Ok(())
+}
+
 /// All four finite and > 0.
 ///
 /// # Errors
 /// [`Error::Argument`] otherwise.
 pub fn check_speeds(speeds: BaseSpeeds) -> Result<()> {
     let all = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling];
-    if all.iter().any(|&speed| !(speed > 0.0 && speed.is_finite())) {
-        return Err(Error::Argument(
-            "a base speed must be finite and greater than zero".into(),
-        ));
-    }
-    Ok(())
+    all.into_iter().try_for_each(check_base_speed)
 }

@@ -1,0 +1,58 @@
+//! Poses on their way out: sampled, turned into text and written block by
+//! block, so that a long film takes no more memory than a short one.
+
+use std::io::{self, Write};
+
+use super::info::Space;
+use crate::error::{Error, Result, vec_with_room};
+use crate::path::{Pose, Sampler};
+
+/// Called now and then with the number of poses written and that of all.
+pub type Progress<'a> = &'a mut dyn FnMut(usize, usize);
+
+/// Poses of a block: large enough that a write call costs nothing, small
+/// enough to stay in the processor's cache.
+const BLOCK: usize = 512;
+
+/// Bytes that a pose is expected to take; more only costs a growth.
+const BYTES: usize = 256;
+
+/// Writes all poses in the order of their numbers: `push` appends one, given
+/// its index from 0.
+pub(super) fn write(
+    sampler: &Sampler,
+    space: Option<&Space>,
+    out: &mut dyn Write,
+    progress: Progress<'_>,
+    push: &mut dyn FnMut(&mut Vec<u8>, usize, &Pose),
+) -> Result<()> {
+    let all = sampler.frame_count();
+    let mut poses = vec_with_room(BLOCK)?;
+    poses.resize(BLOCK.min(all), Pose::default());
+    let mut text = vec_with_room(BLOCK * BYTES)?;
+    let mut done = 0;
+    while done < all {
+        let block = poses.len().min(all - done);
+        let poses = &mut poses[..block];
+        sampler.sample(done + 1, poses)?;
+        text.clear();
+        for (index, pose) in poses.iter_mut().enumerate() {
+            if let Some(space) = space {
+                *pose = space.pose_to_world(pose);
+            }
+            push(&mut text, done + index, pose);
+        }
+        out.write_all(&text).map_err(failed)?;
+        done += block;
+        progress(done, all);
+    }
+    Ok(())
+}
+
+/// An error of a writer that has no name.
+pub(super) fn failed(source: io::Error) -> Error {
+    Error::Io {
+        place: "the output".to_owned(),
+        source,
+    }
+}

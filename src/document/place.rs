@@ -1,0 +1,106 @@
+//! Where new points come to lie: on a segment of the curve, or beyond an end.
+
+use glam::DVec3;
+
+use crate::error::{Error, Result};
+use crate::limits::MAX_DIVISION;
+use crate::math::orientation::unit;
+use crate::path::CameraPath;
+use crate::path::arc_length::ArcLength;
+use crate::path::hermite::Cubic;
+use crate::path::kochanek_bartels;
+
+/// The points that divide a segment into `count + 1` pieces of equal length,
+/// written into `room`.
+pub(super) fn divide<'a>(
+    path: &CameraPath,
+    segment: usize,
+    count: usize,
+    room: &'a mut [DVec3; MAX_DIVISION],
+) -> Result<&'a [DVec3]> {
+    if segment >= path.segment_count() {
+        let last = path.segment_count() - 1;
+        return Err(Error::Range(if segment + 1 == path.points.len() {
+            "no segment begins in the last point of an open path".into()
+        } else {
+            format!("there is no segment {segment}: the path has segments 0 to {last}").into()
+        }));
+    }
+    if count == 0 || count > MAX_DIVISION {
+        return Err(Error::Range(
+            "a segment is divided by 1 to 10 points".into(),
+        ));
+    }
+    let curve = kochanek_bartels::segment(path, segment);
+    let measure = ArcLength::new(&curve)?;
+    let length = measure.length();
+    for (index, place) in room[..count].iter_mut().enumerate() {
+        let way = length * (index + 1) as f64 / (count + 1) as f64;
+        *place = curve.point(measure.parameter_at(way));
+    }
+    Ok(&room[..count])
+}
+
+/// An end of an open path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    First,
+    Last,
+}
+
+/// A place beyond an end: along the curve's tangent there, as far as the
+/// segment at that end is long, kept in the movement space.
+pub(super) fn beyond(path: &CameraPath, end: End) -> Result<DVec3> {
+    if path.closed {
+        return Err(Error::Argument("a closed path has no ends".into()));
+    }
+    let (segment, name) = match end {
+        End::First => (0, "first"),
+        End::Last => (path.segment_count() - 1, "last"),
+    };
+    let curve = kochanek_bartels::segment(path, segment);
+    let length = ArcLength::new(&curve)?.length();
+    let (from, way) = match end {
+        End::First => (curve.d, way_in_at_start(&curve).map(|way| -way)),
+        End::Last => (curve.end, way_out_at_end(&curve)),
+    };
+    let Some(way) = way else {
+        return Err(Error::Argument(
+            format!("the {name} segment has no length and so no direction to go on in").into(),
+        ));
+    };
+    // An end that already lies outside must not be pulled back in.
+    let (low, high) = (from.min(DVec3::NEG_ONE), from.max(DVec3::ONE));
+    let place = (from + length * way).clamp(low, high);
+    if place == from {
+        return Err(Error::Range(
+            format!("there is no room in the movement space beyond the {name} point").into(),
+        ));
+    }
+    Ok(place)
+}
+
+/// Direction in which the curve sets out: its first derivative that is not zero.
+fn way_in_at_start(curve: &Cubic) -> Option<DVec3> {
+    direction([curve.c, curve.b, curve.a])
+}
+
+/// Direction in which the curve arrives: every second derivative counts
+/// backwards there.
+fn way_out_at_end(curve: &Cubic) -> Option<DVec3> {
+    direction([
+        curve.derivative(1.0),
+        -curve.second_derivative(1.0),
+        curve.a,
+    ])
+}
+
+/// The first of some vectors that is more than the rounding of the others.
+fn direction(derivatives: [DVec3; 3]) -> Option<DVec3> {
+    let size = |v: &DVec3| v.abs().max_element();
+    let largest = derivatives.iter().map(size).fold(0.0, f64::max);
+    derivatives
+        .into_iter()
+        .find(|v| size(v) > largest * 1e-12)
+        .map(unit)
+}

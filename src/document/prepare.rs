@@ -1,0 +1,304 @@
+//! From an edit to its record: everything is checked here, and nothing is
+//! changed, so that an edit is done wholly or not at all.
+
+use glam::DVec3;
+
+use super::change::{Change, Content, count_orientations};
+use super::edit::Edit;
+use super::editing::Selection;
+use super::place;
+use super::target;
+use crate::error::{Error, Result, vec_with_room};
+use crate::limits;
+use crate::math::orientation::wrap_degrees;
+use crate::path::camera_path::{check_coordinates, check_speeds};
+use crate::path::{CameraPath, CurveParameters, Orientation, SupportPoint, Target};
+
+/// The record of an edit, and the selection after it if it sets one.
+pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<Selection>)> {
+    let path = &content.path;
+    let change = match edit {
+        Edit::InsertPoint { at, position } => {
+            if at > path.points.len() {
+                return Err(Error::Range(
+                    format!(
+                        "a new point must be put at 0 to {}, not at {at}",
+                        path.points.len()
+                    )
+                    .into(),
+                ));
+            }
+            let points = copies(content, at.saturating_sub(1), &[position])?;
+            return Ok(inserted(at, points));
+        }
+        Edit::AppendAfterLast => {
+            let position = place::beyond(path, place::End::Last)?;
+            let count = path.points.len();
+            let points = copies(content, count - 1, &[position])?;
+            return Ok(inserted(count, points));
+        }
+        Edit::PrependBeforeFirst => {
+            let position = place::beyond(path, place::End::First)?;
+            return Ok(inserted(0, copies(content, 0, &[position])?));
+        }
+        Edit::DivideSegment { segment, points } => {
+            let mut room = [DVec3::ZERO; limits::MAX_DIVISION];
+            let positions = place::divide(path, segment, points, &mut room)?;
+            return Ok(inserted(segment + 1, copies(content, segment, positions)?));
+        }
+        Edit::RemovePoint { at } => {
+            point(path, at)?;
+            if path.points.len() <= limits::MIN_POINTS {
+                return Err(Error::Range(
+                    "the last two points of a path cannot be removed".into(),
+                ));
+            }
+            return Ok((
+                Change::remove_point(at)?,
+                Some(Selection::at(at.saturating_sub(1), 0)),
+            ));
+        }
+        Edit::SetPosition { at, position } => {
+            check_position(point(path, at)?, at, position)?;
+            Change::Position { at, position }
+        }
+        Edit::SetName { at, name } => {
+            point(path, at)?;
+            let name = name.filter(|name| !name.is_empty());
+            if let Some(name) = &name {
+                super::info::check_line(name, "the name")?;
+            }
+            Change::Name { at, name }
+        }
+        Edit::SetOwn { at, tcb } => {
+            point(path, at)?;
+            tcb.check()?;
+            let curve = CurveParameters::Own(tcb);
+            Change::Curve { at, curve }
+        }
+        Edit::UsePreset { at, preset } => {
+            point(path, at)?;
+            let curve = CurveParameters::Preset(preset_number(preset)?);
+            Change::Curve { at, curve }
+        }
+        Edit::SetPreset { preset, tcb } => {
+            preset_number(preset)?;
+            tcb.check()?;
+            Change::Preset { preset, tcb }
+        }
+        Edit::InsertOrientation {
+            point,
+            at,
+            orientation,
+        } => {
+            let orientation = new_orientation(content, point, at, orientation)?;
+            let change = Change::InsertOrientation {
+                point,
+                at,
+                orientation,
+            };
+            return Ok((change, Some(Selection::at(point, at))));
+        }
+        Edit::RemoveOrientation { point: number, at } => {
+            orientation(path, number, at)?;
+            if path.points[number].orientations.len() == 1 {
+                return Err(Error::Range(
+                    "the last orientation of a point cannot be removed".into(),
+                ));
+            }
+            let change = Change::RemoveOrientation { point: number, at };
+            let selection = Selection::at(number, at.saturating_sub(1));
+            return Ok((change, Some(selection)));
+        }
+        Edit::SetOrientation {
+            point: number,
+            at,
+            orientation: new,
+        } => {
+            orientation(path, number, at)?;
+            Change::Orientation {
+                point: number,
+                at,
+                orientation: checked(new, path.points[number].position)?,
+            }
+        }
+        Edit::SetAbsolute {
+            point: number,
+            at,
+            absolute,
+        } => {
+            let mut new = orientation(path, number, at)?.clone();
+            let position = path.points[number].position;
+            new.target = target::switched(new.target, position, absolute)?;
+            Change::Orientation {
+                point: number,
+                at,
+                orientation: new,
+            }
+        }
+        Edit::SetSpeeds(speeds) => {
+            check_speeds(speeds)?;
+            Change::Speeds(speeds)
+        }
+        Edit::SetClosed(closed) => Change::Closed(closed),
+        Edit::SetModes(orientation, zoom) => Change::Modes(orientation, zoom),
+        Edit::SetInfo(mut info) => {
+            info.check()?;
+            info.normalise();
+            Change::Info(info)
+        }
+        Edit::ReplacePath(mut path) => {
+            normalise(&mut path)?;
+            return Ok((Change::Path(path), Some(Selection::default())));
+        }
+    };
+    Ok((change, None))
+}
+
+/// Checks a whole path and brings it into the form that documents keep: rolls
+/// in (−180, 180], no empty names.
+pub(super) fn normalise(path: &mut CameraPath) -> Result<()> {
+    path.check()?;
+    check_all_orientations(count_orientations(&path.points))?;
+    for point in &mut path.points {
+        point.name = point.name.take().filter(|name| !name.is_empty());
+        for orientation in &mut point.orientations {
+            orientation.roll = wrap_degrees(orientation.roll);
+        }
+    }
+    Ok(())
+}
+
+/// New points become part of the path; the first of them is current.
+fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>) {
+    (
+        Change::InsertPoints { at, points },
+        Some(Selection::at(at, 0)),
+    )
+}
+
+/// A new point at each of `positions` with the properties of point `from`.
+fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<SupportPoint>> {
+    let source = &content.path.points[from];
+    if content.path.points.len() + positions.len() > limits::MAX_POINTS {
+        return Err(Error::Limit(
+            format!("a path has at most {} support points", limits::MAX_POINTS).into(),
+        ));
+    }
+    check_all_orientations(content.orientations + positions.len() * source.orientations.len())?;
+    let mut points = vec_with_room(positions.len())?;
+    for &position in positions {
+        check_coordinates(position)?;
+        let mut orientations = vec_with_room(source.orientations.len())?;
+        for old in &source.orientations {
+            let mut new = old.clone();
+            if new.target == Target::Absolute(position) {
+                new.target = target::switched(old.target, source.position, false)?;
+            }
+            orientations.push(new);
+        }
+        points.push(SupportPoint {
+            position,
+            // A name is for one point: two of the same would help nobody.
+            name: None,
+            curve: source.curve,
+            orientations,
+        });
+    }
+    Ok(points)
+}
+
+/// The orientation that an insertion puts in.
+fn new_orientation(
+    content: &Content,
+    number: usize,
+    at: usize,
+    given: Option<Orientation>,
+) -> Result<Orientation> {
+    let point = point(&content.path, number)?;
+    let count = point.orientations.len();
+    if at > count {
+        return Err(Error::Range(
+            format!("a new orientation must be put at 0 to {count}, not at {at}").into(),
+        ));
+    }
+    if count == limits::MAX_ORIENTATIONS {
+        return Err(Error::Limit("a point has at most 10 orientations".into()));
+    }
+    check_all_orientations(content.orientations + 1)?;
+    match given {
+        None => Ok(point.orientations[at.saturating_sub(1)].clone()),
+        Some(orientation) => checked(orientation, point.position),
+    }
+}
+
+/// An orientation from outside, checked, its roll in (−180, 180].
+fn checked(mut orientation: Orientation, position: DVec3) -> Result<Orientation> {
+    orientation.check(position)?;
+    orientation.roll = wrap_degrees(orientation.roll);
+    Ok(orientation)
+}
+
+fn check_position(point: &SupportPoint, at: usize, position: DVec3) -> Result<()> {
+    check_coordinates(position)?;
+    for (index, orientation) in point.orientations.iter().enumerate() {
+        if orientation.target == Target::Absolute(position) {
+            return Err(Error::Argument(
+                format!(
+                    "point {} must not lie on the target of its orientation {}",
+                    at + 1,
+                    index + 1
+                )
+                .into(),
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn check_all_orientations(count: usize) -> Result<()> {
+    if count > limits::MAX_ALL_ORIENTATIONS {
+        return Err(Error::Limit(
+            format!(
+                "the points of a path have at most {} orientations together",
+                limits::MAX_ALL_ORIENTATIONS
+            )
+            .into(),
+        ));
+    }
+    Ok(())
+}
+
+/// The point of this number.
+pub(super) fn point(path: &CameraPath, at: usize) -> Result<&SupportPoint> {
+    path.points.get(at).ok_or_else(|| {
+        Error::Range(
+            format!(
+                "there is no point {at}: the path has points 0 to {}",
+                path.points.len() - 1
+            )
+            .into(),
+        )
+    })
+}
+
+/// The orientation of this number.
+pub(super) fn orientation(path: &CameraPath, number: usize, at: usize) -> Result<&Orientation> {
+    let point = point(path, number)?;
+    point.orientations.get(at).ok_or_else(|| {
+        Error::Range(
+            format!(
+                "there is no orientation {at}: point {number} has orientations 0 to {}",
+                point.orientations.len() - 1
+            )
+            .into(),
+        )
+    })
+}
+
+fn preset_number(preset: usize) -> Result<u8> {
+    match u8::try_from(preset) {
+        Ok(number) if preset < limits::PRESETS => Ok(number),
+        _ => Err(Error::Range("the preset must lie between 0 and 9".into())),
+    }
+}

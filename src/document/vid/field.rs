@@ -1,0 +1,186 @@
+//! One `key = value` of a file, with its line: typed access whose errors say
+//! where and why.
+
+use std::fmt::Display;
+
+use glam::DVec3;
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
+
+use crate::error::{Error, Result};
+
+/// A key (or a place in an array) and its value.
+#[derive(Clone, Copy)]
+pub(super) struct Field<'a> {
+    text: &'a str,
+    /// The key; in an array, that of the array.
+    pub(super) key: &'a str,
+    /// Where the complaint is: byte offset of the value, or of its key.
+    offset: usize,
+    value: &'a DeValue<'a>,
+}
+
+/// The fields of a table, in alphabetical order.
+pub(super) fn fields<'a>(text: &'a str, table: &'a DeTable<'a>) -> impl Iterator<Item = Field<'a>> {
+    table
+        .iter()
+        .map(move |(key, value)| Field::new(text, key, value))
+}
+
+/// A sentence about the place at a byte offset of the text.
+pub(super) fn complain(text: &str, offset: usize, reason: impl Display) -> Error {
+    let before = &text.as_bytes()[..offset.min(text.len())];
+    let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+    Error::Format(format!("line {line}: {reason}").into())
+}
+
+impl<'a> Field<'a> {
+    fn new(text: &'a str, key: &'a Spanned<DeString<'a>>, value: &'a Spanned<DeValue<'a>>) -> Self {
+        // A table begins at its header; of an array over several lines, the
+        // line of the key tells more than that of its bracket.
+        Self {
+            text,
+            key: key.get_ref(),
+            offset: key.span().start,
+            value: value.get_ref(),
+        }
+    }
+
+    /// An error at this place.
+    pub(super) fn error(&self, reason: impl Display) -> Error {
+        complain(
+            self.text,
+            self.offset,
+            format_args!("{}: {reason}", self.key),
+        )
+    }
+
+    /// The error of a check, at this place.
+    pub(super) fn checked<T>(&self, result: Result<T>) -> Result<T> {
+        result.map_err(|error| match error {
+            Error::Memory => error,
+            other => self.error(other),
+        })
+    }
+
+    /// The error of a key that does not belong here.
+    pub(super) fn unknown(&self, known: &[&str]) -> Error {
+        complain(
+            self.text,
+            self.offset,
+            format_args!(
+                "unknown key \"{}\"; known here: {}",
+                self.key.escape_debug(),
+                known.join(", ")
+            ),
+        )
+    }
+
+    fn mismatch(&self, wanted: &str) -> Error {
+        let found = match self.value {
+            DeValue::String(_) => "a text",
+            DeValue::Integer(_) | DeValue::Float(_) => "a number",
+            DeValue::Boolean(_) => "true or false",
+            DeValue::Datetime(_) => "a date or time",
+            DeValue::Array(_) => "an array",
+            DeValue::Table(_) => "a table",
+        };
+        self.error(format_args!("expected {wanted}, found {found}"))
+    }
+
+    /// A finite number, written with or without a decimal point.
+    pub(super) fn number(&self) -> Result<f64> {
+        let number = match self.value {
+            DeValue::Float(float) => float.as_str().parse().ok(),
+            DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
+            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
+                .ok()
+                .map(|integer| integer as f64),
+            _ => return Err(self.mismatch("a number")),
+        };
+        match number {
+            Some(number) if f64::is_finite(number) => Ok(number),
+            _ => Err(self.error("the number must be finite")),
+        }
+    }
+
+    /// A whole number.
+    pub(super) fn integer(&self) -> Result<i64> {
+        match self.value {
+            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
+                .map_err(|_| self.error("the number is too large")),
+            _ => Err(self.mismatch("a whole number")),
+        }
+    }
+
+    /// A whole number of some range.
+    pub(super) fn integer_in(&self, low: i64, high: i64) -> Result<i64> {
+        let integer = self.integer()?;
+        if (low..=high).contains(&integer) {
+            Ok(integer)
+        } else {
+            Err(self.error(format_args!("must lie between {low} and {high}")))
+        }
+    }
+
+    /// `true` or `false`.
+    pub(super) fn boolean(&self) -> Result<bool> {
+        match self.value {
+            DeValue::Boolean(boolean) => Ok(*boolean),
+            _ => Err(self.mismatch("true or false")),
+        }
+    }
+
+    /// A text.
+    pub(super) fn text(&self) -> Result<&'a str> {
+        match self.value {
+            DeValue::String(text) => Ok(text),
+            _ => Err(self.mismatch("a text in quotes")),
+        }
+    }
+
+    /// The fields of a table.
+    pub(super) fn fields(&self) -> Result<impl Iterator<Item = Field<'a>> + use<'a>> {
+        match self.value {
+            DeValue::Table(table) => Ok(fields(self.text, table)),
+            _ => Err(self.mismatch("a table")),
+        }
+    }
+
+    /// The elements of an array.
+    pub(super) fn elements(&self) -> Result<impl ExactSizeIterator<Item = Field<'a>> + use<'a>> {
+        let DeValue::Array(array) = self.value else {
+            return Err(self.mismatch("an array"));
+        };
+        let (text, key) = (self.text, self.key);
+        Ok(array.iter().map(move |element| Field {
+            text,
+            key,
+            offset: element.span().start,
+            value: element.get_ref(),
+        }))
+    }
+
+    /// An array of so many numbers.
+    pub(super) fn numbers<const N: usize>(&self) -> Result<[f64; N]> {
+        let elements = self.elements()?;
+        if elements.len() != N {
+            return Err(self.error(format_args!(
+                "expected {N} numbers, found {}",
+                elements.len()
+            )));
+        }
+        let mut numbers = [0.0; N];
+        for (number, element) in numbers.iter_mut().zip(elements) {
+            *number = element.number()?;
+        }
+        Ok(numbers)
+    }
+
+    /// Three coordinates.
+    pub(super) fn vector(&self) -> Result<DVec3> {
+        let vector = DVec3::from_array(self.numbers()?);
+        self.checked(crate::path::camera_path::check_coordinates(vector))?;
+        Ok(vector)
+    }
+}
