@@ -32,9 +32,12 @@ ld -r --gc-sections --force-group-allocation $(sed 's/^/-u /' "$work/exports") \
     -o "$work/rust.o" "$archive"
 
 # ld leaves a name that nothing calls any more as a local one without a place,
-# and objcopy would make a wish for it of that.
-readelf -sW "$work/rust.o" | awk '$5 == "LOCAL" && $7 == "UND" && $8 != "" { print $8 }' \
-    >"$work/uncalled"
+# and objcopy would make a wish for it of that. (The first line is there because
+# objcopy fails, without a word, on an empty list.)
+{
+    echo no_such_name
+    readelf -sW "$work/rust.o" | awk '$5 == "LOCAL" && $7 == "UND" && $8 != "" { print $8 }'
+} >"$work/uncalled"
 objcopy --strip-symbols="$work/uncalled" -R .llvmbc -R .llvmcmd "$work/rust.o" "$work/reached.o"
 
 # Names that it calls and that a host may define. A leading underscore is the
