@@ -123,9 +123,9 @@ check-dependencies:
 	PATH="$$PATH:$(abspath $(TOOLS))/bin" $(CARGO) deny --locked check bans licenses sources
 
 bench: libs
-	$(CARGO) bench --locked
 	@mk/need.sh python3=python3
-	benches/peers/run.sh
+	@python3 -c 'import ensurepip' 2>/dev/null || mk/need.sh ensurepip=python3-venv
+	python3 benches/table.py
 
 soak: toolchain
 	PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked

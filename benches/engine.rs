@@ -1,0 +1,173 @@
+//! Speed of the engine: `cargo bench`. `benches/table.py` turns the figures
+//! into the table of the README, beside those of other libraries.
+//!
+//! All benchmarks run on one path, a wobbling curve in the cube with a camera
+//! that turns, rolls and zooms steadily. `benches/peers/bench_path.py` and
+//! `benches/list.c` make the same one.
+
+use std::hint::black_box;
+use std::time::Duration;
+
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use glam::DVec3;
+use vides::document::{Document, Info};
+use vides::path::{
+    CameraPath, CurveParameters, Orientation, Plan, Pose, Sampler, SupportPoint, Target, Tcb,
+    Timeline,
+};
+
+/// About so many poses, whatever the number of points.
+const POSES: f64 = 1e6;
+
+fn point(i: usize) -> SupportPoint {
+    let i = i as f64;
+    let wave = |frequency: f64, phase: f64| (frequency * i + phase).sin();
+    let yaw = 0.21 * i + 0.3 * wave(0.7, 0.0);
+    let position = DVec3::new(
+        0.8 * wave(0.37, 0.0),
+        0.6 * wave(0.23, 1.0),
+        0.8 * (0.31 * i).cos(),
+    );
+    let view = Orientation {
+        target: Target::Relative(DVec3::new(yaw.sin(), 0.4 * wave(0.29, 0.0), yaw.cos())),
+        roll: 20.0 * wave(0.41, 0.0),
+        zoom: 50.0 + 30.0 * wave(0.17, 0.0),
+        turning: Tcb::new(
+            0.3 * wave(1.9, 0.0),
+            0.3 * wave(2.3, 1.0),
+            0.3 * wave(2.9, 2.0),
+        ),
+        ..Orientation::default()
+    };
+    SupportPoint {
+        curve: CurveParameters::Own(Tcb::new(
+            0.4 * wave(1.3, 0.0),
+            0.3 * wave(1.7, 1.0),
+            0.4 * wave(2.1, 2.0),
+        )),
+        orientations: vec![view],
+        ..SupportPoint::new(position)
+    }
+}
+
+/// So many points, and the base speed that gives [`POSES`] in all.
+fn path(points: usize) -> CameraPath {
+    let mut path = CameraPath {
+        points: (0..points).map(point).collect(),
+        ..CameraPath::default()
+    };
+    let length = Timeline::new(&path).expect("lengths").length();
+    path.speeds.movement = POSES / length;
+    path
+}
+
+fn prepare(path: &CameraPath) -> Sampler {
+    let timeline = Timeline::new(path).expect("a timeline");
+    Sampler::new(path, &timeline).expect("a sampler")
+}
+
+/// Poses into memory that has been touched before.
+fn sample(c: &mut Criterion) {
+    let mut group = c.benchmark_group("sample");
+    for points in [100, 10_000] {
+        let path = path(points);
+        let sampler = prepare(&path);
+        // Not the default, which is all zero and might come untouched.
+        let mut poses = vec![
+            Pose {
+                zoom: 1.0,
+                ..Pose::default()
+            };
+            sampler.frame_count()
+        ];
+        group.throughput(Throughput::Elements(poses.len() as u64));
+        group.bench_function(format!("{points}_prepared"), |b| {
+            b.iter(|| sampler.sample(1, black_box(&mut poses)).expect("poses"));
+        });
+        group.bench_function(format!("{points}_with_preparation"), |b| {
+            b.iter(|| {
+                let sampler = prepare(black_box(&path));
+                sampler.sample(1, black_box(&mut poses)).expect("poses");
+            });
+        });
+    }
+    group.finish();
+}
+
+/// The physical limit: as many bytes as a million poses have, and nothing else.
+fn write(c: &mut Criterion) {
+    let frames = prepare(&path(100)).frame_count();
+    let mut memory = vec![1.0_f64; 10 * frames];
+    let mut group = c.benchmark_group("write");
+    group.throughput(Throughput::Elements(frames as u64));
+    group.bench_function("bare", |b| {
+        b.iter(|| black_box(&mut memory).fill(black_box(0.5)));
+    });
+    group.finish();
+}
+
+/// One change in a path of 10,000 points, and the frame count asked again.
+fn change(c: &mut Criterion) {
+    let mut group = c.benchmark_group("change");
+    let at = 5_000;
+    let mut path = path(10_000);
+    let mut plan = Plan::new();
+    let ask = |path: &CameraPath, plan: &mut Plan| {
+        plan.point_changed(at);
+        let timeline = plan.timeline(path).expect("a timeline");
+        timeline.frame_count().expect("a count")
+    };
+    ask(&path, &mut plan);
+
+    let step = DVec3::new(0.01, -0.02, 0.015);
+    let mut sign = 1.0;
+    group.bench_function("point", |b| {
+        b.iter(|| {
+            path.points[at].position += step * sign;
+            sign = -sign;
+            ask(black_box(&path), &mut plan)
+        });
+    });
+    group.bench_function("orientation", |b| {
+        b.iter(|| {
+            let view = &mut path.points[at].orientations[0];
+            view.target = Target::Relative(view.target.offset_from(DVec3::ZERO) + step * sign);
+            view.zoom += sign;
+            sign = -sign;
+            ask(black_box(&path), &mut plan)
+        });
+    });
+    group.finish();
+}
+
+/// A file of 10,000 points: read, and written with both fsyncs.
+fn files(c: &mut Criterion) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut group = c.benchmark_group("file");
+    for points in [1_000, 10_000] {
+        let file = folder.path().join(format!("{points}.vid"));
+        let document = Document::from_parts(path(points), Info::default()).expect("a document");
+        group.throughput(Throughput::Elements(points as u64));
+        group.bench_function(format!("save_{points}"), |b| {
+            b.iter(|| document.save(&file).expect("saved"));
+        });
+        group.bench_function(format!("load_{points}"), |b| {
+            b.iter_batched(
+                || (),
+                |()| Document::load(&file).expect("loaded"),
+                BatchSize::PerIteration,
+            );
+        });
+    }
+    group.finish();
+}
+
+criterion_group! {
+    name = engine;
+    config = Criterion::default()
+        .sample_size(20)
+        .warm_up_time(Duration::from_secs(1))
+        .measurement_time(Duration::from_secs(4));
+    targets = sample, write, change, files
+}
+criterion_main!(engine);

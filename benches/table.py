@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Runs every benchmark and prints the Markdown table of the README.
+
+    python3 benches/table.py            # all of it, some five minutes
+    python3 benches/table.py --no-peers # without other libraries
+
+Ratios count, not figures: all of one table come from one run on one machine.
+The column "baseline" is the same library without its vector code for newer
+processors (RUSTFLAGS="--cfg vides_no_simd"), "AVX2" what it chooses by itself
+where the processor has AVX2.
+"""
+
+import argparse
+import json
+import os
+import platform
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent
+TARGET = Path(os.environ.get("CARGO_TARGET_DIR") or ROOT / "target").resolve()
+CARGO, CC = os.environ.get("CARGO", "cargo"), os.environ.get("CC", "cc")
+
+
+def run(*command, **environment):
+    print("+", *command, file=sys.stderr)
+    return subprocess.run(
+        [str(part) for part in command],
+        cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True, env={**os.environ, **environment},
+    ).stdout  # fmt: skip
+
+
+def engine(target, flags, only=""):
+    """Seconds of the fastest sample of each benchmark, and elements per run."""
+    environment = {"CARGO_TARGET_DIR": str(target), "CRITERION_HOME": str(target / "criterion")}
+    if flags:
+        environment["RUSTFLAGS"] = f"{os.environ.get('RUSTFLAGS', '')} {flags}".strip()
+    run(CARGO, "bench", "--locked", "--bench", "engine", "--", "--noplot", *([only] if only else []), **environment)
+    results = {}
+    for file in (target / "criterion").glob("*/*/new/sample.json"):
+        name = "/".join(file.parts[-4:-2])
+        if not name.startswith(only):
+            continue
+        data = json.loads(file.read_text())
+        seconds = min(t / n for t, n in zip(data["times"], data["iters"])) / 1e9
+        about = json.loads((file.parent / "benchmark.json").read_text())
+        results[name] = seconds, (about["throughput"] or {}).get("Elements")
+    return results
+
+
+def list_figures():
+    program = TARGET / "list"
+    library = TARGET / "c" / "libvides.a"
+    if not library.exists():
+        run("make", "all")
+    run(CC, "-O2", "-Iinclude", "-o", program, HERE / "list.c", library, "-lm")
+    lines = run(program).splitlines()
+    return {key: float(value) for key, value in (line.split() for line in lines)}
+
+
+def has_avx2():
+    try:
+        words = Path("/proc/cpuinfo").read_text().split()
+    except OSError:
+        return False
+    return "avx2" in words and "fma" in words
+
+
+def processor():
+    try:
+        for line in Path("/proc/cpuinfo").read_text().splitlines():
+            if line.startswith("model name"):
+                return line.split(":", 1)[1].strip()
+    except OSError:
+        pass
+    return platform.machine()
+
+
+def check_paths(engine_poses, listed):
+    """The same path everywhere, or the ratios mean nothing."""
+    sys.path.insert(0, str(HERE / "peers"))
+    from bench_path import point
+
+    total = sum(sum(point(i)[0]) for i in range(100))
+    if abs(total - listed["coordinates"]) > 1e-9 or engine_poses != listed["elements"]:
+        sys.exit("The benchmarks do not run on the same path.")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--no-peers", action="store_true")
+    options = parser.parse_args()
+
+    dispatched = engine(TARGET, "")
+    baseline = engine(TARGET / "baseline", "--cfg vides_no_simd", "sample/")
+    listed = list_figures()
+    check_paths(dispatched["sample/100_prepared"][1], listed)
+    peers = {} if options.no_peers else json.loads(run(sys.executable, HERE / "peers" / "peers.py", "--json"))
+
+    def rate(results, name):
+        seconds, elements = results[name]
+        return elements / seconds
+
+    own = "AVX2" if has_avx2() else "this processor"
+    print(f"\nMillions of poses a second, one core, {processor()}:\n")
+    fast = max(peers.values(), default=None)
+    head = ["", "baseline", own] + ([f"{own} ÷ fastest peer"] if fast else []) + ["of bare memory writes"]
+    rows = [head, ["---"] + ["---:"] * (len(head) - 1)]
+    limit = rate(dispatched, "write/bare")
+    for name, text in (
+        ("100_prepared", "100 points, prepared before"),
+        ("100_with_preparation", "100 points, preparation counted"),
+        ("10000_prepared", "10,000 points, prepared before"),
+        ("10000_with_preparation", "10,000 points, preparation counted"),
+    ):
+        a, b = rate(baseline, f"sample/{name}"), rate(dispatched, f"sample/{name}")
+        rows.append(
+            [text, f"{a / 1e6:.1f}", f"{b / 1e6:.1f}"]
+            + ([f"{b / fast:.0f}×"] if fast else [])
+            + [f"{100 * b / limit:.0f} %"]
+        )
+    for name, speed in peers.items():
+        rows.append([name, "", f"{speed / 1e6:.2f}", f"{speed / fast:.2f}×", f"{100 * speed / limit:.1f} %"])
+    bare = ["bare memory writes (80 bytes a pose)", "", f"{limit / 1e6:.0f}"] + ([""] if fast else []) + ["100 %"]
+    rows.append(bare)
+    for row in rows:
+        print("| " + " | ".join(row) + " |")
+    if fast:
+        first = rate(baseline, "sample/100_prepared") / fast
+        print(f"\nThe baseline alone, 100 points prepared before: {first:.0f}× the fastest peer.")
+
+    print("\n| | |\n|---|---:|")
+    print(f"| `v_path_to_list`, {listed['elements']:,.0f} elements, beyond sampling, beside a C loop that allocates, "
+          f"fills and links as many | {listed['ratio']:.2f}× |")  # fmt: skip
+    for name, text, unit, scale in (
+        ("change/point", "one point of 10,000 moved, frame count asked again", "µs", 1e6),
+        ("change/orientation", "one orientation of 10,000 changed, frame count asked again", "µs", 1e6),
+        ("file/load_1000", "loading a `.vid` of 1,000 points", "ms", 1e3),
+        ("file/load_10000", "loading a `.vid` of 10,000 points", "ms", 1e3),
+        ("file/save_1000", "saving it, 1,000 points, both fsyncs", "ms", 1e3),
+        ("file/save_10000", "saving it, 10,000 points, both fsyncs", "ms", 1e3),
+    ):
+        print(f"| {text} | {dispatched[name][0] * scale:.1f} {unit} |")
+
+
+if __name__ == "__main__":
+    main()
