@@ -9,10 +9,29 @@ use toml::de::{DeString, DeTable, DeValue};
 
 use crate::error::{Error, Result};
 
+/// A piece of a file, and the whole for its line numbers.
+#[derive(Clone, Copy)]
+pub(super) struct Source<'a> {
+    /// The whole text.
+    pub(super) text: &'a str,
+    /// Where the piece begins.
+    pub(super) start: usize,
+}
+
+impl Source<'_> {
+    /// A sentence about the place at a byte offset of the piece.
+    pub(super) fn complain(self, offset: usize, reason: impl Display) -> Error {
+        let end = (self.start + offset).min(self.text.len());
+        let before = &self.text.as_bytes()[..end];
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        Error::Format(format!("line {line}: {reason}").into())
+    }
+}
+
 /// A key (or a place in an array) and its value.
 #[derive(Clone, Copy)]
 pub(super) struct Field<'a> {
-    text: &'a str,
+    source: Source<'a>,
     /// The key; in an array, that of the array.
     pub(super) key: &'a str,
     /// Where the complaint is: byte offset of the value, or of its key.
@@ -21,25 +40,25 @@ pub(super) struct Field<'a> {
 }
 
 /// The fields of a table, in alphabetical order.
-pub(super) fn fields<'a>(text: &'a str, table: &'a DeTable<'a>) -> impl Iterator<Item = Field<'a>> {
+pub(super) fn fields<'a>(
+    source: Source<'a>,
+    table: &'a DeTable<'a>,
+) -> impl Iterator<Item = Field<'a>> {
     table
         .iter()
-        .map(move |(key, value)| Field::new(text, key, value))
-}
-
-/// A sentence about the place at a byte offset of the text.
-pub(super) fn complain(text: &str, offset: usize, reason: impl Display) -> Error {
-    let before = &text.as_bytes()[..offset.min(text.len())];
-    let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-    Error::Format(format!("line {line}: {reason}").into())
+        .map(move |(key, value)| Field::new(source, key, value))
 }
 
 impl<'a> Field<'a> {
-    fn new(text: &'a str, key: &'a Spanned<DeString<'a>>, value: &'a Spanned<DeValue<'a>>) -> Self {
+    fn new(
+        source: Source<'a>,
+        key: &'a Spanned<DeString<'a>>,
+        value: &'a Spanned<DeValue<'a>>,
+    ) -> Self {
         // A table begins at its header; of an array over several lines, the
         // line of the key tells more than that of its bracket.
         Self {
-            text,
+            source,
             key: key.get_ref(),
             offset: key.span().start,
             value: value.get_ref(),
@@ -48,11 +67,8 @@ impl<'a> Field<'a> {
 
     /// An error at this place.
     pub(super) fn error(&self, reason: impl Display) -> Error {
-        complain(
-            self.text,
-            self.offset,
-            format_args!("{}: {reason}", self.key),
-        )
+        let place = format_args!("{}: {reason}", self.key);
+        self.source.complain(self.offset, place)
     }
 
     /// The error of a check, at this place.
@@ -65,8 +81,7 @@ impl<'a> Field<'a> {
 
     /// The error of a key that does not belong here.
     pub(super) fn unknown(&self, known: &[&str]) -> Error {
-        complain(
-            self.text,
+        self.source.complain(
             self.offset,
             format_args!(
                 "unknown key \"{}\"; known here: {}",
@@ -79,7 +94,8 @@ impl<'a> Field<'a> {
     fn mismatch(&self, wanted: &str) -> Error {
         let found = match self.value {
             DeValue::String(_) => "a text",
-            DeValue::Integer(_) | DeValue::Float(_) => "a number",
+            DeValue::Integer(_) => "a whole number",
+            DeValue::Float(_) => "a decimal number",
             DeValue::Boolean(_) => "true or false",
             DeValue::Datetime(_) => "a date or time",
             DeValue::Array(_) => "an array",
@@ -142,7 +158,7 @@ impl<'a> Field<'a> {
     /// The fields of a table.
     pub(super) fn fields(&self) -> Result<impl Iterator<Item = Field<'a>> + use<'a>> {
         match self.value {
-            DeValue::Table(table) => Ok(fields(self.text, table)),
+            DeValue::Table(table) => Ok(fields(self.source, table)),
             _ => Err(self.mismatch("a table")),
         }
     }
@@ -152,9 +168,9 @@ impl<'a> Field<'a> {
         let DeValue::Array(array) = self.value else {
             return Err(self.mismatch("an array"));
         };
-        let (text, key) = (self.text, self.key);
+        let (source, key) = (self.source, self.key);
         Ok(array.iter().map(move |element| Field {
-            text,
+            source,
             key,
             offset: element.span().start,
             value: element.get_ref(),

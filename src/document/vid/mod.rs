@@ -32,6 +32,7 @@
 //! ```
 
 mod field;
+mod pieces;
 mod read;
 mod write;
 

@@ -6,13 +6,14 @@ use glam::DVec3;
 use toml::de::DeTable;
 
 use super::VERSION;
-use super::field::{Field, complain, fields};
+use super::field::{Field, Source, fields};
+use super::pieces;
 use crate::document::info::{self, Info, ObjectPoint, Space};
 use crate::error::{Result, vec_with_room};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::camera_path::{
-    check_base_speed, check_hold, check_shape, check_speed, check_zoom,
+    check_base_speed, check_hold, check_name, check_shape, check_speed, check_zoom,
 };
 use crate::path::{
     BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, SupportPoint, Target,
@@ -37,64 +38,94 @@ const KEYS: [&str; 13] = [
 
 /// The path and what the file says besides.
 pub(in crate::document) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
-    let root = DeTable::parse(text).map_err(|error| {
-        let offset = error.span().map_or(0, |span| span.start);
-        complain(text, offset, error.message())
-    })?;
-    let root = root.get_ref();
-    check_version(text, root)?;
-
-    let mut info = Info::default();
-    let mut path = CameraPath {
-        points: Vec::new(),
-        ..CameraPath::default()
+    let mut reader = Reader {
+        path: CameraPath {
+            points: Vec::new(),
+            ..CameraPath::default()
+        },
+        info: Info::default(),
+        orientations: 0,
+        seen: [false; KEYS.len()],
     };
-    for field in fields(text, root) {
-        match field.key {
-            "version" => {}
-            "title" => info.title = one_line(field, "the title")?,
-            "comment" => {
-                let comment = field.text()?;
-                field.checked(info::check_comment(comment))?;
-                info.comment = comment.to_owned();
-            }
-            "fps" => {
-                info.fps = field.number()?;
-                field.checked(info::check_fps(info.fps))?;
-            }
-            "first_frame" => {
-                let first = field.integer_in(i32::MIN.into(), i32::MAX.into())?;
-                info.first_frame = first as i32;
-            }
-            "closed" => path.closed = field.boolean()?,
-            "orientation_mode" => path.orientation_mode = orientation_mode(field)?,
-            "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
-            "base_speeds" => path.speeds = base_speeds(field)?,
-            "presets" => presets(field, &mut path.presets)?,
-            "space" => info.space = space(field)?,
-            "object" => info.object = Arc::new(object(field)?),
-            "point" => path.points = points(field)?,
-            _ => return Err(field.unknown(&KEYS)),
+    let mut source = Source { text, start: 0 };
+    loop {
+        let (root, end) = pieces::parse(source)?;
+        reader.read(source, &root)?;
+        if end == text.len() {
+            break;
         }
+        source.start = end;
     }
-    if path.points.len() < limits::MIN_POINTS {
-        return Err(complain(
-            text,
-            text.len(),
-            format_args!(
-                "a path needs at least two points, each with its [[point]], found {}",
-                path.points.len()
-            ),
-        ));
+    let count = reader.path.points.len();
+    if count < limits::MIN_POINTS {
+        let reason =
+            format!("a path needs at least two points, each with its [[point]], found {count}");
+        return Err(source.complain(text.len(), reason));
     }
-    Ok((path, info))
+    Ok((reader.path, reader.info))
+}
+
+/// What has been read so far.
+struct Reader {
+    path: CameraPath,
+    info: Info,
+    /// Orientations of all points so far.
+    orientations: usize,
+    /// Which of [`KEYS`] have been met.
+    seen: [bool; KEYS.len()],
+}
+
+impl Reader {
+    /// Reads the next piece of the file.
+    fn read(&mut self, source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
+        if source.start == 0 {
+            check_version(source, root)?;
+        }
+        let (info, path) = (&mut self.info, &mut self.path);
+        for field in fields(source, root) {
+            let Some(key) = KEYS.iter().position(|&key| key == field.key) else {
+                return Err(field.unknown(&KEYS));
+            };
+            // Within one piece the parser has seen to that.
+            if std::mem::replace(&mut self.seen[key], true) && field.key != "point" {
+                return Err(field.error("this was given further up already"));
+            }
+            match field.key {
+                "title" => info.title = one_line(field)?,
+                "comment" => {
+                    let comment = field.text()?;
+                    field.checked(info::check_comment(comment))?;
+                    info.comment = comment.to_owned();
+                }
+                "fps" => {
+                    info.fps = field.number()?;
+                    field.checked(info::check_fps(info.fps))?;
+                }
+                "first_frame" => {
+                    let first = field.integer_in(i32::MIN.into(), i32::MAX.into())?;
+                    info.first_frame = first as i32;
+                }
+                "closed" => path.closed = field.boolean()?,
+                "orientation_mode" => path.orientation_mode = orientation_mode(field)?,
+                "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
+                "base_speeds" => path.speeds = base_speeds(field)?,
+                "presets" => presets(field, &mut path.presets)?,
+                "space" => info.space = space(field)?,
+                "object" => info.object = Arc::new(object(field)?),
+                "point" => points(field, &mut path.points, &mut self.orientations)?,
+                // The version has been looked at.
+                _ => {}
+            }
+        }
+        Ok(())
+    }
 }
 
 /// A newer file may have keys that are unknown here: its version is looked at
 /// before anything else.
-fn check_version(text: &str, root: &DeTable<'_>) -> Result<()> {
-    let Some(field) = fields(text, root).find(|field| field.key == "version") else {
-        return Err(complain(text, 0, "a .vid file begins with version = 1"));
+fn check_version(source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
+    let Some(field) = fields(source, root).find(|field| field.key == "version") else {
+        return Err(source.complain(0, "a .vid file begins with version = 1"));
     };
     let version = field.integer()?;
     if version > VERSION {
@@ -108,9 +139,9 @@ fn check_version(text: &str, root: &DeTable<'_>) -> Result<()> {
     Ok(())
 }
 
-fn one_line(field: Field<'_>, what: &str) -> Result<String> {
+fn one_line(field: Field<'_>) -> Result<String> {
     let line = field.text()?;
-    field.checked(info::check_line(line, what))?;
+    field.checked(check_name(line))?;
     Ok(line.to_owned())
 }
 
@@ -190,7 +221,7 @@ fn space(table: Field<'_>) -> Result<Space> {
                 field.checked(info::check_scale(space.scale))?;
             }
             "origin" => space.origin = field.vector()?,
-            "unit" => space.unit = one_line(field, "the unit")?,
+            "unit" => space.unit = one_line(field)?,
             _ => return Err(field.unknown(&["scale", "origin", "unit"])),
         }
     }
@@ -223,10 +254,13 @@ fn object(table: Field<'_>) -> Result<Vec<ObjectPoint>> {
     Ok(object)
 }
 
-fn points(array: Field<'_>) -> Result<Vec<SupportPoint>> {
+fn points(
+    array: Field<'_>,
+    points: &mut Vec<SupportPoint>,
+    orientations: &mut usize,
+) -> Result<()> {
     let elements = array.elements()?;
-    let mut points = vec_with_room(elements.len().min(limits::MAX_POINTS))?;
-    let mut orientations = 0;
+    points.try_reserve(elements.len().min(limits::MAX_POINTS))?;
     for element in elements {
         if points.len() == limits::MAX_POINTS {
             return Err(element.error(format_args!(
@@ -235,8 +269,8 @@ fn points(array: Field<'_>) -> Result<Vec<SupportPoint>> {
             )));
         }
         let point = point(element)?;
-        orientations += point.orientations.len();
-        if orientations > limits::MAX_ALL_ORIENTATIONS {
+        *orientations += point.orientations.len();
+        if *orientations > limits::MAX_ALL_ORIENTATIONS {
             return Err(element.error(format_args!(
                 "the points of a path have at most {} orientations together",
                 limits::MAX_ALL_ORIENTATIONS
@@ -244,7 +278,7 @@ fn points(array: Field<'_>) -> Result<Vec<SupportPoint>> {
         }
         points.push(point);
     }
-    Ok(points)
+    Ok(())
 }
 
 fn point(table: Field<'_>) -> Result<SupportPoint> {
@@ -262,7 +296,7 @@ fn point(table: Field<'_>) -> Result<SupportPoint> {
     for field in table.fields()? {
         match field.key {
             "position" => {}
-            "name" => point.name = Some(one_line(field, "the name")?),
+            "name" => point.name = Some(one_line(field)?),
             "preset" | "own" => {
                 if curve_given {
                     return Err(field.error("a point has either a preset or its own values"));
