@@ -123,8 +123,7 @@ check-dependencies:
 	PATH="$$PATH:$(abspath $(TOOLS))/bin" $(CARGO) deny --locked check bans licenses sources
 
 bench: libs
-	@mk/need.sh python3=python3
-	@python3 -c 'import ensurepip' 2>/dev/null || mk/need.sh ensurepip=python3-venv
+	@mk/need.sh $(CC)=gcc python3=python3 python3:ensurepip=python3-venv
 	python3 benches/table.py
 
 soak: toolchain
