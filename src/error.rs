@@ -68,3 +68,10 @@ pub(crate) fn vec_with_room<T>(capacity: usize) -> Result<Vec<T>> {
     vec.try_reserve_exact(capacity)?;
     Ok(vec)
 }
+
+/// `value` on the heap, or [`Error::Memory`].
+pub(crate) fn try_box<T>(value: T) -> Result<Box<[T]>> {
+    let mut vec = vec_with_room(1)?;
+    vec.push(value);
+    Ok(vec.into_boxed_slice())
+}

@@ -2,5 +2,8 @@
 //! orientations, polynomials, views and projections. It uses no other part of
 //! the library but its errors and limits.
 
+pub mod chebyshev;
+pub mod fused;
+pub mod monotone_cubic;
 pub mod orientation;
 pub mod quaternion;

@@ -2,12 +2,19 @@
 //! nothing of files, of editing or of C; only [`crate::math`] stands below it.
 
 pub mod arc_length;
+mod arcs;
 pub mod camera_path;
+mod fill;
 pub mod hermite;
 pub mod kochanek_bartels;
+mod leg;
+mod orientation_curve;
 pub mod plan;
 pub mod pose;
+pub mod quaternion_spline;
 pub mod sampling;
+pub mod speed_curve;
+mod tables;
 pub mod timeline;
 
 pub use camera_path::{

@@ -1,35 +1,255 @@
-//! Sections become poses (SPEC 2.2, 2.3).
+//! A whole path becomes poses (thesis 5.2, 5.3, A.6.2).
 
-use super::camera_path::CameraPath;
+use std::sync::OnceLock;
+
+use super::camera_path::{CameraPath, ZoomMode};
+use super::fill;
+use super::leg::{Leg, Way};
+use super::orientation_curve::{self, Key, turnings};
 use super::pose::Pose;
-use super::timeline::Timeline;
-use crate::error::Result;
+use super::tables::Tables;
+use super::timeline::{Change, Timeline};
+use crate::error::{Error, Result, try_box, vec_with_room};
+use crate::limits::BASE_SPEED;
+use crate::math::{monotone_cubic, orientation};
 
 /// Everything prepared to give any pose of a path; independent of the path
 /// that it was made from.
 #[derive(Debug)]
-pub struct Sampler {}
+pub struct Sampler {
+    legs: Vec<Leg>,
+    /// Poses of the keys: the one in which leg k begins, and the last one.
+    keys: Vec<Pose>,
+    /// Number of the first own pose of each section.
+    first_frames: Vec<usize>,
+    frames: usize,
+}
 
 impl Sampler {
-    /// Prepares a path.
-    pub fn new(_path: &CameraPath, _timeline: &Timeline) -> Result<Self> {
-        unimplemented!()
+    /// Prepares a path; the timeline must be that path's.
+    ///
+    /// # Errors
+    /// [`Error::Memory`]; [`Error::Limit`] if the path has too many frames.
+    #[allow(clippy::cast_precision_loss)]
+    pub fn new(path: &CameraPath, timeline: &Timeline) -> Result<Self> {
+        let frames = timeline.frame_count()?;
+        let sections = timeline.section_count();
+        let moving = (0..sections)
+            .filter(|&section| timeline.section(section).change != Change::Nothing)
+            .count();
+        let mut first_frames = vec_with_room(sections)?;
+        let mut keys: Vec<Key> = vec_with_room(moving + 1)?;
+        let mut poses: Vec<Pose> = vec_with_room(moving + 1)?;
+        let mut ways: Vec<orientation_curve::Leg<'_>> = vec_with_room(moving)?;
+        let mut legs: Vec<Leg> = vec_with_room(moving)?;
+
+        let mut number = 1;
+        for index in 0..sections {
+            let section = timeline.section(index);
+            let point = &path.points[section.point];
+            let orientation = &point.orientations[section.orientation];
+            if section.change == Change::Nothing {
+                first_frames.push(number);
+                continue;
+            }
+            number += orientation.hold as usize;
+            first_frames.push(number + 1);
+            let (key, pose) = key(path, section.point, section.orientation);
+            keys.push(key);
+            poses.push(pose);
+            let moves = section.orientation + 1 == point.orientations.len();
+            let length = if moves {
+                timeline.segment_length(section.point)
+            } else {
+                0.0
+            };
+            let curve = timeline.curve(section.point.min(timeline.segment_count() - 1));
+            let curve = (length > 0.0).then_some(curve);
+            ways.push(orientation_curve::Leg {
+                duration: section.frames as f64 * section.mean_speed / BASE_SPEED,
+                way: curve.map(|curve| (curve, length)),
+            });
+            let speed = timeline.speed_curve(path, index);
+            legs.push(Leg {
+                start: number,
+                frames: section.frames,
+                speed: if speed.is_constant() { None } else { Some(try_box(speed)?) },
+                way: curve.map(|&curve| Way { curve, length }),
+                position: point.position,
+                turning: orientation_curve::Turning::Kept(glam::DVec3::Z, glam::DVec3::Y),
+                zoom: [pose.zoom, 0.0, 0.0, 0.0],
+                tables: OnceLock::new(),
+            });
+            number += section.frames;
+        }
+        // The last key: where an open path ends, where a closed one begins.
+        if path.closed {
+            let first = poses.first().copied();
+            poses.push(match first {
+                Some(first) => first,
+                None => key(path, 0, 0).1,
+            });
+        } else {
+            let last = path.points.len() - 1;
+            let (key, pose) = key(path, last, path.points[last].orientations.len() - 1);
+            keys.push(key);
+            poses.push(pose);
+        }
+        let turnings = turnings(&mut keys, &ways, path.orientation_mode)?;
+        for (leg, turning) in legs.iter_mut().zip(turnings) {
+            leg.turning = turning;
+        }
+        zooms(path, &ways, &poses, &mut legs)?;
+        Ok(Self {
+            legs,
+            keys: poses,
+            first_frames,
+            frames,
+        })
     }
+
     /// All frames, at least 1.
-    pub fn frame_count(&self) -> usize {
-        unimplemented!()
+    #[must_use]
+    pub const fn frame_count(&self) -> usize {
+        self.frames
     }
-    /// Number (from 1) of the first pose of a section's own; its last one is
-    /// this plus its frames less 1. Sections without frames: that of the key.
-    pub fn first_frame(&self, _section: usize) -> usize {
-        unimplemented!()
+
+    /// Number (from 1) of the first pose of a section's own: the one after the
+    /// key in which it begins has rested. Its last one is this plus its frames
+    /// less 1. For a section without frames it is the number of the key.
+    ///
+    /// # Panics
+    /// If there is no such section.
+    #[must_use]
+    pub fn first_frame(&self, section: usize) -> usize {
+        self.first_frames[section]
     }
+
     /// Fills `poses` with the frames `first`, `first + 1`, … (numbered from 1).
-    pub fn sample(&self, _first: usize, _poses: &mut [Pose]) -> Result<()> {
-        unimplemented!()
+    ///
+    /// # Errors
+    /// [`Error::Range`] if not all of them are frames of the path,
+    /// [`Error::Memory`]; what `poses` holds then is not told.
+    pub fn sample(&self, first: usize, poses: &mut [Pose]) -> Result<()> {
+        let inside = first >= 1 && first <= self.frames + 1;
+        if !inside || poses.len() > self.frames + 1 - first {
+            return Err(Error::Range(
+                "a frame must lie between 1 and the number of frames".into(),
+            ));
+        }
+        let mut scratch = Tables::default();
+        let mut rest = poses;
+        let mut number = first;
+        // The leg whose own poses end at or after the first one wanted.
+        let mut index = self
+            .legs
+            .partition_point(|leg| leg.start + leg.frames < number);
+        while !rest.is_empty() {
+            let Some(leg) = self.legs.get(index) else {
+                rest.fill(self.keys[self.legs.len()]);
+                break;
+            };
+            // The key in which the leg begins, as long as it rests.
+            let resting = (leg.start + 1).saturating_sub(number).min(rest.len());
+            let (held, after) = rest.split_at_mut(resting);
+            held.fill(self.keys[index]);
+            number += resting;
+            // Poses between the two keys, then the second key itself.
+            let between = (leg.start + leg.frames - number).min(after.len());
+            let (moved, after) = after.split_at_mut(between);
+            if between > 0 {
+                fill::fill(leg, &mut scratch, number - leg.start, moved)?;
+            }
+            number += between;
+            rest = after;
+            if let Some(end) = rest.first_mut() {
+                *end = self.keys[index + 1];
+                rest = &mut rest[1..];
+                number += 1;
+            }
+            index += 1;
+        }
+        Ok(())
     }
+
     /// The pose at any frame between 1 and the last, also between two frames.
-    pub fn pose(&self, _frame: f64) -> Result<Pose> {
-        unimplemented!()
+    ///
+    /// # Errors
+    /// [`Error::Range`] outside them, [`Error::Memory`].
+    #[allow(clippy::cast_precision_loss)]
+    pub fn pose(&self, frame: f64) -> Result<Pose> {
+        if !(frame >= 1.0 && frame <= self.frames as f64) {
+            return Err(Error::Range(
+                "a frame must lie between 1 and the number of frames".into(),
+            ));
+        }
+        let index = self
+            .legs
+            .partition_point(|leg| ((leg.start + leg.frames) as f64) < frame);
+        let Some(leg) = self.legs.get(index) else {
+            return Ok(self.keys[self.legs.len()]);
+        };
+        let within = frame - leg.start as f64;
+        if within <= 0.0 {
+            return Ok(self.keys[index]);
+        }
+        if within >= leg.frames as f64 {
+            return Ok(self.keys[index + 1]);
+        }
+        leg.pose(leg.phi(within / leg.frames as f64))
     }
+}
+
+/// A key of the path, and the pose in which the camera is there.
+fn key(path: &CameraPath, point: usize, orientation: usize) -> (Key, Pose) {
+    let point = &path.points[point];
+    let orientation = &point.orientations[orientation];
+    let view = orientation.view(point.position);
+    let roll = orientation.roll.to_radians();
+    let up = orientation::up_from_roll(view, roll);
+    let key = Key {
+        position: point.position,
+        target: orientation.target,
+        view,
+        roll,
+        turning: orientation.turning,
+        q: orientation::quaternion_from_view(view, up),
+    };
+    let pose = Pose {
+        vrp: point.position.to_array(),
+        vpn: view.to_array(),
+        vup: up.to_array(),
+        zoom: orientation.zoom,
+    };
+    (key, pose)
+}
+
+/// The zoom of each leg in powers of φ.
+fn zooms(
+    path: &CameraPath,
+    ways: &[orientation_curve::Leg<'_>],
+    poses: &[Pose],
+    legs: &mut [Leg],
+) -> Result<()> {
+    if legs.is_empty() {
+        return Ok(());
+    }
+    let mut steps: Vec<f64> = vec_with_room(legs.len())?;
+    let mut rises: Vec<f64> = vec_with_room(legs.len())?;
+    let mut slopes: Vec<f64> = vec_with_room(legs.len() + 1)?;
+    steps.extend(ways.iter().map(|way| way.duration));
+    rises.extend(poses.windows(2).map(|pair| pair[1].zoom - pair[0].zoom));
+    slopes.resize(legs.len() + 1, 0.0);
+    if path.zoom_mode == ZoomMode::Smooth {
+        monotone_cubic::slopes(&steps, &rises, path.closed, &mut slopes);
+    }
+    for (k, leg) in legs.iter_mut().enumerate() {
+        leg.zoom = match path.zoom_mode {
+            ZoomMode::Linear => [poses[k].zoom, rises[k], 0.0, 0.0],
+            ZoomMode::Smooth => {
+                monotone_cubic::cubic(poses[k].zoom, rises[k], steps[k], slopes[k], slopes[k + 1])
+            }
+        };
+    }
+    Ok(())
 }

@@ -1,9 +1,18 @@
-//! Sections and their frames (SPEC 2.2): what changes, by how much, how many
-//! frames it takes. Kept up to date in constant time when one point changes.
+//! Sections and their frames (thesis 5.2, 5.3, B.2.2): what changes, by how
+//! much, how many frames it takes. When the values at one point change, only
+//! what lies around it is computed again.
 
-use super::camera_path::CameraPath;
+use super::arc_length;
+use super::camera_path::{CameraPath, Orientation};
 use super::hermite::Cubic;
-use crate::error::Result;
+use super::kochanek_bartels;
+use super::speed_curve::SpeedCurve;
+use crate::error::{Error, Result, vec_with_room};
+use crate::limits::{BASE_SPEED, MAX_FRAMES, MAX_ZOOM, MIN_ZOOM};
+use crate::math::{orientation, quaternion};
+
+/// Less than this is no change: length units, radians, degrees, zoom.
+const NO_CHANGE: f64 = 1e-9;
 
 /// What decides the number of frames of a section: the first that changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,7 +25,7 @@ pub enum Change {
     Roll,
     /// The zoom alone.
     Zoom,
-    /// Nothing: the two orientations are one key.
+    /// Nothing: the two orientations are one key, with the later one's properties.
     Nothing,
 }
 
@@ -29,7 +38,7 @@ pub struct Section {
     pub orientation: usize,
     /// What changes.
     pub change: Change,
-    /// By how much, in the unit that its base speed counts (SPEC 2.2: M).
+    /// By how much, in the unit that its base speed counts.
     pub amount: f64,
     /// Mean of its speed curve.
     pub mean_speed: f64,
@@ -37,41 +46,414 @@ pub struct Section {
     pub frames: usize,
 }
 
-/// Lengths of all segments, frames of all sections.
 #[derive(Debug, Clone)]
-pub struct Timeline {}
+struct Segment {
+    curve: Cubic,
+    length: f64,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct State {
+    change: Change,
+    amount: f64,
+    mean_speed: f64,
+    frames: usize,
+    /// The hold of the key in which the section begins, if it has frames.
+    hold: usize,
+}
+
+impl State {
+    fn moves(&self) -> bool {
+        self.change != Change::Nothing
+    }
+}
+
+/// Lengths of all segments, frames of all sections.
+///
+/// Orientations are counted through the whole path here: a *slot* is the
+/// number of one, and section k leads from slot k to the next.
+#[derive(Debug, Clone)]
+pub struct Timeline {
+    closed: bool,
+    /// First slot of each point, and one past the last.
+    first_slot: Vec<usize>,
+    segments: Vec<Segment>,
+    sections: Vec<State>,
+    /// Hold of the last orientation of an open path.
+    last_hold: usize,
+    frames: usize,
+}
 
 impl Timeline {
-    /// Computes everything.
-    pub fn new(_path: &CameraPath) -> Result<Self> {
-        unimplemented!()
+    /// Computes everything for a path that [`CameraPath::check`] accepts.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn new(path: &CameraPath) -> Result<Self> {
+        let points = path.points.len();
+        let mut first_slot = vec_with_room(points + 1)?;
+        let mut slots = 0;
+        first_slot.push(0);
+        for point in &path.points {
+            slots += point.orientations.len();
+            first_slot.push(slots);
+        }
+        let mut segments = vec_with_room(path.segment_count())?;
+        for index in 0..path.segment_count() {
+            let curve = kochanek_bartels::segment(path, index);
+            let length = arc_length::length(&curve);
+            segments.push(Segment { curve, length });
+        }
+        let count = if path.closed { slots } else { slots - 1 };
+        let sections = vec_with_room(count)?;
+        let mut timeline = Self {
+            closed: path.closed,
+            first_slot,
+            segments,
+            sections,
+            last_hold: last_hold(path),
+            frames: 1,
+        };
+        for (index, point) in path.points.iter().enumerate() {
+            for number in 0..point.orientations.len() {
+                if timeline.sections.len() == count {
+                    break;
+                }
+                let (change, amount) = timeline.compare(path, index, number);
+                timeline.sections.push(State {
+                    change,
+                    amount,
+                    mean_speed: BASE_SPEED,
+                    frames: 0,
+                    hold: 0,
+                });
+            }
+        }
+        timeline.pace_all(path);
+        Ok(timeline)
     }
-    /// To be called after the values (not the number) of anything at one point changed.
-    pub fn update_point(&mut self, _path: &CameraPath, _point: usize) -> Result<()> {
-        unimplemented!()
+
+    /// To be called after the values (not the number) of anything at one point
+    /// of the path have changed, and only there. On an error the timeline must
+    /// not be used any more.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn update_point(&mut self, path: &CameraPath, point: usize) -> Result<()> {
+        let points = path.points.len();
+        let mut touched: Vec<usize> = vec_with_room(64)?;
+        // A point's position and parameters shape two segments on either side.
+        for offset in 0..4.min(points) {
+            let Some(near) = self.step(point, offset, points) else {
+                continue;
+            };
+            if near < self.segments.len() {
+                let curve = kochanek_bartels::segment(path, near);
+                let segment = &mut self.segments[near];
+                if segment.curve != curve {
+                    segment.length = arc_length::length(&curve);
+                    segment.curve = curve;
+                }
+            }
+            let last = self.first_slot[near + 1] - 1;
+            if near != point && last < self.sections.len() {
+                touched.push(last);
+            }
+        }
+        touched.extend(self.first_slot[point]..self.first_slot[point + 1].min(self.sections.len()));
+        for &section in &touched {
+            let (start, orientation) = self.start_of(section);
+            let (change, amount) = self.compare(path, start, orientation);
+            let state = &mut self.sections[section];
+            (state.change, state.amount) = (change, amount);
+        }
+        // Their neighbours see other facing speeds.
+        for i in 0..touched.len() {
+            let around = [
+                self.moving_before(touched[i]),
+                self.moving_after(touched[i]),
+            ];
+            for neighbour in around.into_iter().flatten() {
+                if !touched.contains(&neighbour) {
+                    touched.try_reserve(1)?;
+                    touched.push(neighbour);
+                }
+            }
+        }
+        for section in touched {
+            self.pace(path, section);
+        }
+        let hold = last_hold(path);
+        self.frames = self.frames - self.last_hold + hold;
+        self.last_hold = hold;
+        Ok(())
     }
-    /// All frames of the path, at least 1; [`crate::Error::Limit`] if over [`crate::limits::MAX_FRAMES`].
+
+    /// All frames of the path, at least 1.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] if there are more than [`MAX_FRAMES`].
     pub fn frame_count(&self) -> Result<usize> {
-        unimplemented!()
+        if self.frames > MAX_FRAMES {
+            return Err(Error::Limit(
+                "the path would yield more than 100000000 frames; lower the base speeds".into(),
+            ));
+        }
+        Ok(self.frames)
     }
+
     /// Length of the whole curve.
+    #[must_use]
     pub fn length(&self) -> f64 {
-        unimplemented!()
+        self.segments.iter().map(|segment| segment.length).sum()
     }
+
+    /// Number of segments.
+    #[must_use]
+    pub fn segment_count(&self) -> usize {
+        self.segments.len()
+    }
+
     /// Length of one segment.
-    pub fn segment_length(&self, _segment: usize) -> f64 {
-        unimplemented!()
+    ///
+    /// # Panics
+    /// If there is no such segment.
+    #[must_use]
+    pub fn segment_length(&self, segment: usize) -> f64 {
+        self.segments[segment].length
     }
+
     /// Curve of one segment.
-    pub fn curve(&self, _segment: usize) -> &Cubic {
-        unimplemented!()
+    ///
+    /// # Panics
+    /// If there is no such segment.
+    #[must_use]
+    pub fn curve(&self, segment: usize) -> &Cubic {
+        &self.segments[segment].curve
     }
-    /// Sections: orientations − 1, or as many if the path is closed.
+
+    /// Sections: one fewer than orientations, as many if the path is closed.
+    #[must_use]
     pub fn section_count(&self) -> usize {
-        unimplemented!()
+        self.sections.len()
     }
+
     /// One section.
-    pub fn section(&self, _index: usize) -> Section {
-        unimplemented!()
+    ///
+    /// # Panics
+    /// If there is no such section.
+    #[must_use]
+    pub fn section(&self, section: usize) -> Section {
+        let (point, orientation) = self.start_of(section);
+        let state = self.sections[section];
+        Section {
+            point,
+            orientation,
+            change: state.change,
+            amount: state.amount,
+            mean_speed: state.mean_speed,
+            frames: state.frames,
+        }
+    }
+
+    /// The section that begins with an orientation of a point; the last one of
+    /// an open path begins none.
+    #[must_use]
+    pub fn section_from(&self, point: usize, orientation: usize) -> Option<usize> {
+        let slot = self.first_slot.get(point)? + orientation;
+        (slot < self.sections.len()).then_some(slot)
+    }
+
+    /// The speed curve of a section, shaped by its neighbours'. A section
+    /// without frames has the shape that it would have with some.
+    ///
+    /// # Panics
+    /// If there is no such section.
+    #[must_use]
+    pub fn speed_curve(&self, path: &CameraPath, section: usize) -> SpeedCurve {
+        let speeds = &self.orientation_at(path, section).speeds;
+        let before = self.moving_before(section);
+        let after = self.moving_after(section);
+        SpeedCurve::new(
+            speeds,
+            before.map(|before| self.orientation_at(path, before).speeds[speeds.len() - 1]),
+            after.map(|after| self.orientation_at(path, after).speeds[0]),
+        )
+    }
+
+    /// Point and orientation with which a section begins.
+    pub(super) fn start_of(&self, section: usize) -> (usize, usize) {
+        let point = self.first_slot.partition_point(|&first| first <= section) - 1;
+        (point, section - self.first_slot[point])
+    }
+
+    fn orientation_at<'a>(&self, path: &'a CameraPath, slot: usize) -> &'a Orientation {
+        let (point, orientation) = self.start_of(slot);
+        &path.points[point].orientations[orientation]
+    }
+
+    /// `point` − 2 + `offset`, around the ends of a closed path.
+    fn step(&self, point: usize, offset: usize, points: usize) -> Option<usize> {
+        let near = (point + offset).checked_sub(2);
+        if self.closed {
+            Some((point + offset + 2 * points - 2) % points)
+        } else {
+            near.filter(|&near| near < points)
+        }
+    }
+
+    /// What changes first in the section that begins with this orientation.
+    fn compare(&self, path: &CameraPath, point: usize, orientation: usize) -> (Change, f64) {
+        let here = &path.points[point];
+        let from = &here.orientations[orientation];
+        let (there, to) = if orientation + 1 < here.orientations.len() {
+            (here, &here.orientations[orientation + 1])
+        } else {
+            let length = self.segments[point].length;
+            if length > NO_CHANGE {
+                return (Change::Position, length);
+            }
+            let there = &path.points[(point + 1) % path.points.len()];
+            (there, &there.orientations[0])
+        };
+        let (a, b) = (from.view(here.position), to.view(there.position));
+        if (a - b).length() > NO_CHANGE {
+            let key = |view, roll: f64| {
+                let up = orientation::up_from_roll(view, roll.to_radians());
+                orientation::quaternion_from_view(view, up)
+            };
+            let (a, b) = (key(a, from.roll), key(b, to.roll));
+            let angle = quaternion::angle(a, if a.dot(b) < 0.0 { -b } else { b });
+            return (Change::View, angle / std::f64::consts::FRAC_PI_2);
+        }
+        let roll = orientation::wrap_degrees(to.roll - from.roll).abs();
+        if roll > NO_CHANGE {
+            return (Change::Roll, roll / 90.0);
+        }
+        let zoom = (to.zoom - from.zoom).abs();
+        if zoom > NO_CHANGE {
+            return (Change::Zoom, zoom / (MAX_ZOOM - MIN_ZOOM));
+        }
+        (Change::Nothing, 0.0)
+    }
+
+    /// The nearest section before this one that has frames.
+    fn moving_before(&self, section: usize) -> Option<usize> {
+        let found = self.sections[..section].iter().rposition(State::moves);
+        if found.is_some() || !self.closed {
+            return found;
+        }
+        let wrapped = self.sections[section..].iter().rposition(State::moves);
+        wrapped.map(|found| section + found)
+    }
+
+    /// The nearest section after this one that has frames.
+    fn moving_after(&self, section: usize) -> Option<usize> {
+        let found = self.sections[section + 1..].iter().position(State::moves);
+        if found.is_some() || !self.closed {
+            return found.map(|found| section + 1 + found);
+        }
+        self.sections[..=section].iter().position(State::moves)
+    }
+
+    /// Mean speed and frames of one section from what changes in it.
+    fn pace(&mut self, path: &CameraPath, section: usize) {
+        let state = self.sections[section];
+        let mut new = State {
+            frames: 0,
+            hold: 0,
+            mean_speed: BASE_SPEED,
+            ..state
+        };
+        if state.moves() {
+            let curve = self.speed_curve(path, section);
+            let hold = self.orientation_at(path, section).hold;
+            new = paced(path, state, &curve, hold);
+        }
+        self.frames = self.frames - state.frames - state.hold + new.frames + new.hold;
+        self.sections[section] = new;
+    }
+
+    /// [`Self::pace`] for all sections in one pass over the path.
+    fn pace_all(&mut self, path: &CameraPath) {
+        let mut before = if self.closed && !self.sections.is_empty() {
+            self.moving_before(0)
+                .map(|slot| self.orientation_at(path, slot))
+        } else {
+            None
+        };
+        let first = self
+            .sections
+            .iter()
+            .position(State::moves)
+            .map(|slot| self.orientation_at(path, slot));
+        let wrap = if self.closed { first } else { None };
+        let mut pending: Option<(usize, &Orientation)> = None;
+        self.frames = 1 + self.last_hold;
+        let mut finish = |sections: &mut [State],
+                          (slot, this): (usize, &Orientation),
+                          before: Option<&Orientation>,
+                          after: Option<&Orientation>| {
+            let last = this.speeds.len() - 1;
+            let curve = SpeedCurve::new(
+                &this.speeds,
+                before.map(|before| before.speeds[last]),
+                after.map(|after| after.speeds[0]),
+            );
+            let new = paced(path, sections[slot], &curve, this.hold);
+            self.frames += new.frames + new.hold;
+            sections[slot] = new;
+        };
+        let orientations = path.points.iter().flat_map(|point| &point.orientations);
+        for (slot, this) in orientations.enumerate().take(self.sections.len()) {
+            if !self.sections[slot].moves() {
+                continue;
+            }
+            if let Some(done) = pending {
+                finish(&mut self.sections, done, before, Some(this));
+                before = Some(done.1);
+            }
+            pending = Some((slot, this));
+        }
+        if let Some(done) = pending {
+            finish(&mut self.sections, done, before, wrap);
+        }
+    }
+}
+
+/// Frames of the last orientation's hold; on a closed path the way ends where
+/// it began, and that key has rested already.
+fn last_hold(path: &CameraPath) -> usize {
+    if path.closed {
+        return 0;
+    }
+    let last = path
+        .points
+        .last()
+        .and_then(|point| point.orientations.last());
+    last.map_or(0, |orientation| orientation.hold as usize)
+}
+
+/// The state of a section that moves, with its frames.
+fn paced(path: &CameraPath, state: State, curve: &SpeedCurve, hold: u32) -> State {
+    let base = match state.change {
+        Change::Position => path.speeds.movement,
+        Change::View => path.speeds.turning,
+        Change::Roll => path.speeds.rolling,
+        Change::Zoom | Change::Nothing => path.speeds.zoom,
+    };
+    let frames = (state.amount * base * BASE_SPEED / curve.mean()).round();
+    // Beyond the limit the exact number does not matter, only that it is beyond.
+    #[allow(
+        clippy::cast_precision_loss,
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss
+    )]
+    let frames = frames.clamp(1.0, (MAX_FRAMES + 1) as f64) as usize;
+    State {
+        mean_speed: curve.mean(),
+        frames,
+        hold: hold as usize,
+        ..state
     }
 }

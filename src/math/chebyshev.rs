@@ -1,0 +1,184 @@
+//! Interpolation at the 16 Chebyshev nodes of the first kind (Trefethen,
+//! *Approximation Theory and Approximation Practice*, ch. 3–4, 8).
+//!
+//! A function that is analytic around [−1, 1] has coefficients that fall
+//! geometrically, so the last ones tell how good the fit is. The powers of x
+//! are as safe as the Chebyshev series then: the k-th falls faster than 2^k
+//! grows.
+
+use super::fused::MultiplyAdd;
+
+/// Nodes of a fit; its degree is one less.
+pub const NODES: usize = 16;
+
+/// cos(mπ/32), m = 0…16.
+const COSINES: [f64; 17] = [
+    1.0,
+    0.9951847266721969,
+    0.9807852804032304,
+    0.9569403357322088,
+    0.9238795325112867,
+    0.881921264348355,
+    0.8314696123025452,
+    0.773010453362737,
+    std::f64::consts::FRAC_1_SQRT_2,
+    0.6343932841636455,
+    0.5555702330196022,
+    0.47139673682599764,
+    0.3826834323650898,
+    0.2902846772544624,
+    0.19509032201612828,
+    0.0980171403295606,
+    0.0,
+];
+
+/// cos(mπ/32) for any m.
+const fn cosine(m: usize) -> f64 {
+    match m % 64 {
+        m @ 0..=16 => COSINES[m],
+        m @ 17..=32 => -COSINES[32 - m],
+        m @ 33..=48 => -COSINES[m - 32],
+        m => COSINES[64 - m],
+    }
+}
+
+/// The nodes, ascending: −cos((2j+1)π/32).
+pub const POINTS: [f64; NODES] = {
+    let mut points = [0.0; NODES];
+    let mut j = 0;
+    while j < NODES {
+        points[j] = cosine(32 + 2 * j + 1);
+        j += 1;
+    }
+    points
+};
+
+/// Half of the discrete cosine transform: what the first 8 values of a row
+/// weigh. The other half follows from the symmetry of the nodes.
+const WEIGHTS: [[f64; NODES / 2]; NODES] = {
+    let mut weights = [[0.0; NODES / 2]; NODES];
+    let mut k = 0;
+    while k < NODES {
+        let scale = if k == 0 { 1.0 / 16.0 } else { 1.0 / 8.0 };
+        let mut j = 0;
+        while j < NODES / 2 {
+            // T_k(x_j) with x_j = cos(π − (2j+1)π/32).
+            weights[k][j] = scale * cosine(k * (32 - (2 * j + 1)));
+            j += 1;
+        }
+        k += 1;
+    }
+    weights
+};
+
+/// Coefficient of x^j in T_k, as `POWERS[k][j]`: whole numbers, exact.
+const POWERS: [[f64; NODES]; NODES] = {
+    let mut powers = [[0.0; NODES]; NODES];
+    powers[0][0] = 1.0;
+    powers[1][1] = 1.0;
+    let mut k = 2;
+    while k < NODES {
+        let mut j = 0;
+        while j < NODES {
+            let up = if j > 0 {
+                2.0 * powers[k - 1][j - 1]
+            } else {
+                0.0
+            };
+            powers[k][j] = up - powers[k - 2][j];
+            j += 1;
+        }
+        k += 1;
+    }
+    powers
+};
+
+/// The Chebyshev series through the values at [`POINTS`].
+#[inline(always)]
+#[must_use]
+pub fn series<M: MultiplyAdd>(values: &[f64; NODES]) -> [f64; NODES] {
+    let (mut even, mut odd) = ([0.0; NODES / 2], [0.0; NODES / 2]);
+    let mut j = 0;
+    while j < NODES / 2 {
+        even[j] = values[j] + values[NODES - 1 - j];
+        odd[j] = values[j] - values[NODES - 1 - j];
+        j += 1;
+    }
+    let mut series = [0.0; NODES];
+    let mut k = 0;
+    while k < NODES {
+        let half = if k % 2 == 0 { &even } else { &odd };
+        let mut sum = 0.0;
+        let mut j = 0;
+        while j < NODES / 2 {
+            sum = M::mul_add(half[j], WEIGHTS[k][j], sum);
+            j += 1;
+        }
+        series[k] = sum;
+        k += 1;
+    }
+    series
+}
+
+/// Size of the last coefficients: what the fit is wrong by, within a small
+/// factor. Two of them, since an even or odd function lacks every other one.
+#[inline(always)]
+#[must_use]
+pub fn tail(series: &[f64; NODES]) -> f64 {
+    series[NODES - 1].abs().max(series[NODES - 2].abs())
+}
+
+/// The same polynomial in powers of x, lowest first.
+#[inline(always)]
+#[must_use]
+pub fn powers<M: MultiplyAdd>(series: &[f64; NODES]) -> [f64; NODES] {
+    let mut powers = [0.0; NODES];
+    let mut k = 0;
+    while k < NODES {
+        let mut j = k % 2;
+        while j <= k {
+            powers[j] = M::mul_add(series[k], POWERS[k][j], powers[j]);
+            j += 2;
+        }
+        k += 1;
+    }
+    powers
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::fused::{Separate, horner};
+
+    #[test]
+    fn the_nodes_are_the_zeros_of_the_sixteenth_polynomial() {
+        for x in POINTS {
+            assert!((16.0 * x.acos()).cos().abs() < 1e-14);
+        }
+        assert!(POINTS.windows(2).all(|pair| pair[0] < pair[1]));
+    }
+
+    #[test]
+    fn an_entire_function_is_met_to_rounding() {
+        let values = POINTS.map(|x| (1.3 * x + 0.2).exp());
+        let series = series::<Separate>(&values);
+        assert!(tail(&series) < 1e-13);
+        let powers = powers::<Separate>(&series);
+        for i in 0..=1000 {
+            let x = f64::from(i) / 500.0 - 1.0;
+            let exact = (1.3 * x + 0.2).exp();
+            assert!((horner::<Separate, NODES>(&powers, x) - exact).abs() < 4e-15 * 5.0);
+        }
+    }
+
+    #[test]
+    fn every_chebyshev_polynomial_has_one_coefficient() {
+        for k in 0..NODES {
+            let values = POINTS.map(|x| (k as f64 * x.acos()).cos());
+            for (j, coefficient) in series::<Separate>(&values).into_iter().enumerate() {
+                let expected = if j == k { 1.0 } else { 0.0 };
+                assert!((coefficient - expected).abs() < 1e-14, "{k} {j}");
+            }
+        }
+    }
+}

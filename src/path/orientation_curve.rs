@@ -1,0 +1,488 @@
+//! How the camera turns in each section of a path (thesis ch. 4): free
+//! sections on a curve through quaternions, sections that track a target, and
+//! sections that keep a direction.
+
+use glam::{DQuat, DVec3};
+
+use super::camera_path::{OrientationMode, Target, Tcb};
+use super::hermite::Cubic;
+use super::quaternion_spline::{
+    barry_goldman_between, bezier, bezier_control, end_velocity, key_velocities, mean_velocity,
+    reflect,
+};
+use crate::error::{Result, vec_with_room};
+use crate::math::monotone_cubic;
+use crate::math::orientation::{self, POLE};
+use crate::math::quaternion::{angle, continue_sign, slerp};
+
+/// Two relative directions nearer than this are the same.
+const SAME_DIRECTION: f64 = 1e-12;
+
+/// Nearer than this to its target a camera has no direction of its own.
+pub(super) const AT_TARGET: f64 = 1e-9;
+
+/// A tangent shorter than this share of the curve's own size is none.
+const NO_TANGENT: f64 = 1e-12;
+
+/// Share of the way to the antipode that a taken velocity may swing out.
+const SWING: f64 = 0.45;
+
+/// One key of the turning: an orientation, or several that are alike.
+#[derive(Debug, Clone)]
+pub(super) struct Key {
+    pub position: DVec3,
+    pub target: Target,
+    pub view: DVec3,
+    /// Radians.
+    pub roll: f64,
+    pub turning: Tcb,
+    /// With the sign that continues the key before it.
+    pub q: DQuat,
+}
+
+impl Key {
+    pub(super) fn up(&self) -> DVec3 {
+        orientation::up_from_roll(self.view, self.roll)
+    }
+}
+
+/// One section that has frames: the way from one key to the next.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Leg<'a> {
+    /// Curve time that it takes.
+    pub duration: f64,
+    /// Its curve and the length of it, if the camera moves.
+    pub way: Option<(&'a Cubic, f64)>,
+}
+
+/// How the camera turns in one section; φ ∈ [0, 1] is the share of its curve
+/// time, which is also the share of its way.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Turning {
+    /// Cubic spherical Bézier curve.
+    Bezier([DQuat; 4]),
+    /// Great arc.
+    Arc([DQuat; 2]),
+    /// Barry and Goldman's curve; the section lies between the inner knots,
+    /// which are 0 and 1.
+    BarryGoldman([DQuat; 4], [f64; 4]),
+    /// The same view direction and up all the way.
+    Kept(DVec3, DVec3),
+    /// Looks at a point of the world; the roll in radians in powers of φ.
+    Tracked(DVec3, [f64; 4]),
+}
+
+impl Turning {
+    /// The quaternion at φ of a turning that is one of quaternions.
+    pub(super) fn quaternion(&self, phi: f64) -> Option<DQuat> {
+        match self {
+            Self::Bezier(control) => Some(bezier(control, phi)),
+            Self::Arc([a, b]) => Some(slerp(*a, *b, phi)),
+            Self::BarryGoldman(keys, knots) => Some(barry_goldman_between(keys, knots, phi)),
+            Self::Kept(..) | Self::Tracked(..) => None,
+        }
+    }
+
+    /// View direction and up at φ. `place` tells where on the way the camera
+    /// is at any φ; only tracking asks.
+    pub(super) fn view_at(&self, phi: f64, place: &dyn Fn(f64) -> DVec3) -> (DVec3, DVec3) {
+        match self {
+            Self::Kept(view, up) => (*view, *up),
+            Self::Tracked(target, roll) => track(*target, roll, phi, place),
+            _ => {
+                let q = self.quaternion(phi).unwrap_or(DQuat::IDENTITY);
+                orientation::view_from_quaternion(q)
+            }
+        }
+    }
+}
+
+/// Value of a cubic in powers of φ.
+fn cubic(c: &[f64; 4], phi: f64) -> f64 {
+    ((c[3] * phi + c[2]) * phi + c[1]) * phi + c[0]
+}
+
+/// Looks at the target. At the target itself the last direction and yaw hold,
+/// straight above and below it the last yaw.
+fn track(target: DVec3, roll: &[f64; 4], phi: f64, place: &dyn Fn(f64) -> DVec3) -> (DVec3, DVec3) {
+    let direction = |phi: f64| {
+        let offset = target - place(phi);
+        (offset.length() >= AT_TARGET).then(|| orientation::unit(offset))
+    };
+    let level = |view: DVec3| view.x.hypot(view.z) >= POLE;
+    let here = direction(phi);
+    let view =
+        here.or_else(|| last_where(phi, &|phi| direction(phi).is_some()).and_then(direction));
+    let view = view.unwrap_or(DVec3::Z);
+    let (u, v) = if level(view) {
+        orientation::level_axes(view)
+    } else {
+        let yawed = |phi: f64| direction(phi).filter(|&view| level(view));
+        let yaw = last_where(phi, &|phi| yawed(phi).is_some())
+            .and_then(yawed)
+            .map_or(0.0, |view| view.x.atan2(view.z));
+        orientation::axes_with_yaw(view, yaw.sin(), yaw.cos())
+    };
+    let (sin, cos) = cubic(roll, phi).sin_cos();
+    (view, v * cos - u * sin)
+}
+
+/// The φ nearest before this one, else nearest after it, where `good` holds:
+/// doubling steps find a side, halving closes in.
+fn last_where(phi: f64, good: &dyn Fn(f64) -> bool) -> Option<f64> {
+    for direction in [-1.0, 1.0] {
+        let mut step = 1e-15;
+        let mut bad = phi;
+        loop {
+            let next = (phi + direction * step).clamp(0.0, 1.0);
+            if good(next) {
+                let mut found = next;
+                for _ in 0..60 {
+                    let middle = 0.5 * (found + bad);
+                    if good(middle) {
+                        found = middle
+                    } else {
+                        bad = middle
+                    }
+                }
+                return Some(found);
+            }
+            if next == 0.0 || next == 1.0 {
+                break;
+            }
+            bad = next;
+            step *= 2.0;
+        }
+    }
+    None
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Free,
+    Tracked(DVec3),
+    Kept,
+}
+
+/// Neighbours of keys and legs, around the ends of a closed path. There is one
+/// leg fewer than keys, or as many if the path is closed.
+#[derive(Clone, Copy)]
+struct Ring {
+    keys: usize,
+    legs: usize,
+}
+
+impl Ring {
+    fn closed(self) -> bool {
+        self.keys == self.legs
+    }
+    fn before_key(self, key: usize) -> Option<usize> {
+        if key > 0 {
+            Some(key - 1)
+        } else {
+            self.closed().then_some(self.legs - 1)
+        }
+    }
+    fn after_key(self, key: usize) -> Option<usize> {
+        (key < self.legs).then_some(key)
+    }
+    fn end_of(self, leg: usize) -> usize {
+        (leg + 1) % self.keys
+    }
+}
+
+/// Everything of one path's turning while it is worked out.
+struct Work<'a> {
+    ring: Ring,
+    keys: &'a [Key],
+    legs: &'a [Leg<'a>],
+    kinds: Vec<Kind>,
+    /// Mean angular velocity of each leg, and its angle on S³.
+    means: Vec<(DVec3, f64)>,
+    /// −1 where the last key of a closed path reaches the first with its sign changed.
+    wrap: f64,
+    /// Roll of each tracked leg: powers of φ.
+    rolls: Vec<[f64; 4]>,
+}
+
+/// Works out how the camera turns in each leg, and fixes the signs of the keys.
+/// The flag of each leg tells that its ends lie half a turn apart.
+///
+/// # Errors
+/// [`crate::Error::Memory`].
+pub(super) fn turnings(
+    keys: &mut [Key],
+    legs: &[Leg<'_>],
+    mode: OrientationMode,
+) -> Result<Vec<Turning>> {
+    for i in 1..keys.len() {
+        let before = keys[i - 1].q;
+        keys[i].q = continue_sign(before, keys[i].q).0;
+    }
+    let keys = &*keys;
+    let ring = Ring {
+        keys: keys.len(),
+        legs: legs.len(),
+    };
+    let mut wrap = 1.0;
+    if ring.closed() && !keys.is_empty() {
+        let first = keys[0].q;
+        let reached = continue_sign(keys[keys.len() - 1].q, first).0;
+        wrap = if reached == first { 1.0 } else { -1.0 };
+    }
+    let mut work = Work {
+        ring,
+        keys,
+        legs,
+        kinds: vec_with_room(legs.len())?,
+        means: vec_with_room(legs.len())?,
+        wrap,
+        rolls: vec_with_room(legs.len())?,
+    };
+    for leg in 0..legs.len() {
+        let (from, to) = (&keys[leg], &keys[ring.end_of(leg)]);
+        let (a, b) = work.ends(leg);
+        work.kinds.push(kind(from, to));
+        work.means
+            .push((mean_velocity(a, b, legs[leg].duration), angle(a, b)));
+        work.rolls.push([0.0; 4]);
+    }
+    work.run_rolls()?;
+    let mut turnings = vec_with_room(legs.len())?;
+    for leg in 0..legs.len() {
+        turnings.push(work.turning(leg, mode));
+    }
+    Ok(turnings)
+}
+
+fn kind(from: &Key, to: &Key) -> Kind {
+    match (from.target, to.target) {
+        (Target::Absolute(a), Target::Absolute(b)) if a == b => Kind::Tracked(a),
+        (Target::Relative(_), Target::Relative(_))
+            if (from.view - to.view).length() <= SAME_DIRECTION && from.roll == to.roll =>
+        {
+            Kind::Kept
+        }
+        _ => Kind::Free,
+    }
+}
+
+impl Work<'_> {
+    /// Quaternions at both ends of a leg, with signs that belong together.
+    fn ends(&self, leg: usize) -> (DQuat, DQuat) {
+        let end = self.ring.end_of(leg);
+        let sign = if end <= leg { self.wrap } else { 1.0 };
+        (self.keys[leg].q, self.keys[end].q * sign)
+    }
+
+    fn turning(&self, leg: usize, mode: OrientationMode) -> Turning {
+        let (a, b) = self.ends(leg);
+        match (self.kinds[leg], mode) {
+            (Kind::Kept, _) => Turning::Kept(self.keys[leg].view, self.keys[leg].up()),
+            (Kind::Tracked(target), _) => Turning::Tracked(target, self.rolls[leg]),
+            (Kind::Free, OrientationMode::Slerp) => Turning::Arc([a, b]),
+            (Kind::Free, OrientationMode::BarryGoldman) => self.barry_goldman(leg),
+            (Kind::Free, OrientationMode::Tcb) => {
+                let (_, leave) = self.velocities(leg);
+                let (reach, _) = self.velocities(self.ring.end_of(leg));
+                Turning::Bezier(bezier_control(a, b, leave, reach, self.legs[leg].duration))
+            }
+        }
+    }
+
+    /// The four keys and knots around a leg, time counted in the leg's own φ.
+    fn barry_goldman(&self, leg: usize) -> Turning {
+        let (a, b) = self.ends(leg);
+        let scale = 1.0 / self.legs[leg].duration;
+        let end = self.ring.end_of(leg);
+        let (before, t0) = match self.ring.before_key(leg) {
+            Some(other) => {
+                // Brought to the sign that continues to `a`.
+                let (q, reached) = self.ends(other);
+                let sign = if reached == a { 1.0 } else { -1.0 };
+                (q * sign, -self.legs[other].duration * scale)
+            }
+            None => (reflect(b, a), -1.0),
+        };
+        let (after, t3) = match self.ring.after_key(end) {
+            Some(other) => {
+                let (left, q) = self.ends(other);
+                let sign = if left == b { 1.0 } else { -1.0 };
+                (q * sign, 1.0 + self.legs[other].duration * scale)
+            }
+            None => (reflect(a, b), 2.0),
+        };
+        Turning::BarryGoldman([before, a, b, after], [t0, 0.0, 1.0, t3])
+    }
+
+    /// Velocities with which the curve reaches and leaves a key, limited so
+    /// that no section swings out.
+    fn velocities(&self, key: usize) -> (DVec3, DVec3) {
+        let before = self.ring.before_key(key);
+        let after = self.ring.after_key(key);
+        let taken = [
+            before.and_then(|leg| self.taken(leg, true)),
+            after.and_then(|leg| self.taken(leg, false)),
+        ];
+        if let Some(omega) = taken.into_iter().flatten().next() {
+            let limited = |leg: Option<usize>| {
+                leg.map_or(omega, |leg| {
+                    let (_, theta) = self.means[leg];
+                    let bound = SWING * (std::f64::consts::PI - theta);
+                    omega * self.factor(omega, leg, bound)
+                })
+            };
+            return (limited(before), limited(after));
+        }
+        let (reach, leave) = self.free_velocities(key, self.keys[key].turning);
+        let mut scale = 1.0f64;
+        for (omega, leg) in [(reach, before), (leave, after)] {
+            if let Some(leg) = leg {
+                let (_, theta) = self.means[leg];
+                let bound = theta.min(SWING * (std::f64::consts::PI - theta));
+                scale = scale.min(self.factor(omega, leg, bound));
+            }
+        }
+        (reach * scale, leave * scale)
+    }
+
+    /// What ω is to be scaled by, so that a third of the leg turns by `bound`
+    /// at the most.
+    fn factor(&self, omega: DVec3, leg: usize, bound: f64) -> f64 {
+        let third = omega.length() * self.legs[leg].duration / 3.0;
+        if third > bound { bound / third } else { 1.0 }
+    }
+
+    /// Kochanek and Bartels at a key all of whose legs are free.
+    fn free_velocities(&self, key: usize, tcb: Tcb) -> (DVec3, DVec3) {
+        let step = |leg: usize| self.legs[leg].duration;
+        let mean = |leg: usize| self.means[leg].0;
+        match (self.ring.before_key(key), self.ring.after_key(key)) {
+            (Some(a), Some(b)) => key_velocities(tcb, mean(a), mean(b), step(a), step(b)),
+            (None, Some(leg)) => {
+                let inner = self.ring.end_of(leg);
+                let omega = match self.ring.after_key(inner) {
+                    None => mean(leg),
+                    Some(next) => {
+                        let there = self.taken(next, false);
+                        let there =
+                            there.unwrap_or_else(|| self.free_velocities(inner, Tcb::default()).0);
+                        end_velocity(tcb.tension, mean(leg), there)
+                    }
+                };
+                (omega, omega)
+            }
+            (Some(leg), None) => {
+                let omega = match self.ring.before_key(leg) {
+                    None => mean(leg),
+                    Some(last) => {
+                        let there = self.taken(last, true);
+                        let there =
+                            there.unwrap_or_else(|| self.free_velocities(leg, Tcb::default()).1);
+                        end_velocity(tcb.tension, mean(leg), there)
+                    }
+                };
+                (omega, omega)
+            }
+            (None, None) => (DVec3::ZERO, DVec3::ZERO),
+        }
+    }
+
+    /// The velocity that a leg which is not free has at its end or start.
+    fn taken(&self, leg: usize, at_end: bool) -> Option<DVec3> {
+        match self.kinds[leg] {
+            Kind::Free => None,
+            Kind::Kept => Some(DVec3::ZERO),
+            Kind::Tracked(target) => {
+                let key = &self.keys[if at_end { self.ring.end_of(leg) } else { leg }];
+                let roll = &self.rolls[leg];
+                let duration = self.legs[leg].duration;
+                let slope = if at_end {
+                    roll[1] + 2.0 * roll[2] + 3.0 * roll[3]
+                } else {
+                    roll[1]
+                };
+                let velocity = self.legs[leg].way.map_or(DVec3::ZERO, |(curve, length)| {
+                    tangent(curve, at_end) * (length / duration)
+                });
+                Some(0.5 * tracking_velocity(target - key.position, velocity, slope / duration))
+            }
+        }
+    }
+
+    /// Rolls of the tracked legs: one monotone cubic through each run of them.
+    fn run_rolls(&mut self) -> Result<()> {
+        let legs = self.legs.len();
+        let tracked = |kinds: &[Kind], leg: usize| matches!(kinds[leg % legs], Kind::Tracked(_));
+        let all = (0..legs).all(|leg| tracked(&self.kinds, leg));
+        let around = self.ring.closed() && !all;
+        // On a ring the counting begins behind a leg that is not tracked.
+        let first = if around {
+            (0..legs)
+                .find(|&leg| !tracked(&self.kinds, leg))
+                .unwrap_or(0)
+        } else {
+            0
+        };
+        let mut steps: Vec<f64> = vec_with_room(legs)?;
+        let mut rises: Vec<f64> = vec_with_room(legs)?;
+        let mut slopes: Vec<f64> = vec_with_room(legs + 1)?;
+        let mut start = first;
+        for leg in first..=first + legs {
+            if leg < first + legs && tracked(&self.kinds, leg) {
+                let from = &self.keys[leg % legs.max(1)];
+                let to = &self.keys[self.ring.end_of(leg % legs)];
+                let turn = orientation::wrap_degrees((to.roll - from.roll).to_degrees());
+                steps.push(self.legs[leg % legs].duration);
+                rises.push(turn.to_radians());
+                continue;
+            }
+            if !steps.is_empty() {
+                slopes.clear();
+                slopes.resize(steps.len() + 1, 0.0);
+                monotone_cubic::slopes(&steps, &rises, all && self.ring.closed(), &mut slopes);
+                for (k, step) in steps.iter().enumerate() {
+                    let at = (start + k) % legs;
+                    let roll = self.keys[at].roll;
+                    self.rolls[at] =
+                        monotone_cubic::cubic(roll, rises[k], *step, slopes[k], slopes[k + 1]);
+                }
+                steps.clear();
+                rises.clear();
+            }
+            start = leg + 1;
+        }
+        Ok(())
+    }
+}
+
+/// Direction in which the camera moves at an end of a curve: where the curve
+/// has no tangent, that of its first derivative from inside that is not zero.
+fn tangent(curve: &Cubic, at_end: bool) -> DVec3 {
+    let (t, inwards) = if at_end { (1.0, -1.0) } else { (0.0, 1.0) };
+    let size = NO_TANGENT * (curve.a.length() + curve.b.length() + curve.c.length());
+    let derivatives = [
+        curve.derivative(t),
+        inwards * curve.second_derivative(t),
+        6.0 * curve.a,
+    ];
+    derivatives
+        .into_iter()
+        .find(|derivative| derivative.length() > size)
+        .map_or(DVec3::ZERO, orientation::unit)
+}
+
+/// Angular velocity in the world of a camera that keeps looking at a target at
+/// `offset` from it while it moves with `velocity` and rolls with `rolling`.
+fn tracking_velocity(offset: DVec3, velocity: DVec3, rolling: f64) -> DVec3 {
+    let view = orientation::unit(offset);
+    let turn = -(velocity - view * view.dot(velocity)) / offset.length();
+    let h2 = view.x * view.x + view.z * view.z;
+    // The level frame turns about the view direction as the yaw goes on.
+    let yawing = if h2.sqrt() < POLE {
+        0.0
+    } else {
+        (turn.x * view.z - turn.z * view.x) / h2
+    };
+    view.cross(turn) + view * (yawing * view.y + rolling)
+}

@@ -1,0 +1,234 @@
+//! The speed curve of a section (thesis 5.2): ten speeds at u = 0, 1/9 … 1,
+//! joined by an explicit Catmull–Rom cubic whose slopes are clipped so that
+//! the speed never leaves [1, 100].
+
+use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
+
+/// Intervals between the ten speeds.
+pub const INTERVALS: usize = SPEEDS - 1;
+
+/// A speed curve and its integral.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpeedCurve {
+    /// Speed in each interval, in powers of x = 9u − i.
+    speed: [[f64; 4]; INTERVALS],
+    /// Share of the whole integral up to u, in powers of the same x.
+    fraction: [[f64; 5]; INTERVALS],
+    mean: f64,
+}
+
+impl SpeedCurve {
+    /// The curve through `speeds`, each in [1, 100]. `before` and `after` are
+    /// the facing values of the neighbouring sections, one step of 1/9 outside;
+    /// without one the end has the slope of the parabola through three speeds.
+    #[must_use]
+    pub fn new(speeds: &[f64; SPEEDS], before: Option<f64>, after: Option<f64>) -> Self {
+        let slopes = slopes(speeds, before, after);
+        let mut areas = [0.0; INTERVALS];
+        let mut speed = [[0.0; 4]; INTERVALS];
+        for i in 0..INTERVALS {
+            let (v0, v1, m0, m1) = (speeds[i], speeds[i + 1], slopes[i], slopes[i + 1]);
+            let rise = v1 - v0;
+            speed[i] = [v0, m0, 3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise];
+            areas[i] = (v0 + v1) / 2.0 + (m0 - m1) / 12.0;
+        }
+        let total: f64 = areas.iter().sum();
+        let mut fraction = [[0.0; 5]; INTERVALS];
+        let mut sum = 0.0;
+        for i in 0..INTERVALS {
+            let v = speed[i];
+            fraction[i] = [sum, v[0], v[1] / 2.0, v[2] / 3.0, v[3] / 4.0].map(|c| c / total);
+            sum += areas[i];
+        }
+        #[allow(clippy::cast_precision_loss)]
+        let mean = total / INTERVALS as f64;
+        Self {
+            speed,
+            fraction,
+            mean,
+        }
+    }
+
+    /// ∫v over [0, 1].
+    #[must_use]
+    pub const fn mean(&self) -> f64 {
+        self.mean
+    }
+
+    /// Whether the speed is the same everywhere, so that f(u) = u.
+    #[must_use]
+    pub fn is_constant(&self) -> bool {
+        let first = self.speed[0][0];
+        self.speed.iter().all(|c| *c == [first, 0.0, 0.0, 0.0])
+    }
+
+    /// v(u), u in [0, 1].
+    #[must_use]
+    pub fn speed(&self, u: f64) -> f64 {
+        let (i, x) = interval(u);
+        let c = &self.speed[i];
+        // The curve stays in range; its rounding need not.
+        (((c[3] * x + c[2]) * x + c[1]) * x + c[0]).clamp(MIN_SPEED, MAX_SPEED)
+    }
+
+    /// f(u) = ∫₀ᵘv / ∫₀¹v, u in [0, 1]; exact at both ends.
+    #[must_use]
+    pub fn fraction(&self, u: f64) -> f64 {
+        if u >= 1.0 {
+            return 1.0;
+        }
+        let (i, x) = interval(u);
+        let c = &self.fraction[i];
+        ((((c[4] * x + c[3]) * x + c[2]) * x + c[1]) * x + c[0]).clamp(0.0, 1.0)
+    }
+
+    /// f on each interval, in powers of x = 9u − i.
+    #[must_use]
+    pub const fn fraction_coefficients(&self) -> &[[f64; 5]; INTERVALS] {
+        &self.fraction
+    }
+}
+
+/// The interval that holds u, and x in it.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss
+)]
+fn interval(u: f64) -> (usize, f64) {
+    let x = u * INTERVALS as f64;
+    let i = (x.max(0.0) as usize).min(INTERVALS - 1);
+    (i, x - i as f64)
+}
+
+/// Slopes at the ten knots, per interval, clipped so that both inner Bézier
+/// points of every interval lie in [1, 100]; by the hull so does the curve.
+fn slopes(v: &[f64; SPEEDS], before: Option<f64>, after: Option<f64>) -> [f64; SPEEDS] {
+    let last = SPEEDS - 1;
+    let mut slopes = [0.0; SPEEDS];
+    for i in 1..last {
+        let room = 3.0 * (v[i] - MIN_SPEED).min(MAX_SPEED - v[i]);
+        slopes[i] = ((v[i + 1] - v[i - 1]) / 2.0).clamp(-room, room);
+    }
+    let start = match before {
+        Some(before) => (v[1] - before) / 2.0,
+        None => (-3.0 * v[0] + 4.0 * v[1] - v[2]) / 2.0,
+    };
+    let end = match after {
+        Some(after) => (after - v[last - 1]) / 2.0,
+        None => (3.0 * v[last] - 4.0 * v[last - 1] + v[last - 2]) / 2.0,
+    };
+    slopes[0] = start.clamp(3.0 * (MIN_SPEED - v[0]), 3.0 * (MAX_SPEED - v[0]));
+    slopes[last] = end.clamp(3.0 * (v[last] - MAX_SPEED), 3.0 * (v[last] - MIN_SPEED));
+    slopes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Small, fast, good enough to fill curves (xorshift64*).
+    struct Random(u64);
+    impl Random {
+        fn unit(&mut self) -> f64 {
+            self.0 ^= self.0 >> 12;
+            self.0 ^= self.0 << 25;
+            self.0 ^= self.0 >> 27;
+            (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64
+        }
+        fn speed(&mut self) -> f64 {
+            match (self.unit() * 8.0) as u32 {
+                0 => 1.0,
+                1 => 100.0,
+                _ => 1.0 + 99.0 * self.unit(),
+            }
+        }
+        fn curve(&mut self) -> SpeedCurve {
+            let speeds = std::array::from_fn(|_| self.speed());
+            let before = (self.unit() < 0.5).then(|| self.speed());
+            let after = (self.unit() < 0.5).then(|| self.speed());
+            SpeedCurve::new(&speeds, before, after)
+        }
+    }
+
+    #[test]
+    fn a_million_random_curves_stay_in_range_and_move_on() {
+        let mut random = Random(7);
+        for _ in 0..1_000_000 {
+            let curve = random.curve();
+            let mut last = 0.0;
+            for c in &curve.speed {
+                // The extremes of a cubic are at its ends or where its derivative is zero.
+                let mut at = vec![0.0, 1.0];
+                let (a, b, d) = (3.0 * c[3], 2.0 * c[2], c[1]);
+                let root = b * b - 4.0 * a * d;
+                if root >= 0.0 {
+                    let q = -0.5 * (b + root.sqrt().copysign(b));
+                    at.extend(
+                        [q / a, d / q]
+                            .into_iter()
+                            .filter(|x| (0.0..=1.0).contains(x)),
+                    );
+                }
+                for x in at {
+                    let v = ((c[3] * x + c[2]) * x + c[1]) * x + c[0];
+                    assert!((1.0 - 1e-12..=100.0 + 1e-12).contains(&v), "{v}");
+                }
+            }
+            for k in 1..=40 {
+                let f = curve.fraction(f64::from(k) / 40.0);
+                assert!(f > last);
+                last = f;
+            }
+            assert_eq!(last, 1.0);
+        }
+    }
+
+    #[test]
+    fn the_integral_is_that_of_gauss_legendre() {
+        // Two nodes are exact for cubics.
+        let mut random = Random(8);
+        for _ in 0..10_000 {
+            let curve = random.curve();
+            let g = 0.5 / 3.0f64.sqrt();
+            let mut sum = 0.0;
+            for i in 0..9 {
+                let middle = (f64::from(i) + 0.5) / 9.0;
+                sum += (curve.speed(middle - g / 9.0) + curve.speed(middle + g / 9.0)) / 18.0;
+                let f = curve.fraction(f64::from(i + 1) / 9.0);
+                assert!((f - sum / curve.mean()).abs() < 1e-12);
+            }
+            assert!((sum - curve.mean()).abs() < 1e-12 * sum);
+        }
+    }
+
+    #[test]
+    fn slopes_are_clipped_only_where_needed() {
+        // The thesis's own bad example: 100, 1, 1, 100 gives −11.4 unclipped.
+        let mut v = [50.0; 10];
+        v[3..7].copy_from_slice(&[100.0, 1.0, 1.0, 100.0]);
+        let clipped = slopes(&v, None, None);
+        assert_eq!(clipped[4..6], [0.0, 0.0]);
+        let gentle = [40.0, 45.0, 52.0, 60.0, 55.0, 50.0, 50.0, 45.0, 42.0, 41.0];
+        let free = slopes(&gentle, Some(38.0), Some(44.0));
+        for i in 1..9 {
+            assert_eq!(free[i], (gentle[i + 1] - gentle[i - 1]) / 2.0);
+        }
+        assert_eq!(free[0], 3.5);
+        assert_eq!(free[9], 1.0);
+        assert_eq!(
+            slopes(&gentle, None, None)[0],
+            (-120.0 + 180.0 - 52.0) / 2.0
+        );
+    }
+
+    #[test]
+    fn constant_speed_is_a_straight_distance() {
+        let curve = SpeedCurve::new(&[50.0; 10], None, Some(50.0));
+        assert_eq!(curve.mean(), 50.0);
+        for k in 0..=1000 {
+            let u = f64::from(k) / 1000.0;
+            assert!((curve.fraction(u) - u).abs() < 3e-16);
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! What a section needs to be sampled fast: the arc length of its curve, and
+//! where it has many frames polynomials of degree 15 in φ for the curve's
+//! parameter and for the turning. A polynomial is fitted only where it serves
+//! more frames than it costs; elsewhere the frames are computed one by one.
+
+use super::arc_length::{self, Piece};
+use super::arcs::ShortBezier;
+use super::leg::{Leg, Way};
+use super::orientation_curve::Turning;
+use crate::error::Result;
+use crate::math::chebyshev::{self, NODES};
+use crate::math::fused::MultiplyAdd;
+
+/// Frames that a fitted piece must serve: about what its nodes cost.
+const WORTH: f64 = 32.0;
+
+/// Share of the length that a fitted parameter may be wrong by.
+const PLACE_TOLERANCE: f64 = 2e-15;
+
+/// What a component of a fitted quaternion may be wrong by.
+const TURN_TOLERANCE: f64 = 4e-15;
+
+/// Powers of x on a piece of φ, or None where frames are computed directly.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Fit<const COMPONENTS: usize> {
+    /// φ at which the piece ends.
+    pub end: f64,
+    middle: f64,
+    scale: f64,
+    pub powers: Option<[[f64; NODES]; COMPONENTS]>,
+}
+
+impl<const COMPONENTS: usize> Fit<COMPONENTS> {
+    /// x in [−1, 1] at φ.
+    #[inline(always)]
+    pub(super) fn x(&self, phi: f64) -> f64 {
+        (phi - self.middle) * self.scale
+    }
+}
+
+/// Everything that can be prepared of one section.
+#[derive(Debug, Default)]
+pub(super) struct Tables {
+    pub arc: Vec<Piece>,
+    pub place: Vec<Fit<1>>,
+    pub turn: Vec<Fit<4>>,
+    pub bezier: Option<ShortBezier>,
+}
+
+impl Tables {
+    /// Prepares a section, using the memory of these tables again.
+    #[inline(always)]
+    pub(super) fn build<M: MultiplyAdd>(&mut self, leg: &Leg) -> Result<()> {
+        self.arc.clear();
+        self.place.clear();
+        self.turn.clear();
+        self.bezier = match &leg.turning {
+            Turning::Bezier(control) => ShortBezier::new::<M>(control),
+            _ => None,
+        };
+        if let Some(way) = &leg.way {
+            arc_length::measure::<M>(&way.curve, &mut self.arc)?;
+            self.fit_place::<M>(way, leg.frames)?;
+        }
+        if leg.turning.quaternion(0.0).is_some() {
+            self.fit_turning::<M>(&leg.turning, leg.frames)?;
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn fit_place<M: MultiplyAdd>(&mut self, way: &Way, frames: usize) -> Result<()> {
+        let mut halving = Halving::new(frames);
+        while let Some((middle, half)) = halving.next() {
+            let mut powers = None;
+            if halving.worth(half) {
+                let (mut s, mut t) = ([0.0; NODES], [0.0; NODES]);
+                for k in 0..NODES {
+                    s[k] = M::mul_add(half, chebyshev::POINTS[k], middle) * way.length;
+                }
+                arc_length::invert::<M>(&self.arc, &s, &mut t);
+                let series = chebyshev::series::<M>(&t);
+                let mut fastest = 0.0f64;
+                for t in t {
+                    fastest = fastest.max(way.curve.derivative(t).length());
+                }
+                if chebyshev::tail(&series) * fastest > PLACE_TOLERANCE * way.length
+                    && halving.halve(middle, half)
+                {
+                    continue;
+                }
+                if chebyshev::tail(&series) * fastest <= PLACE_TOLERANCE * way.length {
+                    powers = Some([chebyshev::powers::<M>(&series)]);
+                }
+            }
+            push(&mut self.place, middle, half, powers)?;
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn fit_turning<M: MultiplyAdd>(&mut self, turning: &Turning, frames: usize) -> Result<()> {
+        let mut halving = Halving::new(frames);
+        while let Some((middle, half)) = halving.next() {
+            let mut powers = None;
+            if halving.worth(half) {
+                let mut phi = [0.0; NODES];
+                for k in 0..NODES {
+                    phi[k] = M::mul_add(half, chebyshev::POINTS[k], middle);
+                }
+                let mut values = [[0.0; NODES]; 4];
+                quaternions::<M, NODES>(turning, self.bezier.as_ref(), &phi, &mut values);
+                let mut series = [[0.0; NODES]; 4];
+                let mut tail = 0.0f64;
+                for k in 0..4 {
+                    series[k] = chebyshev::series::<M>(&values[k]);
+                    tail = tail.max(chebyshev::tail(&series[k]));
+                }
+                if tail > TURN_TOLERANCE && halving.halve(middle, half) {
+                    continue;
+                }
+                if tail <= TURN_TOLERANCE {
+                    let mut fitted = [[0.0; NODES]; 4];
+                    for k in 0..4 {
+                        fitted[k] = chebyshev::powers::<M>(&series[k]);
+                    }
+                    powers = Some(fitted);
+                }
+            }
+            push(&mut self.turn, middle, half, powers)?;
+        }
+        Ok(())
+    }
+}
+
+/// Quaternions at N values of φ, component by component.
+#[inline(always)]
+pub(super) fn quaternions<M: MultiplyAdd, const N: usize>(
+    turning: &Turning,
+    bezier: Option<&ShortBezier>,
+    phi: &[f64; N],
+    q: &mut [[f64; N]; 4],
+) {
+    if let Some(bezier) = bezier {
+        for k in 0..N {
+            let value = bezier.at::<M>(phi[k]);
+            for component in 0..4 {
+                q[component][k] = value[component];
+            }
+        }
+        return;
+    }
+    for k in 0..N {
+        if let Some(value) = turning.quaternion(phi[k]) {
+            for (component, value) in value.to_array().into_iter().enumerate() {
+                q[component][k] = value;
+            }
+        }
+    }
+}
+
+fn push<const C: usize>(
+    fits: &mut Vec<Fit<C>>,
+    middle: f64,
+    half: f64,
+    powers: Option<[[f64; NODES]; C]>,
+) -> Result<()> {
+    // Direct pieces side by side are one.
+    if let (None, Some(last)) = (&powers, fits.last_mut())
+        && last.powers.is_none()
+    {
+        last.end = middle + half;
+        return Ok(());
+    }
+    fits.try_reserve(1)?;
+    fits.push(Fit {
+        end: middle + half,
+        middle,
+        scale: 1.0 / half,
+        powers,
+    });
+    Ok(())
+}
+
+/// The pieces of [0, 1] still to be fitted: a stack, the first on top.
+struct Halving {
+    frames: f64,
+    stack: [(f64, f64); 40],
+    height: usize,
+}
+
+impl Halving {
+    fn new(frames: usize) -> Self {
+        let mut stack = [(0.0, 0.0); 40];
+        stack[0] = (0.5, 0.5);
+        #[allow(clippy::cast_precision_loss)]
+        Self {
+            frames: frames as f64,
+            stack,
+            height: 1,
+        }
+    }
+
+    fn next(&mut self) -> Option<(f64, f64)> {
+        self.height = self.height.checked_sub(1)?;
+        Some(self.stack[self.height])
+    }
+
+    fn worth(&self, half: f64) -> bool {
+        2.0 * half * self.frames >= WORTH
+    }
+
+    /// Puts the two halves of the piece back, if they are worth a fit.
+    fn halve(&mut self, middle: f64, half: f64) -> bool {
+        let quarter = half / 2.0;
+        if self.height + 2 > self.stack.len() || !self.worth(quarter) {
+            return false;
+        }
+        self.stack[self.height] = (middle + quarter, quarter);
+        self.stack[self.height + 1] = (middle - quarter, quarter);
+        self.height += 2;
+        true
+    }
+}
