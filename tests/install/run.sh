@@ -21,7 +21,7 @@ check() { # NAME COMMAND...
     else
         failed=$((failed + 1))
         echo "install: FAILED: $name"
-        sed 's/^/    /' "$work/output"
+        tail -n 30 "$work/output" | sed 's/^/    /'
     fi
 }
 

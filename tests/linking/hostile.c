@@ -1,6 +1,7 @@
 /* A host that has functions of its own under names of the system. None of
  * them may ever be called by the library. `run.sh` writes the list of names:
- * those that the library refers to, and some that hosts are fond of. */
+ * those that the library refers to, and some that hosts are fond of. With
+ * NAMES_ONLY the functions make a shared library that a host brings along. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "use.h"
@@ -13,6 +14,7 @@
     }
 #include "hostile_names.h"
 
+#ifndef NAMES_ONLY
 int main(int count, char **words)
 {
     (void)count;
@@ -20,3 +22,4 @@ int main(int count, char **words)
     puts("well");
     return 0;
 }
+#endif

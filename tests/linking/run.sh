@@ -25,7 +25,7 @@ check() {
     else
         failed=$((failed + 1))
         echo "linking: FAILED: $name"
-        sed 's/^/    /' "$work/output"
+        tail -n 30 "$work/output" | sed 's/^/    /'
     fi
 }
 
@@ -156,6 +156,12 @@ hosts() { # WHICH FOLDER
         check "$name: hostile host, all its names visible" \
             "$cc" -rdynamic -o "$work/host" "$work/hostile.o" "$work/use.o" -lvides -lm
         check "$name: hostile host, all its names visible" says_well "$work/host"
+        check "$name: hostile library of the host's" \
+            "$cc" "${c89[@]}" -shared -fPIC -fno-builtin -DNAMES_ONLY -I"$work" -I"$here" \
+            -o "$work/libhostile.so" "$here/hostile.c"
+        check "$name: host with a hostile library links" "$cc" -Wl,--no-as-needed -o "$work/host" \
+            "$work/plain.o" "$work/use.o" "$work/libhostile.so" -lvides -lm
+        check "$name: host with a hostile library" says_well "$work/host"
 
         check "$name: C++ host compiles" "$cxx" -std=c++98 -pedantic -Wall -Werror -I"$here" \
             -x c++ -c -o "$work/plus.o" "$here/plain.c"
