@@ -7,3 +7,5 @@ pub mod fused;
 pub mod monotone_cubic;
 pub mod orientation;
 pub mod quaternion;
+pub mod transform;
+pub mod view;

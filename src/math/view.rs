@@ -1,0 +1,287 @@
+//! Views in the manner of PHIGS (thesis 2.4, 2.5; Foley and van Dam 1990,
+//! chapter 6): from the description of a picture to the matrix that brings the
+//! visible part of the world into a canonical volume, and from there onto the
+//! picture's plane.
+//!
+//! PHIGS looks **against** the view plane normal: the eye lies on the side to
+//! which the normal points. A camera looks **along** its view direction;
+//! [`View::from_pose`] turns the sign, so that the picture is not mirrored.
+
+use glam::dcamera::rh::view::look_to_mat4;
+use glam::{DMat4, DVec3};
+
+use super::orientation::unit;
+use super::transform::{scaling, shear_along_z, translation};
+use crate::error::{Error, Result};
+
+/// Below this sine of the angle between them two directions count as
+/// parallel: less than four digits of the third direction would be left.
+const PARALLEL: f64 = 1e-12;
+
+/// Half the height in mm of the film on which the zoom is a focal length.
+const HALF_FILM_HEIGHT: f64 = 12.0;
+
+/// The description of a picture (2.4.1). `vrp`, `normal` and `up` are world
+/// coordinates. All else is in view reference coordinates (u, v, n): origin
+/// in `vrp`, n along `normal`, v along the part of `up` perpendicular to it,
+/// u = v × n to the right in the picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct View {
+    /// View reference point.
+    pub vrp: DVec3,
+    /// View plane normal, of any length, pointing **towards** the eye.
+    pub normal: DVec3,
+    /// View up vector, of any length, not parallel to `normal`.
+    pub up: DVec3,
+    /// Projection reference point (u, v, n): the eye of a perspective. In a
+    /// parallel projection the direction of projection runs from here to the
+    /// window's centre.
+    pub prp: DVec3,
+    /// What of the view plane is the picture: u_min, u_max, v_min, v_max.
+    pub window: [f64; 4],
+    /// n of the front plane; nearer to the eye than that nothing is seen.
+    pub front: f64,
+    /// n of the back plane; farther from the eye than that nothing is seen.
+    pub back: f64,
+    /// n of the view plane, on which the window lies. A plane behind the eye
+    /// of a perspective gives its picture upside down, as a pinhole does.
+    pub distance: f64,
+    /// Perspective, or else parallel (then oblique where the direction of
+    /// projection is not the normal).
+    pub perspective: bool,
+}
+
+impl View {
+    /// The perspective view of a camera at `position` that looks along `view`
+    /// (of any length): vertical field of view 2·atan(12/`zoom`), `aspect` =
+    /// width / height of the picture. `front` and `back` are the distances of
+    /// the planes before the camera, 0 < `front` < `back`. To the right in the
+    /// picture is `view` × `up`.
+    ///
+    /// The eye is the view reference point; the window lies at distance 1, so
+    /// that v ∈ ±12/`zoom` and u ∈ ±`aspect`·12/`zoom`.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for `zoom`, `aspect`, `front` or `back` out of the
+    /// ranges above, and whatever [`View::check`] finds.
+    pub fn from_pose(
+        position: DVec3,
+        view: DVec3,
+        up: DVec3,
+        zoom: f64,
+        aspect: f64,
+        front: f64,
+        back: f64,
+    ) -> Result<Self> {
+        if !(zoom > 0.0 && zoom.is_finite()) {
+            return range("the zoom of a view must be positive and finite");
+        }
+        if !(aspect > 0.0 && aspect.is_finite()) {
+            return range("the aspect of a view must be positive and finite");
+        }
+        if !(front > 0.0 && front.is_finite()) {
+            return range("the front plane must lie before the camera, at a positive distance");
+        }
+        if !(back > front && back.is_finite()) {
+            return range("the back plane must lie farther from the camera than the front plane");
+        }
+        let v = HALF_FILM_HEIGHT / zoom;
+        let u = aspect * v;
+        let view = Self {
+            vrp: position,
+            normal: -view,
+            up,
+            prp: DVec3::ZERO,
+            window: [-u, u, -v, v],
+            front: -front,
+            back: -back,
+            distance: -1.0,
+            perspective: true,
+        };
+        view.check()?;
+        Ok(view)
+    }
+
+    /// Whether the description describes a picture.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] if anything is not finite, the normal or the up
+    /// vector is zero, or both are parallel; [`Error::Range`] if the window is
+    /// empty, the back plane not behind the front plane, or the projection
+    /// reference point not before the front plane or in the view plane.
+    pub fn check(&self) -> Result<()> {
+        let vectors = [self.vrp, self.normal, self.up, self.prp];
+        let numbers = [self.front, self.back, self.distance];
+        if !(vectors.iter().all(|v| v.is_finite())
+            && numbers.iter().chain(&self.window).all(|x| x.is_finite()))
+        {
+            return argument("every number of a view must be finite");
+        }
+        if self.normal == DVec3::ZERO {
+            return argument("the view plane normal must not be zero");
+        }
+        if self.up == DVec3::ZERO {
+            return argument("the view up vector must not be zero");
+        }
+        if unit(self.up).cross(unit(self.normal)).length() < PARALLEL {
+            return argument("the view up vector must not be parallel to the view plane normal");
+        }
+        let [u_min, u_max, v_min, v_max] = self.window;
+        if u_min >= u_max || v_min >= v_max {
+            return range("the window of a view must not be empty");
+        }
+        if self.back >= self.front {
+            return range("the back plane of a view must lie behind its front plane");
+        }
+        if self.prp.z <= self.front {
+            return range("the projection reference point must lie before the front plane");
+        }
+        if self.prp.z == self.distance {
+            return range("the projection reference point must not lie in the view plane");
+        }
+        Ok(())
+    }
+
+    /// The matrix that takes world coordinates into the canonical volume
+    /// (2.5.1); affine, so w stays 1.
+    ///
+    /// Parallel: x and y in [−1, 1], z from 0 at the front plane to −1 at the
+    /// back plane. Perspective: |x| ≤ z and |y| ≤ z with the eye in the origin
+    /// and the back plane at z = 1, a left-handed volume; x/z and y/z are the
+    /// place in the picture, [−1, 1] each.
+    ///
+    /// # Errors
+    /// As [`View::check`]; [`Error::Range`] if the numbers are so large or so
+    /// close together that the matrix cannot be computed.
+    pub fn matrix(&self) -> Result<DMat4> {
+        self.check()?;
+        let matrix = if self.perspective {
+            self.perspective_mapping()
+        } else {
+            self.parallel_mapping()
+        } * self.orientation();
+        if matrix.is_finite() {
+            Ok(matrix)
+        } else {
+            range("the numbers of a view must not be so large or so close together")
+        }
+    }
+
+    /// World to view reference coordinates, moved along n so that the view
+    /// plane is n = 0 (2.36). Its rotation is the R_z·R_y·R_x of 2.5.1, whose
+    /// rows are the axes u, v and n.
+    fn orientation(&self) -> DMat4 {
+        let n = unit(self.normal);
+        let u = unit(unit(self.up).cross(n));
+        let v = n.cross(u);
+        let rotation = DMat4::from_cols(
+            u.extend(0.0),
+            v.extend(0.0),
+            n.extend(0.0),
+            DVec3::ZERO.extend(1.0),
+        )
+        .transpose();
+        rotation * translation(-(self.vrp + self.distance * n))
+    }
+
+    /// Half the window and its centre seen from the projection reference point.
+    fn window_from_eye(&self) -> (f64, f64, DVec3) {
+        let [u_min, u_max, v_min, v_max] = self.window;
+        let centre = DVec3::new(
+            u_min + (u_max - u_min) / 2.0,
+            v_min + (v_max - v_min) / 2.0,
+            self.distance,
+        );
+        (
+            (u_max - u_min) / 2.0,
+            (v_max - v_min) / 2.0,
+            centre - self.prp,
+        )
+    }
+
+    /// S·SH·T (2.38). The planes are given from the old reference point, so
+    /// that moving it into the view plane moves them too.
+    fn perspective_mapping(&self) -> DMat4 {
+        let (half_u, half_v, centre) = self.window_from_eye();
+        let back = self.back - self.prp.z;
+        let eye = DVec3::new(self.prp.x, self.prp.y, self.prp.z - self.distance);
+        // centre.z is the z'_vrp of 2.29, back its z'_vrp + B; the shear takes
+        // the centre onto the z axis (2.28 has the other sign).
+        scaling(DVec3::new(
+            centre.z / half_u / back,
+            centre.z / half_v / back,
+            1.0 / back,
+        )) * shear_along_z(-centre.x / centre.z, -centre.y / centre.z)
+            * translation(-eye)
+    }
+
+    /// S·T·SH (2.37); the shear takes the direction of projection onto the
+    /// z axis (2.33 has the other sign).
+    fn parallel_mapping(&self) -> DMat4 {
+        let (half_u, half_v, direction) = self.window_from_eye();
+        let centre = direction + self.prp;
+        scaling(DVec3::new(
+            1.0 / half_u,
+            1.0 / half_v,
+            1.0 / (self.front - self.back),
+        )) * translation(DVec3::new(-centre.x, -centre.y, self.distance - self.front))
+            * shear_along_z(-direction.x / direction.z, -direction.y / direction.z)
+    }
+}
+
+fn argument<T>(message: &'static str) -> Result<T> {
+    Err(Error::Argument(message.into()))
+}
+
+fn range<T>(message: &'static str) -> Result<T> {
+    Err(Error::Range(message.into()))
+}
+
+/// Projects from the origin onto the plane z = `d` (M_per, 2.23): after the
+/// division by w, (d·x/z, d·y/z, d). For points with z > 0. `d` is not 0; in
+/// the canonical volume of a perspective the window lies at
+/// d = (`distance` − `prp.z`) / (`back` − `prp.z`).
+#[must_use]
+pub fn perspective_projection(d: f64) -> DMat4 {
+    let mut matrix = DMat4::IDENTITY;
+    matrix.z_axis.w = 1.0 / d;
+    matrix.w_axis.w = 0.0;
+    matrix
+}
+
+/// Projects along z onto the plane z = 0 (M_par, 2.24).
+#[must_use]
+pub fn parallel_projection() -> DMat4 {
+    scaling(DVec3::new(1.0, 1.0, 0.0))
+}
+
+/// World to eye coordinates as OpenGL's utility library makes them
+/// (`gluLookAt`): the camera at the origin, looking along −z, y up, x to the
+/// right. `view` and `up` may have any length and need not be perpendicular.
+/// The matrix is stored by columns, as OpenGL takes it.
+///
+/// # Errors
+/// [`Error::Argument`] if anything is not finite, `view` or `up` is zero, or
+/// both are parallel; [`Error::Range`] if the position is too large.
+pub fn gl_matrix(position: DVec3, view: DVec3, up: DVec3) -> Result<DMat4> {
+    if !(position.is_finite() && view.is_finite() && up.is_finite()) {
+        return argument("the position, the view direction and the up vector must be finite");
+    }
+    if view == DVec3::ZERO || up == DVec3::ZERO {
+        return argument("the view direction and the up vector must not be zero");
+    }
+    let (view, up) = (unit(view), unit(up));
+    if view.cross(up).length() < PARALLEL {
+        return argument("the up vector must not be parallel to the view direction");
+    }
+    let matrix = look_to_mat4(position, view, up);
+    if matrix.is_finite() {
+        Ok(matrix)
+    } else {
+        range("the position of the camera is too large")
+    }
+}
+
+#[cfg(test)]
+#[path = "view_tests.rs"]
+mod tests;
