@@ -1,1 +1,38 @@
-//! The border to C.
+//! The border to C: every function of `include/libvides.h`, and nothing else.
+//!
+//! The host is C: it hands over null and dangling pointers, stale handles,
+//! numbers that are none; it may run out of memory or call from several
+//! threads. All of that ends here. An export checks what it was given,
+//! converts it, calls safe code and converts the answer; the oddities of the
+//! 1994 interface (lists, `number < 0`) stay in [`legacy`] and [`list`].
+//!
+//! Handles are tokens and not addresses ([`handles`]), so that a wrong one is
+//! a status and not a crash. Every export's body stands inside
+//! [`border::border`], which stops panics and keeps the last error. It is a
+//! function and not a macro around the exports, since cbindgen reads the
+//! source as it is written.
+//!
+//! Nothing else in the library may use this module, and only here may
+//! unsafe code deal with the host's memory.
+
+// The names are C's.
+#![allow(non_camel_case_types, non_snake_case, unreachable_pub)]
+#![allow(unsafe_code)]
+// What a caller must hold to is said once, in the header's preamble.
+#![allow(clippy::missing_safety_doc)]
+
+mod border;
+mod curve;
+mod handles;
+mod legacy;
+mod list;
+mod orientations;
+mod path;
+mod pointers;
+mod points;
+mod poses;
+mod quaternions;
+mod settings;
+mod status;
+mod types;
+mod view;

@@ -1,0 +1,764 @@
+/*
+ * libvides: camera paths through space
+ *
+ * A path leads through a few support points. Each has one or more orientations
+ * of the camera; the library makes every pose in between. Link with
+ * -lvides -lm. This file is made by cbindgen from the library's source.
+ *
+ * What holds for all functions:
+ *
+ * - Those that return int return a status, V_OK (0) if all went well. What was
+ *   wrong is then told by v_last_error(). Each comment names the statuses that
+ *   its function may return; V_ERR_INTERNAL may come from any.
+ * - Results are written through pointers, and only if all went well.
+ * - A pointer must not be NULL where the comment does not say that it may; it
+ *   gives V_ERR_NULL. The library keeps no pointer that it is given, but those
+ *   of v_haupt().
+ * - Whoever makes a path frees it. Nothing else that the library returns needs
+ *   to be freed, but the lists of the interface of 1994.
+ * - Every function may be called from any thread and from within callbacks. A
+ *   path may be read by several threads at once; to change it ("any thread that
+ *   has the path for itself") needs the caller's own lock.
+ * - Points, orientations, segments, sections and presets are counted from 0,
+ *   poses from 1. Angles are degrees. Right-handed, y up.
+ */
+
+#ifndef LIBVIDES_H
+#define LIBVIDES_H
+
+#include <stddef.h>
+
+
+/* ---- Version of this header -------------------------------------------------- */
+
+/**
+ * v_version() tells that of the library that runs.
+ */
+#define V_VERSION_MAJOR 1
+#define V_VERSION_MINOR 0
+#define V_VERSION_PATCH 0
+
+
+/* ---- Statuses ---------------------------------------------------------------- */
+
+/**
+ * What every function that returns a status answers. v_strerror() puts each
+ * into words, v_last_error() tells what was wrong in the call itself.
+ *
+ * V_OK            done
+ * V_ERR_NULL      a pointer is NULL that must not be
+ * V_ERR_HANDLE    the handle is none: freed, of another kind, or never made
+ * V_ERR_ARGUMENT  a value that makes no sense: not a finite number, a target
+ *                 on the camera itself, an up vector along the view, a
+ *                 pointer that is not aligned for its type
+ * V_ERR_RANGE     an index or a value outside its range
+ * V_ERR_SIZE      an array too small, or a struct whose size is not set
+ * V_ERR_LIMIT     more points, orientations or poses than the library takes
+ * V_ERR_MEMORY    out of memory; nothing was changed
+ * V_ERR_IO        the operating system refused to read or write a file
+ * V_ERR_FORMAT    the contents of a file are not what they should be
+ * V_ERR_DISPLAY   no window can be opened, or its X server went away
+ * V_ERR_BUSY      not possible at this moment, as from within this callback
+ * V_ERR_CLOSED    the user has closed this window
+ * V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable
+ *                 from now on, everything else goes on
+ */
+#define V_OK 0
+#define V_ERR_NULL 1
+#define V_ERR_HANDLE 2
+#define V_ERR_ARGUMENT 3
+#define V_ERR_RANGE 4
+#define V_ERR_SIZE 5
+#define V_ERR_LIMIT 6
+#define V_ERR_MEMORY 7
+#define V_ERR_IO 8
+#define V_ERR_FORMAT 9
+#define V_ERR_DISPLAY 10
+#define V_ERR_BUSY 11
+#define V_ERR_CLOSED 12
+#define V_ERR_INTERNAL 13
+
+
+/* ---- Modes, see v_path_set_modes() ------------------------------------------- */
+
+/**
+ * V_ORIENTATION_TCB            smooth turning with limited speeds; the default
+ * V_ORIENTATION_BARRY_GOLDMAN  smooth turning, the curve of Barry and Goldman
+ * V_ORIENTATION_SLERP          straight from orientation to orientation
+ * V_ZOOM_SMOOTH                smooth and without overshoot; the default
+ * V_ZOOM_LINEAR                straight from value to value
+ */
+#define V_ORIENTATION_TCB 0
+#define V_ORIENTATION_BARRY_GOLDMAN 1
+#define V_ORIENTATION_SLERP 2
+#define V_ZOOM_SMOOTH 0
+#define V_ZOOM_LINEAR 1
+
+
+/* ---- The types of the interface of 1994 -------------------------------------- */
+
+/**
+ * A point or a vector in the movement space, the cube from -1 to 1 in x, y
+ * and z: right-handed, y up.
+ */
+struct v_punkt {
+    float x;
+    float y;
+    float z;
+};
+
+typedef struct v_punkt V_PUNKT;
+
+/** The same type under the name that the other structs use. */
+typedef V_PUNKT V_POS;
+
+/**
+ * One camera pose in a list of them, and the whole list by its first element.
+ *
+ * The first element is the host's; it must outlive the list. Before the first
+ * hand-over the host sets its number to -1: no data yet, and prev and next
+ * mean nothing. VIDES makes the other elements with malloc(), one each, so
+ * that the host may free() them; v_free_liste() does that, too.
+ *
+ * The list is closed both ways: first->prev is the last element, whose number
+ * is the count, and the last one's next is the first. A list of one element
+ * points to itself.
+ */
+struct interpolparameter {
+    /** position of the camera (view reference point) */
+    V_POS VRP;
+    /** view direction, along which the camera looks; length 1 */
+    V_POS VPN;
+    /** up; length 1, perpendicular to VPN */
+    V_POS VUP;
+    /** 1 to 100, rounded; the vertical field of view is 2 atan (12 / zoom) */
+    int zoom;
+    struct interpolparameter *prev;
+    struct interpolparameter *next;
+    /** 1, 2, 3 ... along the list; in the first element < 0: no data */
+    int number;
+};
+
+typedef struct interpolparameter V_KAMERAPAR;
+
+/** One point of the wireframe object that v_haupt() shows. */
+struct v_objekt_list {
+    V_POS pos;
+    /** not 0: a line leads here from the point before */
+    unsigned short draw;
+    /** 1, 2, 3 ... in the order of the array */
+    int number;
+};
+
+typedef struct v_objekt_list V_OBJEKT_LISTE;
+
+/** The same type under its other name. */
+typedef V_OBJEKT_LISTE V_OBJEKT_LIST;
+
+
+/* ---- The types of the new interface ------------------------------------------ */
+
+/**
+ * A camera path, by a handle. It is no address: a handle that was freed, freed
+ * twice, or never made gives V_ERR_HANDLE and does no harm. Whoever made it
+ * frees it with v_path_free().
+ */
+typedef struct v_path V_PATH;
+
+/**
+ * How the camera looks from a support point, and how it goes on from there.
+ *
+ * A struct that begins with size may grow at its end in later versions. Set
+ * size to sizeof the struct before any call, also where the library fills in
+ * the rest; v_orientation_init() does it. Any other value is V_ERR_SIZE.
+ */
+struct v_orientation {
+    /** sizeof (V_ORIENTATION) */
+    size_t size;
+    /**
+     * not 0: target is a point of the world; 0: an offset from the support
+     * point, of which only the direction counts
+     */
+    int absolute;
+    /** what the camera looks at; not the support point itself */
+    double target[3];
+    /**
+     * degrees, turns the up vector about the view direction; any finite
+     * number, kept in (-180, 180]
+     */
+    double roll;
+    /** 1 to 100 */
+    double zoom;
+    /** of the turning, each -1 to 1 */
+    double tension;
+    double continuity;
+    double bias;
+    /**
+     * speed curve of the section that begins here, each 1 to 100; at 50 the
+     * base speeds hold
+     */
+    double speed[10];
+    /** frames for which the camera rests here, 0 to 1000000 */
+    int hold;
+};
+
+typedef struct v_orientation V_ORIENTATION;
+
+/** One camera pose. This layout will never change. */
+struct v_pose {
+    /** position of the camera */
+    double vrp[3];
+    /** view direction, along which the camera looks; length 1 */
+    double vpn[3];
+    /** up; length 1, perpendicular to vpn */
+    double vup[3];
+    /**
+     * 1 to 100: focal length in mm of a 36 x 24 mm camera, so that the
+     * vertical field of view is 2 atan (12 / zoom)
+     */
+    double zoom;
+};
+
+typedef struct v_pose V_POSE;
+
+/**
+ * A view as PHIGS describes it. The eye is on the side to which normal points,
+ * so the view goes against it. All but vrp, normal and up is in the view's own
+ * coordinates u (right), v (up), n (along normal), with the origin in vrp.
+ *
+ * Set size to sizeof (V_VIEW) before any call, see V_ORIENTATION.
+ */
+struct v_view {
+    /** sizeof (V_VIEW) */
+    size_t size;
+    /** view reference point, world */
+    double vrp[3];
+    /** view plane normal, world, any length but 0 */
+    double normal[3];
+    /** view up vector, world, not parallel to normal */
+    double up[3];
+    /** projection reference point: the eye (u, v, n) */
+    double prp[3];
+    /** umin, umax, vmin, vmax on the view plane */
+    double window[4];
+    /** n of the front plane, less than prp's */
+    double front;
+    /** n of the back plane, less than front */
+    double back;
+    /** n of the view plane */
+    double distance;
+    /** not 0: perspective; 0: parallel */
+    int perspective;
+};
+
+typedef struct v_view V_VIEW;
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * What went wrong in the calling thread's last call of the library: one
+ * sentence in English, UTF-8, "" after a success. Never NULL. The text belongs
+ * to the library and is valid until the same thread's next call of any
+ * function but this one, v_strerror() and v_version().
+ * Any thread; from callbacks too.
+ */
+const char *v_last_error(void);
+
+/**
+ * What a status means, in English. Never NULL; the text is constant.
+ * Any thread; from callbacks too.
+ */
+const char *v_strerror(int status);
+
+/**
+ * The version of the library that runs, as "1.0.0". Never NULL; constant.
+ * Any thread; from callbacks too.
+ */
+const char *v_version(void);
+
+
+/* ---- The interface of 1994 --------------------------------------------------- */
+
+/**
+ * Opens an editor window for a camera path and returns at once; the window
+ * then works side by side with the host, in the host's own event loop. Every
+ * call opens another window.
+ *
+ * This version of the library has no window yet. The call says so in one line
+ * on standard error, which begins "vides:", and by v_last_error().
+ *
+ * move_speed, orient_speed, zoom_speed, winkel_speed  poses at speed 50 for a
+ *     way of length 1, for turning by 180 degrees, for the zoom from 1 to
+ *     100, for rolling by 90 degrees; finite and > 0
+ * interpol_liste  first element of the list that takes the poses, see
+ *     V_KAMERAPAR; the host's, must outlive the window; may be NULL
+ * anzahl_objekt, objekt  points of an object to be shown; copied during the
+ *     call; NULL or a number <= 0 for none
+ * rueck  called when the user hands over poses, with the list and its count;
+ *     may be NULL
+ * ende   called before the window closes; 0 keeps it open; may be NULL
+ *
+ * rueck and ende run on the thread that called v_haupt(), inside the host's
+ * event loop, and may call any function of the library.
+ * From the thread that runs the event loop; from callbacks too.
+ */
+void v_haupt(float move_speed,
+             float orient_speed,
+             float zoom_speed,
+             float winkel_speed,
+             V_KAMERAPAR *interpol_liste,
+             int anzahl_objekt,
+             V_OBJEKT_LIST *objekt,
+             void (*rueck)(V_KAMERAPAR *daten, int anzahl),
+             int (*ende)(void));
+
+/**
+ * Frees all elements of a list but the first, which is the host's, and sets
+ * the first one's number to -1 (no data). Only a list that VIDES made and that
+ * is still linked and numbered as it was made is freed: otherwise nothing is
+ * changed, and v_last_error() tells. A list without data (number < 0) and NULL
+ * are no error; nothing happens.
+ * Any thread, if no other uses the list meanwhile; from callbacks too.
+ */
+void v_free_liste(V_KAMERAPAR *first);
+
+
+/* ---- Paths ------------------------------------------------------------------- */
+
+/**
+ * A new path: two support points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each
+ * with one orientation as v_orientation_init() makes it. *path is the
+ * caller's, to be freed with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+ */
+int v_path_new(V_PATH **path);
+
+/**
+ * An independent copy of a path. *copy is the caller's, to be freed with
+ * v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY,
+ * V_ERR_LIMIT.
+ */
+int v_path_clone(const V_PATH *path, V_PATH **copy);
+
+/**
+ * Frees a path; its handle is not valid from now on. NULL is no error. A
+ * handle that is not valid does no harm; v_last_error() tells. A call that
+ * another thread has under way on this path ends as if it had come before.
+ * Any thread; from callbacks too.
+ */
+void v_path_free(V_PATH *path);
+
+/**
+ * Reads a path from a .vid file. file is a name as open() takes it. *path is
+ * the caller's, to be freed with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
+ * line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT.
+ */
+int v_path_load(const char *file, V_PATH **path);
+
+/**
+ * Writes a path into a .vid file. Whatever happens, the file is afterwards
+ * wholly the old or wholly the new one; when the call returns V_OK the new one
+ * is on the disk. A symbolic link is followed, permissions are kept.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
+ * V_ERR_MEMORY.
+ */
+int v_path_save(const V_PATH *path, const char *file);
+
+
+/* ---- Support points ---------------------------------------------------------- */
+
+/**
+ * How many support points a path has; at least 2. They are counted from 0.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ */
+int v_path_point_count(const V_PATH *path, int *count);
+
+/**
+ * Inserts a support point before the one that is number at now; at = their
+ * number appends. It takes all other properties from its predecessor, at 0
+ * from its successor; an absolute target equal to the new position becomes
+ * relative. Coordinates are finite and at most 1e9.
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_insert_point(V_PATH *path, int at, const double xyz[3]);
+
+/**
+ * Divides the segment behind support point number segment by 1 to 10 new
+ * support points on the curve, at equal arc lengths. They take all other
+ * properties from the point before them.
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_divide_segment(V_PATH *path, int segment, int points);
+
+/**
+ * Removes a support point. Two always remain.
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_remove_point(V_PATH *path, int at);
+
+/**
+ * Moves a support point. Absolute targets stay where they are, relative ones
+ * go along; a position equal to an absolute target of the point is refused.
+ * Coordinates are finite and at most 1e9.
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+ */
+int v_path_set_position(V_PATH *path, int at, const double xyz[3]);
+
+/**
+ * Where a support point lies.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_get_position(const V_PATH *path, int at, double xyz[3]);
+
+
+/* ---- Tension, continuity and bias of the curve ------------------------------- */
+
+/**
+ * Gives a support point its own tension, continuity and bias, each from -1
+ * to 1 (Kochanek and Bartels 1984).
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_set_tcb(V_PATH *path,
+                   int at,
+                   double tension,
+                   double continuity,
+                   double bias);
+
+/**
+ * Lets a support point follow one of the path's presets, 0 to 9.
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_use_preset(V_PATH *path, int at, int preset);
+
+/**
+ * Tension, continuity and bias in force at a support point, and the preset
+ * that it follows, -1 for its own values. Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_get_tcb(const V_PATH *path, int at, double tcb[3], int *preset);
+
+/**
+ * Changes one of the path's ten presets, 0 to 9, and with it every support
+ * point that follows it. Each value from -1 to 1.
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_set_preset(V_PATH *path,
+                      int preset,
+                      double tension,
+                      double continuity,
+                      double bias);
+
+/**
+ * Tension, continuity and bias of a preset, 0 to 9.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_get_preset(const V_PATH *path, int preset, double tcb[3]);
+
+
+/* ---- Orientations ------------------------------------------------------------ */
+
+/**
+ * Fills in an orientation: size, looking along (0, 0, -1) (relative, target
+ * (0, 0, -0.4)), roll 0, zoom 24, tension, continuity and bias 0, all speeds
+ * 50, hold 0. NULL does nothing but set v_last_error().
+ * Any thread; from callbacks too.
+ */
+void v_orientation_init(V_ORIENTATION *o);
+
+/**
+ * How many orientations a support point has, 1 to 10. They are counted from
+ * 0 and taken in this order: the camera comes in the first one, turns from
+ * one to the next, and leaves in the last one.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_orientation_count(const V_PATH *path, int point, int *count);
+
+/**
+ * Inserts an orientation before the one that is number at now; at = their
+ * number appends. o is copied; NULL copies the orientation before, at 0 the
+ * one that was the first.
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
+ */
+int v_path_insert_orientation(V_PATH *path,
+                              int point,
+                              int at,
+                              const V_ORIENTATION *o);
+
+/**
+ * Removes an orientation. One always remains.
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_remove_orientation(V_PATH *path, int point, int at);
+
+/**
+ * Changes all values of an orientation; o is copied.
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
+ */
+int v_path_set_orientation(V_PATH *path, int point, int at, const V_ORIENTATION *o);
+
+/**
+ * The values of an orientation. o->size must be set before, for instance by
+ * v_orientation_init().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_SIZE.
+ */
+int v_path_get_orientation(const V_PATH *path, int point, int at, V_ORIENTATION *o);
+
+/**
+ * Makes the target of an orientation absolute (not 0) or relative (0); the
+ * view stays as it is.
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_set_absolute(V_PATH *path, int point, int at, int absolute);
+
+
+/* ---- What holds for the whole path ------------------------------------------- */
+
+/**
+ * Sets the base speeds, each finite and > 0: the poses at speed 50 for a way
+ * of length 1 (move), for turning by 180 degrees (orient), for the zoom from
+ * 1 to 100 (zoom), for rolling by 90 degrees (winkel).
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT.
+ *
+ */
+int v_path_set_speeds(V_PATH *path,
+                      double move,
+                      double orient,
+                      double zoom,
+                      double winkel);
+
+/**
+ * The base speeds, see v_path_set_speeds(). Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ */
+int v_path_get_speeds(const V_PATH *path,
+                      double *move,
+                      double *orient,
+                      double *zoom,
+                      double *winkel);
+
+/**
+ * Joins the last support point to the first by one more segment (not 0), or
+ * opens the path (0).
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE.
+ */
+int v_path_set_closed(V_PATH *path, int closed);
+
+/**
+ * Whether a path is closed: 1 or 0.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ */
+int v_path_get_closed(const V_PATH *path, int *closed);
+
+/**
+ * Sets how the camera turns between its orientations (V_ORIENTATION_TCB,
+ * V_ORIENTATION_BARRY_GOLDMAN, V_ORIENTATION_SLERP) and how the zoom runs
+ * (V_ZOOM_SMOOTH, V_ZOOM_LINEAR).
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_set_modes(V_PATH *path, int orientation_mode, int zoom_mode);
+
+/**
+ * The modes, see v_path_set_modes(). Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ */
+int v_path_get_modes(const V_PATH *path, int *orientation_mode, int *zoom_mode);
+
+
+/* ---- The curve --------------------------------------------------------------- */
+
+/**
+ * The length of the whole curve, in the units of the positions.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+ */
+int v_path_length(const V_PATH *path, double *length);
+
+/**
+ * The length of one segment. Segment n leads from support point n to the next;
+ * a closed path has one more, from the last to the first.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_MEMORY.
+ */
+int v_path_segment_length(const V_PATH *path, int segment, double *length);
+
+/**
+ * The point of a segment at t from 0 to 1, the parameter of the spline itself
+ * (not of the length).
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_MEMORY.
+ */
+int v_path_curve_point(const V_PATH *path, int segment, double t, double xyz[3]);
+
+/**
+ * The point of a segment at the length s from its start, 0 to the segment's
+ * length.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_MEMORY.
+ */
+int v_path_point_at_length(const V_PATH *path,
+                           int segment,
+                           double s,
+                           double xyz[3]);
+
+
+/* ---- Sections and poses ------------------------------------------------------ */
+
+/**
+ * How many sections a path has. A section is the way from one orientation to
+ * the next, be it at the same support point or on to the next point. They are
+ * counted from 0 in the order in which the camera takes them.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+ */
+int v_path_section_count(const V_PATH *path, int *count);
+
+/**
+ * The support point and the orientation with which a section begins, the
+ * number (from 1) of the first pose that belongs to it, and how many do; 0 if
+ * nothing changes in it. Poses that rest at the section's end are not
+ * counted. Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_section_info(const V_PATH *path,
+                        int section,
+                        int *point,
+                        int *orientation,
+                        size_t *first_frame,
+                        size_t *frames);
+
+/**
+ * How many poses the whole path yields; at least 1. They are numbered from 1.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
+ */
+int v_path_frame_count(const V_PATH *path, size_t *frames);
+
+/**
+ * All poses of a path, into the caller's array of capacity elements; *count
+ * is how many. With a capacity too small nothing is written but *count, the
+ * capacity needed, and the answer is V_ERR_SIZE. poses NULL with capacity 0
+ * only asks for *count.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_sample(const V_PATH *path,
+                  V_POSE *poses,
+                  size_t capacity,
+                  size_t *count);
+
+/**
+ * The pose at one frame, 1 to the count of v_path_frame_count(); between two
+ * frames also, as 1.5.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_pose(const V_PATH *path, double frame, V_POSE *pose);
+
+/**
+ * All poses of a path as a list in the form of 1994, see V_KAMERAPAR. first is
+ * the host's and becomes the first element; its number must be set before, to
+ * -1 if there are no data yet. A list that VIDES made there before is freed
+ * when the new one is complete; any other list is left alone and only
+ * forgotten. If the call fails, the old list stays whole.
+ * Any thread, if no other uses the list meanwhile; from callbacks too.
+ * V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_to_list(const V_PATH *path, V_KAMERAPAR *first);
+
+/**
+ * Writes all poses of a path into a text file: one line for each, with VRP,
+ * VPN, VUP (x, y and z each) and zoom as C prints them by "%3.4f", separated
+ * by one space; the decimal sign is a point whatever the locale, and minus
+ * zero is written as zero. The file is afterwards wholly the old or wholly the
+ * new one.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_write_ascii(const V_PATH *path, const char *file);
+
+
+/* ---- Toolbox: quaternions ---------------------------------------------------- */
+
+/**
+ * Quaternions are w, x, y, z. What goes in is brought to length 1; V_ERR_ARGUMENT
+ * if it is zero or not finite. The camera that is not turned looks along
+ * (0, 0, 1) with (0, 1, 0) up. Results may be the same arrays as arguments.
+ *
+ * Spherical linear interpolation from a (t = 0) to b (t = 1) by the shorter
+ * way; any finite t.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT.
+ */
+int v_quat_slerp(const double a[4], const double b[4], double t, double q[4]);
+
+/**
+ * The quaternion of a camera that looks along vpn with vup up. Both may have
+ * any length but zero; vup need not be perpendicular to vpn, but not parallel.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT.
+ */
+int v_quat_from_view(const double vpn[3], const double vup[3], double q[4]);
+
+/**
+ * View direction and up vector of a quaternion. Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT.
+ */
+int v_view_from_quat(const double q[4], double vpn[3], double vup[3]);
+
+
+/* ---- Toolbox: views ---------------------------------------------------------- */
+
+/**
+ * The matrix that takes world coordinates into the canonical volume of a view:
+ * 16 numbers by rows, for column vectors, m times (x, y, z, 1). In a parallel
+ * projection x and y are then from -1 to 1 and z is 0 in the front plane and
+ * -1 in the back plane; in a perspective |x| and |y| are at most z, and z is 1
+ * in the back plane.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up
+ * parallel to normal), V_ERR_RANGE (prp not before the front plane, back plane
+ * not behind it, empty window).
+ */
+int v_view_matrix(const V_VIEW *view, double m[16]);
+
+/**
+ * The perspective view that a camera has in a pose. aspect is the picture's
+ * width by its height; front and back are the distances of the planes before
+ * the camera, 0 < front < back. view->size must be set before.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE.
+ */
+int v_view_from_pose(const V_POSE *pose,
+                     double aspect,
+                     double front,
+                     double back,
+                     V_VIEW *view);
+
+/**
+ * The matrix of a camera in a pose as gluLookAt() makes it, to be given to
+ * glLoadMatrixd(): 16 numbers by columns, world to eye, looking along -z.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+ */
+int v_pose_gl_matrix(const V_POSE *pose, double m[16]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif  /* LIBVIDES_H */

@@ -1,0 +1,85 @@
+//! The one way across the border: what every export's body stands in.
+
+use std::ffi::c_int;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use super::status::{Answer, clear_last_error, set_last_error};
+
+/// What an export returns: how a failure looks in it.
+pub(super) trait Returned {
+    /// The value that tells C of a failure with this status.
+    fn failed(status: c_int) -> Self;
+}
+
+impl Returned for c_int {
+    fn failed(status: c_int) -> Self {
+        status
+    }
+}
+
+impl Returned for () {
+    /// Only [`super::status::v_last_error`] tells.
+    fn failed(_: c_int) -> Self {}
+}
+
+/// Runs the body of an export. The last error is cleared before and set after
+/// a failure; a panic ends here, since to unwind into C would end the host,
+/// and `on_panic` is returned instead.
+///
+/// A body holds nothing that a panic could leave half done but the document
+/// of a path, and that one's lock is poisoned by it.
+pub(super) fn border<T: Returned>(on_panic: T, body: impl FnOnce() -> Answer<T>) -> T {
+    clear_last_error();
+    match catch_unwind(AssertUnwindSafe(body)) {
+        Ok(Ok(value)) => value,
+        Ok(Err(failure)) => {
+            set_last_error(format_args!("{failure}"));
+            T::failed(failure.status())
+        }
+        Err(panic) => {
+            let said = panic
+                .downcast_ref::<String>()
+                .map(String::as_str)
+                .or_else(|| panic.downcast_ref::<&str>().copied())
+                .unwrap_or("no more is known");
+            set_last_error(format_args!("a fault inside the library: {said}"));
+            on_panic
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ffi::status::{Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK, v_last_error};
+    use std::ffi::CStr;
+
+    fn last() -> &'static str {
+        // SAFETY: v_last_error always gives a text ended by zero.
+        let text = unsafe { CStr::from_ptr(v_last_error()) };
+        text.to_str().expect("valid UTF-8")
+    }
+
+    #[test]
+    fn a_panic_stops_at_the_border() {
+        assert_eq!(
+            border(V_ERR_INTERNAL, || panic!("number {}", 7)),
+            V_ERR_INTERNAL
+        );
+        assert_eq!(last(), "a fault inside the library: number 7");
+        assert_eq!(border(V_ERR_INTERNAL, || panic!("plain")), V_ERR_INTERNAL);
+        assert_eq!(last(), "a fault inside the library: plain");
+        border((), || panic!("nothing to return"));
+        assert_eq!(last(), "a fault inside the library: nothing to return");
+    }
+
+    #[test]
+    fn a_failure_is_told_and_a_success_clears_it() {
+        let failed = border(V_ERR_INTERNAL, || {
+            Err(Failure::Border(V_ERR_RANGE, "too far"))
+        });
+        assert_eq!((failed, last()), (V_ERR_RANGE, "too far"));
+        assert_eq!(border(V_ERR_INTERNAL, || Ok(V_OK)), V_OK);
+        assert_eq!(last(), "");
+    }
+}

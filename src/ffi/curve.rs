@@ -1,0 +1,125 @@
+//! The curve in space: lengths and points.
+
+use std::ffi::c_int;
+
+use super::border::border;
+use super::path::read;
+use super::pointers::{Out, index};
+use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::types::V_PATH;
+use crate::document::Document;
+use crate::error::Error;
+use crate::path::arc_length::ArcLength;
+use crate::path::hermite::Cubic;
+
+/// A segment by C's number of it.
+fn segment(document: &Document, number: c_int) -> Answer<usize> {
+    let segments = document.path().segment_count();
+    match index(number)? {
+        found if found < segments => Ok(found),
+        _ => Err(Error::Range(
+            format!("there is no segment {number} among {segments}, counted from 0").into(),
+        )
+        .into()),
+    }
+}
+
+/// The cubic of a segment by C's number of it.
+fn cubic(document: &Document, number: c_int) -> Answer<Cubic> {
+    let segment = segment(document, number)?;
+    Ok(document.timeline(|timeline| *timeline.curve(segment))?)
+}
+
+/// A finite number between 0 and `end`.
+fn between(value: f64, end: f64, name: &str) -> Answer<f64> {
+    if (0.0..=end).contains(&value) {
+        Ok(value)
+    } else if value.is_finite() {
+        Err(Error::Range(format!("{name} must lie between 0 and {end}").into()).into())
+    } else {
+        Err(Error::Argument(format!("{name} must be a finite number").into()).into())
+    }
+}
+
+/// ==== The curve ====
+///
+/// The length of the whole curve, in the units of the positions.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_length(path: *const V_PATH, length: *mut f64) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(length)?;
+        let length = read(path, |document| Ok(document.timeline(|t| t.length())?))?;
+        // SAFETY: room for a double, as the header says.
+        unsafe { out.write(length) };
+        Ok(V_OK)
+    })
+}
+
+/// The length of one segment. Segment n leads from support point n to the next;
+/// a closed path has one more, from the last to the first.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_segment_length(
+    path: *const V_PATH,
+    segment: c_int,
+    length: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(length)?;
+        let length = read(path, |document| {
+            let segment = self::segment(document, segment)?;
+            Ok(document.timeline(|timeline| timeline.segment_length(segment))?)
+        })?;
+        // SAFETY: room for a double, as the header says.
+        unsafe { out.write(length) };
+        Ok(V_OK)
+    })
+}
+
+/// The point of a segment at t from 0 to 1, the parameter of the spline itself
+/// (not of the length).
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_MEMORY.
+/// cbindgen:ptrs-as-arrays=[[xyz; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_curve_point(
+    path: *const V_PATH,
+    segment: c_int,
+    t: f64,
+    xyz: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let xyz = Out::array(xyz)?;
+        let curve = read(path, |document| cubic(document, segment))?;
+        let point = curve.point(between(t, 1.0, "t")?);
+        // SAFETY: room for three doubles, as the header says.
+        unsafe { xyz.write(point.to_array()) };
+        Ok(V_OK)
+    })
+}
+
+/// The point of a segment at the length s from its start, 0 to the segment's
+/// length.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_MEMORY.
+/// cbindgen:ptrs-as-arrays=[[xyz; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_point_at_length(
+    path: *const V_PATH,
+    segment: c_int,
+    s: f64,
+    xyz: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let xyz = Out::array(xyz)?;
+        let curve = read(path, |document| cubic(document, segment))?;
+        let lengths = ArcLength::new(&curve)?;
+        let s = between(s, lengths.length(), "s")?;
+        let point = curve.point(lengths.parameter_at(s));
+        // SAFETY: room for three doubles, as the header says.
+        unsafe { xyz.write(point.to_array()) };
+        Ok(V_OK)
+    })
+}

@@ -1,0 +1,232 @@
+//! The orientations of support points.
+
+use std::ffi::c_int;
+use std::ptr;
+
+use glam::DVec3;
+
+use super::border::border;
+use super::path::{edit, read};
+use super::pointers::{self, Out, check_size, count, index};
+use super::points::point;
+use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::types::{V_ORIENTATION, V_PATH};
+use crate::document::Edit;
+use crate::error::Error;
+use crate::path::{Orientation, Target, Tcb};
+
+/// The struct of C for an orientation.
+fn to_c(orientation: &Orientation) -> V_ORIENTATION {
+    let (absolute, target) = match orientation.target {
+        Target::Absolute(target) => (1, target),
+        Target::Relative(target) => (0, target),
+    };
+    V_ORIENTATION {
+        size: size_of::<V_ORIENTATION>(),
+        absolute,
+        target: target.to_array(),
+        roll: orientation.roll,
+        zoom: orientation.zoom,
+        tension: orientation.turning.tension,
+        continuity: orientation.turning.continuity,
+        bias: orientation.turning.bias,
+        speed: orientation.speeds,
+        // At most MAX_HOLD, which an int holds.
+        hold: c_int::try_from(orientation.hold).unwrap_or(c_int::MAX),
+    }
+}
+
+/// The orientation that C describes; its values are not yet checked.
+fn from_c(o: &V_ORIENTATION) -> Answer<Orientation> {
+    let target = DVec3::from_array(o.target);
+    Ok(Orientation {
+        target: if o.absolute == 0 {
+            Target::Relative(target)
+        } else {
+            Target::Absolute(target)
+        },
+        roll: o.roll,
+        zoom: o.zoom,
+        turning: Tcb::new(o.tension, o.continuity, o.bias),
+        speeds: o.speed,
+        hold: u32::try_from(o.hold)
+            .map_err(|_| Error::Range("the hold must lie between 0 and 1000000 frames".into()))?,
+    })
+}
+
+/// Reads a struct of the host's; first of all its size, since that tells
+/// whether there is more.
+///
+/// # Safety
+/// `o` is NULL or points to a struct as its `size` says.
+unsafe fn read_orientation(o: *const V_ORIENTATION) -> Answer<Orientation> {
+    pointers::check(o)?;
+    // SAFETY: not NULL, and every version begins with `size`; once that is
+    // right the whole struct can be read.
+    unsafe {
+        check_size::<V_ORIENTATION>(ptr::read(&raw const (*o).size))?;
+        from_c(&pointers::read(o)?)
+    }
+}
+
+/// ==== Orientations ====
+///
+/// Fills in an orientation: size, looking along (0, 0, -1) (relative, target
+/// (0, 0, -0.4)), roll 0, zoom 24, tension, continuity and bias 0, all speeds
+/// 50, hold 0. NULL does nothing but set v_last_error().
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
+    border((), || {
+        let o = Out::new(o)?;
+        // SAFETY: room for the struct, as the header says.
+        unsafe { o.write(to_c(&Orientation::default())) };
+        Ok(())
+    });
+}
+
+/// How many orientations a support point has, 1 to 10. They are counted from
+/// 0 and taken in this order: the camera comes in the first one, turns from
+/// one to the next, and leaves in the last one.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_orientation_count(
+    path: *const V_PATH,
+    point: c_int,
+    count: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(count)?;
+        let orientations = read(path, |document| {
+            self::count(self::point(document, point)?.1.orientations.len())
+        })?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.write(orientations) };
+        Ok(V_OK)
+    })
+}
+
+/// Inserts an orientation before the one that is number at now; at = their
+/// number appends. o is copied; NULL copies the orientation before, at 0 the
+/// one that was the first.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_insert_orientation(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+    o: *const V_ORIENTATION,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let orientation = if o.is_null() {
+            None
+        } else {
+            // SAFETY: a struct as its size says, as the header demands.
+            Some(unsafe { read_orientation(o) }?)
+        };
+        let (point, at) = (index(point)?, index(at)?);
+        edit(
+            path,
+            Edit::InsertOrientation {
+                point,
+                at,
+                orientation,
+            },
+        )
+    })
+}
+
+/// Removes an orientation. One always remains.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_remove_orientation(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (point, at) = (index(point)?, index(at)?);
+        edit(path, Edit::RemoveOrientation { point, at })
+    })
+}
+
+/// Changes all values of an orientation; o is copied.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_orientation(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+    o: *const V_ORIENTATION,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a struct as its size says, as the header demands.
+        let orientation = unsafe { read_orientation(o) }?;
+        let (point, at) = (index(point)?, index(at)?);
+        edit(
+            path,
+            Edit::SetOrientation {
+                point,
+                at,
+                orientation,
+            },
+        )
+    })
+}
+
+/// The values of an orientation. o->size must be set before, for instance by
+/// v_orientation_init().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+/// V_ERR_SIZE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_orientation(
+    path: *const V_PATH,
+    point: c_int,
+    at: c_int,
+    o: *mut V_ORIENTATION,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(o)?;
+        // SAFETY: not NULL, and every version begins with `size`.
+        check_size::<V_ORIENTATION>(unsafe { ptr::read(&raw const (*o).size) })?;
+        let values = read(path, |document| {
+            let orientations = &self::point(document, point)?.1.orientations;
+            Ok(orientations.get(index(at)?).map(to_c).ok_or_else(|| {
+                Error::Range(
+                    format!("point {point} has no orientation {at}, counted from 0").into(),
+                )
+            })?)
+        })?;
+        // SAFETY: room for the struct: its size says so.
+        unsafe { out.write(values) };
+        Ok(V_OK)
+    })
+}
+
+/// Makes the target of an orientation absolute (not 0) or relative (0); the
+/// view stays as it is.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_absolute(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+    absolute: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (point, at) = (index(point)?, index(at)?);
+        edit(
+            path,
+            Edit::SetAbsolute {
+                point,
+                at,
+                absolute: absolute != 0,
+            },
+        )
+    })
+}

@@ -1,0 +1,123 @@
+//! Paths as handles: made, copied, freed, loaded and saved; and the way from
+//! a handle to its document.
+
+use std::ffi::{c_char, c_int};
+use std::sync::RwLock;
+
+use super::border::border;
+use super::handles::{Handles, KIND_PATH};
+use super::pointers::{Out, check, file_name};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
+use super::types::V_PATH;
+use crate::document::{Document, Edit};
+
+/// All paths that C holds.
+static PATHS: Handles<RwLock<Document>, V_PATH> = Handles::new(KIND_PATH);
+
+const SPOILED: Failure = Failure::Border(
+    V_ERR_INTERNAL,
+    "this path is unusable since a fault inside the library",
+);
+
+/// Gives a document a handle.
+fn keep(document: Document) -> Answer<*mut V_PATH> {
+    PATHS.insert(RwLock::new(document))
+}
+
+/// Reads a path. Several threads may at once.
+pub(super) fn read<R>(path: *const V_PATH, look: impl FnOnce(&Document) -> Answer<R>) -> Answer<R> {
+    if path.is_null() {
+        check(path)?;
+    }
+    let document = PATHS.get(path)?;
+    let document = document.read().map_err(|_| SPOILED)?;
+    look(&document)
+}
+
+/// Changes a path: all of the edit or nothing.
+pub(super) fn edit(path: *mut V_PATH, edit: Edit) -> Answer<c_int> {
+    if path.is_null() {
+        check(path)?;
+    }
+    let document = PATHS.get(path)?;
+    document.write().map_err(|_| SPOILED)?.apply(edit)?;
+    Ok(V_OK)
+}
+
+/// ==== Paths ====
+///
+/// A new path: two support points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each
+/// with one orientation as v_orientation_init() makes it. *path is the
+/// caller's, to be freed with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let path = Out::new(path)?;
+        let made = keep(Document::new().without_history())?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { path.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// An independent copy of a path. *copy is the caller's, to be freed with
+/// v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY,
+/// V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PATH) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let copy = Out::new(copy)?;
+        let made = keep(read(path, |document| Ok(document.try_clone()?))?)?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { copy.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// Frees a path; its handle is not valid from now on. NULL is no error. A
+/// handle that is not valid does no harm; v_last_error() tells. A call that
+/// another thread has under way on this path ends as if it had come before.
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
+    border((), || {
+        if !path.is_null() {
+            PATHS.remove(path)?;
+        }
+        Ok(())
+    });
+}
+
+/// Reads a path from a .vid file. file is a name as open() takes it. *path is
+/// the caller's, to be freed with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
+/// line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let path = Out::new(path)?;
+        // SAFETY: a text ended by zero, as the header says.
+        let document = Document::load(unsafe { file_name(file) }?)?;
+        let made = keep(document.without_history())?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { path.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// Writes a path into a .vid file. Whatever happens, the file is afterwards
+/// wholly the old or wholly the new one; when the call returns V_OK the new one
+/// is on the disk. A symbolic link is followed, permissions are kept.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let file = unsafe { file_name(file) }?;
+        read(path, |document| Ok(document.save(file)?))?;
+        Ok(V_OK)
+    })
+}

@@ -1,0 +1,188 @@
+//! The host's pointers: looked at before they are followed.
+//!
+//! What can be seen of a bad pointer is seen here: NULL, and an address that
+//! is not aligned for its type. That the rest of what it promises holds (it
+//! points to as much memory as the header says, and nobody else writes there
+//! meanwhile) is the host's part, and the header says so.
+
+use std::ffi::{CStr, OsStr, c_char, c_int};
+use std::os::unix::ffi::OsStrExt;
+use std::path::Path;
+
+use glam::DVec3;
+
+use super::status::{Answer, Failure, V_ERR_ARGUMENT, V_ERR_NULL, V_ERR_RANGE, V_ERR_SIZE};
+
+const NULL: Failure = Failure::Border(V_ERR_NULL, "a pointer is NULL that must not be");
+const UNALIGNED: Failure = Failure::Border(
+    V_ERR_ARGUMENT,
+    "a pointer is not aligned for what it points to",
+);
+
+/// Refuses NULL and unaligned addresses.
+pub(super) fn check<T>(pointer: *const T) -> Answer<()> {
+    if pointer.is_null() {
+        return Err(NULL);
+    }
+    if !pointer.is_aligned() {
+        return Err(UNALIGNED);
+    }
+    Ok(())
+}
+
+/// A copy of what the host points to: inputs and outputs may overlap.
+///
+/// # Safety
+/// A pointer that is not NULL points to a `T` that can be read.
+pub(super) unsafe fn read<T: Copy>(pointer: *const T) -> Answer<T> {
+    check(pointer)?;
+    // SAFETY: not NULL, aligned, and the caller's word for the rest.
+    Ok(unsafe { pointer.read() })
+}
+
+/// As [`read`] for an array given by its first element, as C does.
+///
+/// # Safety
+/// A pointer that is not NULL points to `N` elements that can be read.
+pub(super) unsafe fn read_array<T: Copy, const N: usize>(pointer: *const T) -> Answer<[T; N]> {
+    // SAFETY: the caller's word; an array is aligned as its elements are.
+    unsafe { read(pointer.cast::<[T; N]>()) }
+}
+
+/// Three coordinates.
+///
+/// # Safety
+/// A pointer that is not NULL points to three doubles that can be read.
+pub(super) unsafe fn read_vector(xyz: *const f64) -> Answer<DVec3> {
+    // SAFETY: the caller's word.
+    Ok(DVec3::from_array(unsafe { read_array(xyz) }?))
+}
+
+/// As [`read`], with NULL for nothing.
+///
+/// # Safety
+/// A pointer that is not NULL points to a `T` that can be read.
+pub(super) unsafe fn read_optional<T: Copy>(pointer: *const T) -> Answer<Option<T>> {
+    if pointer.is_null() {
+        return Ok(None);
+    }
+    // SAFETY: the caller's word.
+    unsafe { read(pointer) }.map(Some)
+}
+
+/// `count` elements, seen as a slice while the call lasts.
+///
+/// # Safety
+/// A pointer that is not NULL points to `count` elements that can be read and
+/// are not written while `'a` lasts.
+pub(super) unsafe fn slice<'a, T>(pointer: *const T, count: usize) -> Answer<&'a [T]> {
+    check(pointer)?;
+    check_extent::<T>(count)?;
+    // SAFETY: not NULL, aligned, no larger than memory can be, and the
+    // caller's word for the rest.
+    Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
+}
+
+/// `count` elements to be written.
+///
+/// # Safety
+/// A pointer that is not NULL points to `count` elements that can be written
+/// and are used by nobody else while `'a` lasts. Every bit pattern that may
+/// stand there now is a valid `T`.
+pub(super) unsafe fn slice_mut<'a, T>(pointer: *mut T, count: usize) -> Answer<&'a mut [T]> {
+    check(pointer)?;
+    check_extent::<T>(count)?;
+    // SAFETY: as in `slice`.
+    Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
+}
+
+/// No object is larger than half of the address space.
+fn check_extent<T>(count: usize) -> Answer<()> {
+    match count.checked_mul(size_of::<T>()) {
+        Some(bytes) if isize::try_from(bytes).is_ok() => Ok(()),
+        _ => Err(Failure::Border(V_ERR_RANGE, "a count is impossibly large")),
+    }
+}
+
+/// Where a result goes. Made before the work, written after it: a call that
+/// fails has written nothing.
+pub(super) struct Out<T>(*mut T);
+
+impl<T: Copy> Out<T> {
+    /// A result that must be wanted.
+    pub(super) fn new(pointer: *mut T) -> Answer<Self> {
+        check(pointer)?;
+        Ok(Self(pointer))
+    }
+
+    /// A result that may be unwanted (NULL).
+    pub(super) fn optional(pointer: *mut T) -> Answer<Self> {
+        if pointer.is_null() {
+            return Ok(Self(pointer));
+        }
+        Self::new(pointer)
+    }
+
+    /// Writes the result, if it is wanted.
+    ///
+    /// # Safety
+    /// A pointer that is not NULL points to memory for a `T`.
+    pub(super) unsafe fn write(self, value: T) {
+        if !self.0.is_null() {
+            // SAFETY: not NULL, aligned, and the caller's word for the rest.
+            unsafe { self.0.write(value) };
+        }
+    }
+}
+
+impl<T: Copy, const N: usize> Out<[T; N]> {
+    /// A result array given by its first element, as C does.
+    pub(super) fn array(pointer: *mut T) -> Answer<Self> {
+        Self::new(pointer.cast())
+    }
+
+    /// The same, that may be unwanted (NULL).
+    pub(super) fn optional_array(pointer: *mut T) -> Answer<Self> {
+        Self::optional(pointer.cast())
+    }
+}
+
+/// A file's name: the bytes as they are, whatever their encoding.
+///
+/// # Safety
+/// A pointer that is not NULL points to a text ended by a zero byte that
+/// stays as it is while `'a` lasts.
+pub(super) unsafe fn file_name<'a>(file: *const c_char) -> Answer<&'a Path> {
+    check(file)?;
+    // SAFETY: not NULL, and the caller's word for the rest.
+    let text = unsafe { CStr::from_ptr(file) };
+    Ok(Path::new(OsStr::from_bytes(text.to_bytes())))
+}
+
+/// An index or a number from C, where negative is never right.
+pub(super) fn index(value: c_int) -> Answer<usize> {
+    usize::try_from(value)
+        .map_err(|_| Failure::Border(V_ERR_RANGE, "an index must not be negative"))
+}
+
+/// A number for C. The limits of a path keep every count below `INT_MAX`.
+pub(super) fn count(value: usize) -> Answer<c_int> {
+    c_int::try_from(value)
+        .map_err(|_| Failure::Border(V_ERR_RANGE, "a count is too large for an int"))
+}
+
+/// The `size` with which a struct that may grow begins.
+///
+/// The host's `sizeof` tells which fields it knows. This is the first version,
+/// so there is one right size. A smaller one was never set, a larger one
+/// belongs to a newer header than the library, or is what happened to stand in
+/// memory; either way reading on would be wrong.
+pub(super) fn check_size<T>(size: usize) -> Answer<()> {
+    if size == size_of::<T>() {
+        return Ok(());
+    }
+    Err(Failure::Border(
+        V_ERR_SIZE,
+        "the size with which a struct begins is not its sizeof",
+    ))
+}

@@ -1,0 +1,237 @@
+//! Support points, their shape parameters and the presets.
+
+use std::ffi::c_int;
+
+use super::border::border;
+use super::path::{edit, read};
+use super::pointers::{Out, count, index, read_vector};
+use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::types::V_PATH;
+use crate::document::{Document, Edit};
+use crate::error::Error;
+use crate::path::{CurveParameters, SupportPoint, Tcb};
+
+/// A support point by C's number of it.
+pub(super) fn point(document: &Document, at: c_int) -> Answer<(usize, &SupportPoint)> {
+    let number = index(at)?;
+    let points = &document.path().points;
+    let point = points.get(number).ok_or_else(|| {
+        Error::Range(
+            format!(
+                "there is no point {at} among {}, counted from 0",
+                points.len()
+            )
+            .into(),
+        )
+    })?;
+    Ok((number, point))
+}
+
+/// ==== Support points ====
+///
+/// How many support points a path has; at least 2. They are counted from 0.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(count)?;
+        let points = read(path, |document| self::count(document.path().points.len()))?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.write(points) };
+        Ok(V_OK)
+    })
+}
+
+/// Inserts a support point before the one that is number at now; at = their
+/// number appends. It takes all other properties from its predecessor, at 0
+/// from its successor; an absolute target equal to the new position becomes
+/// relative. Coordinates are finite and at most 1e9.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// cbindgen:ptrs-as-arrays=[[xyz; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_insert_point(
+    path: *mut V_PATH,
+    at: c_int,
+    xyz: *const f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: three doubles, as the header says.
+        let position = unsafe { read_vector(xyz) }?;
+        let at = index(at)?;
+        edit(path, Edit::InsertPoint { at, position })
+    })
+}
+
+/// Divides the segment behind support point number segment by 1 to 10 new
+/// support points on the curve, at equal arc lengths. They take all other
+/// properties from the point before them.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_divide_segment(
+    path: *mut V_PATH,
+    segment: c_int,
+    points: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (segment, points) = (index(segment)?, index(points)?);
+        edit(path, Edit::DivideSegment { segment, points })
+    })
+}
+
+/// Removes a support point. Two always remain.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        edit(path, Edit::RemovePoint { at: index(at)? })
+    })
+}
+
+/// Moves a support point. Absolute targets stay where they are, relative ones
+/// go along; a position equal to an absolute target of the point is refused.
+/// Coordinates are finite and at most 1e9.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// cbindgen:ptrs-as-arrays=[[xyz; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_position(
+    path: *mut V_PATH,
+    at: c_int,
+    xyz: *const f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: three doubles, as the header says.
+        let position = unsafe { read_vector(xyz) }?;
+        let at = index(at)?;
+        edit(path, Edit::SetPosition { at, position })
+    })
+}
+
+/// Where a support point lies.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// cbindgen:ptrs-as-arrays=[[xyz; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_position(
+    path: *const V_PATH,
+    at: c_int,
+    xyz: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let xyz = Out::array(xyz)?;
+        let position = read(path, |document| Ok(point(document, at)?.1.position))?;
+        // SAFETY: room for three doubles, as the header says.
+        unsafe { xyz.write(position.to_array()) };
+        Ok(V_OK)
+    })
+}
+
+/// ==== Tension, continuity and bias of the curve ====
+///
+/// Gives a support point its own tension, continuity and bias, each from -1
+/// to 1 (Kochanek and Bartels 1984).
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_tcb(
+    path: *mut V_PATH,
+    at: c_int,
+    tension: f64,
+    continuity: f64,
+    bias: f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let tcb = Tcb::new(tension, continuity, bias);
+        edit(
+            path,
+            Edit::SetOwn {
+                at: index(at)?,
+                tcb,
+            },
+        )
+    })
+}
+
+/// Lets a support point follow one of the path's presets, 0 to 9.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_use_preset(path: *mut V_PATH, at: c_int, preset: c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (at, preset) = (index(at)?, index(preset)?);
+        edit(path, Edit::UsePreset { at, preset })
+    })
+}
+
+/// Tension, continuity and bias in force at a support point, and the preset
+/// that it follows, -1 for its own values. Each result may be NULL.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// cbindgen:ptrs-as-arrays=[[tcb; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_tcb(
+    path: *const V_PATH,
+    at: c_int,
+    tcb: *mut f64,
+    preset: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (tcb, preset) = (Out::optional_array(tcb)?, Out::optional(preset)?);
+        let (values, number) = read(path, |document| {
+            let (at, point) = point(document, at)?;
+            let number = match point.curve {
+                CurveParameters::Preset(number) => c_int::from(number),
+                CurveParameters::Own(_) => -1,
+            };
+            Ok((document.path().tcb(at), number))
+        })?;
+        // SAFETY: room for three doubles and an int, as the header says.
+        unsafe {
+            tcb.write([values.tension, values.continuity, values.bias]);
+            preset.write(number);
+        }
+        Ok(V_OK)
+    })
+}
+
+/// Changes one of the path's ten presets, 0 to 9, and with it every support
+/// point that follows it. Each value from -1 to 1.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_preset(
+    path: *mut V_PATH,
+    preset: c_int,
+    tension: f64,
+    continuity: f64,
+    bias: f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let tcb = Tcb::new(tension, continuity, bias);
+        let preset = index(preset)?;
+        edit(path, Edit::SetPreset { preset, tcb })
+    })
+}
+
+/// Tension, continuity and bias of a preset, 0 to 9.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// cbindgen:ptrs-as-arrays=[[tcb; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_preset(
+    path: *const V_PATH,
+    preset: c_int,
+    tcb: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let tcb = Out::array(tcb)?;
+        let number = index(preset)?;
+        let values = read(path, |document| {
+            let preset = document.path().presets.get(number);
+            Ok(*preset.ok_or(Error::Range("the preset must lie between 0 and 9".into()))?)
+        })?;
+        // SAFETY: room for three doubles, as the header says.
+        unsafe { tcb.write([values.tension, values.continuity, values.bias]) };
+        Ok(V_OK)
+    })
+}

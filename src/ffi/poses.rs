@@ -1,0 +1,188 @@
+//! Sections, frames and poses.
+
+use std::ffi::{c_char, c_int};
+
+use super::border::border;
+use super::list;
+use super::path::read;
+use super::pointers::{Out, check, file_name, index, slice_mut};
+use super::status::{Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK};
+use super::types::{V_KAMERAPAR, V_PATH, V_POSE};
+use crate::document::ascii;
+use crate::error::Error;
+use crate::path::Pose;
+
+/// ==== Sections and poses ====
+///
+/// How many sections a path has. A section is the way from one orientation to
+/// the next, be it at the same support point or on to the next point. They are
+/// counted from 0 in the order in which the camera takes them.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(count)?;
+        let sections = read(path, |document| {
+            let sections = document.timeline(|timeline| timeline.section_count())?;
+            super::pointers::count(sections)
+        })?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.write(sections) };
+        Ok(V_OK)
+    })
+}
+
+/// The support point and the orientation with which a section begins, the
+/// number (from 1) of the first pose that belongs to it, and how many do; 0 if
+/// nothing changes in it. Poses that rest at the section's end are not
+/// counted. Each result may be NULL.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_section_info(
+    path: *const V_PATH,
+    section: c_int,
+    point: *mut c_int,
+    orientation: *mut c_int,
+    first_frame: *mut usize,
+    frames: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (point, orientation) = (Out::optional(point)?, Out::optional(orientation)?);
+        let (first_frame, frames) = (Out::optional(first_frame)?, Out::optional(frames)?);
+        let number = index(section)?;
+        let (section, first) = read(path, |document| {
+            let found = document.timeline(|timeline| {
+                (number < timeline.section_count()).then(|| timeline.section(number))
+            })?;
+            let found = found.ok_or_else(|| {
+                Error::Range(format!("there is no section {section}, counted from 0").into())
+            })?;
+            Ok((found, document.sampler()?.first_frame(number)))
+        })?;
+        let from = super::pointers::count(section.point)?;
+        let looking = super::pointers::count(section.orientation)?;
+        // SAFETY: room for an int and a size_t each, as the header says.
+        unsafe {
+            point.write(from);
+            orientation.write(looking);
+            first_frame.write(first);
+            frames.write(section.frames);
+        }
+        Ok(V_OK)
+    })
+}
+
+/// How many poses the whole path yields; at least 1. They are numbered from 1.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut usize) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(frames)?;
+        let frames = read(path, |document| {
+            Ok(document.timeline(|timeline| timeline.frame_count())??)
+        })?;
+        // SAFETY: room for a size_t, as the header says.
+        unsafe { out.write(frames) };
+        Ok(V_OK)
+    })
+}
+
+/// All poses of a path, into the caller's array of capacity elements; *count
+/// is how many. With a capacity too small nothing is written but *count, the
+/// capacity needed, and the answer is V_ERR_SIZE. poses NULL with capacity 0
+/// only asks for *count.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_sample(
+    path: *const V_PATH,
+    poses: *mut V_POSE,
+    capacity: usize,
+    count: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let count = Out::new(count)?;
+        if !poses.is_null() || capacity != 0 {
+            check(poses)?;
+        }
+        read(path, |document| {
+            let sampler = document.sampler()?;
+            let needed = sampler.frame_count();
+            // SAFETY: room for a size_t and for `capacity` poses, as the header
+            // says; any bits make a pose.
+            unsafe {
+                if !poses.is_null() && capacity >= needed {
+                    sampler.sample(1, slice_mut(poses.cast::<Pose>(), needed)?)?;
+                }
+                count.write(needed);
+            }
+            if poses.is_null() || capacity >= needed {
+                return Ok(V_OK);
+            }
+            Err(TOO_SMALL)
+        })
+    })
+}
+
+const TOO_SMALL: Failure = Failure::Border(
+    V_ERR_SIZE,
+    "the array is too small for the poses; the count tells how many there are",
+);
+
+/// The pose at one frame, 1 to the count of v_path_frame_count(); between two
+/// frames also, as 1.5.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut V_POSE) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(pose.cast::<Pose>())?;
+        let pose = read(path, |document| Ok(document.sampler()?.pose(frame)?))?;
+        // SAFETY: room for a pose, as the header says.
+        unsafe { out.write(pose) };
+        Ok(V_OK)
+    })
+}
+
+/// All poses of a path as a list in the form of 1994, see V_KAMERAPAR. first is
+/// the host's and becomes the first element; its number must be set before, to
+/// -1 if there are no data yet. A list that VIDES made there before is freed
+/// when the new one is complete; any other list is left alone and only
+/// forgotten. If the call fails, the old list stays whole.
+/// Any thread, if no other uses the list meanwhile; from callbacks too.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMERAPAR) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        check(first)?;
+        read(path, |document| {
+            let sampler = document.sampler()?;
+            let frames = sampler.frame_count();
+            // SAFETY: an element of the host's, as the header says.
+            unsafe { list::build(frames, first, |n, poses| sampler.sample(n, poses)) }?;
+            Ok(V_OK)
+        })
+    })
+}
+
+/// Writes all poses of a path into a text file: one line for each, with VRP,
+/// VPN, VUP (x, y and z each) and zoom as C prints them by "%3.4f", separated
+/// by one space; the decimal sign is a point whatever the locale, and minus
+/// zero is written as zero. The file is afterwards wholly the old or wholly the
+/// new one.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_char) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let file = unsafe { file_name(file) }?;
+        read(path, |document| {
+            let sampler = document.sampler()?;
+            ascii::write_ascii_file(&sampler, None, file)?;
+            Ok(V_OK)
+        })
+    })
+}

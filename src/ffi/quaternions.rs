@@ -1,0 +1,113 @@
+//! The toolbox: quaternions and pairs of vectors.
+
+use std::ffi::c_int;
+
+use glam::{DQuat, DVec3};
+
+use super::border::border;
+use super::pointers::{Out, read_array, read_vector};
+use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use crate::error::Error;
+use crate::math::orientation::{quaternion_from_view, unit, view_from_quaternion};
+use crate::math::quaternion::slerp_shortest;
+
+/// Below this sine of the angle between them two directions count as parallel.
+const PARALLEL: f64 = 1e-12;
+
+/// C's order, w x y z, to the engine's.
+fn from_c([w, x, y, z]: [f64; 4]) -> DQuat {
+    DQuat::from_xyzw(x, y, z, w)
+}
+
+/// And back.
+pub(super) fn to_c(q: DQuat) -> [f64; 4] {
+    [q.w, q.x, q.y, q.z]
+}
+
+/// A quaternion as C gives it, with length 1.
+pub(super) fn normalised(wxyz: [f64; 4]) -> Answer<DQuat> {
+    let largest = wxyz.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+    if !wxyz.iter().all(|x| x.is_finite()) || largest == 0.0 {
+        return Err(Error::Argument("a quaternion must be finite and not zero".into()).into());
+    }
+    // Divided first: the square of a large or tiny one would not be finite.
+    Ok(from_c(wxyz.map(|x| x / largest)).normalize())
+}
+
+/// A direction as C gives it, with length 1.
+fn direction(v: DVec3) -> Answer<DVec3> {
+    if !v.is_finite() || v == DVec3::ZERO {
+        return Err(Error::Argument("a direction must be finite and not zero".into()).into());
+    }
+    Ok(unit(v))
+}
+
+/// ==== Toolbox: quaternions ====
+///
+/// Quaternions are w, x, y, z. What goes in is brought to length 1; V_ERR_ARGUMENT
+/// if it is zero or not finite. The camera that is not turned looks along
+/// (0, 0, 1) with (0, 1, 0) up. Results may be the same arrays as arguments.
+///
+/// Spherical linear interpolation from a (t = 0) to b (t = 1) by the shorter
+/// way; any finite t.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT.
+/// cbindgen:ptrs-as-arrays=[[a; 4], [b; 4], [q; 4]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_quat_slerp(a: *const f64, b: *const f64, t: f64, q: *mut f64) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::array(q)?;
+        // SAFETY: four doubles each, as the header says.
+        let (a, b) = unsafe { (read_array(a)?, read_array(b)?) };
+        if !t.is_finite() {
+            return Err(Error::Argument("t must be a finite number".into()).into());
+        }
+        let q = slerp_shortest(normalised(a)?, normalised(b)?, t).normalize();
+        // SAFETY: room for four doubles, as the header says.
+        unsafe { out.write(to_c(q)) };
+        Ok(V_OK)
+    })
+}
+
+/// The quaternion of a camera that looks along vpn with vup up. Both may have
+/// any length but zero; vup need not be perpendicular to vpn, but not parallel.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT.
+/// cbindgen:ptrs-as-arrays=[[vpn; 3], [vup; 3], [q; 4]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_quat_from_view(vpn: *const f64, vup: *const f64, q: *mut f64) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::array(q)?;
+        // SAFETY: three doubles each, as the header says.
+        let (vpn, vup) = unsafe { (read_vector(vpn)?, read_vector(vup)?) };
+        let (view, up) = (direction(vpn)?, direction(vup)?);
+        let side = up.cross(view);
+        if side.length() < PARALLEL {
+            return Err(Error::Argument(
+                "the up vector must not be parallel to the view direction".into(),
+            )
+            .into());
+        }
+        let q = quaternion_from_view(view, view.cross(unit(side)));
+        // SAFETY: room for four doubles, as the header says.
+        unsafe { out.write(to_c(q)) };
+        Ok(V_OK)
+    })
+}
+
+/// View direction and up vector of a quaternion. Each result may be NULL.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT.
+/// cbindgen:ptrs-as-arrays=[[q; 4], [vpn; 3], [vup; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_view_from_quat(q: *const f64, vpn: *mut f64, vup: *mut f64) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (vpn, vup) = (Out::optional_array(vpn)?, Out::optional_array(vup)?);
+        // SAFETY: four doubles, as the header says.
+        let q = normalised(unsafe { read_array(q) }?)?;
+        let (view, up) = view_from_quaternion(q);
+        // SAFETY: room for three doubles each, as the header says.
+        unsafe {
+            vpn.write(view.to_array());
+            vup.write(up.to_array());
+        }
+        Ok(V_OK)
+    })
+}

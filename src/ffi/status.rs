@@ -1,0 +1,257 @@
+//! Statuses, versions and the calling thread's last message.
+
+use std::cell::UnsafeCell;
+use std::ffi::{c_char, c_int};
+use std::fmt::{self, Write as _};
+
+use crate::error::Error;
+
+/// ==== Version of this header ====
+///
+/// v_version() tells that of the library that runs.
+#[allow(dead_code)] // only the host reads these three
+pub const V_VERSION_MAJOR: c_int = 1;
+#[allow(dead_code)]
+pub const V_VERSION_MINOR: c_int = 0;
+#[allow(dead_code)]
+pub const V_VERSION_PATCH: c_int = 0;
+
+/// ==== Statuses ====
+///
+/// What every function that returns a status answers. v_strerror() puts each
+/// into words, v_last_error() tells what was wrong in the call itself.
+///
+/// V_OK            done
+/// V_ERR_NULL      a pointer is NULL that must not be
+/// V_ERR_HANDLE    the handle is none: freed, of another kind, or never made
+/// V_ERR_ARGUMENT  a value that makes no sense: not a finite number, a target
+///                 on the camera itself, an up vector along the view, a
+///                 pointer that is not aligned for its type
+/// V_ERR_RANGE     an index or a value outside its range
+/// V_ERR_SIZE      an array too small, or a struct whose size is not set
+/// V_ERR_LIMIT     more points, orientations or poses than the library takes
+/// V_ERR_MEMORY    out of memory; nothing was changed
+/// V_ERR_IO        the operating system refused to read or write a file
+/// V_ERR_FORMAT    the contents of a file are not what they should be
+/// V_ERR_DISPLAY   no window can be opened, or its X server went away
+/// V_ERR_BUSY      not possible at this moment, as from within this callback
+/// V_ERR_CLOSED    the user has closed this window
+/// V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable
+///                 from now on, everything else goes on
+pub const V_OK: c_int = 0;
+pub const V_ERR_NULL: c_int = 1;
+pub const V_ERR_HANDLE: c_int = 2;
+pub const V_ERR_ARGUMENT: c_int = 3;
+pub const V_ERR_RANGE: c_int = 4;
+pub const V_ERR_SIZE: c_int = 5;
+pub const V_ERR_LIMIT: c_int = 6;
+pub const V_ERR_MEMORY: c_int = 7;
+pub const V_ERR_IO: c_int = 8;
+pub const V_ERR_FORMAT: c_int = 9;
+pub const V_ERR_DISPLAY: c_int = 10;
+#[allow(dead_code)] // with the windows
+pub const V_ERR_BUSY: c_int = 11;
+#[allow(dead_code)] // with the windows
+pub const V_ERR_CLOSED: c_int = 12;
+pub const V_ERR_INTERNAL: c_int = 13;
+
+/// Why a call from C failed.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// A fault that only the border knows: its status and its sentence.
+    Border(c_int, &'static str),
+    /// What the safe code said.
+    Library(Error),
+}
+
+/// The result of everything at the border.
+pub(super) type Answer<T> = Result<T, Failure>;
+
+impl Failure {
+    /// The status that C is told.
+    pub(super) fn status(&self) -> c_int {
+        match self {
+            Self::Border(status, _) => *status,
+            Self::Library(error) => match error {
+                Error::Argument(_) => V_ERR_ARGUMENT,
+                Error::Range(_) => V_ERR_RANGE,
+                Error::Limit(_) => V_ERR_LIMIT,
+                Error::Memory => V_ERR_MEMORY,
+                Error::Io { .. } => V_ERR_IO,
+                Error::Format(_) => V_ERR_FORMAT,
+            },
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Border(_, sentence) => f.write_str(sentence),
+            Self::Library(error) => error.fmt(f),
+        }
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::Library(error)
+    }
+}
+
+/// Room for a sentence that names a file by the longest path Linux knows.
+const MESSAGE_BYTES: usize = 4096 + 512;
+
+/// One thread's last message, always ended by a zero byte. No destructor and
+/// no allocation: it works in a thread that ends and when memory has run out.
+struct Message {
+    used: usize,
+    text: [u8; MESSAGE_BYTES],
+}
+
+impl Message {
+    const fn new() -> Self {
+        Self {
+            used: 0,
+            text: [0; MESSAGE_BYTES],
+        }
+    }
+
+    fn clear(&mut self) {
+        self.used = 0;
+        self.text[0] = 0;
+    }
+}
+
+impl fmt::Write for Message {
+    /// Appends as many whole characters as there is room for.
+    fn write_str(&mut self, s: &str) -> fmt::Result {
+        let room = MESSAGE_BYTES - 1 - self.used;
+        let mut end = s.len().min(room);
+        while !s.is_char_boundary(end) {
+            end -= 1;
+        }
+        let target = &mut self.text[self.used..self.used + end];
+        target.copy_from_slice(&s.as_bytes()[..end]);
+        // A zero byte inside would end the text for C.
+        for byte in target {
+            if *byte == 0 {
+                *byte = b' ';
+            }
+        }
+        self.used += end;
+        self.text[self.used] = 0;
+        if end < s.len() {
+            return Err(fmt::Error);
+        }
+        Ok(())
+    }
+}
+
+thread_local! {
+    static LAST: UnsafeCell<Message> = const { UnsafeCell::new(Message::new()) };
+}
+
+/// Gives access to the calling thread's message.
+fn with_message<R>(change: impl FnOnce(&mut Message) -> R) -> R {
+    LAST.with(|message| {
+        // SAFETY: the cell belongs to this thread; the closures in this file
+        // neither keep the reference nor come back here.
+        change(unsafe { &mut *message.get() })
+    })
+}
+
+/// Success so far: the last message is "".
+pub(super) fn clear_last_error() {
+    with_message(Message::clear);
+}
+
+/// Keeps a sentence as the last message.
+pub(super) fn set_last_error(sentence: fmt::Arguments<'_>) {
+    // Formatted before the cell is borrowed would need memory; the values
+    // formatted here (errors, texts) do not come back to this module.
+    with_message(|message| {
+        message.clear();
+        // The only error is that the sentence was cut off.
+        let _ = message.write_fmt(sentence);
+    });
+}
+
+/// Hands the last message on as bytes, for standard error.
+pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
+    with_message(|message| show(&message.text[..message.used]));
+}
+
+/// What went wrong in the calling thread's last call of the library: one
+/// sentence in English, UTF-8, "" after a success. Never NULL. The text belongs
+/// to the library and is valid until the same thread's next call of any
+/// function but this one, v_strerror() and v_version().
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub extern "C" fn v_last_error() -> *const c_char {
+    with_message(|message| message.text.as_ptr().cast())
+}
+
+/// What a status means, in English. Never NULL; the text is constant.
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
+    match status {
+        V_OK => c"no error",
+        V_ERR_NULL => c"a pointer is NULL that must not be",
+        V_ERR_HANDLE => c"not a valid handle",
+        V_ERR_ARGUMENT => c"an argument makes no sense",
+        V_ERR_RANGE => c"an index or a value is out of range",
+        V_ERR_SIZE => c"an array is too small or a struct's size is not set",
+        V_ERR_LIMIT => c"a limit of the library is exceeded",
+        V_ERR_MEMORY => c"out of memory",
+        V_ERR_IO => c"a file could not be read or written",
+        V_ERR_FORMAT => c"the contents of a file are not valid",
+        V_ERR_DISPLAY => c"no connection to an X server",
+        V_ERR_BUSY => c"not possible at this moment",
+        V_ERR_CLOSED => c"the window has been closed",
+        V_ERR_INTERNAL => c"a fault inside the library",
+        _ => c"not a status of this library",
+    }
+    .as_ptr()
+}
+
+/// The version of the library that runs, as "1.0.0". Never NULL; constant.
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub extern "C" fn v_version() -> *const c_char {
+    concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::ffi::CStr;
+
+    fn last() -> String {
+        // SAFETY: v_last_error always gives a text ended by zero.
+        let text = unsafe { CStr::from_ptr(v_last_error()) };
+        text.to_str().expect("valid UTF-8").to_owned()
+    }
+
+    #[test]
+    fn the_header_has_the_version_of_the_package() {
+        let header = format!("{V_VERSION_MAJOR}.{V_VERSION_MINOR}.{V_VERSION_PATCH}");
+        assert_eq!(header, env!("CARGO_PKG_VERSION"));
+    }
+
+    #[test]
+    fn a_message_is_cut_between_characters() {
+        for shift in 0..3 {
+            let long = format!("{}{}", "x".repeat(shift), "€".repeat(MESSAGE_BYTES));
+            set_last_error(format_args!("{long}"));
+            let kept = last();
+            assert!(long.starts_with(&kept));
+            assert!(kept.len() > MESSAGE_BYTES - 4 && kept.len() < MESSAGE_BYTES);
+        }
+        set_last_error(format_args!("a{}b", '\0'));
+        assert_eq!(last(), "a b");
+        clear_last_error();
+        assert_eq!(last(), "");
+    }
+}

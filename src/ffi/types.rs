@@ -1,0 +1,181 @@
+//! The structs that C sees. Their layout is a promise; the C tests hold those
+//! of 1994 against the thesis's declarations.
+//!
+//! cbindgen shows a type where a function first needs it, so the order in the
+//! header is that of the functions.
+
+// The header needs all names, the library does not.
+#![allow(dead_code)]
+
+use std::ffi::{c_int, c_ushort};
+use std::mem::offset_of;
+
+use crate::path::Pose;
+
+/// ==== The types of the interface of 1994 ====
+///
+/// A point or a vector in the movement space, the cube from -1 to 1 in x, y
+/// and z: right-handed, y up.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct v_punkt {
+    pub x: f32,
+    pub y: f32,
+    pub z: f32,
+}
+
+pub type V_PUNKT = v_punkt;
+
+/// The same type under the name that the other structs use.
+pub type V_POS = V_PUNKT;
+
+/// One point of the wireframe object that v_haupt() shows.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct v_objekt_list {
+    pub pos: V_POS,
+    /// not 0: a line leads here from the point before
+    pub draw: c_ushort,
+    /// 1, 2, 3 ... in the order of the array
+    pub number: c_int,
+}
+
+pub type V_OBJEKT_LISTE = v_objekt_list;
+
+/// The same type under its other name.
+pub type V_OBJEKT_LIST = V_OBJEKT_LISTE;
+
+/// One camera pose in a list of them, and the whole list by its first element.
+///
+/// The first element is the host's; it must outlive the list. Before the first
+/// hand-over the host sets its number to -1: no data yet, and prev and next
+/// mean nothing. VIDES makes the other elements with malloc(), one each, so
+/// that the host may free() them; v_free_liste() does that, too.
+///
+/// The list is closed both ways: first->prev is the last element, whose number
+/// is the count, and the last one's next is the first. A list of one element
+/// points to itself.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct interpolparameter {
+    /// position of the camera (view reference point)
+    pub VRP: V_POS,
+    /// view direction, along which the camera looks; length 1
+    pub VPN: V_POS,
+    /// up; length 1, perpendicular to VPN
+    pub VUP: V_POS,
+    /// 1 to 100, rounded; the vertical field of view is 2 atan (12 / zoom)
+    pub zoom: c_int,
+    pub prev: *mut interpolparameter,
+    pub next: *mut interpolparameter,
+    /// 1, 2, 3 ... along the list; in the first element < 0: no data
+    pub number: c_int,
+}
+
+pub type V_KAMERAPAR = interpolparameter;
+
+pub struct v_path {
+    _private: (),
+}
+
+/// ==== The types of the new interface ====
+///
+/// A camera path, by a handle. It is no address: a handle that was freed, freed
+/// twice, or never made gives V_ERR_HANDLE and does no harm. Whoever made it
+/// frees it with v_path_free().
+pub type V_PATH = v_path;
+
+/// One camera pose. This layout will never change.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct v_pose {
+    /// position of the camera
+    pub vrp: [f64; 3],
+    /// view direction, along which the camera looks; length 1
+    pub vpn: [f64; 3],
+    /// up; length 1, perpendicular to vpn
+    pub vup: [f64; 3],
+    /// 1 to 100: focal length in mm of a 36 x 24 mm camera, so that the
+    /// vertical field of view is 2 atan (12 / zoom)
+    pub zoom: f64,
+}
+
+pub type V_POSE = v_pose;
+
+/// How the camera looks from a support point, and how it goes on from there.
+///
+/// A struct that begins with size may grow at its end in later versions. Set
+/// size to sizeof the struct before any call, also where the library fills in
+/// the rest; v_orientation_init() does it. Any other value is V_ERR_SIZE.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct v_orientation {
+    /// sizeof (V_ORIENTATION)
+    pub size: usize,
+    /// not 0: target is a point of the world; 0: an offset from the support
+    /// point, of which only the direction counts
+    pub absolute: c_int,
+    /// what the camera looks at; not the support point itself
+    pub target: [f64; 3],
+    /// degrees, turns the up vector about the view direction; any finite
+    /// number, kept in (-180, 180]
+    pub roll: f64,
+    /// 1 to 100
+    pub zoom: f64,
+    /// of the turning, each -1 to 1
+    pub tension: f64,
+    pub continuity: f64,
+    pub bias: f64,
+    /// speed curve of the section that begins here, each 1 to 100; at 50 the
+    /// base speeds hold
+    pub speed: [f64; 10],
+    /// frames for which the camera rests here, 0 to 1000000
+    pub hold: c_int,
+}
+
+pub type V_ORIENTATION = v_orientation;
+
+/// A view as PHIGS describes it. The eye is on the side to which normal points,
+/// so the view goes against it. All but vrp, normal and up is in the view's own
+/// coordinates u (right), v (up), n (along normal), with the origin in vrp.
+///
+/// Set size to sizeof (V_VIEW) before any call, see V_ORIENTATION.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct v_view {
+    /// sizeof (V_VIEW)
+    pub size: usize,
+    /// view reference point, world
+    pub vrp: [f64; 3],
+    /// view plane normal, world, any length but 0
+    pub normal: [f64; 3],
+    /// view up vector, world, not parallel to normal
+    pub up: [f64; 3],
+    /// projection reference point: the eye (u, v, n)
+    pub prp: [f64; 3],
+    /// umin, umax, vmin, vmax on the view plane
+    pub window: [f64; 4],
+    /// n of the front plane, less than prp's
+    pub front: f64,
+    /// n of the back plane, less than front
+    pub back: f64,
+    /// n of the view plane
+    pub distance: f64,
+    /// not 0: perspective; 0: parallel
+    pub perspective: c_int,
+}
+
+pub type V_VIEW = v_view;
+
+// A pose is filled in place in the host's memory.
+const _: () = {
+    assert!(size_of::<v_pose>() == 80 && size_of::<Pose>() == 80);
+    assert!(align_of::<v_pose>() == align_of::<Pose>());
+    assert!(offset_of!(v_pose, vrp) == offset_of!(Pose, vrp));
+    assert!(offset_of!(v_pose, vpn) == offset_of!(Pose, vpn));
+    assert!(offset_of!(v_pose, vup) == offset_of!(Pose, vup));
+    assert!(offset_of!(v_pose, zoom) == offset_of!(Pose, zoom));
+};
+
+// The speed curve of the header has the engine's length.
+const _: () = assert!(crate::limits::SPEEDS == 10);

@@ -1,0 +1,124 @@
+//! The toolbox: views and matrices.
+
+use std::ffi::c_int;
+use std::ptr;
+
+use glam::DVec3;
+
+use super::border::border;
+use super::pointers::{self, Out, check_size};
+use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::types::{V_POSE, V_VIEW};
+use crate::math::view::{View, gl_matrix};
+
+fn from_c(view: &V_VIEW) -> View {
+    View {
+        vrp: DVec3::from_array(view.vrp),
+        normal: DVec3::from_array(view.normal),
+        up: DVec3::from_array(view.up),
+        prp: DVec3::from_array(view.prp),
+        window: view.window,
+        front: view.front,
+        back: view.back,
+        distance: view.distance,
+        perspective: view.perspective != 0,
+    }
+}
+
+fn to_c(view: &View) -> V_VIEW {
+    V_VIEW {
+        size: size_of::<V_VIEW>(),
+        vrp: view.vrp.to_array(),
+        normal: view.normal.to_array(),
+        up: view.up.to_array(),
+        prp: view.prp.to_array(),
+        window: view.window,
+        front: view.front,
+        back: view.back,
+        distance: view.distance,
+        perspective: c_int::from(view.perspective),
+    }
+}
+
+/// Checks the size with which the host's struct begins.
+///
+/// # Safety
+/// `view` is NULL or points to a struct as its `size` says.
+unsafe fn check_view(view: *const V_VIEW) -> Answer<()> {
+    pointers::check(view)?;
+    // SAFETY: not NULL, and every version begins with `size`.
+    check_size::<V_VIEW>(unsafe { ptr::read(&raw const (*view).size) })
+}
+
+/// ==== Toolbox: views ====
+///
+/// The matrix that takes world coordinates into the canonical volume of a view:
+/// 16 numbers by rows, for column vectors, m times (x, y, z, 1). In a parallel
+/// projection x and y are then from -1 to 1 and z is 0 in the front plane and
+/// -1 in the back plane; in a perspective |x| and |y| are at most z, and z is 1
+/// in the back plane.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up
+/// parallel to normal), V_ERR_RANGE (prp not before the front plane, back plane
+/// not behind it, empty window).
+/// cbindgen:ptrs-as-arrays=[[m; 16]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let m = Out::array(m)?;
+        // SAFETY: a struct as its size says, as the header demands.
+        let view = unsafe {
+            check_view(view)?;
+            pointers::read(view)?
+        };
+        let matrix = from_c(&view).matrix()?.transpose();
+        // SAFETY: room for 16 doubles, as the header says.
+        unsafe { m.write(matrix.to_cols_array()) };
+        Ok(V_OK)
+    })
+}
+
+/// The perspective view that a camera has in a pose. aspect is the picture's
+/// width by its height; front and back are the distances of the planes before
+/// the camera, 0 < front < back. view->size must be set before.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_view_from_pose(
+    pose: *const V_POSE,
+    aspect: f64,
+    front: f64,
+    back: f64,
+    view: *mut V_VIEW,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(view)?;
+        // SAFETY: a pose, and a struct as its size says, as the header demands.
+        let pose = unsafe {
+            check_view(view)?;
+            pointers::read(pose)?
+        };
+        let [vrp, vpn, vup] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
+        let view = View::from_pose(vrp, vpn, vup, pose.zoom, aspect, front, back)?;
+        // SAFETY: room for the struct: its size says so.
+        unsafe { out.write(to_c(&view)) };
+        Ok(V_OK)
+    })
+}
+
+/// The matrix of a camera in a pose as gluLookAt() makes it, to be given to
+/// glLoadMatrixd(): 16 numbers by columns, world to eye, looking along -z.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// cbindgen:ptrs-as-arrays=[[m; 16]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_pose_gl_matrix(pose: *const V_POSE, m: *mut f64) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let m = Out::array(m)?;
+        // SAFETY: a pose, as the header demands.
+        let pose = unsafe { pointers::read(pose) }?;
+        let [vrp, vpn, vup] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
+        let matrix = gl_matrix(vrp, vpn, vup)?;
+        // SAFETY: room for 16 doubles, as the header says.
+        unsafe { m.write(matrix.to_cols_array()) };
+        Ok(V_OK)
+    })
+}

@@ -1,0 +1,122 @@
+//! `include/libvides.h` is what cbindgen makes of `src/ffi` today.
+//!
+//! `make header` (or `UPDATE_HEADER=1 cargo test --test header`) writes it anew.
+
+use std::fs;
+use std::path::Path;
+
+/// The files with exports, in the order in which the header shows them.
+const SOURCES: [&str; 11] = [
+    "status",
+    "types",
+    "legacy",
+    "path",
+    "points",
+    "orientations",
+    "settings",
+    "curve",
+    "poses",
+    "quaternions",
+    "view",
+];
+
+/// The last touches: what C89 does not take, and what cbindgen has no setting
+/// for.
+fn polished(made: &str) -> String {
+    // Not C89.
+    let made = made
+        .replace("  // __cplusplus", "")
+        .replace(" // __cplusplus", "")
+        .replace("  // extern \"C\"", "")
+        // Said by the typedef that follows.
+        .replace("struct v_path;\n\n", "")
+        // Constants that share a comment stand together.
+        .replace("\n\n#define V_", "\n#define V_")
+        .replace("\n\n\n", "\n\n");
+    let lines: Vec<&str> = made.lines().collect();
+    let mut header = String::new();
+    let mut at = 0;
+    while at < lines.len() {
+        let rest = &lines[at..];
+        let (text, taken) = heading(rest)
+            .or_else(|| short_comment(rest))
+            .unwrap_or_else(|| (rest[0].to_owned(), 1));
+        header += &text;
+        header += "\n";
+        at += taken;
+    }
+    header
+}
+
+/// A comment that begins with `==== Heading ====` begins a part of the header;
+/// the heading gets a line of its own before the comment.
+fn heading(lines: &[&str]) -> Option<(String, usize)> {
+    let ["/**", heading, " *", ..] = lines else {
+        return None;
+    };
+    let heading = heading.strip_prefix(" * ==== ")?.strip_suffix(" ====")?;
+    let rule = "-".repeat(72 - heading.len());
+    Some((format!("\n/* ---- {heading} {rule} */\n\n/**"), 3))
+}
+
+/// A comment of one line stands on one line.
+fn short_comment(lines: &[&str]) -> Option<(String, usize)> {
+    let [begin, text, end, ..] = lines else {
+        return None;
+    };
+    let (indent, text) = text.split_once("* ")?;
+    (begin.trim() == "/**" && end.trim() == "*/" && text.len() < 68)
+        .then(|| (format!("{}/** {text} */", &indent[1..]), 3))
+}
+
+fn made() -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let config = cbindgen::Config::from_file(root.join("cbindgen.toml")).expect("cbindgen.toml");
+    let mut builder = cbindgen::Builder::new().with_config(config);
+    for source in SOURCES {
+        builder = builder.with_src(root.join(format!("src/ffi/{source}.rs")));
+    }
+    let mut text = Vec::new();
+    builder
+        .generate()
+        .expect("sources that can be read")
+        .write(&mut text);
+    polished(&String::from_utf8(text).expect("UTF-8"))
+}
+
+#[test]
+fn the_header_is_current() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("include/libvides.h");
+    let made = made();
+    if std::env::var_os("UPDATE_HEADER").is_some() {
+        fs::create_dir_all(file.parent().expect("a folder")).expect("the folder include");
+        fs::write(&file, made).expect("the header written");
+        return;
+    }
+    let there = fs::read_to_string(&file).unwrap_or_default();
+    assert!(
+        there == made,
+        "include/libvides.h is not what src/ffi says: run `make header`"
+    );
+}
+
+/// Every export stands in a file that the header is made of.
+#[test]
+fn no_export_is_missing() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/ffi");
+    let header = made();
+    let mut exports = 0;
+    for entry in fs::read_dir(folder).expect("src/ffi") {
+        let source = fs::read_to_string(entry.expect("an entry").path()).expect("a source");
+        for declaration in source.split("extern \"C\" fn v_").skip(1) {
+            let name = declaration.split('(').next().expect("a name");
+            let declared = [" ", "*"].map(|before| format!("{before}v_{name}("));
+            assert!(
+                declared.iter().any(|text| header.contains(text)),
+                "v_{name}"
+            );
+            exports += 1;
+        }
+    }
+    assert!(exports > 40, "{exports} exports");
+}
