@@ -148,7 +148,7 @@ pub fn normalized(q: DQuat) -> Result<DQuat> {
             "a quaternion must be finite and not zero".into(),
         ));
     }
-    Ok((q * (1.0 / largest)).normalize())
+    Ok((q / largest).normalize())
 }
 
 /// Barry and Goldman's curve through `keys` (of any length but zero) with
