@@ -722,6 +722,61 @@ int v_quat_from_view(const double vpn[3], const double vup[3], double q[4]);
  */
 int v_view_from_quat(const double q[4], double vpn[3], double vup[3]);
 
+/**
+ * A smooth curve through orientations (Barry and Goldman 1988), its ends by
+ * reflection, at the time when.
+ *
+ * keys   count quaternions, four doubles each
+ * key_times  the time of each key, strictly increasing
+ * count  at least 2
+ * when   from the first time to the last
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_quat_spline(const double *keys,
+                  const double *key_times,
+                  int count,
+                  double when,
+                  double q[4]);
+
+/**
+ * As v_quat_spline(), by a cubic spherical curve with tension, continuity and
+ * bias.
+ *
+ * tcb  three doubles for each key, tension, continuity and bias, each from
+ *     -1 to 1; NULL for all zero
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_quat_tcb_spline(const double *keys,
+                      const double *key_times,
+                      const double *tcb,
+                      int count,
+                      double when,
+                      double q[4]);
+
+
+/* ---- Toolbox: speed curve ---------------------------------------------------- */
+
+/**
+ * The speed curve of one section: ten speeds from 1 to 100 at u = 0, 1/9, ... 1,
+ * smoothly joined, never leaving 1 to 100.
+ *
+ * before, after  the facing speeds of the neighbouring sections; NULL where
+ *     there is none
+ * u    from 0 to 1
+ * speed_at_u         the speed there
+ * distance_fraction  how much of the way is done there, 0 to 1
+ * Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+ */
+int v_speed_curve(const double speed[10],
+                  const double *before,
+                  const double *after,
+                  double u,
+                  double *speed_at_u,
+                  double *distance_fraction);
+
 
 /* ---- Toolbox: views ---------------------------------------------------------- */
 

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 11] = [
+const SOURCES: [&str; 12] = [
     "status",
     "types",
     "legacy",
@@ -17,6 +17,7 @@ const SOURCES: [&str; 11] = [
     "curve",
     "poses",
     "quaternions",
+    "splines",
     "view",
 ];
 

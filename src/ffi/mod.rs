@@ -33,6 +33,7 @@ mod points;
 mod poses;
 mod quaternions;
 mod settings;
+mod splines;
 mod status;
 mod types;
 mod view;

@@ -10,28 +10,19 @@ use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use crate::error::Error;
 use crate::math::orientation::{quaternion_from_view, unit, view_from_quaternion};
 use crate::math::quaternion::slerp_shortest;
+use crate::path::quaternion_spline::normalized;
 
 /// Below this sine of the angle between them two directions count as parallel.
 const PARALLEL: f64 = 1e-12;
 
 /// C's order, w x y z, to the engine's.
-fn from_c([w, x, y, z]: [f64; 4]) -> DQuat {
+pub(super) fn from_c([w, x, y, z]: [f64; 4]) -> DQuat {
     DQuat::from_xyzw(x, y, z, w)
 }
 
 /// And back.
 pub(super) fn to_c(q: DQuat) -> [f64; 4] {
     [q.w, q.x, q.y, q.z]
-}
-
-/// A quaternion as C gives it, with length 1.
-pub(super) fn normalised(wxyz: [f64; 4]) -> Answer<DQuat> {
-    let largest = wxyz.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
-    if !wxyz.iter().all(|x| x.is_finite()) || largest == 0.0 {
-        return Err(Error::Argument("a quaternion must be finite and not zero".into()).into());
-    }
-    // Divided first: the square of a large or tiny one would not be finite.
-    Ok(from_c(wxyz.map(|x| x / largest)).normalize())
 }
 
 /// A direction as C gives it, with length 1.
@@ -61,7 +52,7 @@ pub unsafe extern "C" fn v_quat_slerp(a: *const f64, b: *const f64, t: f64, q: *
         if !t.is_finite() {
             return Err(Error::Argument("t must be a finite number".into()).into());
         }
-        let q = slerp_shortest(normalised(a)?, normalised(b)?, t).normalize();
+        let q = slerp_shortest(normalized(from_c(a))?, normalized(from_c(b))?, t).normalize();
         // SAFETY: room for four doubles, as the header says.
         unsafe { out.write(to_c(q)) };
         Ok(V_OK)
@@ -101,7 +92,7 @@ pub unsafe extern "C" fn v_view_from_quat(q: *const f64, vpn: *mut f64, vup: *mu
     border(V_ERR_INTERNAL, || {
         let (vpn, vup) = (Out::optional_array(vpn)?, Out::optional_array(vup)?);
         // SAFETY: four doubles, as the header says.
-        let q = normalised(unsafe { read_array(q) }?)?;
+        let q = normalized(from_c(unsafe { read_array(q) }?))?;
         let (view, up) = view_from_quaternion(q);
         // SAFETY: room for three doubles each, as the header says.
         unsafe {

@@ -1,0 +1,167 @@
+//! The toolbox: splines through quaternions, the speed curve.
+
+use std::ffi::c_int;
+
+use glam::DQuat;
+
+use super::border::border;
+use super::pointers::{Out, check, index, read_array, read_optional, slice};
+use super::quaternions::{from_c, to_c};
+use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use crate::error::{Error, vec_with_room};
+use crate::limits;
+use crate::path::Tcb;
+use crate::path::quaternion_spline;
+use crate::path::speed_curve::SpeedCurve;
+
+/// Keys and their times as C gives them.
+///
+/// # Safety
+/// What is not NULL points to `count`×4 and `count` doubles.
+unsafe fn keys_and_times<'a>(
+    keys: *const f64,
+    times: *const f64,
+    count: c_int,
+) -> Answer<(Vec<DQuat>, &'a [f64])> {
+    check(keys)?;
+    check(times)?;
+    let count = index(count)?;
+    if count > limits::MAX_KEYS {
+        return Err(Error::Limit("a spline has at most 1000000 keys".into()).into());
+    }
+    // SAFETY: the caller's word.
+    let (keys, times) = unsafe { (slice(keys.cast::<[f64; 4]>(), count)?, slice(times, count)?) };
+    let mut converted = vec_with_room(count)?;
+    converted.extend(keys.iter().map(|&key| from_c(key)));
+    Ok((converted, times))
+}
+
+/// A smooth curve through orientations (Barry and Goldman 1988), its ends by
+/// reflection, at the time when.
+///
+/// keys   count quaternions, four doubles each
+/// key_times  the time of each key, strictly increasing
+/// count  at least 2
+/// when   from the first time to the last
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// cbindgen:ptrs-as-arrays=[[q; 4]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_quat_spline(
+    keys: *const f64,
+    key_times: *const f64,
+    count: c_int,
+    when: f64,
+    q: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::array(q)?;
+        // SAFETY: as many doubles as the header says.
+        let (keys, times) = unsafe { keys_and_times(keys, key_times, count) }?;
+        let q = quaternion_spline::barry_goldman(&keys, times, when)?;
+        // SAFETY: room for four doubles, as the header says.
+        unsafe { out.write(to_c(q)) };
+        Ok(V_OK)
+    })
+}
+
+/// As v_quat_spline(), by a cubic spherical curve with tension, continuity and
+/// bias.
+///
+/// tcb  three doubles for each key, tension, continuity and bias, each from
+///     -1 to 1; NULL for all zero
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// cbindgen:ptrs-as-arrays=[[q; 4]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_quat_tcb_spline(
+    keys: *const f64,
+    key_times: *const f64,
+    tcb: *const f64,
+    count: c_int,
+    when: f64,
+    q: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::array(q)?;
+        // SAFETY: as many doubles as the header says.
+        let (keys, times) = unsafe { keys_and_times(keys, key_times, count) }?;
+        let mut parameters = vec_with_room(keys.len())?;
+        if !tcb.is_null() {
+            // SAFETY: as many doubles as the header says.
+            let values = unsafe { slice(tcb.cast::<[f64; 3]>(), keys.len()) }?;
+            parameters.extend(values.iter().map(|&[t, c, b]| Tcb::new(t, c, b)));
+        }
+        let tcb = (!tcb.is_null()).then_some(&parameters[..]);
+        let q = quaternion_spline::tcb(&keys, times, tcb, when)?;
+        // SAFETY: room for four doubles, as the header says.
+        unsafe { out.write(to_c(q)) };
+        Ok(V_OK)
+    })
+}
+
+/// ==== Toolbox: speed curve ====
+///
+/// The speed curve of one section: ten speeds from 1 to 100 at u = 0, 1/9, ... 1,
+/// smoothly joined, never leaving 1 to 100.
+///
+/// before, after  the facing speeds of the neighbouring sections; NULL where
+///     there is none
+/// u    from 0 to 1
+/// speed_at_u         the speed there
+/// distance_fraction  how much of the way is done there, 0 to 1
+/// Each result may be NULL.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// cbindgen:ptrs-as-arrays=[[speed; 10]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_speed_curve(
+    speed: *const f64,
+    before: *const f64,
+    after: *const f64,
+    u: f64,
+    speed_at_u: *mut f64,
+    distance_fraction: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (at_u, fraction) = (
+            Out::optional(speed_at_u)?,
+            Out::optional(distance_fraction)?,
+        );
+        // SAFETY: ten doubles, and one each if not NULL, as the header says.
+        let (speed, before, after) = unsafe {
+            (
+                read_array(speed)?,
+                read_optional(before)?,
+                read_optional(after)?,
+            )
+        };
+        if !u.is_finite() {
+            return Err(Error::Argument("u must be a finite number".into()).into());
+        }
+        if !(0.0..=1.0).contains(&u) {
+            return Err(Error::Range("u must lie between 0 and 1".into()).into());
+        }
+        for value in speed.into_iter().chain(before).chain(after) {
+            check_speed(value)?;
+        }
+        let curve = SpeedCurve::new(&speed, before, after);
+        // SAFETY: room for a double each, as the header says.
+        unsafe {
+            at_u.write(curve.speed(u));
+            fraction.write(curve.fraction(u));
+        }
+        Ok(V_OK)
+    })
+}
+
+fn check_speed(value: f64) -> Answer<()> {
+    if !value.is_finite() {
+        return Err(Error::Argument("a speed must be a finite number".into()).into());
+    }
+    if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&value) {
+        return Err(
+            Error::Range("each value of a speed curve must lie between 1 and 100".into()).into(),
+        );
+    }
+    Ok(())
+}
