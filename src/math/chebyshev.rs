@@ -6,10 +6,12 @@
 //! are as safe as the Chebyshev series then: the k-th falls faster than 2^k
 //! grows.
 
-use super::fused::MultiplyAdd;
+use super::vector::Vector;
 
 /// Nodes of a fit; its degree is one less.
 pub const NODES: usize = 16;
+
+const HALF: usize = NODES / 2;
 
 /// cos(mπ/32), m = 0…16.
 const COSINES: [f64; 17] = [
@@ -53,17 +55,18 @@ pub const POINTS: [f64; NODES] = {
     points
 };
 
-/// Half of the discrete cosine transform: what the first 8 values of a row
-/// weigh. The other half follows from the symmetry of the nodes.
-const WEIGHTS: [[f64; NODES / 2]; NODES] = {
-    let mut weights = [[0.0; NODES / 2]; NODES];
+/// Half of the discrete cosine transform, for the even and for the odd
+/// coefficients: `WEIGHTS[parity][j][i]` is what the value at node j (and, up
+/// to its sign, at the node opposite) adds to coefficient 2i + parity.
+const WEIGHTS: [[[f64; HALF]; HALF]; 2] = {
+    let mut weights = [[[0.0; HALF]; HALF]; 2];
     let mut k = 0;
     while k < NODES {
         let scale = if k == 0 { 1.0 / 16.0 } else { 1.0 / 8.0 };
         let mut j = 0;
-        while j < NODES / 2 {
+        while j < HALF {
             // T_k(x_j) with x_j = cos(π − (2j+1)π/32).
-            weights[k][j] = scale * cosine(k * (32 - (2 * j + 1)));
+            weights[k % 2][j][k / 2] = scale * cosine(k * (32 - (2 * j + 1)));
             j += 1;
         }
         k += 1;
@@ -71,53 +74,81 @@ const WEIGHTS: [[f64; NODES / 2]; NODES] = {
     weights
 };
 
-/// Coefficient of x^j in T_k, as `POWERS[k][j]`: whole numbers, exact.
-const POWERS: [[f64; NODES]; NODES] = {
-    let mut powers = [[0.0; NODES]; NODES];
-    powers[0][0] = 1.0;
-    powers[1][1] = 1.0;
+/// Powers of x in the Chebyshev polynomials: `POWERS[parity][k][j]` is the
+/// coefficient of x^(2j + parity) in T_(2k + parity). Whole numbers, exact.
+const POWERS: [[[f64; HALF]; HALF]; 2] = {
+    let mut all = [[0.0; NODES]; NODES];
+    all[0][0] = 1.0;
+    all[1][1] = 1.0;
     let mut k = 2;
     while k < NODES {
         let mut j = 0;
         while j < NODES {
-            let up = if j > 0 {
-                2.0 * powers[k - 1][j - 1]
-            } else {
-                0.0
-            };
-            powers[k][j] = up - powers[k - 2][j];
+            let up = if j > 0 { 2.0 * all[k - 1][j - 1] } else { 0.0 };
+            all[k][j] = up - all[k - 2][j];
             j += 1;
+        }
+        k += 1;
+    }
+    let mut powers = [[[0.0; HALF]; HALF]; 2];
+    let mut k = 0;
+    while k < NODES {
+        let mut j = k % 2;
+        while j < NODES {
+            powers[k % 2][k / 2][j / 2] = all[k][j];
+            j += 2;
         }
         k += 1;
     }
     powers
 };
 
+/// Sum of the rows of a matrix, each times a factor.
+#[inline(always)]
+fn combine<V: Vector>(factors: &[f64; HALF], rows: &[[f64; HALF]; HALF]) -> [f64; HALF] {
+    let mut sums = [0.0; HALF];
+    let mut k = 0;
+    while k < HALF {
+        let mut sum = V::splat(0.0);
+        let mut j = 0;
+        while j < HALF {
+            sum = V::splat(factors[j]).mul_add(V::load(&rows[j][k..]), sum);
+            j += 1;
+        }
+        sum.store(&mut sums[k..]);
+        k += V::LANES;
+    }
+    sums
+}
+
+/// Even and odd entries woven into one array.
+#[inline(always)]
+fn weave(even: &[f64; HALF], odd: &[f64; HALF]) -> [f64; NODES] {
+    let mut woven = [0.0; NODES];
+    let mut k = 0;
+    while k < HALF {
+        woven[2 * k] = even[k];
+        woven[2 * k + 1] = odd[k];
+        k += 1;
+    }
+    woven
+}
+
 /// The Chebyshev series through the values at [`POINTS`].
 #[inline(always)]
 #[must_use]
-pub fn series<M: MultiplyAdd>(values: &[f64; NODES]) -> [f64; NODES] {
-    let (mut even, mut odd) = ([0.0; NODES / 2], [0.0; NODES / 2]);
+pub fn series<V: Vector>(values: &[f64; NODES]) -> [f64; NODES] {
+    let (mut sums, mut differences) = ([0.0; HALF], [0.0; HALF]);
     let mut j = 0;
-    while j < NODES / 2 {
-        even[j] = values[j] + values[NODES - 1 - j];
-        odd[j] = values[j] - values[NODES - 1 - j];
+    while j < HALF {
+        sums[j] = values[j] + values[NODES - 1 - j];
+        differences[j] = values[j] - values[NODES - 1 - j];
         j += 1;
     }
-    let mut series = [0.0; NODES];
-    let mut k = 0;
-    while k < NODES {
-        let half = if k % 2 == 0 { &even } else { &odd };
-        let mut sum = 0.0;
-        let mut j = 0;
-        while j < NODES / 2 {
-            sum = M::mul_add(half[j], WEIGHTS[k][j], sum);
-            j += 1;
-        }
-        series[k] = sum;
-        k += 1;
-    }
-    series
+    weave(
+        &combine::<V>(&sums, &WEIGHTS[0]),
+        &combine::<V>(&differences, &WEIGHTS[1]),
+    )
 }
 
 /// Size of the last coefficients: what the fit is wrong by, within a small
@@ -131,24 +162,24 @@ pub fn tail(series: &[f64; NODES]) -> f64 {
 /// The same polynomial in powers of x, lowest first.
 #[inline(always)]
 #[must_use]
-pub fn powers<M: MultiplyAdd>(series: &[f64; NODES]) -> [f64; NODES] {
-    let mut powers = [0.0; NODES];
+pub fn powers<V: Vector>(series: &[f64; NODES]) -> [f64; NODES] {
+    let (mut even, mut odd) = ([0.0; HALF], [0.0; HALF]);
     let mut k = 0;
-    while k < NODES {
-        let mut j = k % 2;
-        while j <= k {
-            powers[j] = M::mul_add(series[k], POWERS[k][j], powers[j]);
-            j += 2;
-        }
+    while k < HALF {
+        even[k] = series[2 * k];
+        odd[k] = series[2 * k + 1];
         k += 1;
     }
-    powers
+    weave(
+        &combine::<V>(&even, &POWERS[0]),
+        &combine::<V>(&odd, &POWERS[1]),
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::fused::{Separate, horner};
+    use crate::math::vector::horner;
 
     #[test]
     fn the_nodes_are_the_zeros_of_the_sixteenth_polynomial() {
@@ -161,13 +192,13 @@ mod tests {
     #[test]
     fn an_entire_function_is_met_to_rounding() {
         let values = POINTS.map(|x| (1.3 * x + 0.2).exp());
-        let series = series::<Separate>(&values);
+        let series = series::<f64>(&values);
         assert!(tail(&series) < 1e-13);
-        let powers = powers::<Separate>(&series);
+        let powers = powers::<f64>(&series);
         for i in 0..=1000 {
             let x = f64::from(i) / 500.0 - 1.0;
             let exact = (1.3 * x + 0.2).exp();
-            assert!((horner::<Separate, NODES>(&powers, x) - exact).abs() < 4e-15 * 5.0);
+            assert!((horner::<f64, NODES>(&powers, x) - exact).abs() < 4e-15 * 5.0);
         }
     }
 
@@ -175,7 +206,7 @@ mod tests {
     fn every_chebyshev_polynomial_has_one_coefficient() {
         for k in 0..NODES {
             let values = POINTS.map(|x| (k as f64 * x.acos()).cos());
-            for (j, coefficient) in series::<Separate>(&values).into_iter().enumerate() {
+            for (j, coefficient) in series::<f64>(&values).into_iter().enumerate() {
                 let expected = if j == k { 1.0 } else { 0.0 };
                 assert!((coefficient - expected).abs() < 1e-14, "{k} {j}");
             }

@@ -3,9 +3,9 @@
 //! the library but its errors and limits.
 
 pub mod chebyshev;
-pub mod fused;
 pub mod monotone_cubic;
 pub mod orientation;
 pub mod quaternion;
 pub mod transform;
+pub mod vector;
 pub mod view;

@@ -8,7 +8,7 @@
 use super::hermite::Cubic;
 use crate::error::Result;
 use crate::math::chebyshev::{self, NODES};
-use crate::math::fused::{MultiplyAdd, Separate, horner};
+use crate::math::vector::{Vector, horner};
 
 /// What a piece may be wrong by, as a share of the whole length.
 const TOLERANCE: f64 = 4e-15;
@@ -23,8 +23,8 @@ const EVEN: f64 = 4.0;
 /// Newton's last step below which the one after it would change nothing.
 const SETTLED: f64 = 1e-9;
 
-/// Values inverted side by side.
-const LANES: usize = 8;
+/// Room for the lanes of any vector.
+const MAX_LANES: usize = 8;
 
 /// A piece of the curve with its length as a polynomial in x ∈ [−1, 1].
 #[derive(Debug, Clone, Copy)]
@@ -44,15 +44,16 @@ pub(super) struct Piece {
 
 /// ds/dx at the nodes of the piece [`from`, `from + width`].
 #[inline(always)]
-fn speeds<M: MultiplyAdd>(curve: &Cubic, middle: f64, half: f64) -> [f64; NODES] {
+fn speeds<V: Vector>(curve: &Cubic, middle: f64, half: f64) -> [f64; NODES] {
     let (a, b, c) = (3.0 * curve.a, 2.0 * curve.b, curve.c);
     let mut speeds = [0.0; NODES];
-    for j in 0..NODES {
-        let t = M::mul_add(half, chebyshev::POINTS[j], middle);
-        let x = M::mul_add(M::mul_add(a.x, t, b.x), t, c.x);
-        let y = M::mul_add(M::mul_add(a.y, t, b.y), t, c.y);
-        let z = M::mul_add(M::mul_add(a.z, t, b.z), t, c.z);
-        speeds[j] = half * M::mul_add(x, x, M::mul_add(y, y, z * z)).sqrt();
+    for j in (0..NODES).step_by(V::LANES) {
+        let t = V::splat(half).mul_add(V::load(&chebyshev::POINTS[j..]), V::splat(middle));
+        let x = horner(&[c.x, b.x, a.x], t);
+        let y = horner(&[c.y, b.y, a.y], t);
+        let z = horner(&[c.z, b.z, a.z], t);
+        let square = x.mul_add(x, y.mul_add(y, z.mul(z)));
+        square.sqrt().mul(V::splat(half)).store(&mut speeds[j..]);
     }
     speeds
 }
@@ -114,7 +115,7 @@ pub fn length(curve: &Cubic) -> f64 {
     let mut tolerance = None;
     let mut total = 0.0;
     while let Some((middle, half)) = halving.next() {
-        let series = chebyshev::series::<Separate>(&speeds::<Separate>(curve, middle, half));
+        let series = chebyshev::series::<f64>(&speeds::<f64>(curve, middle, half));
         let part = integral(&series);
         let tolerance = *tolerance.get_or_insert(TOLERANCE * part);
         if chebyshev::tail(&series) > tolerance && halving.halve(middle, half) {
@@ -127,14 +128,14 @@ pub fn length(curve: &Cubic) -> f64 {
 
 /// Measures a curve: fills `pieces`, in the order of t, and gives the length.
 #[inline(always)]
-pub(super) fn measure<M: MultiplyAdd>(curve: &Cubic, pieces: &mut Vec<Piece>) -> Result<f64> {
+pub(super) fn measure<V: Vector>(curve: &Cubic, pieces: &mut Vec<Piece>) -> Result<f64> {
     pieces.clear();
     let mut halving = Halving::new();
     let mut tolerance = -1.0;
     let mut total = 0.0;
     while let Some((middle, half)) = halving.next() {
-        let values = speeds::<M>(curve, middle, half);
-        let series = chebyshev::series::<M>(&values);
+        let values = speeds::<V>(curve, middle, half);
+        let series = chebyshev::series::<V>(&values);
         let length = integral(&series);
         if tolerance < 0.0 {
             if length == 0.0 {
@@ -145,21 +146,21 @@ pub(super) fn measure<M: MultiplyAdd>(curve: &Cubic, pieces: &mut Vec<Piece>) ->
         if chebyshev::tail(&series) > tolerance && halving.halve(middle, half) {
             continue;
         }
-        let speed = chebyshev::powers::<M>(&series);
+        let speed = chebyshev::powers::<V>(&series);
         let mut distance = [0.0; NODES + 1];
         for j in 0..NODES {
             #[allow(clippy::cast_precision_loss)]
             let power = (j + 1) as f64;
             distance[j + 1] = speed[j] / power;
         }
-        distance[0] = -horner::<M, { NODES + 1 }>(&distance, -1.0);
+        distance[0] = -horner::<f64, { NODES + 1 }>(&distance, -1.0);
         let (mut low, mut high) = (f64::INFINITY, 0.0f64);
         for value in values {
             low = low.min(value);
             high = high.max(value);
         }
-        let first = horner::<M, NODES>(&speed, -1.0);
-        let last = horner::<M, NODES>(&speed, 1.0);
+        let first = horner::<f64, NODES>(&speed, -1.0);
+        let last = horner::<f64, NODES>(&speed, 1.0);
         let even = low.min(first).min(last) * EVEN > high;
         let (g0, g1) = if even {
             (length / first, length / last)
@@ -189,7 +190,7 @@ impl Piece {
         let (mut low, mut high) = (-1.0, 1.0);
         let mut x = (2.0 * s / self.length - 1.0).clamp(low, high);
         for _ in 0..200 {
-            let error = horner::<Separate, { NODES + 1 }>(&self.distance, x) - s;
+            let error = horner::<f64, { NODES + 1 }>(&self.distance, x) - s;
             if error == 0.0 {
                 break;
             }
@@ -198,7 +199,7 @@ impl Piece {
             } else {
                 low = x;
             }
-            let slope = horner::<Separate, NODES>(&self.speed, x);
+            let slope = horner::<f64, NODES>(&self.speed, x);
             let step = x - error / slope;
             let next = if step > low && step < high {
                 step
@@ -217,7 +218,7 @@ impl Piece {
 /// Inverts the arc length for ascending `lengths`: the parameters are written
 /// to `parameters`. `pieces` must not be empty.
 #[inline(always)]
-pub(super) fn invert<M: MultiplyAdd>(pieces: &[Piece], lengths: &[f64], parameters: &mut [f64]) {
+pub(super) fn invert<V: Vector>(pieces: &[Piece], lengths: &[f64], parameters: &mut [f64]) {
     let mut from = 0;
     let mut piece = 0;
     while from < lengths.len() {
@@ -232,7 +233,7 @@ pub(super) fn invert<M: MultiplyAdd>(pieces: &[Piece], lengths: &[f64], paramete
                 to += 1;
             }
         }
-        invert_within::<M>(
+        invert_within::<V>(
             &pieces[piece],
             &lengths[from..to],
             &mut parameters[from..to],
@@ -243,33 +244,18 @@ pub(super) fn invert<M: MultiplyAdd>(pieces: &[Piece], lengths: &[f64], paramete
 
 /// [`invert`] for lengths that all lie in one piece.
 #[inline(always)]
-fn invert_within<M: MultiplyAdd>(piece: &Piece, lengths: &[f64], parameters: &mut [f64]) {
+fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f64]) {
     let mut from = 0;
     while from < lengths.len() {
-        let count = LANES.min(lengths.len() - from);
-        let mut s = [0.0; LANES];
-        for k in 0..LANES {
+        let count = V::LANES.min(lengths.len() - from);
+        let mut s = [0.0; MAX_LANES];
+        for k in 0..V::LANES {
             s[k] = lengths[from + k.min(count - 1)] - piece.start;
         }
-        let mut x = [0.0; LANES];
+        let mut x = [0.0; MAX_LANES];
         let mut settled = piece.even;
         if settled {
-            let scale = 1.0 / piece.length;
-            for k in 0..LANES {
-                x[k] = horner::<M, 4>(&piece.guess, s[k] * scale).clamp(-1.0, 1.0);
-            }
-            let mut step = 0.0f64;
-            for round in 0..3 {
-                for k in 0..LANES {
-                    let error = horner::<M, { NODES + 1 }>(&piece.distance, x[k]) - s[k];
-                    let change = error / horner::<M, NODES>(&piece.speed, x[k]);
-                    x[k] = (x[k] - change).clamp(-1.0, 1.0);
-                    if round == 2 {
-                        step = step.max(change.abs());
-                    }
-                }
-            }
-            settled = step < SETTLED;
+            settled = newton::<V>(piece, &s, &mut x);
         }
         if !settled {
             for k in 0..count {
@@ -277,10 +263,34 @@ fn invert_within<M: MultiplyAdd>(piece: &Piece, lengths: &[f64], parameters: &mu
             }
         }
         for k in 0..count {
-            parameters[from + k] = M::mul_add(piece.half, x[k], piece.middle);
+            parameters[from + k] = piece.middle + piece.half * x[k];
         }
         from += count;
     }
+}
+
+/// Three of Newton's steps from a good guess, for one vector; tells whether
+/// they arrived.
+#[inline(always)]
+fn newton<V: Vector>(piece: &Piece, s: &[f64; MAX_LANES], x: &mut [f64; MAX_LANES]) -> bool {
+    let (low, high) = (V::splat(-1.0), V::splat(1.0));
+    let s = V::load(s);
+    let share = s.mul(V::splat(1.0 / piece.length));
+    let mut at = horner::<V, 4>(&piece.guess, share).max(low).min(high);
+    let mut change = low;
+    for _ in 0..3 {
+        let error = horner::<V, { NODES + 1 }>(&piece.distance, at).sub(s);
+        change = error.div(horner::<V, NODES>(&piece.speed, at));
+        at = at.sub(change).max(low).min(high);
+    }
+    at.store(x);
+    let mut steps = [0.0; MAX_LANES];
+    change.store(&mut steps);
+    let mut largest = 0.0f64;
+    for k in 0..V::LANES {
+        largest = largest.max(steps[k].abs());
+    }
+    largest < SETTLED
 }
 
 /// A cubic together with its arc length.
@@ -297,7 +307,7 @@ impl ArcLength {
     /// [`crate::Error::Memory`].
     pub fn new(curve: &Cubic) -> Result<Self> {
         let mut pieces = Vec::new();
-        let length = measure::<Separate>(curve, &mut pieces)?;
+        let length = measure::<f64>(curve, &mut pieces)?;
         Ok(Self { pieces, length })
     }
 
@@ -320,7 +330,7 @@ impl ArcLength {
             return 0.0;
         };
         let x = ((t - piece.middle) / piece.half).clamp(-1.0, 1.0);
-        let within = horner::<Separate, { NODES + 1 }>(&piece.distance, x);
+        let within = horner::<f64, { NODES + 1 }>(&piece.distance, x);
         piece.start + within.clamp(0.0, piece.length)
     }
 
@@ -336,7 +346,7 @@ impl ArcLength {
             return 1.0;
         }
         let mut t = [0.0];
-        invert::<Separate>(&self.pieces, &[s], &mut t);
+        invert::<f64>(&self.pieces, &[s], &mut t);
         t[0].clamp(0.0, 1.0)
     }
 }

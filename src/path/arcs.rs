@@ -7,8 +7,8 @@
 
 use glam::DQuat;
 
-use crate::math::fused::{MultiplyAdd, horner};
 use crate::math::quaternion::angle;
+use crate::math::vector::{Vector, horner};
 
 /// The longest arc on S³ that these functions take, in radians.
 pub(super) const MAX_ANGLE: f64 = 1.25;
@@ -62,106 +62,124 @@ const SINC: [f64; 8] = [
     -7.473341292114921e-13,
 ];
 
-/// A quaternion as plain numbers, so that many of them fill vectors.
-type Q = [f64; 4];
-
-/// One arc with what depends on its ends alone.
+/// One arc with what depends on its ends alone; each number is a vector.
 #[derive(Debug, Clone, Copy)]
-struct Arc {
-    from: Q,
-    to: Q,
-    square: f64,
-    inverse: f64,
+struct Arc<V> {
+    from: [V; 4],
+    to: [V; 4],
+    square: V,
+    inverse: V,
 }
 
 /// Weights of the ends of an arc at `x`, apart from the factor θ/sin θ.
 #[inline(always)]
-fn weights<M: MultiplyAdd>(square: f64, x: f64) -> (f64, f64) {
-    let y = 1.0 - x;
+fn weights<V: Vector>(square: V, x: V) -> (V, V) {
+    let y = V::splat(1.0).sub(x);
     (
-        y * horner::<M, 8>(&SINC, y * y * square),
-        x * horner::<M, 8>(&SINC, x * x * square),
+        y.mul(horner::<V, 8>(&SINC, y.mul(y).mul(square))),
+        x.mul(horner::<V, 8>(&SINC, x.mul(x).mul(square))),
     )
 }
 
 #[inline(always)]
-fn blend<M: MultiplyAdd>(a: &Q, b: &Q, wa: f64, wb: f64) -> Q {
-    let mut q = [0.0; 4];
+fn blend<V: Vector>(a: &[V; 4], b: &[V; 4], wa: V, wb: V) -> [V; 4] {
+    let mut q = *a;
     for k in 0..4 {
-        q[k] = M::mul_add(a[k], wa, b[k] * wb);
+        q[k] = a[k].mul_add(wa, b[k].mul(wb));
     }
     q
 }
 
+/// Square of the angle between two unit quaternions.
 #[inline(always)]
-fn square_angle<M: MultiplyAdd>(a: &Q, b: &Q) -> f64 {
-    let mut chord = 0.0;
+fn square_angle<V: Vector>(a: &[V; 4], b: &[V; 4]) -> V {
+    let mut chord = V::splat(0.0);
     for k in 0..4 {
-        let d = a[k] - b[k];
-        chord = M::mul_add(d, d, chord);
+        let d = a[k].sub(b[k]);
+        chord = d.mul_add(d, chord);
     }
-    chord * horner::<M, 16>(&ANGLE, chord)
+    chord.mul(horner::<V, 16>(&ANGLE, chord))
 }
 
-impl Arc {
+impl<V: Vector> Arc<V> {
     #[inline(always)]
-    fn new<M: MultiplyAdd>(from: Q, to: Q) -> Self {
-        let square = square_angle::<M>(&from, &to);
+    fn new(from: [V; 4], to: [V; 4]) -> Self {
+        let square = square_angle(&from, &to);
         Self {
             from,
             to,
             square,
-            inverse: horner::<M, 13>(&INVERSE, square),
+            inverse: horner::<V, 13>(&INVERSE, square),
         }
     }
 
     #[inline(always)]
-    fn at<M: MultiplyAdd>(&self, x: f64) -> Q {
-        let (a, b) = weights::<M>(self.square, x);
-        blend::<M>(&self.from, &self.to, a * self.inverse, b * self.inverse)
+    fn at(&self, x: V) -> [V; 4] {
+        let (a, b) = weights(self.square, x);
+        blend(
+            &self.from,
+            &self.to,
+            a.mul(self.inverse),
+            b.mul(self.inverse),
+        )
     }
 }
 
 /// A cubic spherical Bézier curve all of whose arcs are short enough.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct ShortBezier([Arc; 3]);
+pub(super) struct ShortBezier([Arc<f64>; 3]);
+
+/// The same number in every lane.
+#[inline(always)]
+fn spread<V: Vector>(arc: &Arc<f64>) -> Arc<V> {
+    Arc {
+        from: [
+            V::splat(arc.from[0]),
+            V::splat(arc.from[1]),
+            V::splat(arc.from[2]),
+            V::splat(arc.from[3]),
+        ],
+        to: [
+            V::splat(arc.to[0]),
+            V::splat(arc.to[1]),
+            V::splat(arc.to[2]),
+            V::splat(arc.to[3]),
+        ],
+        square: V::splat(arc.square),
+        inverse: V::splat(arc.inverse),
+    }
+}
 
 impl ShortBezier {
     /// None where an arc of the control polygon is too long; the arcs of the
     /// later rounds of de Casteljau's algorithm are never longer than those.
-    #[inline(always)]
-    pub(super) fn new<M: MultiplyAdd>(control: &[DQuat; 4]) -> Option<Self> {
+    pub(super) fn new(control: &[DQuat; 4]) -> Option<Self> {
         let [a, b, c, d] = *control;
         if angle(a, b).max(angle(b, c)).max(angle(c, d)) > MAX_ANGLE {
             return None;
         }
-        let plain = |q: DQuat| [q.x, q.y, q.z, q.w];
-        let (a, b, c, d) = (plain(a), plain(b), plain(c), plain(d));
-        Some(Self([
-            Arc::new::<M>(a, b),
-            Arc::new::<M>(b, c),
-            Arc::new::<M>(c, d),
-        ]))
+        let [a, b, c, d] = [a.to_array(), b.to_array(), c.to_array(), d.to_array()];
+        Some(Self([Arc::new(a, b), Arc::new(b, c), Arc::new(c, d)]))
     }
 
     /// The quaternion (x, y, z, w) at φ, of length near 1: the factor of the
     /// last arc is left out, since views are divided by the length anyway.
     #[inline(always)]
-    pub(super) fn at<M: MultiplyAdd>(&self, phi: f64) -> [f64; 4] {
-        let [first, second, third] = &self.0;
-        let (ab, bc, cd) = (first.at::<M>(phi), second.at::<M>(phi), third.at::<M>(phi));
-        let abc = Arc::new::<M>(ab, bc).at::<M>(phi);
-        let bcd = Arc::new::<M>(bc, cd).at::<M>(phi);
-        let square = square_angle::<M>(&abc, &bcd);
-        let (a, b) = weights::<M>(square, phi);
-        blend::<M>(&abc, &bcd, a, b)
+    pub(super) fn at<V: Vector>(&self, phi: V) -> [V; 4] {
+        let ab = spread::<V>(&self.0[0]).at(phi);
+        let bc = spread::<V>(&self.0[1]).at(phi);
+        let cd = spread::<V>(&self.0[2]).at(phi);
+        let abc = Arc::new(ab, bc).at(phi);
+        let bcd = Arc::new(bc, cd).at(phi);
+        let square = square_angle(&abc, &bcd);
+        let (a, b) = weights(square, phi);
+        blend(&abc, &bcd, a, b)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::fused::Separate;
     use crate::math::quaternion::{exp, slerp};
     use crate::path::quaternion_spline::bezier;
     use glam::DVec3;
@@ -172,10 +190,10 @@ mod tests {
         for k in 0..=1000 {
             let theta = MAX_ANGLE * f64::from(k) / 1000.0;
             let end = exp(DVec3::new(0.6, 0.8, 0.0) * theta) * start;
-            let arc = Arc::new::<Separate>(start.into(), end.into());
+            let arc = Arc::<f64>::new(start.to_array(), end.to_array());
             for j in 0..=20 {
                 let x = f64::from(j) / 20.0;
-                let q = DQuat::from_array(arc.at::<Separate>(x));
+                let q = DQuat::from_array(arc.at(x));
                 assert!((q - slerp(start, end, x)).length() < 2e-15, "{theta} {x}");
             }
         }
@@ -190,14 +208,14 @@ mod tests {
             q(0.2, 0.7, 0.1),
             q(1.0, 0.9, 0.5),
         ];
-        let short = ShortBezier::new::<Separate>(&control).unwrap();
+        let short = ShortBezier::new(&control).unwrap();
         for k in 0..=1000 {
             let phi = f64::from(k) / 1000.0;
-            let q = DQuat::from_array(short.at::<Separate>(phi));
+            let q = DQuat::from_array(short.at::<f64>(phi));
             assert!((q.length() - 1.0).abs() < 0.2);
             assert!((q.normalize() - bezier(&control, phi)).length() < 3e-15);
         }
         let far = [control[0], -control[1], control[2], control[3]];
-        assert!(ShortBezier::new::<Separate>(&far).is_none());
+        assert!(ShortBezier::new(&far).is_none());
     }
 }

@@ -14,3 +14,17 @@ pub struct Pose {
     /// 1…100; the vertical field of view is 2·atan(12/zoom).
     pub zoom: f64,
 }
+
+impl Pose {
+    /// The same memory as plain numbers, ten for each pose.
+    pub(super) fn as_numbers(poses: &mut [Self]) -> &mut [f64] {
+        const { assert!(size_of::<Pose>() == 10 * size_of::<f64>()) }
+        let count = 10 * poses.len();
+        // SAFETY: a pose is ten doubles in a row without padding, any bits of
+        // which are a double; the borrow goes on in the result.
+        #[allow(unsafe_code)]
+        unsafe {
+            std::slice::from_raw_parts_mut(poses.as_mut_ptr().cast(), count)
+        }
+    }
+}

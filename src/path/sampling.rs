@@ -73,7 +73,11 @@ impl Sampler {
             legs.push(Leg {
                 start: number,
                 frames: section.frames,
-                speed: if speed.is_constant() { None } else { Some(try_box(speed)?) },
+                speed: if speed.is_constant() {
+                    None
+                } else {
+                    Some(try_box(speed)?)
+                },
                 way: curve.map(|&curve| Way { curve, length }),
                 position: point.position,
                 turning: orientation_curve::Turning::Kept(glam::DVec3::Z, glam::DVec3::Y),

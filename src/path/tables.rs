@@ -9,7 +9,7 @@ use super::leg::{Leg, Way};
 use super::orientation_curve::Turning;
 use crate::error::Result;
 use crate::math::chebyshev::{self, NODES};
-use crate::math::fused::MultiplyAdd;
+use crate::math::vector::Vector;
 
 /// Frames that a fitted piece must serve: about what its nodes cost.
 const WORTH: f64 = 32.0;
@@ -33,8 +33,8 @@ pub(super) struct Fit<const COMPONENTS: usize> {
 impl<const COMPONENTS: usize> Fit<COMPONENTS> {
     /// x in [−1, 1] at φ.
     #[inline(always)]
-    pub(super) fn x(&self, phi: f64) -> f64 {
-        (phi - self.middle) * self.scale
+    pub(super) fn x<V: Vector>(&self, phi: V) -> V {
+        phi.sub(V::splat(self.middle)).mul(V::splat(self.scale))
     }
 }
 
@@ -50,36 +50,36 @@ pub(super) struct Tables {
 impl Tables {
     /// Prepares a section, using the memory of these tables again.
     #[inline(always)]
-    pub(super) fn build<M: MultiplyAdd>(&mut self, leg: &Leg) -> Result<()> {
+    pub(super) fn build<V: Vector>(&mut self, leg: &Leg) -> Result<()> {
         self.arc.clear();
         self.place.clear();
         self.turn.clear();
         self.bezier = match &leg.turning {
-            Turning::Bezier(control) => ShortBezier::new::<M>(control),
+            Turning::Bezier(control) => ShortBezier::new(control),
             _ => None,
         };
         if let Some(way) = &leg.way {
-            arc_length::measure::<M>(&way.curve, &mut self.arc)?;
-            self.fit_place::<M>(way, leg.frames)?;
+            arc_length::measure::<V>(&way.curve, &mut self.arc)?;
+            self.fit_place::<V>(way, leg.frames)?;
         }
         if leg.turning.quaternion(0.0).is_some() {
-            self.fit_turning::<M>(&leg.turning, leg.frames)?;
+            self.fit_turning::<V>(&leg.turning, leg.frames)?;
         }
         Ok(())
     }
 
     #[inline(always)]
-    fn fit_place<M: MultiplyAdd>(&mut self, way: &Way, frames: usize) -> Result<()> {
+    fn fit_place<V: Vector>(&mut self, way: &Way, frames: usize) -> Result<()> {
         let mut halving = Halving::new(frames);
         while let Some((middle, half)) = halving.next() {
             let mut powers = None;
             if halving.worth(half) {
                 let (mut s, mut t) = ([0.0; NODES], [0.0; NODES]);
                 for k in 0..NODES {
-                    s[k] = M::mul_add(half, chebyshev::POINTS[k], middle) * way.length;
+                    s[k] = (middle + half * chebyshev::POINTS[k]) * way.length;
                 }
-                arc_length::invert::<M>(&self.arc, &s, &mut t);
-                let series = chebyshev::series::<M>(&t);
+                arc_length::invert::<V>(&self.arc, &s, &mut t);
+                let series = chebyshev::series::<V>(&t);
                 let mut fastest = 0.0f64;
                 for t in t {
                     fastest = fastest.max(way.curve.derivative(t).length());
@@ -90,7 +90,7 @@ impl Tables {
                     continue;
                 }
                 if chebyshev::tail(&series) * fastest <= PLACE_TOLERANCE * way.length {
-                    powers = Some([chebyshev::powers::<M>(&series)]);
+                    powers = Some([chebyshev::powers::<V>(&series)]);
                 }
             }
             push(&mut self.place, middle, half, powers)?;
@@ -99,21 +99,21 @@ impl Tables {
     }
 
     #[inline(always)]
-    fn fit_turning<M: MultiplyAdd>(&mut self, turning: &Turning, frames: usize) -> Result<()> {
+    fn fit_turning<V: Vector>(&mut self, turning: &Turning, frames: usize) -> Result<()> {
         let mut halving = Halving::new(frames);
         while let Some((middle, half)) = halving.next() {
             let mut powers = None;
             if halving.worth(half) {
                 let mut phi = [0.0; NODES];
                 for k in 0..NODES {
-                    phi[k] = M::mul_add(half, chebyshev::POINTS[k], middle);
+                    phi[k] = middle + half * chebyshev::POINTS[k];
                 }
                 let mut values = [[0.0; NODES]; 4];
-                quaternions::<M, NODES>(turning, self.bezier.as_ref(), &phi, &mut values);
+                quaternions::<V, NODES>(turning, self.bezier.as_ref(), &phi, &mut values);
                 let mut series = [[0.0; NODES]; 4];
                 let mut tail = 0.0f64;
                 for k in 0..4 {
-                    series[k] = chebyshev::series::<M>(&values[k]);
+                    series[k] = chebyshev::series::<V>(&values[k]);
                     tail = tail.max(chebyshev::tail(&series[k]));
                 }
                 if tail > TURN_TOLERANCE && halving.halve(middle, half) {
@@ -122,7 +122,7 @@ impl Tables {
                 if tail <= TURN_TOLERANCE {
                     let mut fitted = [[0.0; NODES]; 4];
                     for k in 0..4 {
-                        fitted[k] = chebyshev::powers::<M>(&series[k]);
+                        fitted[k] = chebyshev::powers::<V>(&series[k]);
                     }
                     powers = Some(fitted);
                 }
@@ -135,17 +135,17 @@ impl Tables {
 
 /// Quaternions at N values of φ, component by component.
 #[inline(always)]
-pub(super) fn quaternions<M: MultiplyAdd, const N: usize>(
+pub(super) fn quaternions<V: Vector, const N: usize>(
     turning: &Turning,
     bezier: Option<&ShortBezier>,
     phi: &[f64; N],
     q: &mut [[f64; N]; 4],
 ) {
     if let Some(bezier) = bezier {
-        for k in 0..N {
-            let value = bezier.at::<M>(phi[k]);
+        for k in (0..N).step_by(V::LANES) {
+            let value = bezier.at(V::load(&phi[k..]));
             for component in 0..4 {
-                q[component][k] = value[component];
+                value[component].store(&mut q[component][k..]);
             }
         }
         return;

@@ -29,7 +29,11 @@ impl Random {
         self.unit() < p
     }
     pub fn vector(&mut self) -> DVec3 {
-        DVec3::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0), self.between(-1.0, 1.0))
+        DVec3::new(
+            self.between(-1.0, 1.0),
+            self.between(-1.0, 1.0),
+            self.between(-1.0, 1.0),
+        )
     }
     pub fn tcb(&mut self) -> Tcb {
         let mut value = || match self.below(8) {
@@ -45,7 +49,11 @@ impl Random {
             0 | 1 => Target::Absolute(DVec3::new(0.3, 0.5, -0.2)),
             2 => Target::Absolute(self.vector()),
             3 => Target::Relative(DVec3::new(0.0, 0.0, -0.4)),
-            4 => Target::Relative(if self.chance(0.5) { DVec3::Y } else { -DVec3::Y }),
+            4 => Target::Relative(if self.chance(0.5) {
+                DVec3::Y
+            } else {
+                -DVec3::Y
+            }),
             _ => Target::Relative(self.vector()),
         };
         let target = if target.offset_from(position) == DVec3::ZERO {
@@ -55,9 +63,21 @@ impl Random {
         };
         Orientation {
             target,
-            roll: if self.chance(0.5) { 0.0 } else { self.between(-179.0, 180.0) },
-            zoom: if self.chance(0.3) { 24.0 } else { self.between(1.0, 100.0) },
-            turning: if self.chance(0.5) { Tcb::default() } else { self.tcb() },
+            roll: if self.chance(0.5) {
+                0.0
+            } else {
+                self.between(-179.0, 180.0)
+            },
+            zoom: if self.chance(0.3) {
+                24.0
+            } else {
+                self.between(1.0, 100.0)
+            },
+            turning: if self.chance(0.5) {
+                Tcb::default()
+            } else {
+                self.tcb()
+            },
             speeds: if self.chance(0.5) {
                 [50.0; 10]
             } else {
@@ -71,7 +91,11 @@ impl Random {
                 }
                 speeds
             },
-            hold: if self.chance(0.2) { self.below(4) as u32 } else { 0 },
+            hold: if self.chance(0.2) {
+                self.below(4) as u32
+            } else {
+                0
+            },
         }
     }
     pub fn path(&mut self, base_speed: f64) -> CameraPath {

@@ -1,0 +1,337 @@
+//! Several numbers computed side by side.
+//!
+//! The sampling code is written once, over the trait [`Vector`], and compiled
+//! for each kind of processor: `f64` is a vector of one, the plain version
+//! that the others are held against; [`Sse2`] is what every x86-64 processor
+//! has; [`Avx2`] comes with fused multiplication. Everything is forced inline,
+//! since a function that is called would be compiled for the plainest
+//! processor. This file and the two dispatching functions in `path::fill` are
+//! the only places where vector instructions are named.
+
+#![allow(unsafe_code)]
+
+/// A few numbers that are computed with together.
+pub trait Vector: Copy {
+    /// How many.
+    const LANES: usize;
+    /// All lanes the same.
+    fn splat(value: f64) -> Self;
+    /// The first [`Self::LANES`] numbers of a slice that has so many.
+    fn load(from: &[f64]) -> Self;
+    /// Writes the lanes to the start of a slice that has room for them.
+    fn store(self, to: &mut [f64]);
+    /// Sum.
+    fn add(self, other: Self) -> Self;
+    /// Difference.
+    fn sub(self, other: Self) -> Self;
+    /// Product.
+    fn mul(self, other: Self) -> Self;
+    /// Quotient.
+    fn div(self, other: Self) -> Self;
+    /// `self`·b + c, in one rounding where the processor has it.
+    fn mul_add(self, b: Self, c: Self) -> Self;
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// The smaller one, lane by lane.
+    fn min(self, other: Self) -> Self;
+    /// The larger one, lane by lane.
+    fn max(self, other: Self) -> Self;
+    /// Writes [`Self::LANES`] records of ten numbers; row k holds the k-th
+    /// number of each. `to` has room for ten times as many numbers.
+    fn store_records(rows: [Self; 10], to: &mut [f64]);
+}
+
+/// The polynomial with `coefficients` (lowest first) at `x`.
+#[inline(always)]
+#[must_use]
+pub fn horner<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -> V {
+    let mut sum = V::splat(coefficients[N - 1]);
+    let mut k = N - 1;
+    while k > 0 {
+        k -= 1;
+        sum = sum.mul_add(x, V::splat(coefficients[k]));
+    }
+    sum
+}
+
+impl Vector for f64 {
+    const LANES: usize = 1;
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn load(from: &[f64]) -> Self {
+        from[0]
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        to[0] = self;
+    }
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self + other
+    }
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self - other
+    }
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self * other
+    }
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        self / other
+    }
+    /// Two roundings: the fused operation would be a call into the library.
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        self * b + c
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self::sqrt(self)
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+    #[inline(always)]
+    fn store_records(rows: [Self; 10], to: &mut [f64]) {
+        to[..10].copy_from_slice(&rows);
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+pub use x86_64::{Avx2, Sse2};
+
+#[cfg(target_arch = "x86_64")]
+mod x86_64 {
+    use super::Vector;
+    use std::arch::x86_64::*;
+
+    /// Two numbers: every x86-64 processor.
+    #[derive(Debug, Clone, Copy)]
+    pub struct Sse2(__m128d);
+
+    /// Four numbers. A value of this type may only be computed with in code
+    /// that is compiled for AVX2 and FMA and runs on a processor with both.
+    #[derive(Debug, Clone, Copy)]
+    pub struct Avx2(__m256d);
+
+    /// The operations that both kinds have under like names.
+    macro_rules! lane_by_lane {
+        ($lanes:literal, $set1:ident, $loadu:ident, $storeu:ident, $add:ident, $sub:ident,
+         $mul:ident, $div:ident, $sqrt:ident, $min:ident, $max:ident) => {
+            const LANES: usize = $lanes;
+            #[inline(always)]
+            fn splat(value: f64) -> Self {
+                // SAFETY: the type's owner promises the instruction set.
+                Self(unsafe { $set1(value) })
+            }
+            #[inline(always)]
+            fn load(from: &[f64]) -> Self {
+                let from = &from[..$lanes];
+                // SAFETY: the slice has just been found long enough.
+                Self(unsafe { $loadu(from.as_ptr()) })
+            }
+            #[inline(always)]
+            fn store(self, to: &mut [f64]) {
+                let to = &mut to[..$lanes];
+                // SAFETY: the slice has just been found long enough.
+                unsafe { $storeu(to.as_mut_ptr(), self.0) }
+            }
+            #[inline(always)]
+            fn add(self, other: Self) -> Self {
+                // SAFETY: the type's owner promises the instruction set.
+                Self(unsafe { $add(self.0, other.0) })
+            }
+            #[inline(always)]
+            fn sub(self, other: Self) -> Self {
+                // SAFETY: the type's owner promises the instruction set.
+                Self(unsafe { $sub(self.0, other.0) })
+            }
+            #[inline(always)]
+            fn mul(self, other: Self) -> Self {
+                // SAFETY: the type's owner promises the instruction set.
+                Self(unsafe { $mul(self.0, other.0) })
+            }
+            #[inline(always)]
+            fn div(self, other: Self) -> Self {
+                // SAFETY: the type's owner promises the instruction set.
+                Self(unsafe { $div(self.0, other.0) })
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                // SAFETY: the type's owner promises the instruction set.
+                Self(unsafe { $sqrt(self.0) })
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                // SAFETY: the type's owner promises the instruction set.
+                Self(unsafe { $min(self.0, other.0) })
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                // SAFETY: the type's owner promises the instruction set.
+                Self(unsafe { $max(self.0, other.0) })
+            }
+        };
+    }
+
+    impl Vector for Sse2 {
+        lane_by_lane!(
+            2,
+            _mm_set1_pd,
+            _mm_loadu_pd,
+            _mm_storeu_pd,
+            _mm_add_pd,
+            _mm_sub_pd,
+            _mm_mul_pd,
+            _mm_div_pd,
+            _mm_sqrt_pd,
+            _mm_min_pd,
+            _mm_max_pd
+        );
+        #[inline(always)]
+        fn mul_add(self, b: Self, c: Self) -> Self {
+            self.mul(b).add(c)
+        }
+        #[inline(always)]
+        fn store_records(rows: [Self; 10], to: &mut [f64]) {
+            let to = &mut to[..20];
+            let mut k = 0;
+            while k < 10 {
+                let (a, b) = (rows[k].0, rows[k + 1].0);
+                // SAFETY: SSE2 is part of x86-64; k + 1 ≤ 9 and 10 + k + 1 ≤ 19.
+                unsafe {
+                    _mm_storeu_pd(to.as_mut_ptr().add(k), _mm_unpacklo_pd(a, b));
+                    _mm_storeu_pd(to.as_mut_ptr().add(10 + k), _mm_unpackhi_pd(a, b));
+                }
+                k += 2;
+            }
+        }
+    }
+
+    impl Vector for Avx2 {
+        lane_by_lane!(
+            4,
+            _mm256_set1_pd,
+            _mm256_loadu_pd,
+            _mm256_storeu_pd,
+            _mm256_add_pd,
+            _mm256_sub_pd,
+            _mm256_mul_pd,
+            _mm256_div_pd,
+            _mm256_sqrt_pd,
+            _mm256_min_pd,
+            _mm256_max_pd
+        );
+        #[inline(always)]
+        fn mul_add(self, b: Self, c: Self) -> Self {
+            // SAFETY: the type's owner promises the instruction set.
+            Self(unsafe { _mm256_fmadd_pd(self.0, b.0, c.0) })
+        }
+        #[inline(always)]
+        fn store_records(rows: [Self; 10], to: &mut [f64]) {
+            let to = &mut to[..40];
+            let p = to.as_mut_ptr();
+            let mut k = 0;
+            // Two blocks of four by four, then what is left: two rows.
+            while k < 8 {
+                // SAFETY: the type's owner promises the instruction set; the last
+                // number written is 30 + k + 3 ≤ 37.
+                unsafe {
+                    let ab = _mm256_unpacklo_pd(rows[k].0, rows[k + 1].0);
+                    let cd = _mm256_unpacklo_pd(rows[k + 2].0, rows[k + 3].0);
+                    let ef = _mm256_unpackhi_pd(rows[k].0, rows[k + 1].0);
+                    let gh = _mm256_unpackhi_pd(rows[k + 2].0, rows[k + 3].0);
+                    _mm256_storeu_pd(p.add(k), _mm256_permute2f128_pd::<0x20>(ab, cd));
+                    _mm256_storeu_pd(p.add(10 + k), _mm256_permute2f128_pd::<0x20>(ef, gh));
+                    _mm256_storeu_pd(p.add(20 + k), _mm256_permute2f128_pd::<0x31>(ab, cd));
+                    _mm256_storeu_pd(p.add(30 + k), _mm256_permute2f128_pd::<0x31>(ef, gh));
+                }
+                k += 4;
+            }
+            // SAFETY: the type's owner promises the instruction set; the last
+            // number written is 39.
+            unsafe {
+                let low = _mm256_unpacklo_pd(rows[8].0, rows[9].0);
+                let high = _mm256_unpackhi_pd(rows[8].0, rows[9].0);
+                _mm_storeu_pd(p.add(8), _mm256_castpd256_pd128(low));
+                _mm_storeu_pd(p.add(18), _mm256_castpd256_pd128(high));
+                _mm_storeu_pd(p.add(28), _mm256_extractf128_pd::<1>(low));
+                _mm_storeu_pd(p.add(38), _mm256_extractf128_pd::<1>(high));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every operation lane by lane against `f64`.
+    #[inline(always)]
+    fn check<V: Vector>() {
+        let a: Vec<f64> = (0..V::LANES).map(|k| 1.5 + k as f64).collect();
+        let b: Vec<f64> = (0..V::LANES).map(|k| 4.0 - 1.25 * k as f64).collect();
+        let (va, vb) = (V::load(&a), V::load(&b));
+        let results: [(V, fn(f64, f64) -> f64); 8] = [
+            (va.add(vb), |a, b| a + b),
+            (va.sub(vb), |a, b| a - b),
+            (va.mul(vb), |a, b| a * b),
+            (va.div(vb), |a, b| a / b),
+            (va.mul_add(vb, V::splat(0.5)), |a, b| a * b + 0.5),
+            (va.sqrt(), |a, _| a.sqrt()),
+            (va.min(vb), f64::min),
+            (va.max(vb), f64::max),
+        ];
+        for (index, (found, expected)) in results.into_iter().enumerate() {
+            let mut lanes = vec![0.0; V::LANES];
+            found.store(&mut lanes);
+            for k in 0..V::LANES {
+                assert_eq!(
+                    lanes[k],
+                    expected(a[k], b[k]),
+                    "operation {index}, lane {k}"
+                );
+            }
+        }
+        let mut rows = [V::splat(0.0); 10];
+        for (r, row) in rows.iter_mut().enumerate() {
+            let lanes: Vec<f64> = (0..V::LANES).map(|k| (10 * k + r) as f64).collect();
+            *row = V::load(&lanes);
+        }
+        let mut records = vec![0.0; 10 * V::LANES];
+        V::store_records(rows, &mut records);
+        for (k, number) in records.into_iter().enumerate() {
+            assert_eq!(number, k as f64);
+        }
+    }
+
+    #[test]
+    fn the_plain_vector_computes() {
+        check::<f64>();
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[test]
+    fn wide_vectors_compute_as_the_plain_one() {
+        #[target_feature(enable = "avx2,fma")]
+        fn avx2() {
+            check::<Avx2>();
+        }
+        check::<Sse2>();
+        if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
+        {
+            // SAFETY: the processor has just been asked for both features.
+            unsafe { avx2() }
+        }
+    }
+}
