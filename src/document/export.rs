@@ -60,7 +60,7 @@ pub fn write(
 /// ([`save::save_with`]).
 ///
 /// # Errors
-/// As [`write`], naming the file.
+/// As [`write()`], naming the file.
 pub fn write_file(
     document: &Document,
     options: Options,
