@@ -96,6 +96,9 @@ const MAX_LINKS: usize = 40;
 /// symbolic link, also where nothing is there yet.
 fn destination(file: &Path) -> io::Result<PathBuf> {
     let mut file = file.to_path_buf();
+    if file.as_os_str().is_empty() {
+        return Err(io::Error::from_raw_os_error(libc::ENOENT));
+    }
     for _ in 0..MAX_LINKS {
         match fs::symlink_metadata(&file) {
             Ok(metadata) if metadata.file_type().is_symlink() => {
