@@ -143,7 +143,8 @@ impl Timeline {
         let points = path.points.len();
         let mut touched: Vec<usize> = vec_with_room(64)?;
         // A point's position and parameters shape two segments on either side.
-        for offset in 0..4.min(points) {
+        // (A short closed path meets some of them twice.)
+        for offset in 0..4 {
             let Some(near) = self.step(point, offset, points) else {
                 continue;
             };
@@ -156,7 +157,7 @@ impl Timeline {
                 }
             }
             let last = self.first_slot[near + 1] - 1;
-            if near != point && last < self.sections.len() {
+            if near != point && last < self.sections.len() && !touched.contains(&last) {
                 touched.push(last);
             }
         }
