@@ -194,7 +194,7 @@ impl Raw {
                 (0..self.b % 5)
                     .map(|index| ObjectPoint {
                         position: DVec3::splat(self.x[index]),
-                        draw: (self.a >> index) % 2 == 0,
+                        draw: (self.a >> index).is_multiple_of(2),
                     })
                     .collect(),
             ),
