@@ -2,6 +2,18 @@
 
 use glam::DVec3;
 
+/// A basis matrix M by rows: P(t) = \[t³ t² t 1\]·M·G, where G are the four
+/// points or tangents that the kind of curve is made from (thesis 3.5).
+pub type BasisMatrix = [[f64; 4]; 4];
+
+/// M_H of 3.5.1, for G = (P₁, P₂, R₁, R₂): ends, then end tangents.
+pub const HERMITE: BasisMatrix = [
+    [2.0, -2.0, 1.0, 1.0],
+    [-3.0, 3.0, -2.0, -1.0],
+    [0.0, 0.0, 1.0, 0.0],
+    [1.0, 0.0, 0.0, 0.0],
+];
+
 /// A cubic curve in space: P(t) = ((a·t + b)·t + c)·t + d, t in [0, 1].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cubic {
@@ -31,6 +43,24 @@ impl Cubic {
         }
     }
 
+    /// The curve of a basis matrix and its geometry vector: the coefficients
+    /// are the rows of M·G. The end is computed, so that it is right to
+    /// rounding only; [`Cubic::hermite`] keeps it to the last bit.
+    #[must_use]
+    pub fn from_basis(matrix: &BasisMatrix, geometry: [DVec3; 4]) -> Self {
+        let [a, b, c, d] = matrix.map(|row| {
+            let [p, q, r, s] = geometry;
+            p * row[0] + q * row[1] + r * row[2] + s * row[3]
+        });
+        Self {
+            a,
+            b,
+            c,
+            d,
+            end: a + b + c + d,
+        }
+    }
+
     /// The point at `t`; exact at both ends.
     #[must_use]
     pub fn point(&self, t: f64) -> DVec3 {
@@ -50,5 +80,78 @@ impl Cubic {
     #[must_use]
     pub fn second_derivative(&self, t: f64) -> DVec3 {
         6.0 * self.a * t + 2.0 * self.b
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::path::test_support::{assert_near, map, vector};
+
+    #[test]
+    fn the_matrix_inverts_the_conditions() {
+        // Rows: P(0), P(1), P′(0), P′(1) of t³, t², t, 1.
+        let conditions = [
+            [0.0, 0.0, 0.0, 1.0],
+            [1.0, 1.0, 1.0, 1.0],
+            [0.0, 0.0, 1.0, 0.0],
+            [3.0, 2.0, 1.0, 0.0],
+        ];
+        for (i, row) in conditions.iter().enumerate() {
+            for j in 0..4 {
+                let product: f64 = (0..4).map(|k| row[k] * HERMITE[k][j]).sum();
+                assert_eq!(product, f64::from(i == j));
+            }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn starts_and_ends_as_asked(g in prop::array::uniform4(vector(10.0))) {
+            let [p0, p1, r0, r1] = g;
+            let curve = Cubic::hermite(p0, p1, r0, r1);
+            prop_assert_eq!(curve.point(0.0), p0);
+            prop_assert_eq!(curve.point(1.0), p1);
+            prop_assert_eq!(curve.derivative(0.0), r0);
+            assert_near(curve.derivative(1.0), r1, 1e-12);
+        }
+
+        /// The Hermite polynomials of 3.5.1, written out.
+        #[test]
+        fn is_the_sum_of_the_hermite_polynomials(
+            g in prop::array::uniform4(vector(10.0)), t in -1.0..2.0f64,
+        ) {
+            let [p0, p1, r0, r1] = g;
+            let (t2, t3) = (t * t, t * t * t);
+            let want = p0 * (2.0 * t3 - 3.0 * t2 + 1.0)
+                + p1 * (-2.0 * t3 + 3.0 * t2)
+                + r0 * (t3 - 2.0 * t2 + t)
+                + r1 * (t3 - t2);
+            assert_near(Cubic::hermite(p0, p1, r0, r1).point(t), want, 1e-12);
+            assert_near(Cubic::from_basis(&HERMITE, g).point(t), want, 1e-12);
+        }
+
+        #[test]
+        fn derivatives_are_those_of_the_point(
+            g in prop::array::uniform4(vector(10.0)), t in 0.1..0.9f64,
+        ) {
+            // Central differences of a cubic are exact but for its t³ term.
+            let curve = Cubic::from_basis(&HERMITE, g);
+            let h = 1e-3;
+            let first = (curve.point(t + h) - curve.point(t - h)) / (2.0 * h) - curve.a * h * h;
+            assert_near(curve.derivative(t), first, 1e-10);
+            let second = (curve.derivative(t + h) - curve.derivative(t - h)) / (2.0 * h);
+            assert_near(curve.second_derivative(t), second, 1e-9);
+        }
+
+        #[test]
+        fn moves_with_its_points(g in prop::array::uniform4(vector(10.0)), t in 0.0..1.0f64) {
+            let [p0, p1, r0, r1] = g;
+            let linear = |v| map(v) - map(DVec3::ZERO);
+            let moved = Cubic::hermite(map(p0), map(p1), linear(r0), linear(r1));
+            assert_near(moved.point(t), map(Cubic::hermite(p0, p1, r0, r1).point(t)), 1e-12);
+        }
     }
 }

@@ -3,6 +3,7 @@
 
 pub mod arc_length;
 mod arcs;
+pub mod bezier;
 pub mod camera_path;
 mod fill;
 pub mod hermite;
@@ -16,6 +17,9 @@ pub mod sampling;
 pub mod speed_curve;
 mod tables;
 pub mod timeline;
+
+#[cfg(test)]
+mod test_support;
 
 pub use camera_path::{
     BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, SupportPoint, Target,
