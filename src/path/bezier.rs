@@ -159,7 +159,7 @@ mod tests {
 
     use super::*;
     use crate::path::hermite::HERMITE;
-    use crate::path::test_support::{assert_near, map, vector};
+    use crate::path::test_support::{assert_near, map, product, vector};
 
     /// The Bernstein form of 3.5.2, the binomials by recurrence.
     fn bernstein(points: &[DVec3], t: f64) -> DVec3 {
@@ -179,14 +179,7 @@ mod tests {
 
     #[test]
     fn the_bezier_matrix_is_the_product_of_the_other_two() {
-        for i in 0..4 {
-            for j in 0..4 {
-                let product: f64 = (0..4)
-                    .map(|k| HERMITE[i][k] * HERMITE_FROM_BEZIER[k][j])
-                    .sum();
-                assert_eq!(product, BEZIER[i][j]);
-            }
-        }
+        assert_eq!(product(&HERMITE, &HERMITE_FROM_BEZIER), BEZIER);
     }
 
     #[test]

@@ -85,10 +85,11 @@ impl Cubic {
 
 #[cfg(test)]
 mod tests {
+    use glam::DMat4;
     use proptest::prelude::*;
 
     use super::*;
-    use crate::path::test_support::{assert_near, map, vector};
+    use crate::path::test_support::{assert_near, map, product, vector};
 
     #[test]
     fn the_matrix_inverts_the_conditions() {
@@ -99,12 +100,8 @@ mod tests {
             [0.0, 0.0, 1.0, 0.0],
             [3.0, 2.0, 1.0, 0.0],
         ];
-        for (i, row) in conditions.iter().enumerate() {
-            for j in 0..4 {
-                let product: f64 = (0..4).map(|k| row[k] * HERMITE[k][j]).sum();
-                assert_eq!(product, f64::from(i == j));
-            }
-        }
+        let identity = DMat4::IDENTITY.to_cols_array_2d();
+        assert_eq!(product(&conditions, &HERMITE), identity);
     }
 
     proptest! {

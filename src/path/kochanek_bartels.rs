@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::camera_path::{CameraPath, Tcb};
-use super::hermite::Cubic;
+use super::hermite::{BasisMatrix, Cubic};
 
 /// The tangent with which the curve leaves a point (R1 of 3.6.2): `before`
 /// and `after` are the chords from the previous and to the next point.
@@ -31,6 +31,28 @@ pub fn incoming_tangent(tcb: Tcb, before: DVec3, after: DVec3) -> DVec3 {
     let loose = (1.0 - tension) / 2.0;
     loose * (1.0 - continuity) * (1.0 + bias) * before
         + loose * (1.0 + continuity) * (1.0 - bias) * after
+}
+
+/// M_KB of 3.6.2, for G = (Pᵢ₋₁, Pᵢ, Pᵢ₊₁, Pᵢ₊₂) and the segment from Pᵢ, whose
+/// values are `from`, to Pᵢ₊₁, whose values are `to`.
+#[must_use]
+pub fn basis(from: Tcb, to: Tcb) -> BasisMatrix {
+    let (loose_from, loose_to) = ((1.0 - from.tension) / 2.0, (1.0 - to.tension) / 2.0);
+    let k = loose_from * (1.0 + from.continuity) * (1.0 + from.bias);
+    let l = loose_from * (1.0 - from.continuity) * (1.0 - from.bias);
+    let m = loose_to * (1.0 - to.continuity) * (1.0 + to.bias);
+    let n = loose_to * (1.0 + to.continuity) * (1.0 - to.bias);
+    [
+        [-k, 2.0 + k - l - m, -2.0 + l + m - n, n],
+        [
+            2.0 * k,
+            -3.0 - 2.0 * k + 2.0 * l + m,
+            3.0 - 2.0 * l - m + n,
+            -n,
+        ],
+        [-k, k - l, l, 0.0],
+        [0.0, 1.0, 0.0, 0.0],
+    ]
 }
 
 /// The tangent at an end: that of the parabola through the three points
@@ -78,4 +100,159 @@ pub fn segment(path: &CameraPath, segment: usize) -> Cubic {
         (None, None) => (1.0 - to.tension) * chord,
     };
     Cubic::hermite(at(i), at(j), leave, reach)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::path::camera_path::{CurveParameters, SupportPoint};
+    use crate::path::catmull_rom::{CATMULL_ROM, EndRule, closed_curve, open_curve};
+    use crate::path::test_support::{assert_near, map, vector};
+
+    fn tcb() -> impl Strategy<Value = Tcb> {
+        prop::array::uniform3(-1.0..=1.0f64).prop_map(|[t, c, b]| Tcb::new(t, c, b))
+    }
+
+    fn keys() -> impl Strategy<Value = Vec<(DVec3, Tcb)>> {
+        prop::collection::vec((vector(10.0), tcb()), 2..8)
+    }
+
+    fn curve(keys: &[(DVec3, Tcb)], closed: bool) -> Vec<Cubic> {
+        let point = |&(position, tcb): &(DVec3, Tcb)| SupportPoint {
+            curve: CurveParameters::Own(tcb),
+            ..SupportPoint::new(position)
+        };
+        let path = CameraPath {
+            points: keys.iter().map(point).collect(),
+            closed,
+            ..CameraPath::default()
+        };
+        let segments = keys.len() - usize::from(!closed);
+        (0..segments).map(|i| segment(&path, i)).collect()
+    }
+
+    fn with(keys: &[(DVec3, Tcb)], tcb: Tcb) -> Vec<(DVec3, Tcb)> {
+        keys.iter().map(|&(p, _)| (p, tcb)).collect()
+    }
+
+    fn positions(keys: &[(DVec3, Tcb)]) -> Vec<DVec3> {
+        keys.iter().map(|&(p, _)| p).collect()
+    }
+
+    #[test]
+    fn the_matrix_without_shaping_is_that_of_catmull_and_rom() {
+        assert_eq!(basis(Tcb::default(), Tcb::default()), CATMULL_ROM);
+    }
+
+    proptest! {
+        #[test]
+        fn passes_through_the_points_whatever_the_shaping(keys in keys(), closed: bool) {
+            for (i, piece) in curve(&keys, closed).iter().enumerate() {
+                prop_assert_eq!(piece.point(0.0), keys[i].0);
+                prop_assert_eq!(piece.point(1.0), keys[(i + 1) % keys.len()].0);
+            }
+        }
+
+        #[test]
+        fn the_matrix_gives_the_inner_segments(keys in keys(), t in 0.0..=1.0f64) {
+            let pieces = curve(&keys, false);
+            for (i, four) in keys.windows(4).enumerate() {
+                let matrix = basis(four[1].1, four[2].1);
+                let geometry = [four[0].0, four[1].0, four[2].0, four[3].0];
+                let want = Cubic::from_basis(&matrix, geometry);
+                assert_near(pieces[i + 1].point(t), want.point(t), 1e-12);
+            }
+        }
+
+        /// The 1984 paper, section 2: without shaping, Catmull–Rom.
+        #[test]
+        fn without_shaping_it_is_catmull_rom(keys in keys(), t in 0.0..=1.0f64) {
+            let plain = with(&keys, Tcb::default());
+            let points = positions(&keys);
+            let open = open_curve(&points, EndRule::Quadratic).unwrap();
+            for (got, want) in curve(&plain, false).iter().zip(&open) {
+                assert_near(got.point(t), want.point(t), 1e-12);
+            }
+            for (got, want) in curve(&plain, true).iter().zip(&closed_curve(&points).unwrap()) {
+                assert_near(got.point(t), want.point(t), 1e-12);
+            }
+        }
+
+        #[test]
+        fn is_smooth_where_the_continuity_is_zero(
+            mut keys in keys(), closed: bool,
+        ) {
+            for key in &mut keys {
+                key.1.continuity = 0.0;
+            }
+            let pieces = curve(&keys, closed);
+            let joints = if closed { pieces.len() } else { pieces.len() - 1 };
+            for i in 0..joints {
+                let next = &pieces[(i + 1) % pieces.len()];
+                assert_near(pieces[i].derivative(1.0), next.derivative(0.0), 1e-12);
+            }
+        }
+
+        /// c = −1: between two such points the curve is the straight line.
+        #[test]
+        fn negative_continuity_makes_straight_corners(keys in keys(), t in 0.0..=1.0f64) {
+            let corners = with(&keys, Tcb::new(0.0, -1.0, 0.0));
+            for (i, piece) in curve(&corners, true).iter().enumerate() {
+                let (from, to) = (keys[i].0, keys[(i + 1) % keys.len()].0);
+                assert_near(piece.point(t), from.lerp(to, t), 1e-12);
+            }
+        }
+
+        #[test]
+        fn full_tension_rests_at_the_points(keys in keys(), t in 0.0..=1.0f64) {
+            let tight = with(&keys, Tcb::new(1.0, 0.3, -0.4));
+            for (i, piece) in curve(&tight, false).iter().enumerate() {
+                let (from, to) = (keys[i].0, keys[i + 1].0);
+                assert_near(piece.point(t), from.lerp(to, t * t * (3.0 - 2.0 * t)), 1e-12);
+            }
+        }
+
+        /// The sign of the bias: at 1 only the chord before counts.
+        #[test]
+        fn full_bias_follows_the_chord_before(keys in keys()) {
+            let biased = with(&keys, Tcb::new(0.0, 0.0, 1.0));
+            for (i, piece) in curve(&biased, false).iter().enumerate().skip(1) {
+                assert_near(piece.derivative(0.0), keys[i].0 - keys[i - 1].0, 1e-12);
+            }
+        }
+
+        #[test]
+        fn the_ends_are_exact_on_a_parabola(
+            g in prop::array::uniform3(vector(5.0)), n in 3..8usize, t in 0.0..=1.0f64,
+        ) {
+            let parabola = |t: f64| g[0] + g[1] * t + g[2] * (t * t);
+            let keys: Vec<_> = (0..n).map(|i| (parabola(i as f64), Tcb::default())).collect();
+            for (i, piece) in curve(&keys, false).iter().enumerate() {
+                assert_near(piece.point(t), parabola(i as f64 + t), 1e-12);
+            }
+        }
+
+        /// Of the three only the tension acts at an end.
+        #[test]
+        fn only_tension_shapes_the_ends(keys in keys(), own in tcb()) {
+            let mut changed = keys.clone();
+            let last = keys.len() - 1;
+            for end in [0, last] {
+                changed[end].1 = Tcb { tension: keys[end].1.tension, ..own };
+            }
+            let (before, after) = (curve(&keys, false), curve(&changed, false));
+            prop_assert_eq!(before[0].derivative(0.0), after[0].derivative(0.0));
+            prop_assert_eq!(before[last - 1].derivative(1.0), after[last - 1].derivative(1.0));
+        }
+
+        #[test]
+        fn moves_with_its_points(keys in keys(), closed: bool, t in 0.0..=1.0f64) {
+            let moved: Vec<_> = keys.iter().map(|&(p, tcb)| (map(p), tcb)).collect();
+            for (got, want) in curve(&moved, closed).iter().zip(curve(&keys, closed)) {
+                assert_near(got.point(t), map(want.point(t)), 1e-12);
+            }
+        }
+    }
 }

@@ -6,6 +6,8 @@ mod arcs;
 pub mod bezier;
 pub mod camera_path;
 mod fill;
+pub mod catmull_rom;
+pub mod cubic_spline;
 pub mod hermite;
 pub mod kochanek_bartels;
 mod leg;
@@ -16,6 +18,7 @@ pub mod quaternion_spline;
 pub mod sampling;
 pub mod speed_curve;
 mod tables;
+pub mod tessellation;
 pub mod timeline;
 
 #[cfg(test)]

@@ -1,8 +1,10 @@
 //! What the tests of the curves share: random points, an affine map, and a
 //! comparison that tells both sides.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DMat4, DVec3};
 use proptest::prelude::*;
+
+use super::hermite::BasisMatrix;
 
 /// A point with each coordinate below `range` in magnitude.
 pub(crate) fn vector(range: f64) -> impl Strategy<Value = DVec3> {
@@ -23,4 +25,10 @@ pub(crate) fn assert_near(got: DVec3, want: DVec3, tolerance: f64) {
 pub(crate) fn map(p: DVec3) -> DVec3 {
     let linear = DMat3::from_cols_array(&[0.5, -1.0, 0.25, 2.0, 0.75, -0.5, 1.0, 0.0, -1.5]);
     linear * p + DVec3::new(3.0, -2.0, 0.5)
+}
+
+/// The product of two matrices given by rows.
+pub(crate) fn product(a: &BasisMatrix, b: &BasisMatrix) -> BasisMatrix {
+    // glam reads columns where these are rows: (AB)ᵀ = BᵀAᵀ.
+    (DMat4::from_cols_array_2d(b) * DMat4::from_cols_array_2d(a)).to_cols_array_2d()
 }

@@ -1,0 +1,397 @@
+//! Cubic splines (thesis 3.4): through every point with continuous first and
+//! second derivative. Moving one point moves the whole curve, which is why the
+//! camera's path is not one of these.
+
+use glam::DVec3;
+
+use super::hermite::Cubic;
+use crate::error::{Error, Result, vec_with_room};
+use crate::limits::{MAX_POINTS, MIN_POINTS};
+
+/// The two conditions that the points leave free (3.4).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SplineEnds {
+    /// The second derivative vanishes at both ends.
+    Natural,
+    /// The first derivative by the parameter at the start and at the end.
+    Clamped(DVec3, DVec3),
+    /// First and second derivative at the end are those at the start, and the
+    /// last point is the first.
+    Periodic,
+}
+
+/// An interpolating cubic spline with given knots.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CubicSpline {
+    knots: Vec<f64>,
+    pieces: Vec<Cubic>,
+}
+
+impl CubicSpline {
+    /// The spline that is at `points[i]` for the parameter `knots[i]`. The
+    /// knots rise strictly. The equations of 3.4 have three unknowns each and
+    /// take time and memory in proportion to the points.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] if there are fewer than two points or not as many
+    /// knots, if anything is not finite, the knots do not rise, or the ends of
+    /// a periodic spline differ; [`Error::Limit`] for more than [`MAX_POINTS`];
+    /// [`Error::Range`] if the knots are so close or far that the curve cannot
+    /// be computed; [`Error::Memory`].
+    pub fn new(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<Self> {
+        check(points, knots, ends)?;
+        let moments = moments(points, knots, ends)?;
+        let mut pieces = vec_with_room(points.len() - 1)?;
+        for i in 0..points.len() - 1 {
+            let h = knots[i + 1] - knots[i];
+            let (from, to) = (moments[i], moments[i + 1]);
+            let chord = points[i + 1] - points[i];
+            // Tangents over the piece's own parameter, 0 to 1.
+            let leave = chord - (2.0 * from + to) * (h * h / 6.0);
+            let reach = chord + (from + 2.0 * to) * (h * h / 6.0);
+            let piece = Cubic::hermite(points[i], points[i + 1], leave, reach);
+            if !(piece.a.is_finite() && piece.b.is_finite()) {
+                return Err(Error::Range(
+                    format!(
+                        "the knots with indices {i} and {} must not be so close together or far apart",
+                        i + 1
+                    )
+                    .into(),
+                ));
+            }
+            pieces.push(piece);
+        }
+        let mut kept = vec_with_room(knots.len())?;
+        kept.extend_from_slice(knots);
+        Ok(Self {
+            knots: kept,
+            pieces,
+        })
+    }
+
+    /// The pieces in order, each over its own parameter from 0 to 1.
+    #[must_use]
+    pub fn pieces(&self) -> &[Cubic] {
+        &self.pieces
+    }
+
+    /// The knots.
+    #[must_use]
+    pub fn knots(&self) -> &[f64] {
+        &self.knots
+    }
+
+    /// The point at the parameter `x`, exact at the knots. Before the first
+    /// and after the last knot the point there.
+    #[must_use]
+    pub fn point(&self, x: f64) -> DVec3 {
+        let (piece, t, _) = self.locate(x);
+        piece.point(t)
+    }
+
+    /// The first derivative by the parameter.
+    #[must_use]
+    pub fn derivative(&self, x: f64) -> DVec3 {
+        let (piece, t, h) = self.locate(x);
+        piece.derivative(t) / h
+    }
+
+    /// The second derivative by the parameter.
+    #[must_use]
+    pub fn second_derivative(&self, x: f64) -> DVec3 {
+        let (piece, t, h) = self.locate(x);
+        piece.second_derivative(t) / h / h
+    }
+
+    /// The piece that holds `x`, the place in it, and its length.
+    fn locate(&self, x: f64) -> (&Cubic, f64, f64) {
+        let inner = &self.knots[1..self.knots.len() - 1];
+        let i = inner.partition_point(|&knot| knot <= x);
+        let (from, to) = (self.knots[i], self.knots[i + 1]);
+        let h = to - from;
+        (&self.pieces[i], ((x - from) / h).clamp(0.0, 1.0), h)
+    }
+}
+
+fn check(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<()> {
+    let argument = |message: String| Err(Error::Argument(message.into()));
+    if points.len() < MIN_POINTS {
+        return argument("a spline needs at least two points".into());
+    }
+    if points.len() > MAX_POINTS {
+        return Err(Error::Limit(
+            format!("a spline has at most {MAX_POINTS} points").into(),
+        ));
+    }
+    if points.len() != knots.len() {
+        return argument(format!(
+            "{} points need as many knots, not {}",
+            points.len(),
+            knots.len()
+        ));
+    }
+    if let Some(at) = points.iter().position(|point| !point.is_finite()) {
+        return argument(format!("the point with index {at} must be finite"));
+    }
+    if let Some(at) = knots.iter().position(|knot| !knot.is_finite()) {
+        return argument(format!("the knot with index {at} must be finite"));
+    }
+    if let Some(at) = knots.windows(2).position(|pair| pair[0] >= pair[1]) {
+        return argument(format!(
+            "the knot with index {} must be greater than the one before it",
+            at + 1
+        ));
+    }
+    match ends {
+        SplineEnds::Clamped(start, end) if !(start.is_finite() && end.is_finite()) => {
+            argument("an end slope must be finite".into())
+        }
+        SplineEnds::Periodic if points[0] != points[points.len() - 1] => {
+            argument("a periodic spline must end where it starts".into())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// One equation of 3.4 for three neighbouring unknowns. `share` is a second
+/// right side: what each unit of the periodic spline's joint adds.
+struct Row {
+    lower: f64,
+    diagonal: f64,
+    upper: f64,
+    right: DVec3,
+    share: f64,
+}
+
+/// The second derivatives at the knots: the solution of the equations of 3.4,
+/// S″ⱼ₋₁·hⱼ/6 + S″ⱼ·(hⱼ+hⱼ₊₁)/3 + S″ⱼ₊₁·hⱼ₊₁/6 = (slope after − slope before).
+fn moments(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<Vec<DVec3>> {
+    let last = points.len() - 1;
+    let h = |j: usize| knots[j + 1] - knots[j];
+    let slope = |j: usize| (points[j + 1] - points[j]) / h(j);
+    // Between pieces of lengths `before` and `after`, where the slope jumps.
+    let row = |before: f64, after: f64, jump: DVec3| Row {
+        lower: before / 6.0,
+        diagonal: (before + after) / 3.0,
+        upper: after / 6.0,
+        right: jump,
+        share: 0.0,
+    };
+    let inner = (1..last).map(|j| row(h(j - 1), h(j), slope(j) - slope(j - 1)));
+    let mut rows = vec_with_room(last + 1)?;
+    let mut moments = vec_with_room(last + 1)?;
+    match ends {
+        SplineEnds::Natural => {
+            rows.extend(inner);
+            solve(&mut rows);
+            moments.push(DVec3::ZERO);
+            moments.extend(rows.iter().map(|row| row.right));
+            moments.push(DVec3::ZERO);
+        }
+        SplineEnds::Clamped(start, end) => {
+            rows.push(row(0.0, h(0), slope(0) - start));
+            rows.extend(inner);
+            rows.push(row(h(last - 1), 0.0, end - slope(last - 1)));
+            solve(&mut rows);
+            moments.extend(rows.iter().map(|row| row.right));
+        }
+        SplineEnds::Periodic => {
+            // The joint is neighbour to both ends of the chain of the others.
+            // Those are solved for first, but for the joint's share in them;
+            // the equation round the joint then gives the joint.
+            let (before, after) = (h(last - 1), h(0));
+            rows.extend(inner);
+            if let Some(first) = rows.first_mut() {
+                first.share -= after / 6.0;
+            }
+            if let Some(last) = rows.last_mut() {
+                last.share -= before / 6.0;
+            }
+            solve(&mut rows);
+            let mut joint = row(before, after, slope(0) - slope(last - 1));
+            if let [first, ..] = &rows[..] {
+                joint.right -= first.right * joint.upper;
+                joint.diagonal += first.share * joint.upper;
+            }
+            if let [.., last] = &rows[..] {
+                joint.right -= last.right * joint.lower;
+                joint.diagonal += last.share * joint.lower;
+            }
+            let joint = joint.right / joint.diagonal;
+            moments.push(joint);
+            moments.extend(rows.iter().map(|row| row.right + joint * row.share));
+            moments.push(joint);
+        }
+    }
+    Ok(moments)
+}
+
+/// Elimination without pivots, which diagonally dominant rows do not need. The
+/// unknowns replace the right sides; the first row's `lower` and the last
+/// row's `upper` are not looked at.
+fn solve(rows: &mut [Row]) {
+    for i in 1..rows.len() {
+        let (done, rest) = rows.split_at_mut(i);
+        let (above, row) = (&done[i - 1], &mut rest[0]);
+        let factor = row.lower / above.diagonal;
+        row.diagonal -= factor * above.upper;
+        row.right -= factor * above.right;
+        row.share -= factor * above.share;
+    }
+    let (mut right, mut share) = (DVec3::ZERO, 0.0);
+    for row in rows.iter_mut().rev() {
+        right = (row.right - row.upper * right) / row.diagonal;
+        share = (row.share - row.upper * share) / row.diagonal;
+        (row.right, row.share) = (right, share);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::path::test_support::{assert_near, map, vector};
+
+    /// Points with rising knots whose distances differ up to twentyfold.
+    fn data(least: usize) -> impl Strategy<Value = (Vec<DVec3>, Vec<f64>)> {
+        prop::collection::vec((vector(10.0), 0.1..2.0f64), least..12).prop_map(|list| {
+            let mut x = -3.0;
+            let knots = list.iter().map(|(_, h)| {
+                x += h;
+                x
+            });
+            let knots = knots.collect();
+            (list.iter().map(|(p, _)| *p).collect(), knots)
+        })
+    }
+
+    fn all_ends(points: &[DVec3]) -> [SplineEnds; 2] {
+        [
+            SplineEnds::Natural,
+            SplineEnds::Clamped(points[0] - points[1], points[1] * 0.5),
+        ]
+    }
+
+    fn assert_twice_continuous(spline: &CubicSpline) {
+        let knots = spline.knots();
+        for (i, pair) in spline.pieces().windows(2).enumerate() {
+            let (h, k) = (knots[i + 1] - knots[i], knots[i + 2] - knots[i + 1]);
+            let first = pair[0].derivative(1.0) / h;
+            assert_near(pair[1].derivative(0.0) / k, first, 1e-12);
+            // Rounding of the coefficients counts by the shorter piece.
+            let second = pair[0].second_derivative(1.0) / (h * h);
+            let near = pair[1].second_derivative(0.0) / (k * k);
+            assert_near(near, second, 1e-12 / h.min(k).powi(2));
+        }
+    }
+
+    #[test]
+    fn refuses_what_is_no_spline() {
+        let (p, k) = ([DVec3::ZERO, DVec3::X, DVec3::Y], [0.0, 1.0, 3.0]);
+        let new = CubicSpline::new;
+        assert!(new(&p, &k, SplineEnds::Natural).is_ok());
+        assert!(new(&p[..1], &k[..1], SplineEnds::Natural).is_err());
+        assert!(new(&p, &k[..2], SplineEnds::Natural).is_err());
+        assert!(new(&p, &[0.0, 1.0, 1.0], SplineEnds::Natural).is_err());
+        assert!(new(&p, &[0.0, f64::NAN, 1.0], SplineEnds::Natural).is_err());
+        assert!(new(&p, &[0.0, 1.0, f64::INFINITY], SplineEnds::Natural).is_err());
+        assert!(new(&[DVec3::NAN, p[1], p[2]], &k, SplineEnds::Natural).is_err());
+        assert!(new(&p, &k, SplineEnds::Periodic).is_err());
+        assert!(new(&p, &k, SplineEnds::Clamped(DVec3::NAN, p[1])).is_err());
+        let close = [0.0, 1e-320, 2e-320];
+        let error = new(&p, &close, SplineEnds::Natural).unwrap_err();
+        assert!(matches!(error, Error::Range(_)), "{error}");
+    }
+
+    #[test]
+    fn few_points_are_splines_too() {
+        let p = [DVec3::ZERO, DVec3::new(2.0, 4.0, -6.0)];
+        let line = CubicSpline::new(&p, &[1.0, 3.0], SplineEnds::Natural).unwrap();
+        assert_near(line.point(1.5), p[1] / 4.0, 1e-15);
+        assert_near(line.derivative(2.9), p[1] / 2.0, 1e-15);
+        // Hermite's cubic with these ends.
+        let ends = SplineEnds::Clamped(DVec3::Y, DVec3::Z);
+        let one = CubicSpline::new(&p, &[1.0, 3.0], ends).unwrap();
+        assert_near(one.derivative(1.0), DVec3::Y, 1e-14);
+        assert_near(one.derivative(3.0), DVec3::Z, 1e-14);
+        let still = [p[1], p[1]];
+        let still = CubicSpline::new(&still, &[0.0, 1.0], SplineEnds::Periodic).unwrap();
+        assert_eq!(still.point(0.3), p[1]);
+        // There and back: the parts mirror each other.
+        let back = [p[0], p[1], p[0]];
+        let back = CubicSpline::new(&back, &[0.0, 1.0, 2.0], SplineEnds::Periodic).unwrap();
+        assert_near(back.point(0.5), p[1] / 2.0, 1e-15);
+        assert_near(back.derivative(1.0), DVec3::ZERO, 1e-14);
+        assert_near(back.derivative(2.0), DVec3::ZERO, 1e-14);
+    }
+
+    #[test]
+    fn outside_the_knots_the_ends_stay() {
+        let p = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        let spline = CubicSpline::new(&p, &[0.0, 1.0, 3.0], SplineEnds::Natural).unwrap();
+        assert_eq!(spline.point(-1.0), p[0]);
+        assert_eq!(spline.point(3.1), p[2]);
+        assert_eq!(spline.point(1.0), p[1]);
+    }
+
+    proptest! {
+        #[test]
+        fn passes_through_its_points_twice_continuously((points, knots) in data(2)) {
+            for ends in all_ends(&points) {
+                let spline = CubicSpline::new(&points, &knots, ends).unwrap();
+                for (x, p) in knots.iter().zip(&points) {
+                    prop_assert_eq!(spline.point(*x), *p);
+                }
+                assert_twice_continuous(&spline);
+                let (first, last) = (knots[0], knots[knots.len() - 1]);
+                match ends {
+                    SplineEnds::Clamped(start, end) => {
+                        assert_near(spline.derivative(first), start, 1e-11);
+                        assert_near(spline.derivative(last), end, 1e-11);
+                    }
+                    _ => {
+                        assert_near(spline.second_derivative(first), DVec3::ZERO, 1e-9);
+                        assert_near(spline.second_derivative(last), DVec3::ZERO, 1e-9);
+                    }
+                }
+            }
+        }
+
+        #[test]
+        fn a_periodic_spline_is_continuous_at_its_joint((mut points, knots) in data(3)) {
+            let last = points.len() - 1;
+            points[last] = points[0];
+            let spline = CubicSpline::new(&points, &knots, SplineEnds::Periodic).unwrap();
+            assert_twice_continuous(&spline);
+            let (a, b) = (knots[0], knots[last]);
+            assert_near(spline.derivative(b), spline.derivative(a), 1e-11);
+            assert_near(spline.second_derivative(b), spline.second_derivative(a), 1e-9);
+        }
+
+        /// With its own end slopes every cubic is its own spline.
+        #[test]
+        fn clamped_splines_are_exact_on_cubics(
+            g in prop::array::uniform4(vector(2.0)), (_, knots) in data(2), t in 0.0..=1.0f64,
+        ) {
+            let cubic = |x: f64| ((g[0] * x + g[1]) * x + g[2]) * x + g[3];
+            let slope = |x: f64| (3.0 * g[0] * x + 2.0 * g[1]) * x + g[2];
+            let points: Vec<_> = knots.iter().map(|&x| cubic(x)).collect();
+            let (first, last) = (knots[0], knots[knots.len() - 1]);
+            let ends = SplineEnds::Clamped(slope(first), slope(last));
+            let spline = CubicSpline::new(&points, &knots, ends).unwrap();
+            let x = first + (last - first) * t;
+            let size = points.iter().map(|p| p.length()).fold(1.0, f64::max);
+            prop_assert!((spline.point(x) - cubic(x)).length() <= 1e-12 * size);
+        }
+
+        #[test]
+        fn moves_with_its_points((points, knots) in data(2), t in 0.0..=1.0f64) {
+            let moved: Vec<_> = points.iter().map(|&p| map(p)).collect();
+            let spline = CubicSpline::new(&points, &knots, SplineEnds::Natural).unwrap();
+            let other = CubicSpline::new(&moved, &knots, SplineEnds::Natural).unwrap();
+            let x = knots[0] + (knots[knots.len() - 1] - knots[0]) * t;
+            assert_near(other.point(x), map(spline.point(x)), 1e-12);
+        }
+    }
+}
