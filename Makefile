@@ -51,7 +51,7 @@ all: libs $(RELEASE)/vides
 toolchain:
 	@command -v $(CARGO) >/dev/null || { \
 	    echo 'No Rust toolchain here: see https://rustup.rs' >&2; exit 1; }
-	@mk/need.sh $(CC)=gcc ld=binutils
+	@mk/need.sh $(firstword $(CC))=gcc ld=binutils /usr/include/stdio.h=libc6-dev
 
 libs: toolchain $(LIB)/libvides.a
 
@@ -108,7 +108,7 @@ check-linking: libs
 	tests/linking/run.sh $(LIB) include
 
 check-install: all
-	@mk/need.sh pkg-config=pkg-config man=man-db
+	@mk/need.sh pkg-config=pkg-config groff=groff-base
 	tests/install/run.sh
 
 check-docs:
@@ -123,7 +123,7 @@ check-dependencies:
 	PATH="$$PATH:$(abspath $(TOOLS))/bin" $(CARGO) deny --locked check bans licenses sources
 
 bench: libs
-	@mk/need.sh $(CC)=gcc python3=python3 python3:ensurepip=python3-venv
+	@mk/need.sh python3=python3 python3:ensurepip=python3-venv
 	python3 benches/table.py
 
 soak: toolchain

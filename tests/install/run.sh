@@ -86,7 +86,7 @@ check "and they say something" test -n "$said"
 check "vides --version" same "vides $version" "$("$stage/usr/bin/vides" --version)"
 for page in 1/vides.1 3/libvides.3; do
     check "manual page ${page#*/}" \
-        same "" "$(LC_ALL=C.UTF-8 man -l --warnings -E UTF-8 "$stage/usr/share/man/man$page" 2>&1 >/dev/null)"
+        same "" "$(groff -man -Tutf8 -ww -z "$stage/usr/share/man/man$page" 2>&1)"
 done
 
 # ---- Away again ----------------------------------------------------------------
