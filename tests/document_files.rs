@@ -327,6 +327,14 @@ fn a_point_within_a_comment_is_none() {
         assert_eq!(document.path().points.len(), 20_000);
         assert_eq!(document.info().comment, comment);
     }
+    // The same with every byte written as six.
+    let lines = "[[point]]\n".repeat(100);
+    let escapes = "\\u007f".repeat((vides::limits::MAX_COMMENT_BYTES - lines.len() - 2) / 2);
+    let text = long_file(&format!("{escapes}\n{lines}{escapes}"));
+    assert_eq!(parse(&text).unwrap().path().points.len(), 20_000);
+    let filler = format!("#{}\ncomment", "-".repeat(130_000));
+    let text = long_file(&format!("\n{lines}{escapes}{escapes}")).replacen("comment", &filler, 1);
+    assert_eq!(parse(&text).unwrap().path().points.len(), 20_000);
     // Unfinished, it is an error however long the file.
     let text = long_file(&comment).replacen("\"\"\"\n\n[[point]]", "\n[[point]]", 1);
     assert!(parse(&text).unwrap_err().contains("string"));
@@ -414,4 +422,67 @@ fn many_values_in_one_table_are_refused_before_they_fill_the_memory() {
         parse(&text).unwrap_err(),
         "the file has more than 8000000 values in one table"
     );
+}
+
+/// The file that the module's own description shows.
+fn example() -> String {
+    let description = include_str!("../src/document/vid/mod.rs");
+    let example = description.split("//! ```toml\n").nth(1).unwrap();
+    let example = example.split("//! ```").next().unwrap();
+    let lines = example.lines().map(|line| line.trim_start_matches("//!"));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::prelude::ProptestConfig {
+        cases: 3_000,
+        failure_persistence: None,
+        ..Default::default()
+    })]
+
+    /// Files with a few characters changed are refused in a sentence with a
+    /// line, or read and then saved and read again to the same document.
+    #[test]
+    fn damaged_files_never_do_harm(
+        damages in proptest::collection::vec(
+            (proptest::prelude::any::<usize>(), 0..3_u8, proptest::prelude::any::<u8>()),
+            1..6,
+        ),
+    ) {
+        let mut bytes = example().into_bytes();
+        for (at, kind, byte) in damages {
+            let at = at % bytes.len();
+            match kind {
+                0 => bytes[at] = byte,
+                1 => drop(bytes.remove(at)),
+                _ => {
+                    let signs = b"[]{}\"'=,.\n#e-+01_nai ";
+                    bytes.insert(at, signs[usize::from(byte) % signs.len()]);
+                }
+            }
+        }
+        match Document::load_from(&mut bytes.as_slice(), "damaged") {
+            Err(error) => {
+                let error = error.to_string();
+                proptest::prop_assert!(error.starts_with("damaged: line "), "{error}");
+                proptest::prop_assert!(!error.contains('\n'), "{error}");
+            }
+            Ok(document) => {
+                let again = Document::from_toml(&document.to_toml().unwrap()).unwrap();
+                proptest::prop_assert_eq!(content(&again), content(&document));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_example_is_read() {
+    let document = parse(&example()).unwrap();
+    let [start, end] = document.path().points.as_slice() else {
+        panic!("two points");
+    };
+    assert_eq!(start.name.as_deref(), Some("start"));
+    assert_eq!(start.orientations[0].roll, 15.0);
+    assert_eq!(end.orientations[0].hold, 12);
+    assert_eq!(end.orientations[0].speeds[1], 20.0);
 }

@@ -12,11 +12,14 @@ use toml::de::{DeTable, Error as ParseError};
 
 use super::field::Source;
 use crate::error::{Error, Result};
-use crate::limits::MAX_FILE_VALUES;
+use crate::limits::{MAX_COMMENT_BYTES, MAX_FILE_VALUES};
 
-/// Bytes of a piece, at least; twice as much always holds the longest comment,
-/// the only text that may run over several lines.
+/// Bytes of a piece, at least.
 const PIECE: usize = 128 << 10;
+
+/// More than the longest comment takes, even if each of its bytes is written
+/// as six; nothing else that may hold a line of this kind is longer.
+const LONGEST_TEXT: usize = 6 * MAX_COMMENT_BYTES + 100;
 
 const CUT: &str = "\n[[point]]";
 
@@ -26,9 +29,9 @@ pub(super) fn parse(source: Source<'_>) -> Result<(DeTable<'_>, usize)> {
     match parse_to(source, end)? {
         Ok(root) => Ok((root, end)),
         // Either an error, or a `[[point]]` within a comment. The comment ends
-        // within twice the length; an error stays.
+        // further on; an error stays.
         Err(_) if end < source.text.len() => {
-            let end = cut(source, end - source.start + 2 * PIECE);
+            let end = cut(source, end - source.start + LONGEST_TEXT);
             match parse_to(source, end)? {
                 Ok(root) => Ok((root, end)),
                 Err(error) => Err(refusal(source, &error)),

@@ -1,0 +1,85 @@
+//! Undo, steps and what counts as modified.
+
+use glam::dvec3;
+use vides::document::{Document, Edit};
+use vides::limits;
+use vides::path::{CameraPath, SupportPoint};
+
+fn line(xs: &[f64]) -> Document {
+    let path = CameraPath {
+        points: xs
+            .iter()
+            .map(|&x| SupportPoint::new(dvec3(x, 0.0, 0.0)))
+            .collect(),
+        ..CameraPath::default()
+    };
+    Document::from_parts(path, vides::document::Info::default()).unwrap()
+}
+
+#[test]
+fn a_drag_is_one_step_and_small() {
+    let mut document = line(&[0.0, 0.5, 1.0]);
+    document.begin_step();
+    for step in 1..10_000 {
+        let x = f64::from(step) * 1e-4;
+        document
+            .apply(Edit::SetPosition {
+                at: 1,
+                position: dvec3(x, 0.1, 0.0),
+            })
+            .unwrap();
+    }
+    assert!(document.can_undo());
+    document.end_step();
+    assert!(document.undo());
+    assert_eq!(document.path().points[1].position, dvec3(0.5, 0.0, 0.0));
+    assert!(!document.can_undo());
+    assert!(document.redo());
+    assert_eq!(document.path().points[1].position, dvec3(0.9999, 0.1, 0.0));
+}
+
+#[test]
+fn the_history_forgets_its_oldest_steps() {
+    let mut document = line(&[0.0, 1.0]);
+    let steps = limits::MAX_HISTORY_STEPS + 10;
+    for step in 0..steps {
+        document
+            .apply(Edit::SetPosition {
+                at: 0,
+                position: dvec3(0.0, 1.0 + step as f64, 0.0),
+            })
+            .unwrap();
+    }
+    let mut undone = 0;
+    while document.undo() {
+        undone += 1;
+    }
+    assert_eq!(undone, limits::MAX_HISTORY_STEPS);
+    assert_eq!(document.path().points[0].position.y, 10.0);
+    assert!(document.is_modified());
+}
+
+#[test]
+fn saving_is_remembered_across_undo() {
+    let mut document = Document::new();
+    let close = |closed| Edit::SetClosed(closed);
+    document.apply(close(true)).unwrap();
+    document.mark_saved();
+    assert!(!document.is_modified());
+    document.apply(close(false)).unwrap();
+    assert!(document.is_modified());
+    document.undo();
+    assert!(!document.is_modified());
+    document.undo();
+    assert!(document.is_modified());
+    document.redo();
+    assert!(!document.is_modified());
+    document.undo();
+    // Another way to what looks the same: the saved state is out of reach.
+    document.apply(close(true)).unwrap();
+    assert!(document.is_modified());
+    // An edit that changes nothing is none.
+    document.mark_saved();
+    document.apply(close(true)).unwrap();
+    assert!(!document.is_modified());
+}
