@@ -113,8 +113,8 @@ fn change(c: &mut Criterion) {
     let mut plan = Plan::new();
     let ask = |path: &CameraPath, plan: &mut Plan| {
         plan.point_changed(at);
-        let timeline = plan.timeline(path).expect("a timeline");
-        timeline.frame_count().expect("a count")
+        let count = plan.timeline(path, |timeline| timeline.frame_count());
+        count.expect("a timeline").expect("a count")
     };
     ask(&path, &mut plan);
 

@@ -2,7 +2,6 @@
 
 use std::io::Read;
 use std::path::Path;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::change::Content;
 use super::edit::Edit;
@@ -50,7 +49,7 @@ pub struct Document {
     newest: u64,
     /// Number of the state that was saved.
     saved: u64,
-    plan: Mutex<Plan>,
+    plan: Plan,
 }
 
 impl Default for Document {
@@ -87,7 +86,7 @@ impl Document {
             state: 0,
             newest: 0,
             saved: 0,
-            plan: Mutex::new(Plan::new()),
+            plan: Plan::new(),
         }
     }
 
@@ -185,7 +184,7 @@ impl Document {
             self.history.reserve()?;
         }
         change.reserve(&mut self.content)?;
-        change.announce(unpoisoned(self.plan.get_mut()));
+        change.announce(&mut self.plan);
         let inverse = change.apply(&mut self.content);
         if keeps_record {
             step.push(inverse);
@@ -264,9 +263,8 @@ impl Document {
 
     /// Goes to the other side of a step, and makes it lead back here.
     fn exchange(&mut self, step: &mut Step) {
-        let plan = unpoisoned(self.plan.get_mut());
         step.exchange(|change| {
-            change.announce(plan);
+            change.announce(&mut self.plan);
             change.apply(&mut self.content)
         });
         std::mem::swap(&mut step.selection, &mut self.selection);
@@ -290,24 +288,16 @@ impl Document {
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn timeline<R>(&self, f: impl FnOnce(&Timeline) -> R) -> Result<R> {
-        let mut plan = self.lock_plan();
-        plan.timeline(&self.content.path).map(f)
+        self.plan.timeline(&self.content.path, f)
     }
 
-    /// Everything prepared for sampling; it stays valid when the document
-    /// changes, and speaks of the path as it was.
+    /// Everything prepared for sampling.
     ///
     /// # Errors
     /// [`crate::Error::Memory`], or [`crate::Error::Limit`] if the path yields
     /// more than [`limits::MAX_FRAMES`] frames.
-    pub fn sampler(&self) -> Result<Arc<Sampler>> {
-        self.lock_plan().sampler(&self.content.path)
-    }
-
-    /// A panic while it was locked leaves a plan that computes anew what was
-    /// being computed.
-    fn lock_plan(&self) -> MutexGuard<'_, Plan> {
-        unpoisoned(self.plan.lock())
+    pub fn sampler(&self) -> Result<&Sampler> {
+        self.plan.sampler(&self.content.path)
     }
 
     /// The document in a `.vid` file.
@@ -356,11 +346,6 @@ impl Document {
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.to_toml()?.as_bytes())
     }
-}
-
-/// The value, whether or not a thread panicked while it held the lock.
-fn unpoisoned<T>(result: std::result::Result<T, PoisonError<T>>) -> T {
-    result.unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A copy of a text, or [`crate::Error::Memory`].

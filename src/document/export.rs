@@ -50,9 +50,9 @@ pub fn write(
     let sampler = document.sampler()?;
     let space = options.world.then_some(&document.info().space);
     match options.format {
-        Format::Ascii => ascii::write_with_progress(&sampler, space, out, progress),
-        Format::Csv => write_csv(document, &sampler, space, out, progress),
-        Format::Json => write_json(document, &sampler, space, out, progress),
+        Format::Ascii => ascii::write_with_progress(sampler, space, out, progress),
+        Format::Csv => write_csv(document, sampler, space, out, progress),
+        Format::Json => write_json(document, sampler, space, out, progress),
     }
 }
 

@@ -181,7 +181,7 @@ pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_
         let file = unsafe { file_name(file) }?;
         read(path, |document| {
             let sampler = document.sampler()?;
-            ascii::write_ascii_file(&sampler, None, file)?;
+            ascii::write_ascii_file(sampler, None, file)?;
             Ok(V_OK)
         })
     })

@@ -1,7 +1,11 @@
 //! What has been computed of a path that changes: brought up to date when it
 //! is asked for, and no more of it than the changes since touched.
+//!
+//! Several threads may ask at once. What is prepared for sampling is lent and
+//! not shared by a counted pointer: the making of one cannot be refused when
+//! memory has run out.
 
-use std::sync::Arc;
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 use super::camera_path::CameraPath;
 use super::sampling::Sampler;
@@ -11,22 +15,49 @@ use crate::error::Result;
 /// The computed side of one path. The owner tells it what changes.
 #[derive(Debug, Default)]
 pub struct Plan {
+    lengths: Mutex<Lengths>,
+    sampler: OnceLock<Sampler>,
+}
+
+/// The timeline, and the points that have changed since it was computed.
+#[derive(Debug, Default)]
+struct Lengths {
     timeline: Option<Timeline>,
     changed: Vec<usize>,
-    sampler: Option<Arc<Sampler>>,
 }
 
 /// More changed points than this are cheaper to compute all over.
 const MANY: usize = 16;
+
+impl Lengths {
+    const fn new() -> Self {
+        Self {
+            timeline: None,
+            changed: Vec::new(),
+        }
+    }
+
+    /// The timeline, up to date. Taken out meanwhile, so that an error or a
+    /// panic leaves one that will be computed anew.
+    fn up_to_date(&mut self, path: &CameraPath) -> Result<&Timeline> {
+        let mut timeline = match self.timeline.take() {
+            Some(timeline) => timeline,
+            None => Timeline::new(path)?,
+        };
+        for point in self.changed.drain(..) {
+            timeline.update_point(path, point)?;
+        }
+        Ok(self.timeline.insert(timeline))
+    }
+}
 
 impl Plan {
     /// Nothing computed yet.
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            timeline: None,
-            changed: Vec::new(),
-            sampler: None,
+            lengths: Mutex::new(Lengths::new()),
+            sampler: OnceLock::new(),
         }
     }
 
@@ -37,44 +68,49 @@ impl Plan {
 
     /// The values at one point changed, but not the number of its orientations.
     pub fn point_changed(&mut self, point: usize) {
-        self.sampler = None;
-        if self.timeline.is_none() || self.changed.contains(&point) {
+        self.sampler.take();
+        let lengths = self
+            .lengths
+            .get_mut()
+            .unwrap_or_else(PoisonError::into_inner);
+        if lengths.timeline.is_none() || lengths.changed.contains(&point) {
             return;
         }
-        if self.changed.len() == MANY || self.changed.try_reserve(1).is_err() {
+        if lengths.changed.len() == MANY || lengths.changed.try_reserve(1).is_err() {
             self.all_changed();
         } else {
-            self.changed.push(point);
+            lengths.changed.push(point);
         }
     }
 
-    /// Lengths and frames of `path`.
+    /// Looks at lengths and frames of `path`; no other thread does meanwhile.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
-    pub fn timeline(&mut self, path: &CameraPath) -> Result<&Timeline> {
-        let mut timeline = match self.timeline.take() {
-            Some(timeline) => timeline,
-            None => Timeline::new(path)?,
-        };
-        for point in self.changed.drain(..) {
-            timeline.update_point(path, point)?;
-        }
-        Ok(self.timeline.insert(timeline))
+    pub fn timeline<R>(&self, path: &CameraPath, look: impl FnOnce(&Timeline) -> R) -> Result<R> {
+        self.lengths().up_to_date(path).map(look)
     }
 
     /// Everything prepared for sampling `path`.
     ///
     /// # Errors
     /// [`crate::Error::Memory`] or [`crate::Error::Limit`].
-    pub fn sampler(&mut self, path: &CameraPath) -> Result<Arc<Sampler>> {
-        if self.sampler.is_none() {
-            let timeline = self.timeline(path)?;
-            self.sampler = Some(Arc::new(Sampler::new(path, timeline)?));
+    pub fn sampler(&self, path: &CameraPath) -> Result<&Sampler> {
+        if let Some(sampler) = self.sampler.get() {
+            return Ok(sampler);
         }
-        match &self.sampler {
-            Some(sampler) => Ok(Arc::clone(sampler)),
-            None => Err(crate::Error::Memory),
+        // Held until it is made: of several threads one computes, and the
+        // others find it here.
+        let mut lengths = self.lengths();
+        if let Some(sampler) = self.sampler.get() {
+            return Ok(sampler);
         }
+        let made = Sampler::new(path, lengths.up_to_date(path)?)?;
+        Ok(self.sampler.get_or_init(|| made))
+    }
+
+    /// A panic while they were locked left nothing half done.
+    fn lengths(&self) -> MutexGuard<'_, Lengths> {
+        self.lengths.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
