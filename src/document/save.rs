@@ -37,7 +37,7 @@ pub fn save_with(file: &Path, write: &mut dyn FnMut(&mut dyn Write) -> Result<()
             } else {
                 "this is not a regular file"
             };
-            return Err(Error::Argument(what.into()).at(file.display()));
+            return Err(io(io::Error::other(what)));
         }
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
         Err(error) => return Err(io(error)),

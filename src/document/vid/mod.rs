@@ -72,7 +72,7 @@ pub(super) fn load(file: &Path) -> Result<(CameraPath, Info)> {
         } else {
             "this is not a regular file"
         };
-        return Err(Error::Format(what.into()).at(place));
+        return Err(io(std::io::Error::other(what)));
     }
     if metadata.len() > MAX_FILE_BYTES {
         return Err(too_large().at(place));
