@@ -1,0 +1,73 @@
+/*
+ * The structs of 1994 lie in memory as the thesis's own declarations make them
+ * (B.2.2, written down anew here), and the frozen V_POSE as it says.
+ */
+#include "check.h"
+
+typedef struct { float x; float y; float z; } point;
+typedef struct { point pos; unsigned short int draw; int number; } object;
+typedef struct pose_1994 {
+    point VRP;
+    point VPN;
+    point VUP;
+    int zoom;
+    struct pose_1994 *prev, *next;
+    int number;
+} pose_1994;
+
+#define SAME_SIZE(ours, theirs) CHECK(sizeof(ours) == sizeof(theirs))
+#define SAME_FIELD(ours, theirs, field) \
+    CHECK(offsetof(ours, field) == offsetof(theirs, field) \
+          && sizeof(((ours *)0)->field) == sizeof(((theirs *)0)->field))
+
+static int function_type(float a, float b, float c, float d, V_KAMERAPAR *list, int count,
+                         V_OBJEKT_LIST *object, void (*rueck)(V_KAMERAPAR *, int),
+                         int (*ende)(void))
+{
+    /* Compiles only if the types are the printed ones. */
+    void (*haupt)(float, float, float, float, V_KAMERAPAR *, int, V_OBJEKT_LIST *,
+                  void (*)(V_KAMERAPAR *, int), int (*)(void)) = v_haupt;
+    void (*free_liste)(V_KAMERAPAR *) = v_free_liste;
+    (void)a, (void)b, (void)c, (void)d, (void)list, (void)count, (void)object;
+    (void)rueck, (void)ende;
+    return haupt != NULL && free_liste != NULL;
+}
+
+int main(void)
+{
+    struct v_punkt tagged = {1, 2, 3};
+    V_POS position = tagged;
+    V_PUNKT *same = &position;
+    struct v_objekt_list *one = NULL;
+    V_OBJEKT_LIST *two = one;
+    V_OBJEKT_LISTE *three = two;
+    struct interpolparameter *element = NULL;
+    V_KAMERAPAR *also = element;
+
+    CHECK(same->x == 1 && three == NULL && also == NULL);
+    CHECK(function_type(0, 0, 0, 0, NULL, 0, NULL, NULL, NULL));
+
+    SAME_SIZE(V_PUNKT, point);
+    SAME_FIELD(V_PUNKT, point, x);
+    SAME_FIELD(V_PUNKT, point, y);
+    SAME_FIELD(V_PUNKT, point, z);
+    SAME_SIZE(V_OBJEKT_LIST, object);
+    SAME_FIELD(V_OBJEKT_LIST, object, pos);
+    SAME_FIELD(V_OBJEKT_LIST, object, draw);
+    SAME_FIELD(V_OBJEKT_LIST, object, number);
+    SAME_SIZE(V_KAMERAPAR, pose_1994);
+    SAME_FIELD(V_KAMERAPAR, pose_1994, VRP);
+    SAME_FIELD(V_KAMERAPAR, pose_1994, VPN);
+    SAME_FIELD(V_KAMERAPAR, pose_1994, VUP);
+    SAME_FIELD(V_KAMERAPAR, pose_1994, zoom);
+    SAME_FIELD(V_KAMERAPAR, pose_1994, prev);
+    SAME_FIELD(V_KAMERAPAR, pose_1994, next);
+    SAME_FIELD(V_KAMERAPAR, pose_1994, number);
+
+    CHECK(sizeof(V_POSE) == 10 * sizeof(double));
+    CHECK(offsetof(V_POSE, vpn) == 3 * sizeof(double));
+    CHECK(offsetof(V_POSE, vup) == 6 * sizeof(double));
+    CHECK(offsetof(V_POSE, zoom) == 9 * sizeof(double));
+    CHECK(offsetof(V_ORIENTATION, size) == 0 && offsetof(V_VIEW, size) == 0);
+    return failures != 0;
+}

@@ -1,0 +1,120 @@
+#!/bin/bash
+# The C interface from C, as a host sees it: run.sh LIBRARY_FOLDER [TEST...]
+#
+# Each test is linked against the archive and against the shared library, and
+# run plainly, under AddressSanitizer and UBSan, and under valgrind. One line
+# for each; the exit status is the number of failures.
+set -u
+
+libraries=$(realpath "$1")
+shift
+here=$(dirname "$(realpath "$0")")
+root=$here/../..
+cc=${CC:-cc}
+cxx=${CXX:-c++}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failed=0
+
+# result NAME COMMAND...: the command must succeed; its output is shown if not.
+result() {
+    local name=$1
+    shift
+    if "$@" >"$work/output" 2>&1; then
+        echo "c: ok: $name"
+    else
+        failed=$((failed + 1))
+        echo "c: FAILED: $name"
+        sed 's/^/    /' "$work/output" | head -n 40
+    fi
+}
+
+# ---- The header ----------------------------------------------------------------
+
+header() {
+    result "header: $*" "$@" -I"$root/include" -Wall -Wextra -Wshadow -Werror -fsyntax-only
+}
+
+# Names of parameters that the C library has, too: a host's macro or warning
+# may fall over them.
+no_parameter_is_a_function_of_libc() {
+    local libc names
+    libc=$("$cc" -print-file-name=libc.so.6)
+    tr '\n' ' ' <"$root/include/libvides.h" |
+        sed 's|/\*[^*]*\*\+\([^/*][^*]*\*\+\)*/||g' | grep -o '([^;{}]*);' |
+        grep -oE '[A-Za-z_][A-Za-z0-9_]*(\[[0-9]*\])?[,)]' |
+        sed 's/[^A-Za-z0-9_].*//' | sort -u >"$work/parameters"
+    readelf --dyn-syms -W "$libc" | awk '{ sub(/@.*/, "", $8); print $8 }' | sort -u >"$work/libc"
+    names=$(comm -12 "$work/parameters" "$work/libc")
+    [ -s "$work/parameters" ] && [ -z "$names" ] || { echo "parameters: $names"; return 1; }
+}
+
+only_stddef() {
+    diff <(grep '#include' "$root/include/libvides.h") <(echo '#include <stddef.h>')
+}
+
+# ---- The tests ---------------------------------------------------------------------
+
+compile() { # OUTPUT LIBRARY SOURCE FLAGS...
+    local output=$1 library=$2 source=$3
+    shift 3
+    "$cc" -std=gnu99 -g -O1 -Wall -Wextra -Werror -Wno-unused-function "$@" -I"$root/include" -o "$output" "$source" \
+        "$library" -lm -lpthread
+}
+
+run() { # NAME PROGRAM WRAPPER...
+    local name=$1 program=$2 folder
+    shift 2
+    folder=$(mktemp -d "$work/folder.XXXX")
+    result "$name" env LD_LIBRARY_PATH="$libraries" LOCPATH="$LOCPATH" \
+        ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1 \
+        UBSAN_OPTIONS=halt_on_error=1 timeout 600 "$@" "$program" "$folder"
+}
+
+check() { # NAME
+    local name=$1 source=$here/$1.c kind library program sanitized=yes
+    # A test that replaces malloc cannot have it replaced again.
+    [ "$name" = memory ] && sanitized=no
+    for kind in archive shared; do
+        library=$libraries/libvides.a
+        [ $kind = shared ] && library=$libraries/libvides.so
+        program=$work/$name-$kind
+        if ! compile "$program" "$library" "$source" 2>"$work/output"; then
+            failed=$((failed + 1))
+            echo "c: FAILED: $name, $kind: does not compile"
+            sed 's/^/    /' "$work/output"
+            continue
+        fi
+        run "$name, $kind" "$program"
+        [ $sanitized = yes ] || continue
+        compile "$program-san" "$library" "$source" -fsanitize=address,undefined \
+            -fno-sanitize-recover=undefined &&
+            run "$name, $kind, sanitizers" "$program-san"
+        run "$name, $kind, valgrind" "$program" valgrind -q --error-exitcode=9 \
+            --leak-check=full --errors-for-leak-kinds=definite
+    done
+}
+
+# The comma as the decimal sign: the system's locale, or one made for this run.
+LOCPATH=
+if ! locale -a 2>/dev/null | grep -qix 'de_DE\.utf-\?8'; then
+    LOCPATH=$work/locale
+    mkdir -p "$LOCPATH"
+    localedef -i de_DE -f UTF-8 "$LOCPATH/de_DE.UTF-8" || exit 99
+fi
+
+if [ $# -eq 0 ]; then
+    header "$cc" -x c -std=c89 -pedantic "$here/silent.c"
+    header "$cc" -x c -std=c99 -pedantic "$here/silent.c"
+    header "$cc" -x c -std=c11 -pedantic "$here/silent.c"
+    header "$cc" -x c -std=c2x -pedantic "$here/silent.c"
+    header "$cxx" -x c++ -std=c++98 -pedantic "$here/silent.c"
+    header "$cxx" -x c++ -std=c++20 -pedantic "$here/silent.c"
+    result "header: parameters" no_parameter_is_a_function_of_libc
+    result "header: includes" only_stddef
+    set -- layout errors handles editing orientations poses list memory threads files toolbox
+fi
+for name; do
+    check "$name"
+done
+exit $((failed > 100 ? 100 : failed))
