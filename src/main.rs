@@ -1,3 +1,9 @@
-//! The command `vides`.
+//! The command `vides`: camera paths from the shell, without a window.
 
-fn main() {}
+mod command;
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    command::run()
+}

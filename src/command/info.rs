@@ -1,0 +1,256 @@
+//! `vides info`: what a path is made of, in tables.
+
+use std::fmt::{Display, Write};
+use std::path::Path;
+
+use vides::document::{Info, Space};
+use vides::path::{
+    CameraPath, Change, CurveParameters, OrientationMode, Section, Timeline, ZoomMode,
+};
+
+use super::table::{Align, Table, decimals};
+use super::{Failure, input, one_line, print};
+
+pub(super) fn run(file: &Path) -> Result<(), Failure> {
+    let document = input::load(file)?;
+    let (path, info) = (document.path(), document.info());
+    let text = document.timeline(|timeline| {
+        let frames = timeline.frame_count()?;
+        let mut text = String::new();
+        // Writing into a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{}\nPoints\n{}\nSections\n{}",
+            summary(file, path, info, timeline, frames),
+            points(path),
+            sections(path, info, timeline)
+        );
+        Ok(text)
+    });
+    let text = text
+        .and_then(|inner| inner)
+        .map_err(|error| Failure::from(error.at(input::name(file))))?;
+    print(text.trim_end_matches('\n')).and_then(|()| print("\n"))
+}
+
+/// Title, comment, and the numbers that stand for the whole.
+fn summary(
+    file: &Path,
+    path: &CameraPath,
+    info: &Info,
+    timeline: &Timeline,
+    frames: usize,
+) -> String {
+    let mut text = String::new();
+    if !info.title.is_empty() {
+        let _ = writeln!(text, "{}\n", one_line(&info.title));
+    }
+    for line in info.comment.trim_end().lines() {
+        let _ = writeln!(text, "  {}", one_line(line));
+    }
+    if !info.comment.trim_end().is_empty() {
+        text.push('\n');
+    }
+    let mut entry = |name: &str, value: &dyn Display| {
+        let _ = writeln!(text, "{name:<13}{value}");
+    };
+    let mode = match path.orientation_mode {
+        OrientationMode::Tcb => "tcb",
+        OrientationMode::BarryGoldman => "barry-goldman",
+        OrientationMode::Slerp => "slerp",
+    };
+    let zoom = match path.zoom_mode {
+        ZoomMode::Smooth => "smooth",
+        ZoomMode::Linear => "linear",
+    };
+    let shape = if path.closed { "closed" } else { "open" };
+    let length = timeline.length();
+    let places = decimals([length].into_iter());
+    let first = i64::from(info.first_frame);
+    let speeds = path.speeds;
+
+    entry("File", &one_line(&input::name(file)));
+    entry(
+        "Path",
+        &format_args!("{shape}, {} points", path.points.len()),
+    );
+    entry("Length", &format_args!("{length:.places$}"));
+    entry(
+        "Frames",
+        &format_args!("{frames}, numbered {first} to {}", last_of(first, frames)),
+    );
+    entry(
+        "Time",
+        &format_args!(
+            "{:.2} s at {} frames per second",
+            frames as f64 / info.fps,
+            info.fps
+        ),
+    );
+    entry(
+        "Base speeds",
+        &format_args!(
+            "move {}, orient {}, zoom {}, winkel {} frames",
+            speeds.movement, speeds.turning, speeds.zoom, speeds.rolling
+        ),
+    );
+    entry("Orientation", &mode);
+    entry("Zoom", &zoom);
+    if info.space != Space::default() {
+        let space = &info.space;
+        let [x, y, z] = space.origin.to_array();
+        entry(
+            "World",
+            &format_args!(
+                "({x}, {y}, {z}) + {} × position {}",
+                space.scale,
+                one_line(&space.unit)
+            ),
+        );
+    }
+    if !info.object.is_empty() {
+        let lines = info.object.iter().filter(|point| point.draw).count();
+        entry(
+            "Object",
+            &format_args!("{} points, {lines} lines", info.object.len()),
+        );
+    }
+    text
+}
+
+/// The number of the last of some frames.
+fn last_of(first: i64, frames: usize) -> i64 {
+    // Both are far below 2⁶³.
+    first + frames as i64 - 1
+}
+
+fn points(path: &CameraPath) -> Table {
+    let named = path.points.iter().any(|point| point.name.is_some());
+    let mut columns = vec![("No.", Align::Right)];
+    if named {
+        columns.push(("Name", Align::Left));
+    }
+    columns.extend([
+        ("x", Align::Right),
+        ("y", Align::Right),
+        ("z", Align::Right),
+        ("Orientations", Align::Right),
+        ("Curve", Align::Left),
+    ]);
+    let mut table = Table::new(&columns);
+    let all = path
+        .points
+        .iter()
+        .flat_map(|point| point.position.to_array());
+    let places = decimals(all);
+    for (index, point) in path.points.iter().enumerate() {
+        let mut cells = vec![(index + 1).to_string()];
+        if named {
+            cells.push(one_line(point.name.as_deref().unwrap_or("")));
+        }
+        cells.extend(point.position.to_array().map(|x| format!("{x:.places$}")));
+        cells.push(point.orientations.len().to_string());
+        cells.push(curve(path, index));
+        table.row(cells);
+    }
+    table
+}
+
+/// Where a point's curve parameters come from, and those that are not 0.
+fn curve(path: &CameraPath, point: usize) -> String {
+    let mut text = match path.points[point].curve {
+        CurveParameters::Preset(preset) => format!("preset {preset}"),
+        CurveParameters::Own(_) => "own".to_owned(),
+    };
+    let tcb = path.tcb(point);
+    let values = [("t", tcb.tension), ("c", tcb.continuity), ("b", tcb.bias)];
+    let mut separator = ": ";
+    for (name, value) in values.into_iter().filter(|(_, value)| *value != 0.0) {
+        let _ = write!(text, "{separator}{name} {value}");
+        separator = ", ";
+    }
+    text
+}
+
+fn sections(path: &CameraPath, info: &Info, timeline: &Timeline) -> Table {
+    let mut table = Table::new(&[
+        ("No.", Align::Right),
+        ("From", Align::Left),
+        ("To", Align::Left),
+        ("Changes", Align::Left),
+        ("By", Align::Right),
+        ("", Align::Left),
+        ("Frames", Align::Right),
+        ("First", Align::Right),
+        ("Last", Align::Right),
+        ("Seconds", Align::Right),
+    ]);
+    let count = timeline.section_count();
+    let all = || (0..count).map(|index| timeline.section(index));
+    let lengths = all().filter(|section| section.change == Change::Position);
+    let places = decimals(lengths.map(|section| section.amount));
+    // The first pose of all belongs to no section.
+    let mut next = i64::from(info.first_frame) + 1;
+    let mut row = |number: String, from: String, to: String, change: [String; 3], frames: usize| {
+        let mut cells = vec![number, from, to];
+        cells.extend(change);
+        cells.push(frames.to_string());
+        if frames > 0 {
+            cells.push(next.to_string());
+            cells.push(last_of(next, frames).to_string());
+            cells.push(format!("{:.2}", frames as f64 / info.fps));
+            next += frames as i64;
+        } else {
+            cells.resize(cells.len() + 3, "-".to_owned());
+        }
+        table.row(cells);
+    };
+    let rest = || ["rest".to_owned(), String::new(), String::new()];
+    for (index, section) in all().enumerate() {
+        let (point, orientation) = (section.point, section.orientation);
+        let from = place(path, point, orientation);
+        let hold = path.points[point].orientations[orientation].hold as usize;
+        if hold > 0 && section.change != Change::Nothing {
+            row(String::new(), from.clone(), String::new(), rest(), hold);
+        }
+        let to = if orientation + 1 < path.points[point].orientations.len() {
+            place(path, point, orientation + 1)
+        } else {
+            place(path, (point + 1) % path.points.len(), 0)
+        };
+        let change = change(&section, places);
+        row((index + 1).to_string(), from, to, change, section.frames);
+    }
+    // On a closed path the first key has rested already.
+    if let (false, Some(point)) = (path.closed, path.points.last()) {
+        let orientation = point.orientations.len() - 1;
+        let hold = point.orientations[orientation].hold as usize;
+        if hold > 0 {
+            let from = place(path, path.points.len() - 1, orientation);
+            row(String::new(), from, String::new(), rest(), hold);
+        }
+    }
+    table
+}
+
+/// A point by its number, with that of its orientation where it has several.
+fn place(path: &CameraPath, point: usize, orientation: usize) -> String {
+    if path.points[point].orientations.len() > 1 {
+        format!("{}.{}", point + 1, orientation + 1)
+    } else {
+        (point + 1).to_string()
+    }
+}
+
+/// What changes in a section, by how much, in which unit.
+fn change(section: &Section, places: usize) -> [String; 3] {
+    let amount = section.amount;
+    let (name, by, unit) = match section.change {
+        Change::Position => ("position", format!("{amount:.places$}"), ""),
+        Change::View => ("view", format!("{:.2}", 180.0 * amount), "degrees"),
+        Change::Roll => ("roll", format!("{:.2}", 90.0 * amount), "degrees"),
+        Change::Zoom => ("zoom", format!("{:.2}", 99.0 * amount), "mm"),
+        Change::Nothing => ("nothing", String::new(), ""),
+    };
+    [name.to_owned(), by, unit.to_owned()]
+}

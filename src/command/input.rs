@@ -1,0 +1,54 @@
+//! Where paths come from: a file, standard input, or whatever else the shell
+//! puts in a file's place.
+
+use std::fs::{self, File, Metadata};
+use std::io;
+use std::os::unix::fs::{FileTypeExt, MetadataExt};
+use std::path::Path;
+
+use vides::document::Document;
+
+use super::{Failure, reason};
+
+/// Loads a path; `-` is standard input.
+pub(super) fn load(file: &Path) -> Result<Document, Failure> {
+    if is_standard_stream(file) {
+        return Ok(Document::load_from(&mut io::stdin().lock(), &name(file))?);
+    }
+    // `vides info <(make-a-path)`: the library refuses a pipe, since a window
+    // must not wait for one; a command may.
+    if fs::metadata(file).is_ok_and(|metadata| is_stream(&metadata)) {
+        let mut opened = File::open(file)
+            .map_err(|error| Failure::Input(format!("{}: {}", name(file), reason(&error))))?;
+        return Ok(Document::load_from(&mut opened, &name(file))?);
+    }
+    Ok(Document::load(file)?)
+}
+
+/// What the file is called in messages.
+pub(super) fn name(file: &Path) -> String {
+    if is_standard_stream(file) {
+        "standard input".to_owned()
+    } else {
+        file.display().to_string()
+    }
+}
+
+/// Whether the name means standard input or output; `./-` is a file.
+pub(super) fn is_standard_stream(file: &Path) -> bool {
+    file.as_os_str() == "-"
+}
+
+/// Whether it is read and written from one end to the other: a pipe, a
+/// terminal, `/dev/null`.
+pub(super) fn is_stream(metadata: &Metadata) -> bool {
+    metadata.file_type().is_fifo() || metadata.file_type().is_char_device()
+}
+
+/// Whether both names lead to one and the same regular file.
+pub(super) fn is_same_file(a: &Path, b: &Path) -> bool {
+    match (fs::metadata(a), fs::metadata(b)) {
+        (Ok(a), Ok(b)) => a.is_file() && (a.dev(), a.ino()) == (b.dev(), b.ino()),
+        _ => false,
+    }
+}

@@ -1,0 +1,178 @@
+//! The command's words and what becomes of them. It stands on the library's
+//! public Rust interface, as any other program would, and knows nothing of how
+//! a path is computed or a file is read.
+//!
+//! Exit statuses: 0 all was done, or whoever read our output had enough of it;
+//! 1 bad input or a file that cannot be read or written; 2 bad usage.
+
+mod info;
+mod input;
+mod progress;
+mod sample;
+mod table;
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Plans camera paths: a few support points with views become every camera
+/// pose between them.
+#[derive(Parser)]
+#[command(
+    name = "vides",
+    version,
+    arg_required_else_help = true,
+    disable_help_subcommand = true,
+    max_term_width = 80,
+    after_help = "Exit status: 0 done, 1 bad input, 2 bad usage."
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Writes every camera pose of a path
+    Sample(sample::Arguments),
+    /// Shows points, sections, lengths, frames and seconds of a path
+    Info {
+        /// The path; - is standard input
+        #[arg(value_name = "FILE.vid")]
+        file: PathBuf,
+    },
+}
+
+/// Why the command ends before its work is done.
+enum Failure {
+    /// The arguments do not fit together.
+    Usage(String),
+    /// A file says or is something wrong, or the system refused.
+    Input(String),
+    /// Whoever read our standard output has closed it (`vides … | head`).
+    ReaderGone,
+}
+
+impl From<vides::Error> for Failure {
+    fn from(error: vides::Error) -> Self {
+        match error {
+            vides::Error::Io { place, source } => {
+                Self::Input(format!("{place}: {}", reason(&source)))
+            }
+            other => Self::Input(other.to_string()),
+        }
+    }
+}
+
+/// Does what the arguments say.
+pub(crate) fn run() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) if error.use_stderr() => return complain_of_usage(&error),
+        // --help and --version
+        Err(error) => return conclude(print(&error.render().to_string())),
+    };
+    conclude(match cli.command {
+        Command::Sample(arguments) => sample::run(&arguments),
+        Command::Info { file } => info::run(&file),
+    })
+}
+
+fn conclude(result: Result<(), Failure>) -> ExitCode {
+    let (message, status) = match result {
+        Ok(()) | Err(Failure::ReaderGone) => return ExitCode::SUCCESS,
+        Err(Failure::Input(message)) => (message, 1),
+        Err(Failure::Usage(message)) => (message, 2),
+    };
+    complain(&one_line(&message));
+    ExitCode::from(status)
+}
+
+/// What clap found wrong, in its own words behind our name.
+fn complain_of_usage(error: &clap::Error) -> ExitCode {
+    let text = error.render().to_string();
+    if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        let _ = io::stderr().write_all(text.as_bytes());
+    } else {
+        complain(text.strip_prefix("error: ").unwrap_or(&text).trim_end());
+    }
+    ExitCode::from(2)
+}
+
+/// There is nobody left to tell when standard error fails.
+fn complain(message: &str) {
+    let _ = writeln!(io::stderr(), "vides: {message}");
+}
+
+/// Writes a text to standard output, wholly.
+fn print(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    out.write_all(text.as_bytes())
+        .and_then(|()| out.flush())
+        .map_err(|error| output_failed(&error))
+}
+
+/// What it means that standard output cannot be written.
+fn output_failed(error: &io::Error) -> Failure {
+    if error.kind() == io::ErrorKind::BrokenPipe {
+        Failure::ReaderGone
+    } else {
+        Failure::Input(format!("standard output: {}", reason(error)))
+    }
+}
+
+/// The system's words without its number for them.
+fn reason(error: &io::Error) -> String {
+    let mut words = error.to_string();
+    if let Some(number) = words.rfind(" (os error ") {
+        words.truncate(number);
+    }
+    words
+}
+
+/// A text from a file, for one line of a terminal: whatever would move the
+/// cursor or begin a new line is shown as a replacement character.
+fn one_line(text: &str) -> String {
+    let show = |c: char| {
+        if c.is_control() {
+            char::REPLACEMENT_CHARACTER
+        } else {
+            c
+        }
+    };
+    text.chars().map(show).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_arguments_are_declared_soundly() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn a_message_stays_on_its_line() {
+        assert_eq!(
+            one_line("point \u{1b}[2J\n3 – ü"),
+            "point \u{fffd}[2J\u{fffd}3 – ü"
+        );
+    }
+
+    #[test]
+    fn the_systems_number_is_left_out() {
+        assert_eq!(
+            reason(&io::Error::from_raw_os_error(2)),
+            "No such file or directory"
+        );
+        assert_eq!(
+            reason(&io::Error::other("no (real) reason")),
+            "no (real) reason"
+        );
+    }
+}

@@ -1,0 +1,126 @@
+//! A progress bar for a person who waits: nothing in the first second, then a
+//! line that is drawn over itself, and gone when the work is done.
+
+use std::io::Write;
+use std::time::{Duration, Instant};
+
+/// Work that takes less than this shows nothing.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Time between two drawings: more would only flicker.
+const PAUSE: Duration = Duration::from_millis(100);
+
+/// Signs of the bar itself; the whole line stays below 80.
+const WIDTH: usize = 24;
+
+/// Back to the start of the line, and the line cleared.
+const CLEAR: &str = "\r\x1b[K";
+
+/// A bar on a terminal. It is wiped away when it is dropped.
+pub(super) struct Bar<W: Write> {
+    out: W,
+    start: Instant,
+    drawn: Option<Instant>,
+}
+
+impl<W: Write> Bar<W> {
+    /// A bar for work that begins now.
+    pub(super) fn new(out: W) -> Self {
+        Self {
+            out,
+            start: Instant::now(),
+            drawn: None,
+        }
+    }
+
+    /// Tells how many frames of all are done.
+    pub(super) fn update(&mut self, done: usize, all: usize) {
+        self.update_at(Instant::now(), done, all);
+    }
+
+    fn update_at(&mut self, now: Instant, done: usize, all: usize) {
+        let waited = now.saturating_duration_since(self.start);
+        let due = match self.drawn {
+            None => waited >= PATIENCE,
+            Some(drawn) => now.saturating_duration_since(drawn) >= PAUSE,
+        };
+        if due && all > 0 {
+            // A bar that cannot be drawn is no reason to stop the work.
+            let _ = write!(self.out, "{CLEAR}{}", line(waited, done.min(all), all));
+            let _ = self.out.flush();
+            self.drawn = Some(now);
+        }
+    }
+}
+
+impl<W: Write> Drop for Bar<W> {
+    fn drop(&mut self) {
+        if self.drawn.is_some() {
+            let _ = write!(self.out, "{CLEAR}");
+            let _ = self.out.flush();
+        }
+    }
+}
+
+fn line(waited: Duration, done: usize, all: usize) -> String {
+    let full = WIDTH * done / all;
+    let percent = 100 * done / all;
+    let left = if done == 0 {
+        String::new()
+    } else {
+        let left = waited.as_secs_f64() * (all - done) as f64 / done as f64;
+        format!(", {} s left", left.ceil())
+    };
+    format!(
+        "[{}{}] {percent:3} %  {done} of {all} frames{left}",
+        "#".repeat(full),
+        "-".repeat(WIDTH - full),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a bar writes when it is told of these moments.
+    fn shown(moments: &[(u64, usize)], all: usize) -> String {
+        let mut out = Vec::new();
+        let mut bar = Bar::new(&mut out);
+        let start = bar.start;
+        for &(milliseconds, done) in moments {
+            bar.update_at(start + Duration::from_millis(milliseconds), done, all);
+        }
+        drop(bar);
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn short_work_shows_nothing() {
+        assert_eq!(shown(&[(0, 1), (500, 50), (999, 100)], 100), "");
+    }
+
+    #[test]
+    fn long_work_shows_a_bar_and_wipes_it() {
+        assert_eq!(
+            shown(&[(900, 20), (1000, 25)], 100),
+            "\r\x1b[K[######------------------]  25 %  25 of 100 frames, 3 s left\r\x1b[K"
+        );
+    }
+
+    #[test]
+    fn the_bar_is_drawn_ten_times_a_second_at_most() {
+        let every_millisecond: Vec<_> = (0..3000).map(|i| (i, i as usize)).collect();
+        let drawings = shown(&every_millisecond, 3000).matches('[').count();
+        // Each drawing has one bracket of its own and one of the escape.
+        assert_eq!(drawings, 2 * 20 + 1);
+    }
+
+    #[test]
+    fn the_line_fits_a_narrow_terminal() {
+        let longest = line(Duration::from_secs(999), 99_999_999, 100_000_000);
+        assert!(longest.len() < 80, "{longest}");
+        let begun = line(Duration::from_secs(9_999), 1_000_000, 100_000_000);
+        assert!(begun.len() < 80, "{begun}");
+        assert_eq!(line(Duration::ZERO, 0, 5).matches("left").count(), 0);
+    }
+}

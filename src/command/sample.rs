@@ -1,0 +1,170 @@
+//! `vides sample`: every pose of a path, written.
+
+use std::fs::{self, OpenOptions};
+use std::io::{self, BufWriter, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use vides::document::export::{self, Options, Progress};
+use vides::document::{Document, Edit};
+
+use super::progress::Bar;
+use super::{Failure, input, output_failed};
+
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// The path; - is standard input
+    #[arg(value_name = "FILE.vid")]
+    file: PathBuf,
+
+    /// Where the poses go; - is standard output. A file appears when all of
+    /// it is written, and is wholly the old one until then
+    #[arg(short, long, value_name = "OUT", default_value = "-")]
+    output: PathBuf,
+
+    /// How the poses are written
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+
+    /// Writes positions in the file's own world (its [space]: origin + scale ×
+    /// position) instead of the movement space
+    #[arg(long)]
+    world: bool,
+
+    #[command(flatten)]
+    speeds: Speeds,
+}
+
+#[derive(Clone, Copy, Default, ValueEnum)]
+enum Format {
+    /// Ten numbers a line, four decimals: VRP, VPN, VUP (x y z each) and zoom
+    #[default]
+    Ascii,
+    /// A header, then the frame's number and the ten numbers, all digits
+    Csv,
+    /// Title, frames per second and the poses, all digits
+    Json,
+}
+
+/// Base speeds: greater than 0, each instead of the file's own.
+#[derive(Args)]
+#[command(next_help_heading = "Base speeds, instead of the file's; each > 0")]
+struct Speeds {
+    /// Frames for a way of length 1 at speed 50
+    #[arg(long, value_name = "FRAMES", value_parser = base_speed, allow_negative_numbers = true)]
+    move_speed: Option<f64>,
+
+    /// Frames for a turn of 180 degrees at speed 50
+    #[arg(long, value_name = "FRAMES", value_parser = base_speed, allow_negative_numbers = true)]
+    orient_speed: Option<f64>,
+
+    /// Frames for a zoom from 1 to 100 mm at speed 50
+    #[arg(long, value_name = "FRAMES", value_parser = base_speed, allow_negative_numbers = true)]
+    zoom_speed: Option<f64>,
+
+    /// Frames for a roll of 90 degrees at speed 50
+    #[arg(long, value_name = "FRAMES", value_parser = base_speed, allow_negative_numbers = true)]
+    winkel_speed: Option<f64>,
+}
+
+fn base_speed(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(speed) if speed > 0.0 && speed.is_finite() => Ok(speed),
+        Ok(_) => Err("a base speed must be finite and greater than 0".to_owned()),
+        Err(_) => Err("this is not a number".to_owned()),
+    }
+}
+
+impl Speeds {
+    fn apply(&self, document: &mut Document) -> vides::Result<()> {
+        let mut speeds = document.path().speeds;
+        for (given, speed) in [
+            (self.move_speed, &mut speeds.movement),
+            (self.orient_speed, &mut speeds.turning),
+            (self.zoom_speed, &mut speeds.zoom),
+            (self.winkel_speed, &mut speeds.rolling),
+        ] {
+            if let Some(given) = given {
+                *speed = given;
+            }
+        }
+        document.apply(Edit::SetSpeeds(speeds))
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let (file, out) = (&arguments.file, &arguments.output);
+    let to_standard_output = input::is_standard_stream(out);
+    if !input::is_standard_stream(file) && !to_standard_output && input::is_same_file(file, out) {
+        return Err(Failure::Usage(format!(
+            "{}: the poses would overwrite the path that they come from",
+            out.display()
+        )));
+    }
+    let mut document = input::load(file)?.without_history();
+    let place = |error: vides::Error| Failure::from(error.at(input::name(file)));
+    arguments.speeds.apply(&mut document).map_err(place)?;
+    // Too many frames is a fault of the path: told before any file is touched.
+    document.sampler().map_err(place)?;
+
+    let options = Options {
+        format: match arguments.format {
+            Format::Ascii => export::Format::Ascii,
+            Format::Csv => export::Format::Csv,
+            Format::Json => export::Format::Json,
+        },
+        world: arguments.world,
+    };
+    // Lines of poses on a terminal are progress enough.
+    let shown = io::stderr().is_terminal() && !(to_standard_output && io::stdout().is_terminal());
+    let mut bar = shown.then(|| Bar::new(io::stderr()));
+    let mut progress = |done, all| {
+        if let Some(bar) = &mut bar {
+            bar.update(done, all);
+        }
+    };
+    if to_standard_output {
+        write_to_standard_output(&document, options, &mut progress)
+    } else if fs::metadata(out).is_ok_and(|metadata| input::is_stream(&metadata)) {
+        Ok(write_to_stream(&document, options, out, &mut progress)?)
+    } else {
+        Ok(export::write_file(&document, options, out, &mut progress)?)
+    }
+}
+
+/// Bytes that go to the system at once.
+const BUFFER: usize = 1 << 16;
+
+fn write_to_standard_output(
+    document: &Document,
+    options: Options,
+    progress: Progress<'_>,
+) -> Result<(), Failure> {
+    // Locked once, and past the search for line ends that standard output does.
+    let mut out = BufWriter::with_capacity(BUFFER, io::stdout().lock());
+    export::write(document, options, &mut out, progress).map_err(|error| match error {
+        vides::Error::Io { source, .. } => output_failed(&source),
+        other => other.into(),
+    })?;
+    out.flush().map_err(|error| output_failed(&error))
+}
+
+/// Into a pipe or a device, which cannot be replaced as a file is.
+fn write_to_stream(
+    document: &Document,
+    options: Options,
+    file: &Path,
+    progress: Progress<'_>,
+) -> vides::Result<()> {
+    let named = |source| vides::Error::Io {
+        place: file.display().to_string(),
+        source,
+    };
+    let opened = OpenOptions::new().write(true).open(file).map_err(named)?;
+    let mut out = BufWriter::with_capacity(BUFFER, opened);
+    export::write(document, options, &mut out, progress).map_err(|error| match error {
+        vides::Error::Io { source, .. } => named(source),
+        other => other,
+    })?;
+    out.flush().map_err(named)
+}
