@@ -6,8 +6,8 @@ use glam::dcamera::rh::proj::opengl;
 use glam::{DMat3, DMat4, DVec3};
 use proptest::prelude::*;
 
-use super::super::transform::{axis_to_z, rotation_z};
 use super::*;
+use crate::math::transform::{axis_to_z, rotation_z};
 
 fn vector(range: f64) -> impl Strategy<Value = DVec3> {
     prop::array::uniform3(-range..range).prop_map(DVec3::from_array)
