@@ -179,6 +179,36 @@ static void at_every_allocation(const V_PATH *path, int with_old_list, int forev
     CHECK(blocks == begin);
 }
 
+/* So many lists at once that the library must make room to remember them. */
+static void with_many_heads(void)
+{
+    static V_KAMERAPAR heads[200];
+    V_PATH *path = rich_path(0, 1);
+    size_t frames;
+    int i, longest = 0;
+    OK(v_path_sample(path, NULL, 0, &frames)); /* all is computed now */
+    for (i = 0; i < 200; i++) {
+        long n = 0, had = blocks;
+        int status;
+        heads[i].number = -1;
+        do {
+            CHECK(blocks == had && heads[i].number == -1);
+            asked = 0;
+            fail_forever = 0;
+            fail_at = n++;
+            status = v_path_to_list(path, &heads[i]);
+            fail_at = -1;
+        } while (status == V_ERR_MEMORY);
+        CHECK(status == V_OK && whole(&heads[i], (int)frames));
+        longest = n > longest ? (int)n : longest;
+    }
+    /* At least once there was more to allocate than the elements. */
+    CHECK(longest > (int)frames);
+    for (i = 0; i < 200; i++)
+        v_free_liste(&heads[i]);
+    v_path_free(path);
+}
+
 int main(void)
 {
     V_PATH *path, *longer, *copies[2];
@@ -202,6 +232,7 @@ int main(void)
             at_every_allocation(longer, old, forever, 997);
         }
     }
+    with_many_heads();
     v_path_free(path);
     v_path_free(longer);
     return failures != 0;
