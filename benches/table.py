@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs every benchmark and prints the Markdown table of the README.
 
-    python3 benches/table.py            # all of it, some five minutes
+    python3 benches/table.py            # all of it, some eight minutes
     python3 benches/table.py --no-peers # without other libraries
 
 Ratios count, not figures: all of one table come from one run on one machine.
