@@ -72,13 +72,18 @@ header: toolchain
 
 # ---- Seeing it ------------------------------------------------------------------
 
+# Both programs read the same flight: the command, and a C host that takes the
+# list and walks it both ways. What they write is long; its ends are shown.
 demo: all
 	@mkdir -p $(DEMO)
 	$(RELEASE)/vides info examples/pyramid.vid
 	$(RELEASE)/vides sample examples/pyramid.vid -o $(DEMO)/pyramid.txt
+	@head -n 3 $(DEMO)/pyramid.txt; echo ...; tail -n 1 $(DEMO)/pyramid.txt
 	$(CC) -std=c89 -pedantic -Wall -Wextra -Iinclude -o $(DEMO)/headless \
 	    c_examples/headless.c -L$(LIB) -lvides -lm
-	LD_LIBRARY_PATH=$(LIB) $(DEMO)/headless examples/pyramid.vid
+	LD_LIBRARY_PATH=$(LIB) $(DEMO)/headless examples/pyramid.vid >$(DEMO)/headless.txt
+	@head -n 3 $(DEMO)/headless.txt; echo ...; tail -n 2 $(DEMO)/headless.txt
+	@echo "All poses: $(DEMO)/pyramid.txt, $(DEMO)/headless.txt"
 
 # ---- Checks, the cheap ones first -----------------------------------------------
 
