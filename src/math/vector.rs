@@ -54,6 +54,28 @@ pub fn horner<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -> V {
     sum
 }
 
+/// [`horner`] for several vectors at once: each coefficient is fetched once,
+/// and the vectors' chains of operations run beside each other.
+#[inline(always)]
+#[must_use]
+pub fn horner_each<V: Vector, const N: usize, const U: usize>(
+    coefficients: &[f64; N],
+    x: &[V; U],
+) -> [V; U] {
+    let mut sums = [V::splat(coefficients[N - 1]); U];
+    let mut k = N - 1;
+    while k > 0 {
+        k -= 1;
+        let coefficient = V::splat(coefficients[k]);
+        let mut u = 0;
+        while u < U {
+            sums[u] = sums[u].mul_add(x[u], coefficient);
+            u += 1;
+        }
+    }
+    sums
+}
+
 impl Vector for f64 {
     const LANES: usize = 1;
     #[inline(always)]

@@ -8,7 +8,7 @@
 use super::hermite::Cubic;
 use crate::error::Result;
 use crate::math::chebyshev::{self, NODES};
-use crate::math::vector::{Vector, horner};
+use crate::math::vector::{Vector, horner, horner_each};
 
 /// What a piece may be wrong by, as a share of the whole length.
 const TOLERANCE: f64 = 4e-15;
@@ -23,7 +23,10 @@ const EVEN: f64 = 4.0;
 /// Newton's last step below which the one after it would change nothing.
 const SETTLED: f64 = 1e-9;
 
-/// Room for the lanes of any vector.
+/// Vectors inverted side by side.
+const PAIR: usize = 2;
+
+/// Room for the lanes of a pair of any vectors.
 const MAX_LANES: usize = 8;
 
 /// A piece of the curve with its length as a polynomial in x ∈ [−1, 1].
@@ -245,11 +248,12 @@ pub(super) fn invert<V: Vector>(pieces: &[Piece], lengths: &[f64], parameters: &
 /// [`invert`] for lengths that all lie in one piece.
 #[inline(always)]
 fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f64]) {
+    let lanes = PAIR * V::LANES;
     let mut from = 0;
     while from < lengths.len() {
-        let count = V::LANES.min(lengths.len() - from);
+        let count = lanes.min(lengths.len() - from);
         let mut s = [0.0; MAX_LANES];
-        for k in 0..V::LANES {
+        for k in 0..lanes {
             s[k] = lengths[from + k.min(count - 1)] - piece.start;
         }
         let mut x = [0.0; MAX_LANES];
@@ -269,28 +273,36 @@ fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f6
     }
 }
 
-/// Three of Newton's steps from a good guess, for one vector; tells whether
-/// they arrived.
+/// Three of Newton's steps from a good guess, for a pair of vectors, whose
+/// chains of operations run beside each other; tells whether they arrived.
 #[inline(always)]
 fn newton<V: Vector>(piece: &Piece, s: &[f64; MAX_LANES], x: &mut [f64; MAX_LANES]) -> bool {
     let (low, high) = (V::splat(-1.0), V::splat(1.0));
-    let s = V::load(s);
-    let share = s.mul(V::splat(1.0 / piece.length));
-    let mut at = horner::<V, 4>(&piece.guess, share).max(low).min(high);
-    let mut change = low;
+    let s = [V::load(s), V::load(&s[V::LANES..])];
+    let scale = V::splat(1.0 / piece.length);
+    let mut at = horner_each(&piece.guess, &[s[0].mul(scale), s[1].mul(scale)]);
+    at = [at[0].max(low).min(high), at[1].max(low).min(high)];
+    let mut squares = low;
     for _ in 0..3 {
-        let error = horner::<V, { NODES + 1 }>(&piece.distance, at).sub(s);
-        change = error.div(horner::<V, NODES>(&piece.speed, at));
-        at = at.sub(change).max(low).min(high);
+        let distance = horner_each(&piece.distance, &at);
+        let speed = horner_each(&piece.speed, &at);
+        let change = [
+            distance[0].sub(s[0]).div(speed[0]),
+            distance[1].sub(s[1]).div(speed[1]),
+        ];
+        at = [
+            at[0].sub(change[0]).max(low).min(high),
+            at[1].sub(change[1]).max(low).min(high),
+        ];
+        squares = change[0].mul(change[0]).max(change[1].mul(change[1]));
     }
-    at.store(x);
-    let mut steps = [0.0; MAX_LANES];
-    change.store(&mut steps);
-    let mut largest = 0.0f64;
-    for k in 0..V::LANES {
-        largest = largest.max(steps[k].abs());
-    }
-    largest < SETTLED
+    at[0].store(x);
+    at[1].store(&mut x[V::LANES..]);
+    let mut last = [0.0; MAX_LANES];
+    squares.store(&mut last);
+    last[..V::LANES]
+        .iter()
+        .all(|&square| square < SETTLED * SETTLED)
 }
 
 /// A cubic together with its arc length.

@@ -17,15 +17,17 @@ use super::pose::Pose;
 use super::speed_curve::{INTERVALS, SpeedCurve};
 use super::tables::{Fit, Tables, quaternions};
 use crate::error::Result;
-use crate::math::chebyshev::NODES;
 use crate::math::orientation::POLE;
-use crate::math::vector::{self, Vector, horner};
+use crate::math::vector::{self, Vector, horner, horner_each};
 
 /// Frames of a block: all its numbers stay in the first-level cache.
 const BLOCK: usize = 256;
 
 /// Frames by which a run may overshoot.
-const STRIDE: usize = 8;
+const STRIDE: usize = 16;
+
+/// Vectors of frames that a polynomial is evaluated for at once.
+const AT_ONCE: usize = 4;
 
 /// A row of one number for each frame of a block, with room to overshoot.
 type Row = [f64; BLOCK + STRIDE];
@@ -33,21 +35,45 @@ type Row = [f64; BLOCK + STRIDE];
 /// What is known of the frames of a block before they are poses.
 struct Block {
     phi: Row,
+    /// Length from the start, where the parameter is searched directly.
+    s: Row,
     /// The curve's parameter.
     t: Row,
     /// The quaternion; for tracked frames the sine and cosine of the roll.
     q: [Row; 4],
 }
 
+/// Working memory that one call hands from section to section.
+pub(super) struct Scratch {
+    /// The tables of a section that does not keep its own.
+    tables: Tables,
+    block: Block,
+}
+
+impl Scratch {
+    pub(super) fn new() -> Self {
+        let row = [0.0; BLOCK + STRIDE];
+        let block = Block {
+            phi: row,
+            s: row,
+            t: row,
+            q: [row; 4],
+        };
+        Self {
+            tables: Tables::default(),
+            block,
+        }
+    }
+}
+
 /// Frames of a section: fills `poses`, `first` being the number of the first
-/// of them within the section (from 1). `scratch` holds the section's tables
-/// where the section has not kept its own.
+/// of them within the section (from 1).
 ///
 /// # Errors
 /// [`crate::Error::Memory`].
 pub(super) fn fill(
     leg: &Leg,
-    scratch: &mut Tables,
+    scratch: &mut Scratch,
     first: usize,
     poses: &mut [Pose],
 ) -> Result<()> {
@@ -65,7 +91,7 @@ pub(super) fn fill(
 
 #[cfg(all(target_arch = "x86_64", not(vides_no_simd)))]
 #[target_feature(enable = "avx2,fma")]
-fn fill_avx2(leg: &Leg, scratch: &mut Tables, first: usize, poses: &mut [Pose]) -> Result<()> {
+fn fill_avx2(leg: &Leg, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()> {
     fill_with::<vector::Avx2>(leg, scratch, first, poses)
 }
 
@@ -76,7 +102,7 @@ const KEEP: usize = 1024;
 #[inline(always)]
 fn fill_with<V: Vector>(
     leg: &Leg,
-    scratch: &mut Tables,
+    scratch: &mut Scratch,
     first: usize,
     poses: &mut [Pose],
 ) -> Result<()> {
@@ -88,21 +114,17 @@ fn fill_with<V: Vector>(
             leg.tables.get_or_init(|| tables)
         }
         None => {
-            scratch.build::<V>(leg)?;
-            &*scratch
+            scratch.tables.build::<V>(leg)?;
+            &scratch.tables
         }
     };
-    let mut block = Block {
-        phi: [0.0; BLOCK + STRIDE],
-        t: [0.0; BLOCK + STRIDE],
-        q: [[0.0; BLOCK + STRIDE]; 4],
-    };
+    let block = &mut scratch.block;
     let mut number = first;
     for poses in poses.chunks_mut(BLOCK) {
         let count = poses.len();
         shares::<V>(leg, number, count, &mut block.phi);
         if let Some(way) = &leg.way {
-            parameters::<V>(way, tables, count, &mut block);
+            parameters::<V>(way, tables, count, block);
         }
         match &leg.turning {
             Turning::Kept(..) => {}
@@ -112,9 +134,9 @@ fn fill_with<V: Vector>(
                     (sin[k], cos[k]) = horner::<f64, 4>(roll, block.phi[k]).sin_cos();
                 }
             }
-            turning => turned::<V>(turning, tables, count, &mut block),
+            turning => turned::<V>(turning, tables, count, block),
         }
-        write::<V>(leg, &block, poses);
+        write::<V>(leg, block, poses);
         if let Turning::Tracked(target, _) = leg.turning {
             mend(leg, target, &block.phi, poses)?;
         }
@@ -127,7 +149,7 @@ fn fill_with<V: Vector>(
 #[inline(always)]
 #[allow(clippy::cast_precision_loss)]
 fn shares<V: Vector>(leg: &Leg, number: usize, count: usize, phi: &mut Row) {
-    const COUNTING: [f64; STRIDE] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+    const COUNTING: [f64; 8] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
     let scale = V::splat(1.0 / leg.frames as f64);
     let counting = V::load(&COUNTING);
     for k in (0..count).step_by(V::LANES) {
@@ -182,10 +204,27 @@ fn run<const C: usize>(
     from + phi[from..count].partition_point(|&phi| phi < end)
 }
 
+/// What a piece's polynomials are evaluated at, for some vectors of frames.
+#[inline(always)]
+fn arguments<V: Vector, const C: usize>(fit: &Fit<C>, phi: &[f64]) -> [V; AT_ONCE] {
+    let mut x = [V::splat(0.0); AT_ONCE];
+    for u in 0..AT_ONCE {
+        x[u] = fit.x(V::load(&phi[u * V::LANES..]));
+    }
+    x
+}
+
+#[inline(always)]
+fn store_each<V: Vector>(values: [V; AT_ONCE], to: &mut [f64]) {
+    for u in 0..AT_ONCE {
+        values[u].store(&mut to[u * V::LANES..]);
+    }
+}
+
 /// The curve's parameter of each frame.
 #[inline(always)]
 fn parameters<V: Vector>(way: &Way, tables: &Tables, count: usize, block: &mut Block) {
-    let Block { phi, t, .. } = block;
+    let Block { phi, s, t, .. } = block;
     let mut from = 0;
     let mut piece = tables.place.partition_point(|fit| fit.end <= phi[0]);
     while from < count {
@@ -193,14 +232,15 @@ fn parameters<V: Vector>(way: &Way, tables: &Tables, count: usize, block: &mut B
         let fit = &tables.place[piece];
         let to = run(&tables.place, piece, phi, from, count);
         if let Some([powers]) = &fit.powers {
-            for k in (from..to).step_by(V::LANES) {
-                let x = fit.x(V::load(&phi[k..]));
-                horner::<V, NODES>(powers, x).store(&mut t[k..]);
+            for k in (from..to).step_by(AT_ONCE * V::LANES) {
+                let x = arguments::<V, 1>(fit, &phi[k..]);
+                store_each(horner_each(powers, &x), &mut t[k..]);
             }
         } else {
-            let mut s = [0.0; BLOCK];
-            for k in from..to {
-                s[k] = phi[k] * way.length;
+            for k in (from..to).step_by(V::LANES) {
+                V::load(&phi[k..])
+                    .mul(V::splat(way.length))
+                    .store(&mut s[k..]);
             }
             arc_length::invert::<V>(&tables.arc, &s[from..to], &mut t[from..to]);
         }
@@ -220,12 +260,11 @@ fn turned<V: Vector>(turning: &Turning, tables: &Tables, count: usize, block: &m
         let fit = &tables.turn[piece];
         let to = run(&tables.turn, piece, phi, from, count);
         if let Some(powers) = &fit.powers {
-            for k in (from..to).step_by(V::LANES) {
-                let x = fit.x(V::load(&phi[k..]));
-                horner::<V, NODES>(&powers[0], x).store(&mut q[0][k..]);
-                horner::<V, NODES>(&powers[1], x).store(&mut q[1][k..]);
-                horner::<V, NODES>(&powers[2], x).store(&mut q[2][k..]);
-                horner::<V, NODES>(&powers[3], x).store(&mut q[3][k..]);
+            for k in (from..to).step_by(AT_ONCE * V::LANES) {
+                let x = arguments::<V, 4>(fit, &phi[k..]);
+                for component in 0..4 {
+                    store_each(horner_each(&powers[component], &x), &mut q[component][k..]);
+                }
             }
         } else {
             for k in (from..to).step_by(STRIDE) {

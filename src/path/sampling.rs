@@ -3,11 +3,10 @@
 use std::sync::OnceLock;
 
 use super::camera_path::{CameraPath, ZoomMode};
-use super::fill;
+use super::fill::{self, Scratch};
 use super::leg::{Leg, Way};
 use super::orientation_curve::{self, Key, turnings};
 use super::pose::Pose;
-use super::tables::Tables;
 use super::timeline::{Change, Timeline};
 use crate::error::{Error, Result, try_box, vec_with_room};
 use crate::limits::BASE_SPEED;
@@ -141,7 +140,7 @@ impl Sampler {
                 "a frame must lie between 1 and the number of frames".into(),
             ));
         }
-        let mut scratch = Tables::default();
+        let mut scratch = Scratch::new();
         let mut rest = poses;
         let mut number = first;
         // The leg whose own poses end at or after the first one wanted.
