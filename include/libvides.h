@@ -668,8 +668,8 @@ int v_path_sample(const V_PATH *path,
 /**
  * The pose at one frame, 1 to the count of v_path_frame_count(); between two
  * frames also, as 1.5.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_pose(const V_PATH *path, double frame, V_POSE *pose);
 

@@ -10,9 +10,7 @@
 //! last element and its count ([`MADE`]), and follows pointers only where they
 //! agree with that.
 
-use std::collections::HashMap;
 use std::ffi::c_int;
-use std::hash::{BuildHasherDefault, DefaultHasher};
 use std::mem::ManuallyDrop;
 use std::ptr;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -25,22 +23,54 @@ use crate::path::Pose;
 /// processor's first cache between being computed and being spread.
 const BLOCK: usize = 256;
 
-/// What is remembered of a list.
+/// What is remembered of a list. Addresses are compared, never followed from
+/// here.
 #[derive(Clone, Copy, PartialEq)]
 struct Made {
+    head: usize,
     second: usize,
     last: usize,
     count: c_int,
 }
 
-/// The lists that this library made and has not freed, by the address of the
-/// head. Addresses are compared, never followed from here.
-type Registry = HashMap<usize, Made, BuildHasherDefault<DefaultHasher>>;
+/// The lists that this library made and has not freed, in the order of their
+/// heads' addresses.
+struct Registry(Vec<Made>);
 
-static MADE: Mutex<Registry> = Mutex::new(HashMap::with_hasher(BuildHasherDefault::new()));
+static MADE: Mutex<Registry> = Mutex::new(Registry(Vec::new()));
 
 fn made() -> MutexGuard<'static, Registry> {
     MADE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Registry {
+    /// Where the list of a head is, or would be.
+    fn place(&self, head: usize) -> std::result::Result<usize, usize> {
+        self.0.binary_search_by_key(&head, |list| list.head)
+    }
+
+    fn get(&self, head: usize) -> Option<&Made> {
+        self.place(head).ok().map(|place| &self.0[place])
+    }
+
+    /// Remembers a list in place of what its head had before. There must be
+    /// room for one more.
+    fn insert(&mut self, list: Made) {
+        match self.place(list.head) {
+            Ok(place) => self.0[place] = list,
+            Err(place) => self.0.insert(place, list),
+        }
+    }
+
+    /// Forgets a list; with the last one the memory is given back, too.
+    fn remove(&mut self, head: usize) {
+        if let Ok(place) = self.place(head) {
+            self.0.remove(place);
+        }
+        if self.0.is_empty() {
+            self.0 = Vec::new();
+        }
+    }
 }
 
 /// Elements of a list while it is built, from the second on: linked among
@@ -182,21 +212,19 @@ pub(super) unsafe fn build(
 unsafe fn publish(chain: Chain, head: V_KAMERAPAR, first: *mut V_KAMERAPAR) -> Result<()> {
     let mut made = made();
     // The last thing that can fail. Dropping the chain frees it.
-    made.try_reserve(1)?;
+    made.0.try_reserve(1)?;
     // SAFETY: the caller's word.
     let old = unsafe { known(&made, first) };
     let chain = ManuallyDrop::new(chain);
     let single = chain.last.is_null();
     let second = if single { first } else { chain.second };
     let last = if single { first } else { chain.last };
-    made.insert(
-        first.addr(),
-        Made {
-            second: second.addr(),
-            last: last.addr(),
-            count: chain.count,
-        },
-    );
+    made.insert(Made {
+        head: first.addr(),
+        second: second.addr(),
+        last: last.addr(),
+        count: chain.count,
+    });
     drop(made);
     // SAFETY: `first` is the host's element, `second` and `last` are complete
     // elements of the chain, or `first` itself.
@@ -225,14 +253,14 @@ pub(super) unsafe fn free(first: *mut V_KAMERAPAR) -> bool {
     // SAFETY: the host's element.
     let number = unsafe { &mut (*first).number };
     if *number < 0 {
-        made.remove(&first.addr());
+        made.remove(first.addr());
         return true;
     }
     // SAFETY: the caller's word.
     let Some(old) = (unsafe { known(&made, first) }) else {
         return false;
     };
-    made.remove(&first.addr());
+    made.remove(first.addr());
     drop(made);
     // SAFETY: found whole, and nobody can find it any more.
     unsafe {
@@ -254,13 +282,13 @@ struct Known {
 /// # Safety
 /// As for [`build`].
 unsafe fn known(made: &Registry, first: *mut V_KAMERAPAR) -> Option<Known> {
-    let entry = made.get(&first.addr())?;
+    let entry = made.get(first.addr())?;
     // SAFETY: the caller's word.
     let head = unsafe { first.read() };
     let named = Made {
         second: head.next.addr(),
         last: head.prev.addr(),
-        count: entry.count,
+        ..*entry
     };
     if head.number < 0 || named != *entry {
         return None;

@@ -133,8 +133,8 @@ const TOO_SMALL: Failure = Failure::Border(
 
 /// The pose at one frame, 1 to the count of v_path_frame_count(); between two
 /// frames also, as 1.5.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -212,18 +212,13 @@ static void with_many_heads(void)
 int main(void)
 {
     V_PATH *path, *longer, *copies[2];
-    V_KAMERAPAR head;
     int forever, old;
     setvbuf(stdout, NULL, _IONBF, 0);
     path = rich_path(30, 20);
     longer = rich_path(300, 300);
-    /* What the library keeps for good (room for handles, for the heads of
-       lists) it has from now on. */
-    head.number = -1;
+    /* What the library keeps for good (room for handles) it has from now on. */
     OK(v_path_clone(path, &copies[0]));
     OK(v_path_clone(path, &copies[1]));
-    OK(v_path_to_list(path, &head));
-    v_free_liste(&head);
     v_path_free(copies[0]);
     v_path_free(copies[1]);
     for (forever = 0; forever < 2; forever++) {

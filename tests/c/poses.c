@@ -108,8 +108,8 @@ static void every_pose(void)
     STATUS(V_ERR_RANGE, v_path_pose(path, 0.999999, &one));
     STATUS(V_ERR_RANGE, v_path_pose(path, (double)frames + 1e-6, &one));
     STATUS(V_ERR_RANGE, v_path_pose(path, -1e300, &one));
-    CHECK(v_path_pose(path, NAN, &one) != V_OK);
-    CHECK(v_path_pose(path, INFINITY, &one) != V_OK);
+    STATUS(V_ERR_RANGE, v_path_pose(path, NAN, &one));
+    STATUS(V_ERR_RANGE, v_path_pose(path, INFINITY, &one));
     CHECK(one.zoom == 77);
     v_path_free(path);
 }

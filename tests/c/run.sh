@@ -91,7 +91,7 @@ check() { # NAME
             -fno-sanitize-recover=undefined &&
             run "$name, $kind, sanitizers" "$program-san"
         run "$name, $kind, valgrind" "$program" valgrind -q --error-exitcode=9 \
-            --leak-check=full --errors-for-leak-kinds=definite
+            --leak-check=full --errors-for-leak-kinds=definite,possible
     done
 }
 
