@@ -1,0 +1,564 @@
+//! The command `vides` as a shell sees it: what it writes where, its exit
+//! statuses, and its manual page.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use vides::document::Document;
+use vides::path::Pose;
+
+const PYRAMID: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/pyramid.vid");
+
+fn vides(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_vides"));
+    command.args(arguments).stdin(Stdio::null());
+    command
+}
+
+/// Runs it to its end.
+fn run(arguments: &[&str]) -> Output {
+    vides(arguments).output().unwrap()
+}
+
+/// Runs it with something on standard input.
+fn run_with_input(arguments: &[&str], input: &[u8]) -> Output {
+    let mut command = vides(arguments);
+    command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    // Little enough to fit into the pipe.
+    child.stdin.take().unwrap().write_all(input).unwrap();
+    child.wait_with_output().unwrap()
+}
+
+/// What a run that must succeed wrote; it has nothing to complain about.
+fn said(output: &Output) -> String {
+    let complaints = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{}: {complaints}", output.status);
+    assert_eq!(complaints, "");
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+/// The complaint of a run that must fail: one sentence, nothing else written.
+fn complaint(output: &Output, status: i32) -> String {
+    let complaint = String::from_utf8(output.stderr.clone()).unwrap();
+    assert_eq!(output.status.code(), Some(status), "{complaint}");
+    assert!(complaint.starts_with("vides: "), "{complaint}");
+    assert!(complaint.ends_with('\n'), "{complaint}");
+    assert_eq!(output.stdout, b"");
+    complaint
+}
+
+/// The same where the sentence stands on a line of its own.
+fn sentence(output: &Output, status: i32) -> String {
+    let complaint = complaint(output, status);
+    assert_eq!(complaint.lines().count(), 1, "{complaint}");
+    complaint
+}
+
+fn poses_of(file: &str) -> Vec<Pose> {
+    let document = Document::load(Path::new(file)).unwrap();
+    let sampler = document.sampler().unwrap();
+    let mut poses = vec![Pose::default(); sampler.frame_count()];
+    sampler.sample(1, &mut poses).unwrap();
+    poses
+}
+
+fn numbers(pose: &Pose) -> Vec<f64> {
+    [pose.vrp, pose.vpn, pose.vup]
+        .into_iter()
+        .flatten()
+        .chain([pose.zoom])
+        .collect()
+}
+
+fn parsed(fields: std::str::Split<'_, char>) -> Vec<f64> {
+    fields.map(|field| field.parse().unwrap()).collect()
+}
+
+// ---- vides sample --------------------------------------------------------------
+
+#[test]
+fn ascii_has_a_line_for_each_frame() {
+    let text = said(&run(&["sample", PYRAMID]));
+    let poses = poses_of(PYRAMID);
+    assert_eq!(text.lines().count(), poses.len());
+    for (line, pose) in text.lines().zip(&poses) {
+        let fields: Vec<&str> = line.split(' ').collect();
+        assert_eq!(fields.len(), 10, "{line}");
+        for (field, number) in fields.iter().zip(numbers(pose)) {
+            let (_, decimals) = field.split_once('.').unwrap();
+            assert_eq!(decimals.len(), 4, "{line}");
+            let written: f64 = field.parse().unwrap();
+            assert!(
+                (written - number).abs() <= 0.5001e-4,
+                "{field} for {number}"
+            );
+        }
+    }
+}
+
+#[test]
+fn csv_has_every_bit() {
+    let text = said(&run(&["sample", "--format", "csv", PYRAMID]));
+    let mut lines = text.lines();
+    assert_eq!(
+        lines.next(),
+        Some("frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom")
+    );
+    let poses = poses_of(PYRAMID);
+    assert_eq!(lines.clone().count(), poses.len());
+    for (index, (line, pose)) in lines.zip(&poses).enumerate() {
+        let row = parsed(line.split(','));
+        assert_eq!(row[0], (index + 1) as f64);
+        assert_eq!(row[1..], numbers(pose), "frame {}", index + 1);
+    }
+}
+
+#[test]
+fn json_has_every_bit() {
+    let text = said(&run(&["sample", "--format=json", PYRAMID]));
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(json["title"], "Around the pyramid");
+    assert_eq!(json["fps"], 25.0);
+    assert_eq!(json["space"], "movement");
+    let poses = poses_of(PYRAMID);
+    assert_eq!(json["frame_count"], poses.len());
+    let written = json["poses"].as_array().unwrap();
+    assert_eq!(written.len(), poses.len());
+    for (json, pose) in written.iter().zip(&poses) {
+        assert_eq!(json["vrp"], serde_json::json!(pose.vrp));
+        assert_eq!(json["vpn"], serde_json::json!(pose.vpn));
+        assert_eq!(json["vup"], serde_json::json!(pose.vup));
+        assert_eq!(json["zoom"], pose.zoom);
+    }
+}
+
+#[test]
+fn a_file_holds_what_standard_output_would() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("out.txt");
+    let name = file.to_str().unwrap();
+    for format in ["ascii", "csv", "json"] {
+        let expected = said(&run(&["sample", PYRAMID, "--format", format]));
+        let explicit = said(&run(&["sample", PYRAMID, "--format", format, "-o", "-"]));
+        assert_eq!(explicit, expected);
+        assert_eq!(
+            said(&run(&["sample", PYRAMID, "--format", format, "-o", name])),
+            ""
+        );
+        assert_eq!(fs::read_to_string(&file).unwrap(), expected);
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn a_dash_is_standard_input() {
+    let file = fs::read(PYRAMID).unwrap();
+    for command in ["sample", "info"] {
+        let from_file = said(&run(&[command, PYRAMID]));
+        let from_input = said(&run_with_input(&[command, "-"], &file));
+        assert_eq!(from_input, from_file.replace(PYRAMID, "standard input"));
+    }
+    let broken = run_with_input(&["info", "-"], b"version = 1\nfps = \"fast\"\n");
+    assert!(sentence(&broken, 1).starts_with("vides: standard input: line 2: "));
+}
+
+#[test]
+fn pipes_and_devices_take_the_place_of_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let pipe = folder.path().join("pipe");
+    let made = Command::new("mkfifo").arg(&pipe).status().unwrap();
+    assert!(made.success());
+    let name = pipe.to_str().unwrap().to_owned();
+    let name = name.as_str();
+    let expected = said(&run(&["sample", PYRAMID]));
+
+    let writer = {
+        let pipe = pipe.clone();
+        std::thread::spawn(move || fs::write(pipe, fs::read(PYRAMID).unwrap()).unwrap())
+    };
+    assert_eq!(said(&run(&["sample", name])), expected);
+    writer.join().unwrap();
+
+    let reader = std::thread::spawn(move || fs::read_to_string(pipe).unwrap());
+    assert_eq!(said(&run(&["sample", PYRAMID, "--output", name])), "");
+    assert_eq!(reader.join().unwrap(), expected);
+
+    said(&run(&["sample", PYRAMID, "-o", "/dev/null"]));
+}
+
+/// A short path with a world and frames counted from 101.
+const IN_A_WORLD: &str = "\
+version = 1
+first_frame = 101
+base_speeds = { move_frames = 10.0 }
+space = { scale = 20.0, origin = [100.0, 0.0, -5.0], unit = \"m\" }
+[[point]]
+position = [-0.5, 0.25, 0.0]
+[[point]]
+position = [0.5, 0.25, 0.0]
+";
+
+#[test]
+fn the_world_moves_positions_only() {
+    let run = |more: &[&str]| {
+        let arguments = [&["sample", "-", "--format", "csv"], more].concat();
+        let text = said(&run_with_input(&arguments, IN_A_WORLD.as_bytes()));
+        let rows = text.lines().skip(1).map(|line| parsed(line.split(',')));
+        rows.collect::<Vec<_>>()
+    };
+    let (here, there) = (run(&[]), run(&["--world"]));
+    assert_eq!(here.len(), 11);
+    assert_eq!(here[0][..4], [101.0, -0.5, 0.25, 0.0]);
+    assert_eq!(there[0][..4], [101.0, 90.0, 5.0, -5.0]);
+    assert_eq!(there[10][..4], [111.0, 110.0, 5.0, -5.0]);
+    for (a, b) in here.iter().zip(&there) {
+        assert_eq!(a[4..], b[4..]);
+    }
+}
+
+/// A move of length 1; a turn of 180 degrees; a roll of 90 degrees; a zoom
+/// from 1 to 100: each as long as its base speed says.
+const ONE_OF_EACH: &str = "\
+version = 1
+base_speeds = { move_frames = 7.0, orient_frames = 5.0, zoom_frames = 3.0, roll_frames = 2.0 }
+[[point]]
+position = [0.0, 0.0, 0.0]
+[[point.orientation]]
+offset = [0.0, 0.0, -1.0]
+zoom_mm = 1.0
+[[point]]
+position = [0.0, 0.0, 1.0]
+[[point.orientation]]
+offset = [0.0, 0.0, -1.0]
+zoom_mm = 1.0
+[[point.orientation]]
+offset = [0.0, 0.0, 1.0]
+zoom_mm = 1.0
+[[point.orientation]]
+offset = [0.0, 0.0, 1.0]
+roll_degrees = 90.0
+zoom_mm = 1.0
+[[point.orientation]]
+offset = [0.0, 0.0, 1.0]
+roll_degrees = 90.0
+zoom_mm = 100.0
+";
+
+#[test]
+fn base_speeds_stand_in_for_the_files() {
+    let frames = |more: &[&str]| {
+        let arguments = [&["sample", "-"], more].concat();
+        let output = run_with_input(&arguments, ONE_OF_EACH.as_bytes());
+        said(&output).lines().count()
+    };
+    assert_eq!(frames(&[]), 1 + 7 + 5 + 3 + 2);
+    assert_eq!(frames(&["--move-speed", "70"]), 1 + 70 + 5 + 3 + 2);
+    assert_eq!(frames(&["--orient-speed", "50"]), 1 + 7 + 50 + 3 + 2);
+    assert_eq!(frames(&["--zoom-speed=30"]), 1 + 7 + 5 + 30 + 2);
+    assert_eq!(frames(&["--winkel-speed", "2e1"]), 1 + 7 + 5 + 3 + 20);
+}
+
+#[test]
+fn a_reader_that_has_enough_is_no_error() {
+    let long = ["sample", PYRAMID, "--move-speed", "1e6"];
+    let mut command = vides(&long);
+    let mut child = command
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
+    assert_eq!(lines.next().unwrap().unwrap().split(' ').count(), 10);
+    drop(lines);
+    let mut complaints = String::new();
+    child
+        .stderr
+        .take()
+        .unwrap()
+        .read_to_string(&mut complaints)
+        .unwrap();
+    assert_eq!(complaints, "");
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+}
+
+// ---- What goes wrong -------------------------------------------------------------
+
+#[test]
+fn broken_files_are_named_with_line_and_reason() {
+    let corpus = |name: &str| format!("{}/tests/corpus/{name}.vid", env!("CARGO_MANIFEST_DIR"));
+    for (name, line, reason) in [
+        ("zoom_zero", 8, "the zoom must lie between 1 and 100"),
+        ("preset_ten", 5, "9"),
+        ("unknown_point_key", 5, "preset"),
+    ] {
+        let file = corpus(name);
+        for command in ["sample", "info"] {
+            let sentence = sentence(&run(&[command, &file]), 1);
+            let place = format!("vides: {file}: line {line}");
+            assert!(sentence.starts_with(&place), "{sentence}");
+            assert!(sentence.contains(reason), "{sentence}");
+        }
+    }
+    for entry in fs::read_dir(corpus("").trim_end_matches("/.vid")).unwrap() {
+        let file = entry.unwrap().path();
+        let sentence = sentence(&run(&["info", file.to_str().unwrap()]), 1);
+        assert!(sentence.contains(file.to_str().unwrap()), "{sentence}");
+    }
+}
+
+#[test]
+fn what_a_file_says_cannot_steer_the_terminal() {
+    let broken = run_with_input(&["info", "-"], b"version = 1\n\"fp\\u001b[2Js\\n\" = 3\n");
+    assert!(!sentence(&broken, 1).contains('\u{1b}'));
+    let comment = "version = 1\ncomment = \"a\\u001b[2Jb\"\n[[point]]\nposition = [0.0, 0.0, 0.0]\n[[point]]\nposition = [1.0, 0.0, 0.0]\n";
+    let text = said(&run_with_input(&["info", "-"], comment.as_bytes()));
+    assert!(text.contains("a\u{fffd}[2Jb"), "{text}");
+}
+
+#[test]
+fn files_that_are_not_there_are_named() {
+    let sentence_of = |arguments: &[&str]| sentence(&run(arguments), 1);
+    assert_eq!(
+        sentence_of(&["info", "/no/such.vid"]),
+        "vides: /no/such.vid: No such file or directory\n"
+    );
+    assert_eq!(
+        sentence_of(&["sample", PYRAMID, "-o", "/no/such/out.txt"]),
+        "vides: /no/such/out.txt: No such file or directory\n"
+    );
+    assert_eq!(
+        sentence_of(&["sample", "/tmp"]),
+        "vides: /tmp: this is a directory, not a file\n"
+    );
+    assert_eq!(
+        sentence_of(&["sample", PYRAMID, "-o", "/dev/full"]),
+        "vides: /dev/full: No space left on device\n"
+    );
+}
+
+#[test]
+fn a_full_standard_output_is_told() {
+    for arguments in [&["sample", PYRAMID][..], &["info", PYRAMID], &["--help"]] {
+        let full = fs::OpenOptions::new()
+            .write(true)
+            .open("/dev/full")
+            .unwrap();
+        let output = vides(arguments).stdout(full).output().unwrap();
+        assert_eq!(
+            sentence(&output, 1),
+            "vides: standard output: No space left on device\n"
+        );
+    }
+}
+
+#[test]
+fn a_failed_run_leaves_the_old_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("out.txt");
+    fs::write(&file, "old\n").unwrap();
+    // The shell limits the size of files to a few blocks, and sees to it that
+    // more is an error instead of a signal.
+    let script = "trap '' XFSZ; ulimit -f 8; exec \"$0\" sample \"$1\" -o \"$2\"";
+    let output = Command::new("sh")
+        .args(["-c", script, env!("CARGO_BIN_EXE_vides"), PYRAMID])
+        .arg(&file)
+        .output()
+        .unwrap();
+    let sentence = sentence(&output, 1);
+    assert!(sentence.contains("File too large"), "{sentence}");
+    assert_eq!(fs::read_to_string(&file).unwrap(), "old\n");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn a_path_is_not_overwritten_by_its_poses() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("path.vid");
+    let link = folder.path().join("link.txt");
+    fs::copy(PYRAMID, &file).unwrap();
+    std::os::unix::fs::symlink(&file, &link).unwrap();
+    for out in [&file, &link] {
+        let output = vides(&["sample", "-o"])
+            .args([out, &file])
+            .output()
+            .unwrap();
+        assert!(sentence(&output, 2).contains("overwrite"));
+        assert_eq!(fs::read(&file).unwrap(), fs::read(PYRAMID).unwrap());
+    }
+}
+
+#[test]
+fn too_many_frames_are_refused_before_anything_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("out.txt");
+    let out = file.to_str().unwrap();
+    let output = run(&["sample", PYRAMID, "-o", out, "--move-speed", "1e300"]);
+    let sentence = sentence(&output, 1);
+    assert!(
+        sentence.contains(PYRAMID) && sentence.contains("frames"),
+        "{sentence}"
+    );
+    assert!(!file.exists());
+}
+
+#[test]
+fn bad_usage_is_told() {
+    let bad: [&[&str]; 12] = [
+        &["sample"],
+        &["info"],
+        &["dance"],
+        &["sample", PYRAMID, "--format", "xml"],
+        &["sample", PYRAMID, "--frames", "3"],
+        &["sample", PYRAMID, "another.vid"],
+        &["sample", PYRAMID, "--move-speed"],
+        &["sample", PYRAMID, "--move-speed", "fast"],
+        &["sample", PYRAMID, "--move-speed", "0"],
+        &["sample", PYRAMID, "--orient-speed", "-5"],
+        &["sample", PYRAMID, "--zoom-speed", "nan"],
+        &["sample", PYRAMID, "--winkel-speed", "inf"],
+    ];
+    for arguments in bad {
+        complaint(&run(arguments), 2);
+    }
+    let nothing = run(&[]);
+    assert_eq!(nothing.status.code(), Some(2));
+    assert!(
+        String::from_utf8(nothing.stderr)
+            .unwrap()
+            .contains("Usage: vides")
+    );
+}
+
+// ---- vides info --------------------------------------------------------------------
+
+#[test]
+fn info_accounts_for_every_frame() {
+    let text = said(&run(&["info", PYRAMID]));
+    let frames = poses_of(PYRAMID).len();
+    let entry = |name: &str| {
+        let line = text.lines().find(|line| line.starts_with(name));
+        line.unwrap()[name.len()..].trim().to_owned()
+    };
+    assert!(text.starts_with("Around the pyramid\n"));
+    assert_eq!(entry("File"), PYRAMID);
+    assert_eq!(entry("Path"), "open, 6 points");
+    assert_eq!(entry("Frames"), format!("{frames}, numbered 1 to {frames}"));
+    let seconds = frames as f64 / 25.0;
+    assert_eq!(
+        entry("Time"),
+        format!("{seconds:.2} s at 25 frames per second")
+    );
+
+    let (_, sections) = text.split_once("\nSections\n").unwrap();
+    // First and last frame of each row, from the right: the rows follow one
+    // another without a gap, and begin after the first pose.
+    let mut next = 2;
+    for row in sections.lines().skip(1) {
+        let mut cells = row.split_whitespace().rev().skip(1);
+        let mut number = || cells.next().unwrap().parse::<usize>().unwrap();
+        let (last, first, count) = (number(), number(), number());
+        assert_eq!((first, last), (next, next + count - 1), "{row}");
+        next = last + 1;
+    }
+    assert_eq!(next - 1, frames);
+    assert_eq!(
+        sections
+            .lines()
+            .filter(|row| row.contains("position"))
+            .count(),
+        5
+    );
+    assert_eq!(
+        sections.lines().filter(|row| row.contains("view")).count(),
+        3
+    );
+    assert_eq!(
+        sections.lines().filter(|row| row.contains("rest")).count(),
+        2
+    );
+}
+
+#[test]
+fn info_says_what_changes_and_by_how_much() {
+    let text = said(&run_with_input(&["info", "-"], ONE_OF_EACH.as_bytes()));
+    let (_, sections) = text.split_once("\nSections\n").unwrap();
+    let rows: Vec<Vec<&str>> = sections
+        .lines()
+        .skip(1)
+        .map(|row| row.split_whitespace().collect())
+        .collect();
+    let expected = [
+        "1 1 2.1 position 1.0000 7 2 8 0.28",
+        "2 2.1 2.2 view 180.00 degrees 5 9 13 0.20",
+        "3 2.2 2.3 roll 90.00 degrees 2 14 15 0.08",
+        "4 2.3 2.4 zoom 99.00 mm 3 16 18 0.12",
+    ];
+    let expected: Vec<Vec<&str>> = expected.map(|row| row.split(' ').collect()).to_vec();
+    assert_eq!(rows, expected);
+    // The film's own numbers, and the world.
+    let text = said(&run_with_input(&["info", "-"], IN_A_WORLD.as_bytes()));
+    assert!(text.contains("11, numbered 101 to 111\n"), "{text}");
+    assert!(text.contains("(100, 0, -5) + 20 × position m\n"), "{text}");
+}
+
+// ---- Help, version, manual ------------------------------------------------------------
+
+#[test]
+fn version_and_help_go_to_standard_output() {
+    let version = format!("vides {}\n", env!("CARGO_PKG_VERSION"));
+    assert_eq!(said(&run(&["--version"])), version);
+    assert_eq!(said(&run(&["-V"])), version);
+    for arguments in [
+        &["--help"][..],
+        &["-h"],
+        &["sample", "--help"],
+        &["info", "-h"],
+    ] {
+        let help = said(&run(arguments));
+        assert!(help.contains("Usage: vides"), "{help}");
+        assert!(
+            help.lines().all(|line| line.chars().count() <= 80),
+            "{help}"
+        );
+    }
+    let help = said(&run(&["--help"]));
+    assert!(help.contains("sample") && help.contains("info") && !help.contains("edit"));
+}
+
+/// The options that a text mentions: `-o`, `--output`.
+fn options(text: &str) -> BTreeSet<String> {
+    text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '-'))
+        .filter(|word| {
+            let name = word.trim_start_matches('-');
+            let dashes = word.len() - name.len();
+            (dashes == 1 && name.len() == 1) || (dashes == 2 && name.len() > 1)
+        })
+        .filter(|word| word.ends_with(|c: char| c.is_ascii_alphabetic()))
+        .map(str::to_owned)
+        .collect()
+}
+
+#[test]
+fn the_manual_page_knows_every_option_and_no_other() {
+    let helps = [&["--help"][..], &["sample", "--help"], &["info", "--help"]];
+    let text: String = helps.map(|arguments| said(&run(arguments))).concat();
+    let page = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/man/vides.1")).unwrap();
+    // Without roff's changes of font and its way to write a minus sign.
+    let page = page
+        .replace("\\fR", " ")
+        .replace("\\fP", " ")
+        .replace("\\-", "-");
+    let from_help = options(&text);
+    assert!(from_help.len() >= 10, "{from_help:?}");
+    assert_eq!(options(&page), from_help);
+    for command in ["vides sample", "vides info"] {
+        assert!(page.contains(command));
+    }
+}
