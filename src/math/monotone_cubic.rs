@@ -12,21 +12,20 @@ fn end_slope(h: [f64; 2], delta: [f64; 2]) -> f64 {
     ((2.0 * h[0] + h[1]) * delta[0] - h[0] * delta[1]) / (h[0] + h[1])
 }
 
-/// Scales the two slopes of one interval into the circle of radius 3 in which
-/// the cubic is monotone, and removes those that point the wrong way.
-fn limit(delta: f64, left: &mut f64, right: &mut f64) {
-    if delta == 0.0 {
-        (*left, *right) = (0.0, 0.0);
-        return;
-    }
-    let (a, b) = ((*left / delta).max(0.0), (*right / delta).max(0.0));
-    let size = a.hypot(b);
-    let scale = if size > 3.0 { 3.0 / size } else { 1.0 };
-    (*left, *right) = (scale * a * delta, scale * b * delta);
+/// What two slopes are to be scaled by, so that they lie in the circle of
+/// radius 3 in which the cubic is monotone.
+fn scale(delta: f64, left: f64, right: f64) -> f64 {
+    let size = left.hypot(right);
+    let room = 3.0 * delta.abs();
+    if size > room { room / size } else { 1.0 }
 }
 
 /// Slopes at the keys, written to `slopes`. `steps[i]` is the distance from
 /// key i to key i + 1 (> 0), `rises[i]` the change of the value.
+///
+/// Each interval asks for its two slopes to be scaled; a slope follows the
+/// stricter of the two that ask, so the curve does not depend on the direction
+/// in which the keys are counted.
 ///
 /// `periodic`: the last key is the first one again (up to a constant), so
 /// their slopes agree. Two keys that are not periodic give a straight line.
@@ -50,42 +49,34 @@ pub fn slopes(steps: &[f64], rises: &[f64], periodic: bool, slopes: &mut [f64]) 
         slopes[0] = end_slope([steps[0], steps[1]], [delta(0), delta(1)]);
         slopes[n] = end_slope([steps[n - 1], steps[n - 2]], [delta(n - 1), delta(n - 2)]);
     }
-    // A slope beside a level or falling interval must go before its partner
-    // is scaled, or the partner would be scaled for nothing.
-    for k in 0..=n {
-        let before = if k > 0 {
-            Some(delta(k - 1))
-        } else if periodic {
-            Some(delta(n - 1))
-        } else {
-            None
-        };
-        let after = if k < n {
-            Some(delta(k))
-        } else if periodic {
-            Some(delta(0))
-        } else {
-            None
-        };
-        for neighbour in [before, after].into_iter().flatten() {
-            if slopes[k] * neighbour <= 0.0 {
-                slopes[k] = 0.0;
-            }
+    let before = |k: usize| match k {
+        0 => periodic.then(|| n - 1),
+        k => Some(k - 1),
+    };
+    let after = |k: usize| match k {
+        k if k == n => periodic.then_some(0),
+        k => Some(k),
+    };
+    // A slope beside a level or falling interval goes before its partner is
+    // scaled, or the partner would be scaled for nothing.
+    for (k, slope) in slopes.iter_mut().enumerate() {
+        let turns = |i: Option<usize>| i.is_some_and(|i| *slope * delta(i) <= 0.0);
+        if turns(before(k)) || turns(after(k)) {
+            *slope = 0.0;
         }
     }
+    // Each factor must be taken from slopes that are not scaled yet: the last
+    // two are kept aside.
+    let factor = |slopes: &[f64], i: usize| scale(delta(i), slopes[i], slopes[i + 1]);
+    let first = factor(slopes, 0);
+    let last = factor(slopes, n - 1);
+    let mut behind = if periodic { last } else { 1.0 };
     for k in 0..n {
-        let (left, right) = slopes.split_at_mut(k + 1);
-        limit(delta(k), &mut left[k], &mut right[0]);
+        let ahead = factor(slopes, k);
+        slopes[k] *= behind.min(ahead);
+        behind = ahead;
     }
-    if periodic {
-        // What the last interval did to the common slope holds at both ends.
-        let common = if slopes[0].abs() < slopes[n].abs() {
-            slopes[0]
-        } else {
-            slopes[n]
-        };
-        (slopes[0], slopes[n]) = (common, common);
-    }
+    slopes[n] *= behind.min(if periodic { first } else { 1.0 });
 }
 
 /// The cubic of one interval in φ ∈ [0, 1], lowest power first: from `value`

@@ -335,9 +335,9 @@ def sign(x):
 
 def monotone_slopes(h, d, cyclic):
     """Slopes of the monotone cubic over intervals of widths h and secants d
-    (Fritsch and Carlson 1980): three-point slopes, also at the ends, of which
-    each interval's pair, one interval after the other, is drawn into the circle
-    of radius 3 secants."""
+    (Fritsch and Carlson 1980): three-point slopes, also at the ends. Each
+    interval asks for its pair to be drawn into the circle of radius 3 secants;
+    a slope follows the stricter of the two that ask."""
     n = len(h)
     if cyclic:
         m = [(h[i] * d[i - 1] + h[i - 1] * d[i]) / (h[i - 1] + h[i]) for i in range(n)]
@@ -352,12 +352,13 @@ def monotone_slopes(h, d, cyclic):
         turns += [sign(d[i - 1]) * sign(d[i]) <= 0 for i in range(1, n)]
         turns += [sign(m[-1]) * sign(d[-1]) <= 0]
     m = [mpf(0) if turn else slope for slope, turn in zip(m, turns)]
+    draw = [mpf(1)] * len(m)
     for i in range(n):
         j = (i + 1) % len(m)
         reach = mp.hypot(m[i], m[j]) / abs(d[i]) if d[i] != 0 else 0  # then both are 0
         if reach > 3:
-            m[i], m[j] = m[i] * 3 / reach, m[j] * 3 / reach
-    return m
+            draw[i], draw[j] = min(draw[i], 3 / reach), min(draw[j], 3 / reach)
+    return [slope * factor for slope, factor in zip(m, draw)]
 
 
 def hermite(y0, y1, m0, m1, h, x):
