@@ -74,16 +74,26 @@ header: toolchain
 
 # Both programs read the same flight: the command, and a C host that takes the
 # list and walks it both ways. What they write is long; its ends are shown.
+# The picture is built as `make test` builds, so that nothing is built twice.
 demo: all
 	@mkdir -p $(DEMO)
 	$(RELEASE)/vides info examples/pyramid.vid
 	$(RELEASE)/vides sample examples/pyramid.vid -o $(DEMO)/pyramid.txt
-	@head -n 3 $(DEMO)/pyramid.txt; echo ...; tail -n 1 $(DEMO)/pyramid.txt
 	$(CC) -std=c89 -pedantic -Wall -Wextra -Iinclude -o $(DEMO)/headless \
 	    c_examples/headless.c -L$(LIB) -lvides -lm
-	LD_LIBRARY_PATH=$(LIB) $(DEMO)/headless examples/pyramid.vid >$(DEMO)/headless.txt
-	@head -n 3 $(DEMO)/headless.txt; echo ...; tail -n 2 $(DEMO)/headless.txt
-	@echo "All poses: $(DEMO)/pyramid.txt, $(DEMO)/headless.txt"
+	$(CC) -std=c89 -pedantic -Wall -Wextra -Iinclude -o $(DEMO)/headless_archive \
+	    c_examples/headless.c $(LIB)/libvides.a -lm
+	LD_LIBRARY_PATH=$(LIB) $(DEMO)/headless examples/pyramid.vid >$(DEMO)/list.txt
+	$(DEMO)/headless_archive examples/pyramid.vid | cmp - $(DEMO)/list.txt
+	@head -n 4 $(DEMO)/list.txt; echo '  ...'; tail -n 3 $(DEMO)/list.txt
+	$(CARGO) run --quiet --locked --profile test --example picture -- \
+	    examples/pyramid.vid $(DEMO)/pyramid.svg
+	@echo
+	@echo 'The flight around the pyramid, in $(DEMO):'
+	@echo '  pyramid.svg   the path in space, its speed and its turning: open it in a browser'
+	@echo '  pyramid.txt   every camera pose, one a line, as vides sample writes them'
+	@echo '  list.txt      the same as a C program meets them in its list, forwards and back'
+	@echo '  headless      that program, with the shared library; headless_archive with the other'
 
 # ---- Checks, the cheap ones first -----------------------------------------------
 

@@ -1,0 +1,136 @@
+//! As much of SVG as the picture needs.
+
+use std::fmt::Write;
+
+/// A place in the picture: pixels to the right and down.
+pub(crate) type Spot = (f64, f64);
+
+/// A picture that grows.
+pub(crate) struct Svg {
+    text: String,
+}
+
+/// Where a text stands relative to its spot.
+#[derive(Clone, Copy)]
+pub(crate) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+impl Svg {
+    /// An empty picture on a white ground.
+    pub(crate) fn new(width: f64, height: f64, title: &str) -> Self {
+        let mut svg = Self {
+            text: String::new(),
+        };
+        svg.put(format_args!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"0 0 {width} {height}\" role=\"img\" \
+             font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" font-size=\"12.5\" \
+             fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">"
+        ));
+        svg.put(format_args!("<title>{}</title>", escaped(title)));
+        svg.put(format_args!(
+            "<rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>"
+        ));
+        svg
+    }
+
+    /// The finished text.
+    pub(crate) fn finish(mut self) -> String {
+        self.text.push_str("</svg>\n");
+        self.text
+    }
+
+    fn put(&mut self, line: std::fmt::Arguments<'_>) {
+        // Writing into a string cannot fail.
+        let _ = writeln!(self.text, "{line}");
+    }
+
+    /// What `draw` draws, together, with attributes for all of it.
+    pub(crate) fn group(&mut self, id: &str, attributes: &str, draw: impl FnOnce(&mut Self)) {
+        self.put(format_args!("<g id=\"{id}\" {attributes}>"));
+        draw(self);
+        self.put(format_args!("</g>"));
+    }
+
+    pub(crate) fn line(&mut self, (x1, y1): Spot, (x2, y2): Spot, attributes: &str) {
+        self.put(format_args!(
+            "<line x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\" {attributes}/>"
+        ));
+    }
+
+    pub(crate) fn polyline(&mut self, spots: &[Spot], attributes: &str) {
+        let spots = listed(spots);
+        self.put(format_args!("<polyline points=\"{spots}\" {attributes}/>"));
+    }
+
+    pub(crate) fn polygon(&mut self, spots: &[Spot], attributes: &str) {
+        let spots = listed(spots);
+        self.put(format_args!("<polygon points=\"{spots}\" {attributes}/>"));
+    }
+
+    pub(crate) fn rectangle(&mut self, (x, y): Spot, width: f64, height: f64, attributes: &str) {
+        self.put(format_args!(
+            "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" {attributes}/>"
+        ));
+    }
+
+    /// Cubic Bézier curves, one after the other, each by its four points.
+    pub(crate) fn curves(&mut self, curves: &[[Spot; 4]], attributes: &str) {
+        let mut data = String::new();
+        for [(x, y), rest @ ..] in curves {
+            let _ = write!(data, "M{x:.2} {y:.2}C{} ", listed(rest));
+        }
+        let data = data.trim_end();
+        self.put(format_args!("<path d=\"{data}\" {attributes}/>"));
+    }
+
+    pub(crate) fn text(&mut self, (x, y): Spot, anchor: Anchor, text: &str, attributes: &str) {
+        let anchor = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        self.put(format_args!(
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" text-anchor=\"{anchor}\" {attributes}>{}</text>",
+            escaped(text)
+        ));
+    }
+}
+
+fn listed(spots: &[Spot]) -> String {
+    let mut list = String::new();
+    for (x, y) in spots {
+        let _ = write!(list, "{x:.2},{y:.2} ");
+    }
+    list.truncate(list.trim_end().len());
+    list
+}
+
+/// A text as XML takes it, without the few characters that it never takes.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::new();
+    for character in text.chars() {
+        match character {
+            '<' => escaped.push_str("&lt;"),
+            '&' => escaped.push_str("&amp;"),
+            '>' => escaped.push_str("&gt;"),
+            '\u{fffe}' | '\u{ffff}' => escaped.push('\u{fffd}'),
+            control if control.is_control() => escaped.push('\u{fffd}'),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+/// A text cut to a width in pixels, by a letter's usual width.
+pub(crate) fn cut(text: &str, width: f64) -> String {
+    let room = (width / 6.4) as usize;
+    if text.chars().count() <= room {
+        return text.to_owned();
+    }
+    let kept: String = text.chars().take(room.saturating_sub(1)).collect();
+    format!("{}…", kept.trim_end())
+}
