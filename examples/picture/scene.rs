@@ -7,7 +7,7 @@ use vides::path::{Pose, Sampler, Timeline};
 
 use crate::Problem;
 use crate::style::{INK, OBJECT, VIEW, WAY};
-use crate::svg::{Anchor, Spot, Svg};
+use crate::svg::{Anchor, Spot, Svg, cut, width};
 
 /// Turned about the y axis, and seen from above, in degrees.
 const TURN: f64 = 13.0;
@@ -100,7 +100,7 @@ pub(crate) fn draw(
             camera(svg, &projection, pose, *is_key);
         }
     });
-    points(svg, &projection, document);
+    points(svg, &projection, document, (corner.0, corner.0 + width));
     Ok(())
 }
 
@@ -268,7 +268,7 @@ fn camera(svg: &mut Svg, projection: &Projection, pose: &Pose, is_key: bool) {
 }
 
 /// Crosses, numbers and names, outside of the curve.
-fn points(svg: &mut Svg, projection: &Projection, document: &Document) {
+fn points(svg: &mut Svg, projection: &Projection, document: &Document, sides: Spot) {
     let points = &document.path().points;
     let spots: Vec<Spot> = points
         .iter()
@@ -286,18 +286,27 @@ fn points(svg: &mut Svg, projection: &Projection, document: &Document) {
             svg.line((x - arm, y + arm), (x + arm, y - arm), &cross);
             // Away from the middle, where the path's inside and its views are.
             let away = (DVec2::from((x, y)) - middle).normalize_or(DVec2::Y);
-            let anchor = match away.x {
-                right if right > 0.3 => Anchor::Start,
-                left if left < -0.3 => Anchor::End,
-                _ => Anchor::Middle,
-            };
-            let below = if away.y > 0.0 { 22.0 } else { -14.0 };
-            let place = (x + away.x * 10.0, y + below);
             let label = match &point.name {
                 Some(name) => format!("{} {name}", index + 1),
                 None => (index + 1).to_string(),
             };
-            let label = crate::svg::cut(&label, 150.0);
+            let label = cut(&label, 150.0);
+            // Beside the cross, on the other side where there is no room on this.
+            let (left, right) = (x - sides.0, sides.1 - x);
+            let room = width(&label) + 10.0;
+            let anchor = match away.x {
+                away if away > 0.3 && room <= right => Anchor::Start,
+                away if away < -0.3 && room <= left => Anchor::End,
+                away if away.abs() <= 0.3 && room / 2.0 <= left.min(right) => Anchor::Middle,
+                _ if left > right => Anchor::End,
+                _ => Anchor::Start,
+            };
+            let below = if away.y > 0.0 { 22.0 } else { -14.0 };
+            let place = match anchor {
+                Anchor::Start => (x + 10.0 * away.x.abs(), y + below),
+                Anchor::Middle => (x + 10.0 * away.x, y + below),
+                Anchor::End => (x - 10.0 * away.x.abs(), y + below),
+            };
             // A white rim keeps it readable on lines.
             svg.text(
                 place,

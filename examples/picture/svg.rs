@@ -125,9 +125,17 @@ fn escaped(text: &str) -> String {
     escaped
 }
 
+/// Width of a letter as it usually is, in pixels.
+const LETTER: f64 = 6.4;
+
+/// Width of a text in pixels, about.
+pub(crate) fn width(text: &str) -> f64 {
+    LETTER * text.chars().count() as f64
+}
+
 /// A text cut to a width in pixels, by a letter's usual width.
 pub(crate) fn cut(text: &str, width: f64) -> String {
-    let room = (width / 6.4) as usize;
+    let room = (width / LETTER) as usize;
     if text.chars().count() <= room {
         return text.to_owned();
     }
