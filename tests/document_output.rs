@@ -217,7 +217,7 @@ fn the_world_is_applied_to_positions_only() {
     }
     let mut plain = Vec::new();
     let sampler = document.sampler().unwrap();
-    ascii::write_ascii(&sampler, Some(&document.info().space), &mut plain).unwrap();
+    ascii::write_ascii(sampler, Some(&document.info().space), &mut plain).unwrap();
     assert_eq!(plain, text.as_bytes());
 }
 
@@ -242,7 +242,7 @@ fn files_hold_the_same_and_progress_reaches_the_end() {
         assert_eq!(seen.last(), Some(&(2_000, 2_000)));
     }
     let sampler = document.sampler().unwrap();
-    ascii::write_ascii_file(&sampler, None, &file).unwrap();
+    ascii::write_ascii_file(sampler, None, &file).unwrap();
     let text = std::fs::read_to_string(&file).unwrap();
     assert_eq!(text, written(&document, Format::Ascii, false));
 }

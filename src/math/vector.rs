@@ -304,7 +304,8 @@ mod tests {
         let a: Vec<f64> = (0..V::LANES).map(|k| 1.5 + k as f64).collect();
         let b: Vec<f64> = (0..V::LANES).map(|k| 4.0 - 1.25 * k as f64).collect();
         let (va, vb) = (V::load(&a), V::load(&b));
-        let results: [(V, fn(f64, f64) -> f64); 8] = [
+        type Plain = fn(f64, f64) -> f64;
+        let results: [(V, Plain); 8] = [
             (va.add(vb), |a, b| a + b),
             (va.sub(vb), |a, b| a - b),
             (va.mul(vb), |a, b| a * b),
