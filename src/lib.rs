@@ -3,7 +3,12 @@
 //!
 //! [`path`] is the engine, [`document`] the path being edited and its files,
 //! [`math`] what both stand on. `ffi` is the border to C; its header is
-//! `include/libvides.h`. `ARCHITECTURE.md` draws the arrows between them.
+//! `include/libvides.h`. `ARCHITECTURE.md` draws the arrows between them,
+//! `docs/path.md` tells the rules by which a path becomes poses.
+//!
+//! "The thesis" is W.-D. Groß, *Orts- und Orientierungsinterpolation zur
+//! kontrollierten Generierung von Zwischenpositionen für Animationssequenzen*,
+//! Jül-2948, 1994.
 
 pub mod document;
 pub mod error;

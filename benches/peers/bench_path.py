@@ -1,5 +1,5 @@
-"""The path of all benchmarks, by the same formulas as `benches/path.rs` and
-`benches/list.c`: a wobbling curve in the cube, a camera that turns and rolls
+"""The path of all benchmarks, by the same formulas as `benches/engine.rs`
+and `benches/list.c`: a wobbling curve in the cube, a camera that turns and rolls
 steadily, a zoom that breathes, and all the curve parameters at work."""
 
 import math

@@ -1,6 +1,10 @@
 //! Mathematics that knows nothing of cameras' paths: quaternions and
-//! orientations, polynomials, views and projections. It uses no other part of
-//! the library but its errors and limits.
+//! orientations, polynomials, views and projections, and several numbers side
+//! by side ([`vector`]).
+//!
+//! It stands apart so that each piece can be held against a closed form
+//! without a path around it. It uses no other part of the library but its
+//! errors and limits.
 
 pub mod chebyshev;
 pub mod monotone_cubic;

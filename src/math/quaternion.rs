@@ -63,7 +63,7 @@ pub fn log(q: DQuat) -> DVec3 {
 /// `q` or −`q`, whichever continues the sequence after `before` by the shorter
 /// way. Half a turn apart either way is right; then the sign for which the
 /// first non-zero component of the rotation vector in the camera's own frame,
-/// in the order y, x, z, is positive (SPEC 2.3). The flag tells that case.
+/// in the order y, x, z, is positive (`docs/path.md`, orientation curve). The flag tells that case.
 #[must_use]
 pub fn continue_sign(before: DQuat, q: DQuat) -> (DQuat, bool) {
     let dot = before.dot(q);

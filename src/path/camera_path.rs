@@ -1,4 +1,5 @@
-//! The data of a camera path (SPEC 2): what a person plans and a file keeps.
+//! The data of a camera path: what a person plans and a file keeps. The terms and
+//! the rules are those of `docs/path.md`.
 //! Nothing here is computed; [`super::timeline`] and [`super::sampling`] do that.
 
 use glam::DVec3;
@@ -192,7 +193,7 @@ impl Default for BaseSpeeds {
     }
 }
 
-/// How the camera turns between its orientations (SPEC 2.3).
+/// How the camera turns between its orientations (`docs/path.md`, orientation curve).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum OrientationMode {
     /// Cubic spherical Bézier curve with limited angular velocities.
@@ -204,7 +205,7 @@ pub enum OrientationMode {
     Slerp,
 }
 
-/// How the zoom runs between its keys (SPEC 2.3).
+/// How the zoom runs between its keys (`docs/path.md`, zoom).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ZoomMode {
     /// Monotone cubic (Fritsch and Carlson 1980).
@@ -246,7 +247,7 @@ pub const DEFAULT_PRESETS: [Tcb; limits::PRESETS] = [
 ];
 
 impl Default for CameraPath {
-    /// The path that a new window begins with (SPEC 2).
+    /// The path that a new window begins with.
     fn default() -> Self {
         Self {
             points: vec![
@@ -285,7 +286,7 @@ impl CameraPath {
         }
     }
 
-    /// Whether every invariant of SPEC 2 holds.
+    /// Whether everything is finite and in range, and so many as there may be.
     ///
     /// # Errors
     /// The first one that does not, with its place.
@@ -314,7 +315,7 @@ impl CameraPath {
 }
 
 impl SupportPoint {
-    /// Whether every invariant of SPEC 2 holds for this point.
+    /// Whether everything at this point is finite and in range.
     ///
     /// # Errors
     /// The first one that does not.

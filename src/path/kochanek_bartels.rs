@@ -56,7 +56,7 @@ pub fn basis(from: Tcb, to: Tcb) -> BasisMatrix {
 }
 
 /// The tangent at an end: that of the parabola through the three points
-/// nearest to it, (−3P₀+4P₁−P₂)/2, loosened by the tension alone (SPEC 2.1).
+/// nearest to it, (−3P₀+4P₁−P₂)/2, loosened by the tension alone.
 /// `near` and `far` are the chords P₁−P₀ and P₂−P₁, both as the curve runs at
 /// a start; at the end of a path they are Pₙ−Pₙ₋₁ and Pₙ₋₁−Pₙ₋₂.
 #[must_use]

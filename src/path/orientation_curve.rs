@@ -1,6 +1,7 @@
-//! How the camera turns in each section of a path (thesis ch. 4): free
-//! sections on a curve through quaternions, sections that track a target, and
-//! sections that keep a direction.
+//! How the camera turns in each section of a path (thesis ch. 4;
+//! `docs/path.md`, orientation curve): free sections on a curve through
+//! quaternions, sections that track a target, and sections that keep a
+//! direction.
 
 use glam::{DQuat, DVec3};
 
@@ -206,7 +207,6 @@ struct Work<'a> {
 }
 
 /// Works out how the camera turns in each leg, and fixes the signs of the keys.
-/// The flag of each leg tells that its ends lie half a turn apart.
 ///
 /// # Errors
 /// [`crate::Error::Memory`].

@@ -1,4 +1,5 @@
-//! A whole path becomes poses (thesis 5.2, 5.3, A.6.2).
+//! A whole path becomes poses (thesis 5.2, 5.3, A.6.2; `docs/path.md`, speed and
+//! frames).
 
 use std::sync::OnceLock;
 

@@ -1,6 +1,6 @@
-//! Sections and their frames (thesis 5.2, 5.3, B.2.2): what changes, by how
-//! much, how many frames it takes. When the values at one point change, only
-//! what lies around it is computed again.
+//! Sections and their frames (thesis 5.2, 5.3, B.2.2; `docs/path.md`, sections):
+//! what changes, by how much, how many frames it takes. When the values at one
+//! point change, only what lies around it is computed again.
 
 use super::arc_length;
 use super::camera_path::{CameraPath, Orientation};
