@@ -1,10 +1,57 @@
-//! What several tests share: random paths.
+//! What several tests share: random paths, and short ways to make a path and
+//! to get its poses.
 #![allow(dead_code, missing_docs, unreachable_pub)]
 
 use glam::DVec3;
 use vides::path::{
-    CameraPath, CurveParameters, Orientation, OrientationMode, SupportPoint, Target, Tcb, ZoomMode,
+    CameraPath, CurveParameters, Orientation, OrientationMode, Pose, Sampler, SupportPoint, Target,
+    Tcb, Timeline, ZoomMode,
 };
+
+/// A path through these points, with the default orientation at each.
+pub fn path_through(positions: &[[f64; 3]]) -> CameraPath {
+    let point = |&position| SupportPoint::new(DVec3::from_array(position));
+    CameraPath {
+        points: positions.iter().map(point).collect(),
+        ..CameraPath::default()
+    }
+}
+
+/// The same shape at every point of a path.
+pub fn shaped(mut path: CameraPath, tcb: Tcb) -> CameraPath {
+    for point in &mut path.points {
+        point.curve = CurveParameters::Own(tcb);
+    }
+    path
+}
+
+pub fn closed(mut path: CameraPath) -> CameraPath {
+    path.closed = true;
+    path
+}
+
+/// All four base speeds of a path.
+pub fn set_speeds(path: &mut CameraPath, speed: f64) {
+    path.speeds.movement = speed;
+    path.speeds.turning = speed;
+    path.speeds.rolling = speed;
+    path.speeds.zoom = speed;
+}
+
+/// Everything computed of a path that is in order.
+pub fn prepared(path: &CameraPath) -> (Timeline, Sampler) {
+    path.check().expect("a path in order");
+    let timeline = Timeline::new(path).expect("a timeline");
+    let sampler = Sampler::new(path, &timeline).expect("a sampler");
+    (timeline, sampler)
+}
+
+/// All poses, computed many at a time.
+pub fn all_poses(sampler: &Sampler) -> Vec<Pose> {
+    let mut poses = vec![Pose::default(); sampler.frame_count()];
+    sampler.sample(1, &mut poses).expect("all poses");
+    poses
+}
 
 /// xorshift64*: small, fast, the same everywhere.
 pub struct Random(u64);
@@ -131,10 +178,7 @@ impl Random {
         if self.chance(0.2) {
             path.zoom_mode = ZoomMode::Linear;
         }
-        path.speeds.movement = base_speed;
-        path.speeds.turning = base_speed;
-        path.speeds.rolling = base_speed;
-        path.speeds.zoom = base_speed;
+        set_speeds(&mut path, base_speed);
         path
     }
 }
