@@ -83,10 +83,26 @@ check "both say the same" same "$said" "$("$work/archive" 2>&1)"
 check "and they say something" test -n "$said"
 
 # ---- The command and the manual ----------------------------------------------
+# Each command that the README shows, on the path that it shows.
+mkdir "$work/shell"
+sed -n '/^```toml$/,/^```$/p' README.md | sed '/^```/d' >"$work/shell/flight.vid"
+sed -n '/^```sh$/,/^```$/p' README.md | grep '^vides ' >"$work/shell/commands"
+check "the README shows commands" test -s "$work/shell/commands"
+while read -r shown; do
+    check "README: ${shown%%#*}" \
+        env PATH="$stage/usr/bin:$PATH" sh -c "cd '$work/shell' && $shown"
+done <"$work/shell/commands"
 check "vides --version" same "vides $version" "$("$stage/usr/bin/vides" --version)"
 for page in 1/vides.1 3/libvides.3; do
     check "manual page ${page#*/}" \
         same "" "$(groff -man -Tutf8 -ww -z "$stage/usr/share/man/man$page" 2>&1)"
+done
+
+# ---- The texts -----------------------------------------------------------------
+for text in *.md docs/*.md benches/*.md; do
+    for link in $(grep -oE '\]\([^)#:]+[)#]' "$text" | sed 's/](//; s/.$//'); do
+        check "$text: $link is there" test -e "$(dirname "$text")/$link"
+    done
 done
 
 # ---- Away again ----------------------------------------------------------------
