@@ -2,6 +2,8 @@
 //! to get its poses.
 #![allow(dead_code, missing_docs, unreachable_pub)]
 
+pub mod turning;
+
 use glam::DVec3;
 use vides::path::{
     CameraPath, CurveParameters, Orientation, OrientationMode, Pose, Sampler, SupportPoint, Target,
