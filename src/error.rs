@@ -23,7 +23,7 @@ pub enum Error {
     #[error("out of memory")]
     Memory,
     /// The operating system refused to read or write a file.
-    #[error("{place}: {source}")]
+    #[error("{place}: {}", reason(source))]
     Io {
         /// The file, as the caller named it.
         place: String,
@@ -54,6 +54,19 @@ impl Error {
     }
 }
 
+/// What the operating system said, without Rust's number behind it
+/// ("(os error 2)"), which tells a person nothing.
+#[must_use]
+pub fn reason(error: &std::io::Error) -> String {
+    let mut words = error.to_string();
+    if let Some(code) = error.raw_os_error()
+        && let Some(said) = words.strip_suffix(&format!(" (os error {code})"))
+    {
+        words.truncate(said.len());
+    }
+    words
+}
+
 impl From<std::collections::TryReserveError> for Error {
     fn from(_: std::collections::TryReserveError) -> Self {
         Self::Memory
@@ -74,4 +87,23 @@ pub(crate) fn try_box<T>(value: T) -> Result<Box<[T]>> {
     let mut vec = vec_with_room(1)?;
     vec.push(value);
     Ok(vec.into_boxed_slice())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io;
+
+    #[test]
+    fn the_systems_number_is_left_out() {
+        let missing = io::Error::from_raw_os_error(2);
+        assert_eq!(reason(&missing), "No such file or directory");
+        let ours = io::Error::other("no (os error 2) of the system's");
+        assert_eq!(reason(&ours), "no (os error 2) of the system's");
+        let error = Error::Io {
+            place: "a.vid".to_owned(),
+            source: missing,
+        };
+        assert_eq!(error.to_string(), "a.vid: No such file or directory");
+    }
 }

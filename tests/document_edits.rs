@@ -1,8 +1,6 @@
 //! Every edit, in any order, with good and bad values: the document stays one
 //! that can be saved, and undo and redo restore every bit.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 use proptest::prelude::*;
 use vides::document::{Document, Edit, Info, ObjectPoint, Selection, Space};
@@ -190,14 +188,13 @@ impl Raw {
                 origin: DVec3::new(self.x[5], -0.0, 1e-300),
                 unit: "m".to_owned(),
             },
-            object: Arc::new(
-                (0..self.b % 5)
-                    .map(|index| ObjectPoint {
-                        position: DVec3::splat(self.x[index]),
-                        draw: (self.a >> index).is_multiple_of(2),
-                    })
-                    .collect(),
-            ),
+            object: (0..self.b % 5)
+                .map(|index| ObjectPoint {
+                    position: DVec3::splat(self.x[index]),
+                    draw: (self.a >> index).is_multiple_of(2),
+                })
+                .collect::<Vec<_>>()
+                .into(),
         }
     }
 

@@ -124,7 +124,7 @@ fn a_writers_error_names_the_file() {
     .unwrap_err();
     assert_eq!(
         error.to_string(),
-        format!("{}: No space left on device (os error 28)", file.display())
+        format!("{}: No space left on device", file.display())
     );
 }
 
@@ -140,26 +140,20 @@ fn what_cannot_be_replaced_is_refused() {
     let missing = path.join("no/such/folder.vid");
     assert_eq!(
         error(&missing),
-        format!(
-            "{}: No such file or directory (os error 2)",
-            missing.display()
-        )
+        format!("{}: No such file or directory", missing.display())
     );
     let under = path.join("file");
     fs::write(&under, "").unwrap();
     let under = under.join("below.vid");
     assert_eq!(
         error(&under),
-        format!("{}: Not a directory (os error 20)", under.display())
+        format!("{}: Not a directory", under.display())
     );
     assert_eq!(
         error(Path::new("/dev/null")),
         "/dev/null: this is not a regular file"
     );
-    assert_eq!(
-        error(Path::new("")),
-        ": No such file or directory (os error 2)"
-    );
+    assert_eq!(error(Path::new("")), ": No such file or directory");
     assert_eq!(names(path), ["file"]);
 }
 

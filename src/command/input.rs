@@ -7,8 +7,9 @@ use std::os::unix::fs::{FileTypeExt, MetadataExt};
 use std::path::Path;
 
 use vides::document::Document;
+use vides::error::reason;
 
-use super::{Failure, reason};
+use super::Failure;
 
 /// Loads a path; `-` is standard input.
 pub(super) fn load(file: &Path) -> Result<Document, Failure> {

@@ -16,6 +16,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use vides::error::reason;
 
 /// Plans camera paths: a few support points with views become every camera
 /// pose between them.
@@ -57,12 +58,7 @@ enum Failure {
 
 impl From<vides::Error> for Failure {
     fn from(error: vides::Error) -> Self {
-        match error {
-            vides::Error::Io { place, source } => {
-                Self::Input(format!("{place}: {}", reason(&source)))
-            }
-            other => Self::Input(other.to_string()),
-        }
+        Self::Input(error.to_string())
     }
 }
 
@@ -123,15 +119,6 @@ fn output_failed(error: &io::Error) -> Failure {
     }
 }
 
-/// The system's words without its number for them.
-fn reason(error: &io::Error) -> String {
-    let mut words = error.to_string();
-    if let Some(number) = words.rfind(" (os error ") {
-        words.truncate(number);
-    }
-    words
-}
-
 /// A text from a file, for one line of a terminal: whatever would move the
 /// cursor or begin a new line is shown as a replacement character.
 fn one_line(text: &str) -> String {
@@ -161,18 +148,6 @@ mod tests {
         assert_eq!(
             one_line("point \u{1b}[2J\n3 – ü"),
             "point \u{fffd}[2J\u{fffd}3 – ü"
-        );
-    }
-
-    #[test]
-    fn the_systems_number_is_left_out() {
-        assert_eq!(
-            reason(&io::Error::from_raw_os_error(2)),
-            "No such file or directory"
-        );
-        assert_eq!(
-            reason(&io::Error::other("no (real) reason")),
-            "no (real) reason"
         );
     }
 }

@@ -277,9 +277,7 @@ impl Change {
             Self::Name { name, .. } => name.as_ref().map_or(0, String::len),
             Self::InsertPoints { points, .. } => weigh(points),
             Self::RemovePoints { room, .. } => room.capacity() * size_of::<SupportPoint>(),
-            Self::Info(info) => {
-                info.title.len() + info.comment.len() + size_of_val(info.object.as_slice())
-            }
+            Self::Info(info) => info.title.len() + info.comment.len() + size_of_val(&*info.object),
             Self::Path(path) => weigh(&path.points),
             _ => 0,
         };

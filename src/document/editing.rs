@@ -6,7 +6,7 @@ use std::path::Path;
 use super::change::Content;
 use super::edit::Edit;
 use super::history::{History, Step};
-use super::info::Info;
+use super::info::{Info, copy_text};
 use super::prepare;
 use super::vid;
 use crate::error::{Result, vec_with_room};
@@ -63,6 +63,14 @@ impl Document {
     #[must_use]
     pub fn new() -> Self {
         Self::with(CameraPath::default(), Info::default())
+    }
+
+    /// As [`Document::new`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub fn try_new() -> Result<Self> {
+        Ok(Self::with(CameraPath::try_new()?, Info::default()))
     }
 
     /// A document of this path.
@@ -124,7 +132,7 @@ impl Document {
             zoom_mode: path.zoom_mode,
             speeds: path.speeds,
         };
-        let mut copy = Self::with(path, self.content.info.clone());
+        let mut copy = Self::with(path, self.content.info.try_clone()?);
         copy.selection = self.selection;
         if !self.history.keeps_any() {
             copy = copy.without_history();
@@ -346,12 +354,4 @@ impl Document {
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.to_toml()?.as_bytes())
     }
-}
-
-/// A copy of a text, or [`crate::Error::Memory`].
-fn copy_text(text: &str) -> Result<String> {
-    let mut copy = String::new();
-    copy.try_reserve_exact(text.len())?;
-    copy.push_str(text);
-    Ok(copy)
 }

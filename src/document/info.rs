@@ -1,6 +1,7 @@
 //! What a file says besides the path itself: who it is for, how fast it is
 //! shown, where the movement space lies in the user's world.
 
+use std::ops::Deref;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -23,9 +24,8 @@ pub struct Info {
     pub first_frame: i32,
     /// Where the movement space lies in the user's world.
     pub space: Space,
-    /// Wireframe object, shown for orientation; shared, since it may be large
-    /// and hardly ever changes.
-    pub object: Arc<Vec<ObjectPoint>>,
+    /// Wireframe object, shown for orientation.
+    pub object: Object,
 }
 
 /// Where the movement space lies in the user's world:
@@ -51,6 +51,26 @@ pub struct ObjectPoint {
     pub draw: bool,
 }
 
+/// The points of a wireframe object; shared, since they may be many and hardly
+/// ever change. None take no memory, so that a path without an object can be
+/// made and copied where memory runs out.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Object(Option<Arc<Vec<ObjectPoint>>>);
+
+impl From<Vec<ObjectPoint>> for Object {
+    fn from(points: Vec<ObjectPoint>) -> Self {
+        Self((!points.is_empty()).then(|| Arc::new(points)))
+    }
+}
+
+impl Deref for Object {
+    type Target = [ObjectPoint];
+
+    fn deref(&self) -> &[ObjectPoint] {
+        self.0.as_ref().map_or(&[], |points| points)
+    }
+}
+
 impl Default for Info {
     fn default() -> Self {
         Self {
@@ -59,7 +79,7 @@ impl Default for Info {
             fps: 25.0,
             first_frame: 1,
             space: Space::default(),
-            object: Arc::default(),
+            object: Object::default(),
         }
     }
 }
@@ -103,11 +123,32 @@ impl Space {
 }
 
 impl Info {
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub(super) fn try_clone(&self) -> Result<Self> {
+        Ok(Self {
+            title: copy_text(&self.title)?,
+            comment: copy_text(&self.comment)?,
+            fps: self.fps,
+            first_frame: self.first_frame,
+            space: Space {
+                scale: self.space.scale,
+                origin: self.space.origin,
+                unit: copy_text(&self.space.unit)?,
+            },
+            object: self.object.clone(),
+        })
+    }
+
     /// Brings it into the form that documents keep: no line leads to the first
     /// point of an object.
     pub(super) fn normalise(&mut self) {
-        if self.object.first().is_some_and(|first| first.draw) {
-            Arc::make_mut(&mut self.object)[0].draw = false;
+        if self.object.first().is_some_and(|first| first.draw)
+            && let Some(points) = &mut self.object.0
+        {
+            Arc::make_mut(points)[0].draw = false;
         }
     }
 
@@ -170,4 +211,12 @@ pub(super) fn check_comment(comment: &str) -> Result<()> {
 /// A text that stands on one line: no control characters, not too long.
 pub(super) fn check_line(text: &str, what: &str) -> Result<()> {
     crate::path::camera_path::check_name(text).map_err(|error| error.at(what))
+}
+
+/// A copy of a text, or [`Error::Memory`].
+pub(super) fn copy_text(text: &str) -> Result<String> {
+    let mut copy = String::new();
+    copy.try_reserve_exact(text.len())?;
+    copy.push_str(text);
+    Ok(copy)
 }

@@ -25,4 +25,4 @@ mod vid;
 
 pub use edit::Edit;
 pub use editing::{Document, Selection};
-pub use info::{Info, ObjectPoint, Space};
+pub use info::{Info, Object, ObjectPoint, Space};

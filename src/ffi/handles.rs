@@ -8,8 +8,9 @@
 //! address, and to follow one faults at once.
 
 use std::marker::PhantomData;
-use std::sync::{Arc, PoisonError, RwLock};
+use std::sync::{PoisonError, RwLock};
 
+use super::counted::Counted;
 use super::status::{Answer, Failure, V_ERR_HANDLE, V_ERR_LIMIT};
 use crate::error::Error;
 
@@ -58,7 +59,7 @@ struct Table<T> {
 
 struct Slot<T> {
     generation: usize,
-    object: Option<Arc<T>>,
+    object: Option<Counted<T>>,
     next_empty: Option<usize>,
 }
 
@@ -77,8 +78,7 @@ impl<T, C> Handles<T, C> {
 
     /// Gives an object a handle.
     pub(super) fn insert(&self, object: T) -> Answer<*mut C> {
-        // Before the lock: it is the only allocation that cannot be refused.
-        let object = Arc::new(object);
+        let object = Counted::try_new(object)?;
         let mut table = self.table.write().unwrap_or_else(PoisonError::into_inner);
         let number = match table.empty {
             Some(number) => number,
@@ -93,14 +93,14 @@ impl<T, C> Handles<T, C> {
 
     /// The object of a handle. It lives as long as the answer is held, even
     /// if another thread frees the handle meanwhile.
-    pub(super) fn get(&self, handle: *const C) -> Answer<Arc<T>> {
+    pub(super) fn get(&self, handle: *const C) -> Answer<Counted<T>> {
         let table = self.table.read().unwrap_or_else(PoisonError::into_inner);
         let number = self.slot_of(handle, &table)?;
         table.slots[number].object.clone().ok_or(INVALID)
     }
 
     /// Takes the object away from its handle, which is invalid from then on.
-    pub(super) fn remove(&self, handle: *const C) -> Answer<Arc<T>> {
+    pub(super) fn remove(&self, handle: *const C) -> Answer<Counted<T>> {
         let mut table = self.table.write().unwrap_or_else(PoisonError::into_inner);
         let number = self.slot_of(handle, &table)?;
         let empty = table.empty;

@@ -22,6 +22,7 @@
 #![allow(clippy::missing_safety_doc)]
 
 mod border;
+mod counted;
 mod curve;
 mod handles;
 mod legacy;

@@ -54,7 +54,7 @@ pub(super) fn edit(path: *mut V_PATH, edit: Edit) -> Answer<c_int> {
 pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
         let path = Out::new(path)?;
-        let made = keep(Document::new().without_history())?;
+        let made = keep(Document::try_new()?.without_history())?;
         // SAFETY: room for a handle, as the header says.
         unsafe { path.write(made) };
         Ok(V_OK)

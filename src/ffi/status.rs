@@ -3,6 +3,7 @@
 use std::cell::UnsafeCell;
 use std::ffi::{c_char, c_int};
 use std::fmt::{self, Write as _};
+use std::ops::Range;
 
 use crate::error::Error;
 
@@ -99,8 +100,14 @@ impl From<Error> for Failure {
     }
 }
 
-/// Room for a sentence that names a file by the longest path Linux knows.
-const MESSAGE_BYTES: usize = 4096 + 512;
+/// Room for a sentence with a long file name in it. Every thread that calls the
+/// library has one, so it is not made for the longest path that Linux knows: of
+/// a longer sentence the middle is left out, since the file's beginning, its
+/// name and the reason behind it tell more.
+const MESSAGE_BYTES: usize = 1024;
+
+/// What stands in the place of what was left out.
+const LEFT_OUT: &str = "…";
 
 /// One thread's last message, always ended by a zero byte. No destructor and
 /// no allocation: it works in a thread that ends and when memory has run out.
@@ -121,28 +128,70 @@ impl Message {
         self.used = 0;
         self.text[0] = 0;
     }
+
+    /// Keeps a sentence, its middle left out if it is too long.
+    fn set(&mut self, sentence: fmt::Arguments<'_>) {
+        self.clear();
+        let mut whole = Length(0);
+        let _ = whole.write_fmt(sentence);
+        let mut part = Part {
+            message: self,
+            seen: 0,
+            gap: 0..0,
+        };
+        if whole.0 >= MESSAGE_BYTES {
+            let side = (MESSAGE_BYTES - 1 - LEFT_OUT.len()) / 2;
+            part.gap = side..whole.0 - side;
+        }
+        // The only error is that a value gave a longer text the second time.
+        let _ = part.write_fmt(sentence);
+    }
+
+    /// Appends a text if there is room for all of it.
+    fn push(&mut self, text: &str) -> fmt::Result {
+        let end = self.used + text.len();
+        if end >= MESSAGE_BYTES {
+            return Err(fmt::Error);
+        }
+        // A zero byte inside would end the text for C.
+        for (place, &byte) in self.text[self.used..end].iter_mut().zip(text.as_bytes()) {
+            *place = if byte == 0 { b' ' } else { byte };
+        }
+        self.used = end;
+        self.text[end] = 0;
+        Ok(())
+    }
 }
 
-impl fmt::Write for Message {
-    /// Appends as many whole characters as there is room for.
+/// Counts bytes.
+struct Length(usize);
+
+impl fmt::Write for Length {
     fn write_str(&mut self, s: &str) -> fmt::Result {
-        let room = MESSAGE_BYTES - 1 - self.used;
-        let mut end = s.len().min(room);
-        while !s.is_char_boundary(end) {
-            end -= 1;
-        }
-        let target = &mut self.text[self.used..self.used + end];
-        target.copy_from_slice(&s.as_bytes()[..end]);
-        // A zero byte inside would end the text for C.
-        for byte in target {
-            if *byte == 0 {
-                *byte = b' ';
+        self.0 += s.len();
+        Ok(())
+    }
+}
+
+/// Appends what does not touch a gap in the text.
+struct Part<'a> {
+    message: &'a mut Message,
+    seen: usize,
+    gap: Range<usize>,
+}
+
+impl fmt::Write for Part<'_> {
+    fn write_str(&mut self, s: &str) -> fmt::Result {
+        let mut character = [0; 4];
+        for c in s.chars() {
+            let text = c.encode_utf8(&mut character);
+            let place = self.seen..self.seen + text.len();
+            self.seen = place.end;
+            if place.end <= self.gap.start || place.start >= self.gap.end {
+                self.message.push(text)?;
+            } else if place.start <= self.gap.start {
+                self.message.push(LEFT_OUT)?;
             }
-        }
-        self.used += end;
-        self.text[self.used] = 0;
-        if end < s.len() {
-            return Err(fmt::Error);
         }
         Ok(())
     }
@@ -170,11 +219,7 @@ pub(super) fn clear_last_error() {
 pub(super) fn set_last_error(sentence: fmt::Arguments<'_>) {
     // Formatted before the cell is borrowed would need memory; the values
     // formatted here (errors, texts) do not come back to this module.
-    with_message(|message| {
-        message.clear();
-        // The only error is that the sentence was cut off.
-        let _ = message.write_fmt(sentence);
-    });
+    with_message(|message| message.set(sentence));
 }
 
 /// Hands the last message on as bytes, for standard error.
@@ -241,17 +286,40 @@ mod tests {
     }
 
     #[test]
-    fn a_message_is_cut_between_characters() {
-        for shift in 0..3 {
-            let long = format!("{}{}", "x".repeat(shift), "€".repeat(MESSAGE_BYTES));
-            set_last_error(format_args!("{long}"));
+    fn of_a_long_message_the_middle_is_left_out() {
+        for length in 0..4 * MESSAGE_BYTES {
+            let long = format!(
+                "{}€{}: why",
+                "a/".repeat(length / 3),
+                "é".repeat(length / 2)
+            );
+            set_last_error(format_args!("{long}{}", '!'));
             let kept = last();
-            assert!(long.starts_with(&kept));
-            assert!(kept.len() > MESSAGE_BYTES - 4 && kept.len() < MESSAGE_BYTES);
+            if long.len() + 1 < MESSAGE_BYTES {
+                assert_eq!(kept, long + "!");
+                continue;
+            }
+            assert!(kept.len() > MESSAGE_BYTES - 12 && kept.len() < MESSAGE_BYTES);
+            let (head, tail) = kept.split_once(LEFT_OUT).expect("something left out");
+            assert!(long.starts_with(head) && (long + "!").ends_with(tail));
+            assert!(tail.ends_with(": why!"));
         }
+    }
+
+    #[test]
+    fn a_message_has_no_zero_byte_and_can_be_cleared() {
         set_last_error(format_args!("a{}b", '\0'));
         assert_eq!(last(), "a b");
         clear_last_error();
         assert_eq!(last(), "");
+    }
+
+    #[test]
+    fn what_fits_to_the_last_byte_is_kept_whole() {
+        for (length, whole) in [(MESSAGE_BYTES - 1, true), (MESSAGE_BYTES, false)] {
+            let sentence = "x".repeat(length);
+            set_last_error(format_args!("{sentence}"));
+            assert_eq!(last() == sentence, whole);
+        }
     }
 }

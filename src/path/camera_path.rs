@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
 
@@ -165,6 +165,21 @@ impl SupportPoint {
             orientations: vec![Orientation::default()],
         }
     }
+
+    /// As [`SupportPoint::new`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn try_new(position: DVec3) -> Result<Self> {
+        let mut orientations = vec_with_room(1)?;
+        orientations.push(Orientation::default());
+        Ok(Self {
+            position,
+            name: None,
+            curve: CurveParameters::Preset(0),
+            orientations,
+        })
+    }
 }
 
 /// The four base speeds (thesis B.2.2): frames for one unit of change at
@@ -246,14 +261,33 @@ pub const DEFAULT_PRESETS: [Tcb; limits::PRESETS] = [
     Tcb::new(0.0, 0.0, 0.0),
 ];
 
+/// Where the path that a new window begins with leads through.
+const FIRST_POSITIONS: [DVec3; 2] = [DVec3::new(-0.6, 0.2, 0.8), DVec3::new(0.6, 0.2, 0.8)];
+
 impl Default for CameraPath {
     /// The path that a new window begins with.
     fn default() -> Self {
+        Self::through(FIRST_POSITIONS.map(SupportPoint::new).into())
+    }
+}
+
+impl CameraPath {
+    /// As [`CameraPath::default`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn try_new() -> Result<Self> {
+        let mut points = vec_with_room(FIRST_POSITIONS.len())?;
+        for position in FIRST_POSITIONS {
+            points.push(SupportPoint::try_new(position)?);
+        }
+        Ok(Self::through(points))
+    }
+
+    /// A path through these points, everything else as in a new one.
+    fn through(points: Vec<SupportPoint>) -> Self {
         Self {
-            points: vec![
-                SupportPoint::new(DVec3::new(-0.6, 0.2, 0.8)),
-                SupportPoint::new(DVec3::new(0.6, 0.2, 0.8)),
-            ],
+            points,
             presets: DEFAULT_PRESETS,
             closed: false,
             orientation_mode: OrientationMode::default(),
@@ -261,9 +295,7 @@ impl Default for CameraPath {
             speeds: BaseSpeeds::default(),
         }
     }
-}
 
-impl CameraPath {
     /// Curve segments: one fewer than points, as many if the path is closed.
     #[must_use]
     pub fn segment_count(&self) -> usize {

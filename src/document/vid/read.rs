@@ -1,7 +1,5 @@
 //! From the text of a `.vid` file to its document.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 use toml::de::DeTable;
 
@@ -111,7 +109,7 @@ impl Reader {
                 "base_speeds" => path.speeds = base_speeds(field)?,
                 "presets" => presets(field, &mut path.presets)?,
                 "space" => info.space = space(field)?,
-                "object" => info.object = Arc::new(object(field)?),
+                "object" => info.object = object(field)?.into(),
                 "point" => points(field, &mut path.points, &mut self.orientations)?,
                 // The version has been looked at.
                 _ => {}

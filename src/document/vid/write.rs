@@ -212,10 +212,8 @@ impl fmt::Display for Quoted<'_> {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
-    use crate::document::info::Space;
+    use crate::document::info::{Object, Space};
     use crate::limits;
 
     /// The most characters that a number takes.
@@ -260,7 +258,7 @@ mod tests {
                 origin: DVec3::splat(LONGEST),
                 unit: "\"".repeat(limits::MAX_NAME_BYTES),
             },
-            object: Arc::default(),
+            object: Object::default(),
         };
         let rest = size(&path, &info);
         path.points.push(point);
@@ -272,9 +270,9 @@ mod tests {
             position: DVec3::splat(LONGEST),
             draw: false,
         };
-        info.object = Arc::new(vec![draw]);
+        info.object = vec![draw].into();
         let one = size(&path, &info);
-        info.object = Arc::new(vec![draw; 2]);
+        info.object = vec![draw; 2].into();
         let object = size(&path, &info) - one;
 
         let all = one
