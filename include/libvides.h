@@ -259,9 +259,10 @@ extern "C" {
 
 /**
  * What went wrong in the calling thread's last call of the library: one
- * sentence in English, UTF-8, "" after a success. Never NULL. The text belongs
- * to the library and is valid until the same thread's next call of any
- * function but this one, v_strerror() and v_version().
+ * sentence in English, UTF-8, "" after a success. Never NULL. Of a sentence
+ * longer than 1023 bytes the middle is left out. The text belongs to the
+ * library and is valid until the same thread's next call of any function but
+ * this one, v_strerror() and v_version().
  * Any thread; from callbacks too.
  */
 const char *v_last_error(void);

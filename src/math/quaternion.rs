@@ -1,10 +1,20 @@
 //! Unit quaternions as points on the sphere S³ (thesis 4.4; Shoemake 1985).
 //! Angles here are angles on S³: half the angle of the rotation.
 
+use std::ops::RangeInclusive;
+
 use glam::{DQuat, DVec3, DVec4};
 
 /// Below this angle an arc is as good as straight.
 const STRAIGHT: f64 = 1e-12;
+
+/// Above this angle an arc's weights are more than seven times too large for
+/// what they add up to.
+const WIDE: f64 = 3.0;
+
+/// Beyond this range of `t` an arc goes on so far that its weights do not tell
+/// its length any more.
+const NEARBY: RangeInclusive<f64> = -2.0..=3.0;
 
 /// Keys whose |q_i·q_{i+1}| is at most this lie half a turn apart, so that
 /// both ways are equally long.
@@ -24,13 +34,31 @@ pub fn angle(a: DQuat, b: DQuat) -> f64 {
 pub fn slerp(a: DQuat, b: DQuat, t: f64) -> DQuat {
     let theta = angle(a, b);
     let sin = theta.sin();
+    if sin < STRAIGHT && theta > 1.0 {
+        return a;
+    }
+    if theta > WIDE || !NEARBY.contains(&t) {
+        return turned(a, b, t * theta);
+    }
     if theta < STRAIGHT {
         return a.lerp_raw(b, t);
     }
-    if sin < STRAIGHT {
+    a * (((1.0 - t) * theta).sin() / sin) + b * ((t * theta).sin() / sin)
+}
+
+/// `a`, turned by an angle on S³ towards `b`. Of length 1 whatever the angle,
+/// and where `a` and `b` lie so close together or so far apart that weights of
+/// the two would magnify their rounding.
+fn turned(a: DQuat, b: DQuat, angle: f64) -> DQuat {
+    let across = b - a * a.dot(b);
+    if across.length() == 0.0 {
         return a;
     }
-    a * (((1.0 - t) * theta).sin() / sin) + b * ((t * theta).sin() / sin)
+    let across = across.normalize();
+    let across = (across - a * a.dot(across)).normalize();
+    // Beyond the largest number nobody can tell where on the circle it is.
+    let (sin, cos) = angle.clamp(f64::MIN, f64::MAX).sin_cos();
+    a * cos + across * sin
 }
 
 /// As [`slerp`], by the shorter way: `b` and −`b` are the same orientation.

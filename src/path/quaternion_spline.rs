@@ -151,6 +151,14 @@ pub fn normalized(q: DQuat) -> Result<DQuat> {
     Ok((q / largest).normalize())
 }
 
+/// A point of a curve, of length 1. Times whose differences or
+/// their ratios no number holds (1e-300 beside 1e300) give none.
+fn finished(q: DQuat) -> Result<DQuat> {
+    normalized(q).map_err(|_| {
+        Error::Argument("the times are too far apart or too unequal to compute with".into())
+    })
+}
+
 /// Barry and Goldman's curve through `keys` (of any length but zero) with
 /// knots at `times` (strictly increasing), at the time `when`. At both ends the
 /// curve goes on by reflection: one more key as far beyond as its neighbour.
@@ -173,7 +181,7 @@ pub fn barry_goldman(keys: &[DQuat], times: &[f64], when: f64) -> Result<DQuat> 
             2.0 * times[last] - times[last - 1],
         )
     };
-    Ok(barry_goldman_between(
+    finished(barry_goldman_between(
         &[before, keys[i], keys[i + 1], after],
         &[time_before, times[i], times[i + 1], time_after],
         when,
@@ -225,5 +233,5 @@ pub fn tcb(keys: &[DQuat], times: &[f64], tcb: Option<&[Tcb]>, when: f64) -> Res
         at(i + 1, own(i + 1)).0
     };
     let control = bezier_control(keys[i], keys[i + 1], leave, reach, step(i));
-    Ok(bezier(&control, (when - times[i]) / step(i)))
+    finished(bezier(&control, (when - times[i]) / step(i)))
 }

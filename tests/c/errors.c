@@ -75,7 +75,8 @@ static void each_thread_has_its_own(void)
     CHECK(strcmp(v_last_error(), kept) == 0);
 }
 
-/* A name so long that no message holds it, of characters of three bytes. */
+/* A name so long that no message holds it, of characters of three bytes: the
+ * middle is left out (an ellipsis, three bytes too), the reason is there. */
 static void a_long_message_stays_text(void)
 {
     static char name[3 * 20000 + 1];
@@ -91,13 +92,25 @@ static void a_long_message_stays_text(void)
     while (*text != '\0') {
         if (*text < 0x80) {
             text++;
-        } else if (memcmp(text, "\xe2\x82\xac", 3) == 0) {
+        } else if (memcmp(text, "\xe2\x82\xac", 3) == 0
+                   || memcmp(text, "\xe2\x80\xa6", 3) == 0) {
             text += 3;
         } else {
             CHECK(!"a broken character");
             break;
         }
     }
+    CHECK(strstr(v_last_error(), ": File name too long") != NULL);
+}
+
+/* A file's name need not be UTF-8; a message is nevertheless. The system's
+ * number for what it says is left out. */
+static void a_name_is_bytes_and_a_message_is_text(void)
+{
+    V_PATH *path = NULL;
+    STATUS(V_ERR_IO, v_path_load("no/such/\xff\xfe.vid", &path));
+    CHECK(strcmp(v_last_error(), "no/such/\xef\xbf\xbd\xef\xbf\xbd.vid: "
+                                 "No such file or directory") == 0);
 }
 
 /* One line on standard error that begins with "vides:". */
@@ -128,6 +141,7 @@ int main(void)
     last_error();
     each_thread_has_its_own();
     a_long_message_stays_text();
+    a_name_is_bytes_and_a_message_is_text();
     haupt_says_what_is_wrong();
     return failures != 0;
 }

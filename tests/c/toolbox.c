@@ -126,6 +126,50 @@ static void views_and_quaternions(void)
     CHECK(q[0] == 77);
 }
 
+/* Length 1 whatever t is, however close or far apart the ends are; and far
+ * beyond them the angle is still right: 1000 turns of 1e-3 radians. */
+static void slerp_at_its_limits(void)
+{
+    static const double many[] = {0, 1, -1, 0.3, 1e3, -1e8, 1e17, 1e300, -1.7e308};
+    static const double apart[] = {0, 1e-300, 1e-17, 1e-13, 1e-9, 1e-3, 1, 1.5707963267948966};
+    size_t i, k;
+    double a[4] = {1, 0, 0, 0}, b[4] = {0, 0, 0, 0}, q[4];
+    for (i = 0; i < sizeof many / sizeof *many; i++) {
+        for (k = 0; k < sizeof apart / sizeof *apart; k++) {
+            b[0] = cos(apart[k]);
+            b[2] = sin(apart[k]);
+            OK(v_quat_slerp(a, b, many[i], q));
+            NEAR(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], 1, 1e-14);
+        }
+    }
+    b[0] = cos(1e-3);
+    b[2] = sin(1e-3);
+    OK(v_quat_slerp(a, b, 1000, q));
+    NEAR(q[0], cos(1.0), 1e-12);
+    NEAR(q[2], sin(1.0), 1e-12);
+}
+
+/* Length 1 where keys are nearly opposite and times unequal; a status where the
+ * times are such that nothing can be computed. */
+static void splines_at_their_limits(void)
+{
+    static const double keys[4][4] = {
+        {1, 0, 0, 0}, {1e-13, 1, 0, 0}, {-1, 1e-13, 1e-14, 0}, {1e-5, -1, 1e-9, 0}};
+    static const double uneven[4] = {0, 1e-12, 1, 1e9}, hopeless[4] = {-1e308, 0, 5e-324, 1e308};
+    double q[4], when;
+    int kind;
+    for (kind = 0; kind < 2; kind++) {
+        for (when = 0; when <= 1; when += 1.0 / 64) {
+            OK(kind ? v_quat_spline(keys[0], uneven, 4, when, q)
+                    : v_quat_tcb_spline(keys[0], uneven, NULL, 4, when, q));
+            NEAR(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], 1, 1e-14);
+        }
+    }
+    q[0] = 77;
+    STATUS(V_ERR_ARGUMENT, v_quat_tcb_spline(keys[0], hopeless, NULL, 4, 5e-324, q));
+    CHECK(q[0] == 77);
+}
+
 /* Evenly spaced keys about one axis: both splines turn evenly, also where the
    times are not even but the speed is. */
 static void splines(void)
@@ -368,7 +412,9 @@ int main(void)
 {
     slerp();
     views_and_quaternions();
+    slerp_at_its_limits();
     splines();
+    splines_at_their_limits();
     speed_curve();
     view_of_a_pose();
     parallel_view();
