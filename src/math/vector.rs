@@ -3,9 +3,9 @@
 //! The sampling code is written once, over the trait [`Vector`], and compiled
 //! for each kind of processor: `f64` is a vector of one, the plain version
 //! that the others are held against; [`Sse2`] is what every x86-64 processor
-//! has; [`Avx2`] comes with fused multiplication. Everything is forced inline,
-//! since a function that is called would be compiled for the plainest
-//! processor. This file and the two dispatching functions in `path::fill` are
+//! has; [`Avx2`] comes with fused multiplication. (Vectors twice as wide again
+//! were tried and gained nothing.) Everything is forced inline, since a
+//! function that is called would be compiled for the plainest processor. This file and the two dispatching functions in `path::fill` are
 //! the only places where vector instructions are named.
 
 #![allow(unsafe_code)]
@@ -39,6 +39,12 @@ pub trait Vector: Copy {
     /// Writes [`Self::LANES`] records of ten numbers; row k holds the k-th
     /// number of each. `to` has room for ten times as many numbers.
     fn store_records(rows: [Self; 10], to: &mut [f64]);
+    /// Copies to memory that will not be read soon, past the caches where the
+    /// processor can: fetching what is overwritten anyway would cost more time
+    /// than computing it. [`Self::settle`] must follow the last such copy.
+    fn stream(from: &[f64], to: &mut [f64]);
+    /// Makes what was streamed visible like any other store.
+    fn settle();
 }
 
 /// The polynomial with `coefficients` (lowest first) at `x`.
@@ -127,6 +133,12 @@ impl Vector for f64 {
     fn store_records(rows: [Self; 10], to: &mut [f64]) {
         to[..10].copy_from_slice(&rows);
     }
+    #[inline(always)]
+    fn stream(from: &[f64], to: &mut [f64]) {
+        to.copy_from_slice(from);
+    }
+    #[inline(always)]
+    fn settle() {}
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -146,10 +158,13 @@ mod x86_64 {
     #[derive(Debug, Clone, Copy)]
     pub struct Avx2(__m256d);
 
-    /// The operations that both kinds have under like names.
+    /// Numbers in a line of the cache.
+    const LINE: usize = 8;
+
+    /// The operations that all kinds have under like names.
     macro_rules! lane_by_lane {
         ($lanes:literal, $set1:ident, $loadu:ident, $storeu:ident, $add:ident, $sub:ident,
-         $mul:ident, $div:ident, $sqrt:ident, $min:ident, $max:ident) => {
+         $mul:ident, $div:ident, $sqrt:ident, $min:ident, $max:ident, $stream:ident) => {
             const LANES: usize = $lanes;
             #[inline(always)]
             fn splat(value: f64) -> Self {
@@ -203,6 +218,34 @@ mod x86_64 {
                 // SAFETY: the type's owner promises the instruction set.
                 Self(unsafe { $max(self.0, other.0) })
             }
+            #[inline(always)]
+            fn stream(from: &[f64], to: &mut [f64]) {
+                // Whole lines of the cache go past it, what is left at both
+                // ends does not.
+                let head = to.as_ptr().align_offset(LINE * size_of::<f64>());
+                let head = head.min(to.len());
+                let (first, from) = from.split_at(head);
+                let (start, to) = to.split_at_mut(head);
+                start.copy_from_slice(first);
+                let (lines, end) = to.as_chunks_mut::<LINE>();
+                let (values, last) = from.as_chunks::<LINE>();
+                end.copy_from_slice(last);
+                for (line, values) in lines.iter_mut().zip(values) {
+                    let mut k = 0;
+                    while k < LINE {
+                        let value = Self::load(&values[k..]);
+                        // SAFETY: the line begins at a multiple of its size, and
+                        // k is a multiple of the number of lanes below it.
+                        unsafe { $stream(line.as_mut_ptr().add(k), value.0) }
+                        k += $lanes;
+                    }
+                }
+            }
+            #[inline(always)]
+            fn settle() {
+                // SAFETY: SSE is part of x86-64.
+                unsafe { _mm_sfence() }
+            }
         };
     }
 
@@ -218,7 +261,8 @@ mod x86_64 {
             _mm_div_pd,
             _mm_sqrt_pd,
             _mm_min_pd,
-            _mm_max_pd
+            _mm_max_pd,
+            _mm_stream_pd
         );
         #[inline(always)]
         fn mul_add(self, b: Self, c: Self) -> Self {
@@ -252,7 +296,8 @@ mod x86_64 {
             _mm256_div_pd,
             _mm256_sqrt_pd,
             _mm256_min_pd,
-            _mm256_max_pd
+            _mm256_max_pd,
+            _mm256_stream_pd
         );
         #[inline(always)]
         fn mul_add(self, b: Self, c: Self) -> Self {
@@ -335,6 +380,16 @@ mod tests {
         V::store_records(rows, &mut records);
         for (k, number) in records.into_iter().enumerate() {
             assert_eq!(number, k as f64);
+        }
+        let from: Vec<f64> = (0..100).map(f64::from).collect();
+        for (start, end) in [(0, 100), (1, 99), (3, 20), (5, 6), (7, 7), (8, 72)] {
+            let mut to = vec![-1.0; 100];
+            V::stream(&from[start..end], &mut to[start..end]);
+            V::settle();
+            for (k, number) in to.into_iter().enumerate() {
+                let inside = (start..end).contains(&k);
+                assert_eq!(number, if inside { k as f64 } else { -1.0 });
+            }
         }
     }
 

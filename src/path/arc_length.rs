@@ -20,8 +20,9 @@ const MAX_DEPTH: usize = 50;
 /// search: Newton's steps could leave the piece.
 const EVEN: f64 = 4.0;
 
-/// Newton's last step below which the one after it would change nothing.
-const SETTLED: f64 = 1e-9;
+/// A step of Newton's below which the next one would change nothing: on a
+/// piece with even speeds the error after it is about its square.
+const SETTLED: f64 = 1e-8;
 
 /// Vectors inverted side by side.
 const PAIR: usize = 2;
@@ -41,7 +42,7 @@ pub(super) struct Piece {
     /// s − start in powers of x.
     distance: [f64; NODES + 1],
     /// First guess of x in powers of (s − start)/length.
-    guess: [f64; 4],
+    guess: [f64; 6],
     even: bool,
 }
 
@@ -165,10 +166,14 @@ pub(super) fn measure<V: Vector>(curve: &Cubic, pieces: &mut Vec<Piece>) -> Resu
         let first = horner::<f64, NODES>(&speed, -1.0);
         let last = horner::<f64, NODES>(&speed, 1.0);
         let even = low.min(first).min(last) * EVEN > high;
-        let (g0, g1) = if even {
-            (length / first, length / last)
+        let guess = if even {
+            inverse_guess(
+                length,
+                [first, last],
+                [slope(&speed, -1.0), slope(&speed, 1.0)],
+            )
         } else {
-            (2.0, 2.0)
+            [0.0; 6]
         };
         pieces.try_reserve(1)?;
         pieces.push(Piece {
@@ -178,7 +183,7 @@ pub(super) fn measure<V: Vector>(curve: &Cubic, pieces: &mut Vec<Piece>) -> Resu
             length,
             speed,
             distance,
-            guess: [-1.0, g0, 6.0 - 2.0 * g0 - g1, g0 + g1 - 4.0],
+            guess,
             even,
         });
         total += length;
@@ -186,7 +191,40 @@ pub(super) fn measure<V: Vector>(curve: &Cubic, pieces: &mut Vec<Piece>) -> Resu
     Ok(total)
 }
 
+/// Derivative of a polynomial in powers of x.
+#[inline(always)]
+#[allow(clippy::cast_precision_loss)]
+fn slope(powers: &[f64; NODES], x: f64) -> f64 {
+    let mut sum = 0.0;
+    for k in (1..NODES).rev() {
+        sum = sum * x + k as f64 * powers[k];
+    }
+    sum
+}
+
+/// x from −1 to 1 as a polynomial in the share of the length: the quintic that
+/// has the right first and second derivative at both ends.
+#[inline(always)]
+fn inverse_guess(length: f64, speed: [f64; 2], slope: [f64; 2]) -> [f64; 6] {
+    let first = |k: usize| length / speed[k];
+    let second = |k: usize| -first(k) * first(k) * slope[k] / speed[k];
+    let (m0, m1, a0, a1) = (first(0), first(1), second(0), second(1));
+    [
+        -1.0,
+        m0,
+        0.5 * a0,
+        20.0 - 6.0 * m0 - 4.0 * m1 - 1.5 * a0 + 0.5 * a1,
+        -30.0 + 8.0 * m0 + 7.0 * m1 + 1.5 * a0 - a1,
+        12.0 - 3.0 * (m0 + m1) + 0.5 * (a1 - a0),
+    ]
+}
+
 impl Piece {
+    /// Share of the whole length at which the piece begins.
+    pub(super) fn start_share(&self, length: f64) -> f64 {
+        self.start / length
+    }
+
     /// x at which the length from the piece's start is `s`: Newton's method
     /// kept between bounds that close in on the root.
     fn search(&self, s: f64) -> f64 {
@@ -273,34 +311,45 @@ fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f6
     }
 }
 
-/// Three of Newton's steps from a good guess, for a pair of vectors, whose
-/// chains of operations run beside each other; tells whether they arrived.
+/// Newton's steps from a good guess, for a pair of vectors, whose chains of
+/// operations run beside each other; tells whether they arrived. Two are the
+/// rule, a third one serves the rest.
 #[inline(always)]
 fn newton<V: Vector>(piece: &Piece, s: &[f64; MAX_LANES], x: &mut [f64; MAX_LANES]) -> bool {
-    let (low, high) = (V::splat(-1.0), V::splat(1.0));
     let s = [V::load(s), V::load(&s[V::LANES..])];
     let scale = V::splat(1.0 / piece.length);
     let mut at = horner_each(&piece.guess, &[s[0].mul(scale), s[1].mul(scale)]);
-    at = [at[0].max(low).min(high), at[1].max(low).min(high)];
-    let mut squares = low;
-    for _ in 0..3 {
-        let distance = horner_each(&piece.distance, &at);
-        let speed = horner_each(&piece.speed, &at);
-        let change = [
-            distance[0].sub(s[0]).div(speed[0]),
-            distance[1].sub(s[1]).div(speed[1]),
-        ];
-        at = [
-            at[0].sub(change[0]).max(low).min(high),
-            at[1].sub(change[1]).max(low).min(high),
-        ];
-        squares = change[0].mul(change[0]).max(change[1].mul(change[1]));
+    step(piece, &s, &mut at);
+    let mut arrived = settled(step(piece, &s, &mut at));
+    if !arrived {
+        arrived = settled(step(piece, &s, &mut at));
     }
     at[0].store(x);
     at[1].store(&mut x[V::LANES..]);
-    let mut last = [0.0; MAX_LANES];
-    squares.store(&mut last);
-    last[..V::LANES]
+    arrived
+}
+
+/// One of Newton's steps, kept within the piece; gives the squares of what it
+/// changed, the larger of the pair.
+#[inline(always)]
+fn step<V: Vector>(piece: &Piece, s: &[V; PAIR], at: &mut [V; PAIR]) -> V {
+    let (low, high) = (V::splat(-1.0), V::splat(1.0));
+    let distance = horner_each(&piece.distance, at);
+    let speed = horner_each(&piece.speed, at);
+    let mut squares = V::splat(0.0);
+    for k in 0..PAIR {
+        let change = distance[k].sub(s[k]).div(speed[k]);
+        at[k] = at[k].sub(change).max(low).min(high);
+        squares = squares.max(change.mul(change));
+    }
+    squares
+}
+
+#[inline(always)]
+fn settled<V: Vector>(squares: V) -> bool {
+    let mut lanes = [0.0; MAX_LANES];
+    squares.store(&mut lanes);
+    lanes[..V::LANES]
         .iter()
         .all(|&square| square < SETTLED * SETTLED)
 }

@@ -21,7 +21,7 @@ use crate::math::orientation::POLE;
 use crate::math::vector::{self, Vector, horner, horner_each};
 
 /// Frames of a block: all its numbers stay in the first-level cache.
-const BLOCK: usize = 256;
+const BLOCK: usize = 128;
 
 /// Frames by which a run may overshoot.
 const STRIDE: usize = 16;
@@ -33,6 +33,7 @@ const AT_ONCE: usize = 4;
 type Row = [f64; BLOCK + STRIDE];
 
 /// What is known of the frames of a block before they are poses.
+#[repr(align(64))]
 struct Block {
     phi: Row,
     /// Length from the start, where the parameter is searched directly.
@@ -43,15 +44,25 @@ struct Block {
     q: [Row; 4],
 }
 
+/// The poses of a block, when they are put together before they are written.
+#[repr(align(64))]
+struct Records([f64; 10 * (BLOCK + STRIDE)]);
+
+/// Poses from which on they are written past the caches: more than these hold.
+const MANY: usize = 50_000;
+
 /// Working memory that one call hands from section to section.
 pub(super) struct Scratch {
     /// The tables of a section that does not keep its own.
     tables: Tables,
     block: Block,
+    records: Records,
+    past_caches: bool,
 }
 
 impl Scratch {
-    pub(super) fn new() -> Self {
+    /// For a call that asks for so many poses.
+    pub(super) fn new(poses: usize) -> Self {
         let row = [0.0; BLOCK + STRIDE];
         let block = Block {
             phi: row,
@@ -62,6 +73,8 @@ impl Scratch {
         Self {
             tables: Tables::default(),
             block,
+            records: Records([0.0; 10 * (BLOCK + STRIDE)]),
+            past_caches: poses >= MANY,
         }
     }
 }
@@ -118,7 +131,8 @@ fn fill_with<V: Vector>(
             &scratch.tables
         }
     };
-    let block = &mut scratch.block;
+    let (block, records) = (&mut scratch.block, &mut scratch.records);
+    let past_caches = scratch.past_caches;
     let mut number = first;
     for poses in poses.chunks_mut(BLOCK) {
         let count = poses.len();
@@ -136,11 +150,14 @@ fn fill_with<V: Vector>(
             }
             turning => turned::<V>(turning, tables, count, block),
         }
-        write::<V>(leg, block, poses);
+        write::<V>(leg, block, records, past_caches, poses);
         if let Turning::Tracked(target, _) = leg.turning {
             mend(leg, target, &block.phi, poses)?;
         }
         number += count;
+    }
+    if past_caches {
+        V::settle();
     }
     Ok(())
 }
@@ -324,18 +341,30 @@ fn view_at_target<V: Vector>(offset: [V; 3], sin: V, cos: V) -> [V; 6] {
 
 /// Everything known of the frames becomes poses.
 #[inline(always)]
-fn write<V: Vector>(leg: &Leg, block: &Block, poses: &mut [Pose]) {
+fn write<V: Vector>(
+    leg: &Leg,
+    block: &Block,
+    records: &mut Records,
+    past_caches: bool,
+    poses: &mut [Pose],
+) {
     let count = poses.len();
     let numbers = Pose::as_numbers(poses);
-    let mut rest = [0.0; 10 * STRIDE];
+    if past_caches {
+        for k in (0..count).step_by(V::LANES) {
+            V::store_records(write_vector::<V>(leg, block, k), &mut records.0[10 * k..]);
+        }
+        V::stream(&records.0[..10 * count], numbers);
+        return;
+    }
     for k in (0..count).step_by(V::LANES) {
         let row = write_vector::<V>(leg, block, k);
         if k + V::LANES <= count {
             V::store_records(row, &mut numbers[10 * k..]);
         } else {
-            V::store_records(row, &mut rest);
+            V::store_records(row, &mut records.0);
             let left = &mut numbers[10 * k..];
-            left.copy_from_slice(&rest[..left.len()]);
+            left.copy_from_slice(&records.0[..left.len()]);
         }
     }
 }

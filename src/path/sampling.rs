@@ -141,7 +141,7 @@ impl Sampler {
                 "a frame must lie between 1 and the number of frames".into(),
             ));
         }
-        let mut scratch = Scratch::new();
+        let mut scratch = Scratch::new(poses.len());
         let mut rest = poses;
         let mut number = first;
         // The leg whose own poses end at or after the first one wanted.

@@ -68,39 +68,61 @@ impl Tables {
         Ok(())
     }
 
+    /// The inverse of the arc length is as smooth as the arc length itself, so
+    /// its pieces are tried first; they may have to be halved further.
     #[inline(always)]
     fn fit_place<V: Vector>(&mut self, way: &Way, frames: usize) -> Result<()> {
-        let mut halving = Halving::new(frames);
-        while let Some((middle, half)) = halving.next() {
-            let mut powers = None;
-            if halving.worth(half) {
-                let (mut s, mut t) = ([0.0; NODES], [0.0; NODES]);
-                for k in 0..NODES {
-                    s[k] = (middle + half * chebyshev::POINTS[k]) * way.length;
+        for index in 0..self.arc.len() {
+            let start = self.arc[index].start_share(way.length);
+            let end = match self.arc.get(index + 1) {
+                Some(next) => next.start_share(way.length),
+                None => 1.0,
+            };
+            let mut halving = Halving::new(frames, start, end);
+            while let Some((middle, half)) = halving.next() {
+                let mut powers = None;
+                if halving.worth(half) {
+                    let fit = self.fit_parameter::<V>(way, middle, half);
+                    if fit.is_none() && halving.halve(middle, half) {
+                        continue;
+                    }
+                    powers = fit;
                 }
-                arc_length::invert::<V>(&self.arc, &s, &mut t);
-                let series = chebyshev::series::<V>(&t);
-                let mut fastest = 0.0f64;
-                for t in t {
-                    fastest = fastest.max(way.curve.derivative(t).length());
-                }
-                if chebyshev::tail(&series) * fastest > PLACE_TOLERANCE * way.length
-                    && halving.halve(middle, half)
-                {
-                    continue;
-                }
-                if chebyshev::tail(&series) * fastest <= PLACE_TOLERANCE * way.length {
-                    powers = Some([chebyshev::powers::<V>(&series)]);
-                }
+                push(&mut self.place, middle, half, powers)?;
             }
-            push(&mut self.place, middle, half, powers)?;
+        }
+        // Rounding of the pieces' ends must not leave the last frame outside.
+        if let Some(last) = self.place.last_mut() {
+            last.end = 1.0;
         }
         Ok(())
     }
 
+    /// The curve's parameter on a piece of φ, if one polynomial is enough.
+    #[inline(always)]
+    fn fit_parameter<V: Vector>(
+        &self,
+        way: &Way,
+        middle: f64,
+        half: f64,
+    ) -> Option<[[f64; NODES]; 1]> {
+        let (mut s, mut t) = ([0.0; NODES], [0.0; NODES]);
+        for k in 0..NODES {
+            s[k] = (middle + half * chebyshev::POINTS[k]) * way.length;
+        }
+        arc_length::invert::<V>(&self.arc, &s, &mut t);
+        let series = chebyshev::series::<V>(&t);
+        let mut fastest = 0.0f64;
+        for t in t {
+            fastest = fastest.max(way.curve.derivative(t).length());
+        }
+        let error = chebyshev::tail(&series) * fastest;
+        (error <= PLACE_TOLERANCE * way.length).then(|| [chebyshev::powers::<V>(&series)])
+    }
+
     #[inline(always)]
     fn fit_turning<V: Vector>(&mut self, turning: &Turning, frames: usize) -> Result<()> {
-        let mut halving = Halving::new(frames);
+        let mut halving = Halving::new(frames, 0.0, 1.0);
         while let Some((middle, half)) = halving.next() {
             let mut powers = None;
             if halving.worth(half) {
@@ -182,7 +204,7 @@ fn push<const C: usize>(
     Ok(())
 }
 
-/// The pieces of [0, 1] still to be fitted: a stack, the first on top.
+/// The pieces of a part of [0, 1] still to be fitted: a stack, the first on top.
 struct Halving {
     frames: f64,
     stack: [(f64, f64); 40],
@@ -190,9 +212,9 @@ struct Halving {
 }
 
 impl Halving {
-    fn new(frames: usize) -> Self {
+    fn new(frames: usize, start: f64, end: f64) -> Self {
         let mut stack = [(0.0, 0.0); 40];
-        stack[0] = (0.5, 0.5);
+        stack[0] = (0.5 * (start + end), 0.5 * (end - start));
         #[allow(clippy::cast_precision_loss)]
         Self {
             frames: frames as f64,
