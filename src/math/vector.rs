@@ -5,8 +5,8 @@
 //! that the others are held against; [`Sse2`] is what every x86-64 processor
 //! has; [`Avx2`] comes with fused multiplication. (Vectors twice as wide again
 //! were tried and gained nothing.) Everything is forced inline, since a
-//! function that is called would be compiled for the plainest processor. This file and the two dispatching functions in `path::fill` are
-//! the only places where vector instructions are named.
+//! function that is called would be compiled for the plainest processor.
+//! This file names the instructions, `path::dispatch` chooses between them.
 
 #![allow(unsafe_code)]
 

@@ -114,12 +114,13 @@ impl Halving {
 
 /// The length of a curve, when its inverse is not needed.
 #[must_use]
-pub fn length(curve: &Cubic) -> f64 {
+#[inline(always)]
+pub(super) fn length<V: Vector>(curve: &Cubic) -> f64 {
     let mut halving = Halving::new();
     let mut tolerance = None;
     let mut total = 0.0;
     while let Some((middle, half)) = halving.next() {
-        let series = chebyshev::series::<f64>(&speeds::<f64>(curve, middle, half));
+        let series = chebyshev::series::<V>(&speeds::<V>(curve, middle, half));
         let part = integral(&series);
         let tolerance = *tolerance.get_or_insert(TOLERANCE * part);
         if chebyshev::tail(&series) > tolerance && halving.halve(middle, half) {
@@ -295,12 +296,12 @@ fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f6
             s[k] = lengths[from + k.min(count - 1)] - piece.start;
         }
         let mut x = [0.0; MAX_LANES];
-        let mut settled = piece.even;
-        if settled {
-            settled = newton::<V>(piece, &s, &mut x);
+        let mut arrived = [false; MAX_LANES];
+        if piece.even {
+            newton::<V>(piece, &s, &mut x, &mut arrived);
         }
-        if !settled {
-            for k in 0..count {
+        for k in 0..count {
+            if !arrived[k] {
                 x[k] = piece.search(s[k]);
             }
         }
@@ -312,46 +313,69 @@ fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f6
 }
 
 /// Newton's steps from a good guess, for a pair of vectors, whose chains of
-/// operations run beside each other; tells whether they arrived. Two are the
-/// rule, a third one serves the rest.
+/// operations run beside each other; tells which lanes arrived. Two steps are
+/// the rule, a third one serves those lanes that need it: what comes out in a
+/// lane does not depend on the others.
 #[inline(always)]
-fn newton<V: Vector>(piece: &Piece, s: &[f64; MAX_LANES], x: &mut [f64; MAX_LANES]) -> bool {
+fn newton<V: Vector>(
+    piece: &Piece,
+    s: &[f64; MAX_LANES],
+    x: &mut [f64; MAX_LANES],
+    arrived: &mut [bool; MAX_LANES],
+) {
     let s = [V::load(s), V::load(&s[V::LANES..])];
     let scale = V::splat(1.0 / piece.length);
     let mut at = horner_each(&piece.guess, &[s[0].mul(scale), s[1].mul(scale)]);
     step(piece, &s, &mut at);
-    let mut arrived = settled(step(piece, &s, &mut at));
-    if !arrived {
-        arrived = settled(step(piece, &s, &mut at));
+    let second = step(piece, &s, &mut at);
+    store_pair(at, x);
+    if settled(second, arrived) {
+        return;
     }
-    at[0].store(x);
-    at[1].store(&mut x[V::LANES..]);
-    arrived
+    let (mut third_x, mut third_arrived) = ([0.0; MAX_LANES], [false; MAX_LANES]);
+    let third = step(piece, &s, &mut at);
+    store_pair(at, &mut third_x);
+    settled(third, &mut third_arrived);
+    for k in 0..PAIR * V::LANES {
+        if !arrived[k] {
+            (x[k], arrived[k]) = (third_x[k], third_arrived[k]);
+        }
+    }
 }
 
 /// One of Newton's steps, kept within the piece; gives the squares of what it
-/// changed, the larger of the pair.
+/// changed.
 #[inline(always)]
-fn step<V: Vector>(piece: &Piece, s: &[V; PAIR], at: &mut [V; PAIR]) -> V {
+fn step<V: Vector>(piece: &Piece, s: &[V; PAIR], at: &mut [V; PAIR]) -> [V; PAIR] {
     let (low, high) = (V::splat(-1.0), V::splat(1.0));
     let distance = horner_each(&piece.distance, at);
     let speed = horner_each(&piece.speed, at);
-    let mut squares = V::splat(0.0);
+    let mut squares = *at;
     for k in 0..PAIR {
         let change = distance[k].sub(s[k]).div(speed[k]);
         at[k] = at[k].sub(change).max(low).min(high);
-        squares = squares.max(change.mul(change));
+        squares[k] = change.mul(change);
     }
     squares
 }
 
+/// Which lanes need no further step, and whether none does.
 #[inline(always)]
-fn settled<V: Vector>(squares: V) -> bool {
-    let mut lanes = [0.0; MAX_LANES];
-    squares.store(&mut lanes);
-    lanes[..V::LANES]
-        .iter()
-        .all(|&square| square < SETTLED * SETTLED)
+fn settled<V: Vector>(squares: [V; PAIR], lanes: &mut [bool; MAX_LANES]) -> bool {
+    let mut values = [0.0; MAX_LANES];
+    store_pair(squares, &mut values);
+    let mut all = true;
+    for k in 0..PAIR * V::LANES {
+        lanes[k] = values[k] < SETTLED * SETTLED;
+        all &= lanes[k];
+    }
+    all
+}
+
+#[inline(always)]
+fn store_pair<V: Vector>(pair: [V; PAIR], to: &mut [f64; MAX_LANES]) {
+    pair[0].store(to);
+    pair[1].store(&mut to[V::LANES..]);
 }
 
 /// A cubic together with its arc length.
@@ -504,7 +528,7 @@ mod tests {
             "{} {exact}",
             arc.length()
         );
-        assert!((length(curve) - exact).abs() <= 1e-12 * exact);
+        assert!((length::<f64>(curve) - exact).abs() <= 1e-12 * exact);
         let mut last = 0.0;
         for k in 0..=20 {
             let s = f64::from(k) / 20.0 * arc.length();
@@ -566,7 +590,7 @@ mod tests {
             DVec3::new(3.0, 4.0, 0.0),
             DVec3::new(3.0, 4.0, 0.0),
         );
-        assert!((length(&line) - 5.0).abs() < 1e-15 * 5.0);
+        assert!((length::<f64>(&line) - 5.0).abs() < 1e-15 * 5.0);
         let parabola = Cubic::hermite(
             DVec3::ZERO,
             DVec3::new(1.0, 1.0, 0.0),
@@ -574,7 +598,7 @@ mod tests {
             DVec3::new(1.0, 2.0, 0.0),
         );
         let exact = 5f64.sqrt() / 2.0 + 2f64.asinh() / 4.0;
-        assert!((length(&parabola) - exact).abs() < 1e-15);
+        assert!((length::<f64>(&parabola) - exact).abs() < 1e-15);
         // x(t) = 3t² − 2t³: s(t) is x(t) itself.
         let ease = Cubic::hermite(DVec3::ZERO, DVec3::X, DVec3::ZERO, DVec3::ZERO);
         let arc = ArcLength::new(&ease).unwrap();

@@ -1,12 +1,10 @@
-//! The frames of one section, many at a time: the only vector code.
+//! The frames of one section, many at a time.
 //!
-//! It is compiled once for every processor and once for those with wide
-//! vectors and fused multiplication; the two agree to rounding. Runs of frames
-//! that lie on the same polynomial are computed vector by vector and may
-//! overshoot their end: what they spoil there is written again by the next
-//! run, and arrays are longer than a block for the last one. Everything is
-//! forced inline, since a function that is called would be compiled for the
-//! plainest processor.
+//! Runs of frames that lie on the same polynomial are computed vector by
+//! vector and may overshoot their end: what they spoil there is written again
+//! by the next run, and arrays are longer than a block for the last one. No
+//! frame depends on which others are asked for with it. Everything is forced
+//! inline, as [`super::dispatch`] explains.
 
 use glam::DVec3;
 
@@ -18,7 +16,7 @@ use super::speed_curve::{INTERVALS, SpeedCurve};
 use super::tables::{Fit, Tables, quaternions};
 use crate::error::Result;
 use crate::math::orientation::POLE;
-use crate::math::vector::{self, Vector, horner, horner_each};
+use crate::math::vector::{Vector, horner, horner_each};
 
 /// Frames of a block: all its numbers stay in the first-level cache.
 const BLOCK: usize = 128;
@@ -79,41 +77,17 @@ impl Scratch {
     }
 }
 
+/// Sections with fewer frames than this do not keep their tables: they are
+/// made again faster than they come back from memory.
+const KEEP: usize = 1024;
+
 /// Frames of a section: fills `poses`, `first` being the number of the first
 /// of them within the section (from 1).
 ///
 /// # Errors
 /// [`crate::Error::Memory`].
-pub(super) fn fill(
-    leg: &Leg,
-    scratch: &mut Scratch,
-    first: usize,
-    poses: &mut [Pose],
-) -> Result<()> {
-    #[cfg(all(target_arch = "x86_64", not(vides_no_simd)))]
-    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
-        // SAFETY: the processor has just been asked for both features.
-        #[allow(unsafe_code)]
-        return unsafe { fill_avx2(leg, scratch, first, poses) };
-    }
-    #[cfg(target_arch = "x86_64")]
-    return fill_with::<vector::Sse2>(leg, scratch, first, poses);
-    #[cfg(not(target_arch = "x86_64"))]
-    fill_with::<f64>(leg, scratch, first, poses)
-}
-
-#[cfg(all(target_arch = "x86_64", not(vides_no_simd)))]
-#[target_feature(enable = "avx2,fma")]
-fn fill_avx2(leg: &Leg, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()> {
-    fill_with::<vector::Avx2>(leg, scratch, first, poses)
-}
-
-/// Sections with fewer frames than this do not keep their tables: they are
-/// made again faster than they come back from memory.
-const KEEP: usize = 1024;
-
 #[inline(always)]
-fn fill_with<V: Vector>(
+pub(super) fn fill<V: Vector>(
     leg: &Leg,
     scratch: &mut Scratch,
     first: usize,

@@ -21,6 +21,7 @@ pub mod bezier;
 pub mod camera_path;
 pub mod catmull_rom;
 pub mod cubic_spline;
+mod dispatch;
 mod fill;
 pub mod hermite;
 pub mod kochanek_bartels;

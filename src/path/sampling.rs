@@ -4,7 +4,8 @@
 use std::sync::OnceLock;
 
 use super::camera_path::{CameraPath, ZoomMode};
-use super::fill::{self, Scratch};
+use super::dispatch;
+use super::fill::Scratch;
 use super::leg::{Leg, Way};
 use super::orientation_curve::{self, Key, turnings};
 use super::pose::Pose;
@@ -69,14 +70,13 @@ impl Sampler {
                 duration: section.frames as f64 * section.mean_speed / BASE_SPEED,
                 way: curve.map(|curve| (curve, length)),
             });
-            let speed = timeline.speed_curve(path, index);
             legs.push(Leg {
                 start: number,
                 frames: section.frames,
-                speed: if speed.is_constant() {
+                speed: if section.constant_speed {
                     None
                 } else {
-                    Some(try_box(speed)?)
+                    Some(try_box(timeline.speed_curve(path, index))?)
                 },
                 way: curve.map(|&curve| Way { curve, length }),
                 position: point.position,
@@ -162,7 +162,7 @@ impl Sampler {
             let between = (leg.start + leg.frames - number).min(after.len());
             let (moved, after) = after.split_at_mut(between);
             if between > 0 {
-                fill::fill(leg, &mut scratch, number - leg.start, moved)?;
+                dispatch::fill(leg, &mut scratch, number - leg.start, moved)?;
             }
             number += between;
             rest = after;

@@ -2,8 +2,8 @@
 //! what changes, by how much, how many frames it takes. When the values at one
 //! point change, only what lies around it is computed again.
 
-use super::arc_length;
 use super::camera_path::{CameraPath, Orientation};
+use super::dispatch;
 use super::hermite::Cubic;
 use super::kochanek_bartels;
 use super::speed_curve::SpeedCurve;
@@ -13,6 +13,9 @@ use crate::math::{orientation, quaternion};
 
 /// Less than this is no change: length units, radians, degrees, zoom.
 const NO_CHANGE: f64 = 1e-9;
+
+/// Share by which a number of frames may miss a half and still be one.
+const TIE: f64 = 1e-12;
 
 /// What decides the number of frames of a section: the first that changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,6 +47,8 @@ pub struct Section {
     pub mean_speed: f64,
     /// Its frames; 0 if nothing changes.
     pub frames: usize,
+    /// Whether its speed is the same all the way.
+    pub constant_speed: bool,
 }
 
 #[derive(Debug, Clone)]
@@ -60,6 +65,7 @@ struct State {
     frames: usize,
     /// The hold of the key in which the section begins, if it has frames.
     hold: usize,
+    constant_speed: bool,
 }
 
 impl State {
@@ -101,7 +107,7 @@ impl Timeline {
         let mut segments = vec_with_room(path.segment_count())?;
         for index in 0..path.segment_count() {
             let curve = kochanek_bartels::segment(path, index);
-            let length = arc_length::length(&curve);
+            let length = dispatch::length(&curve);
             segments.push(Segment { curve, length });
         }
         let count = if path.closed { slots } else { slots - 1 };
@@ -126,6 +132,7 @@ impl Timeline {
                     mean_speed: BASE_SPEED,
                     frames: 0,
                     hold: 0,
+                    constant_speed: true,
                 });
             }
         }
@@ -152,7 +159,7 @@ impl Timeline {
                 let curve = kochanek_bartels::segment(path, near);
                 let segment = &mut self.segments[near];
                 if segment.curve != curve {
-                    segment.length = arc_length::length(&curve);
+                    segment.length = dispatch::length(&curve);
                     segment.curve = curve;
                 }
             }
@@ -254,6 +261,7 @@ impl Timeline {
             amount: state.amount,
             mean_speed: state.mean_speed,
             frames: state.frames,
+            constant_speed: state.constant_speed,
         }
     }
 
@@ -364,6 +372,7 @@ impl Timeline {
             frames: 0,
             hold: 0,
             mean_speed: BASE_SPEED,
+            constant_speed: true,
             ..state
         };
         if state.moves() {
@@ -443,7 +452,10 @@ fn paced(path: &CameraPath, state: State, curve: &SpeedCurve, hold: u32) -> Stat
         Change::Roll => path.speeds.rolling,
         Change::Zoom | Change::Nothing => path.speeds.zoom,
     };
-    let frames = (state.amount * base * BASE_SPEED / curve.mean()).round();
+    let frames = state.amount * base * BASE_SPEED / curve.mean();
+    // Half a frame counts as a whole one, also where rounding left it short:
+    // the count must not depend on the processor's last bits.
+    let frames = (frames + TIE * frames).round();
     // Beyond the limit the exact number does not matter, only that it is beyond.
     #[allow(
         clippy::cast_precision_loss,
@@ -455,6 +467,7 @@ fn paced(path: &CameraPath, state: State, curve: &SpeedCurve, hold: u32) -> Stat
         mean_speed: curve.mean(),
         frames,
         hold: hold as usize,
+        constant_speed: curve.is_constant(),
         ..state
     }
 }

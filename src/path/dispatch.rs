@@ -1,0 +1,54 @@
+//! The choice of vectors: code written over [`Vector`] is compiled here once
+//! for every processor and once for those with AVX2 and fused multiplication;
+//! the two agree to rounding. What is called from here must be forced inline
+//! all the way down, since a function of its own would be compiled for the
+//! plainest processor. `--cfg vides_no_simd` leaves only the first, to measure
+//! and to test it.
+
+use super::arc_length;
+use super::fill::{self, Scratch};
+use super::hermite::Cubic;
+use super::leg::Leg;
+use super::pose::Pose;
+use crate::error::Result;
+use crate::math::vector;
+
+/// Calls a function that is generic over [`vector::Vector`] with the widest
+/// vectors that this processor has.
+macro_rules! widest {
+    ($module:ident, $function:ident, ($($name:ident: $type:ty),*) -> $result:ty) => {{
+        #[cfg(all(target_arch = "x86_64", not(vides_no_simd)))]
+        #[target_feature(enable = "avx2,fma")]
+        fn avx2($($name: $type),*) -> $result {
+            $module::$function::<vector::Avx2>($($name),*)
+        }
+        #[cfg(all(target_arch = "x86_64", not(vides_no_simd)))]
+        if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+            // SAFETY: the processor has just been asked for both features.
+            #[allow(unsafe_code)]
+            return unsafe { avx2($($name),*) };
+        }
+        #[cfg(target_arch = "x86_64")]
+        return $module::$function::<vector::Sse2>($($name),*);
+        #[cfg(not(target_arch = "x86_64"))]
+        return $module::$function::<f64>($($name),*);
+    }};
+}
+
+/// See [`fill::fill`].
+///
+/// # Errors
+/// [`crate::Error::Memory`].
+pub(super) fn fill(
+    leg: &Leg,
+    scratch: &mut Scratch,
+    first: usize,
+    poses: &mut [Pose],
+) -> Result<()> {
+    widest!(fill, fill, (leg: &Leg, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()>)
+}
+
+/// See [`arc_length::length`].
+pub(super) fn length(curve: &Cubic) -> f64 {
+    widest!(arc_length, length, (curve: &Cubic) -> f64)
+}
