@@ -5,7 +5,7 @@ mod common;
 use common::{Random, all_poses, prepared, set_speeds};
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
-use vides::path::arc_length::{ArcLength, length};
+use vides::path::arc_length::ArcLength;
 use vides::path::hermite::Cubic;
 use vides::path::speed_curve::SpeedCurve;
 use vides::path::{CameraPath, CurveParameters, Pose, Target};
@@ -17,6 +17,10 @@ fn vector() -> impl Strategy<Value = DVec3> {
 fn cubic() -> impl Strategy<Value = Cubic> {
     (vector(), vector(), vector(), vector())
         .prop_map(|(p0, p1, r0, r1)| Cubic::hermite(p0, p1, 3.0 * r0, 3.0 * r1))
+}
+
+fn length(curve: &Cubic) -> f64 {
+    ArcLength::new(curve).unwrap().length()
 }
 
 /// The part of a curve between two parameters, as a curve of its own.
@@ -45,7 +49,6 @@ proptest! {
         let parts = [(0.0, a), (a, b), (b, 1.0)].map(|(from, to)| length(&part(&curve, from, to)));
         prop_assert!((parts.iter().sum::<f64>() - whole).abs() < 1e-13 * whole);
         let arc = ArcLength::new(&curve).unwrap();
-        prop_assert!((arc.length() - whole).abs() < 1e-14 * whole);
         let between = arc.length_at(b) - arc.length_at(a);
         prop_assert!((between - parts[1]).abs() < 1e-13 * whole);
     }
