@@ -3,6 +3,7 @@
 
 use std::sync::OnceLock;
 
+use super::arc_length;
 use super::camera_path::{CameraPath, ZoomMode};
 use super::dispatch;
 use super::fill::Scratch;
@@ -65,7 +66,8 @@ impl Sampler {
                 0.0
             };
             let curve = timeline.curve(section.point.min(timeline.segment_count() - 1));
-            let curve = (length > 0.0).then_some(curve);
+            // A way that cannot be measured as it stands is no way to be seen.
+            let curve = (length > 100.0 * arc_length::TINY).then_some(curve);
             ways.push(orientation_curve::Leg {
                 duration: section.frames as f64 * section.mean_speed / BASE_SPEED,
                 way: curve.map(|curve| (curve, length)),
