@@ -2,6 +2,7 @@
 //! names the place and the reason, fit to be shown to a person as it stands.
 
 use std::borrow::Cow;
+use std::fmt;
 
 /// The text of an error: mostly fixed, so that failing costs no memory.
 pub type Message = Cow<'static, str>;
@@ -42,8 +43,8 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 impl Error {
     /// The same error with the place where it happened put before it.
     #[must_use]
-    pub fn at(self, place: impl std::fmt::Display) -> Self {
-        let put = |message: Message| Message::Owned(format!("{place}: {message}"));
+    pub fn at(self, place: impl fmt::Display) -> Self {
+        let put = |message: Message| sentence(format_args!("{place}: {message}"));
         match self {
             Self::Argument(message) => Self::Argument(put(message)),
             Self::Range(message) => Self::Range(put(message)),
@@ -51,6 +52,25 @@ impl Error {
             Self::Format(message) => Self::Format(put(message)),
             Self::Memory | Self::Io { .. } => self,
         }
+    }
+}
+
+/// A sentence with values in it. Where there is no memory left to write it, one
+/// that says so: a wrong index must not end a program that has run out of it.
+#[must_use]
+pub(crate) fn sentence(values: fmt::Arguments<'_>) -> Message {
+    struct Sentence(String);
+    impl fmt::Write for Sentence {
+        fn write_str(&mut self, s: &str) -> fmt::Result {
+            self.0.try_reserve(s.len()).map_err(|_| fmt::Error)?;
+            self.0.push_str(s);
+            Ok(())
+        }
+    }
+    let mut sentence = Sentence(String::new());
+    match fmt::write(&mut sentence, values) {
+        Ok(()) => sentence.0.into(),
+        Err(_) => "not as it must be; there is no memory left to say more".into(),
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, sentence};
 use crate::limits;
 use crate::path::Pose;
 use crate::path::camera_path::check_coordinates;
@@ -162,9 +162,10 @@ impl Info {
         check_fps(self.fps)?;
         self.space.check()?;
         if self.object.len() > limits::MAX_OBJECT_POINTS {
-            return Err(Error::Limit(
-                format!("an object has at most {} points", limits::MAX_OBJECT_POINTS).into(),
-            ));
+            return Err(Error::Limit(sentence(format_args!(
+                "an object has at most {} points",
+                limits::MAX_OBJECT_POINTS
+            ))));
         }
         for (index, point) in self.object.iter().enumerate() {
             check_coordinates(point.position)
@@ -197,13 +198,10 @@ pub(super) fn check_fps(fps: f64) -> Result<()> {
 /// A comment: not too long.
 pub(super) fn check_comment(comment: &str) -> Result<()> {
     if comment.len() > limits::MAX_COMMENT_BYTES {
-        return Err(Error::Limit(
-            format!(
-                "the comment has at most {} bytes",
-                limits::MAX_COMMENT_BYTES
-            )
-            .into(),
-        ));
+        return Err(Error::Limit(sentence(format_args!(
+            "the comment has at most {} bytes",
+            limits::MAX_COMMENT_BYTES
+        ))));
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, sentence};
 use crate::limits::MAX_DIVISION;
 use crate::math::orientation::unit;
 use crate::path::CameraPath;
@@ -23,7 +23,9 @@ pub(super) fn divide<'a>(
         return Err(Error::Range(if segment + 1 == path.points.len() {
             "no segment begins in the last point of an open path".into()
         } else {
-            format!("there is no segment {segment}: the path has segments 0 to {last}").into()
+            sentence(format_args!(
+                "there is no segment {segment}: the path has segments 0 to {last}"
+            ))
         }));
     }
     if count == 0 || count > MAX_DIVISION {
@@ -65,17 +67,17 @@ pub(super) fn beyond(path: &CameraPath, end: End) -> Result<DVec3> {
         End::Last => (curve.end, way_out_at_end(&curve)),
     };
     let Some(way) = way else {
-        return Err(Error::Argument(
-            format!("the {name} segment has no length and so no direction to go on in").into(),
-        ));
+        return Err(Error::Argument(sentence(format_args!(
+            "the {name} segment has no length and so no direction to go on in"
+        ))));
     };
     // An end that already lies outside must not be pulled back in.
     let (low, high) = (from.min(DVec3::NEG_ONE), from.max(DVec3::ONE));
     let place = (from + length * way).clamp(low, high);
     if place == from {
-        return Err(Error::Range(
-            format!("there is no room in the movement space beyond the {name} point").into(),
-        ));
+        return Err(Error::Range(sentence(format_args!(
+            "there is no room in the movement space beyond the {name} point"
+        ))));
     }
     Ok(place)
 }

@@ -8,7 +8,7 @@ use super::edit::Edit;
 use super::editing::Selection;
 use super::place;
 use super::target;
-use crate::error::{Error, Result, vec_with_room};
+use crate::error::{Error, Result, sentence, vec_with_room};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::camera_path::{check_coordinates, check_speeds};
@@ -20,13 +20,10 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
     let change = match edit {
         Edit::InsertPoint { at, position } => {
             if at > path.points.len() {
-                return Err(Error::Range(
-                    format!(
-                        "a new point must be put at 0 to {}, not at {at}",
-                        path.points.len()
-                    )
-                    .into(),
-                ));
+                return Err(Error::Range(sentence(format_args!(
+                    "a new point must be put at 0 to {}, not at {at}",
+                    path.points.len()
+                ))));
             }
             let points = copies(content, at.saturating_sub(1), &[position])?;
             return Ok(inserted(at, points));
@@ -181,9 +178,10 @@ fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>)
 fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<SupportPoint>> {
     let source = &content.path.points[from];
     if content.path.points.len() + positions.len() > limits::MAX_POINTS {
-        return Err(Error::Limit(
-            format!("a path has at most {} support points", limits::MAX_POINTS).into(),
-        ));
+        return Err(Error::Limit(sentence(format_args!(
+            "a path has at most {} support points",
+            limits::MAX_POINTS
+        ))));
     }
     check_all_orientations(content.orientations + positions.len() * source.orientations.len())?;
     let mut points = vec_with_room(positions.len())?;
@@ -218,9 +216,9 @@ fn new_orientation(
     let point = point(&content.path, number)?;
     let count = point.orientations.len();
     if at > count {
-        return Err(Error::Range(
-            format!("a new orientation must be put at 0 to {count}, not at {at}").into(),
-        ));
+        return Err(Error::Range(sentence(format_args!(
+            "a new orientation must be put at 0 to {count}, not at {at}"
+        ))));
     }
     if count == limits::MAX_ORIENTATIONS {
         return Err(Error::Limit("a point has at most 10 orientations".into()));
@@ -243,14 +241,11 @@ fn check_position(point: &SupportPoint, at: usize, position: DVec3) -> Result<()
     check_coordinates(position)?;
     for (index, orientation) in point.orientations.iter().enumerate() {
         if orientation.target == Target::Absolute(position) {
-            return Err(Error::Argument(
-                format!(
-                    "point {} must not lie on the target of its orientation {}",
-                    at + 1,
-                    index + 1
-                )
-                .into(),
-            ));
+            return Err(Error::Argument(sentence(format_args!(
+                "point {} must not lie on the target of its orientation {}",
+                at + 1,
+                index + 1
+            ))));
         }
     }
     Ok(())
@@ -258,13 +253,10 @@ fn check_position(point: &SupportPoint, at: usize, position: DVec3) -> Result<()
 
 fn check_all_orientations(count: usize) -> Result<()> {
     if count > limits::MAX_ALL_ORIENTATIONS {
-        return Err(Error::Limit(
-            format!(
-                "the points of a path have at most {} orientations together",
-                limits::MAX_ALL_ORIENTATIONS
-            )
-            .into(),
-        ));
+        return Err(Error::Limit(sentence(format_args!(
+            "the points of a path have at most {} orientations together",
+            limits::MAX_ALL_ORIENTATIONS
+        ))));
     }
     Ok(())
 }
@@ -272,13 +264,10 @@ fn check_all_orientations(count: usize) -> Result<()> {
 /// The point of this number.
 pub(super) fn point(path: &CameraPath, at: usize) -> Result<&SupportPoint> {
     path.points.get(at).ok_or_else(|| {
-        Error::Range(
-            format!(
-                "there is no point {at}: the path has points 0 to {}",
-                path.points.len() - 1
-            )
-            .into(),
-        )
+        Error::Range(sentence(format_args!(
+            "there is no point {at}: the path has points 0 to {}",
+            path.points.len() - 1
+        )))
     })
 }
 
@@ -286,13 +275,10 @@ pub(super) fn point(path: &CameraPath, at: usize) -> Result<&SupportPoint> {
 pub(super) fn orientation(path: &CameraPath, number: usize, at: usize) -> Result<&Orientation> {
     let point = point(path, number)?;
     point.orientations.get(at).ok_or_else(|| {
-        Error::Range(
-            format!(
-                "there is no orientation {at}: point {number} has orientations 0 to {}",
-                point.orientations.len() - 1
-            )
-            .into(),
-        )
+        Error::Range(sentence(format_args!(
+            "there is no orientation {at}: point {number} has orientations 0 to {}",
+            point.orientations.len() - 1
+        )))
     })
 }
 

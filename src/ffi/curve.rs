@@ -8,7 +8,7 @@ use super::pointers::{Out, index};
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::Document;
-use crate::error::Error;
+use crate::error::{Error, sentence};
 use crate::path::arc_length::ArcLength;
 use crate::path::hermite::Cubic;
 
@@ -17,9 +17,9 @@ fn segment(document: &Document, number: c_int) -> Answer<usize> {
     let segments = document.path().segment_count();
     match index(number)? {
         found if found < segments => Ok(found),
-        _ => Err(Error::Range(
-            format!("there is no segment {number} among {segments}, counted from 0").into(),
-        )
+        _ => Err(Error::Range(sentence(format_args!(
+            "there is no segment {number} among {segments}, counted from 0"
+        )))
         .into()),
     }
 }
@@ -35,9 +35,12 @@ fn between(value: f64, end: f64, name: &str) -> Answer<f64> {
     if (0.0..=end).contains(&value) {
         Ok(value)
     } else if value.is_finite() {
-        Err(Error::Range(format!("{name} must lie between 0 and {end}").into()).into())
+        Err(Error::Range(sentence(format_args!(
+            "{name} must lie between 0 and {end}"
+        )))
+        .into())
     } else {
-        Err(Error::Argument(format!("{name} must be a finite number").into()).into())
+        Err(Error::Argument(sentence(format_args!("{name} must be a finite number"))).into())
     }
 }
 

@@ -56,12 +56,23 @@ pub unsafe extern "C" fn v_haupt(
     report();
 }
 
+/// Room for the longest message with what stands around it.
+const LINE_BYTES: usize = 2048;
+
 /// Says the last error on standard error, in one line and one piece.
 fn report() {
     with_last_error(|message| {
-        let parts = [b"vides: ", message, b"\n"].concat();
+        // One write, so that nobody else's text comes between; no allocation.
+        let mut line = [0; LINE_BYTES];
+        let length = {
+            let mut rest = &mut line[..];
+            let parts: [&[u8]; 3] = [b"vides: ", message, b"\n"];
+            // The longest message fits.
+            let _ = parts.iter().try_for_each(|part| rest.write_all(part));
+            LINE_BYTES - rest.len()
+        };
         // Nothing is left to be done where standard error is closed.
-        let _ = std::io::stderr().write_all(&parts);
+        let _ = std::io::stderr().write_all(&line[..length]);
     });
 }
 

@@ -12,7 +12,7 @@ use super::points::point;
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::{V_ORIENTATION, V_PATH};
 use crate::document::Edit;
-use crate::error::Error;
+use crate::error::{Error, sentence};
 use crate::path::{Orientation, Target, Tcb};
 
 /// The struct of C for an orientation.
@@ -196,9 +196,9 @@ pub unsafe extern "C" fn v_path_get_orientation(
         let values = read(path, |document| {
             let orientations = &self::point(document, point)?.1.orientations;
             Ok(orientations.get(index(at)?).map(to_c).ok_or_else(|| {
-                Error::Range(
-                    format!("point {point} has no orientation {at}, counted from 0").into(),
-                )
+                Error::Range(sentence(format_args!(
+                    "point {point} has no orientation {at}, counted from 0"
+                )))
             })?)
         })?;
         // SAFETY: room for the struct: its size says so.

@@ -8,7 +8,7 @@ use super::pointers::{Out, count, index, read_vector};
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit};
-use crate::error::Error;
+use crate::error::{Error, sentence};
 use crate::path::{CurveParameters, SupportPoint, Tcb};
 
 /// A support point by C's number of it.
@@ -16,13 +16,10 @@ pub(super) fn point(document: &Document, at: c_int) -> Answer<(usize, &SupportPo
     let number = index(at)?;
     let points = &document.path().points;
     let point = points.get(number).ok_or_else(|| {
-        Error::Range(
-            format!(
-                "there is no point {at} among {}, counted from 0",
-                points.len()
-            )
-            .into(),
-        )
+        Error::Range(sentence(format_args!(
+            "there is no point {at} among {}, counted from 0",
+            points.len()
+        )))
     })?;
     Ok((number, point))
 }

@@ -9,7 +9,7 @@ use super::pointers::{Out, check, file_name, index, slice_mut};
 use super::status::{Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK};
 use super::types::{V_KAMERAPAR, V_PATH, V_POSE};
 use crate::document::ascii;
-use crate::error::Error;
+use crate::error::{Error, sentence};
 use crate::path::Pose;
 
 /// ==== Sections and poses ====
@@ -56,7 +56,9 @@ pub unsafe extern "C" fn v_path_section_info(
                 (number < timeline.section_count()).then(|| timeline.section(number))
             })?;
             let found = found.ok_or_else(|| {
-                Error::Range(format!("there is no section {section}, counted from 0").into())
+                Error::Range(sentence(format_args!(
+                    "there is no section {section}, counted from 0"
+                )))
             })?;
             Ok((found, document.sampler()?.first_frame(number)))
         })?;

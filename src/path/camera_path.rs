@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-use crate::error::{Error, Result, vec_with_room};
+use crate::error::{Error, Result, sentence, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
 
@@ -329,9 +329,10 @@ impl CameraPath {
             ));
         }
         if self.points.len() > limits::MAX_POINTS {
-            return Err(Error::Limit(
-                format!("a path has at most {} support points", limits::MAX_POINTS).into(),
-            ));
+            return Err(Error::Limit(sentence(format_args!(
+                "a path has at most {} support points",
+                limits::MAX_POINTS
+            ))));
         }
         for preset in self.presets {
             preset.check()?;
@@ -400,9 +401,10 @@ pub fn check_coordinates(v: DVec3) -> Result<()> {
 /// [`Error::Argument`] or [`Error::Limit`].
 pub fn check_name(name: &str) -> Result<()> {
     if name.len() > limits::MAX_NAME_BYTES {
-        return Err(Error::Limit(
-            format!("at most {} bytes are allowed", limits::MAX_NAME_BYTES).into(),
-        ));
+        return Err(Error::Limit(sentence(format_args!(
+            "at most {} bytes are allowed",
+            limits::MAX_NAME_BYTES
+        ))));
     }
     if name.chars().any(char::is_control) {
         return Err(Error::Argument("control characters are not allowed".into()));
@@ -416,9 +418,9 @@ pub fn check_name(name: &str) -> Result<()> {
 /// [`Error::Range`].
 pub fn check_shape(value: f64, name: &str) -> Result<()> {
     if !(-1.0..=1.0).contains(&value) {
-        return Err(Error::Range(
-            format!("the {name} must lie between -1 and 1").into(),
-        ));
+        return Err(Error::Range(sentence(format_args!(
+            "the {name} must lie between -1 and 1"
+        ))));
     }
     Ok(())
 }

@@ -390,6 +390,25 @@ static void each_call(const V_PATH *original, int forever)
     }
 }
 
+/* What is wrong in a call is answered, if not in full, where there is no memory
+ * to put it into words. */
+static void what_is_wrong_is_told(V_PATH *path)
+{
+    double xyz[3] = { 0, 0, 0 };
+    V_ORIENTATION o;
+    v_orientation_init(&o);
+    asked = 0;
+    fail_forever = 1;
+    fail_at = 0;
+    STATUS(V_ERR_RANGE, v_path_get_position(path, 99, xyz));
+    STATUS(V_ERR_RANGE, v_path_insert_point(path, 99, xyz));
+    STATUS(V_ERR_RANGE, v_path_set_orientation(path, 1, 5, &o));
+    STATUS(V_ERR_RANGE, v_path_get_orientation(path, 1, 5, &o));
+    STATUS(V_ERR_RANGE, v_path_divide_segment(path, 99, 1));
+    fail_at = -1;
+    CHECK(asked > 0);
+}
+
 /* So many paths at once that the library must make room for their handles. */
 static void with_many_paths(void)
 {
@@ -437,6 +456,7 @@ int main(void)
     with_many_heads();
     each_call(path, 0);
     each_call(path, 1);
+    what_is_wrong_is_told(path);
     with_many_paths();
     v_path_free(path);
     v_path_free(longer);
