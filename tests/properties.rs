@@ -122,13 +122,13 @@ fn some_path(random: &mut Random) -> CameraPath {
 #[test]
 fn a_part_is_the_same_part_of_the_whole() {
     let mut random = Random::new(51);
-    for round in 0..150 {
+    for round in 0..500 {
         let path = some_path(&mut random);
         let (_, sampler) = prepared(&path);
         let whole = all_poses(&sampler);
         // Another sampler, so that what one call prepares helps no other.
         let (_, fresh) = prepared(&path);
-        for _ in 0..20 {
+        for _ in 0..25 {
             let first = 1 + random.below(whole.len());
             let count = match random.below(3) {
                 0 => 1,
