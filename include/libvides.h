@@ -356,7 +356,8 @@ void v_path_free(V_PATH *path);
  * Reads a path from a .vid file. file is a name as open() takes it. *path is
  * the caller's, to be freed with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
- * line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT.
+ * line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
+ * runs out while the text itself is read or parsed ends the program.
  */
 int v_path_load(const char *file, V_PATH **path);
 
@@ -365,7 +366,8 @@ int v_path_load(const char *file, V_PATH **path);
  * wholly the old or wholly the new one; when the call returns V_OK the new one
  * is on the disk. A symbolic link is followed, permissions are kept.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
- * V_ERR_MEMORY.
+ * V_ERR_MEMORY. Memory that runs out while the file is opened or written may
+ * end the program; the old file stays.
  */
 int v_path_save(const V_PATH *path, const char *file);
 
@@ -692,7 +694,8 @@ int v_path_to_list(const V_PATH *path, V_KAMERAPAR *first);
  * zero is written as zero. The file is afterwards wholly the old or wholly the
  * new one.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the file is opened or
+ * written may end the program; the old file stays.
  */
 int v_path_write_ascii(const V_PATH *path, const char *file);
 

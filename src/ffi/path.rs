@@ -93,7 +93,8 @@ pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
 /// Reads a path from a .vid file. file is a name as open() takes it. *path is
 /// the caller's, to be freed with v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
-/// line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT.
+/// line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
+/// runs out while the text itself is read or parsed ends the program.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -111,7 +112,8 @@ pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH
 /// wholly the old or wholly the new one; when the call returns V_OK the new one
 /// is on the disk. A symbolic link is followed, permissions are kept.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
-/// V_ERR_MEMORY.
+/// V_ERR_MEMORY. Memory that runs out while the file is opened or written may
+/// end the program; the old file stays.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -175,7 +175,8 @@ pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMER
 /// zero is written as zero. The file is afterwards wholly the old or wholly the
 /// new one.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the file is opened or
+/// written may end the program; the old file stays.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
