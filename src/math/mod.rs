@@ -7,6 +7,7 @@
 //! errors and limits.
 
 pub mod chebyshev;
+pub mod euler;
 pub mod monotone_cubic;
 pub mod orientation;
 pub mod quaternion;

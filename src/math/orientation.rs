@@ -93,6 +93,12 @@ pub fn quaternion_from_view(view: DVec3, up: DVec3) -> DQuat {
     four.normalize()
 }
 
+/// The quaternion of a view given by direction and roll in radians.
+#[must_use]
+pub fn quaternion_from_roll(view: DVec3, roll: f64) -> DQuat {
+    quaternion_from_view(view, up_from_roll(view, roll))
+}
+
 /// View direction and up vector of a quaternion of any length but zero: unit
 /// and perpendicular to rounding, since each is divided by |q|².
 #[must_use]

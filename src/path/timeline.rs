@@ -327,10 +327,7 @@ impl Timeline {
         };
         let (a, b) = (from.view(here.position), to.view(there.position));
         if (a - b).length() > NO_CHANGE {
-            let key = |view, roll: f64| {
-                let up = orientation::up_from_roll(view, roll.to_radians());
-                orientation::quaternion_from_view(view, up)
-            };
+            let key = |view, roll: f64| orientation::quaternion_from_roll(view, roll.to_radians());
             let (a, b) = (key(a, from.roll), key(b, to.roll));
             let angle = quaternion::angle(a, if a.dot(b) < 0.0 { -b } else { b });
             return (Change::View, angle / std::f64::consts::FRAC_PI_2);
