@@ -90,7 +90,8 @@ check() { # NAME
         compile "$program-san" "$library" "$source" -fsanitize=address,undefined \
             -fno-sanitize-recover=undefined &&
             run "$name, $kind, sanitizers" "$program-san"
-        run "$name, $kind, valgrind" "$program" valgrind -q --error-exitcode=9 \
+        # Fair: its one running thread at a time would else be the same for minutes.
+        run "$name, $kind, valgrind" "$program" valgrind -q --fair-sched=yes --error-exitcode=9 \
             --leak-check=full --errors-for-leak-kinds=definite,possible
     done
 }
