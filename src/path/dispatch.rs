@@ -1,4 +1,4 @@
-//! The choice of vectors: code written over [`Vector`] is compiled here once
+//! The choice of vectors: code written over [`vector::Vector`] is compiled here once
 //! for every processor and once for those with AVX2 and fused multiplication;
 //! the two agree to rounding. What is called from here must be forced inline
 //! all the way down, since a function of its own would be compiled for the
