@@ -126,36 +126,28 @@ fn slopes(v: &[f64; SPEEDS], before: Option<f64>, after: Option<f64>) -> [f64; S
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::path::test_support::Random;
 
-    /// Small, fast, good enough to fill curves (xorshift64*).
-    struct Random(u64);
-    impl Random {
-        fn unit(&mut self) -> f64 {
-            self.0 ^= self.0 >> 12;
-            self.0 ^= self.0 << 25;
-            self.0 ^= self.0 >> 27;
-            (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64
+    fn speed(random: &mut Random) -> f64 {
+        match (random.unit() * 8.0) as u32 {
+            0 => 1.0,
+            1 => 100.0,
+            _ => 1.0 + 99.0 * random.unit(),
         }
-        fn speed(&mut self) -> f64 {
-            match (self.unit() * 8.0) as u32 {
-                0 => 1.0,
-                1 => 100.0,
-                _ => 1.0 + 99.0 * self.unit(),
-            }
-        }
-        fn curve(&mut self) -> SpeedCurve {
-            let speeds = std::array::from_fn(|_| self.speed());
-            let before = (self.unit() < 0.5).then(|| self.speed());
-            let after = (self.unit() < 0.5).then(|| self.speed());
-            SpeedCurve::new(&speeds, before, after)
-        }
+    }
+
+    fn curve(random: &mut Random) -> SpeedCurve {
+        let speeds = std::array::from_fn(|_| speed(random));
+        let before = (random.unit() < 0.5).then(|| speed(random));
+        let after = (random.unit() < 0.5).then(|| speed(random));
+        SpeedCurve::new(&speeds, before, after)
     }
 
     #[test]
     fn a_million_random_curves_stay_in_range_and_move_on() {
         let mut random = Random(7);
         for _ in 0..1_000_000 {
-            let curve = random.curve();
+            let curve = curve(&mut random);
             let mut last = 0.0;
             for c in &curve.speed {
                 // The extremes of a cubic are at its ends or where its derivative is zero.
@@ -189,7 +181,7 @@ mod tests {
         // Two nodes are exact for cubics.
         let mut random = Random(8);
         for _ in 0..10_000 {
-            let curve = random.curve();
+            let curve = curve(&mut random);
             let g = 0.5 / 3.0f64.sqrt();
             let mut sum = 0.0;
             for i in 0..9 {

@@ -1,10 +1,23 @@
-//! What the tests of the curves share: random points, an affine map, and a
-//! comparison that tells both sides.
+//! What the tests of the curves share: random numbers and points, an affine map,
+//! and a comparison that tells both sides.
 
 use glam::{DMat3, DMat4, DVec3};
 use proptest::prelude::*;
 
 use super::hermite::BasisMatrix;
+
+/// Random numbers where millions are wanted: xorshift64*.
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    /// In [0, 1).
+    pub(crate) fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
 
 /// A point with each coordinate below `range` in magnitude.
 pub(crate) fn vector(range: f64) -> impl Strategy<Value = DVec3> {
