@@ -35,6 +35,9 @@ pub enum Error {
     /// line and the reason.
     #[error("{0}")]
     Format(Message),
+    /// No window can be opened, or its X server went away.
+    #[error("{0}")]
+    Display(Message),
 }
 
 /// The result of everything that can fail.
@@ -50,6 +53,7 @@ impl Error {
             Self::Range(message) => Self::Range(put(message)),
             Self::Limit(message) => Self::Limit(put(message)),
             Self::Format(message) => Self::Format(put(message)),
+            Self::Display(message) => Self::Display(put(message)),
             Self::Memory | Self::Io { .. } => self,
         }
     }

@@ -2,7 +2,9 @@
 //! more camera orientations, become every in-between camera pose.
 //!
 //! [`path`] is the engine, [`document`] the path being edited and its files,
-//! [`math`] what both stand on. `ffi` is the border to C; its header is
+//! [`math`] what both stand on. `editor` is the window's contents, `raster`
+//! and `x11` bring them to a screen, `instance` joins the three under the
+//! host's event loop. `ffi` is the border to C; its header is
 //! `include/libvides.h`. `ARCHITECTURE.md` draws the arrows between them,
 //! `docs/path.md` tells the rules by which a path becomes poses.
 //!
@@ -16,6 +18,14 @@ pub mod limits;
 pub mod math;
 pub mod path;
 
+#[allow(dead_code, unused_imports)] // until the window is whole
+mod editor;
 mod ffi;
+#[allow(dead_code, unused_imports)] // until the window is whole
+mod instance;
+#[allow(dead_code, unused_imports)] // until the window is whole
+mod raster;
+#[allow(dead_code, unused_imports)] // until the window is whole
+mod x11;
 
 pub use error::{Error, Result};

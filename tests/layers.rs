@@ -14,8 +14,8 @@ use std::path::{Path, PathBuf};
 const ARROWS: &[(&str, &[&str])] = &[
     ("ffi", &["instance", "document"]),
     ("instance", &["editor", "x11", "raster"]),
-    ("editor", &["document"]),
-    ("x11", &[]),
+    ("editor", &["document", "raster"]),
+    ("x11", &["raster"]),
     ("raster", &[]),
     ("document", &["path"]),
     ("path", &["math"]),
@@ -345,8 +345,8 @@ fn layers_see_what_is_below_and_no_more() {
         ("document", "ffi"),
         ("document", "editor"),
         ("editor", "x11"),
-        ("editor", "raster"),
         ("raster", "x11"),
+        ("raster", "editor"),
         ("x11", "editor"),
         ("instance", "ffi"),
     ] {

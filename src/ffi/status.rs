@@ -80,6 +80,7 @@ impl Failure {
                 Error::Memory => V_ERR_MEMORY,
                 Error::Io { .. } => V_ERR_IO,
                 Error::Format(_) => V_ERR_FORMAT,
+                Error::Display(_) => V_ERR_DISPLAY,
             },
         }
     }

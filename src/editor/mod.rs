@@ -1,0 +1,21 @@
+//! What the window shows and what a hand does in it (thesis chapters 6 and 7.3,
+//! Anhang A), drawn by egui.
+//!
+//! Every change of the path is an edit of [`crate::document`], so that it can
+//! be taken back, and every word comes from [`texts`]. One file per panel and
+//! per sub-window. What leaves the window (poses for the host, closing) is a
+//! [`Request`]; whoever runs the editor sees to it.
+//!
+//! It knows no X, no C and no host, and has no unsafe code, so that all of it
+//! runs in tests without a screen.
+
+mod frame;
+mod panels;
+mod space;
+mod state;
+mod texts;
+mod theme;
+mod windows;
+
+pub(crate) use state::{Editor, Options, Request};
+pub(crate) use texts::Language;

@@ -1,0 +1,162 @@
+//! The state of one window: what is edited and what is to be seen of it.
+
+use std::path::PathBuf;
+
+use super::texts::{Language, Texts};
+use super::{space, windows};
+use crate::document::{Document, Edit};
+use crate::error::{Error, Result};
+
+/// How a window begins.
+#[derive(Debug)]
+pub(crate) struct Options {
+    /// The path to be edited; its object is shown.
+    pub(crate) document: Document,
+    /// The file that the path came from.
+    pub(crate) file: Option<PathBuf>,
+    /// What follows `VIDES` in the title; the file's name if none.
+    pub(crate) title: Option<String>,
+    /// The language of the window.
+    pub(crate) language: Language,
+    /// Somebody takes poses that are handed over directly.
+    pub(crate) hand_over: bool,
+    /// The base speeds are the host's: a loaded file's are ignored.
+    pub(crate) fixed_speeds: bool,
+}
+
+/// What only whoever runs the editor can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Request {
+    /// Hand the poses over to the host.
+    HandOver,
+    /// Close the window: unsaved work was asked about, the host may refuse.
+    Close,
+}
+
+/// One window's contents.
+pub(crate) struct Editor {
+    /// The path, its history, what is current.
+    pub(super) document: Document,
+    /// Where it is saved.
+    pub(super) file: Option<PathBuf>,
+    /// The host's name for the window.
+    pub(super) title: Option<String>,
+    pub(super) language: Language,
+    pub(super) hand_over: bool,
+    pub(super) fixed_speeds: bool,
+    /// What stands in the output field instead of the current pose.
+    pub(super) message: Option<Message>,
+    /// What waits to be done outside.
+    pub(super) requests: Vec<Request>,
+    /// The movement window.
+    pub(super) space: space::Space,
+    /// The sub-windows.
+    pub(super) windows: windows::Windows,
+}
+
+/// A line for the output field.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Message {
+    pub(super) text: String,
+    /// Something could not be done.
+    pub(super) error: bool,
+}
+
+impl Editor {
+    /// A window's contents as it opens.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub(crate) fn new(options: Options) -> Result<Self> {
+        Ok(Self {
+            document: options.document,
+            file: options.file,
+            title: options.title,
+            language: options.language,
+            hand_over: options.hand_over,
+            fixed_speeds: options.fixed_speeds,
+            message: None,
+            requests: Vec::new(),
+            space: space::Space::default(),
+            windows: windows::Windows::default(),
+        })
+    }
+
+    /// To be called once for a new egui context: fonts, style, no blinking
+    /// caret, so that an idle window wakes nobody.
+    pub(crate) fn prepare(&self, context: &egui::Context) {
+        super::theme::apply(context);
+    }
+
+    /// One pass: shows everything and takes the input.
+    pub(crate) fn show(&mut self, ui: &mut egui::Ui) {
+        super::frame::show(self, ui);
+    }
+
+    /// The oldest request that was not seen to.
+    pub(crate) fn next_request(&mut self) -> Option<Request> {
+        (!self.requests.is_empty()).then(|| self.requests.remove(0))
+    }
+
+    /// The window manager wants the window closed: asks about unsaved work if
+    /// there is some, and then makes a [`Request::Close`].
+    pub(crate) fn ask_to_close(&mut self) {
+        self.requests.push(Request::Close);
+    }
+
+    /// Shows a sentence in the output field.
+    pub(crate) fn say(&mut self, text: impl Into<String>) {
+        let text = text.into();
+        self.message = Some(Message { text, error: false });
+    }
+
+    /// Shows in the output field what could not be done.
+    pub(crate) fn complain(&mut self, text: impl Into<String>) {
+        let text = text.into();
+        self.message = Some(Message { text, error: true });
+    }
+
+    /// Says how a hand-over went: the number of poses.
+    pub(crate) fn handed_over(&mut self, result: Result<usize, Error>) {
+        match result {
+            Ok(count) => self.say(self.texts().handed_over(count)),
+            Err(error) => self.complain(error.to_string()),
+        }
+    }
+
+    /// The title of the window: begins with `VIDES`, marks unsaved work.
+    pub(crate) fn window_title(&self) -> String {
+        let mark = if self.document.is_modified() { "*" } else { "" };
+        let file = self.file.as_deref().and_then(|file| file.file_name());
+        match (&self.title, file) {
+            (Some(title), _) => format!("VIDES – {mark}{title}"),
+            (None, Some(file)) => format!("VIDES – {mark}{}", file.to_string_lossy()),
+            (None, None) => format!("VIDES{mark}"),
+        }
+    }
+
+    /// The path that is edited.
+    pub(crate) fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// For edits from outside: they are undone as those of the user are.
+    pub(crate) fn document_mut(&mut self) -> &mut Document {
+        &mut self.document
+    }
+
+    /// Does an edit; what hinders it stands in the output field.
+    pub(super) fn edit(&mut self, edit: Edit) -> bool {
+        match self.document.apply(edit) {
+            Ok(()) => true,
+            Err(error) => {
+                self.complain(error.to_string());
+                false
+            }
+        }
+    }
+
+    pub(super) fn texts(&self) -> &'static Texts {
+        self.language.texts()
+    }
+}
