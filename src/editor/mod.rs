@@ -11,6 +11,7 @@
 
 mod frame;
 mod panels;
+mod setup;
 mod space;
 mod state;
 mod texts;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::setup::Setup;
 use super::texts::{Language, Texts};
 use super::{space, windows};
 use crate::document::{Document, Edit};
@@ -48,6 +49,8 @@ pub(crate) struct Editor {
     pub(super) message: Option<Message>,
     /// What waits to be done outside.
     pub(super) requests: Vec<Request>,
+    /// Colours, what is shown, from where.
+    pub(super) setup: Setup,
     /// The movement window.
     pub(super) space: space::Space,
     /// The sub-windows.
@@ -77,6 +80,7 @@ impl Editor {
             fixed_speeds: options.fixed_speeds,
             message: None,
             requests: Vec::new(),
+            setup: Setup::default(),
             space: space::Space::default(),
             windows: windows::Windows::default(),
         })
