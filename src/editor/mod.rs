@@ -9,7 +9,9 @@
 //! It knows no X, no C and no host, and has no unsafe code, so that all of it
 //! runs in tests without a screen.
 
+mod actions;
 mod frame;
+mod menu;
 mod panels;
 mod setup;
 mod space;

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use super::setup::Setup;
-use super::texts::{Language, Texts};
+use super::setup::{Element, Setup};
+use super::texts::{Language, Texts, fill};
+use super::theme;
 use super::{space, windows};
 use crate::document::{Document, Edit};
 use crate::error::{Error, Result};
@@ -89,7 +90,7 @@ impl Editor {
     /// To be called once for a new egui context: fonts, style, no blinking
     /// caret, so that an idle window wakes nobody.
     pub(crate) fn prepare(&self, context: &egui::Context) {
-        super::theme::apply(context);
+        theme::apply(context, self.setup.theme);
     }
 
     /// One pass: shows everything and takes the input.
@@ -123,7 +124,7 @@ impl Editor {
     /// Says how a hand-over went: the number of poses.
     pub(crate) fn handed_over(&mut self, result: Result<usize, Error>) {
         match result {
-            Ok(count) => self.say(self.texts().handed_over(count)),
+            Ok(count) => self.say(fill(self.texts().output.handed_over, &[&count])),
             Err(error) => self.complain(error.to_string()),
         }
     }
@@ -137,6 +138,11 @@ impl Editor {
             (None, Some(file)) => format!("VIDES – {mark}{}", file.to_string_lossy()),
             (None, None) => format!("VIDES{mark}"),
         }
+    }
+
+    /// What shows where nothing is painted.
+    pub(crate) fn background(&self) -> egui::Color32 {
+        self.setup.colours().of(Element::Background)
     }
 
     /// The path that is edited.

@@ -4,5 +4,5 @@ use super::state::Editor;
 
 /// Shows the panels from top to bottom.
 pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
-    ui.strong(editor.texts().position_and_curve);
+    ui.strong(editor.texts().position.heading);
 }

@@ -1,12 +1,95 @@
 //! The sub-windows, one file each. Each may stay open while work goes on.
+//!
+//! A sub-window is a struct with what is pending in it, a [`SubWindow`] with a
+//! slot of its own in [`Windows`]: open if the slot is filled. It is taken out
+//! of the slot while it is shown, so that it can use the whole [`Editor`], and
+//! put back if it wants to stay. [`open`] opens one or brings it to the front;
+//! [`sub_window`] gives all of them the same frame and the same ways to close.
+
+mod colours;
+mod curve;
+mod display;
+mod speed;
+
+pub(super) use colours::ColourWindow;
+pub(super) use curve::CurveWindow;
+pub(super) use display::DisplayWindow;
+pub(super) use speed::SpeedWindow;
 
 use super::state::Editor;
 
 /// Which of them are open, and what is pending in them.
 #[derive(Debug, Default)]
-pub(super) struct Windows {}
+pub(super) struct Windows {
+    pub(super) curve: Option<CurveWindow>,
+    pub(super) speed: Option<SpeedWindow>,
+    pub(super) colours: Option<ColourWindow>,
+    pub(super) display: Option<DisplayWindow>,
+}
+
+/// One kind of sub-window; at most one of each kind is open.
+pub(super) trait SubWindow: Sized {
+    /// Its name for egui: where it stands is remembered under it.
+    const ID: &'static str;
+
+    /// Where it is kept while it is open.
+    fn slot(windows: &mut Windows) -> &mut Option<Self>;
+
+    /// As it opens.
+    fn new(editor: &Editor) -> Self;
+
+    /// Shows it and takes its input, by [`sub_window`]. False: it closes.
+    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool;
+}
+
+/// Opens a sub-window, or brings it to the front if it is open.
+pub(super) fn open<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
+    if W::slot(&mut editor.windows).is_none() {
+        let window = W::new(editor);
+        *W::slot(&mut editor.windows) = Some(window);
+    }
+    context.move_to_top(layer(W::ID));
+}
 
 /// Shows those that are open.
 pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
-    let _ = (&editor.windows, context);
+    show_one::<CurveWindow>(editor, context);
+    show_one::<SpeedWindow>(editor, context);
+    show_one::<ColourWindow>(editor, context);
+    show_one::<DisplayWindow>(editor, context);
+}
+
+fn show_one<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
+    if let Some(mut window) = W::slot(&mut editor.windows).take()
+        && window.show(editor, context)
+    {
+        W::slot(&mut editor.windows).get_or_insert(window);
+    }
+}
+
+/// The frame of a sub-window: a title, a cross to close it; Escape closes the
+/// topmost one, if no text field and no menu has use for it. False: it was closed.
+pub(super) fn sub_window(
+    context: &egui::Context,
+    id: &'static str,
+    title: &str,
+    add: impl FnOnce(&mut egui::Ui),
+) -> bool {
+    let mut open = true;
+    let on_top = context.top_layer_id() == Some(layer(id));
+    let escape = on_top
+        && !context.text_edit_focused()
+        && !egui::Popup::is_any_open(context)
+        && context.input_mut(|input| input.consume_key(egui::Modifiers::NONE, egui::Key::Escape));
+    egui::Window::new(title)
+        .id(egui::Id::unique(id))
+        .open(&mut open)
+        .collapsible(false)
+        .resizable(false)
+        .show(context, add);
+    open && !escape
+}
+
+fn layer(id: &'static str) -> egui::LayerId {
+    egui::LayerId::new(egui::Order::Middle, egui::Id::unique(id))
 }

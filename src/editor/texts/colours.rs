@@ -1,0 +1,10 @@
+//! Texts of the colour window.
+
+use super::texts;
+
+texts! {
+    /// Texts of the colour window.
+    Colours {
+        title: "Colours", "Farben";
+    }
+}
