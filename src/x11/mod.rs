@@ -10,6 +10,11 @@
 //!
 //! It knows nothing of what the window shows, and nothing of C.
 
+mod atoms;
+mod connect;
+mod connection;
+mod stream;
+
 use std::os::fd::{AsFd, BorrowedFd};
 
 use crate::error::Result;

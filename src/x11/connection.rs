@@ -1,0 +1,246 @@
+//! A connection of our own to an X server: opened, atoms known, extensions
+//! asked for.
+//!
+//! It can be used as x11rb's connection is (it dereferences to it). Two things
+//! are to be kept in mind: a request that is waited for lets events pile up in
+//! x11rb's queue while the descriptor is quiet, so events are drained after it;
+//! and an answer may fail to come, so questions are asked by
+//! [`Connection::answer`], which tells a lost server from a slow one.
+
+use std::io::ErrorKind;
+use std::ops::Deref;
+use std::os::fd::{AsFd, BorrowedFd};
+use std::time::{Duration, Instant};
+
+use x11rb::connection::{Connection as _, RequestConnection as _};
+use x11rb::cookie::{Cookie, VoidCookie};
+use x11rb::errors::{ConnectError, ConnectionError, ReplyError, ReplyOrIdError};
+use x11rb::protocol::{shm, xkb, xproto};
+use x11rb::rust_connection::RustConnection;
+use x11rb::x11_utils::TryParse;
+
+use super::atoms::Atoms;
+use super::connect;
+use super::stream::Stream;
+use crate::error::{Error, Message, Result, reason, sentence};
+
+/// What x11rb makes of our stream.
+pub(super) type Raw = RustConnection<Stream>;
+
+/// How long opening a window may take in all.
+const OPENING: Duration = Duration::from_secs(2);
+
+/// See the module.
+pub(super) struct Connection {
+    raw: Raw,
+    /// Which of the setup's screens is ours; it exists.
+    screen: usize,
+    atoms: Atoms,
+    display: String,
+    local: bool,
+}
+
+impl Connection {
+    /// Connects to a display, the environment's `DISPLAY` if none is named, and
+    /// fetches the atoms. Until [`Connection::settle`] everything together
+    /// waits no longer than two seconds.
+    ///
+    /// # Errors
+    /// [`Error::Display`] with a sentence that names the display and the reason.
+    pub(super) fn open(display: Option<&str>) -> Result<Self> {
+        let display = match display {
+            Some(name) => name.to_owned(),
+            None => environment()?,
+        };
+        let parsed = connect::parse(&display).ok_or_else(|| {
+            Error::Display(sentence(format_args!(
+                "\"{display}\" is not the name of a display; those look like \":0\" or \"host:0\""
+            )))
+        })?;
+        let deadline = Instant::now() + OPENING;
+        let fail = |reason: Message| {
+            Error::Display(sentence(format_args!("display \"{display}\": {reason}")))
+        };
+        let peer = connect::connect(&parsed, deadline).map_err(|error| fail(no_server(&error)))?;
+        let (name, data) = connect::authority(&peer, parsed.display);
+        let local = peer.local;
+        let stream = Stream::new(peer.socket, deadline).map_err(|error| fail(no_server(&error)))?;
+        let screen = usize::from(parsed.screen);
+        let raw = Raw::connect_to_stream_with_auth_info(stream, screen, name, data)
+            .map_err(|error| fail(refusal(error, screen)))?;
+        let lost = |error: ReplyError| fail(lost_because(error.into()));
+        // All questions first, then the answers: one way there and back.
+        for name in [shm::X11_EXTENSION_NAME, xkb::X11_EXTENSION_NAME] {
+            raw.prefetch_extension_information(name)
+                .map_err(|error| lost(error.into()))?;
+        }
+        raw.prefetch_maximum_request_bytes();
+        let atoms = Atoms::new(&raw).map_err(|error| lost(error.into()))?;
+        let atoms = atoms.reply().map_err(lost)?;
+        Ok(Self {
+            raw,
+            screen,
+            atoms,
+            display,
+            local,
+        })
+    }
+
+    /// The window stands: from now on each answer is waited for on its own, for
+    /// a second at most, and not at all once one did not come in time, until the
+    /// server speaks again.
+    pub(super) fn settle(&self) {
+        self.raw.stream().settle();
+    }
+
+    /// Our screen.
+    pub(super) fn screen(&self) -> &xproto::Screen {
+        &self.raw.setup().roots[self.screen]
+    }
+
+    /// Our screen's number.
+    pub(super) fn screen_number(&self) -> usize {
+        self.screen
+    }
+
+    /// The atoms.
+    pub(super) fn atoms(&self) -> &Atoms {
+        &self.atoms
+    }
+
+    /// The server runs on this machine and shares its memory and its files.
+    pub(super) fn is_local(&self) -> bool {
+        self.local
+    }
+
+    /// The stream beneath.
+    pub(super) fn stream(&self) -> &Stream {
+        self.raw.stream()
+    }
+
+    /// Waits for the answer to a question. `None` if the server answers with an
+    /// error or not in time: neither ends the window.
+    ///
+    /// # Errors
+    /// [`Error::Display`] if the server is gone.
+    pub(super) fn answer<R: TryParse>(
+        &self,
+        question: Result<Cookie<'_, Raw, R>, ConnectionError>,
+    ) -> Result<Option<R>> {
+        let answer = question.map_err(ReplyError::from).and_then(Cookie::reply);
+        self.excuse(answer.map_err(ReplyOrIdError::from))
+    }
+
+    /// Waits until the server has done what was asked. `false` if it refused or
+    /// did not say so in time.
+    ///
+    /// # Errors
+    /// [`Error::Display`] if the server is gone.
+    pub(super) fn done(&self, asked: Result<VoidCookie<'_, Raw>, ConnectionError>) -> Result<bool> {
+        let result = asked.map_err(ReplyError::from).and_then(VoidCookie::check);
+        Ok(self.excuse(result.map_err(ReplyOrIdError::from))?.is_some())
+    }
+
+    /// A result without those failures that do not end the window.
+    ///
+    /// # Errors
+    /// [`Error::Display`] if the server is gone.
+    pub(super) fn excuse<T>(&self, result: Result<T, ReplyOrIdError>) -> Result<Option<T>> {
+        match result {
+            Ok(value) => Ok(Some(value)),
+            Err(ReplyOrIdError::X11Error(_)) => Ok(None),
+            Err(ReplyOrIdError::ConnectionError(ConnectionError::IoError(error)))
+                if error.kind() == ErrorKind::TimedOut =>
+            {
+                Ok(None)
+            }
+            Err(ReplyOrIdError::ConnectionError(
+                ConnectionError::ParseError(_) | ConnectionError::UnsupportedExtension,
+            )) => Ok(None),
+            Err(error) => Err(self.lost(error)),
+        }
+    }
+
+    /// What ended the connection, as a sentence.
+    pub(super) fn lost(&self, error: impl Into<ReplyOrIdError>) -> Error {
+        let reason = lost_because(error.into());
+        Error::Display(sentence(format_args!(
+            "display \"{}\": {reason}",
+            self.display
+        )))
+    }
+}
+
+impl Deref for Connection {
+    type Target = Raw;
+
+    fn deref(&self) -> &Raw {
+        &self.raw
+    }
+}
+
+impl AsFd for Connection {
+    /// Readable when there is something to read, or room for what waits to be
+    /// sent.
+    fn as_fd(&self) -> BorrowedFd<'_> {
+        self.raw.stream().watch()
+    }
+}
+
+/// `DISPLAY`.
+fn environment() -> Result<String> {
+    let unset = || Error::Display("DISPLAY is not set: there is no X server for a window".into());
+    let name = std::env::var_os("DISPLAY").ok_or_else(unset)?;
+    match name.into_string() {
+        Ok(name) if name.is_empty() => Err(unset()),
+        Ok(name) => Ok(name),
+        Err(_) => Err(Error::Display(
+            "DISPLAY is not the name of a display".into(),
+        )),
+    }
+}
+
+/// Why no server was reached.
+fn no_server(error: &std::io::Error) -> Message {
+    match error.kind() {
+        ErrorKind::TimedOut => "the X server does not answer".into(),
+        _ => sentence(format_args!("no X server is reached ({})", reason(error))),
+    }
+}
+
+/// Why the server did not let us in.
+fn refusal(error: ConnectError, screen: usize) -> Message {
+    let said = |words: &[u8]| {
+        let words = String::from_utf8_lossy(words);
+        let words = words.trim_matches(|c: char| c.is_whitespace() || c.is_control());
+        sentence(format_args!(
+            "the X server refuses the connection ({words})"
+        ))
+    };
+    match error {
+        ConnectError::SetupFailed(failed) => said(&failed.reason),
+        ConnectError::SetupAuthenticate(failed) => said(&failed.reason),
+        ConnectError::InvalidScreen => sentence(format_args!("it has no screen {screen}")),
+        ConnectError::IoError(error) if error.kind() == ErrorKind::TimedOut => no_server(&error),
+        ConnectError::IoError(error) => {
+            sentence(format_args!("the X server broke off ({})", reason(&error)))
+        }
+        _ => "what answers is not an X server".into(),
+    }
+}
+
+/// Why a connection ended.
+fn lost_because(error: ReplyOrIdError) -> Message {
+    match error {
+        ReplyOrIdError::IdsExhausted => "the X server has no more identifiers".into(),
+        ReplyOrIdError::X11Error(error) => {
+            sentence(format_args!("the X server answers {:?}", error.error_kind))
+        }
+        ReplyOrIdError::ConnectionError(ConnectionError::IoError(error)) => match error.kind() {
+            ErrorKind::TimedOut => "the X server does not answer".into(),
+            ErrorKind::OutOfMemory => "there is no memory left for what waits to be sent".into(),
+            _ => "the X server went away".into(),
+        },
+        ReplyOrIdError::ConnectionError(_) => "the X server's answers make no sense".into(),
+    }
+}

@@ -1,0 +1,323 @@
+//! The bytes to and from the X server, under x11rb's connection.
+//!
+//! Why our own: a write to a server that went away must not raise SIGPIPE in
+//! the host's process, and a server that does not answer must not hold the host
+//! up. So nothing is ever written by waiting: what the socket does not take is
+//! kept and sent later, and [`Stream::watch`] becomes ready when it can be. Only
+//! an answer is waited for, and no longer than [`PATIENCE`] allows.
+//!
+//! It knows nothing of what the bytes mean.
+#![allow(unsafe_code)] // system calls
+
+use std::cell::{Cell, RefCell};
+use std::collections::VecDeque;
+use std::io::{Error, ErrorKind, IoSlice, Result};
+use std::mem::MaybeUninit;
+use std::os::fd::{AsFd, AsRawFd, BorrowedFd, FromRawFd, OwnedFd, RawFd};
+use std::time::{Duration, Instant};
+
+use x11rb::rust_connection::PollMode;
+use x11rb::utils::RawFdContainer;
+
+/// How long an answer of the server is waited for when the window stands. Once
+/// this was too short, nothing is waited for until the server speaks again.
+pub(super) const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How much may wait to be sent, bytes. Images are sent in pieces, each after
+/// the one before it has arrived, so that this much means that something is
+/// wrong.
+const MOST_WAITING: usize = 16 << 20;
+
+/// How many descriptors go with one message.
+const MOST_DESCRIPTORS: usize = 4;
+
+/// A connected socket that never blocks.
+#[derive(Debug)]
+pub(super) struct Stream {
+    socket: OwnedFd,
+    /// An epoll descriptor with the socket in it.
+    watch: OwnedFd,
+    waiting: RefCell<Waiting>,
+    /// Until when answers are waited for; [`PATIENCE`] for each if none.
+    deadline: Cell<Option<Instant>>,
+    /// An answer did not come in time, and nothing has come since.
+    silent: Cell<bool>,
+}
+
+/// What the socket did not take yet.
+#[derive(Debug, Default)]
+struct Waiting {
+    bytes: VecDeque<u8>,
+    descriptors: Vec<OwnedFd>,
+    /// The watch looks for room to send, too.
+    watched: bool,
+}
+
+impl Stream {
+    /// Takes a connected socket. Answers are waited for until `deadline`, or
+    /// until [`Stream::settle`].
+    ///
+    /// # Errors
+    /// The system's.
+    pub(super) fn new(socket: OwnedFd, deadline: Instant) -> Result<Self> {
+        // SAFETY: no pointer is involved.
+        let watch = descriptor(unsafe { libc::epoll_create1(libc::EPOLL_CLOEXEC) })?;
+        let stream = Self {
+            socket,
+            watch,
+            waiting: RefCell::default(),
+            deadline: Cell::new(Some(deadline)),
+            silent: Cell::new(false),
+        };
+        stream.set_watch(libc::EPOLL_CTL_ADD, libc::EPOLLIN)?;
+        Ok(stream)
+    }
+
+    /// The window stands: from now on each answer is waited for on its own.
+    pub(super) fn settle(&self) {
+        self.deadline.set(None);
+    }
+
+    /// Readable when there is something to read, or room for what waits to be
+    /// sent.
+    pub(super) fn watch(&self) -> BorrowedFd<'_> {
+        self.watch.as_fd()
+    }
+
+    /// Sends what waits, as far as it goes now.
+    ///
+    /// # Errors
+    /// The system's; the server is gone.
+    pub(super) fn push(&self) -> Result<()> {
+        let mut waiting = self.waiting.borrow_mut();
+        let Waiting {
+            bytes, descriptors, ..
+        } = &mut *waiting;
+        while !bytes.is_empty() {
+            let (front, back) = bytes.as_slices();
+            let slices = [IoSlice::new(front), IoSlice::new(back)];
+            match send(self.socket.as_fd(), &slices, descriptors) {
+                Ok(sent) => drop(bytes.drain(..sent)),
+                Err(error) if error.kind() == ErrorKind::WouldBlock => break,
+                Err(error) => return Err(error),
+            }
+        }
+        if bytes.is_empty() {
+            bytes.shrink_to(64 << 10);
+        }
+        self.look_for_room(&mut waiting)
+    }
+
+    /// Bytes that the socket did not take yet.
+    pub(super) fn waiting(&self) -> usize {
+        self.waiting.borrow().bytes.len()
+    }
+
+    fn look_for_room(&self, waiting: &mut Waiting) -> Result<()> {
+        let wanted = !waiting.bytes.is_empty();
+        if wanted != waiting.watched {
+            let room = if wanted { libc::EPOLLOUT } else { 0 };
+            self.set_watch(libc::EPOLL_CTL_MOD, libc::EPOLLIN | room)?;
+            waiting.watched = wanted;
+        }
+        Ok(())
+    }
+
+    fn set_watch(&self, what: libc::c_int, events: libc::c_int) -> Result<()> {
+        let mut event = libc::epoll_event {
+            events: events.cast_unsigned(),
+            u64: 0,
+        };
+        let (watch, socket) = (self.watch.as_raw_fd(), self.socket.as_raw_fd());
+        // SAFETY: both descriptors are open, `event` outlives the call.
+        match unsafe { libc::epoll_ctl(watch, what, socket, &raw mut event) } {
+            0 => Ok(()),
+            _ => Err(Error::last_os_error()),
+        }
+    }
+
+    /// Takes all of `slices`: sends it, and keeps what the socket does not take.
+    fn take(&self, slices: &[IoSlice<'_>], fds: &mut Vec<RawFdContainer>) -> Result<usize> {
+        let length = slices.iter().map(|slice| slice.len()).sum::<usize>();
+        self.push()?;
+        let mut waiting = self.waiting.borrow_mut();
+        waiting.descriptors.append(fds);
+        let mut sent = 0;
+        if waiting.bytes.is_empty() {
+            match send(self.socket.as_fd(), slices, &mut waiting.descriptors) {
+                Ok(count) => sent = count,
+                Err(error) if error.kind() == ErrorKind::WouldBlock => {}
+                Err(error) => return Err(error),
+            }
+        }
+        if sent == length && waiting.descriptors.is_empty() {
+            return Ok(length);
+        }
+        if waiting.bytes.len() + (length - sent) > MOST_WAITING {
+            return Err(ErrorKind::TimedOut.into());
+        }
+        (waiting.bytes.try_reserve(length - sent)).map_err(|_| ErrorKind::OutOfMemory)?;
+        for slice in slices {
+            let skipped = sent.min(slice.len());
+            sent -= skipped;
+            waiting.bytes.extend(&slice[skipped..]);
+        }
+        self.look_for_room(&mut waiting)?;
+        Ok(length)
+    }
+
+    /// Time left for an answer.
+    fn patience(&self) -> Duration {
+        match self.deadline.get() {
+            Some(deadline) => deadline.saturating_duration_since(Instant::now()),
+            None if self.silent.get() => Duration::ZERO,
+            None => PATIENCE,
+        }
+    }
+}
+
+impl x11rb::rust_connection::Stream for Stream {
+    /// There is always room to write. To read is waited for as long as patience
+    /// lasts.
+    fn poll(&self, mode: PollMode) -> Result<()> {
+        if mode.writable() {
+            return Ok(());
+        }
+        let end = Instant::now() + self.patience();
+        loop {
+            self.push()?;
+            let mut events = libc::POLLIN;
+            if self.waiting() > 0 {
+                events |= libc::POLLOUT;
+            }
+            let left = end.saturating_duration_since(Instant::now());
+            let ready = wait(self.socket.as_fd(), events, left)?;
+            if ready & !libc::POLLOUT != 0 {
+                return Ok(()); // what it was is told by reading
+            }
+            if ready == 0 && Instant::now() >= end {
+                self.silent.set(true);
+                return Err(ErrorKind::TimedOut.into());
+            }
+        }
+    }
+
+    fn read(&self, buf: &mut [u8], _: &mut Vec<RawFdContainer>) -> Result<usize> {
+        let socket = self.socket.as_raw_fd();
+        // Descriptors are never asked for; the system closes what comes anyway.
+        let count = again(|| {
+            // SAFETY: the pointer and the length are those of one slice.
+            unsafe {
+                libc::recv(
+                    socket,
+                    buf.as_mut_ptr().cast(),
+                    buf.len(),
+                    libc::MSG_DONTWAIT,
+                )
+            }
+        })?;
+        self.silent.set(false);
+        Ok(count)
+    }
+
+    fn write(&self, buf: &[u8], fds: &mut Vec<RawFdContainer>) -> Result<usize> {
+        self.take(&[IoSlice::new(buf)], fds)
+    }
+
+    fn write_vectored(&self, bufs: &[IoSlice<'_>], fds: &mut Vec<RawFdContainer>) -> Result<usize> {
+        self.take(bufs, fds)
+    }
+}
+
+/// Waits for `events` at `socket`; which of them came, 0 for none.
+///
+/// # Errors
+/// The system's.
+pub(super) fn wait(
+    socket: BorrowedFd<'_>,
+    events: libc::c_short,
+    time: Duration,
+) -> Result<libc::c_short> {
+    let mut entry = libc::pollfd {
+        fd: socket.as_raw_fd(),
+        events,
+        revents: 0,
+    };
+    // Rounded up, so that a rest of less than a millisecond is not spun through.
+    let milliseconds = time.as_nanos().div_ceil(1_000_000);
+    let milliseconds = i32::try_from(milliseconds).unwrap_or(i32::MAX);
+    // SAFETY: one entry, which outlives the call.
+    match unsafe { libc::poll(&raw mut entry, 1, milliseconds) } {
+        -1 if Error::last_os_error().kind() == ErrorKind::Interrupted => Ok(0),
+        -1 => Err(Error::last_os_error()),
+        _ => Ok(entry.revents),
+    }
+}
+
+/// Sends what the socket takes now, with the first of `descriptors`, which are
+/// closed here once sent.
+fn send(
+    socket: BorrowedFd<'_>,
+    slices: &[IoSlice<'_>],
+    descriptors: &mut Vec<OwnedFd>,
+) -> Result<usize> {
+    const BYTES: usize = size_of::<RawFd>() * MOST_DESCRIPTORS;
+    // SAFETY: computes a number only.
+    const SPACE: usize = unsafe { libc::CMSG_SPACE(BYTES as u32) } as usize;
+    // Of 64-bit words, since a header must stand aligned.
+    let mut control = [0_u64; SPACE.div_ceil(8)];
+
+    // SAFETY: a header without name, data and control data, as C would zero it.
+    let mut message = unsafe { MaybeUninit::<libc::msghdr>::zeroed().assume_init() };
+    message.msg_iov = slices.as_ptr().cast_mut().cast(); // IoSlice is an iovec
+    message.msg_iovlen = slices.len() as _;
+    let count = descriptors.len().min(MOST_DESCRIPTORS);
+    if count > 0 {
+        let bytes = (size_of::<RawFd>() * count) as u32;
+        message.msg_control = control.as_mut_ptr().cast();
+        // SAFETY: `control` has room for a header and `MOST_DESCRIPTORS`
+        // descriptors; the first header lies at its start, and only as many
+        // descriptors are written as its length says.
+        unsafe {
+            message.msg_controllen = libc::CMSG_SPACE(bytes) as _;
+            let header = libc::CMSG_FIRSTHDR(&raw const message);
+            (*header).cmsg_level = libc::SOL_SOCKET;
+            (*header).cmsg_type = libc::SCM_RIGHTS;
+            (*header).cmsg_len = libc::CMSG_LEN(bytes) as _;
+            let data = libc::CMSG_DATA(header).cast::<RawFd>();
+            for (place, descriptor) in descriptors.iter().take(count).enumerate() {
+                data.add(place).write_unaligned(descriptor.as_raw_fd());
+            }
+        }
+    }
+    let flags = libc::MSG_NOSIGNAL | libc::MSG_DONTWAIT;
+    // SAFETY: the message and all that it points to outlive the call, which
+    // changes none of it.
+    let sent = again(|| unsafe { libc::sendmsg(socket.as_raw_fd(), &raw const message, flags) })?;
+    descriptors.drain(..count);
+    Ok(sent)
+}
+
+/// The call's result; repeated when a signal came between.
+fn again(mut call: impl FnMut() -> isize) -> Result<usize> {
+    loop {
+        match usize::try_from(call()) {
+            Ok(count) => return Ok(count),
+            Err(_) => {
+                let error = Error::last_os_error();
+                if error.kind() != ErrorKind::Interrupted {
+                    return Err(error);
+                }
+            }
+        }
+    }
+}
+
+/// A new descriptor as a system call returned it.
+pub(super) fn descriptor(result: libc::c_int) -> Result<OwnedFd> {
+    if result < 0 {
+        return Err(Error::last_os_error());
+    }
+    // SAFETY: the call has just made it, and nobody else has it.
+    Ok(unsafe { OwnedFd::from_raw_fd(result) })
+}
