@@ -2,7 +2,7 @@
 //! movement window in the middle, sub-windows above.
 
 use super::state::Editor;
-use super::{menu, panels, space, theme, windows};
+use super::{keys, menu, panels, space, theme, windows};
 
 /// Width of the panels, in points.
 const PANELS: f32 = 264.0;
@@ -21,4 +21,5 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
         .frame(egui::Frame::new().fill(editor.background()))
         .show(ui, |ui| space::show(editor, ui));
     windows::show(editor, ui.ctx());
+    keys::remember_typing(ui.ctx());
 }

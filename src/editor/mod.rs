@@ -11,7 +11,9 @@
 
 mod actions;
 mod frame;
+mod keys;
 mod menu;
+mod number;
 mod panels;
 mod setup;
 mod space;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::number::Entry;
 use super::setup::{Element, Setup};
 use super::texts::{Language, Texts, fill};
 use super::theme;
@@ -163,6 +164,21 @@ impl Editor {
                 self.complain(error.to_string());
                 false
             }
+        }
+    }
+
+    /// Does what was entered into a [`Number`](super::number::Number): one entry
+    /// or one drag is one step to be taken back.
+    pub(super) fn enter(&mut self, entry: Entry, edit: impl FnOnce(f64) -> Edit) {
+        match entry {
+            Entry::Idle => {}
+            Entry::Begin => self.document.begin_step(),
+            Entry::Drag(value) | Entry::Set(value) => {
+                self.edit(edit(value));
+            }
+            Entry::End => self.document.end_step(),
+            Entry::Cancel => self.document.cancel_step(),
+            Entry::Wrong(text) => self.complain(text),
         }
     }
 

@@ -16,6 +16,7 @@ pub(super) use curve::CurveWindow;
 pub(super) use display::DisplayWindow;
 pub(super) use speed::SpeedWindow;
 
+use super::keys;
 use super::state::Editor;
 
 /// Which of them are open, and what is pending in them.
@@ -77,10 +78,7 @@ pub(super) fn sub_window(
 ) -> bool {
     let mut open = true;
     let on_top = context.top_layer_id() == Some(layer(id));
-    let escape = on_top
-        && !context.text_edit_focused()
-        && !egui::Popup::is_any_open(context)
-        && context.input_mut(|input| input.consume_key(egui::Modifiers::NONE, egui::Key::Escape));
+    let escape = on_top && keys::take_escape(context);
     egui::Window::new(title)
         .id(egui::Id::unique(id))
         .open(&mut open)

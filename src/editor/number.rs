@@ -1,0 +1,450 @@
+//! A field with a number: shown rounded, dragged to change, clicked or reached
+//! by Tab to be typed into.
+//!
+//! Enter and Tab apply what was typed, with a comma or a point as the decimal
+//! sign; Escape leaves the old value, also while dragging. What is no number,
+//! or lies outside the range, is a message and leaves the old value. Arrow up
+//! and down go by one step. While dragging, Shift makes it ten times finer.
+//!
+//! It changes nothing itself: an [`Entry`] says what happened, so that one
+//! entry or one drag becomes one step to be taken back
+//! ([`Editor::enter`](super::state::Editor::enter)).
+
+use std::ops::RangeInclusive;
+
+use egui::text::{CCursor, CCursorRange};
+use egui::{
+    Align2, CornerRadius, CursorIcon, Id, Key, Margin, Modifiers, Rect, Role, Sense, Stroke,
+    StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
+};
+
+use super::texts::{Language, fill};
+use super::theme;
+
+/// What a hand did to a number.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Entry {
+    /// Nothing.
+    Idle,
+    /// A drag begins: from here on all is one step.
+    Begin,
+    /// The value while it is dragged.
+    Drag(f64),
+    /// The drag is over.
+    End,
+    /// The drag was broken off: the value before it is wanted.
+    Cancel,
+    /// A value was typed.
+    Set(f64),
+    /// What was typed is no good, in words.
+    Wrong(String),
+}
+
+/// A number to be shown.
+pub(super) struct Number<'a> {
+    name: &'a str,
+    label: &'a str,
+    hint: &'a str,
+    unit: &'a str,
+    value: Option<f64>,
+    decimals: usize,
+    range: RangeInclusive<f64>,
+    step: f64,
+    per_point: f64,
+}
+
+/// What has been typed so far, and the value that it began with.
+#[derive(Clone, Default)]
+struct Typing {
+    text: String,
+    first: String,
+    value: f64,
+    /// The frame in which it was shown last: what was left behind when a
+    /// window closed applies no more.
+    frame: u64,
+}
+
+impl<'a> Number<'a> {
+    /// A number with a name that tells what it is (for who cannot see the
+    /// panel, and for tests), and its value; none shows a dash.
+    pub(super) fn new(name: &'a str, value: impl Into<Option<f64>>) -> Self {
+        Self {
+            name,
+            label: "",
+            hint: "",
+            unit: "",
+            value: value.into(),
+            decimals: 3,
+            range: f64::MIN..=f64::MAX,
+            step: 0.01,
+            per_point: 0.005,
+        }
+    }
+
+    /// A short sign inside the field, at its left.
+    pub(super) fn label(mut self, label: &'a str) -> Self {
+        self.label = label;
+        self
+    }
+
+    /// A tooltip.
+    pub(super) fn hint(mut self, hint: &'a str) -> Self {
+        self.hint = hint;
+        self
+    }
+
+    /// Its unit, behind the value.
+    pub(super) fn unit(mut self, unit: &'a str) -> Self {
+        self.unit = unit;
+        self
+    }
+
+    /// Decimals that are shown.
+    pub(super) fn decimals(mut self, decimals: usize) -> Self {
+        self.decimals = decimals;
+        self
+    }
+
+    /// The values that it may have.
+    pub(super) fn range(mut self, range: RangeInclusive<f64>) -> Self {
+        self.range = range;
+        self
+    }
+
+    /// By how much an arrow key changes it, and a point of dragging.
+    pub(super) fn steps(mut self, arrow: f64, point: f64) -> Self {
+        (self.step, self.per_point) = (arrow, point);
+        self
+    }
+
+    /// Shows it, so wide and as high as a row. `id` tells it from all others
+    /// in the window.
+    pub(super) fn show(self, ui: &mut Ui, language: Language, id: &str, width: f32) -> Entry {
+        let (_, rect) = ui.allocate_space(vec2(width, theme::ROW));
+        let id = Id::unique(("number", id));
+        let Some(value) = self.value.filter(|_| ui.is_enabled()) else {
+            self.show_still(ui, language, id, rect);
+            return Entry::Idle;
+        };
+        let focused = ui.memory_mut(|memory| {
+            memory.interested_in_focus(id, ui.layer_id());
+            memory.has_focus(id)
+        });
+        let mut entry = Entry::Idle;
+        if !focused {
+            entry = self.finish(ui, language, id, value);
+        }
+        if focused {
+            if let Some(stepped) = self.step_by_keys(ui, language, id, value) {
+                entry = Entry::Set(stepped);
+            }
+            self.show_typing(ui, language, id, rect, value);
+        } else {
+            let dragged = self.show_dragging(ui, language, id, rect, value);
+            if dragged != Entry::Idle {
+                entry = dragged;
+            }
+        }
+        entry
+    }
+
+    /// The value in words.
+    fn shown(&self, language: Language) -> String {
+        match self.value {
+            Some(value) => format!("{}{}", language.number(value, self.decimals), self.unit),
+            None => "–".to_owned(),
+        }
+    }
+
+    /// A field that cannot be changed.
+    fn show_still(&self, ui: &mut Ui, language: Language, id: Id, rect: Rect) {
+        let response = ui.interact(rect, id, Sense::hover());
+        self.paint(ui, language, rect, false);
+        self.describe(ui, language, &response);
+        self.tell(response);
+    }
+
+    fn show_dragging(
+        &self,
+        ui: &mut Ui,
+        language: Language,
+        id: Id,
+        rect: Rect,
+        value: f64,
+    ) -> Entry {
+        let response = ui.interact(rect, id, Sense::click_and_drag());
+        self.paint(ui, language, rect, response.hovered() || response.dragged());
+        self.describe(ui, language, &response);
+        let exact = id.with("exact");
+        let mut entry = Entry::Idle;
+        if response.clicked() {
+            ui.memory_mut(|memory| memory.request_focus(id));
+        } else if response.drag_started() {
+            ui.data_mut(|data| data.insert_temp(exact, value));
+            entry = Entry::Begin;
+        } else if response.drag_stopped() {
+            let dragging = ui.data_mut(|data| data.remove_temp::<f64>(exact));
+            entry = if dragging.is_some() {
+                Entry::End
+            } else {
+                Entry::Idle
+            };
+        } else if response.dragged()
+            && let Some(before) = ui.data(|data| data.get_temp::<f64>(exact))
+        {
+            if ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+                ui.data_mut(|data| data.remove_temp::<f64>(exact));
+                return Entry::Cancel;
+            }
+            let moved = response.drag_delta();
+            let fine = if ui.input(|input| input.modifiers.shift) {
+                0.1
+            } else {
+                1.0
+            };
+            let way = f64::from(moved.x - moved.y) * self.per_point * fine;
+            if way != 0.0 {
+                let now = (before + way).clamp(*self.range.start(), *self.range.end());
+                ui.data_mut(|data| data.insert_temp(exact, now));
+                entry = Entry::Drag(self.rounded(now));
+            }
+        }
+        if response.hovered() || response.dragged() {
+            ui.set_cursor_icon(CursorIcon::ResizeHorizontal);
+        }
+        self.tell(response);
+        entry
+    }
+
+    fn show_typing(&self, ui: &mut Ui, language: Language, id: Id, rect: Rect, value: f64) {
+        let fresh = || {
+            let first = written(language, value, self.decimals);
+            Typing {
+                text: first.clone(),
+                first,
+                value,
+                frame: 0,
+            }
+        };
+        let known = ui.data(|data| data.get_temp::<Typing>(id));
+        let selects = known.is_none();
+        // What was typed stands for a value; if that changed meanwhile, by
+        // undo for instance, it stands for nothing any more.
+        let mut typing = known
+            .filter(|typing| typing.value == value)
+            .unwrap_or_else(fresh);
+        if selects {
+            let all = CCursorRange::two(
+                CCursor::default(),
+                CCursor::new(typing.text.chars().count()),
+            );
+            let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
+            state.cursor.set_char_range(Some(all));
+            TextEdit::store_state(ui.ctx(), id, state);
+        }
+        let response = ui.put(
+            rect,
+            TextEdit::singleline(&mut typing.text)
+                .id(id)
+                .font(theme::digits())
+                .align(Align2::RIGHT_CENTER)
+                .margin(Margin::symmetric(6, 0))
+                .clip_text(true)
+                .desired_width(rect.width())
+                .min_size(rect.size()),
+        );
+        ui.ctx().accesskit_node_builder(response.id, |node| {
+            node.set_label(self.name);
+        });
+        typing.frame = ui.ctx().cumulative_frame_nr();
+        ui.data_mut(|data| data.insert_temp(id, typing));
+    }
+
+    /// The keyboard goes elsewhere: what was typed applies, unless Escape sent
+    /// it away.
+    fn finish(&self, ui: &Ui, language: Language, id: Id, value: f64) -> Entry {
+        let Some(typing) = ui.data_mut(|data| data.remove_temp::<Typing>(id)) else {
+            return Entry::Idle;
+        };
+        let escaped = ui.input(|input| input.key_pressed(Key::Escape));
+        let stale = typing.frame + 1 < ui.ctx().cumulative_frame_nr();
+        if stale || escaped || typing.value != value || typing.text.trim() == typing.first {
+            return Entry::Idle;
+        }
+        let texts = &language.texts().errors;
+        let Some(new) = parse(&typing.text, self.unit) else {
+            return Entry::Wrong(fill(texts.no_number, &[&self.name, &typing.text.trim()]));
+        };
+        if !self.range.contains(&new) {
+            let bound = |value: f64| written(language, value, 0);
+            let (low, high) = (bound(*self.range.start()), bound(*self.range.end()));
+            return Entry::Wrong(fill(texts.out_of_range, &[&self.name, &low, &high]));
+        }
+        Entry::Set(new)
+    }
+
+    /// Arrow up and down while it has the keyboard.
+    fn step_by_keys(&self, ui: &Ui, language: Language, id: Id, value: f64) -> Option<f64> {
+        let steps = ui.input_mut(|input| {
+            let mut count = |key| input.count_and_consume_key(Modifiers::NONE, key) as f64;
+            count(Key::ArrowUp) - count(Key::ArrowDown)
+        });
+        if steps == 0.0 {
+            return None;
+        }
+        let typed = ui
+            .data(|data| data.get_temp::<Typing>(id))
+            .filter(|typing| typing.value == value && typing.text != typing.first)
+            .and_then(|typing| parse(&typing.text, self.unit));
+        let now = (typed.unwrap_or(value) + steps * self.step)
+            .clamp(*self.range.start(), *self.range.end());
+        let now = self.rounded(now);
+        let first = written(language, now, self.decimals);
+        let typing = Typing {
+            text: first.clone(),
+            first,
+            value: now,
+            frame: ui.ctx().cumulative_frame_nr(),
+        };
+        ui.data_mut(|data| data.insert_temp(id, typing));
+        (now != value).then_some(now)
+    }
+
+    /// As many decimals as are shown: a dragged value has no others.
+    fn rounded(&self, value: f64) -> f64 {
+        let scale = 10f64.powi(i32::try_from(self.decimals).unwrap_or(0));
+        let rounded = (value * scale).round() / scale;
+        if rounded.is_finite() { rounded } else { value }
+    }
+
+    fn paint(&self, ui: &Ui, language: Language, rect: Rect, hovered: bool) {
+        let palette = theme::palette(ui);
+        let fixed = self.value.is_none() || !ui.is_enabled();
+        let border = match (fixed, hovered) {
+            (true, _) => palette.field,
+            (false, true) => palette.accent,
+            (false, false) => palette.edge,
+        };
+        let painter = ui.painter();
+        painter.rect(
+            rect,
+            CornerRadius::same(4),
+            palette.field,
+            Stroke::new(1.0, border),
+            StrokeKind::Inside,
+        );
+        let inner = rect.shrink2(vec2(6.0, 0.0));
+        painter.text(
+            inner.left_center(),
+            Align2::LEFT_CENTER,
+            self.label,
+            theme::digits(),
+            palette.weak,
+        );
+        painter.text(
+            inner.right_center(),
+            Align2::RIGHT_CENTER,
+            self.shown(language),
+            theme::digits(),
+            if fixed { palette.weak } else { palette.text },
+        );
+    }
+
+    fn describe(&self, ui: &Ui, language: Language, response: &egui::Response) {
+        let enabled = ui.is_enabled() && self.value.is_some();
+        response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, enabled, self.name));
+        ui.ctx().accesskit_node_builder(response.id, |node| {
+            node.set_value(self.shown(language));
+        });
+    }
+
+    fn tell(&self, response: egui::Response) {
+        if !self.hint.is_empty() {
+            response.on_hover_text(self.hint);
+        }
+    }
+}
+
+/// A value as it is offered for typing: all its decimals up to six, at least
+/// those that are shown.
+fn written(language: Language, value: f64, decimals: usize) -> String {
+    let mut text = format!("{value:.6}");
+    let least = text.len() - 6 + decimals.min(6);
+    while text.len() > least && text.ends_with('0') {
+        text.pop();
+    }
+    if text.ends_with('.') {
+        text.pop();
+    }
+    let shown = text.trim_start_matches('-');
+    if shown.bytes().all(|byte| matches!(byte, b'0' | b'.')) {
+        text = shown.to_owned();
+    }
+    match language {
+        Language::English => text,
+        Language::German => text.replace('.', ","),
+    }
+}
+
+/// The number in a text: comma or point as the decimal sign, any minus, the
+/// unit behind it if it likes. Neither infinite nor without value.
+pub(super) fn parse(text: &str, unit: &str) -> Option<f64> {
+    let text = text.trim();
+    let text = text.strip_suffix(unit.trim()).unwrap_or(text).trim();
+    let plain: String = text
+        .chars()
+        .map(|letter| match letter {
+            '−' | '–' => '-',
+            ',' => '.',
+            other => other,
+        })
+        .collect();
+    let mark =
+        |letter: char| letter.is_ascii_digit() || matches!(letter, '-' | '+' | '.' | 'e' | 'E');
+    if !plain.chars().all(mark) {
+        return None;
+    }
+    plain.parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_decimal_signs_are_read() {
+        for (text, value) in [
+            ("1,5", 1.5),
+            (" 1.5 ", 1.5),
+            ("−0,25", -0.25),
+            ("-0.25", -0.25),
+            ("+3", 3.0),
+            ("1e-3", 0.001),
+            (",5", 0.5),
+            ("12 °", 12.0),
+            ("12°", 12.0),
+        ] {
+            assert_eq!(parse(text, "°"), Some(value), "{text}");
+        }
+        for text in [
+            "", "abc", "1,5,2", "1.000,5", "inf", "nan", "1e999", "1 2", "°",
+        ] {
+            assert_eq!(parse(text, "°"), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_offered_reads_back() {
+        for value in [0.0, -0.0, 0.1, -2.5, 1e-6, 123_456.75, -1e9, 0.333_333] {
+            for decimals in 0..4 {
+                for language in [Language::English, Language::German] {
+                    let text = written(language, value, decimals);
+                    assert_eq!(parse(&text, ""), Some(value), "{text}");
+                }
+            }
+        }
+        assert_eq!(written(Language::German, 0.5, 2), "0,50");
+        assert_eq!(written(Language::English, 100.0, 0), "100");
+        assert_eq!(written(Language::English, 0.25, 0), "0.25");
+    }
+}
