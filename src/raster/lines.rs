@@ -37,4 +37,9 @@ impl Lines {
             callback: Arc::<Self>::clone(lines),
         })
     }
+
+    /// The lines that a paint callback carries, if it carries any.
+    pub(super) fn of(callback: &PaintCallback) -> Option<&Self> {
+        callback.callback.downcast_ref()
+    }
 }

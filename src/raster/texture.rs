@@ -1,0 +1,193 @@
+//! Our copies of egui's textures.
+//!
+//! The font atlas is white with varying opacity: of such a texture one byte
+//! for each texel is kept, a quarter of what egui holds.
+
+use std::collections::{HashMap, HashSet};
+
+use egui::epaint::ImageDelta;
+use egui::epaint::textures::{TextureFilter, TextureOptions, TextureWrapMode};
+use egui::{Color32, ImageData, TextureId, TexturesDelta};
+
+/// The texels of a texture, row by row.
+pub(super) enum Texels {
+    /// White with premultiplied alpha: only the alpha.
+    Coverage(Vec<u8>),
+    /// Any colours, premultiplied.
+    Color(Vec<Color32>),
+}
+
+/// One texture.
+pub(super) struct Texture {
+    pub(super) texels: Texels,
+    pub(super) width: usize,
+    pub(super) height: usize,
+    options: TextureOptions,
+    /// Another number for every other content.
+    pub(super) generation: u64,
+}
+
+/// All textures of one window.
+#[derive(Default)]
+pub(super) struct Textures {
+    textures: HashMap<TextureId, Texture>,
+    /// Still used by the frame that came with their release.
+    released: HashSet<TextureId>,
+    generation: u64,
+}
+
+impl Textures {
+    pub(super) fn get(&self, id: TextureId) -> Option<&Texture> {
+        self.textures.get(&id)
+    }
+
+    /// Takes over what changed. Textures are dropped one call later than egui
+    /// says, since the frame that comes with the news may still show them.
+    pub(super) fn update(&mut self, mut delta: TexturesDelta) {
+        for id in self.released.drain() {
+            self.textures.remove(&id);
+        }
+        for (id, images) in delta.set.drain() {
+            for image in images {
+                self.generation += 1;
+                match image.pos {
+                    None => match Texture::new(&image, self.generation) {
+                        Some(texture) => drop(self.textures.insert(id, texture)),
+                        None => drop(self.textures.remove(&id)),
+                    },
+                    Some(at) => {
+                        if let Some(texture) = self.textures.get_mut(&id) {
+                            texture.patch(&image, at, self.generation);
+                        }
+                    }
+                }
+            }
+        }
+        self.released.extend(delta.free.drain());
+    }
+}
+
+/// Its alpha, if the colour is white with an alpha.
+fn coverage(color: Color32) -> Option<u8> {
+    let [r, g, b, a] = color.to_array();
+    (r == a && g == a && b == a).then_some(a)
+}
+
+impl Texture {
+    fn new(delta: &ImageDelta, generation: u64) -> Option<Self> {
+        let ImageData::Color(image) = &delta.image;
+        let [width, height] = image.size;
+        if width == 0 || height == 0 || width.checked_mul(height)? != image.pixels.len() {
+            return None;
+        }
+        let texels = match image.pixels.iter().copied().map(coverage).collect() {
+            Some(alphas) => Texels::Coverage(alphas),
+            None => Texels::Color(image.pixels.clone()),
+        };
+        Some(Self {
+            texels,
+            width,
+            height,
+            options: delta.options,
+            generation,
+        })
+    }
+
+    /// Replaces a part; what would lie outside is left out.
+    fn patch(&mut self, delta: &ImageDelta, [left, top]: [usize; 2], generation: u64) {
+        let ImageData::Color(image) = &delta.image;
+        let [width, height] = image.size;
+        if width == 0 || width.checked_mul(height) != Some(image.pixels.len()) {
+            return;
+        }
+        self.generation = generation;
+        self.options = delta.options;
+        if let Texels::Coverage(alphas) = &self.texels
+            && image.pixels.iter().any(|&color| coverage(color).is_none())
+        {
+            let colors = alphas
+                .iter()
+                .map(|&a| Color32::from_rgba_premultiplied(a, a, a, a));
+            self.texels = Texels::Color(colors.collect());
+        }
+        let across = width.min(self.width.saturating_sub(left));
+        let down = height.min(self.height.saturating_sub(top));
+        for y in 0..down {
+            let from = &image.pixels[y * width..][..across];
+            let start = (top + y) * self.width + left;
+            match &mut self.texels {
+                Texels::Coverage(alphas) => {
+                    for (to, from) in alphas[start..][..across].iter_mut().zip(from) {
+                        *to = from.a();
+                    }
+                }
+                Texels::Color(colors) => colors[start..][..across].copy_from_slice(from),
+            }
+        }
+    }
+
+    fn texel(&self, x: usize, y: usize) -> [f32; 4] {
+        let at = y * self.width + x;
+        match &self.texels {
+            Texels::Coverage(alphas) => [f32::from(alphas[at]); 4],
+            Texels::Color(colors) => colors[at].to_array().map(f32::from),
+        }
+    }
+
+    /// Whether neighbouring texels are mixed where one pixel steps over so
+    /// many texels.
+    pub(super) fn filter(&self, texels_per_pixel: f32) -> TextureFilter {
+        if texels_per_pixel > 1.0 {
+            self.options.minification
+        } else {
+            self.options.magnification
+        }
+    }
+
+    /// The colour at (u, v), where the texture spans 0…1, each channel 0…255.
+    pub(super) fn sample(&self, u: f32, v: f32, filter: TextureFilter) -> [f32; 4] {
+        let mode = self.options.wrap_mode;
+        let (x, y) = (u * self.width as f32, v * self.height as f32);
+        match filter {
+            TextureFilter::Nearest => self.texel(
+                wrap(x.floor(), self.width, mode),
+                wrap(y.floor(), self.height, mode),
+            ),
+            TextureFilter::Linear => {
+                let (x, y) = (x - 0.5, y - 0.5);
+                let (left, top) = (x.floor(), y.floor());
+                let (fx, fy) = (x - left, y - top);
+                let (x0, x1) = (
+                    wrap(left, self.width, mode),
+                    wrap(left + 1.0, self.width, mode),
+                );
+                let (y0, y1) = (
+                    wrap(top, self.height, mode),
+                    wrap(top + 1.0, self.height, mode),
+                );
+                let [a, b] = [self.texel(x0, y0), self.texel(x1, y0)];
+                let [c, d] = [self.texel(x0, y1), self.texel(x1, y1)];
+                std::array::from_fn(|i| {
+                    let upper = a[i] + (b[i] - a[i]) * fx;
+                    let lower = c[i] + (d[i] - c[i]) * fx;
+                    upper + (lower - upper) * fy
+                })
+            }
+        }
+    }
+}
+
+/// The texel that stands at a whole number of texels, also outside.
+fn wrap(at: f32, count: usize, mode: TextureWrapMode) -> usize {
+    let n = count as f32;
+    let at = match mode {
+        TextureWrapMode::ClampToEdge => at,
+        TextureWrapMode::Repeat => at.rem_euclid(n),
+        TextureWrapMode::MirroredRepeat => {
+            let at = at.rem_euclid(2.0 * n);
+            if at < n { at } else { 2.0 * n - 1.0 - at }
+        }
+    };
+    // A number that is none becomes 0.
+    (at.max(0.0) as usize).min(count - 1)
+}
