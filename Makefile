@@ -38,11 +38,14 @@ DEMO = $(CARGO_TARGET_DIR)/demo
 TOOLS = $(CARGO_TARGET_DIR)/tools
 
 SOAK_CASES ?= 20000
+# What drives a window under an X server without a screen.
+X_TOOLS = python3=python3 Xvfb=xvfb xauth=xauth xdotool=xdotool xprop=x11-utils \
+    xwd=x11-apps /usr/include/Xm/Xm.h=libmotif-dev
 LINT = -D warnings
 
 .PHONY: all libs demo test bench soak install uninstall header clean FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
-	check-install check-docs check-dependencies
+	check-x check-install check-docs check-dependencies
 
 all: libs $(RELEASE)/vides
 
@@ -121,6 +124,12 @@ check-c: libs
 check-linking: libs
 	@mk/need.sh c++=g++ /usr/include/Xm/Xm.h=libmotif-dev
 	tests/linking/run.sh $(LIB) include
+
+# The window, from outside.
+check-x: all
+	@mk/need.sh $(X_TOOLS) xclip=xclip openbox=openbox \
+	    xrdb=x11-xserver-utils /usr/include/GL/freeglut.h=freeglut3-dev
+	tests/x/run.sh $(LIB)
 
 check-install: all
 	@mk/need.sh pkg-config=pkg-config groff=groff-base

@@ -1,0 +1,50 @@
+#!/bin/bash
+# Compiles and links every C host as its author would write it, against the
+# archive and against the shared library, into LIBRARY_FOLDER/../x:
+# build.sh LIBRARY_FOLDER
+set -eu
+
+libraries=$(realpath "$1")
+here=$(dirname "$(realpath "$0")")
+root=$(realpath "$here/../..")
+out=$libraries/../x
+cc=${CC:-cc}
+mkdir -p "$out/archive"
+ln -sf "$libraries/libvides.a" "$out/archive/"
+
+build() { # NAME SOURCES -- LIBRARIES: as C89 without a warning
+    local name=$1 kind link source
+    local objects=() sources=()
+    shift
+    while [ "$1" != -- ]; do
+        sources+=("$1")
+        shift
+    done
+    shift
+    for source in "${sources[@]}"; do
+        local object
+        object=$out/$(basename "$source" .c).o
+        "$cc" -std=c89 -pedantic -Wall -Wextra -Werror -I"$root/include" $extra \
+            -c -o "$object" "$source"
+        objects+=("$object")
+    done
+    for kind in archive shared; do
+        link=$libraries
+        [ $kind = archive ] && link=$out/archive
+        # A host's own words from here on: -lvides -lm.
+        LIBRARY_PATH=$link "$cc" -o "$out/$name-$kind" "${objects[@]}" "$@"
+    done
+}
+
+extra=
+examples=$root/c_examples
+build headless "$examples/headless.c" -- -lvides -lm
+build pyramid_motif "$examples/pyramid_motif.c" -- -lvides -lm -lXm -lXt -lX11
+build plain_main_loop "$examples/plain_main_loop.c" -- -lvides -lm
+build two_windows "$examples/two_windows.c" -- -lvides -lm
+build xlib_loop "$examples/xlib_loop.c" -- -lvides -lm -lX11
+build glut_flight "$examples/glut_flight.c" -- -lvides -lm -lglut -lGL
+
+extra=-D_GNU_SOURCE
+build loop_poll "$here/loop_poll.c" "$here/host.c" -- -lvides -lm
+build loop_xt "$here/loop_xt.c" "$here/host.c" -- -lvides -lm -lXt -lX11

@@ -1,0 +1,432 @@
+"""Kinds of hosts and of event loops: each opens windows, lives on, gets poses."""
+
+from harness import check, wait
+from run import test
+
+POSES = 121  # of a new path at speed 100: its length is 1.2, and the first pose
+
+
+def hand_over(server, window):
+    """The user hands the poses over."""
+    server.press(window, "alt+u")
+
+
+def press_button(server, host, number):
+    """Presses one of the three buttons of the Motif host."""
+    _, _, width, height = server.geometry(host)
+    server.xdotool("windowraise", host)
+    server.click(host, width / 2, height * (2 * number + 1) / 6)
+
+
+@test()
+def the_host_of_1994(place):
+    """Its three buttons; the editor beside it; its list, polled and by rueck."""
+    server = place.server()
+    program = place.program(server, "pyramid_motif")
+    host = server.window("^MainTest$")
+    server.place(host, 1500, 600)
+
+    press_button(server, host, 1)
+    program.expect("no poses yet")
+    press_button(server, host, 0)
+    window = server.window()
+    server.drawn(window)
+    check(program.alive(), "the host has ended")
+
+    press_button(server, host, 1)  # the host's other buttons work meanwhile
+    program.expect("no poses yet")
+    hand_over(server, window)
+    program.expect(f"{POSES} poses came")
+    program.expect(f"pose {POSES}: at 0.6")
+    press_button(server, host, 1)
+    program.expect("pose 1: at -0.6")
+    program.expect(f"pose {POSES}: at 0.6")
+
+    press_button(server, host, 0)  # another, on the same list
+    wait(lambda: len(server.windows()) == 2, "a second window")
+    second = [one for one in server.windows() if one != window][0]
+    server.drawn(second)
+    hand_over(server, second)
+    program.expect(f"{POSES} poses came")
+    hand_over(server, window)
+    program.expect(f"{POSES} poses came")
+
+    server.press(second, "ctrl+q")
+    program.expect("the editor asks")
+    server.gone(second)
+    check(server.windows() == [window], "the first window went, too")
+    hand_over(server, window)
+    program.expect(f"{POSES} poses came")
+    press_button(server, host, 2)
+    check(program.ends() == 0, "its exit status")
+    check(not program.complained, f"it complained: {program.complained}")
+
+
+@test()
+def a_host_without_x(place):
+    """v_main_loop() runs until the window is closed."""
+    server = place.server()
+    program = place.program(server, "plain_main_loop")
+    window = server.window()
+    server.drawn(window)
+    hand_over(server, window)
+    server.press(window, "ctrl+q")
+    program.expect(f"{POSES}: 0.6")
+    check(program.ends() == 0, "its exit status")
+    check(not program.complained, f"it complained: {program.complained}")
+
+
+@test()
+def two_windows_with_lists_of_their_own(place):
+    """Each hands over into its own."""
+    server = place.server()
+    program = place.program(server, "two_windows")
+    wait(lambda: len(server.windows()) == 2, "two windows")
+    lengths = {"triangle": 121, "square": 301}
+    for window in server.windows():
+        server.drawn(window)
+        hand_over(server, window)
+        name = program.expect("").split(":")[0]
+        check(program.said[-1] == f"{name}: {lengths.pop(name)} poses", f"said {program.said}")
+    check(not lengths, f"never handed over: {lengths}")
+    for window in server.windows():
+        server.press(window, "ctrl+q")
+        server.gone(window)
+    check(program.ends() == 0, "its exit status")
+
+
+@test()
+def a_loop_over_xlib(place):
+    """A host's poll() over its own connection and v_fd()."""
+    server = place.server()
+    program = place.program(server, "xlib_loop")
+    host = server.named("xlib_loop")
+    server.place(host, 1500, 600)
+    before = server.drawn(host, 1)
+    server.click(host, 20, 20)
+    window = server.window()
+    server.drawn(window)
+    hand_over(server, window)
+    wait(lambda: server.picture(host).differs(before), "the number of poses")
+    server.press(window, "ctrl+q")
+    server.gone(window)
+    server.press(host, "q")
+    check(program.ends() == 0, "its exit status")
+
+
+@test()
+def a_flight_in_opengl(place):
+    """Plays what was handed over."""
+    server = place.server(options=("+extension", "GLX"))
+    program = place.program(server, "glut_flight", LIBGL_ALWAYS_SOFTWARE="1")
+    host = server.named("^glut_flight$")
+    window = server.window()
+    server.place(host, 1250, 100)
+    server.drawn(window)
+    hand_over(server, window)
+    first = wait(lambda: (lambda p: p.colours() > 1 and p)(server.picture(host)), "the pyramid")
+    wait(lambda: server.picture(host).differs(first), "the flight to go on")
+    server.press(host, "Escape")
+    check(program.ends() == 0, "its exit status")
+
+
+def serves(place, name, *arguments, before=()):
+    """A host's loop runs a window: it comes, hands over, closes."""
+    server = place.server()
+    host = place.told(server, name, *arguments)
+    for line in before:
+        host.tell(line, {"announce": "announced 0"}.get(line))
+    host.open()
+    window = server.window()
+    server.drawn(window)
+    hand_over(server, window)
+    check(host.expect("rueck 0") == f"rueck 0 {POSES} thread own depth 0", host.said[-1])
+    host.live()
+    server.press(window, "ctrl+q")
+    host.expect("ende thread own")
+    server.gone(window)
+    host.live()
+    host.open(1)  # and again
+    server.drawn(server.window())
+    host.leave()
+    check(not host.complained, f"it complained: {host.complained}")
+
+
+@test()
+def a_loop_with_poll(place):
+    """v_fd, v_timeout, v_dispatch."""
+    serves(place, "loop_poll")
+
+
+@test()
+def xt_default_context(place):
+    """XtInitialize and XtMainLoop."""
+    serves(place, "loop_xt", "initialize")
+
+
+@test()
+def xt_context_of_the_hosts_own(place):
+    """XtAppInitialize and XtAppMainLoop."""
+    serves(place, "loop_xt", "app")
+
+
+@test()
+def xt_open_application(place):
+    """XtOpenApplication and XtAppMainLoop."""
+    serves(place, "loop_xt", "open")
+
+
+@test()
+def xt_two_contexts(place):
+    """Two contexts, of which one runs."""
+    serves(place, "loop_xt", "two")
+
+
+@test()
+def xt_context_made_after_the_window(place):
+    """v_set_app_context() tells of it."""
+    server = place.server()
+    host = place.told(server, "loop_xt", "late")
+    host.open()
+    host.tell("context")
+    host.tell("announce", "announced 0")
+    window = server.window()
+    server.drawn(window)
+    hand_over(server, window)
+    host.expect(f"rueck 0 {POSES} thread own")
+    host.leave()
+
+
+@test()
+def a_host_that_serves_nobody_is_told(place):
+    """One hint on standard error, once."""
+    server = place.server()
+    host = place.told(server, "loop_poll", "none")
+    host.open()
+    host.tell("sleep 3000", "slept")
+    host.open(1)
+    host.tell("sleep 1500", "slept")
+    host.live()
+    host.open(2)
+    hints = [line for line in host.complained if line.startswith("vides:")]
+    check(len(hints) == 1, f"hints: {host.complained}")
+    check("v_dispatch" in hints[0] or "v_main_loop" in hints[0], f"the hint: {hints[0]}")
+    host.leave()
+
+
+@test()
+def windows_from_within_rueck(place):
+    """v_haupt(), v_dispatch() and v_main_loop() may be called there."""
+    server = place.server()
+    host = place.told(server)
+    host.open()
+    window = server.window()
+    server.drawn(window)
+    host.tell("within-rueck haupt 1")
+    hand_over(server, window)
+    host.expect("rueck 0")
+    host.expect("haupt")
+    host.expect("rueck-end 0")
+    wait(lambda: len(server.windows()) == 2, "a second window")
+    second = [one for one in server.windows() if one != window][0]
+    server.drawn(second)
+
+    host.tell("within-rueck main-loop")
+    hand_over(server, second)
+    host.expect("rueck 1")
+    words = host.expect("main-loop").split(None, 2)
+    check(words[1] == "11" and len(words) == 3, f"v_main_loop in a callback: {words}")
+    host.tell("within-rueck dispatch")
+    hand_over(server, window)
+    host.expect("dispatch 2")
+    host.expect("rueck-end 0")
+    host.tell("within-rueck free 0")
+    hand_over(server, window)
+    host.expect("freed -1")
+    check(host.tell("list 0").endswith("none"), "the list is still there")
+    hand_over(server, window)
+    host.expect("rueck-end 0")
+    check(host.tell("list 0").startswith(f"list 0 {POSES} first -0.6"), host.said[-1])
+    host.leave()
+
+
+@test()
+def a_window_closes_its_neighbour_within_a_callback(place):
+    """v_editor_close() of itself and of another, from within a callback."""
+    server = place.server()
+    host = place.told(server)
+    host.edit(0)
+    first = server.window()
+    server.drawn(first)
+    host.edit(1)
+    wait(lambda: len(server.windows()) == 2, "a second window")
+    second = [one for one in server.windows() if one != first][0]
+    server.drawn(second)
+    host.tell("within-rueck close 1")
+    hand_over(server, first)
+    host.expect("closed 0")
+    server.gone(second)
+    host.tell("within-rueck close 0")
+    hand_over(server, first)
+    host.expect("closed 0")
+    server.gone(first)
+    host.live()
+    host.leave()
+
+
+@test()
+def the_list_polled_without_functions(place):
+    """NULL for rueck and ende; also no list, and nothing at all."""
+    server = place.server()
+    host = place.told(server)
+    host.open(0, "poll")
+    window = server.window()
+    server.drawn(window)
+    check(host.tell("list 0").endswith("none"), "a list before the hand-over")
+    hand_over(server, window)
+    wait(lambda: not host.tell("list 0").endswith("none"), "the list")
+    check(host.said[-1].startswith(f"list 0 {POSES} first -0.6"), host.said[-1])
+    server.press(window, "ctrl+q")
+    server.gone(window)
+    check(host.tell("list 0").startswith(f"list 0 {POSES}"), "the list went with its window")
+    host.tell("free 0", "freed -1")
+    host.open(0, "nolist")
+    window = server.window()
+    server.drawn(window)
+    hand_over(server, window)
+    host.expect(f"rueck -1 {POSES}")
+    server.press(window, "ctrl+q")
+    server.gone(window)
+    host.open(0, "bare")
+    window = server.window()
+    server.drawn(window)
+    hand_over(server, window)  # to nobody
+    host.live()
+    server.press(window, "ctrl+q")
+    server.gone(window)
+    host.leave()
+
+
+@test()
+def one_list_for_two_windows(place):
+    """Handed over again and again, from both; no element is lost or freed twice."""
+    server = place.server()
+    host = place.told(server)
+    host.open(5)
+    first = server.window()
+    server.drawn(first)
+    host.tell("speeds 50 50 50 50")
+    host.open(5)
+    wait(lambda: len(server.windows()) == 2, "a second window")
+    second = [one for one in server.windows() if one != first][0]
+    server.drawn(second)
+    for _ in range(5):
+        hand_over(server, first)
+        host.expect(f"rueck 5 {POSES}")
+        check(host.tell("list 5").startswith(f"list 5 {POSES} first -0.6"), host.said[-1])
+        hand_over(server, second)
+        host.expect("rueck 5 61")
+        check(host.tell("list 5").startswith("list 5 61 first -0.6"), host.said[-1])
+    host.leave()
+
+
+@test(first=True)
+def sixty_four_windows(place):
+    """At once, in one host; the first and the last hand over."""
+    server = place.server()
+    host = place.told(server)
+    for number in range(64):
+        host.open(number)
+    wait(lambda: len(server.windows()) == 64, "64 windows", 60)
+    windows = server.windows()
+    heard = set()
+    for window in (windows[0], windows[63], windows[31]):
+        server.drawn(window)
+        hand_over(server, window)
+        heard.add(host.expect("rueck").split()[1])
+    check(len(heard) == 3, f"three windows handed over into the lists {heard}")
+    for window in windows[:5]:
+        server.press(window, "ctrl+q")
+        host.expect("ende")
+    wait(lambda: len(server.windows()) == 59, "five windows to close")
+    host.live()
+    host.leave()
+
+
+@test()
+def what_is_wrong_is_said(place):
+    """Bad speeds and wrong numbers: a window nevertheless, and a line."""
+    server = place.server()
+    host = place.told(server)
+    host.tell("speeds 100 -1 100 100")
+    words = host.tell("haupt 0")
+    check(len(words.split(None, 2)) == 3, "v_last_error() tells nothing of a bad speed")
+    wait(lambda: any(line.startswith("vides:") for line in host.complained), "a line of complaint")
+    check(len(host.complained) == 1, f"one line: {host.complained}")
+    server.drawn(server.window())
+    host.tell("speeds 100 100 100 100")
+    host.tell("misnumber 7")
+    words = host.tell("haupt 1")
+    check("4" in words, f"the wrong number's place: {words}")
+    wait(lambda: len(host.complained) == 2, "another line")
+    wait(lambda: len(server.windows()) == 2, "a second window")
+    host.leave()
+
+
+@test()
+def nothing_of_the_process_is_changed(place):
+    """Signals, locale, environment, the flags of the streams, the descriptors."""
+    import os
+    server = place.server()
+    host = place.told(server, LC_ALL="de_DE.UTF-8")
+    before = host.tell("process")
+    host.open()
+    window = server.window()
+    server.drawn(window)
+    hand_over(server, window)
+    host.expect("rueck-end")
+    check(host.tell("process") == before, f"{before} became {host.said[-1]}")
+    kept_open = []
+    folder = f"/proc/{host.pid}/fdinfo"
+    for number in os.listdir(folder):
+        with open(f"{folder}/{number}", encoding="ascii") as info:
+            flags = [int(line.split()[1], 8) for line in info if line.startswith("flags:")][0]
+        if int(number) > 2 and not flags & os.O_CLOEXEC:
+            kept_open.append(number)
+    check(not kept_open, f"descriptors that a child would inherit: {kept_open}")
+    threads = os.listdir(f"/proc/{host.pid}/task")
+    server.press(window, "ctrl+q")
+    server.gone(window)
+    check(host.tell("process") == before, f"{before} became {host.said[-1]}")
+    check(len(threads) == 1, f"{len(threads)} threads")
+    extra = [line for line in host.said
+             if line.split()[0] not in ("process", "haupt", "rueck", "rueck-end", "ende")]
+    check(not extra, f"on standard output: {extra}")
+    host.leave()
+
+
+@test(first=True)
+def nobody_is_woken_while_idle(place):
+    """An open window that nobody touches costs no wake-up, nor does v_timeout() ask for one."""
+    server = place.server()
+    host = place.told(server)
+    host.open()
+    window = server.window()
+    server.drawn(window)
+    server.xdotool("mousemove", "--window", window, 500, 400)
+    host.idle()
+    before = host.switches()
+    import time
+    time.sleep(3)
+    check(host.switches() == before, f"{host.switches() - before} wake-ups in 3 s")
+    words = host.tell("fd").split()
+    check(words[3] == "-1", f"a timer in an idle window: {words}")
+    xt = place.told(server, "loop_xt", "app")
+    xt.open()
+    wait(lambda: len(server.windows()) == 2, "a second window")
+    xt.idle()
+    before = xt.switches()
+    time.sleep(3)
+    check(xt.switches() == before, f"{xt.switches() - before} wake-ups in 3 s under Xt")
+    host.leave()
+    xt.leave()

@@ -1,0 +1,207 @@
+"""Servers that are not there, refuse, hang and die: the host lives."""
+
+import signal
+
+from cases_hosts import POSES, hand_over
+from harness import check, wait
+from run import test
+
+MIDDLE = (600, 400)
+"""Somewhere in the movement window."""
+
+
+def told_why(host, line="haupt 0"):
+    """A window cannot be opened: said once on standard error and by v_last_error()."""
+    before = len(host.complained)
+    words = host.tell(line, "haupt").split(None, 2)
+    check(len(words) == 3, "v_last_error() says nothing")
+    wait(lambda: len(host.complained) > before, "a line on standard error")
+    check(host.complained[before].startswith("vides:"), host.complained[before])
+    host.live()
+
+
+@test()
+def no_display(place):
+    """DISPLAY unset, empty, wrong, nonsense."""
+    for display in (None, "", ":987", "nonsense", ":-1", "no.such.host.invalid:0", "/no/such:0"):
+        host = place.told(None, DISPLAY=display)
+        told_why(host)
+        words = host.tell("edit 0", "edited").split(None, 3)
+        check(words[1] == "10", f"v_editor_open on {display!r}: {words}")
+        check(host.tell("dispatch", "dispatch").startswith("dispatch 0"), host.said[-1])
+        check(host.tell("main-loop").startswith("main-loop 0"), host.said[-1])
+        host.leave()
+
+
+@test()
+def without_the_cookie(place):
+    """The server refuses."""
+    server = place.server(cookie=False)
+    host = place.told(server)
+    told_why(host)
+    host = place.told(server, XAUTHORITY="/dev/null")
+    told_why(host)
+    host.leave()
+
+
+@test()
+def another_display_by_name(place):
+    """v_editor_open() on a server that the environment does not name."""
+    here, there = place.server(), place.server()
+    host = place.told(here, XAUTHORITY=there.authority)
+    words = host.tell(f"edit-on 0 {there.name}", "edited").split(None, 3)
+    check(words[1] == "0", f"{words}")
+    there.drawn(there.window())
+    check(not here.windows(), "a window on the wrong server")
+    host.leave()
+
+
+def dies(place, name, *arguments, prepare):
+    """The server goes while `prepare` has made something happen."""
+    server = place.server()
+    host = place.told(server, name, *arguments)
+    host.edit(0)
+    window = server.window()
+    server.drawn(window)
+    prepare(server, host, window)
+    server.kill()
+    host.live()
+    wait(lambda: host.tell("dispatch", "dispatch").startswith("dispatch 0"), "no open window")
+    words = host.tell("path 0").split(None, 3)
+    check(words[1] == "status" and words[2] in ("10", "12"), f"v_editor_get_path: {words}")
+    host.tell("close 0", "closed 0")
+    told_why(host)
+    other = place.server()
+    words = host.tell(f"edit-on 1 {other.name}", "edited").split()
+    host.live()
+    host.leave()
+
+
+@test()
+def server_killed_while_idle(place):
+    """The windows are gone; everything else goes on."""
+    dies(place, "loop_poll", prepare=lambda server, host, window: host.idle())
+
+
+@test()
+def server_killed_while_drawing(place):
+    """In the middle of turning the view."""
+    def turning(server, _host, window):
+        server.xdotool(*server.drag_words(window, MIDDLE, (700, 450), steps=40, release=False))
+    dies(place, "loop_poll", prepare=turning)
+
+
+@test()
+def server_killed_many_times_while_dragging(place):
+    """At other moments each time, with movements still coming in."""
+    import subprocess
+    import time
+    for number in range(6):
+        server = place.server()
+        host = place.told(server)
+        host.edit(0)
+        window = server.window()
+        server.drawn(window)
+        words = server.drag_words(window, MIDDLE, (800, 500), steps=400, release=False)
+        with subprocess.Popen(["xdotool", *map(str, words)], env=server.env,
+                              stderr=subprocess.DEVNULL) as hand:
+            time.sleep(0.01 + 0.02 * number)
+            server.kill()
+            hand.wait()
+        host.live()
+        host.leave()
+
+
+@test()
+def server_killed_within_rueck(place):
+    """The call returns, the host goes on in its callback."""
+    for extra in ((), ("haupt 1",)):
+        server = place.server()
+        host = place.told(server)
+        host.open()
+        window = server.window()
+        server.drawn(window)
+        pid = server.process.pid
+        host.tell(f"within-rueck kill {pid} {int(signal.SIGKILL)}")
+        server.xdotool("windowfocus", "--sync", window, "key", "alt+u", fail=False)
+        host.expect(f"rueck 0 {POSES}")
+        host.expect("kill 0")
+        host.expect("rueck-end 0")
+        server.process.wait()
+        host.live()
+        check(host.tell("list 0").startswith(f"list 0 {POSES}"), "the list went with the server")
+        for line in extra:
+            told_why(host, line)
+        host.leave()
+
+
+@test()
+def server_killed_under_motif_leaves_xlibs_way(place):
+    """Xlib ends its own program (exit status 1): not ours to change, and no signal."""
+    server = place.server()
+    program = place.program(server, "pyramid_motif")
+    host = server.window("^MainTest$")
+    server.place(host, 1500, 600)
+    _, _, width, height = server.geometry(host)
+    server.click(host, width / 2, height / 6)
+    server.drawn(server.window())
+    server.kill()
+    check(program.ends() == 1, f"exit status {program.process.returncode}")
+
+
+@test(first=True)
+def server_stopped_for_twenty_seconds(place):
+    """The host goes on answering, the window comes back."""
+    import time
+    server = place.server()
+    host = place.told(server)
+    host.edit(0)
+    window = server.window()
+    server.drawn(window)
+    server.pause()
+    end = time.monotonic() + 20
+    longest = 0.0
+    while time.monotonic() < end:
+        start = time.monotonic()
+        host.live(20)
+        longest = max(longest, time.monotonic() - start)
+        time.sleep(0.2)
+    check(longest < 2, f"a call took {longest:.1f} s while nothing was asked of the server")
+    server.resume()
+    hand_over(server, window)
+    host.expect(f"poses 0 {POSES}")
+    host.leave()
+
+
+@test(first=True)
+def opening_on_a_stopped_server(place):
+    """v_haupt() gives up after a stated time and says so."""
+    server = place.server()
+    host = place.told(server)
+    host.live()
+    server.pause()
+    told_why(host)
+    server.resume()
+    host.open(1)
+    server.drawn(server.window())
+    host.leave()
+
+
+@test()
+def a_window_killed_by_its_server(place):
+    """xkill: the connection of one window ends, another stays."""
+    server = place.server()
+    host = place.told(server)
+    host.edit(0)
+    first = server.window()
+    server.drawn(first)
+    host.edit(1)
+    wait(lambda: len(server.windows()) == 2, "a second window")
+    second = [one for one in server.windows() if one != first][0]
+    server.drawn(second)
+    server.xdotool("windowkill", first)
+    server.gone(first)
+    wait(lambda: host.tell("dispatch", "dispatch").startswith("dispatch 1"), "one window")
+    hand_over(server, second)
+    host.expect(f"poses 1 {POSES}")
+    host.leave()

@@ -1,0 +1,377 @@
+"""Servers, hosts and hands: what the tests under an X server need.
+
+Every test has servers and folders of its own, so that tests can run side by
+side. Nothing here sleeps and hopes: `wait` asks until something is true, and
+fails when it does not become true in time.
+"""
+
+import os
+import queue
+import secrets
+import signal
+import subprocess
+import threading
+import time
+
+from picture import Picture
+
+LIMIT = 30.0
+"""Seconds after which waiting has failed. Long, since machines may be busy."""
+
+
+class Failure(Exception):
+    """A test's claim is not true."""
+
+
+def check(truth, what):
+    """Fails unless it is true."""
+    if not truth:
+        raise Failure(what)
+
+
+def wait(condition, what, seconds=LIMIT):
+    """Asks again and again until `condition` gives something true, and gives that back."""
+    end = time.monotonic() + seconds
+    pause = 0.005
+    while True:
+        value = condition()
+        if value:
+            return value
+        if time.monotonic() > end:
+            raise Failure(f"not within {seconds:g} s: {what}")
+        time.sleep(pause)
+        pause = min(0.1, pause * 1.5)
+
+
+def run(*command, env=None, stdin=None, fail=True, seconds=LIMIT):
+    """Runs a command to its end and gives back what it wrote."""
+    done = subprocess.run(command, env=env, input=stdin, capture_output=True, timeout=seconds)
+    if fail and done.returncode != 0:
+        raise Failure(f"{' '.join(command)}: {done.stderr.decode(errors='replace').strip()}")
+    return done.stdout
+
+
+class Server:
+    """An X server of its own, with a cookie that clients must show."""
+
+    def __init__(self, folder, screen="1920x1200x24", options=(), cookie=True):
+        self.folder = folder
+        self.authority = os.path.join(folder, "Xauthority")
+        key = secrets.token_hex(16)
+        secret = os.path.join(folder, "server-cookie")
+        run("xauth", "-q", "-f", secret, "add", ":0", ".", key)
+        ours, its = os.pipe()
+        with open(os.path.join(folder, "server.log"), "wb") as log:
+            self.process = subprocess.Popen(
+                ["Xvfb", "-displayfd", str(its), "-auth", secret, "-screen", "0", screen,
+                 "-nolisten", "tcp", "-noreset", *options],
+                pass_fds=[its], stdout=log, stderr=log, start_new_session=True)
+        os.close(its)
+        with os.fdopen(ours) as number:
+            self.name = f":{number.readline().strip()}"
+        check(self.name != ":", "Xvfb does not start")
+        self.env = clean_environment(folder)
+        self.env["DISPLAY"] = self.name
+        self.env["XAUTHORITY"] = self.authority
+        if cookie:
+            run("xauth", "-q", "-f", self.authority, "add", self.name, ".", key)
+        self.helpers = []
+
+    # ---- its life
+
+    def kill(self):
+        """Ends it at once, as a crash does."""
+        self.process.kill()
+        self.process.wait()
+
+    def pause(self):
+        """It answers nobody from now on."""
+        self.process.send_signal(signal.SIGSTOP)
+
+    def resume(self):
+        """It answers again."""
+        self.process.send_signal(signal.SIGCONT)
+
+    def end(self):
+        """Ends it and what runs on it."""
+        for helper in self.helpers:
+            helper.kill()
+            helper.wait()
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGCONT)
+            self.process.terminate()
+            try:
+                self.process.wait(5)
+            except subprocess.TimeoutExpired:
+                self.kill()
+        # A killed server leaves them behind; another may have taken them over.
+        number = self.name[1:]
+        lock = f"/tmp/.X{number}-lock"
+        try:
+            with open(lock, encoding="ascii") as owner:
+                if int(owner.read()) == self.process.pid:
+                    os.unlink(f"/tmp/.X11-unix/X{number}")
+                    os.unlink(lock)
+        except (OSError, ValueError):
+            pass
+
+    def window_manager(self):
+        """Starts one, and waits until it manages."""
+        with open(os.path.join(self.folder, "openbox.log"), "wb") as log:
+            self.helpers.append(subprocess.Popen(
+                ["openbox", "--sm-disable"], env=self.env, stdout=log, stderr=log))
+        wait(lambda: b"window id" in run("xprop", "-root", "_NET_SUPPORTING_WM_CHECK",
+                                         env=self.env), "a window manager")
+
+    def resources(self, text):
+        """Sets X resources, such as `Xft.dpi: 192`."""
+        run("xrdb", "-merge", "-", env=self.env, stdin=text.encode() + b"\n")
+
+    # ---- hands and eyes
+
+    def xdotool(self, *arguments, fail=True):
+        """Moves, presses, types, finds."""
+        words = [str(word) for word in arguments]
+        return run("xdotool", *words, env=self.env, fail=fail).decode().strip()
+
+    def windows(self, kind="^vides$", visible=True):
+        """The windows of a WM_CLASS, oldest first."""
+        shown = ["--onlyvisible"] if visible else []
+        found = self.xdotool("search", *shown, "--class", kind, fail=False)
+        return sorted(int(line) for line in found.split())
+
+    def window(self, kind="^vides$", number=0):
+        """The window of a WM_CLASS, waited for."""
+        found = wait(lambda: self.windows(kind)[number:], f"a window of class {kind}")
+        return found[0]
+
+    def gone(self, window):
+        """Waits until a window is there no more."""
+        wait(lambda: window not in self.windows(), "the window to close")
+
+    def named(self, name):
+        """The visible window with this title."""
+        found = wait(lambda: self.xdotool("search", "--onlyvisible", "--name", name, fail=False),
+                     f"a window named {name}")
+        return int(found.split()[-1])
+
+    def geometry(self, window):
+        """Left, top, width, height."""
+        text = self.xdotool("getwindowgeometry", "--shell", window)
+        values = dict(line.split("=") for line in text.splitlines())
+        return tuple(int(values[name]) for name in ("X", "Y", "WIDTH", "HEIGHT"))
+
+    def place(self, window, x, y):
+        """Moves a window, and waits until it is there."""
+        self.xdotool("windowmove", window, x, y)
+        wait(lambda: abs(self.geometry(window)[0] - x) < 40, "the window to move")
+
+    def property(self, window, name):
+        """A property as xprop prints it."""
+        return run("xprop", "-id", str(window), name, env=self.env).decode().strip()
+
+    def focus(self, window):
+        """Gives a window the keyboard, and waits until it has it."""
+        self.xdotool("windowraise", window, "windowfocus", "--sync", window)
+
+    def press(self, window, *keys):
+        """Presses keys in a window."""
+        self.focus(window)
+        self.xdotool("key", "--delay", "20", *keys)
+
+    def type(self, text):
+        """Types a text where the keyboard is."""
+        self.xdotool("type", "--delay", "20", text)
+
+    def click(self, window, x, y, button=1):
+        """Clicks at a place in a window."""
+        self.xdotool("mousemove", "--window", window, int(x), int(y), "click", button)
+
+    def drag(self, window, start, end, button=1, steps=8):
+        """Presses, moves in steps, lets go."""
+        self.xdotool(*self.drag_words(window, start, end, button, steps))
+
+    @staticmethod
+    def drag_words(window, start, end, button=1, steps=8, release=True):
+        """The same as xdotool's words."""
+        words = ["mousemove", "--window", window, round(start[0]), round(start[1]),
+                 "mousedown", button]
+        for step in range(1, steps + 1):
+            x = start[0] + (end[0] - start[0]) * step / steps
+            y = start[1] + (end[1] - start[1]) * step / steps
+            words += ["mousemove", "--window", window, round(x), round(y)]
+        return words + (["mouseup", button] if release else [])
+
+    def picture(self, window=None):
+        """What is to be seen: of the whole screen, or where a window lies."""
+        area = None
+        if window is not None:
+            x, y, width, height = self.geometry(window)
+            area = max(x, 0), max(y, 0), width, height
+        return Picture.of_xwd(run("xwd", "-root", "-silent", env=self.env), area)
+
+    def drawn(self, window, colours=8):
+        """Waits until a window shows something, and goes on to show the same; gives that."""
+        last = []
+
+        def same():
+            picture = self.picture(window)
+            known = last and last[0].rows == picture.rows
+            last[:] = [picture]
+            return known and picture.colours() > colours
+
+        wait(same, "something drawn")
+        return last[0]
+
+
+def clean_environment(folder):
+    """The environment of a user who has nothing set."""
+    kept = {name: value for name, value in os.environ.items()
+            if name in ("PATH", "LD_LIBRARY_PATH", "LANG", "LC_ALL", "LOCPATH", "TMPDIR")}
+    kept.update(HOME=folder, XDG_CONFIG_HOME=os.path.join(folder, "config"),
+                XDG_STATE_HOME=os.path.join(folder, "state"))
+    return kept
+
+
+class Program:
+    """A program under test: what it says is read line by line."""
+
+    def __init__(self, folder, command, env, terminal=False):
+        self.said, self.complained = [], []
+        self.folder = folder
+        self._lines = queue.Queue()
+        output = subprocess.PIPE
+        if terminal:  # so that the program writes line by line
+            ours, output = os.openpty()
+        self.process = subprocess.Popen(command, env=env, cwd=folder, stdin=subprocess.PIPE,
+                                        stdout=output, stderr=subprocess.PIPE)
+        if terminal:
+            os.close(output)
+        source = os.fdopen(ours, "rb") if terminal else self.process.stdout
+        for stream, into in ((source, self._heard), (self.process.stderr, self._complaint)):
+            threading.Thread(target=self._read, args=(stream, into), daemon=True).start()
+
+    @staticmethod
+    def _read(stream, into):
+        try:
+            for line in stream:
+                into(line.decode(errors="replace").rstrip("\r\n"))
+        except OSError:  # a terminal ends so
+            pass
+        into(None)
+
+    def _heard(self, line):
+        if line is not None:
+            self.said.append(line)
+        self._lines.put(line)
+
+    def _complaint(self, line):
+        if line is not None:
+            self.complained.append(line)
+
+    @property
+    def pid(self):
+        """Its process."""
+        return self.process.pid
+
+    def expect(self, beginning, seconds=LIMIT):
+        """The next line that begins so; those before it are passed over."""
+        end = time.monotonic() + seconds
+        while True:
+            try:
+                line = self._lines.get(timeout=max(0.0, end - time.monotonic()))
+            except queue.Empty:
+                line = None
+            if line is None:  # its output has ended, or it takes too long
+                raise Failure(
+                    f"never said ({seconds:g} s): {beginning!r}; said: {self.said[-6:]}, "
+                    f"complained: {self.complained[-4:]}, status: {self.process.poll()}")
+            if line.startswith(beginning):
+                return line
+
+    def alive(self):
+        """It still runs."""
+        return self.process.poll() is None
+
+    def ends(self, seconds=LIMIT):
+        """Waits for its end; gives its exit status, as a shell would."""
+        try:
+            status = self.process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            raise Failure(f"it does not end within {seconds:g} s") from None
+        return status if status >= 0 else 128 - status
+
+    def kill(self):
+        """For tidying up."""
+        if self.alive():
+            self.process.kill()
+        self.process.wait()
+
+    def switches(self):
+        """How often its threads have gone to sleep by themselves."""
+        total = 0
+        for task in os.listdir(f"/proc/{self.pid}/task"):
+            with open(f"/proc/{self.pid}/task/{task}/status", encoding="ascii") as status:
+                for line in status:
+                    if line.startswith("voluntary_ctxt_switches:"):
+                        total += int(line.split()[1])
+        return total
+
+    def idle(self, seconds=1.0):
+        """Waits until it has not moved for a while."""
+        last = [self.switches()]
+
+        def still():
+            time.sleep(seconds)
+            before, last[0] = last[0], self.switches()
+            return before == last[0]
+
+        wait(still, "it to come to rest")
+
+
+class Told(Program):
+    """The host that does what it is told (host.c)."""
+
+    def __init__(self, folder, command, env):
+        super().__init__(folder, command, env)
+
+    def send(self, line):
+        """Tells it something."""
+        try:
+            self.process.stdin.write(line.encode() + b"\n")
+            self.process.stdin.flush()
+        except BrokenPipeError:
+            raise Failure(f"the host has ended with {self.ends()}, "
+                          f"complained: {self.complained[-4:]}") from None
+
+    def tell(self, line, answer=None, seconds=LIMIT):
+        """Tells it something, and waits for the answer."""
+        self.send(line)
+        return self.expect(answer or line.split()[0], seconds)
+
+    def live(self, seconds=LIMIT):
+        """It answers."""
+        self.tell("ping", "pong", seconds)
+
+    def open(self, number=0, what="haupt"):
+        """Opens a window by v_haupt(); fails if that complains."""
+        words = self.tell(f"{what} {number}", "haupt").split(None, 2)
+        check(len(words) == 2, f"v_haupt: {words[2:]}")
+
+    def edit(self, number=0, file=""):
+        """Opens a window by v_editor_open(); fails if that complains."""
+        words = self.tell(f"edit {number} {file}", "edited").split(None, 3)
+        check(words[1] == "0", f"v_editor_open: {words}")
+
+    def path(self, number=0):
+        """The points of a window's path."""
+        words = self.tell(f"path {number}", "path").split()
+        check(words[1] != "status", f"v_editor_get_path: {words}")
+        values = [float(word) for word in words[2:]]
+        return [tuple(values[i:i + 3]) for i in range(0, len(values), 3)]
+
+    def leave(self):
+        """Ends it, and checks that it ends as it wants to."""
+        self.send("exit 0")
+        status = self.ends()
+        check(status == 0, f"exit status {status}, complained: {self.complained[-4:]}")
