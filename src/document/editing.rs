@@ -216,6 +216,12 @@ impl Document {
         self.open = Some(Step::new(self.selection, self.state));
     }
 
+    /// Whether a step is open: between [`Document::begin_step`] and its end.
+    #[must_use]
+    pub fn in_step(&self) -> bool {
+        self.open.is_some()
+    }
+
     /// Ends the step that is open, if one is.
     pub fn end_step(&mut self) {
         if let Some(mut step) = self.open.take() {

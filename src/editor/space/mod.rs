@@ -1,13 +1,150 @@
-//! The movement window: the path in space, and the mouse in it (thesis chapter
+//! The movement window: the path in space, and the hand in it (thesis chapter
 //! 6, A.3).
+//!
+//! [`projection`] says where something is seen, [`picking`] what lies under
+//! the pointer, [`drag`] what a motion makes of it: three pieces of arithmetic
+//! that are tested without a window. [`hand`] and [`keyboard`] take the events, [`scene`] and
+//! [`overlay`] draw, [`sliders`] stand around, [`menu`] is a point's menu.
 
+mod drag;
+mod hand;
+mod keyboard;
+mod menu;
+mod overlay;
+mod picking;
+mod projection;
+mod scene;
+mod sliders;
+mod strokes;
+
+use std::sync::Arc;
+
+use egui::{EventFilter, Rect, Sense, Ui};
+
+use self::drag::Handle;
+use self::hand::{Desk, Hand};
+use self::projection::Projection;
+use self::scene::{Look, Scene};
+use super::setup::Element;
 use super::state::Editor;
+use crate::path::Orientation;
+use crate::raster::Lines;
 
 /// What the movement window remembers.
 #[derive(Debug, Default)]
-pub(super) struct Space {}
+pub(super) struct Space {
+    hand: Hand,
+    scene: Scene,
+    menu: menu::PointMenu,
+    /// What was copied last.
+    copied: Option<Orientation>,
+}
 
 /// Shows the movement window in all the room that is left.
-pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
-    let _ = (&editor.space, &editor.setup.view, ui);
+pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+    let room = sliders::show(editor, ui);
+    view(editor, ui, room);
+}
+
+/// The part in which the space is seen.
+fn view(editor: &mut Editor, ui: &mut Ui, room: Rect) {
+    let response = ui.interact(
+        room,
+        ui.scope_id().with("movement"),
+        Sense::click_and_drag(),
+    );
+    let name = editor.texts().space.name;
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
+    let context = ui.ctx().clone();
+    let layer = ui.layer_id();
+    let mine = |at| {
+        room.contains(at)
+            && context.layer_id_at(at).is_none_or(|found| found == layer)
+            && context.memory(|memory| memory.top_modal_layer().is_none())
+    };
+    if response.is_pointer_button_down_on() || context.memory(|memory| memory.focused().is_none()) {
+        response.request_focus();
+    }
+    // The arrow keys move points here; Escape takes a drag back.
+    let filter = EventFilter {
+        horizontal_arrows: true,
+        vertical_arrows: true,
+        escape: editor.space.hand.dragged().is_some(),
+        ..EventFilter::default()
+    };
+    context.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    let desk = Desk {
+        context: &context,
+        room,
+        mine: &mine,
+        keyboard: response.has_focus() && !egui::Popup::is_any_open(&context),
+    };
+    Hand::work(editor, &desk);
+    if response.double_clicked() && editor.space.hand.hover.is_none() {
+        editor.setup.view = super::setup::View::default();
+    }
+    if response.hovered() || response.dragged() {
+        context.set_cursor_icon(editor.space.hand.cursor());
+    }
+    menu::show(editor, ui, room);
+    draw(editor, ui, room);
+}
+
+fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
+    let projection = Projection::new(&editor.setup.view, room);
+    let look = Look {
+        projection: &projection,
+        room,
+        pixels_per_point: f64::from(ui.ctx().pixels_per_point()),
+        colours: editor.setup.colours(),
+        shown: &editor.setup.shown,
+    };
+    let painter = ui.painter_at(room);
+    painter.rect_filled(room, 0.0, look.colours.of(Element::Background));
+    let add = |lines: Lines| {
+        if !lines.lines.is_empty() {
+            painter.add(Lines::shape(&Arc::new(lines), room));
+        }
+    };
+    let document = &editor.document;
+    let hand = &editor.space.hand;
+    let dragged = hand.dragged();
+    let through = dragged.and_then(|(what, fixed)| {
+        let place = hand::place_held(editor, what)?;
+        Some((place, fixed))
+    });
+    if let Some((through, fixed)) = through {
+        overlay::plane(&painter, &look, through, fixed);
+    }
+    let trouble = editor.space.scene.update(document, &look).err();
+    editor.space.scene.paint(&painter, room);
+    if let Some((through, fixed)) = through {
+        add(overlay::guides(&look, through, Some(fixed)));
+    }
+    let trouble = match scene::current(document, &look) {
+        Ok(lines) => {
+            add(lines);
+            trouble
+        }
+        Err(error) => Some(error),
+    };
+    if let Some(tips) = picking::tips(document) {
+        add(overlay::circle(&look, &tips));
+        overlay::arrows(&painter, &look, &tips);
+        let held = dragged.map(|(what, _)| what);
+        if let Some(handle) = held.or(hand.hover)
+            && let Some((at, color)) = overlay::place_of(document, &look, &tips, handle)
+        {
+            overlay::ring(&painter, &look, at, color, held.is_some());
+        }
+    }
+    let pointed = match hand.hover {
+        Some(Handle::Point(at)) => Some(at),
+        _ => None,
+    };
+    overlay::numbers(&painter, document, &look, pointed);
+    overlay::directions(&painter, &look);
+    if let Some(error) = trouble {
+        editor.complain(error.to_string());
+    }
 }

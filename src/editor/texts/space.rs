@@ -5,7 +5,36 @@ use super::texts;
 texts! {
     /// Texts of the movement window.
     Space {
+        name: "Movement window", "Bewegungsfenster";
+        size: "Size", "Größe";
+        size_tip: "Size of the movement space (mouse wheel, + and −)",
+            "Größe des Bewegungsraums (Mausrad, + und −)";
+        rotate: "Rotate", "Drehen";
+        rotate_tip: "Turns the movement space about its upright axis (drag in the empty space)",
+            "Dreht den Bewegungsraum um seine senkrechte Achse (im leeren Raum ziehen)";
+        tilt: "Tilt", "Kippen";
+        tilt_tip: "Tilts the movement space (drag in the empty space)",
+            "Kippt den Bewegungsraum (im leeren Raum ziehen)";
         edge_on: "This plane is seen edge-on: rotate or tilt the space first",
             "Diese Ebene ist nur von der Kante zu sehen: erst den Raum drehen oder kippen";
+        circle_edge_on: "The circle of VUP is seen edge-on: rotate or tilt the space first",
+            "Der Kreis von VUP ist nur von der Kante zu sehen: erst den Raum drehen oder kippen";
+        position_at: "Position  x {0}  y {1}  z {2}", "Position  x {0}  y {1}  z {2}";
+        target_at: "Target  x {0}  y {1}  z {2}", "Ziel  x {0}  y {1}  z {2}";
+        offset_at: "Direction  x {0}  y {1}  z {2}", "Richtung  x {0}  y {1}  z {2}";
+        roll_at: "Roll {0}°", "Winkel {0}°";
+        append: "Append after the last point", "Hinter dem letzten Punkt anfügen";
+        prepend: "Insert before the first point", "Vor dem ersten Punkt einfügen";
+        make_closed: "Close the path", "Kurve schließen";
+        make_open: "Open the path", "Kurve öffnen";
+        copy_orientation: "Copy orientation", "Orientierung kopieren";
+        paste_orientation: "Paste orientation", "Orientierung einfügen";
+        remove: "Remove point", "Punkt löschen";
+        copied: "Orientation copied", "Orientierung kopiert";
+        nothing_copied: "No orientation has been copied yet", "Es ist noch keine Orientierung kopiert";
+        view_reset: "Reset the view", "Ansicht zurücksetzen";
+        view_front: "From the front", "Von vorn";
+        view_right: "From the right", "Von rechts";
+        view_above: "From above", "Von oben";
     }
 }

@@ -1,0 +1,159 @@
+//! The menu of a point, or of the empty space: a press of the right button
+//! without motion.
+
+use egui::containers::menu::menu_style;
+use egui::{Align, Button, Key, Layout, Popup, PopupKind, Pos2, Rect, SetOpenCommand, Ui};
+
+use super::drag::Handle;
+use crate::document::Edit;
+use crate::editor::setup::View;
+use crate::editor::state::Editor;
+
+/// Where the menu is, and for what.
+#[derive(Debug, Default)]
+pub(super) struct PointMenu {
+    at: Pos2,
+    /// It is about the current point; else about the view.
+    of_point: bool,
+}
+
+/// Shows the menu if it is open, and opens it if the hand asks for it.
+pub(super) fn show(editor: &mut Editor, ui: &Ui, room: Rect) {
+    let mut asked = editor.space.hand.menu.take();
+    let id = ui.scope_id().with("point menu");
+    let context = ui.ctx();
+    // Shift-F10 stands for the menu key everywhere.
+    if asked.is_none()
+        && !Popup::is_any_open(context)
+        && context.input_mut(|input| input.consume_key(egui::Modifiers::SHIFT, Key::F10))
+    {
+        let projection = super::Projection::new(&editor.setup.view, room);
+        let at = editor.document.selection().point;
+        if let Some(point) = editor.document.path().points.get(at) {
+            let place = projection.pos(point.position);
+            asked = Some((room.clamp(place), Some(Handle::Point(at))));
+        }
+    }
+    let open = asked.map(|(at, what)| {
+        editor.space.menu = PointMenu {
+            at,
+            of_point: what.is_some(),
+        };
+        SetOpenCommand::Bool(true)
+    });
+    let (at, of_point) = (editor.space.menu.at, editor.space.menu.of_point);
+    Popup::new(id, context.clone(), at, ui.layer_id())
+        .kind(PopupKind::Menu)
+        .layout(Layout::top_down_justified(Align::Min))
+        .style(menu_style)
+        .open_memory(open)
+        .show(|ui| {
+            ui.set_min_width(200.0);
+            if of_point {
+                entries(editor, ui);
+            } else {
+                views(editor, ui);
+            }
+        });
+}
+
+/// What can be done with the current point.
+fn entries(editor: &mut Editor, ui: &mut Ui) {
+    let texts = &editor.texts().space;
+    let closed = editor.document.path().closed;
+    let count = editor.document.path().points.len();
+    let at = editor.document.selection().point;
+    let entry = |ui: &mut Ui, enabled: bool, text: &str| {
+        ui.add_enabled(enabled, Button::new(text)).clicked()
+    };
+    if entry(ui, !closed, texts.append) {
+        do_edit(editor, Edit::AppendAfterLast);
+    }
+    if entry(ui, !closed, texts.prepend) {
+        do_edit(editor, Edit::PrependBeforeFirst);
+    }
+    let text = if closed {
+        texts.make_open
+    } else {
+        texts.make_closed
+    };
+    if entry(ui, true, text) {
+        do_edit(editor, Edit::SetClosed(!closed));
+    }
+    ui.separator();
+    if entry(ui, true, texts.copy_orientation) {
+        editor.copy_orientation();
+    }
+    if entry(ui, editor.space.copied.is_some(), texts.paste_orientation) {
+        editor.paste_orientation();
+    }
+    ui.separator();
+    if entry(ui, count > crate::limits::MIN_POINTS, texts.remove) {
+        do_edit(editor, Edit::RemovePoint { at });
+    }
+}
+
+/// From where the space can be seen.
+fn views(editor: &mut Editor, ui: &mut Ui) {
+    let texts = &editor.texts().space;
+    let whole = View::default();
+    let seen_from = |rotation: f64, tilt: f64| View {
+        rotation,
+        tilt,
+        ..whole
+    };
+    let views = [
+        (texts.view_reset, whole),
+        (texts.view_front, seen_from(0.0, 0.0)),
+        (texts.view_right, seen_from(-90.0, 0.0)),
+        (texts.view_above, seen_from(0.0, 90.0)),
+    ];
+    for (text, view) in views {
+        if ui.button(text).clicked() {
+            editor.setup.view = view;
+        }
+    }
+}
+
+fn do_edit(editor: &mut Editor, edit: Edit) {
+    editor.message = None;
+    editor.edit(edit);
+}
+
+impl Editor {
+    /// Remembers the current orientation: target, roll, zoom and all else.
+    pub(in crate::editor) fn copy_orientation(&mut self) {
+        let selection = self.document.selection();
+        self.space.copied = self
+            .document
+            .path()
+            .points
+            .get(selection.point)
+            .and_then(|point| point.orientations.get(selection.orientation))
+            .cloned();
+        if self.space.copied.is_some() {
+            self.say(self.texts().space.copied);
+        }
+    }
+
+    /// Gives the current orientation the values that were remembered.
+    pub(in crate::editor) fn paste_orientation(&mut self) {
+        let Some(orientation) = self.space.copied.clone() else {
+            self.complain(self.texts().space.nothing_copied);
+            return;
+        };
+        let selection = self.document.selection();
+        self.message = None;
+        let edit = Edit::SetOrientation {
+            point: selection.point,
+            at: selection.orientation,
+            orientation,
+        };
+        self.edit(edit);
+    }
+
+    /// Whether there is an orientation to be pasted.
+    pub(in crate::editor) fn has_copied_orientation(&self) -> bool {
+        self.space.copied.is_some()
+    }
+}

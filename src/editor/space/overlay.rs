@@ -1,0 +1,281 @@
+//! What stands above the curve: the current camera's arrows and circle, the
+//! guides of a drag, numbers, the answer to the pointer. Few shapes, made anew
+//! in each pass.
+
+use std::collections::HashSet;
+
+use egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, pos2, vec2};
+use glam::{DVec2, DVec3};
+
+use super::drag::{Handle, VUP_LENGTH};
+use super::picking::Tips;
+use super::projection::{Axis, from_pos, to_pos};
+use super::scene::{Look, THIN};
+use super::strokes::{Strokes, cut};
+use crate::document::Document;
+use crate::editor::setup::Element;
+use crate::math::orientation;
+use crate::raster::Lines;
+
+/// Straight pieces of the VUP circle.
+const CIRCLE: u32 = 96;
+
+/// Length and half the width of an arrow's head.
+const HEAD: [f64; 2] = [12.0, 4.2];
+
+/// Width of the arrows.
+const ARROW: f32 = 2.0;
+
+/// More points than this carry no numbers but the current one.
+const MANY: usize = 2000;
+
+/// The circle on which the tip of VUP runs.
+pub(super) fn circle(look: &Look<'_>, tips: &Tips) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.room);
+    if let Some(color) = look.of(Element::Circle) {
+        let (u, v) = orientation::level_axes(tips.view);
+        let at = |step: u32| {
+            let (sin, cos) =
+                (std::f64::consts::TAU * f64::from(step) / f64::from(CIRCLE)).sin_cos();
+            tips.position + (v * cos - u * sin) * VUP_LENGTH
+        };
+        for step in 0..CIRCLE {
+            strokes.line(at(step), at(step + 1), THIN, color);
+        }
+    }
+    strokes.finish()
+}
+
+/// The arrows of the current camera.
+pub(super) fn arrows(painter: &Painter, look: &Look<'_>, tips: &Tips) {
+    for (element, tip) in [(Element::Vpn, tips.target), (Element::Vup, tips.up_tip)] {
+        if let Some(color) = look.of(element) {
+            arrow(painter, look, [tips.position, tip], color);
+        }
+    }
+}
+
+/// An arrow whose head ends exactly at its tip. One that points straight at the
+/// viewer is a dot.
+fn arrow(painter: &Painter, look: &Look<'_>, ends: [DVec3; 2], color: Color32) {
+    let [from, to] = ends.map(|end| look.projection.image(end));
+    let length = from.distance(to);
+    if !length.is_finite() {
+        return;
+    }
+    let head = HEAD[0].min(length * 0.6);
+    if head < 4.0 {
+        painter.circle_filled(to_pos(to), 4.0, color);
+        return;
+    }
+    let way = (to - from) / length;
+    let room = look.room.expand(24.0);
+    let [low, high] = [from_pos(room.min), from_pos(room.max)];
+    // The shaft ends within the head, so that no gap shows.
+    if let Some(ends) = cut(from, to - way * (head * 0.8), low, high) {
+        painter.line_segment(ends.map(to_pos), Stroke::new(ARROW, color));
+    }
+    if room.contains(to_pos(to)) {
+        let side = way.perp() * HEAD[1];
+        let foot = to - way * head;
+        // A notched head: its two halves, since it is not convex.
+        let notch = foot + way * (head * 0.22);
+        for side in [side, -side] {
+            let corners = [to, foot + side, notch].map(to_pos).to_vec();
+            painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
+        }
+    }
+}
+
+/// The axes through a point that is dragged, and the border of the plane in
+/// which it moves, out to the faces of the cube.
+pub(super) fn guides(look: &Look<'_>, through: DVec3, fixed: Option<Axis>) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.room);
+    // Of a point that lies outside, as far as the point.
+    let low = through.min(DVec3::NEG_ONE);
+    let high = through.max(DVec3::ONE);
+    if let (Some(color), Some(fixed)) = (look.of(Element::Plane), fixed) {
+        let [a, b] = fixed.others().map(Axis::index);
+        let corner = |at_a: f64, at_b: f64| {
+            let mut corner = through;
+            corner[a] = at_a;
+            corner[b] = at_b;
+            corner
+        };
+        let corners = [
+            corner(low[a], low[b]),
+            corner(high[a], low[b]),
+            corner(high[a], high[b]),
+            corner(low[a], high[b]),
+        ];
+        for k in 0..4 {
+            strokes.line(corners[k], corners[(k + 1) % 4], 1.4, color);
+        }
+    }
+    if let Some(color) = look.of(Element::Axes) {
+        for axis in Axis::ALL.map(Axis::index) {
+            let [mut from, mut to] = [through; 2];
+            from[axis] = low[axis];
+            to[axis] = high[axis];
+            strokes.line(from, to, THIN, color);
+        }
+    }
+    strokes.finish()
+}
+
+/// The plane of a drag as a breath of colour.
+pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, fixed: Axis) {
+    let Some(color) = look.of(Element::Plane) else {
+        return;
+    };
+    let [a, b] = fixed.others().map(Axis::index);
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[at_a, at_b]| {
+        let mut corner = through;
+        corner[a] = at_a;
+        corner[b] = at_b;
+        look.projection.pos(corner)
+    });
+    painter.add(Shape::convex_polygon(
+        corners.to_vec(),
+        color.gamma_multiply(0.08),
+        Stroke::NONE,
+    ));
+}
+
+/// The answer to the pointer: a ring around what would be taken hold of.
+pub(super) fn ring(painter: &Painter, look: &Look<'_>, at: DVec3, color: Color32, held: bool) {
+    let centre = look.projection.pos(at);
+    let fill = color.gamma_multiply(if held { 0.35 } else { 0.2 });
+    painter.circle(centre, 8.0, fill, Stroke::new(1.5, color));
+}
+
+/// Where something that can be taken hold of lies, and its colour.
+pub(super) fn place_of(
+    document: &Document,
+    look: &Look<'_>,
+    tips: &Tips,
+    handle: Handle,
+) -> Option<(DVec3, Color32)> {
+    let colour = |element| look.colours.of(element);
+    match handle {
+        Handle::Vup => Some((tips.up_tip, colour(Element::Vup))),
+        Handle::Vpn => Some((tips.target, colour(Element::Vpn))),
+        Handle::Point(at) => {
+            let point = document.path().points.get(at)?;
+            Some((point.position, colour(Element::Segment)))
+        }
+    }
+}
+
+/// The numbers of the points, from 1, as far as there is room for them; the
+/// current one and the one under the pointer always, that one with its name.
+pub(super) fn numbers(
+    painter: &Painter,
+    document: &Document,
+    look: &Look<'_>,
+    hover: Option<usize>,
+) {
+    let Some(color) = look.of(Element::Numbers) else {
+        return;
+    };
+    let current = document.selection().point;
+    let points = &document.path().points;
+    let mut taken: HashSet<(i32, i32)> = HashSet::new();
+    let mut put = |at: usize, always: bool| {
+        let Some(point) = points.get(at) else { return };
+        let image = look.projection.image(point.position);
+        let pos = to_pos(image);
+        if !look.room.contains(pos) {
+            return;
+        }
+        #[allow(clippy::cast_possible_truncation)]
+        let cell = (pos.x as i32 / 18, pos.y as i32 / 14);
+        let free =
+            (-1..=1).all(|dx| (-1..=1).all(|dy| !taken.contains(&(cell.0 + dx, cell.1 + dy))));
+        if !always && !free {
+            return;
+        }
+        taken.insert(cell);
+        let (size, color) = if at == current {
+            (13.0, look.colours.of(Element::Segment))
+        } else {
+            (11.0, color)
+        };
+        let text = match &point.name {
+            Some(name) if hover == Some(at) => format!("{}  {name}", at + 1),
+            _ => (at + 1).to_string(),
+        };
+        label(
+            painter,
+            pos + vec2(7.0, -6.0),
+            Align2::LEFT_BOTTOM,
+            text,
+            size,
+            color,
+            look,
+        );
+    };
+    put(current, true);
+    if let Some(hover) = hover.filter(|&hover| hover != current) {
+        put(hover, true);
+    }
+    if points.len() <= MANY {
+        (0..points.len())
+            .filter(|&at| at != current && Some(at) != hover)
+            .for_each(|at| put(at, false));
+    }
+}
+
+/// A text with a halo of the ground, so that it can be read above lines.
+fn label(
+    painter: &Painter,
+    pos: Pos2,
+    align: Align2,
+    text: String,
+    size: f32,
+    color: Color32,
+    look: &Look<'_>,
+) {
+    let galley = painter.layout_no_wrap(text, FontId::proportional(size), color);
+    let rect = align.anchor_size(pos, galley.size());
+    let ground = look.colours.of(Element::Background).gamma_multiply(0.7);
+    painter.rect_filled(rect.expand2(vec2(2.0, -1.0)), 3.0, ground);
+    painter.galley(rect.min, galley, color);
+}
+
+/// The three directions, small, in a corner of the room.
+pub(super) fn directions(painter: &Painter, look: &Look<'_>) {
+    let Some(color) = look.of(Element::Numbers) else {
+        return;
+    };
+    let centre = from_pos(look.room.left_bottom()) + DVec2::new(40.0, -40.0);
+    let length = 24.0 / look.projection.scale();
+    // The one that points at the viewer is painted last.
+    let mut axes = Axis::ALL;
+    axes.sort_by(|a, b| {
+        let toward = look.projection.toward();
+        toward[a.index()].total_cmp(&toward[b.index()])
+    });
+    for axis in axes {
+        let mut way = DVec3::ZERO;
+        way[axis.index()] = length;
+        let image = look.projection.image_of_way(way);
+        let color = color.gamma_multiply(0.85);
+        let tip = to_pos(centre + image);
+        painter.line_segment([to_pos(centre), tip], Stroke::new(1.2, color));
+        let letter = ["x", "y", "z"][axis.index()];
+        let beside = if image.length() > 2.0 {
+            image.normalize() * 8.0
+        } else {
+            DVec2::new(-7.0, 7.0)
+        };
+        let pos = to_pos(centre + image + beside);
+        painter.text(
+            pos2(pos.x, pos.y),
+            Align2::CENTER_CENTER,
+            letter,
+            FontId::proportional(11.0),
+            color,
+        );
+    }
+}
