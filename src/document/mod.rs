@@ -21,7 +21,7 @@ mod place;
 mod prepare;
 pub mod save;
 mod target;
-mod vid;
+pub(crate) mod vid;
 
 pub use edit::Edit;
 pub use editing::{Document, Selection};

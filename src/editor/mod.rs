@@ -10,17 +10,20 @@
 //! runs in tests without a screen.
 
 mod actions;
+mod folders;
 mod frame;
 mod keys;
 mod menu;
 mod number;
 mod panels;
 mod setup;
+mod setup_file;
 mod space;
 mod state;
 mod texts;
 mod theme;
 mod windows;
 
+pub(crate) use folders::Folders;
 pub(crate) use state::{Editor, Options, Request};
 pub(crate) use texts::Language;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::folders::Folders;
 use super::number::Entry;
 use super::setup::{Element, Setup};
 use super::texts::{Language, Texts, fill};
@@ -25,6 +26,9 @@ pub(crate) struct Options {
     pub(crate) hand_over: bool,
     /// The base speeds are the host's: a loaded file's are ignored.
     pub(crate) fixed_speeds: bool,
+    /// Where setup, unsaved work and recent files are kept: those of the
+    /// environment for a user, none in tests.
+    pub(crate) folders: Folders,
 }
 
 /// What only whoever runs the editor can do.
@@ -47,6 +51,7 @@ pub(crate) struct Editor {
     pub(super) language: Language,
     pub(super) hand_over: bool,
     pub(super) fixed_speeds: bool,
+    pub(super) folders: Folders,
     /// What stands in the output field instead of the current pose.
     pub(super) message: Option<Message>,
     /// What waits to be done outside.
@@ -73,19 +78,22 @@ impl Editor {
     /// # Errors
     /// [`Error::Memory`].
     pub(crate) fn new(options: Options) -> Result<Self> {
-        Ok(Self {
+        let mut editor = Self {
             document: options.document,
             file: options.file,
             title: options.title,
             language: options.language,
             hand_over: options.hand_over,
             fixed_speeds: options.fixed_speeds,
+            folders: options.folders,
             message: None,
             requests: Vec::new(),
             setup: Setup::default(),
             space: space::Space::default(),
             windows: windows::Windows::default(),
-        })
+        };
+        editor.read_first_setup();
+        Ok(editor)
     }
 
     /// To be called once for a new egui context: fonts, style, no blinking

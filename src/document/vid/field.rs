@@ -11,16 +11,16 @@ use crate::error::{Error, Result};
 
 /// A piece of a file, and the whole for its line numbers.
 #[derive(Clone, Copy)]
-pub(super) struct Source<'a> {
+pub(crate) struct Source<'a> {
     /// The whole text.
-    pub(super) text: &'a str,
+    pub(crate) text: &'a str,
     /// Where the piece begins.
-    pub(super) start: usize,
+    pub(crate) start: usize,
 }
 
 impl Source<'_> {
     /// A sentence about the place at a byte offset of the piece.
-    pub(super) fn complain(self, offset: usize, reason: impl Display) -> Error {
+    pub(crate) fn complain(self, offset: usize, reason: impl Display) -> Error {
         let end = (self.start + offset).min(self.text.len());
         let before = &self.text.as_bytes()[..end];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
@@ -30,17 +30,17 @@ impl Source<'_> {
 
 /// A key (or a place in an array) and its value.
 #[derive(Clone, Copy)]
-pub(super) struct Field<'a> {
+pub(crate) struct Field<'a> {
     source: Source<'a>,
     /// The key; in an array, that of the array.
-    pub(super) key: &'a str,
+    pub(crate) key: &'a str,
     /// Where the complaint is: byte offset of the value, or of its key.
     offset: usize,
     value: &'a DeValue<'a>,
 }
 
 /// The fields of a table, in alphabetical order.
-pub(super) fn fields<'a>(
+pub(crate) fn fields<'a>(
     source: Source<'a>,
     table: &'a DeTable<'a>,
 ) -> impl Iterator<Item = Field<'a>> {
@@ -66,13 +66,13 @@ impl<'a> Field<'a> {
     }
 
     /// An error at this place.
-    pub(super) fn error(&self, reason: impl Display) -> Error {
+    pub(crate) fn error(&self, reason: impl Display) -> Error {
         let place = format_args!("{}: {reason}", self.key);
         self.source.complain(self.offset, place)
     }
 
     /// The error of a check, at this place.
-    pub(super) fn checked<T>(&self, result: Result<T>) -> Result<T> {
+    pub(crate) fn checked<T>(&self, result: Result<T>) -> Result<T> {
         result.map_err(|error| match error {
             Error::Memory => error,
             other => self.error(other),
@@ -80,7 +80,7 @@ impl<'a> Field<'a> {
     }
 
     /// The error of a key that does not belong here.
-    pub(super) fn unknown(&self, known: &[&str]) -> Error {
+    pub(crate) fn unknown(&self, known: &[&str]) -> Error {
         self.source.complain(
             self.offset,
             format_args!(
@@ -105,7 +105,7 @@ impl<'a> Field<'a> {
     }
 
     /// A finite number, written with or without a decimal point.
-    pub(super) fn number(&self) -> Result<f64> {
+    pub(crate) fn number(&self) -> Result<f64> {
         let number = match self.value {
             DeValue::Float(float) => float.as_str().parse().ok(),
             DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
@@ -121,7 +121,7 @@ impl<'a> Field<'a> {
     }
 
     /// A whole number.
-    pub(super) fn integer(&self) -> Result<i64> {
+    pub(crate) fn integer(&self) -> Result<i64> {
         match self.value {
             DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
                 .map_err(|_| self.error("the number is too large")),
@@ -130,7 +130,7 @@ impl<'a> Field<'a> {
     }
 
     /// A whole number of some range.
-    pub(super) fn integer_in(&self, low: i64, high: i64) -> Result<i64> {
+    pub(crate) fn integer_in(&self, low: i64, high: i64) -> Result<i64> {
         let integer = self.integer()?;
         if (low..=high).contains(&integer) {
             Ok(integer)
@@ -140,7 +140,7 @@ impl<'a> Field<'a> {
     }
 
     /// `true` or `false`.
-    pub(super) fn boolean(&self) -> Result<bool> {
+    pub(crate) fn boolean(&self) -> Result<bool> {
         match self.value {
             DeValue::Boolean(boolean) => Ok(*boolean),
             _ => Err(self.mismatch("true or false")),
@@ -148,7 +148,7 @@ impl<'a> Field<'a> {
     }
 
     /// A text.
-    pub(super) fn text(&self) -> Result<&'a str> {
+    pub(crate) fn text(&self) -> Result<&'a str> {
         match self.value {
             DeValue::String(text) => Ok(text),
             _ => Err(self.mismatch("a text in quotes")),
@@ -156,7 +156,7 @@ impl<'a> Field<'a> {
     }
 
     /// The fields of a table.
-    pub(super) fn fields(&self) -> Result<impl Iterator<Item = Field<'a>> + use<'a>> {
+    pub(crate) fn fields(&self) -> Result<impl Iterator<Item = Field<'a>> + use<'a>> {
         match self.value {
             DeValue::Table(table) => Ok(fields(self.source, table)),
             _ => Err(self.mismatch("a table")),
@@ -164,7 +164,7 @@ impl<'a> Field<'a> {
     }
 
     /// The elements of an array.
-    pub(super) fn elements(&self) -> Result<impl ExactSizeIterator<Item = Field<'a>> + use<'a>> {
+    pub(crate) fn elements(&self) -> Result<impl ExactSizeIterator<Item = Field<'a>> + use<'a>> {
         let DeValue::Array(array) = self.value else {
             return Err(self.mismatch("an array"));
         };
@@ -178,7 +178,7 @@ impl<'a> Field<'a> {
     }
 
     /// An array of so many numbers.
-    pub(super) fn numbers<const N: usize>(&self) -> Result<[f64; N]> {
+    pub(crate) fn numbers<const N: usize>(&self) -> Result<[f64; N]> {
         let elements = self.elements()?;
         if elements.len() != N {
             return Err(self.error(format_args!(
@@ -194,7 +194,7 @@ impl<'a> Field<'a> {
     }
 
     /// Three coordinates.
-    pub(super) fn vector(&self) -> Result<DVec3> {
+    pub(crate) fn vector(&self) -> Result<DVec3> {
         let vector = DVec3::from_array(self.numbers()?);
         self.checked(crate::path::camera_path::check_coordinates(vector))?;
         Ok(vector)

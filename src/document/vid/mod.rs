@@ -31,7 +31,7 @@
 //! speed_curve = [1.0, 20.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0]
 //! ```
 
-mod field;
+pub(crate) mod field;
 mod pieces;
 mod read;
 mod write;
@@ -54,6 +54,22 @@ const VERSION: i64 = 1;
 
 /// Reads a file.
 pub(super) fn load(file: &Path) -> Result<(CameraPath, Info)> {
+    let text = read_text(file, MAX_FILE_BYTES)?;
+    from_toml(&text).map_err(|error| error.at(file.display()))
+}
+
+/// Reads what a reader gives, to its end.
+pub(super) fn load_from(reader: &mut dyn Read, name: &str) -> Result<(CameraPath, Info)> {
+    let text = read_all(reader, name, 0, MAX_FILE_BYTES)?;
+    from_toml(&text).map_err(|error| error.at(name))
+}
+
+/// The text of a regular file of at most `most` bytes.
+///
+/// # Errors
+/// [`Error::Io`], [`Error::Limit`], [`Error::Memory`]; [`Error::Format`] if it
+/// is no UTF-8. Each names the file.
+pub(crate) fn read_text(file: &Path, most: u64) -> Result<String> {
     let place = file.display().to_string();
     let io = |source| Error::Io {
         place: file.display().to_string(),
@@ -74,24 +90,19 @@ pub(super) fn load(file: &Path) -> Result<(CameraPath, Info)> {
         };
         return Err(io(std::io::Error::other(what)));
     }
-    if metadata.len() > MAX_FILE_BYTES {
-        return Err(too_large().at(place));
+    if metadata.len() > most {
+        return Err(too_large(most).at(place));
     }
     // One byte more, so that the end is seen without growing.
     let room = usize::try_from(metadata.len()).map_err(|_| Error::Memory)? + 1;
-    read_all(&mut opened, &place, room)
+    read_all(&mut opened, &place, room, most)
 }
 
-/// Reads what a reader gives, to its end.
-pub(super) fn load_from(reader: &mut dyn Read, name: &str) -> Result<(CameraPath, Info)> {
-    read_all(reader, name, 0)
-}
-
-fn read_all(reader: &mut dyn Read, place: &str, room: usize) -> Result<(CameraPath, Info)> {
+fn read_all(reader: &mut dyn Read, place: &str, room: usize, most: u64) -> Result<String> {
     let mut bytes = vec_with_room(room)?;
     // Both the file and the claim of its size may change while it is read.
     reader
-        .take(MAX_FILE_BYTES + 1)
+        .take(most + 1)
         .read_to_end(&mut bytes)
         .map_err(|source| match source.kind() {
             std::io::ErrorKind::OutOfMemory => Error::Memory,
@@ -100,22 +111,21 @@ fn read_all(reader: &mut dyn Read, place: &str, room: usize) -> Result<(CameraPa
                 source,
             },
         })?;
-    if bytes.len() as u64 > MAX_FILE_BYTES {
-        return Err(too_large().at(place));
+    if bytes.len() as u64 > most {
+        return Err(too_large(most).at(place));
     }
-    let text = std::str::from_utf8(&bytes).map_err(|error| {
-        let before = &bytes[..error.valid_up_to()];
+    String::from_utf8(bytes).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
         Error::Format(format!("{place}: line {line}: this is not UTF-8 text").into())
-    })?;
-    from_toml(text).map_err(|error| error.at(place))
+    })
 }
 
-fn too_large() -> Error {
+fn too_large(most: u64) -> Error {
     Error::Limit(
         format!(
             "the file is larger than the {} MiB that are read",
-            MAX_FILE_BYTES >> 20
+            most >> 20
         )
         .into(),
     )
