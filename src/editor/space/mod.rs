@@ -36,6 +36,8 @@ pub(super) struct Space {
     hand: Hand,
     scene: Scene,
     menu: menu::PointMenu,
+    /// The view before a number of it is dragged.
+    view_before: Option<super::setup::View>,
     /// What was copied last.
     copied: Option<Orientation>,
 }
@@ -148,3 +150,6 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
         editor.complain(error.to_string());
     }
 }
+
+#[cfg(test)]
+mod tests;
