@@ -11,11 +11,13 @@
 
 mod actions;
 mod folders;
+mod camera_view;
 mod frame;
 mod keys;
 mod menu;
 mod number;
 mod panels;
+mod playing;
 mod setup;
 mod setup_file;
 mod space;
