@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Color32, Context, FontId, Pos2, Rect, Sense, Ui, Vec2, vec2};
+use egui::{Align2, Color32, Context, FontId, Pos2, Rect, Sense, Ui, vec2};
 use glam::{DMat4, DVec2, DVec3};
 
 use super::setup::Element;
@@ -40,38 +40,27 @@ pub(super) fn show(editor: &mut Editor, context: &Context, room: Rect) {
         .id(egui::Id::unique("camera view"))
         .title_bar(false)
         .frame(frame)
-        .resizable(true)
+        .resizable([true, false])
         .constrain_to(room)
         .pivot(Align2::RIGHT_TOP)
         .default_pos(room.right_top() + vec2(-12.0, 12.0))
-        .default_size(vec2(WIDTH, WIDTH / ASPECT))
-        .min_size(vec2(120.0, 80.0))
+        .default_width(WIDTH)
+        .min_width(WIDTH / 2.0)
         .show(context, |ui| contents(editor, ui));
 }
 
 fn contents(editor: &mut Editor, ui: &mut Ui) {
-    let size: Vec2 = ui.available_size().max(vec2(60.0, 40.0));
-    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    // The height follows the width.
+    let width = ui.available_width().max(60.0);
+    let (picture, response) = ui.allocate_exact_size(vec2(width, width / ASPECT), Sense::hover());
     let texts = &editor.texts().space;
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, texts.camera_view));
-    let width = rect.width().min(rect.height() * ASPECT);
-    let picture = Rect::from_center_size(rect.center(), vec2(width, width / ASPECT));
     let Some((camera, _)) = editor.camera() else {
         return;
     };
-    let painter = ui.painter_at(rect);
+    let painter = ui.painter_at(picture);
     let lines = picture_of(editor, &camera, picture);
     painter.add(Lines::shape(&Arc::new(lines), picture));
-    // What lies beside the picture, when the pane has another shape.
-    if picture.width() < rect.width() - 1.0 || picture.height() < rect.height() - 1.0 {
-        let edge = theme::palette(ui).line;
-        painter.rect_stroke(
-            picture,
-            0.0,
-            egui::Stroke::new(1.0, edge),
-            egui::StrokeKind::Inside,
-        );
-    }
     let text = match editor.shown_frame() {
         Some(frame) => fill(texts.camera_at_frame, &[&frame]),
         None => {
@@ -82,19 +71,31 @@ fn contents(editor: &mut Editor, ui: &mut Ui) {
     };
     let zoom = editor.language.number(camera.zoom, 0);
     let palette = theme::palette(ui);
-    let font = FontId::proportional(11.0);
-    let corner = rect.left_bottom() + vec2(8.0, -6.0);
-    painter.text(
-        corner,
-        Align2::LEFT_BOTTOM,
-        text,
-        font.clone(),
-        palette.weak,
-    );
-    let corner = rect.right_bottom() + vec2(-8.0, -6.0);
     let zoom = fill(texts.millimetres, &[&zoom]);
-    painter.text(corner, Align2::RIGHT_BOTTOM, zoom, font, palette.weak);
-    close_button(editor, ui, rect);
+    let corners = [
+        (
+            picture.left_bottom() + vec2(8.0, -6.0),
+            Align2::LEFT_BOTTOM,
+            text,
+        ),
+        (
+            picture.right_bottom() + vec2(-8.0, -6.0),
+            Align2::RIGHT_BOTTOM,
+            zoom,
+        ),
+    ];
+    let ground = editor
+        .setup
+        .colours()
+        .of(Element::Background)
+        .gamma_multiply(0.8);
+    for (corner, align, text) in corners {
+        let galley = painter.layout_no_wrap(text, FontId::proportional(11.0), palette.weak);
+        let place = align.anchor_size(corner, galley.size());
+        painter.rect_filled(place.expand2(vec2(3.0, 1.0)), 3.0, ground);
+        painter.galley(place.min, galley, palette.weak);
+    }
+    close_button(editor, ui, picture);
 }
 
 /// A small cross in the corner.

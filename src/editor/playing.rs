@@ -23,6 +23,9 @@ use crate::path::Change;
 /// Height of the bar.
 const HEIGHT: f32 = 56.0;
 
+/// Width of a button.
+const BUTTON: f32 = 32.0;
+
 /// What is played, and where.
 #[derive(Debug, Default)]
 pub(super) struct Playing {
@@ -213,7 +216,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
                 ui.spacing_mut().item_spacing.x = 12.0;
                 play_button(editor, ui);
                 readout(editor, ui);
-                let width = ui.available_width() - theme::ROW - 12.0;
+                let width = ui.available_width() - BUTTON - 12.0;
                 timeline(editor, ui, width.max(60.0));
                 camera_button(editor, ui);
             });
@@ -222,7 +225,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 
 /// A square button with a picture.
 fn button(ui: &mut Ui, name: &str, tip: &str, on: bool) -> (egui::Response, Painter) {
-    let size = vec2(theme::ROW + 8.0, theme::ROW + 4.0);
+    let size = vec2(BUTTON, theme::ROW + 4.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::Button, ui.is_enabled(), on, name));
     let visuals = ui.style().interact_selectable(&response, on);

@@ -37,10 +37,10 @@ const FRINGE: f64 = 0.11;
 /// Poses that the ribbon is made of, at most.
 const POSES: usize = 1200;
 
-/// Points from one step of the ribbon to the next, and steps from one thread
-/// of the fringe to the next.
+/// Points on the screen from one step of the ribbon to the next, and from one
+/// thread of the fringe to the next.
 const STEP: f64 = 6.0;
-const THREADS: usize = 3;
+const THREAD: f64 = 22.0;
 
 /// A camera: where it is, along what it looks, what is up, its zoom.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,10 +104,14 @@ pub(super) fn camera(
         strokes.line(camera.position, corners[k], width, color);
         strokes.line(corners[k], corners[(k + 1) % 4], width, color);
     }
+    // The roof stands a little above the picture, so that the two are told apart.
     let [right, left] = [corners[0], corners[1]];
-    let ridge = right.midpoint(left) + camera.up * (left.distance(right) * 0.35);
+    let wide = left.distance(right);
+    let roof = |share: f64, up: f64| left.lerp(right, share) + camera.up * (wide * up);
+    let [left, ridge, right] = [roof(0.28, 0.08), roof(0.5, 0.3), roof(0.72, 0.08)];
     strokes.line(left, ridge, width, color);
-    strokes.line(right, ridge, width, color);
+    strokes.line(ridge, right, width, color);
+    strokes.line(right, left, width, color);
 }
 
 /// Every orientation of the path as a small camera; the current one stands out.
@@ -193,27 +197,25 @@ impl Ribbon {
         let mut strokes = Strokes::new(look.projection, look.room);
         let mut mesh = Mesh::default();
         let surface = color.gamma_multiply(0.13);
-        let (edge, fringe) = (color.gamma_multiply(0.55), color.gamma_multiply(0.4));
+        let (edge, fringe) = (color.gamma_multiply(0.5), color.gamma_multiply(0.6));
         let mut last: Option<[DVec3; 2]> = None;
-        let mut steps = 0;
+        let mut since_thread = f64::INFINITY;
         for pose in &self.poses {
             let ends = [pose.position, pose.position + pose.up * RIBBON];
             if let Some(before) = last {
-                let far = (0..2).any(|k| {
-                    let way = look.projection.image_of_way(ends[k] - before[k]);
-                    way.length() >= STEP
-                });
-                if !far {
+                let way = [0, 1].map(|k| look.projection.image_of_way(ends[k] - before[k]));
+                let way = way[0].length().max(way[1].length());
+                if way < STEP {
                     continue;
                 }
+                since_thread += way;
                 strokes.line(before[1], ends[1], THIN, edge);
                 add_quad(&mut mesh, look, before, ends, surface);
             }
-            if steps % THREADS == 0 {
-                let tip = ends[1] + pose.view * FRINGE;
-                strokes.line(ends[1], tip, THIN, fringe);
+            if since_thread >= THREAD {
+                since_thread = 0.0;
+                strokes.line(ends[1], ends[1] + pose.view * FRINGE, THIN, fringe);
             }
-            steps += 1;
             last = Some(ends);
         }
         if !mesh.is_empty() {

@@ -50,24 +50,16 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) -> Rect {
         along(editor, ui, Part::Rotation, between)
     });
     let column = Rect::from_min_max(
-        pos2(right, between.top()),
+        pos2(all.right() - EDGE - NUMBER, between.top()),
         pos2(all.right() - EDGE, between.bottom()),
     );
-    let upright = Layout::top_down(Align::Max);
+    let upright = Layout::top_down(Align::Center);
     let upright = UiBuilder::new().max_rect(column).layout(upright);
     ui.scope_builder(upright, |ui| {
-        let text = editor.texts().space.tilt;
-        ui.add_sized(
-            [NUMBER, 20.0],
-            egui::Label::new(egui::RichText::new(text).weak()),
-        );
-        ui.spacing_mut().slider_width =
-            (ui.available_height() - crate::editor::theme::ROW - 2.0 * GAP).max(40.0);
-        ui.allocate_ui_with_layout(
-            egui::vec2(NUMBER, ui.spacing().slider_width),
-            Layout::top_down(Align::Center),
-            |ui| slide(editor, ui, Part::Tilt, between),
-        );
+        ui.spacing_mut().item_spacing.y = GAP;
+        ui.weak(editor.texts().space.tilt);
+        ui.spacing_mut().slider_width = (ui.available_height() - ROW).max(40.0);
+        slide(editor, ui, Part::Tilt, between);
         number(editor, ui, Part::Tilt, between);
     });
     between

@@ -39,7 +39,7 @@ texts! {
         timeline_tip: "Drag or use the arrow keys to go through the frames",
             "Ziehen oder Pfeiltasten: durch die Bilder gehen";
         frame_of: "Frame {0} / {1}", "Bild {0} / {1}";
-        seconds_at: "{0} s · {1} fps", "{0} s · {1} B/s";
+        seconds_at: "{0} s · {1} fps", "{0} s · {1} Bilder/s";
         too_many_frames: "Too many frames", "Zu viele Bilder";
         camera_view: "Camera view", "Kamerabild";
         camera_view_tip: "Shows what the camera sees (C)", "Zeigt, was die Kamera sieht (C)";
