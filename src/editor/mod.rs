@@ -10,8 +10,8 @@
 //! runs in tests without a screen.
 
 mod actions;
-mod folders;
 mod camera_view;
+mod folders;
 mod frame;
 mod keys;
 mod menu;

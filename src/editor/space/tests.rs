@@ -20,6 +20,7 @@ pub(in crate::editor) fn editor(document: Document, language: Language) -> Edito
         language,
         hand_over: false,
         fixed_speeds: false,
+        folders: crate::editor::Folders::default(),
     })
     .unwrap()
 }
