@@ -1,18 +1,63 @@
 //! What menus, shortcuts and buttons do, each under one name.
 
+use super::filing::Purpose;
 use super::setup::Theme;
 use super::state::{Editor, Request};
-use super::windows::{self, ColourWindow, CurveWindow, DisplayWindow, SpeedWindow};
+use super::texts::fill;
+use super::windows::{
+    self, ColourWindow, CurveWindow, DisplayWindow, HelpWindow, PointsWindow, SpeedWindow,
+};
+use crate::document::{Edit, Selection};
 
 /// Something that a menu entry, a key or a button stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Action {
+    /// Ask for a file and load a path from it.
+    Load,
+    /// Save under the known name, else ask for one.
+    Save,
+    /// Ask for a name and save.
+    SaveAs,
     /// Close the window.
     Quit,
     /// Take the last step back.
     Undo,
     /// Do it again.
     Redo,
+    /// `Pos.+`.
+    AddPoint,
+    /// `Pos.++`: ask how many.
+    AskPoints,
+    /// `Pos.++`: insert so many.
+    AddPoints(usize),
+    /// `Pos.-`.
+    RemovePoint,
+    /// `<< Pos.`
+    PreviousPoint,
+    /// `Pos. >>`
+    NextPoint,
+    /// A new point behind the last one.
+    AppendPoint,
+    /// A new point before the first one.
+    PrependPoint,
+    /// A closed or an open path.
+    SetClosed(bool),
+    /// `Ori.+`.
+    AddOrientation,
+    /// `Ori.-`.
+    RemoveOrientation,
+    /// `<< Ori`
+    PreviousOrientation,
+    /// `Ori >>`
+    NextOrientation,
+    /// `Abs.` (true) or `Rel.` (false).
+    SetAbsolute(bool),
+    /// Keep the current orientation for pasting.
+    CopyOrientation,
+    /// Put the one that was copied in place of the current one.
+    PasteOrientation,
+    /// Write the poses to a file.
+    Export,
     /// Hand the poses over to the host.
     HandOver,
     /// Open the curve window.
@@ -23,28 +68,157 @@ pub(super) enum Action {
     Colours,
     /// Open the display window.
     Display,
-    /// Light or dark.
+    /// Ask for a setup file and load it.
+    LoadSetup,
+    /// Ask for a name and save the setup.
+    SaveSetup,
+    /// Dark or light.
     Theme(Theme),
+    /// Show the keys.
+    Keys,
 }
 
 impl Editor {
-    /// Does it.
+    /// Does it. What stood in the output field goes away.
     pub(super) fn act(&mut self, action: Action, context: &egui::Context) {
         self.message = None;
+        let Selection { point, orientation } = self.document.selection();
         match action {
+            Action::Load => self.ask_to_load(),
+            Action::Save => {
+                self.save(None);
+            }
+            Action::SaveAs => self.choose_file(Purpose::SavePath(None)),
             Action::Quit => self.ask_to_close(),
-            Action::Undo => {
-                self.document.undo();
+            Action::Undo => self.undo(),
+            Action::Redo => self.redo(),
+            Action::AddPoint => self.add_points(1),
+            Action::AskPoints if self.has_segment() => {
+                windows::open::<PointsWindow>(self, context);
             }
-            Action::Redo => {
-                self.document.redo();
+            Action::AskPoints => self.complain(self.texts().position.last_point),
+            Action::AddPoints(points) => self.add_points(points),
+            Action::RemovePoint => {
+                self.edit(Edit::RemovePoint { at: point });
             }
-            Action::HandOver => self.requests.push(Request::HandOver),
+            Action::PreviousPoint => self.go_by_points(-1),
+            Action::NextPoint => self.go_by_points(1),
+            Action::AppendPoint => {
+                self.edit(Edit::AppendAfterLast);
+            }
+            Action::PrependPoint => {
+                self.edit(Edit::PrependBeforeFirst);
+            }
+            Action::SetClosed(closed) => {
+                self.edit(Edit::SetClosed(closed));
+            }
+            Action::AddOrientation => {
+                self.edit(Edit::InsertOrientation {
+                    point,
+                    at: orientation + 1,
+                    orientation: None,
+                });
+            }
+            Action::RemoveOrientation => {
+                self.edit(Edit::RemoveOrientation {
+                    point,
+                    at: orientation,
+                });
+            }
+            Action::PreviousOrientation => self.go_by_orientations(-1),
+            Action::NextOrientation => self.go_by_orientations(1),
+            Action::SetAbsolute(absolute) => {
+                self.edit(Edit::SetAbsolute {
+                    point,
+                    at: orientation,
+                    absolute,
+                });
+            }
+            Action::CopyOrientation => {
+                self.copied = self.orientation().cloned();
+                self.say(self.texts().output.copied);
+            }
+            Action::PasteOrientation => match self.copied.clone() {
+                Some(orientation) => self.set_orientation(|current| *current = orientation),
+                None => self.complain(self.texts().output.nothing_copied),
+            },
+            Action::Export => self.choose_file(Purpose::Export),
+            Action::HandOver if self.hand_over => self.requests.push(Request::HandOver),
+            Action::HandOver => self.complain(self.texts().menu.nobody_takes),
             Action::Curve => windows::open::<CurveWindow>(self, context),
             Action::SpeedCurve => windows::open::<SpeedWindow>(self, context),
             Action::Colours => windows::open::<ColourWindow>(self, context),
             Action::Display => windows::open::<DisplayWindow>(self, context),
+            Action::LoadSetup => self.choose_file(Purpose::LoadSetup),
+            Action::SaveSetup => self.choose_file(Purpose::SaveSetup),
             Action::Theme(theme) => self.setup.theme = theme,
+            Action::Keys => windows::open::<HelpWindow>(self, context),
         }
+    }
+
+    fn undo(&mut self) {
+        if !self.document.undo() {
+            self.say(self.texts().output.nothing_to_undo);
+        }
+    }
+
+    fn redo(&mut self) {
+        if !self.document.redo() {
+            self.say(self.texts().output.nothing_to_redo);
+        }
+    }
+
+    fn add_points(&mut self, points: usize) {
+        let segment = self.document.selection().point;
+        self.edit(Edit::DivideSegment { segment, points });
+    }
+
+    /// Whether a segment begins at the current point.
+    pub(super) fn has_segment(&self) -> bool {
+        self.document.selection().point < self.document.path().segment_count()
+    }
+
+    /// Makes a point current, and one of its orientations.
+    pub(super) fn select(&mut self, point: usize, orientation: usize) {
+        self.message = None;
+        // Whoever asks for one that is not there has an old number; what is
+        // current stays so.
+        let _ = self.document.select(point, orientation);
+    }
+
+    /// So many points onwards, round and round.
+    fn go_by_points(&mut self, by: isize) {
+        let count = self.document.path().points.len();
+        self.select(round(self.document.selection().point, by, count), 0);
+    }
+
+    /// So many orientations onwards at this point, round and round.
+    fn go_by_orientations(&mut self, by: isize) {
+        let Selection { point, orientation } = self.document.selection();
+        let points = &self.document.path().points;
+        let count = points
+            .get(point)
+            .map_or(1, |point| point.orientations.len());
+        if count == 1 {
+            self.say(self.texts().orientation.only_one);
+        } else {
+            self.select(point, round(orientation, by, count));
+        }
+    }
+
+    /// Number and count of something, in words.
+    pub(super) fn number_of(text: &str, index: usize, count: usize) -> String {
+        fill(text, &[&(index + 1), &count])
+    }
+}
+
+/// `at` + `by`, round and round through `count`.
+fn round(at: usize, by: isize, count: usize) -> usize {
+    let count = count.max(1);
+    let at = at % count;
+    match by {
+        1 if at + 1 == count => 0,
+        1 => at + 1,
+        _ => at.checked_sub(1).unwrap_or(count - 1),
     }
 }

@@ -1,25 +1,91 @@
 //! The layout: menu bar with the output field, panels on the left, the
 //! movement window in the middle, sub-windows above.
 
+use egui::{CentralPanel, Context, CornerRadius, Frame, Margin, Panel, Stroke, StrokeKind, Ui};
+
 use super::state::Editor;
-use super::{keys, menu, panels, space, theme, windows};
+use super::{keys, menu, output, panels, space, theme, windows};
+
+/// Height of the menu bar, in points.
+const BAR: f32 = 32.0;
 
 /// Width of the panels, in points.
 const PANELS: f32 = 264.0;
 
-/// Shows everything.
-pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
-    ui.ctx().set_theme(editor.setup.theme.of_egui());
-    egui::Panel::top("menu").show(ui, |ui| {
-        egui::MenuBar::new().ui(ui, |ui| menu::show(editor, ui));
-    });
-    egui::Panel::left("panels")
+/// Shows everything, and does what was asked for.
+pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+    let context = ui.ctx().clone();
+    context.set_theme(editor.setup.theme.of_egui());
+    if !context.input(|input| input.pointer.any_down() || input.pointer.any_released()) {
+        // A drag whose end nobody saw: its control vanished meanwhile.
+        editor.document.end_step();
+    }
+    let before = editor.stamp();
+    let mut action = editor.waiting.take();
+    if !editor.windows.ask() {
+        action = action.or_else(|| keys::pressed(&context));
+    }
+    if action.is_some() {
+        keys::release(&context);
+    }
+    let palette = editor.setup.theme.palette();
+    let bar = Frame::new()
+        .fill(palette.panel)
+        .inner_margin(Margin::symmetric(8, 0));
+    let picked = Panel::top("bar")
+        .exact_size(BAR)
+        .frame(bar)
+        .show(ui, |ui| {
+            egui::MenuBar::new()
+                .ui(ui, |ui| {
+                    ui.set_min_height(BAR);
+                    let picked = menu::show(editor, ui);
+                    output::show(editor, ui);
+                    picked
+                })
+                .inner
+        })
+        .inner;
+    Panel::left("panels")
         .resizable(false)
         .exact_size(PANELS)
+        .frame(
+            Frame::new()
+                .fill(palette.panel)
+                .inner_margin(Margin::same(12)),
+        )
         .show(ui, |ui| panels::show(editor, ui));
-    egui::CentralPanel::default()
-        .frame(egui::Frame::new().fill(editor.background()))
+    CentralPanel::default()
+        .frame(Frame::new().fill(editor.background()))
         .show(ui, |ui| space::show(editor, ui));
-    windows::show(editor, ui.ctx());
-    keys::remember_typing(ui.ctx());
+    windows::show(editor, &context);
+    if let Some(action) = action.or(picked) {
+        editor.act(action, &context);
+    }
+    show_focus(&context);
+    editor.typing = keys::remember_typing(&context);
+    if editor.stamp() != before {
+        // What stands further up was shown before the change.
+        context.request_repaint();
+    }
+}
+
+/// A border around what has the keyboard; a text shows that by its caret too.
+fn show_focus(context: &Context) {
+    let Some(response) = context
+        .memory(|memory| memory.focused())
+        .and_then(|id| context.read_response(id))
+    else {
+        return;
+    };
+    let palette = theme::palette_of(&context.global_style().visuals);
+    let painter = context
+        .layer_painter(response.layer_id)
+        .with_clip_rect(response.interact_rect.expand(3.0));
+    painter.rect_stroke(
+        response.rect,
+        CornerRadius::same(4),
+        Stroke::new(1.5, palette.focus),
+        StrokeKind::Outside,
+    );
 }

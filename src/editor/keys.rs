@@ -1,14 +1,131 @@
 //! The keyboard's shortcuts, and who has the keyboard.
+//!
+//! The shortcuts are the same in both languages (thesis A.5, and the habits of
+//! today). While a text is typed, the keys that edit texts are the text's; any
+//! other shortcut first lets the text apply.
 
-use egui::{Context, Id, Key, Modifiers};
+use egui::{Context, Event, Id, Key, Modifiers};
+
+use super::actions::Action;
+use super::texts::Language;
+
+const NONE: Modifiers = Modifiers::NONE;
+const ALT: Modifiers = Modifiers::ALT;
+const CTRL: Modifiers = Modifiers::CTRL;
+const CTRL_SHIFT: Modifiers = Modifiers::CTRL.plus(Modifiers::SHIFT);
+
+/// Every shortcut. Of several for one action the menu shows the first.
+pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
+    (ALT, Key::L, Action::Load),
+    (CTRL, Key::O, Action::Load),
+    (CTRL, Key::S, Action::Save),
+    (ALT, Key::S, Action::SaveAs),
+    (CTRL_SHIFT, Key::S, Action::SaveAs),
+    (ALT, Key::F4, Action::Quit),
+    (CTRL, Key::Q, Action::Quit),
+    (CTRL, Key::Z, Action::Undo),
+    (CTRL_SHIFT, Key::Z, Action::Redo),
+    (CTRL, Key::Y, Action::Redo),
+    (NONE, Key::Delete, Action::RemovePoint),
+    (CTRL, Key::C, Action::CopyOrientation),
+    (CTRL, Key::V, Action::PasteOrientation),
+    (ALT, Key::U, Action::HandOver),
+    (ALT, Key::F, Action::Colours),
+    (ALT, Key::Z, Action::Display),
+    (ALT, Key::T, Action::LoadSetup),
+    (ALT, Key::P, Action::SaveSetup),
+    (NONE, Key::F1, Action::Keys),
+];
+
+/// What a text that is being typed needs itself.
+const OF_TEXTS: &[Action] = &[
+    Action::Undo,
+    Action::Redo,
+    Action::RemovePoint,
+    Action::CopyOrientation,
+    Action::PasteOrientation,
+];
+
+/// The action whose keys were pressed. Nobody else sees them then.
+pub(super) fn pressed(context: &Context) -> Option<Action> {
+    let typing = context.text_edit_focused();
+    context.input_mut(|input| {
+        let mut found = None;
+        input.events.retain(|event| {
+            let action = match event {
+                Event::Key {
+                    key,
+                    pressed: true,
+                    repeat,
+                    modifiers,
+                    ..
+                } => action_of(*modifiers, *key)
+                    .filter(|action| !repeat || matches!(action, Action::Undo | Action::Redo)),
+                Event::Copy => Some(Action::CopyOrientation),
+                Event::Paste(_) => Some(Action::PasteOrientation),
+                _ => None,
+            };
+            let action = action.filter(|action| !(typing && OF_TEXTS.contains(action)));
+            if action.is_some() {
+                found = action;
+            }
+            action.is_none()
+        });
+        found
+    })
+}
+
+fn action_of(modifiers: Modifiers, key: Key) -> Option<Action> {
+    let known = |shortcut: &&(Modifiers, Key, Action)| {
+        shortcut.1 == key && modifiers.matches_exact(shortcut.0)
+    };
+    SHORTCUTS.iter().find(known).map(|shortcut| shortcut.2)
+}
+
+/// The first shortcut of an action in words, if it has one.
+pub(super) fn words(language: Language, action: Action) -> Option<String> {
+    let &(modifiers, key, _) = SHORTCUTS.iter().find(|shortcut| shortcut.2 == action)?;
+    Some(combination(language, modifiers, key))
+}
+
+/// Keys in words.
+pub(super) fn combination(language: Language, modifiers: Modifiers, key: Key) -> String {
+    let texts = &language.texts().menu;
+    let mut words = String::new();
+    for (held, name) in [
+        (modifiers.ctrl, texts.control),
+        (modifiers.alt, "Alt"),
+        (modifiers.shift, texts.shift),
+    ] {
+        if held {
+            words.push_str(name);
+            words.push('+');
+        }
+    }
+    words.push_str(match key {
+        Key::Delete => texts.delete,
+        other => other.name(),
+    });
+    words
+}
+
+/// Takes the keyboard away from whoever has it: a text that was typed applies.
+pub(super) fn release(context: &Context) {
+    context.memory_mut(|memory| {
+        if let Some(id) = memory.focused() {
+            memory.surrender_focus(id);
+        }
+    });
+}
 
 /// To be called at the end of each pass: remembers whether a text is typed.
 ///
 /// egui takes the keyboard away from a text on Escape before anybody sees the
 /// key; without this Escape would leave the text and close its window at once.
-pub(super) fn remember_typing(context: &Context) {
+pub(super) fn remember_typing(context: &Context) -> bool {
     let typing = context.text_edit_focused();
     context.data_mut(|data| data.insert_temp(typing_id(), typing));
+    typing
 }
 
 /// Whether a text was being typed when this pass began.
@@ -28,4 +145,29 @@ pub(super) fn take_escape(context: &Context) -> bool {
 
 fn typing_id() -> Id {
     Id::unique("typing")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_actions_share_their_keys() {
+        for (index, one) in SHORTCUTS.iter().enumerate() {
+            for other in &SHORTCUTS[index + 1..] {
+                assert!((one.0, one.1) != (other.0, other.1), "{one:?} {other:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn keys_are_named_in_the_windows_language() {
+        let german = |action| words(Language::German, action);
+        assert_eq!(german(Action::Save).as_deref(), Some("Strg+S"));
+        assert_eq!(german(Action::Redo).as_deref(), Some("Strg+Umschalt+Z"));
+        assert_eq!(german(Action::RemovePoint).as_deref(), Some("Entf"));
+        let english = |action| words(Language::English, action);
+        assert_eq!(english(Action::Quit).as_deref(), Some("Alt+F4"));
+        assert_eq!(english(Action::NextPoint), None);
+    }
 }

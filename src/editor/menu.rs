@@ -1,23 +1,283 @@
-//! The menu bar.
+//! The menu bar (thesis A.5): opened by the pointer or by Alt and a letter,
+//! walked through by the arrow keys; in an open menu an entry's letter picks it.
+
+use egui::{Align, Button, Context, FocusDirection, Id, Key, Modifiers, Popup, Ui};
 
 use super::actions::Action;
+use super::keys;
+use super::setup::Theme;
 use super::state::Editor;
+use super::theme;
 
-/// Shows the menus.
-pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
+/// An entry of a menu.
+struct Entry {
+    text: &'static str,
+    action: Action,
+    /// Picks it while the menu is open.
+    letter: Option<Key>,
+    enabled: bool,
+    /// A switch, and whether it is on.
+    on: Option<bool>,
+    /// Why it cannot be picked.
+    hint: Option<&'static str>,
+    /// A line stands above it.
+    apart: bool,
+}
+
+impl Entry {
+    const fn new(text: &'static str, action: Action) -> Self {
+        Self {
+            text,
+            action,
+            letter: None,
+            enabled: true,
+            on: None,
+            hint: None,
+            apart: false,
+        }
+    }
+
+    const fn letter(mut self, letter: Key) -> Self {
+        self.letter = Some(letter);
+        self
+    }
+
+    const fn enabled(mut self, enabled: bool) -> Self {
+        self.enabled = enabled;
+        self
+    }
+
+    const fn hint(mut self, hint: &'static str) -> Self {
+        self.hint = Some(hint);
+        self
+    }
+
+    const fn on(mut self, on: bool) -> Self {
+        self.on = Some(on);
+        self
+    }
+
+    const fn apart(mut self) -> Self {
+        self.apart = true;
+        self
+    }
+}
+
+/// One menu.
+struct Menu {
+    title: &'static str,
+    /// With Alt it opens the menu.
+    letter: Option<Key>,
+    entries: Vec<Entry>,
+}
+
+fn menus(editor: &Editor) -> [Menu; 5] {
     let texts = &editor.texts().menu;
-    let entries = [
-        (texts.undo, Action::Undo),
-        (texts.redo, Action::Redo),
-        (texts.colours, Action::Colours),
-        (texts.display, Action::Display),
-        (texts.quit, Action::Quit),
+    let path = editor.document.path();
+    let closed = path.closed;
+    let theme = editor.setup.theme;
+    let menu = |title, letter, entries| Menu {
+        title,
+        letter,
+        entries,
+    };
+    let file = vec![
+        Entry::new(texts.load, Action::Load).letter(Key::L),
+        Entry::new(texts.save, Action::Save).apart(),
+        Entry::new(texts.save_as, Action::SaveAs).letter(Key::S),
+        Entry::new(texts.quit, Action::Quit).apart(),
     ];
-    ui.menu_button(texts.file, |ui| {
-        for (text, action) in entries {
-            if ui.button(text).clicked() {
-                editor.act(action, ui.ctx());
+    let edit = vec![
+        Entry::new(texts.undo, Action::Undo).enabled(editor.document.can_undo()),
+        Entry::new(texts.redo, Action::Redo).enabled(editor.document.can_redo()),
+        Entry::new(texts.add_point, Action::AddPoint)
+            .enabled(editor.has_segment())
+            .apart(),
+        Entry::new(texts.remove_point, Action::RemovePoint).enabled(path.points.len() > 2),
+        Entry::new(texts.append, Action::AppendPoint).enabled(!closed),
+        Entry::new(texts.prepend, Action::PrependPoint).enabled(!closed),
+        Entry::new(texts.close, Action::SetClosed(!closed)).on(closed),
+        Entry::new(texts.copy_orientation, Action::CopyOrientation).apart(),
+        Entry::new(texts.paste_orientation, Action::PasteOrientation)
+            .enabled(editor.copied.is_some()),
+    ];
+    let output = vec![
+        Entry::new(texts.export, Action::Export).letter(Key::D),
+        Entry::new(texts.hand_over, Action::HandOver)
+            .letter(Key::U)
+            .enabled(editor.hand_over)
+            .hint(texts.nobody_takes),
+    ];
+    let settings = vec![
+        Entry::new(texts.colours, Action::Colours).letter(Key::F),
+        Entry::new(texts.display, Action::Display).letter(Key::Z),
+        Entry::new(texts.dark, Action::Theme(Theme::Dark))
+            .on(theme == Theme::Dark)
+            .apart(),
+        Entry::new(texts.light, Action::Theme(Theme::Light)).on(theme == Theme::Light),
+        Entry::new(texts.load_setup, Action::LoadSetup)
+            .letter(Key::T)
+            .apart(),
+        Entry::new(texts.save_setup, Action::SaveSetup).letter(Key::P),
+    ];
+    let help = vec![Entry::new(texts.keys, Action::Keys)];
+    [
+        menu(texts.file, Some(Key::D), file),
+        menu(texts.edit, None, edit),
+        menu(texts.output, Some(Key::A), output),
+        menu(texts.settings, Some(Key::E), settings),
+        menu(texts.help, None, help),
+    ]
+}
+
+/// What is remembered of the bar from pass to pass.
+#[derive(Clone, Debug, Default)]
+struct Bar {
+    /// The popups, from left to right.
+    popups: Vec<Id>,
+    /// The entries of the open menu that can be picked.
+    entries: Vec<Id>,
+    /// The keyboard goes to the first entry as soon as it is there.
+    wants_first: bool,
+}
+
+/// Shows the menus. The action whose entry was picked.
+pub(super) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
+    let memory = Id::unique("menu bar");
+    let mut bar: Bar = ui.data(|data| data.get_temp(memory)).unwrap_or_default();
+    let menus = menus(editor);
+    let mut picked = walk(ui.ctx(), &mut bar, &menus);
+    bar.popups.clear();
+    bar.entries.clear();
+    for menu in &menus {
+        let button = Button::new(menu.title).frame_when_inactive(false);
+        let (response, inner) = egui::containers::menu::MenuButton::from_button(button)
+            .ui(ui, |ui| show_entries(editor, ui, menu, &mut bar));
+        bar.popups.push(Popup::default_response_id(&response));
+        picked = picked.or(inner.and_then(|inner| inner.inner));
+    }
+    ui.data_mut(|data| data.insert_temp(memory, bar));
+    picked
+}
+
+fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Option<Action> {
+    let mut picked = None;
+    ui.set_min_width(200.0);
+    ui.spacing_mut().item_spacing.y = 0.0;
+    for entry in &menu.entries {
+        if entry.apart {
+            ui.add_space(theme::GAP / 2.0);
+            ui.separator();
+            ui.add_space(theme::GAP / 2.0);
+        }
+        let mark = match entry.on {
+            Some(true) => "•",
+            _ => "",
+        };
+        let keys = keys::words(editor.language, entry.action);
+        let keys = keys.or_else(|| entry.letter.map(|letter| letter.name().to_owned()));
+        let weak = theme::palette(ui).weak;
+        let text = egui::RichText::new(entry.text);
+        let button = Button::new(text)
+            .min_size(egui::vec2(0.0, theme::ROW))
+            .left_text(egui::RichText::new(mark))
+            .right_text(egui::RichText::new(keys.unwrap_or_default()).color(weak));
+        let mut response = ui.add_enabled(entry.enabled, button);
+        response.widget_info(|| match entry.on {
+            Some(on) => {
+                egui::WidgetInfo::selected(egui::Role::CheckBox, entry.enabled, on, entry.text)
+            }
+            None => egui::WidgetInfo::labeled(egui::Role::Button, entry.enabled, entry.text),
+        });
+        if let Some(hint) = entry.hint {
+            response = response.on_disabled_hover_text(hint);
+        }
+        if entry.enabled {
+            bar.entries.push(response.id);
+            if bar.wants_first {
+                bar.wants_first = false;
+                response.request_focus();
             }
         }
-    });
+        if response.clicked() {
+            picked = Some(entry.action);
+            ui.close();
+        }
+        let _ = Align::Min;
+    }
+    picked
+}
+
+/// The keyboard in the menus.
+fn walk(context: &Context, bar: &mut Bar, menus: &[Menu]) -> Option<Action> {
+    let open = bar
+        .popups
+        .iter()
+        .position(|&popup| Popup::is_id_open(context, popup));
+    if let Some(open) = open
+        && let Some(action) = pick_by_letter(context, &menus[open])
+    {
+        Popup::close_all(context);
+        return Some(action);
+    }
+    for (index, menu) in menus.iter().enumerate() {
+        if let (Some(letter), Some(&popup)) = (menu.letter, bar.popups.get(index))
+            && context.input_mut(|input| input.consume_key(Modifiers::ALT, letter))
+        {
+            keys::release(context);
+            Popup::open_id(context, popup);
+            bar.wants_first = true;
+            return None;
+        }
+    }
+    let open = open?;
+    let count = bar.popups.len();
+    let step = |forth: Key, back: Key| {
+        context.input_mut(|input| {
+            let forth = input.consume_key(Modifiers::NONE, forth);
+            let back = input.consume_key(Modifiers::NONE, back);
+            isize::from(forth) - isize::from(back)
+        })
+    };
+    let across = step(Key::ArrowRight, Key::ArrowLeft);
+    if across != 0 {
+        let next = (open + if across > 0 { 1 } else { count - 1 }) % count;
+        if let Some(&popup) = bar.popups.get(next) {
+            Popup::open_id(context, popup);
+            bar.wants_first = true;
+        }
+    }
+    let down = step(Key::ArrowDown, Key::ArrowUp);
+    let entries = bar.entries.len();
+    if down != 0 && entries > 0 {
+        let focused = context.memory(|memory| memory.focused());
+        let at = focused.and_then(|id| bar.entries.iter().position(|&entry| entry == id));
+        let next = match (at, down > 0) {
+            (Some(at), true) => (at + 1) % entries,
+            (Some(at), false) => (at + entries - 1) % entries,
+            (None, true) => 0,
+            (None, false) => entries - 1,
+        };
+        if let Some(&entry) = bar.entries.get(next) {
+            context.memory_mut(|memory| memory.request_focus(entry));
+        }
+    }
+    if across != 0 || down != 0 {
+        // egui would go on to whatever lies in that direction.
+        context.memory_mut(|memory| memory.move_focus(FocusDirection::None));
+    }
+    None
+}
+
+/// An entry's letter, with Alt or without, in the open menu.
+fn pick_by_letter(context: &Context, menu: &Menu) -> Option<Action> {
+    let entry = menu.entries.iter().find(|entry| {
+        let Some(letter) = entry.letter.filter(|_| entry.enabled) else {
+            return false;
+        };
+        context.input_mut(|input| {
+            input.consume_key(Modifiers::NONE, letter) || input.consume_key(Modifiers::ALT, letter)
+        })
+    })?;
+    Some(entry.action)
 }

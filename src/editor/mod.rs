@@ -10,14 +10,15 @@
 //! runs in tests without a screen.
 
 mod actions;
-mod camera_view;
+mod filing;
 mod folders;
 mod frame;
 mod keys;
 mod menu;
 mod number;
+mod output;
 mod panels;
-mod playing;
+mod refusals;
 mod setup;
 mod setup_file;
 mod space;
@@ -25,6 +26,9 @@ mod state;
 mod texts;
 mod theme;
 mod windows;
+
+#[cfg(test)]
+mod tests;
 
 pub(crate) use folders::Folders;
 pub(crate) use state::{Editor, Options, Request};

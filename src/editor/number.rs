@@ -51,6 +51,8 @@ pub(super) struct Number<'a> {
     range: RangeInclusive<f64>,
     step: f64,
     per_point: f64,
+    fixed: bool,
+    whole: bool,
 }
 
 /// What has been typed so far, and the value that it began with.
@@ -78,6 +80,8 @@ impl<'a> Number<'a> {
             range: f64::MIN..=f64::MAX,
             step: 0.01,
             per_point: 0.005,
+            fixed: false,
+            whole: false,
         }
     }
 
@@ -117,12 +121,24 @@ impl<'a> Number<'a> {
         self
     }
 
+    /// It is shown only.
+    pub(super) fn fixed(mut self) -> Self {
+        self.fixed = true;
+        self
+    }
+
+    /// Only whole numbers will do.
+    pub(super) fn whole(mut self) -> Self {
+        self.whole = true;
+        self.decimals(0)
+    }
+
     /// Shows it, so wide and as high as a row. `id` tells it from all others
     /// in the window.
     pub(super) fn show(self, ui: &mut Ui, language: Language, id: &str, width: f32) -> Entry {
         let (_, rect) = ui.allocate_space(vec2(width, theme::ROW));
         let id = Id::unique(("number", id));
-        let Some(value) = self.value.filter(|_| ui.is_enabled()) else {
+        let Some(value) = self.value.filter(|_| ui.is_enabled() && !self.fixed) else {
             self.show_still(ui, language, id, rect);
             return Entry::Idle;
         };
@@ -275,6 +291,9 @@ impl<'a> Number<'a> {
         let Some(new) = parse(&typing.text, self.unit) else {
             return Entry::Wrong(fill(texts.no_number, &[&self.name, &typing.text.trim()]));
         };
+        if self.whole && new.fract() != 0.0 {
+            return Entry::Wrong(fill(texts.not_whole, &[&self.name]));
+        }
         if !self.range.contains(&new) {
             let bound = |value: f64| written(language, value, 0);
             let (low, high) = (bound(*self.range.start()), bound(*self.range.end()));
@@ -319,7 +338,7 @@ impl<'a> Number<'a> {
 
     fn paint(&self, ui: &Ui, language: Language, rect: Rect, hovered: bool) {
         let palette = theme::palette(ui);
-        let fixed = self.value.is_none() || !ui.is_enabled();
+        let fixed = self.fixed || self.value.is_none() || !ui.is_enabled();
         let border = match (fixed, hovered) {
             (true, _) => palette.field,
             (false, true) => palette.accent,
@@ -346,12 +365,16 @@ impl<'a> Number<'a> {
             Align2::RIGHT_CENTER,
             self.shown(language),
             theme::digits(),
-            if fixed { palette.weak } else { palette.text },
+            if ui.is_enabled() {
+                palette.text
+            } else {
+                palette.weak
+            },
         );
     }
 
     fn describe(&self, ui: &Ui, language: Language, response: &egui::Response) {
-        let enabled = ui.is_enabled() && self.value.is_some();
+        let enabled = ui.is_enabled() && !self.fixed && self.value.is_some();
         response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, enabled, self.name));
         ui.ctx().accesskit_node_builder(response.id, |node| {
             node.set_value(self.shown(language));

@@ -212,7 +212,7 @@ impl Editor {
             Err(Error::Io { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {}
             Err(error) => {
                 let texts = &self.texts().setup;
-                let (name, why) = (file.display(), self.reason(&error, &file));
+                let (name, why) = (file.display(), self.without_name(&error, &file));
                 self.complain(fill(texts.ignored, &[&name, &why]));
             }
         }
@@ -231,7 +231,7 @@ impl Editor {
                 Ok(())
             }
             Err(error) => {
-                let why = self.reason(&error, file);
+                let why = self.without_name(&error, file);
                 Err(fill(texts.not_loaded, &[&file.display(), &why]))
             }
         }
@@ -249,18 +249,10 @@ impl Editor {
                 Ok(())
             }
             Err(error) => {
-                let why = self.reason(&error, file);
+                let why = self.without_name(&error, file);
                 Err(fill(texts.not_saved, &[&file.display(), &why]))
             }
         }
-    }
-
-    /// Why it failed, without the file's name.
-    fn reason(&self, error: &Error, file: &Path) -> String {
-        let _ = self.language;
-        let why = error.to_string();
-        let name = format!("{}: ", file.display());
-        why.strip_prefix(&name).map_or(why.clone(), str::to_owned)
     }
 }
 

@@ -2,14 +2,17 @@
 
 use std::path::PathBuf;
 
+use super::actions::Action;
+use super::filing::Then;
 use super::folders::Folders;
 use super::number::Entry;
 use super::setup::{Element, Setup};
 use super::texts::{Language, Texts, fill};
 use super::theme;
-use super::{playing, space, windows};
+use super::{space, windows};
 use crate::document::{Document, Edit};
 use crate::error::{Error, Result};
+use crate::path::{Orientation, SupportPoint};
 
 /// How a window begins.
 #[derive(Debug)]
@@ -52,6 +55,14 @@ pub(crate) struct Editor {
     pub(super) hand_over: bool,
     pub(super) fixed_speeds: bool,
     pub(super) folders: Folders,
+    /// An orientation to be pasted.
+    pub(super) copied: Option<Orientation>,
+    /// Where the last file was chosen.
+    pub(super) last_folder: Option<PathBuf>,
+    /// What is to be done when what is typed at present has been applied.
+    pub(super) waiting: Option<Action>,
+    /// A text is being typed.
+    pub(super) typing: bool,
     /// What stands in the output field instead of the current pose.
     pub(super) message: Option<Message>,
     /// What waits to be done outside.
@@ -60,8 +71,6 @@ pub(crate) struct Editor {
     pub(super) setup: Setup,
     /// The movement window.
     pub(super) space: space::Space,
-    /// The bar below it.
-    pub(super) playing: playing::Playing,
     /// The sub-windows.
     pub(super) windows: windows::Windows,
 }
@@ -88,11 +97,14 @@ impl Editor {
             hand_over: options.hand_over,
             fixed_speeds: options.fixed_speeds,
             folders: options.folders,
+            copied: None,
+            last_folder: None,
+            waiting: None,
+            typing: false,
             message: None,
             requests: Vec::new(),
             setup: Setup::default(),
             space: space::Space::default(),
-            playing: playing::Playing::default(),
             windows: windows::Windows::default(),
         };
         editor.read_first_setup();
@@ -116,9 +128,14 @@ impl Editor {
     }
 
     /// The window manager wants the window closed: asks about unsaved work if
-    /// there is some, and then makes a [`Request::Close`].
+    /// there is some, and then makes a [`Request::Close`]. Where a text is being
+    /// typed that happens in the next pass, which applies the text.
     pub(crate) fn ask_to_close(&mut self) {
-        self.requests.push(Request::Close);
+        if self.typing {
+            self.waiting = Some(Action::Quit);
+        } else {
+            self.ask_before(Then::Close);
+        }
     }
 
     /// Shows a sentence in the output field.
@@ -137,7 +154,7 @@ impl Editor {
     pub(crate) fn handed_over(&mut self, result: Result<usize, Error>) {
         match result {
             Ok(count) => self.say(fill(self.texts().output.handed_over, &[&count])),
-            Err(error) => self.complain(error.to_string()),
+            Err(error) => self.complain_of_hand_over(&error),
         }
     }
 
@@ -167,17 +184,6 @@ impl Editor {
         &mut self.document
     }
 
-    /// Does an edit; what hinders it stands in the output field.
-    pub(super) fn edit(&mut self, edit: Edit) -> bool {
-        match self.document.apply(edit) {
-            Ok(()) => true,
-            Err(error) => {
-                self.complain(error.to_string());
-                false
-            }
-        }
-    }
-
     /// Does what was entered into a [`Number`](super::number::Number): one entry
     /// or one drag is one step to be taken back.
     pub(super) fn enter(&mut self, entry: Entry, edit: impl FnOnce(f64) -> Edit) {
@@ -190,6 +196,42 @@ impl Editor {
             Entry::End => self.document.end_step(),
             Entry::Cancel => self.document.cancel_step(),
             Entry::Wrong(text) => self.complain(text),
+        }
+    }
+
+    /// What changes when something is done.
+    pub(super) fn stamp(&self) -> impl PartialEq + use<> {
+        let message = self.message.clone();
+        (
+            self.document.state_number(),
+            self.document.selection(),
+            message,
+            self.setup.theme,
+        )
+    }
+
+    /// The current point.
+    pub(super) fn point(&self) -> Option<&SupportPoint> {
+        let at = self.document.selection().point;
+        self.document.path().points.get(at)
+    }
+
+    /// The current orientation.
+    pub(super) fn orientation(&self) -> Option<&Orientation> {
+        let at = self.document.selection().orientation;
+        self.point()?.orientations.get(at)
+    }
+
+    /// Changes the current orientation.
+    pub(super) fn set_orientation(&mut self, change: impl FnOnce(&mut Orientation)) {
+        let at = self.document.selection();
+        if let Some(mut orientation) = self.orientation().cloned() {
+            change(&mut orientation);
+            self.edit(Edit::SetOrientation {
+                point: at.point,
+                at: at.orientation,
+                orientation,
+            });
         }
     }
 

@@ -105,11 +105,12 @@ impl Theme {
 
 /// The colours in force where this is shown.
 pub(super) fn palette(ui: &egui::Ui) -> &'static Palette {
-    if ui.visuals().dark_mode {
-        &DARK
-    } else {
-        &LIGHT
-    }
+    palette_of(ui.visuals())
+}
+
+/// The colours that belong to egui's.
+pub(super) fn palette_of(visuals: &Visuals) -> &'static Palette {
+    if visuals.dark_mode { &DARK } else { &LIGHT }
 }
 
 /// Text size in points.

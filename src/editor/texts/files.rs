@@ -5,6 +5,37 @@ use super::texts;
 texts! {
     /// Texts of the file windows.
     Files {
+        load_path: "Load curve", "Lade Kurve";
+        save_path: "Save curve", "Speicher Kurve";
+        export: "Write to a file", "In Datei ausgeben";
+        load_setup: "Load setup", "Lade Setup";
+        save_setup: "Save setup", "Speicher Setup";
+
+        folder: "Directory", "Verzeichnis";
+        folder_hint: "Type a directory and press Enter", "Ein Verzeichnis eintippen und Enter drücken";
+        up: "Up", "Hoch";
+        up_hint: "Go to the directory above (Alt and arrow up)",
+            "Zum übergeordneten Verzeichnis (Alt und Pfeil auf)";
+        home: "Home", "Persönlich";
+        home_hint: "Go to your own directory", "Zum persönlichen Verzeichnis";
+        contents: "Contents of the directory", "Inhalt des Verzeichnisses";
+        name: "Name", "Name";
+        filter: "Filter", "Filter";
+        filter_hint: "Files to be shown: * stands for any letters, ? for one",
+            "Dateien, die gezeigt werden: * steht für beliebige Zeichen, ? für eines";
+        hidden: "Hidden files", "Versteckte Dateien";
+        load: "Load", "Laden";
+        save: "Save", "Speichern";
+        write: "Write", "Schreiben";
         cancel: "Cancel", "Abbrechen";
+        reading: "Reading …", "Wird gelesen …";
+        empty: "Nothing to show here", "Hier gibt es nichts zu zeigen";
+        more: "Only the first {0} entries are shown", "Nur die ersten {0} Einträge werden gezeigt";
+        no_name: "A name is missing", "Es fehlt ein Name";
+
+        exists: "{0} exists already. Overwrite it?", "{0} gibt es schon. Überschreiben?";
+        overwrite: "Overwrite", "Überschreiben";
+        proposal: "curve", "kurve";
+        poses: "poses", "bilder";
     }
 }

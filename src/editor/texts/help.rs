@@ -6,5 +6,53 @@ texts! {
     /// Texts of the window that lists keys and mouse actions.
     Help {
         title: "Keys and mouse", "Tasten und Maus";
+        this_window: "This window", "Dieses Fenster";
+
+        mouse: "Movement window", "Bewegungsfenster";
+        left_button: "Drag, left button", "Ziehen, linke Taste";
+        left_meaning: "Move a point or the tip of VPN in the plane x = const",
+            "Punkt oder VPN-Spitze in der Ebene x = const bewegen";
+        middle_button: "Drag, middle button", "Ziehen, mittlere Taste";
+        middle_meaning: "Move it in the plane y = const", "In der Ebene y = const bewegen";
+        right_button: "Drag, right button", "Ziehen, rechte Taste";
+        right_meaning: "Move it in the plane z = const", "In der Ebene z = const bewegen";
+        held_letters: "X, Y, Z held, left button", "X, Y, Z gehalten, linke Taste";
+        held_meaning: "The same with one button", "Dasselbe mit einer Taste";
+        vup_tip: "Drag the tip of VUP", "VUP-Spitze ziehen";
+        vup_meaning: "Roll the camera", "Kamera um die Blickrichtung drehen";
+        empty: "Drag elsewhere", "Daneben ziehen";
+        empty_meaning: "Rotate and tilt the space", "Raum drehen und kippen";
+        wheel: "Wheel", "Mausrad";
+        wheel_meaning: "Size of the space", "Größe des Raumes";
+        context: "Right click on a point", "Rechtsklick auf einen Punkt";
+        context_meaning: "What can be done with it", "Was sich mit ihm tun lässt";
+
+        shortcuts: "Shortcuts", "Tastenkürzel";
+
+        menus: "Menus", "Menüs";
+        open_file: "Open the File menu", "Menü Datei öffnen";
+        open_output: "Open the Output menu", "Menü Ausgabe öffnen";
+        open_settings: "Open the Settings menu", "Menü Einstellungen öffnen";
+        arrows: "Arrow keys, Enter", "Pfeiltasten, Enter";
+        arrows_meaning: "Walk through the menus, pick an entry",
+            "Durch die Menüs gehen, Eintrag wählen";
+        d_meaning: "In the open Output menu: write to a file",
+            "Im offenen Menü Ausgabe: in Datei ausgeben";
+
+        fields: "Numbers", "Zahlen";
+        drag: "Drag", "Ziehen";
+        drag_meaning: "Change the value; Shift: ten times finer",
+            "Wert ändern; Umschalt: zehnmal feiner";
+        click: "Click", "Klicken";
+        click_meaning: "Type a value, with a comma or a point",
+            "Wert eintippen, mit Komma oder Punkt";
+        enter: "Enter, Tab", "Enter, Tab";
+        enter_meaning: "Apply it; Tab goes on", "Übernehmen; Tab geht weiter";
+        escape: "Esc", "Esc";
+        escape_meaning: "Keep the old value; close a window", "Alten Wert behalten; Fenster schließen";
+        up_down: "Arrow up, arrow down", "Pfeil auf, Pfeil ab";
+        up_down_meaning: "One step more or less", "Ein Schritt mehr oder weniger";
+        tab: "Tab, Shift+Tab", "Tab, Umschalt+Tab";
+        tab_meaning: "Next, previous control", "Nächstes, voriges Bedienelement";
     }
 }

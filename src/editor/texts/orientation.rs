@@ -6,5 +6,44 @@ texts! {
     /// Texts of the orientation panel.
     Orientation {
         heading: "Orientation", "Orientierung";
+        add: "Ori.+", "Ori.+";
+        add_hint: "Insert a copy of this orientation behind it",
+            "Eine Kopie dieser Orientierung dahinter einfügen";
+        remove: "Ori.-", "Ori.-";
+        remove_hint: "Remove this orientation", "Diese Orientierung löschen";
+        absolute: "Abs.", "Abs.";
+        absolute_hint: "The camera looks at a place that stays when the point is moved",
+            "Die Kamera blickt auf einen Ort, der beim Verschieben des Punktes bleibt";
+        relative: "Rel.", "Rel.";
+        relative_hint: "The camera keeps its direction when the point is moved",
+            "Die Kamera behält ihre Richtung, wenn der Punkt verschoben wird";
+        previous: "<< Ori", "<< Ori";
+        previous_hint: "Go to the previous orientation of this point",
+            "Zur vorherigen Orientierung dieses Punktes";
+        next: "Ori >>", "Ori >>";
+        next_hint: "Go to the next orientation of this point",
+            "Zur nächsten Orientierung dieses Punktes";
+        count: "Ori {0} of {1}", "Ori {0} von {1}";
+        target: "Target {0}", "Ziel {0}";
+        target_hint: "The place that the camera looks at: drag, or click and type",
+            "Ort, auf den die Kamera blickt: ziehen, oder klicken und tippen";
+        direction: "Direction {0}", "Richtung {0}";
+        direction_hint: "The direction that the camera looks in: drag, or click and type",
+            "Richtung, in die die Kamera blickt: ziehen, oder klicken und tippen";
+        roll: "Roll", "Winkel";
+        roll_hint: "By how much the camera is turned about its view direction",
+            "Drehung der Kamera um ihre Blickrichtung";
+        hold: "Hold", "Halt";
+        hold_unit: " fr.", " B.";
+        hold_hint: "Frames that the camera rests here before it goes on",
+            "Bilder, die die Kamera hier ruht, bevor sie weitergeht";
+
+        at_most: "A point has at most {0} orientations",
+            "Ein Punkt hat höchstens {0} Orientierungen";
+        one_remains: "One orientation always remains: this one cannot be removed",
+            "Eine Orientierung bleibt immer: Diese lässt sich nicht löschen";
+        only_one: "This point has only one orientation", "Dieser Punkt hat nur eine Orientierung";
+        on_position: "The camera must not look at its own position",
+            "Die Kamera darf nicht auf ihren eigenen Ort blicken";
     }
 }

@@ -6,5 +6,50 @@ texts! {
     /// Texts of the panel of position and curve.
     Position {
         heading: "Position and curve", "Position und Kurve";
+        add: "Pos.+", "Pos.+";
+        add_hint: "Insert a point half-way to the next one",
+            "Einen Punkt auf halber Strecke zum nächsten einfügen";
+        add_many: "Pos.++", "Pos.++";
+        add_many_hint: "Insert 1 to 10 points at equal distances up to the next one",
+            "1 bis 10 Punkte in gleichen Abständen bis zum nächsten einfügen";
+        remove: "Pos.-", "Pos.-";
+        remove_hint: "Remove this point", "Diesen Punkt löschen";
+        previous: "<< Pos.", "<< Pos.";
+        previous_hint: "Go to the previous point", "Zum vorherigen Punkt";
+        next: "Pos. >>", "Pos. >>";
+        next_hint: "Go to the next point", "Zum nächsten Punkt";
+        count: "{0} of {1}", "{0} von {1}";
+        coordinate: "Position {0}", "Position {0}";
+        coordinate_hint: "Where the camera is: drag, or click and type",
+            "Ort der Kamera: ziehen, oder klicken und tippen";
+        shape_hint: "Bias, continuity and tension at this point (1) and at the next one (2)",
+            "Bias, Continuity und Tension an diesem Punkt (1) und am nächsten (2)";
+        preset: "Preset {0}", "Standard {0}";
+        own: "Own values", "Eigendef.";
+        change: "Change …", "Ändern …";
+        change_hint: "Open the window with presets and numbers",
+            "Das Fenster mit Standardwerten und Zahlen öffnen";
+
+        how_many: "How many points?", "Wie viele Punkte?";
+        how_many_hint: "Insert so many points behind point {0}",
+            "So viele Punkte hinter Punkt {0} einfügen";
+
+        last_point: "No point can be inserted behind the last one: the path ends there",
+            "Hinter dem letzten Punkt lässt sich keiner einfügen: Dort endet die Bahn";
+        two_remain: "Two points always remain: this one cannot be removed",
+            "Zwei Punkte bleiben immer: Dieser lässt sich nicht löschen";
+        too_many: "A path has at most {0} points", "Eine Bahn hat höchstens {0} Punkte";
+        too_many_orientations: "The points of a path have at most {0} orientations together",
+            "Die Punkte einer Bahn haben zusammen höchstens {0} Orientierungen";
+        on_target: "A point must not lie on the target of one of its orientations",
+            "Ein Punkt darf nicht auf dem Ziel einer seiner Orientierungen liegen";
+        too_far: "A coordinate must lie between {0} and {1}",
+            "Eine Koordinate muss zwischen {0} und {1} liegen";
+        closed_has_no_ends: "A closed path has no ends to go on from",
+            "Eine geschlossene Bahn hat keine Enden zum Weiterführen";
+        no_room: "There is no room beyond this end of the path",
+            "Hinter diesem Ende der Bahn ist kein Platz mehr";
+        no_direction: "The segment at this end has no length and so no direction to go on in",
+            "Das Kurvenstück an diesem Ende hat keine Länge und damit keine Richtung";
     }
 }

@@ -9,11 +9,20 @@
 mod colours;
 mod curve;
 mod display;
+mod files;
+mod folder;
+mod help;
+mod points;
+mod question;
 mod speed;
 
 pub(super) use colours::ColourWindow;
 pub(super) use curve::CurveWindow;
 pub(super) use display::DisplayWindow;
+pub(super) use files::FileWindow;
+pub(super) use help::HelpWindow;
+pub(super) use points::PointsWindow;
+pub(super) use question::Question;
 pub(super) use speed::SpeedWindow;
 
 use super::keys;
@@ -26,6 +35,12 @@ pub(super) struct Windows {
     pub(super) speed: Option<SpeedWindow>,
     pub(super) colours: Option<ColourWindow>,
     pub(super) display: Option<DisplayWindow>,
+    pub(super) points: Option<PointsWindow>,
+    pub(super) help: Option<HelpWindow>,
+    /// A file is being chosen; nothing else happens meanwhile.
+    pub(super) files: Option<FileWindow>,
+    /// A question waits for its answer; nothing else happens meanwhile.
+    pub(super) question: Option<Question>,
 }
 
 /// One kind of sub-window; at most one of each kind is open.
@@ -58,6 +73,21 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_one::<SpeedWindow>(editor, context);
     show_one::<ColourWindow>(editor, context);
     show_one::<DisplayWindow>(editor, context);
+    show_one::<PointsWindow>(editor, context);
+    show_one::<HelpWindow>(editor, context);
+    if let Some(window) = editor.windows.files.take() {
+        window.show(editor, context);
+    }
+    if let Some(question) = editor.windows.question.take() {
+        question.show(editor, context);
+    }
+}
+
+impl Windows {
+    /// Whether one is open that wants an answer first.
+    pub(super) fn ask(&self) -> bool {
+        self.files.is_some() || self.question.is_some()
+    }
 }
 
 fn show_one<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
@@ -86,6 +116,26 @@ pub(super) fn sub_window(
         .resizable(false)
         .show(context, add);
     open && !escape
+}
+
+/// A window that wants an answer before anything else: in the middle, with all
+/// else darkened.
+fn modal(
+    context: &egui::Context,
+    id: &'static str,
+    title: &str,
+    width: f32,
+    add: impl FnOnce(&mut egui::Ui),
+) {
+    let frame = egui::Frame::window(&context.global_style());
+    egui::Modal::new(egui::Id::unique(id))
+        .frame(frame.inner_margin(16))
+        .show(context, |ui| {
+            ui.set_width(width.min(context.content_rect().width() - 64.0));
+            ui.heading(title);
+            ui.add_space(8.0);
+            add(ui);
+        });
 }
 
 fn layer(id: &'static str) -> egui::LayerId {

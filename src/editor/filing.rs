@@ -1,0 +1,259 @@
+//! What is loaded, saved and written, and the question before work is lost.
+
+use std::path::{Path, PathBuf};
+
+use super::refusals::{Kind, of_edit, reason_of};
+use super::state::{Editor, Request};
+use super::texts::fill;
+use super::windows::{FileWindow, Question};
+use crate::document::{Document, Edit, export};
+use crate::error::{Error, Result};
+use crate::limits;
+
+/// What a file is chosen for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Purpose {
+    /// A path to be loaded.
+    LoadPath,
+    /// A path to be saved, and what was to be done after that.
+    SavePath(Option<Then>),
+    /// Poses to be written.
+    Export,
+    /// A setup to be loaded.
+    LoadSetup,
+    /// A setup to be saved.
+    SaveSetup,
+}
+
+/// What waits until unsaved work is saved or given up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Then {
+    /// The window closes.
+    Close,
+    /// Another path is loaded.
+    Load,
+}
+
+impl Editor {
+    /// Opens the window in which a file is chosen.
+    pub(super) fn choose_file(&mut self, purpose: Purpose) {
+        self.windows.files = Some(FileWindow::open(self, purpose));
+    }
+
+    /// Loads another path, after a question if work would be lost.
+    pub(super) fn ask_to_load(&mut self) {
+        self.ask_before(Then::Load);
+    }
+
+    /// Asks about unsaved work, if there is any, and goes on.
+    pub(super) fn ask_before(&mut self, then: Then) {
+        if self.document.is_modified() {
+            self.windows.files = None;
+            self.windows.question = Some(Question::new(then));
+        } else {
+            self.go_on(then);
+        }
+    }
+
+    /// Nothing is lost any more, or it is given up.
+    pub(super) fn go_on(&mut self, then: Then) {
+        match then {
+            Then::Close => self.requests.push(Request::Close),
+            Then::Load => self.choose_file(Purpose::LoadPath),
+        }
+    }
+
+    /// Saves under the known name, or asks for one; then goes on.
+    pub(super) fn save(&mut self, then: Option<Then>) {
+        let Some(file) = self.file.clone() else {
+            self.choose_file(Purpose::SavePath(then));
+            return;
+        };
+        match self.save_path(&file) {
+            Ok(()) => {
+                if let Some(then) = then {
+                    self.go_on(then);
+                }
+            }
+            Err(text) => self.complain(text),
+        }
+    }
+
+    /// A file was chosen. What hindered it is given back in words, for the
+    /// window that asked.
+    ///
+    /// # Errors
+    /// The sentence.
+    pub(super) fn file_chosen(&mut self, purpose: Purpose, file: &Path) -> Result<(), String> {
+        match purpose {
+            Purpose::LoadPath => self.load_path(file),
+            Purpose::SavePath(then) => {
+                self.save_path(file)?;
+                if let Some(then) = then {
+                    self.go_on(then);
+                }
+                Ok(())
+            }
+            Purpose::Export => self.write_poses(file),
+            Purpose::LoadSetup => self.load_setup(file),
+            Purpose::SaveSetup => self.save_setup(file),
+        }
+    }
+
+    /// Loads a path in place of the one that is open. Where the host's base
+    /// speeds stand they are kept, and its object if it gave one.
+    ///
+    /// # Errors
+    /// The sentence; what is open stays then.
+    pub(super) fn load_path(&mut self, file: &Path) -> Result<(), String> {
+        let texts = self.texts();
+        match self.loaded(file) {
+            Ok(document) => {
+                self.document = document;
+                self.file = Some(file.to_owned());
+                self.say(fill(texts.output.loaded, &[&short(file)]));
+                Ok(())
+            }
+            Err(error) => {
+                let why = self.without_name(&error, file);
+                Err(fill(texts.errors.cannot_load, &[&short(file), &why]))
+            }
+        }
+    }
+
+    fn loaded(&self, file: &Path) -> Result<Document> {
+        let mut loaded = Document::load(file)?;
+        if !self.fixed_speeds {
+            return Ok(loaded);
+        }
+        loaded.apply(Edit::SetSpeeds(self.document.path().speeds))?;
+        if !self.document.info().object.is_empty() {
+            let mut info = loaded.info().clone();
+            info.object = self.document.info().object.clone();
+            loaded.apply(Edit::SetInfo(Box::new(info)))?;
+        }
+        // A copy has no history: putting the host's values back is no step
+        // that could be undone.
+        let mut copy = loaded.try_clone()?;
+        copy.mark_saved();
+        Ok(copy)
+    }
+
+    /// Saves the path as this file, which is the one being edited from now on.
+    ///
+    /// # Errors
+    /// The sentence.
+    pub(super) fn save_path(&mut self, file: &Path) -> Result<(), String> {
+        let texts = self.texts();
+        match self.document.save(file) {
+            Ok(()) => {
+                self.document.mark_saved();
+                self.file = Some(file.to_owned());
+                self.say(fill(texts.output.saved, &[&short(file)]));
+                Ok(())
+            }
+            Err(error) => {
+                let why = self.without_name(&error, file);
+                Err(fill(texts.errors.cannot_save, &[&short(file), &why]))
+            }
+        }
+    }
+
+    /// Writes the poses as lines of ten numbers (thesis B.2.3).
+    ///
+    /// # Errors
+    /// The sentence.
+    pub(super) fn write_poses(&mut self, file: &Path) -> Result<(), String> {
+        let texts = self.texts();
+        let mut count = 0;
+        let options = export::Options::default();
+        match export::write_file(&self.document, options, file, &mut |done, _| count = done) {
+            Ok(()) => {
+                self.say(fill(texts.output.written, &[&count, &short(file)]));
+                Ok(())
+            }
+            Err(error) => {
+                let why = self.without_name(&error, file);
+                Err(fill(texts.errors.cannot_write, &[&short(file), &why]))
+            }
+        }
+    }
+
+    /// Why it failed; the file's name stands before it already.
+    pub(super) fn without_name(&self, error: &Error, file: &Path) -> String {
+        if let Error::Limit(_) = error
+            && self
+                .document
+                .timeline(|timeline| timeline.frame_count().is_err())
+                .unwrap_or(false)
+        {
+            return fill(self.texts().errors.frames, &[&limits::MAX_FRAMES]);
+        }
+        let why = reason_of(self.language, error);
+        let name = format!("{}: ", file.display());
+        why.strip_prefix(&name).map_or(why.clone(), str::to_owned)
+    }
+
+    /// Does an edit; what hinders it stands in the output field.
+    pub(super) fn edit(&mut self, edit: Edit) -> bool {
+        let kind = Kind::of(&edit);
+        match self.document.apply(edit) {
+            Ok(()) => {
+                self.message = None;
+                true
+            }
+            Err(error) => {
+                self.complain(of_edit(self.language, &self.document, kind, &error));
+                false
+            }
+        }
+    }
+
+    /// The name to be proposed for a file with this ending.
+    pub(super) fn proposal(&self, stem: &str, ending: &str) -> String {
+        let known = self.file.as_deref().and_then(Path::file_stem);
+        let title = self.document.info().title.trim();
+        let plain = |letter: char| !letter.is_control() && !matches!(letter, '/' | '\\');
+        let stem = match known {
+            Some(known) => known.to_string_lossy().into_owned(),
+            None if !title.is_empty() => title.chars().filter(|&letter| plain(letter)).collect(),
+            None => stem.to_owned(),
+        };
+        format!("{stem}.{ending}")
+    }
+
+    /// Where a file window begins.
+    pub(super) fn folder_for(&self, purpose: Purpose) -> PathBuf {
+        if !matches!(purpose, Purpose::LoadSetup | Purpose::SaveSetup) {
+            return self.folder();
+        }
+        let ours = self.folders.setup.clone().filter(|folder| folder.is_dir());
+        ours.unwrap_or_else(|| self.folder())
+    }
+
+    /// Where the last file was chosen, else beside the file that is open, else
+    /// where the host stands.
+    fn folder(&self) -> PathBuf {
+        let beside = |file: &Path| {
+            let folder = file.parent()?;
+            let here = folder.as_os_str().is_empty();
+            Some(if here {
+                PathBuf::from(".")
+            } else {
+                folder.to_owned()
+            })
+        };
+        let folder = self.last_folder.clone();
+        let folder = folder.or_else(|| self.file.as_deref().and_then(beside));
+        let folder = folder.unwrap_or_else(|| PathBuf::from("."));
+        std::path::absolute(&folder).unwrap_or(folder)
+    }
+}
+
+/// A file's name without its folder.
+pub(super) fn short(file: &Path) -> String {
+    file.file_name().map_or_else(
+        || file.display().to_string(),
+        |name| name.to_string_lossy().into_owned(),
+    )
+}

@@ -1,0 +1,121 @@
+//! The window's contents driven as a hand drives them, without a screen: by
+//! the labels that a person reads, in both languages.
+
+mod pictures;
+
+use egui::{Key, Modifiers, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use glam::DVec3;
+
+use super::setup::Theme;
+use super::{Editor, Folders, Language, Options};
+use crate::document::{Document, Edit};
+use crate::path::{Orientation, Target};
+
+pub(super) type Window = Harness<'static, Editor>;
+
+/// Options of a window in a language.
+pub(super) fn options(language: Language) -> Options {
+    Options {
+        document: Document::new(),
+        file: None,
+        title: None,
+        language,
+        hand_over: true,
+        fixed_speeds: false,
+        folders: Folders::default(),
+    }
+}
+
+/// A window of this size and scale.
+pub(super) fn window_of(options: Options, size: [f32; 2], scale: f32, theme: Theme) -> Window {
+    let mut editor = Editor::new(options).expect("an editor");
+    editor.setup.theme = theme;
+    let mut prepared = false;
+    let mut window = Harness::builder()
+        .with_size(vec2(size[0], size[1]))
+        .with_pixels_per_point(scale)
+        .with_max_steps(16)
+        .with_accessibility_check(false)
+        .renderer(crate::raster::testing::renderer())
+        .build_ui_state(
+            move |ui, editor: &mut Editor| {
+                if !prepared {
+                    prepared = true;
+                    editor.prepare(ui.ctx());
+                }
+                editor.show(ui);
+            },
+            editor,
+        );
+    window.run();
+    window
+}
+
+/// A window as it opens, in a language.
+pub(super) fn window(language: Language) -> Window {
+    window_of(options(language), [1200.0, 800.0], 1.0, Theme::Dark)
+}
+
+/// Presses a key with others held.
+pub(super) fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
+    window.key_press_modifiers(modifiers, key);
+    window.run();
+}
+
+/// Clicks what has this label.
+pub(super) fn click(window: &mut Window, label: &str) {
+    window.get_by_label(label).click();
+    window.run();
+}
+
+/// A path with some points, of which the third has three orientations.
+pub(super) fn some_points() -> Document {
+    let mut document = Document::new();
+    let place = |x, y, z| DVec3::new(x, y, z);
+    let all = [
+        place(-0.7, -0.2, 0.7),
+        place(0.0, 0.1, 0.8),
+        place(0.72, 0.25, 0.6),
+        place(0.6, 0.3, -0.5),
+        place(0.0, 0.2, -0.7),
+        place(-0.7, 0.4, -0.5),
+    ];
+    let mut done = |edit| document.apply(edit).expect("possible");
+    done(Edit::DivideSegment {
+        segment: 0,
+        points: 4,
+    });
+    for (at, position) in all.into_iter().enumerate() {
+        done(Edit::SetPosition { at, position });
+        let mut orientation = Orientation {
+            target: Target::Absolute(DVec3::new(0.0, 0.15, 0.0)),
+            ..Orientation::default()
+        };
+        if at == 2 {
+            orientation.speeds = [20.0, 28.0, 43.0, 54.0, 60.0, 60.0, 57.0, 53.0, 50.0, 50.0];
+        }
+        done(Edit::SetOrientation {
+            point: at,
+            at: 0,
+            orientation,
+        });
+    }
+    done(Edit::UsePreset { at: 3, preset: 5 });
+    for x in [0.3, 0.6] {
+        let target = Target::Absolute(DVec3::new(x, 0.0, -0.2));
+        let orientation = Some(Orientation {
+            target,
+            ..Orientation::default()
+        });
+        done(Edit::InsertOrientation {
+            point: 2,
+            at: 1,
+            orientation,
+        });
+    }
+    document.select(2, 0).expect("there");
+    document.mark_saved();
+    document
+}
