@@ -13,12 +13,16 @@
  * - Results are written through pointers, and only if all went well.
  * - A pointer must not be NULL where the comment does not say that it may; it
  *   gives V_ERR_NULL. The library keeps no pointer that it is given, but those
- *   of v_haupt().
- * - Whoever makes a path frees it. Nothing else that the library returns needs
- *   to be freed, but the lists of the interface of 1994.
- * - Every function may be called from any thread and from within callbacks. A
- *   path may be read by several threads at once; to change it ("any thread that
- *   has the path for itself") needs the caller's own lock.
+ *   of v_haupt() and the callbacks and user of v_editor_open().
+ * - Whoever makes a path or opens an editor window frees it. Nothing else that
+ *   the library returns needs to be freed, but the lists of the interface of
+ *   1994.
+ * - Every function may be called from within callbacks, and from any thread if
+ *   it does not concern windows. A path may be read by several threads at once;
+ *   to change it ("any thread that has the path for itself") needs the caller's
+ *   own lock. Windows belong to the thread that opened them.
+ * - An X server that goes away, or that never was there, does a program no
+ *   harm: its windows are gone, v_last_error() tells, the program goes on.
  * - Points, orientations, segments, sections and presets are counted from 0,
  *   poses from 1. Angles are degrees. Right-handed, y up.
  */
@@ -47,7 +51,8 @@
  *
  * V_OK            done
  * V_ERR_NULL      a pointer is NULL that must not be
- * V_ERR_HANDLE    the handle is none: freed, of another kind, or never made
+ * V_ERR_HANDLE    the handle is none: freed, of another kind, or never made; or
+ *                 it is a window's of another thread
  * V_ERR_ARGUMENT  a value that makes no sense: not a finite number, a target
  *                 on the camera itself, an up vector along the view, a
  *                 pointer that is not aligned for its type
@@ -221,6 +226,75 @@ struct v_pose {
 
 typedef struct v_pose V_POSE;
 
+
+/* ---- Editor windows ---------------------------------------------------------- */
+
+/**
+ * An editor window, by a handle (see V_PATH). It belongs to the thread that
+ * opened it: from any other its functions answer V_ERR_HANDLE. Whoever opened
+ * it frees it with v_editor_close(), also after the user has closed it.
+ */
+typedef struct v_editor V_EDITOR;
+
+/**
+ * How an editor window is opened. v_editor_options_init() fills in defaults;
+ * what is pointed to need not live longer than the call of v_editor_open(),
+ * but for user.
+ *
+ * Set size to sizeof (V_EDITOR_OPTIONS) before any call, see V_ORIENTATION.
+ */
+struct v_editor_options {
+    /** sizeof (V_EDITOR_OPTIONS) */
+    size_t size;
+    /**
+     * what follows "VIDES" in the title, UTF-8, one line; NULL: the file's
+     * name
+     */
+    const char *title;
+    /**
+     * a .vid file to start with, and to be saved to; one that does not exist
+     * yet is a new path of that name; NULL: none
+     */
+    const char *file;
+    /**
+     * a path to start with, copied; NULL: a new one, or that of file. Not
+     * both
+     */
+    const V_PATH *path;
+    /**
+     * points of an object to be shown, copied; NULL with object_count 0: that
+     * of the path
+     */
+    const V_OBJEKT_LIST *object;
+    int object_count;
+    /**
+     * base speeds, see v_path_set_speeds(). All 0: those of the path. Else
+     * they are the host's: the window keeps them and ignores a loaded file's
+     */
+    double move_speed;
+    double orient_speed;
+    double zoom_speed;
+    double winkel_speed;
+    /** name of the X display; NULL: the environment's DISPLAY */
+    const char *display;
+    /** "de" or "en"; NULL: the environment's, by LC_ALL, LC_MESSAGES, LANG */
+    const char *language;
+    /**
+     * called when the user hands over the poses; they are the library's and
+     * valid until it returns. NULL: nothing can be handed over
+     */
+    void (*on_poses)(V_EDITOR *editor, const V_POSE *poses, size_t count, void *user);
+    /**
+     * called before the user closes the window; 0 keeps it open. NULL: it
+     * closes
+     */
+    int (*on_close)(V_EDITOR *editor, void *user);
+    /** the host's, handed on to the callbacks */
+    void *user;
+};
+
+typedef struct v_editor_options V_EDITOR_OPTIONS;
+
 /**
  * A view as PHIGS describes it. The eye is on the side to which normal points,
  * so the view goes against it. All but vrp, normal and up is in the view's own
@@ -285,24 +359,33 @@ const char *v_version(void);
 /**
  * Opens an editor window for a camera path and returns at once; the window
  * then works side by side with the host, in the host's own event loop. Every
- * call opens another window.
- *
- * This version of the library has no window yet. The call says so in one line
- * on standard error, which begins "vides:", and by v_last_error().
+ * call opens another window, independent of all others. A host with an Xt or
+ * Motif main loop has nothing more to do; for any other see v_fd() and
+ * v_main_loop().
  *
  * move_speed, orient_speed, zoom_speed, winkel_speed  poses at speed 50 for a
  *     way of length 1, for turning by 180 degrees, for the zoom from 1 to
- *     100, for rolling by 90 degrees; finite and > 0
+ *     100, for rolling by 90 degrees; finite and > 0, else 100 is taken. They
+ *     stand in this window: those of a file that is loaded are ignored
  * interpol_liste  first element of the list that takes the poses, see
- *     V_KAMERAPAR; the host's, must outlive the window; may be NULL
+ *     V_KAMERAPAR; the host's, must outlive the window; may be NULL. Its
+ *     number is read anew at each hand-over: < 0 says that there are no data
+ *     (any more). The same element may be given to several windows
  * anzahl_objekt, objekt  points of an object to be shown; copied during the
  *     call; NULL or a number <= 0 for none
  * rueck  called when the user hands over poses, with the list and its count;
- *     may be NULL
- * ende   called before the window closes; 0 keeps it open; may be NULL
+ *     may be NULL. The list is not touched again before the next hand-over.
+ *     With interpol_liste NULL its elements are VIDES's and valid until rueck
+ *     returns
+ * ende   called before the user closes the window; 0 keeps it open; may be
+ *     NULL
  *
  * rueck and ende run on the thread that called v_haupt(), inside the host's
- * event loop, and may call any function of the library.
+ * event loop, and may call any function of the library. They return to their
+ * caller: no longjmp() and no exception may leave them.
+ * What is wrong with the arguments, or that no window can be opened, is said
+ * in one line on standard error, which begins "vides:", by v_last_error(), and
+ * in the window if there is one.
  * From the thread that runs the event loop; from callbacks too.
  */
 void v_haupt(float move_speed,
@@ -324,6 +407,60 @@ void v_haupt(float move_speed,
  * Any thread, if no other uses the list meanwhile; from callbacks too.
  */
 void v_free_liste(V_KAMERAPAR *first);
+
+
+/* ---- The host's event loop --------------------------------------------------- */
+
+/**
+ * A host with an Xt or Motif main loop needs none of these: its windows are
+ * served by it. Any other host watches one descriptor among its own, or calls
+ * v_main_loop(). All of them concern the windows that the calling thread has
+ * opened. A host that does nothing of the kind finds a hint on standard error.
+ *
+ * The descriptor to be watched with select(), poll() or the like: when it is
+ * readable, call v_dispatch(). It stays the same and open as long as the
+ * thread lives, with and without windows; it is the library's: never read or
+ * close it. -1 if the system gives no more descriptors; v_last_error() tells.
+ * The thread that opens the windows; from callbacks too.
+ */
+int v_fd(void);
+
+/**
+ * Milliseconds until v_dispatch() has something to do even if nobody touches
+ * a window: the longest time to wait for the descriptor; -1 if there is no
+ * limit. Who waits for v_fd() alone misses nothing, since it becomes readable
+ * at that time.
+ * The thread that opens the windows; from callbacks too.
+ */
+int v_timeout(void);
+
+/**
+ * Does everything that there is to do for the windows at the moment, and
+ * never waits. Callbacks run within it. How many windows are open; if an X
+ * server went away, its windows are not among them, and v_last_error() tells.
+ * From within a callback it serves all windows but those whose callbacks run.
+ * The thread that opens the windows; from callbacks too.
+ */
+int v_dispatch(void);
+
+/**
+ * Serves the windows until the last one is closed, and sleeps in between; for
+ * a host that does nothing else meanwhile. Returns at once without windows.
+ * The thread that opens the windows. V_ERR_BUSY from within a callback;
+ * V_ERR_DISPLAY if an X server went away with a window, when the others are
+ * closed, too; V_ERR_LIMIT without descriptors.
+ */
+int v_main_loop(void);
+
+/**
+ * Has the windows of this thread served by an Xt application context, an
+ * XtAppContext that this thread runs. Only needed by a host that makes its
+ * context after it has opened a window: v_haupt() and v_editor_open() find all
+ * contexts that are there.
+ * The thread that opens the windows; from callbacks too. V_ERR_NULL,
+ * V_ERR_ARGUMENT (no Xt in this program, or no such context), V_ERR_LIMIT.
+ */
+int v_set_app_context(void *app_context);
 
 
 /* ---- Paths ------------------------------------------------------------------- */
@@ -698,6 +835,53 @@ int v_path_to_list(const V_PATH *path, V_KAMERAPAR *first);
  * written may end the program; the old file stays.
  */
 int v_path_write_ascii(const V_PATH *path, const char *file);
+
+/**
+ * The options' defaults: size, and everything else NULL or 0. NULL does
+ * nothing but set v_last_error().
+ * Any thread; from callbacks too.
+ */
+void v_editor_options_init(V_EDITOR_OPTIONS *options);
+
+/**
+ * Opens an editor window and returns at once; how it is served then, see
+ * v_fd(). options may be NULL for the defaults. *editor is the caller's, to be
+ * freed with v_editor_close(). If the numbers of the object's points are not
+ * 1, 2, 3 ..., the window says so.
+ *
+ * on_poses and on_close run on the thread that opened the window, inside the
+ * host's event loop, and may call any function of the library. They return to
+ * their caller: no longjmp() and no exception may leave them.
+ * The thread that runs the event loop; from callbacks too. V_ERR_NULL,
+ * V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
+ * V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_editor_open(const V_EDITOR_OPTIONS *options, V_EDITOR **editor);
+
+/**
+ * Closes a window without asking anybody, and frees its handle. From within
+ * its own callbacks it closes when they have returned. NULL is no error.
+ * The thread that opened it, or any once the user has closed it; from
+ * callbacks too. V_ERR_HANDLE.
+ */
+int v_editor_close(V_EDITOR *editor);
+
+/**
+ * A copy of the path as it is in the window now. *path is the caller's, to be
+ * freed with v_path_free().
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+ */
+int v_editor_get_path(const V_EDITOR *editor, V_PATH **path);
+
+/**
+ * Shows another path in a window, in one step that the user can take back.
+ * path is copied, with its title, comment and so on; its object, too, if it
+ * has one. Base speeds that were given when the window was opened stay.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY.
+ */
+int v_editor_set_path(V_EDITOR *editor, const V_PATH *path);
 
 
 /* ---- Toolbox: quaternions ---------------------------------------------------- */

@@ -91,6 +91,40 @@ pub fn reason(error: &std::io::Error) -> String {
     words
 }
 
+/// Room for the longest message of the border with what stands around it.
+const LINE_BYTES: usize = 2048;
+
+/// Says a sentence on standard error: one line, in one piece, so that nobody
+/// else's text comes between. What is too long is cut.
+pub(crate) fn complain(sentence: &str) {
+    use std::io::Write as _;
+    let mut line = [0; LINE_BYTES];
+    let length = {
+        let mut rest = &mut line[..LINE_BYTES - 1];
+        // Cut where it does not fit; no allocation.
+        let _ = rest.write_all(b"vides: ").and_then(|()| {
+            sentence
+                .bytes()
+                .map(|byte| if byte.is_ascii_control() { b' ' } else { byte })
+                .try_for_each(|byte| rest.write_all(&[byte]))
+        });
+        LINE_BYTES - 1 - rest.len()
+    };
+    line[length] = b'\n';
+    // Nothing is left to be done where standard error is closed.
+    let _ = std::io::stderr().write_all(&line[..=length]);
+}
+
+/// What a panic said.
+#[must_use]
+pub(crate) fn panic_said(panic: &(dyn std::any::Any + Send)) -> &str {
+    panic
+        .downcast_ref::<String>()
+        .map(String::as_str)
+        .or_else(|| panic.downcast_ref::<&str>().copied())
+        .unwrap_or("no more is known")
+}
+
 impl From<std::collections::TryReserveError> for Error {
     fn from(_: std::collections::TryReserveError) -> Self {
         Self::Memory

@@ -6,16 +6,18 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 12] = [
+const SOURCES: [&str; 14] = [
     "status",
     "types",
     "legacy",
+    "host_loop",
     "path",
     "points",
     "orientations",
     "settings",
     "curve",
     "poses",
+    "editor",
     "quaternions",
     "splines",
     "view",
@@ -31,6 +33,7 @@ fn polished(made: &str) -> String {
         .replace("  // extern \"C\"", "")
         // Said by the typedef that follows.
         .replace("struct v_path;\n\n", "")
+        .replace("struct v_editor;\n\n", "")
         // Constants that share a comment stand together.
         .replace("\n\n#define V_", "\n#define V_")
         .replace("\n\n\n", "\n\n");

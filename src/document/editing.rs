@@ -144,6 +144,12 @@ impl Document {
         Ok(copy)
     }
 
+    /// The path and what the file says besides, without the rest.
+    #[must_use]
+    pub fn into_parts(self) -> (CameraPath, Info) {
+        (self.content.path, self.content.info)
+    }
+
     /// The path.
     #[must_use]
     pub fn path(&self) -> &CameraPath {

@@ -4,6 +4,7 @@ use std::ffi::c_int;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::status::{Answer, clear_last_error, set_last_error};
+use crate::error::panic_said;
 
 /// What an export returns: how a failure looks in it.
 pub(super) trait Returned {
@@ -37,11 +38,7 @@ pub(super) fn border<T: Returned>(on_panic: T, body: impl FnOnce() -> Answer<T>)
             T::failed(failure.status())
         }
         Err(panic) => {
-            let said = panic
-                .downcast_ref::<String>()
-                .map(String::as_str)
-                .or_else(|| panic.downcast_ref::<&str>().copied())
-                .unwrap_or("no more is known");
+            let said = panic_said(&*panic);
             set_last_error(format_args!("a fault inside the library: {said}"));
             on_panic
         }

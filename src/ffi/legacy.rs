@@ -1,36 +1,56 @@
 //! The two functions of 1994 (thesis B.2, Anhang C).
 
 use std::ffi::{c_float, c_int};
-use std::io::Write as _;
+use std::ptr;
+use std::rc::Rc;
 
 use super::border::border;
+use super::host_loop;
 use super::list;
+use super::object::{Warnings, object, speeds};
 use super::pointers::check;
-use super::status::{Failure, V_ERR_ARGUMENT, V_ERR_DISPLAY, with_last_error};
+use super::status::{Answer, Failure, V_ERR_ARGUMENT, set_last_error, with_last_error};
 use super::types::{V_KAMERAPAR, V_OBJEKT_LIST};
+use crate::document::{Document, Edit, Object};
+use crate::editor;
+use crate::error::{Error, Result, complain, try_box};
+use crate::instance::{self, Host, Id};
+use crate::path::{BaseSpeeds, Sampler};
+
+type Rueck = unsafe extern "C" fn(daten: *mut V_KAMERAPAR, anzahl: c_int);
+type Ende = unsafe extern "C" fn() -> c_int;
 
 /// ==== The interface of 1994 ====
 ///
 /// Opens an editor window for a camera path and returns at once; the window
 /// then works side by side with the host, in the host's own event loop. Every
-/// call opens another window.
-///
-/// This version of the library has no window yet. The call says so in one line
-/// on standard error, which begins "vides:", and by v_last_error().
+/// call opens another window, independent of all others. A host with an Xt or
+/// Motif main loop has nothing more to do; for any other see v_fd() and
+/// v_main_loop().
 ///
 /// move_speed, orient_speed, zoom_speed, winkel_speed  poses at speed 50 for a
 ///     way of length 1, for turning by 180 degrees, for the zoom from 1 to
-///     100, for rolling by 90 degrees; finite and > 0
+///     100, for rolling by 90 degrees; finite and > 0, else 100 is taken. They
+///     stand in this window: those of a file that is loaded are ignored
 /// interpol_liste  first element of the list that takes the poses, see
-///     V_KAMERAPAR; the host's, must outlive the window; may be NULL
+///     V_KAMERAPAR; the host's, must outlive the window; may be NULL. Its
+///     number is read anew at each hand-over: < 0 says that there are no data
+///     (any more). The same element may be given to several windows
 /// anzahl_objekt, objekt  points of an object to be shown; copied during the
 ///     call; NULL or a number <= 0 for none
 /// rueck  called when the user hands over poses, with the list and its count;
-///     may be NULL
-/// ende   called before the window closes; 0 keeps it open; may be NULL
+///     may be NULL. The list is not touched again before the next hand-over.
+///     With interpol_liste NULL its elements are VIDES's and valid until rueck
+///     returns
+/// ende   called before the user closes the window; 0 keeps it open; may be
+///     NULL
 ///
 /// rueck and ende run on the thread that called v_haupt(), inside the host's
-/// event loop, and may call any function of the library.
+/// event loop, and may call any function of the library. They return to their
+/// caller: no longjmp() and no exception may leave them.
+/// What is wrong with the arguments, or that no window can be opened, is said
+/// in one line on standard error, which begins "vides:", by v_last_error(), and
+/// in the window if there is one.
 /// From the thread that runs the event loop; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_haupt(
@@ -44,35 +64,161 @@ pub unsafe extern "C" fn v_haupt(
     rueck: Option<unsafe extern "C" fn(daten: *mut V_KAMERAPAR, anzahl: c_int)>,
     ende: Option<unsafe extern "C" fn() -> c_int>,
 ) {
-    // What a window would be made of.
-    let _ = (move_speed, orient_speed, zoom_speed, winkel_speed);
-    let _ = (interpol_liste, anzahl_objekt, objekt, rueck, ende);
     border((), || {
-        Err(Failure::Border(
-            V_ERR_DISPLAY,
-            "this version of the library opens no window",
-        ))
+        if !interpol_liste.is_null() {
+            check(interpol_liste)?;
+        }
+        let mut warnings = Warnings::default();
+        let given = [move_speed, orient_speed, zoom_speed, winkel_speed].map(f64::from);
+        let speeds = speeds(given, &mut warnings);
+        // SAFETY: the host's array, as the header says.
+        let object = unsafe { object(objekt, anzahl_objekt, &mut warnings) };
+        let host = Contract {
+            list: interpol_liste,
+            rueck,
+            ende,
+        };
+        open(speeds, object, warnings, host)
     });
     report();
 }
 
-/// Room for the longest message with what stands around it.
-const LINE_BYTES: usize = 2048;
+/// Opens the window. An object that cannot be shown is no reason not to.
+fn open(
+    speeds: BaseSpeeds,
+    object: Answer<Object>,
+    mut warnings: Warnings,
+    host: Contract,
+) -> Answer<()> {
+    let mut document = Document::try_new()?;
+    document.apply(Edit::SetSpeeds(speeds))?;
+    let shown = object.and_then(|object| {
+        let mut info = document.info().clone();
+        info.object = object;
+        Ok(document.apply(Edit::SetInfo(Box::new(info)))?)
+    });
+    if let Err(failure) = shown {
+        warnings.add(crate::error::sentence(format_args!(
+            "the object is not shown: {failure}"
+        )));
+    }
+    let (path, info) = document.into_parts();
+    let warning = warnings.said();
+    instance::on_input(host_loop::serve);
+    instance::open(instance::Options {
+        editor: editor::Options {
+            // The window's own history begins here.
+            document: Document::from_parts(path, info)?,
+            file: None,
+            title: None,
+            language: editor::Language::of_environment(),
+            hand_over: host.rueck.is_some() || !host.list.is_null(),
+            fixed_speeds: true,
+            folders: editor::Folders::of_environment(),
+        },
+        display: None,
+        warning: warning.clone(),
+        host: Rc::new(host),
+    })?;
+    if let Some(warning) = warning {
+        set_last_error(format_args!("{warning}"));
+    }
+    Ok(())
+}
 
-/// Says the last error on standard error, in one line and one piece.
-fn report() {
-    with_last_error(|message| {
-        // One write, so that nobody else's text comes between; no allocation.
-        let mut line = [0; LINE_BYTES];
-        let length = {
-            let mut rest = &mut line[..];
-            let parts: [&[u8]; 3] = [b"vides: ", message, b"\n"];
-            // The longest message fits.
-            let _ = parts.iter().try_for_each(|part| rest.write_all(part));
-            LINE_BYTES - rest.len()
+/// What the host was promised, and what it promised.
+struct Contract {
+    list: *mut V_KAMERAPAR,
+    rueck: Option<Rueck>,
+    ende: Option<Ende>,
+}
+
+impl Host for Contract {
+    fn prepare(&self, _: Id, sampler: &Sampler) -> Result<Box<dyn FnOnce()>> {
+        let frames = sampler.frame_count();
+        let count = c_int::try_from(frames)
+            .map_err(|_| Error::Limit("a list cannot number so many poses".into()))?;
+        let Some(rueck) = self.rueck else {
+            if !self.list.is_null() {
+                // SAFETY: the host's element, which outlives the window.
+                unsafe { list::build(frames, self.list, |n, poses| sampler.sample(n, poses)) }?;
+            }
+            return Ok(Box::new(|| ()));
         };
-        // Nothing is left to be done where standard error is closed.
-        let _ = std::io::stderr().write_all(&line[..length]);
+        if self.list.is_null() {
+            let mut own = OwnList::new(sampler)?;
+            return Ok(Box::new(move || {
+                // SAFETY: the host's function, and a list that lives until it
+                // has returned.
+                unsafe { rueck(own.head(), count) };
+            }));
+        }
+        let list = self.list;
+        // SAFETY: as above.
+        unsafe { list::build(frames, list, |n, poses| sampler.sample(n, poses)) }?;
+        Ok(Box::new(move || {
+            // SAFETY: the host's function and the host's list.
+            unsafe { rueck(list, count) };
+        }))
+    }
+
+    fn may_close(&self, _: Id) -> bool {
+        // SAFETY: the host's function.
+        self.ende.is_none_or(|ende| unsafe { ende() } != 0)
+    }
+
+    fn closed(&self, _: Id) {}
+}
+
+/// A list whose first element is ours, too.
+struct OwnList(Box<[V_KAMERAPAR]>);
+
+impl OwnList {
+    fn new(sampler: &Sampler) -> Result<Self> {
+        let nowhere = super::types::V_POS {
+            x: 0.0,
+            y: 0.0,
+            z: 0.0,
+        };
+        let mut own = Self(try_box(V_KAMERAPAR {
+            VRP: nowhere,
+            VPN: nowhere,
+            VUP: nowhere,
+            zoom: 0,
+            prev: ptr::null_mut(),
+            next: ptr::null_mut(),
+            number: -1,
+        })?);
+        let (frames, head) = (sampler.frame_count(), own.head());
+        // SAFETY: an element of ours without data.
+        unsafe { list::build(frames, head, |n, poses| sampler.sample(n, poses)) }?;
+        Ok(own)
+    }
+
+    fn head(&mut self) -> *mut V_KAMERAPAR {
+        self.0.as_mut_ptr()
+    }
+}
+
+impl Drop for OwnList {
+    fn drop(&mut self) {
+        let head = self.head();
+        // SAFETY: our element. If the host has changed the list, its elements
+        // are the host's, and only the head is to be forgotten.
+        unsafe {
+            if !list::free(head) {
+                (*head).number = -1;
+                list::free(head);
+            }
+        }
+    }
+}
+
+/// Says the last error on standard error.
+fn report() {
+    with_last_error(|message| match std::str::from_utf8(message) {
+        Ok("") | Err(_) => {}
+        Ok(sentence) => complain(sentence),
     });
 }
 

@@ -24,9 +24,12 @@
 mod border;
 mod counted;
 mod curve;
+mod editor;
 mod handles;
+mod host_loop;
 mod legacy;
 mod list;
+mod object;
 mod orientations;
 mod path;
 mod pointers;

@@ -20,7 +20,7 @@ const SPOILED: Failure = Failure::Border(
 );
 
 /// Gives a document a handle.
-fn keep(document: Document) -> Answer<*mut V_PATH> {
+pub(super) fn keep(document: Document) -> Answer<*mut V_PATH> {
     PATHS.insert(RwLock::new(document))
 }
 

@@ -24,7 +24,8 @@ pub const V_VERSION_PATCH: c_int = 0;
 ///
 /// V_OK            done
 /// V_ERR_NULL      a pointer is NULL that must not be
-/// V_ERR_HANDLE    the handle is none: freed, of another kind, or never made
+/// V_ERR_HANDLE    the handle is none: freed, of another kind, or never made; or
+///                 it is a window's of another thread
 /// V_ERR_ARGUMENT  a value that makes no sense: not a finite number, a target
 ///                 on the camera itself, an up vector along the view, a
 ///                 pointer that is not aligned for its type
@@ -50,9 +51,7 @@ pub const V_ERR_MEMORY: c_int = 7;
 pub const V_ERR_IO: c_int = 8;
 pub const V_ERR_FORMAT: c_int = 9;
 pub const V_ERR_DISPLAY: c_int = 10;
-#[allow(dead_code)] // with the windows
 pub const V_ERR_BUSY: c_int = 11;
-#[allow(dead_code)] // with the windows
 pub const V_ERR_CLOSED: c_int = 12;
 pub const V_ERR_INTERNAL: c_int = 13;
 

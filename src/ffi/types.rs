@@ -7,7 +7,7 @@
 // The header needs all names, the library does not.
 #![allow(dead_code)]
 
-use std::ffi::{c_int, c_ushort};
+use std::ffi::{c_char, c_int, c_ushort, c_void};
 use std::mem::offset_of;
 
 use crate::path::Pose;
@@ -166,6 +166,69 @@ pub struct v_view {
 }
 
 pub type V_VIEW = v_view;
+
+pub struct v_editor {
+    _private: (),
+}
+
+/// ==== Editor windows ====
+///
+/// An editor window, by a handle (see V_PATH). It belongs to the thread that
+/// opened it: from any other its functions answer V_ERR_HANDLE. Whoever opened
+/// it frees it with v_editor_close(), also after the user has closed it.
+pub type V_EDITOR = v_editor;
+
+/// How an editor window is opened. v_editor_options_init() fills in defaults;
+/// what is pointed to need not live longer than the call of v_editor_open(),
+/// but for user.
+///
+/// Set size to sizeof (V_EDITOR_OPTIONS) before any call, see V_ORIENTATION.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct v_editor_options {
+    /// sizeof (V_EDITOR_OPTIONS)
+    pub size: usize,
+    /// what follows "VIDES" in the title, UTF-8, one line; NULL: the file's
+    /// name
+    pub title: *const c_char,
+    /// a .vid file to start with, and to be saved to; one that does not exist
+    /// yet is a new path of that name; NULL: none
+    pub file: *const c_char,
+    /// a path to start with, copied; NULL: a new one, or that of file. Not
+    /// both
+    pub path: *const V_PATH,
+    /// points of an object to be shown, copied; NULL with object_count 0: that
+    /// of the path
+    pub object: *const V_OBJEKT_LIST,
+    pub object_count: c_int,
+    /// base speeds, see v_path_set_speeds(). All 0: those of the path. Else
+    /// they are the host's: the window keeps them and ignores a loaded file's
+    pub move_speed: f64,
+    pub orient_speed: f64,
+    pub zoom_speed: f64,
+    pub winkel_speed: f64,
+    /// name of the X display; NULL: the environment's DISPLAY
+    pub display: *const c_char,
+    /// "de" or "en"; NULL: the environment's, by LC_ALL, LC_MESSAGES, LANG
+    pub language: *const c_char,
+    /// called when the user hands over the poses; they are the library's and
+    /// valid until it returns. NULL: nothing can be handed over
+    pub on_poses: Option<
+        unsafe extern "C" fn(
+            editor: *mut V_EDITOR,
+            poses: *const V_POSE,
+            count: usize,
+            user: *mut c_void,
+        ),
+    >,
+    /// called before the user closes the window; 0 keeps it open. NULL: it
+    /// closes
+    pub on_close: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void) -> c_int>,
+    /// the host's, handed on to the callbacks
+    pub user: *mut c_void,
+}
+
+pub type V_EDITOR_OPTIONS = v_editor_options;
 
 // A pose is filled in place in the host's memory.
 const _: () = {

@@ -7,11 +7,33 @@
 //!
 //! It knows nothing of C: what the host is told goes through [`Host`].
 
-use std::rc::Rc;
+mod descriptors;
+mod hint;
+mod pump;
+mod registry;
+mod screen;
+#[cfg(test)]
+mod tests;
+mod window;
+mod xt;
 
-use crate::editor;
+use std::ffi::c_void;
+use std::io;
+use std::os::fd::RawFd;
+use std::path::Path;
+use std::rc::Rc;
+use std::sync::OnceLock;
+use std::time::Duration;
+
+use crate::document::Document;
+use crate::editor::{self, Editor};
 use crate::error::{Error, Result};
 use crate::path::Sampler;
+use crate::x11;
+
+pub(crate) use pump::{Served, dispatch, main_loop};
+pub(crate) use registry::{Lost, is_open, within_a_call};
+pub(crate) use xt::Refusal;
 
 /// What a window's owner does. Its methods run on the window's thread; those
 /// that call host code run while nothing of ours is borrowed.
@@ -26,12 +48,13 @@ pub(crate) trait Host {
     /// Asks the host whether the window may close.
     fn may_close(&self, window: Id) -> bool;
 
-    /// The window is gone: closed by the user, or its X server went away.
+    /// The window is gone: closed by the user, or its X server went away. Calls
+    /// no host code.
     fn closed(&self, window: Id);
 }
 
-/// A window of this thread. Never used again for another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// A window. Never used again for another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Id(u64);
 
 /// How a window is opened.
@@ -47,14 +70,104 @@ pub(crate) struct Options {
     pub(crate) host: Rc<dyn Host>,
 }
 
+/// Inner size of a new window in points.
+const SIZE: [f32; 2] = [1200.0, 800.0];
+
+/// The smallest inner size at which everything is to be seen.
+const SMALLEST: [f32; 2] = [800.0, 600.0];
+
 /// Opens a window, and returns before anything is drawn.
 ///
 /// # Errors
-/// [`Error::Display`] if there is no X server, [`Error::Memory`].
+/// [`crate::Error::Display`] if there is no X server, [`crate::Error::Memory`],
+/// [`crate::Error::Limit`] without descriptors.
 pub(crate) fn open(options: Options) -> Result<Id> {
-    let _ = (options.editor, options.display, options.warning);
-    drop(options.host);
-    Err(Error::Display(
-        "this version of the library opens no window".into(),
-    ))
+    let mut editor = Editor::new(options.editor)?;
+    if let Some(warning) = options.warning {
+        editor.complain(warning);
+    }
+    let title = editor.window_title();
+    let screen = x11::Window::open(&x11::Options {
+        display: options.display,
+        title: title.clone(),
+        size: SIZE,
+        smallest: SMALLEST,
+    })?;
+    let window = window::Window::new(Box::new(screen), editor, title);
+    let id = registry::insert(Box::new(window), options.host)?;
+    xt::watch_in_all_contexts(registry::descriptor()?);
+    hint::opened();
+    Ok(id)
+}
+
+/// The path in a file to start with; a new one if there is no such file yet.
+///
+/// # Errors
+/// Those of [`Document::load`].
+pub(crate) fn document_of(file: &Path) -> Result<Document> {
+    match Document::load(file) {
+        Err(Error::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
+            Document::try_new()
+        }
+        loaded => loaded,
+    }
+}
+
+/// Closes a window without asking anybody; from within a callback of the
+/// window itself, when that has returned. False if there is none.
+pub(crate) fn close(id: Id) -> bool {
+    registry::close(id)
+}
+
+/// Looks at the path of a window; `None` if it is not open.
+pub(crate) fn read<R>(id: Id, f: impl FnOnce(&Document) -> R) -> Option<R> {
+    registry::look(id, |window| f(window.document()))
+}
+
+/// Changes the path of a window; `None` if it is not open.
+pub(crate) fn change<R>(id: Id, f: impl FnOnce(&mut Document) -> R) -> Option<R> {
+    let mut lost = None;
+    let done = registry::work(id, &mut lost, |window, _| {
+        f(window.editor_mut().document_mut())
+    });
+    registry::ring();
+    done
+}
+
+/// The descriptor that is readable when [`dispatch`] has something to do; the
+/// same one as long as the thread lives.
+///
+/// # Errors
+/// [`crate::Error::Limit`] where the system gives no more descriptors.
+pub(crate) fn descriptor() -> Result<RawFd> {
+    hint::served();
+    registry::descriptor()
+}
+
+/// How long until [`dispatch`] has something to do of itself.
+pub(crate) fn wait() -> Option<Duration> {
+    registry::wait()
+}
+
+/// Serves the windows of this thread in an Xt application context that it
+/// runs. For a host that makes its context after it has opened windows.
+pub(crate) fn set_app_context(context: *mut c_void) -> Result<std::result::Result<(), Refusal>> {
+    Ok(xt::watch_in(context, registry::descriptor()?))
+}
+
+/// What is done when an Xt context finds the descriptor readable.
+static ON_INPUT: OnceLock<fn()> = OnceLock::new();
+
+/// Says what is to be done when the host's loop finds the descriptor readable:
+/// [`dispatch`], and what its answer asks for.
+pub(crate) fn on_input(serve: fn()) {
+    let _ = ON_INPUT.set(serve);
+}
+
+/// The host's loop found the descriptor readable.
+fn host_called() {
+    match ON_INPUT.get() {
+        Some(serve) => serve(),
+        None => drop(dispatch()),
+    }
 }

@@ -1,6 +1,7 @@
 /*
  * The structs of 1994 lie in memory as the thesis's own declarations make them
- * (B.2.2, written down anew here), and the frozen V_POSE as it says.
+ * (B.2.2, written down anew here), the frozen V_POSE as it says,
+ * and V_EDITOR_OPTIONS as it was first written.
  */
 #include "check.h"
 
@@ -14,6 +15,20 @@ typedef struct pose_1994 {
     struct pose_1994 *prev, *next;
     int number;
 } pose_1994;
+
+/* Once shipped, its fields stay where they are; new ones come behind. */
+typedef struct {
+    size_t size;
+    const char *title, *file;
+    const V_PATH *path;
+    const V_OBJEKT_LIST *object;
+    int object_count;
+    double move_speed, orient_speed, zoom_speed, winkel_speed;
+    const char *display, *language;
+    void (*on_poses)(V_EDITOR *, const V_POSE *, size_t, void *);
+    int (*on_close)(V_EDITOR *, void *);
+    void *user;
+} options;
 
 #define SAME_SIZE(ours, theirs) CHECK(sizeof(ours) == sizeof(theirs))
 #define SAME_FIELD(ours, theirs, field) \
@@ -36,6 +51,7 @@ static int function_type(float a, float b, float c, float d, V_KAMERAPAR *list, 
 int main(void)
 {
     struct v_punkt tagged = {1, 2, 3};
+    V_EDITOR_OPTIONS given;
     V_POS position = tagged;
     V_PUNKT *same = &position;
     struct v_objekt_list *one = NULL;
@@ -69,5 +85,26 @@ int main(void)
     CHECK(offsetof(V_POSE, vup) == 6 * sizeof(double));
     CHECK(offsetof(V_POSE, zoom) == 9 * sizeof(double));
     CHECK(offsetof(V_ORIENTATION, size) == 0 && offsetof(V_VIEW, size) == 0);
+    SAME_SIZE(V_EDITOR_OPTIONS, options);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, size);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, title);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, file);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, path);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, object);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, object_count);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, move_speed);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, orient_speed);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, zoom_speed);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, winkel_speed);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, display);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, language);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, on_poses);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, on_close);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, user);
+    memset(&given, 0xff, sizeof given);
+    v_editor_options_init(&given);
+    CHECK(given.size == sizeof given && given.title == NULL && given.path == NULL);
+    CHECK(given.object_count == 0 && given.winkel_speed == 0 && given.on_close == NULL);
+    CHECK(given.user == NULL && given.language == NULL && given.on_poses == NULL);
     return failures != 0;
 }

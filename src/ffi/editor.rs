@@ -1,0 +1,390 @@
+//! Editor windows by handles: the new interface to what `v_haupt` opens.
+
+use std::cell::Cell;
+use std::ffi::{CStr, c_char, c_int, c_void};
+use std::path::PathBuf;
+use std::ptr;
+use std::rc::Rc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::{self, ThreadId};
+
+use super::border::border;
+use super::counted::Counted;
+use super::handles::{Handles, KIND_EDITOR};
+use super::host_loop;
+use super::object::{Warnings, object};
+use super::path::{keep, read};
+use super::pointers::{self, Out, check, check_size, file_name};
+use super::status::{
+    Answer, Failure, V_ERR_ARGUMENT, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_OK,
+};
+use super::types::{V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_POSE};
+use crate::document::{Document, Edit};
+use crate::editor::{self, Language};
+use crate::error::{Result, vec_with_room};
+use crate::instance::{self, Host, Id};
+use crate::path::{BaseSpeeds, Pose, Sampler};
+
+/// All windows that C holds.
+static EDITORS: Handles<Opened, V_EDITOR> = Handles::new(KIND_EDITOR);
+
+/// What a handle names.
+struct Opened {
+    window: Id,
+    thread: ThreadId,
+    /// The host's base speeds stand.
+    fixed_speeds: bool,
+    /// The user has closed it, or its X server went away.
+    closed: AtomicBool,
+}
+
+const CLOSED: Failure = Failure::Border(V_ERR_CLOSED, "the window has been closed");
+const OTHER_THREAD: Failure =
+    Failure::Border(V_ERR_HANDLE, "this window belongs to another thread");
+
+/// The window of a handle, if it is open and the calling thread's.
+fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
+    if editor.is_null() {
+        check(editor)?;
+    }
+    let found = EDITORS.get(editor)?;
+    if found.closed.load(Ordering::Acquire) {
+        return Err(CLOSED);
+    }
+    if found.thread != thread::current().id() {
+        return Err(OTHER_THREAD);
+    }
+    if !instance::is_open(found.window) {
+        return Err(CLOSED);
+    }
+    Ok(found)
+}
+
+/// The options' defaults: size, and everything else NULL or 0. NULL does
+/// nothing but set v_last_error().
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
+    border((), || {
+        let out = Out::new(options)?;
+        // SAFETY: room for the options, as the header says.
+        unsafe { out.write(DEFAULTS) };
+        Ok(())
+    });
+}
+
+const DEFAULTS: V_EDITOR_OPTIONS = V_EDITOR_OPTIONS {
+    size: size_of::<V_EDITOR_OPTIONS>(),
+    title: ptr::null(),
+    file: ptr::null(),
+    path: ptr::null(),
+    object: ptr::null(),
+    object_count: 0,
+    move_speed: 0.0,
+    orient_speed: 0.0,
+    zoom_speed: 0.0,
+    winkel_speed: 0.0,
+    display: ptr::null(),
+    language: ptr::null(),
+    on_poses: None,
+    on_close: None,
+    user: ptr::null_mut(),
+};
+
+/// Opens an editor window and returns at once; how it is served then, see
+/// v_fd(). options may be NULL for the defaults. *editor is the caller's, to be
+/// freed with v_editor_close(). If the numbers of the object's points are not
+/// 1, 2, 3 ..., the window says so.
+///
+/// on_poses and on_close run on the thread that opened the window, inside the
+/// host's event loop, and may call any function of the library. They return to
+/// their caller: no longjmp() and no exception may leave them.
+/// The thread that runs the event loop; from callbacks too. V_ERR_NULL,
+/// V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
+/// V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_editor_open(
+    options: *const V_EDITOR_OPTIONS,
+    editor: *mut *mut V_EDITOR,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(editor)?;
+        // SAFETY: the host's options, as the header says.
+        let options = unsafe { options_of(options) }?;
+        // SAFETY: as above for what they point to.
+        let beginning = unsafe { begin(&options) }?;
+        let opened = open(
+            beginning,
+            Callbacks {
+                handle: Cell::new(ptr::null_mut()),
+                on_poses: options.on_poses,
+                on_close: options.on_close,
+                user: options.user,
+            },
+        )?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.write(opened) };
+        Ok(V_OK)
+    })
+}
+
+/// # Safety
+/// A pointer that is not NULL points to a size, and if that is right to the
+/// options.
+unsafe fn options_of(options: *const V_EDITOR_OPTIONS) -> Answer<V_EDITOR_OPTIONS> {
+    if options.is_null() {
+        return Ok(DEFAULTS);
+    }
+    check(options)?;
+    // SAFETY: the caller's word; the struct begins with its size.
+    check_size::<V_EDITOR_OPTIONS>(unsafe { options.cast::<usize>().read() })?;
+    // SAFETY: the size says that all of it is there.
+    unsafe { pointers::read(options) }
+}
+
+/// What a window begins with.
+struct Beginning {
+    editor: editor::Options,
+    display: Option<String>,
+    warning: Option<String>,
+}
+
+/// What the options say, in our own types; copies only.
+///
+/// # Safety
+/// Every pointer of the options is NULL or as the header says.
+unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
+    let mut file = None;
+    let mut document = match (options.file.is_null(), options.path.is_null()) {
+        (false, false) => {
+            return Err(Failure::Border(
+                V_ERR_ARGUMENT,
+                "a window starts with a file or with a path, not with both",
+            ));
+        }
+        (true, true) => Document::try_new()?,
+        (true, false) => read(options.path, |document| Ok(document.try_clone()?))?,
+        (false, true) => {
+            // SAFETY: the caller's word.
+            let name = unsafe { file_name(options.file) }?;
+            file = Some(PathBuf::from(name));
+            instance::document_of(name)?
+        }
+    };
+    let mut warnings = Warnings::default();
+    // SAFETY: the caller's word.
+    let object = unsafe { object(options.object, options.object_count, &mut warnings) }?;
+    if !object.is_empty() {
+        let mut info = document.info().clone();
+        info.object = object;
+        document.apply(Edit::SetInfo(Box::new(info)))?;
+    }
+    let speeds = BaseSpeeds {
+        movement: options.move_speed,
+        turning: options.orient_speed,
+        zoom: options.zoom_speed,
+        rolling: options.winkel_speed,
+    };
+    let unset = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling] == [0.0; 4];
+    if !unset {
+        document.apply(Edit::SetSpeeds(speeds))?;
+    }
+    // SAFETY: the caller's word for the three texts.
+    let (title, display, language) = unsafe {
+        (
+            text(options.title, "the title is not UTF-8")?,
+            text(options.display, "the display's name is not UTF-8")?,
+            text(options.language, "the language is not \"de\" or \"en\"")?,
+        )
+    };
+    let language = match language.as_deref() {
+        None => Language::of_environment(),
+        Some("de") => Language::German,
+        Some("en") => Language::English,
+        Some(_) => {
+            return Err(Failure::Border(
+                V_ERR_ARGUMENT,
+                "the language is not \"de\" or \"en\"",
+            ));
+        }
+    };
+    let (path, info) = document.into_parts();
+    Ok(Beginning {
+        editor: editor::Options {
+            // The window's own history begins here.
+            document: Document::from_parts(path, info)?,
+            file,
+            title,
+            language,
+            hand_over: options.on_poses.is_some(),
+            fixed_speeds: !unset,
+            folders: editor::Folders::of_environment(),
+        },
+        display,
+        warning: warnings.said(),
+    })
+}
+
+/// A text of the host's, copied; NULL is none.
+///
+/// # Safety
+/// A pointer that is not NULL points to a text ended by zero.
+unsafe fn text(text: *const c_char, not_utf8: &'static str) -> Answer<Option<String>> {
+    if text.is_null() {
+        return Ok(None);
+    }
+    // SAFETY: the caller's word.
+    let text = unsafe { CStr::from_ptr(text) };
+    match text.to_str() {
+        Ok(text) => Ok(Some(text.to_owned())),
+        Err(_) => Err(Failure::Border(V_ERR_ARGUMENT, not_utf8)),
+    }
+}
+
+/// Opens the window and gives it its handle.
+fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
+    let host = Rc::new(host);
+    let fixed_speeds = editor.editor.fixed_speeds;
+    instance::on_input(host_loop::serve);
+    let window = instance::open(instance::Options {
+        editor: editor.editor,
+        display: editor.display,
+        warning: editor.warning,
+        host: Rc::<Callbacks>::clone(&host),
+    })?;
+    let handle = EDITORS.insert(Opened {
+        window,
+        thread: thread::current().id(),
+        fixed_speeds,
+        closed: AtomicBool::new(false),
+    });
+    match handle {
+        Ok(handle) => host.handle.set(handle),
+        Err(_) => {
+            instance::close(window);
+        }
+    }
+    handle
+}
+
+/// Closes a window without asking anybody, and frees its handle. From within
+/// its own callbacks it closes when they have returned. NULL is no error.
+/// The thread that opened it, or any once the user has closed it; from
+/// callbacks too. V_ERR_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        if editor.is_null() {
+            return Ok(V_OK);
+        }
+        match opened(editor) {
+            Ok(found) => {
+                EDITORS.remove(editor)?;
+                instance::close(found.window);
+            }
+            Err(Failure::Border(V_ERR_CLOSED, _)) => {
+                EDITORS.remove(editor)?;
+            }
+            Err(failure) => return Err(failure),
+        }
+        Ok(V_OK)
+    })
+}
+
+/// A copy of the path as it is in the window now. *path is the caller's, to be
+/// freed with v_path_free().
+/// The thread that opened the window; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_editor_get_path(
+    editor: *const V_EDITOR,
+    path: *mut *mut V_PATH,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(path)?;
+        let window = opened(editor)?.window;
+        let copy = instance::read(window, Document::try_clone).ok_or(CLOSED)??;
+        let made = keep(copy.without_history())?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// Shows another path in a window, in one step that the user can take back.
+/// path is copied, with its title, comment and so on; its object, too, if it
+/// has one. Base speeds that were given when the window was opened stay.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V_PATH) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let found = opened(editor)?;
+        let copy = read(path, |document| Ok(document.try_clone()?))?;
+        instance::change(found.window, |document| {
+            replace(document, copy, found.fixed_speeds)
+        })
+        .ok_or(CLOSED)??;
+        Ok(V_OK)
+    })
+}
+
+/// Puts another path in place of the one there is, in one step.
+fn replace(document: &mut Document, by: Document, fixed_speeds: bool) -> Result<()> {
+    let (mut path, mut info) = by.into_parts();
+    if fixed_speeds {
+        path.speeds = document.path().speeds;
+    }
+    if info.object.is_empty() {
+        info.object = document.info().object.clone();
+    }
+    document.begin_step();
+    let done = document
+        .apply(Edit::ReplacePath(Box::new(path)))
+        .and_then(|()| document.apply(Edit::SetInfo(Box::new(info))));
+    match done {
+        Ok(()) => document.end_step(),
+        Err(_) => document.cancel_step(),
+    }
+    done
+}
+
+/// The host's functions.
+struct Callbacks {
+    handle: Cell<*mut V_EDITOR>,
+    on_poses: Option<OnPoses>,
+    on_close: Option<OnClose>,
+    user: *mut c_void,
+}
+
+type OnPoses = unsafe extern "C" fn(*mut V_EDITOR, *const V_POSE, usize, *mut c_void);
+type OnClose = unsafe extern "C" fn(*mut V_EDITOR, *mut c_void) -> c_int;
+
+impl Host for Callbacks {
+    fn prepare(&self, _: Id, sampler: &Sampler) -> Result<Box<dyn FnOnce()>> {
+        let Some(on_poses) = self.on_poses else {
+            return Ok(Box::new(|| ()));
+        };
+        let mut poses = vec_with_room(sampler.frame_count())?;
+        poses.resize(sampler.frame_count(), Pose::default());
+        sampler.sample(1, &mut poses)?;
+        let (handle, user) = (self.handle.get(), self.user);
+        Ok(Box::new(move || {
+            // SAFETY: the host's function; the poses live until it returns, and
+            // both kinds of pose are laid out alike.
+            unsafe { on_poses(handle, poses.as_ptr().cast(), poses.len(), user) };
+        }))
+    }
+
+    fn may_close(&self, _: Id) -> bool {
+        // SAFETY: the host's function.
+        self.on_close
+            .is_none_or(|on_close| unsafe { on_close(self.handle.get(), self.user) } != 0)
+    }
+
+    fn closed(&self, _: Id) {
+        if let Ok(opened) = EDITORS.get(self.handle.get()) {
+            opened.closed.store(true, Ordering::Release);
+        }
+    }
+}

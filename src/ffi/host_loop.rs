@@ -1,0 +1,139 @@
+//! How the host's event loop serves the windows.
+
+use std::ffi::{c_int, c_void};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use super::border::border;
+use super::pointers::check;
+use super::status::{
+    Answer, Failure, V_ERR_ARGUMENT, V_ERR_BUSY, V_ERR_DISPLAY, V_ERR_INTERNAL, V_OK,
+    set_last_error,
+};
+use crate::error::panic_said;
+use crate::instance::{self, Lost, Refusal};
+
+/// What an Xt host's loop does when the descriptor is readable. The last
+/// message stays, unless there is something to say: the host has called nothing.
+pub(super) fn serve() {
+    match catch_unwind(AssertUnwindSafe(instance::dispatch)) {
+        Ok(served) => tell(served.lost.as_ref()),
+        Err(panic) => {
+            let said = panic_said(&*panic);
+            set_last_error(format_args!("a fault inside the library: {said}"));
+        }
+    }
+}
+
+fn tell(lost: Option<&Lost>) {
+    if let Some(lost) = lost {
+        set_last_error(format_args!("{}", lost.why));
+    }
+}
+
+/// ==== The host's event loop ====
+///
+/// A host with an Xt or Motif main loop needs none of these: its windows are
+/// served by it. Any other host watches one descriptor among its own, or calls
+/// v_main_loop(). All of them concern the windows that the calling thread has
+/// opened. A host that does nothing of the kind finds a hint on standard error.
+///
+/// The descriptor to be watched with select(), poll() or the like: when it is
+/// readable, call v_dispatch(). It stays the same and open as long as the
+/// thread lives, with and without windows; it is the library's: never read or
+/// close it. -1 if the system gives no more descriptors; v_last_error() tells.
+/// The thread that opens the windows; from callbacks too.
+#[unsafe(no_mangle)]
+pub extern "C" fn v_fd() -> c_int {
+    border(-1, || {
+        instance::descriptor().or_else(|error| {
+            set_last_error(format_args!("{error}"));
+            Ok(-1)
+        })
+    })
+}
+
+/// Milliseconds until v_dispatch() has something to do even if nobody touches
+/// a window: the longest time to wait for the descriptor; -1 if there is no
+/// limit. Who waits for v_fd() alone misses nothing, since it becomes readable
+/// at that time.
+/// The thread that opens the windows; from callbacks too.
+#[unsafe(no_mangle)]
+pub extern "C" fn v_timeout() -> c_int {
+    border(-1, || {
+        let Some(wait) = instance::wait() else {
+            return Ok(-1);
+        };
+        // Rounded up: who comes too early has come for nothing.
+        let wait = wait.as_nanos().div_ceil(1_000_000);
+        Ok(c_int::try_from(wait).unwrap_or(c_int::MAX))
+    })
+}
+
+/// Does everything that there is to do for the windows at the moment, and
+/// never waits. Callbacks run within it. How many windows are open; if an X
+/// server went away, its windows are not among them, and v_last_error() tells.
+/// From within a callback it serves all windows but those whose callbacks run.
+/// The thread that opens the windows; from callbacks too.
+#[unsafe(no_mangle)]
+pub extern "C" fn v_dispatch() -> c_int {
+    border(0, || {
+        let served = instance::dispatch();
+        super::status::clear_last_error();
+        tell(served.lost.as_ref());
+        super::pointers::count(served.open)
+    })
+}
+
+/// Serves the windows until the last one is closed, and sleeps in between; for
+/// a host that does nothing else meanwhile. Returns at once without windows.
+/// The thread that opens the windows. V_ERR_BUSY from within a callback;
+/// V_ERR_DISPLAY if an X server went away with a window, when the others are
+/// closed, too; V_ERR_LIMIT without descriptors.
+#[unsafe(no_mangle)]
+pub extern "C" fn v_main_loop() -> c_int {
+    border(V_ERR_INTERNAL, || {
+        if instance::within_a_call() {
+            return Err(Failure::Border(
+                V_ERR_BUSY,
+                "the main loop cannot run within a callback",
+            ));
+        }
+        let served = instance::main_loop()?;
+        super::status::clear_last_error();
+        tell(served.lost.as_ref());
+        Ok(match served.lost {
+            None => V_OK,
+            Some(lost) if lost.fault => V_ERR_INTERNAL,
+            Some(_) => V_ERR_DISPLAY,
+        })
+    })
+}
+
+/// Has the windows of this thread served by an Xt application context, an
+/// XtAppContext that this thread runs. Only needed by a host that makes its
+/// context after it has opened a window: v_haupt() and v_editor_open() find all
+/// contexts that are there.
+/// The thread that opens the windows; from callbacks too. V_ERR_NULL,
+/// V_ERR_ARGUMENT (no Xt in this program, or no such context), V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub extern "C" fn v_set_app_context(app_context: *mut c_void) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        check(app_context)?;
+        instance::on_input(serve);
+        set_app_context(app_context)
+    })
+}
+
+fn set_app_context(app_context: *mut c_void) -> Answer<c_int> {
+    match instance::set_app_context(app_context)? {
+        Ok(()) => Ok(V_OK),
+        Err(Refusal::NoXt) => Err(Failure::Border(
+            V_ERR_ARGUMENT,
+            "there is no Xt in this program, or its functions cannot be found",
+        )),
+        Err(Refusal::NoContext) => Err(Failure::Border(
+            V_ERR_ARGUMENT,
+            "Xt has no such application context",
+        )),
+    }
+}

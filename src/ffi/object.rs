@@ -1,0 +1,106 @@
+//! What a host hands over when it opens a window: the object to be shown and
+//! the base speeds, looked at and converted.
+
+use std::ffi::c_int;
+
+use glam::DVec3;
+
+use super::pointers::slice;
+use super::status::Answer;
+use super::types::V_OBJEKT_LIST;
+use crate::document::{Object, ObjectPoint};
+use crate::error::{Error, Message, sentence, vec_with_room};
+use crate::limits;
+use crate::path::BaseSpeeds;
+
+/// The speed in the place of one that makes no sense: that of the thesis's own
+/// example.
+const USUAL_SPEED: f64 = 100.0;
+
+/// A copy of the host's object. No object is one without points. If the
+/// numbers are not 1, 2, 3 …, `warn` is told; the order of the array counts.
+///
+/// # Safety
+/// A pointer that is not NULL points to `count` elements that can be read.
+pub(super) unsafe fn object(
+    points: *const V_OBJEKT_LIST,
+    count: c_int,
+    warn: &mut Warnings,
+) -> Answer<Object> {
+    let count = usize::try_from(count).unwrap_or(0);
+    if points.is_null() || count == 0 {
+        return Ok(Object::default());
+    }
+    if count > limits::MAX_OBJECT_POINTS {
+        return Err(Error::Limit(sentence(format_args!(
+            "an object has at most {} points",
+            limits::MAX_OBJECT_POINTS
+        )))
+        .into());
+    }
+    // SAFETY: the caller's word.
+    let given = unsafe { slice(points, count) }?;
+    let mut copied = vec_with_room(count)?;
+    let mut misnumbered = None;
+    for (point, should) in given.iter().zip(1..) {
+        if point.number != should && misnumbered.is_none() {
+            misnumbered = Some((should, point.number));
+        }
+        let [x, y, z] = [point.pos.x, point.pos.y, point.pos.z].map(f64::from);
+        copied.push(ObjectPoint {
+            position: DVec3::new(x, y, z),
+            draw: point.draw != 0,
+        });
+    }
+    if let Some((should, is)) = misnumbered {
+        warn.add(sentence(format_args!(
+            "point {should} of the object has the number {is}; the order of the array counts"
+        )));
+    }
+    Ok(copied.into())
+}
+
+/// The host's base speeds: move, orient, zoom, winkel. In the place of one
+/// that makes no sense comes the usual one, and `warn` is told.
+pub(super) fn speeds(given: [f64; 4], warn: &mut Warnings) -> BaseSpeeds {
+    let names = ["move_speed", "orient_speed", "zoom_speed", "winkel_speed"];
+    let mut sound = given;
+    for (speed, name) in sound.iter_mut().zip(names) {
+        if !(speed.is_finite() && *speed > 0.0) {
+            warn.add(sentence(format_args!(
+                "{name} is {speed} and must be finite and greater than 0: {USUAL_SPEED} is taken"
+            )));
+            *speed = USUAL_SPEED;
+        }
+    }
+    let [movement, turning, zoom, rolling] = sound;
+    BaseSpeeds {
+        movement,
+        turning,
+        zoom,
+        rolling,
+    }
+}
+
+/// What was wrong and could be mended, as one sentence.
+#[derive(Debug, Default)]
+pub(super) struct Warnings(String);
+
+impl Warnings {
+    /// One thing more.
+    pub(super) fn add(&mut self, what: Message) {
+        let needed = what.len() + 2;
+        // Without memory nothing can be said of it.
+        if self.0.try_reserve(needed).is_ok() {
+            if !self.0.is_empty() {
+                self.0.push_str("; ");
+            }
+            self.0.push_str(&what);
+        }
+    }
+
+    /// Everything, if there was anything.
+    pub(super) fn said(self) -> Option<String> {
+        (!self.0.is_empty()).then_some(self.0)
+    }
+}

@@ -1,0 +1,63 @@
+//! A hint for whoever wonders why no picture comes: nobody has served the
+//! windows.
+//!
+//! Whether a host will do so cannot be known when it opens a window, for most
+//! do it right afterwards. So the hint is given once, when the program ends or
+//! opens a window again later, and not one of its windows was served until then.
+
+#![allow(unsafe_code)] // atexit
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, Once, PoisonError};
+use std::time::{Duration, Instant};
+
+use crate::error::complain;
+
+/// A host that has not served its first window for so long when it opens
+/// another one has no loop that does.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// When the first window was opened.
+static OPENED: Mutex<Option<Instant>> = Mutex::new(None);
+/// Somebody serves windows.
+static SERVED: AtomicBool = AtomicBool::new(false);
+static WATCH: Once = Once::new();
+
+/// The windows are being served.
+pub(super) fn served() {
+    SERVED.store(true, Ordering::Relaxed);
+}
+
+/// A window was opened.
+pub(super) fn opened() {
+    if SERVED.load(Ordering::Relaxed) {
+        return;
+    }
+    let first = *OPENED
+        .lock()
+        .unwrap_or_else(PoisonError::into_inner)
+        .get_or_insert_with(Instant::now);
+    if first.elapsed() > PATIENCE {
+        give();
+    }
+    WATCH.call_once(|| {
+        // SAFETY: the function stays: the library is never unloaded. That it
+        // may be refused does no harm.
+        let _ = unsafe { libc::atexit(at_exit) };
+    });
+}
+
+extern "C" fn at_exit() {
+    give();
+}
+
+/// Gives the hint, once.
+fn give() {
+    if !SERVED.swap(true, Ordering::Relaxed) {
+        complain(
+            "a window was opened, but nothing serves it: watch the descriptor of v_fd() and \
+             call v_dispatch(), or call v_main_loop(); a host with Xt needs neither \
+             (v_set_app_context() if it makes its application context later)",
+        );
+    }
+}

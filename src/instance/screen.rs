@@ -1,0 +1,56 @@
+//! What a window of ours asks of the screen: exactly what [`crate::x11`]
+//! offers, as a trait, so that the loop can be tried without an X server.
+
+use std::os::fd::{AsFd as _, BorrowedFd};
+
+use egui::{PlatformOutput, RawInput};
+
+use crate::error::Result;
+use crate::raster::{Area, Target};
+use crate::x11::{News, Window};
+
+/// See the methods of [`Window`].
+pub(super) trait Screen {
+    fn connection(&self) -> BorrowedFd<'_>;
+    fn poll(&mut self) -> Result<News>;
+    fn take_input(&mut self) -> RawInput;
+    fn target(&mut self) -> Option<Target<'_>>;
+    fn present(&mut self, areas: &[Area]) -> Result<()>;
+    fn take_output(&mut self, output: PlatformOutput) -> Result<()>;
+    fn set_title(&mut self, title: &str) -> Result<()>;
+    fn flush(&mut self) -> Result<()>;
+}
+
+impl Screen for Window {
+    fn connection(&self) -> BorrowedFd<'_> {
+        self.as_fd()
+    }
+
+    fn poll(&mut self) -> Result<News> {
+        self.poll()
+    }
+
+    fn take_input(&mut self) -> RawInput {
+        self.take_input()
+    }
+
+    fn target(&mut self) -> Option<Target<'_>> {
+        self.target()
+    }
+
+    fn present(&mut self, areas: &[Area]) -> Result<()> {
+        self.present(areas)
+    }
+
+    fn take_output(&mut self, output: PlatformOutput) -> Result<()> {
+        self.take_output(output)
+    }
+
+    fn set_title(&mut self, title: &str) -> Result<()> {
+        self.set_title(title)
+    }
+
+    fn flush(&mut self) -> Result<()> {
+        self.flush()
+    }
+}

@@ -1,0 +1,406 @@
+//! Windows without an X server: what the table and the loop promise.
+
+use std::cell::{Cell, RefCell};
+use std::collections::VecDeque;
+use std::io::{Read as _, Write as _};
+use std::os::fd::{AsFd as _, BorrowedFd};
+use std::os::unix::net::UnixStream;
+use std::rc::Rc;
+
+use egui::{PlatformOutput, RawInput};
+
+use super::screen::Screen;
+use super::window::Window;
+use super::{Host, Id, Served, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
+use crate::document::Document;
+use crate::editor::{Editor, Folders, Language, Options};
+use crate::error::{Error, Result};
+use crate::path::Sampler;
+use crate::raster::{Area, Target};
+use crate::x11::News;
+
+/// What a fake screen does, from outside.
+struct Remote {
+    theirs: RefCell<UnixStream>,
+    news: RefCell<VecDeque<News>>,
+    /// What poll does in the place of giving news.
+    fails: Cell<Fails>,
+    polls: Cell<usize>,
+    presents: Cell<usize>,
+    dropped: Cell<bool>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Fails {
+    No,
+    Gone,
+    Panics,
+    /// News at every poll, for ever.
+    Floods,
+}
+
+impl Remote {
+    fn send(&self, news: News) {
+        self.news.borrow_mut().push_back(news);
+        self.theirs.borrow_mut().write_all(b"x").expect("room");
+    }
+
+    fn fail(&self, how: Fails) {
+        self.fails.set(how);
+        self.theirs.borrow_mut().write_all(b"x").expect("room");
+    }
+}
+
+struct Fake {
+    ours: UnixStream,
+    remote: Rc<Remote>,
+    pixels: Vec<u32>,
+}
+
+impl Drop for Fake {
+    fn drop(&mut self) {
+        self.remote.dropped.set(true);
+    }
+}
+
+impl Screen for Fake {
+    fn connection(&self) -> BorrowedFd<'_> {
+        self.ours.as_fd()
+    }
+
+    fn poll(&mut self) -> Result<News> {
+        self.remote.polls.set(self.remote.polls.get() + 1);
+        let _ = self.ours.read(&mut [0; 64]);
+        match self.remote.fails.get() {
+            Fails::No => {}
+            Fails::Gone => return Err(Error::Display("the X server went away".into())),
+            Fails::Panics => panic!("on purpose"),
+            Fails::Floods => {
+                return Ok(News {
+                    input: true,
+                    shown: true,
+                    ..News::default()
+                });
+            }
+        }
+        Ok(self
+            .remote
+            .news
+            .borrow_mut()
+            .pop_front()
+            .unwrap_or_default())
+    }
+
+    fn take_input(&mut self) -> RawInput {
+        RawInput::default()
+    }
+
+    fn target(&mut self) -> Option<Target<'_>> {
+        Some(Target {
+            pixels: &mut self.pixels,
+            stride: 64,
+            width: 64,
+            height: 64,
+        })
+    }
+
+    fn present(&mut self, areas: &[Area]) -> Result<()> {
+        assert!(!areas.is_empty());
+        self.remote.presents.set(self.remote.presents.get() + 1);
+        Ok(())
+    }
+
+    fn take_output(&mut self, _: PlatformOutput) -> Result<()> {
+        Ok(())
+    }
+
+    fn set_title(&mut self, _: &str) -> Result<()> {
+        Ok(())
+    }
+
+    fn flush(&mut self) -> Result<()> {
+        Ok(())
+    }
+}
+
+/// A host whose functions are written in each test.
+#[derive(Default)]
+struct Calls {
+    asked: Cell<usize>,
+    closed: Cell<usize>,
+    on_close: RefCell<Option<Box<dyn FnMut(Id) -> bool>>>,
+}
+
+impl Host for Calls {
+    fn prepare(&self, _: Id, _: &Sampler) -> Result<Box<dyn FnOnce()>> {
+        Ok(Box::new(|| ()))
+    }
+
+    fn may_close(&self, window: Id) -> bool {
+        self.asked.set(self.asked.get() + 1);
+        let function = self.on_close.borrow_mut().take();
+        let Some(mut function) = function else {
+            return true;
+        };
+        let answer = function(window);
+        *self.on_close.borrow_mut() = Some(function);
+        answer
+    }
+
+    fn closed(&self, _: Id) {
+        self.closed.set(self.closed.get() + 1);
+    }
+}
+
+const CLOSE: News = News {
+    close: true,
+    input: false,
+    shown: true,
+    new_buffer: false,
+};
+
+fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
+    let (ours, theirs) = UnixStream::pair().expect("a pair");
+    ours.set_nonblocking(true).expect("non-blocking");
+    let remote = Rc::new(Remote {
+        theirs: RefCell::new(theirs),
+        news: RefCell::default(),
+        fails: Cell::new(Fails::No),
+        polls: Cell::new(0),
+        presents: Cell::new(0),
+        dropped: Cell::new(false),
+    });
+    let calls = Rc::new(Calls::default());
+    let editor = Editor::new(Options {
+        document: Document::new(),
+        file: None,
+        title: None,
+        language: Language::English,
+        hand_over: true,
+        fixed_speeds: true,
+        folders: Folders::default(),
+    })
+    .expect("an editor");
+    let screen = Fake {
+        ours,
+        remote: Rc::clone(&remote),
+        pixels: vec![0; 64 * 64],
+    };
+    let window = Window::new(Box::new(screen), editor, String::new());
+    let host: Rc<dyn Host> = Rc::<Calls>::clone(&calls);
+    let id = registry::insert(Box::new(window), host).expect("room");
+    (id, remote, calls)
+}
+
+/// Whether the descriptor that hosts watch is readable.
+fn readable() -> bool {
+    let mut poll = libc::pollfd {
+        fd: registry::descriptor().expect("a descriptor"),
+        events: libc::POLLIN,
+        revents: 0,
+    };
+    #[allow(unsafe_code)]
+    // SAFETY: one element, alive during the call.
+    unsafe {
+        libc::poll(&mut poll, 1, 0) == 1
+    }
+}
+
+/// Serves until nothing is left to do; pictures arrive at once.
+fn settle(windows: &[&Rc<Remote>]) -> Served {
+    let mut served = dispatch();
+    for _ in 0..100 {
+        for remote in windows.iter().filter(|remote| !remote.dropped.get()) {
+            remote.send(News {
+                shown: true,
+                ..News::default()
+            });
+        }
+        let lost = served.lost.take();
+        served = dispatch();
+        served.lost = served.lost.or(lost);
+        if wait().is_none() && !readable() {
+            return served;
+        }
+    }
+    panic!("it never comes to rest");
+}
+
+#[test]
+fn a_window_paints_itself_and_then_is_quiet() {
+    let (id, remote, _) = open();
+    assert!(readable() && remote.polls.get() == 0);
+    assert_eq!(settle(&[&remote]).open, 1);
+    assert!(remote.presents.get() > 0);
+    assert_eq!(wait(), None);
+    let polls = remote.polls.get();
+    assert!(!readable());
+    assert_eq!((remote.polls.get(), is_open(id)), (polls, true));
+}
+
+#[test]
+fn the_host_may_keep_a_window_open() {
+    let (id, remote, calls) = open();
+    settle(&[&remote]);
+    *calls.on_close.borrow_mut() = Some(Box::new(|_| false));
+    remote.send(CLOSE);
+    assert_eq!(settle(&[&remote]).open, 1);
+    assert_eq!((calls.asked.get(), calls.closed.get()), (1, 0));
+    *calls.on_close.borrow_mut() = None;
+    remote.send(CLOSE);
+    assert_eq!(settle(&[]).open, 0);
+    assert_eq!((calls.asked.get(), calls.closed.get()), (2, 1));
+    assert!(remote.dropped.get() && !is_open(id) && !close(id));
+    assert!(!readable());
+}
+
+#[test]
+fn a_callback_may_serve_the_others_and_close_them_and_itself() {
+    let (first, one, calls) = open();
+    let (second, two, others) = open();
+    let (third, three, thirds) = open();
+    settle(&[&one, &two, &three]);
+    let counted = Rc::new(Cell::new(0));
+    let (inside, two_inside, one_inside) = (Rc::clone(&counted), Rc::clone(&two), Rc::clone(&one));
+    *calls.on_close.borrow_mut() = Some(Box::new(move |id| {
+        assert!(within_a_call());
+        // Its own input waits, and wakes nobody meanwhile.
+        let polls = one_inside.polls.get();
+        one_inside.send(News::default());
+        two_inside.send(News {
+            input: true,
+            shown: true,
+            ..News::default()
+        });
+        let before = two_inside.polls.get();
+        dispatch();
+        assert!(two_inside.polls.get() > before);
+        assert_eq!(one_inside.polls.get(), polls);
+        two_inside.send(News {
+            shown: true,
+            ..News::default()
+        });
+        dispatch();
+        assert!(!readable());
+        // Another one goes at once, the own one later.
+        assert!(close(third) && !is_open(third));
+        assert!(close(id) && !close(id) && !is_open(id));
+        assert!(!one_inside.dropped.get());
+        inside.set(inside.get() + 1);
+        false
+    }));
+    one.send(CLOSE);
+    let served = dispatch();
+    assert_eq!((served.open, counted.get()), (1, 1));
+    assert!(one.dropped.get() && three.dropped.get() && !two.dropped.get());
+    // Closed by the host: nobody is told.
+    assert_eq!((calls.closed.get(), thirds.closed.get()), (0, 0));
+    assert!(!is_open(first) && is_open(second));
+    assert_eq!(others.asked.get(), 0);
+    close(second);
+}
+
+#[test]
+fn a_callback_may_open_windows() {
+    let (_, one, calls) = open();
+    settle(&[&one]);
+    let opened = Rc::new(RefCell::new(Vec::new()));
+    let inside = Rc::clone(&opened);
+    *calls.on_close.borrow_mut() = Some(Box::new(move |_| {
+        inside.borrow_mut().push(open());
+        inside.borrow().len() >= 3
+    }));
+    for round in 1..=3 {
+        one.send(CLOSE);
+        dispatch();
+        assert_eq!(opened.borrow().len(), round);
+    }
+    assert!(one.dropped.get());
+    assert_eq!(dispatch().open, 3);
+    for (id, remote, _) in opened.borrow().iter() {
+        assert!(remote.polls.get() > 0 && close(*id));
+    }
+}
+
+#[test]
+fn a_lost_screen_takes_its_window_alone() {
+    let (_, one, first) = open();
+    let (id, two, _) = open();
+    settle(&[&one, &two]);
+    one.fail(Fails::Gone);
+    let served = settle(&[&two]);
+    assert_eq!(served.open, 1);
+    let lost = served.lost.expect("told");
+    assert_eq!(
+        (lost.why.as_str(), lost.fault),
+        ("the X server went away", false)
+    );
+    assert_eq!((first.closed.get(), first.asked.get()), (1, 0));
+    assert!(one.dropped.get() && is_open(id));
+    close(id);
+}
+
+#[test]
+fn a_panic_spoils_one_window() {
+    let (_, one, first) = open();
+    let (id, two, _) = open();
+    settle(&[&one, &two]);
+    one.fail(Fails::Panics);
+    let served = settle(&[&two]);
+    assert_eq!((served.open, first.closed.get()), (1, 1));
+    let lost = served.lost.expect("told");
+    assert!(
+        lost.fault && lost.why.contains("on purpose"),
+        "{}",
+        lost.why
+    );
+    two.send(CLOSE);
+    assert_eq!(settle(&[]).open, 0);
+    assert!(!is_open(id) && one.dropped.get());
+}
+
+#[test]
+fn a_flood_lets_the_others_and_the_host_go_on() {
+    let (id, one, _) = open();
+    let (other, two, _) = open();
+    settle(&[&one, &two]);
+    one.fail(Fails::Floods);
+    let (before, others) = (one.polls.get(), two.polls.get());
+    dispatch();
+    let polls = one.polls.get() - before;
+    assert!((2..100).contains(&polls), "{polls}");
+    assert!(two.polls.get() - others >= polls / 2);
+    // There is more to do: whoever watches comes back at once.
+    assert!(readable() && wait().is_some_and(|wait| wait.is_zero()));
+    close(id);
+    close(other);
+}
+
+#[test]
+fn the_main_loop_ends_with_the_last_window() {
+    assert_eq!(main_loop().expect("no window").open, 0);
+    let (_, one, _) = open();
+    let (_, two, second) = open();
+    one.send(CLOSE);
+    two.fail(Fails::Gone);
+    let served = main_loop().expect("descriptors");
+    assert_eq!(served.open, 0);
+    assert!(served.lost.is_some() && second.closed.get() == 1);
+    assert!(one.dropped.get() && two.dropped.get());
+}
+
+#[test]
+fn a_thread_that_ends_closes_its_windows() {
+    struct Shared(Rc<Remote>);
+    // SAFETY: looked at only after the thread has ended.
+    #[allow(unsafe_code)]
+    unsafe impl Send for Shared {}
+    let remote = std::thread::spawn(|| {
+        let (_, remote, _) = open();
+        dispatch();
+        Shared(remote)
+    })
+    .join()
+    .expect("no panic");
+    assert!(remote.0.dropped.get());
+}

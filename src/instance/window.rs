@@ -1,0 +1,231 @@
+//! One window at work: input from the screen to the editor, the editor's
+//! picture through the raster back to the screen.
+//!
+//! A [`Window::turn`] does what there is to do at the moment and never waits.
+//! What only the host can do (take poses, agree to the closing) comes out of
+//! it as a [`Wish`], one at a time, for the host may change everything before
+//! the next.
+
+use std::rc::Rc;
+use std::time::{Duration, Instant};
+
+use egui::{ClippedPrimitive, Context, FullOutput, ViewportId};
+
+use super::screen::Screen;
+use super::{Host, Id};
+use crate::document::Document;
+use crate::editor::{Editor, Request};
+use crate::error::Result;
+use crate::raster::Raster;
+
+/// Passes in a row that may follow one another at once without input: egui
+/// asks for them where a size settles. More are an animation.
+const SETTLING_PASSES: u32 = 3;
+
+/// From picture to picture of an animation.
+const ANIMATION_STEP: Duration = Duration::from_nanos(1_000_000_000 / 60);
+
+/// An open window.
+pub(super) struct Window {
+    screen: Box<dyn Screen>,
+    editor: Editor,
+    /// Made at the first turn, so that opening is quick.
+    context: Option<Context>,
+    raster: Raster,
+    /// There is input, or something changed from outside: egui should run.
+    fresh: bool,
+    /// When egui wants to run again by itself.
+    due: Option<Instant>,
+    /// Passes since the last input.
+    passes: u32,
+    /// What is to be painted, and the pixels for one point.
+    picture: Option<(Vec<ClippedPrimitive>, f32)>,
+    /// A picture is on its way to the screen.
+    in_flight: bool,
+    /// What stands in the title bar.
+    title: String,
+}
+
+/// What a turn ended with.
+pub(super) struct Turn {
+    /// Something was done: more may have come meanwhile.
+    pub(super) busy: bool,
+    /// What the host must be called for.
+    pub(super) wish: Option<Wish>,
+}
+
+/// What only the host can do.
+pub(super) enum Wish {
+    /// To be called: it takes the poses.
+    HandOver(Box<dyn FnOnce()>),
+    /// May the window close?
+    Close,
+}
+
+impl Window {
+    /// A window whose first picture is made in its first turn.
+    pub(super) fn new(screen: Box<dyn Screen>, editor: Editor, title: String) -> Self {
+        let background = editor.background();
+        Self {
+            screen,
+            editor,
+            context: None,
+            raster: Raster::new(background),
+            fresh: true,
+            due: None,
+            passes: 0,
+            picture: None,
+            in_flight: false,
+            title,
+        }
+    }
+
+    /// The connection to the screen.
+    pub(super) fn screen(&self) -> &dyn Screen {
+        &*self.screen
+    }
+
+    /// The path that is edited.
+    pub(super) fn document(&self) -> &Document {
+        self.editor.document()
+    }
+
+    /// For a change from outside: it is shown in the next turn.
+    pub(super) fn editor_mut(&mut self) -> &mut Editor {
+        self.fresh = true;
+        &mut self.editor
+    }
+
+    /// When the next turn is due without any news from the screen. While a
+    /// picture is in flight the screen's news come first.
+    pub(super) fn due(&self, now: Instant) -> Option<Instant> {
+        if self.in_flight {
+            None
+        } else if self.fresh {
+            Some(now)
+        } else {
+            self.due
+        }
+    }
+
+    /// Does what there is to do.
+    ///
+    /// # Errors
+    /// [`crate::Error::Display`]: the screen is gone, and the window with it.
+    pub(super) fn turn(&mut self, id: Id, host: &Rc<dyn Host>) -> Result<Turn> {
+        let news = self.screen.poll()?;
+        if news.input {
+            self.fresh = true;
+            self.passes = 0;
+        }
+        if news.close {
+            self.editor.ask_to_close();
+            self.fresh = true;
+        }
+        if news.new_buffer {
+            self.raster.forget();
+            self.fresh = true;
+        }
+        if news.shown {
+            self.in_flight = false;
+        }
+        let mut turn = Turn {
+            busy: news.input || news.close || news.new_buffer || news.shown,
+            wish: None,
+        };
+        let now = Instant::now();
+        if !self.in_flight && (self.fresh || self.due.is_some_and(|due| due <= now)) {
+            turn.busy = true;
+            self.pass(now)?;
+        }
+        turn.wish = self.next_wish(id, host);
+        turn.busy |= self.paint()?;
+        self.screen.flush()?;
+        Ok(turn)
+    }
+
+    /// Runs egui once.
+    fn pass(&mut self, now: Instant) -> Result<()> {
+        self.fresh = false;
+        let input = self.screen.take_input();
+        let editor = &mut self.editor;
+        let context = self.context.get_or_insert_with(|| {
+            let context = Context::default();
+            editor.prepare(&context);
+            context
+        });
+        let output = context.run_ui(input, |ui| editor.show(ui));
+        let FullOutput {
+            platform_output,
+            textures_delta,
+            shapes,
+            pixels_per_point,
+            mut viewport_output,
+        } = output;
+        self.raster.update_textures(textures_delta);
+        self.raster.set_background(editor.background());
+        let primitives = context.tessellate(shapes, pixels_per_point);
+        self.picture = Some((primitives, pixels_per_point));
+        self.screen.take_output(platform_output)?;
+        let delay = viewport_output
+            .remove(&ViewportId::ROOT)
+            .map_or(Duration::MAX, |viewport| viewport.repaint_delay);
+        self.passes = self.passes.saturating_add(1);
+        let delay = if self.passes <= SETTLING_PASSES {
+            delay
+        } else {
+            delay.max(ANIMATION_STEP)
+        };
+        self.due = now.checked_add(delay);
+        let title = self.editor.window_title();
+        if title != self.title {
+            self.screen.set_title(&title)?;
+            self.title = title;
+        }
+        Ok(())
+    }
+
+    /// Paints what waits to be painted; whether something was shown.
+    fn paint(&mut self) -> Result<bool> {
+        if self.in_flight {
+            return Ok(false);
+        }
+        let Some((primitives, scale)) = &self.picture else {
+            return Ok(false);
+        };
+        let Some(mut target) = self.screen.target() else {
+            return Ok(false);
+        };
+        let areas = self.raster.paint(primitives, *scale, &mut target);
+        self.picture = None;
+        if areas.is_empty() {
+            return Ok(false);
+        }
+        self.screen.present(&areas)?;
+        self.in_flight = true;
+        Ok(true)
+    }
+
+    /// What the editor wants done outside, made ready for the host.
+    fn next_wish(&mut self, id: Id, host: &Rc<dyn Host>) -> Option<Wish> {
+        loop {
+            match self.editor.next_request()? {
+                Request::Close => return Some(Wish::Close),
+                Request::HandOver => {
+                    self.fresh = true;
+                    let poses = self.editor.document().sampler().and_then(|sampler| {
+                        let call = host.prepare(id, sampler)?;
+                        Ok((call, sampler.frame_count()))
+                    });
+                    match poses {
+                        Ok((call, count)) => {
+                            self.editor.handed_over(Ok(count));
+                            return Some(Wish::HandOver(call));
+                        }
+                        Err(error) => self.editor.handed_over(Err(error)),
+                    }
+                }
+            }
+        }
+    }
+}
