@@ -113,7 +113,8 @@ check-lints:
 	$(CARGO) clippy --locked --all-targets -- $(LINT)
 
 check-rust:
-	@mk/need.sh python3=python3
+	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip \
+	    setxkbmap=x11-xkb-utils /usr/share/X11/locale/compose.dir=libx11-data
 	@mk/locale.sh
 	$(CARGO) test --locked
 

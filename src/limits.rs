@@ -83,3 +83,8 @@ pub const MAX_BEZIER_POINTS: usize = 1_024;
 
 /// Keys of one quaternion spline handed over in a call.
 pub const MAX_KEYS: usize = 1_000_000;
+
+/// Bytes of a text that is pasted from another program: a text field never
+/// needs as much, and a program that sends without an end must not take the
+/// memory.
+pub const MAX_CLIPBOARD_BYTES: usize = 16 << 20;

@@ -31,7 +31,7 @@ atom_manager! {
         TIMESTAMP,
         ATOM_PAIR,
         INCR,
-        DELETE,
+        NULL,
         TEXT_PLAIN: b"text/plain",
         TEXT_PLAIN_UTF8: b"text/plain;charset=utf-8",
         // Our own.

@@ -11,9 +11,23 @@
 //! It knows nothing of what the window shows, and nothing of C.
 
 mod atoms;
+mod clipboard;
+mod compose;
 mod connect;
 mod connection;
+mod core_keymap;
+mod cursor;
+mod incoming;
+mod keyboard;
+mod keymap;
+mod keys;
+mod outgoing;
 mod stream;
+
+#[cfg(test)]
+mod keyboard_tests;
+#[cfg(test)]
+mod testing;
 
 use std::os::fd::{AsFd, BorrowedFd};
 

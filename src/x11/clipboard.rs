@@ -1,0 +1,582 @@
+//! Texts to and from other programs: the clipboard (copy and paste), and the
+//! primary selection (what is marked, pasted with the middle button).
+//!
+//! Everything waits for events and for nothing else; [`Clipboard::deadline`]
+//! says when a transfer has waited long enough. Other programs are not trusted:
+//! what they ask for and what they send is bounded in size, number and time.
+
+use std::cell::OnceCell;
+use std::rc::Rc;
+use std::time::{Duration, Instant};
+
+use egui::{Event as Input, Pos2};
+use x11rb::connection::Connection as _;
+use x11rb::protocol::Event;
+use x11rb::protocol::xproto::{
+    Atom, AtomEnum, ConnectionExt as _, EventMask, PropMode, Property, SELECTION_NOTIFY_EVENT,
+    SelectionNotifyEvent, SelectionRequestEvent, Window,
+};
+use x11rb::wrapper::ConnectionExt as _;
+use x11rb::{CURRENT_TIME, NONE};
+
+use super::connection::Connection;
+use super::incoming::{self, Incoming, Step};
+use super::outgoing::{self, Outgoing};
+use crate::error::Result;
+
+/// Which of the two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Selection {
+    /// What is copied and pasted.
+    Clipboard,
+    /// What is marked.
+    Primary,
+}
+
+/// Transfers to us that may wait at once: impatient presses of Ctrl-V.
+const MOST_INCOMING: usize = 8;
+
+/// Transfers in pieces to others at once.
+const MOST_OUTGOING: usize = 64;
+
+/// Pairs of one MULTIPLE request that are looked at.
+const MOST_PAIRS: u32 = 64;
+
+/// See the module.
+#[derive(Default)]
+pub(super) struct Clipboard {
+    /// The window that owns our selections, once there was one.
+    owner: Option<Window>,
+    clipboard: Option<Owned>,
+    primary: Option<Owned>,
+    incoming: Vec<Incoming>,
+    outgoing: Vec<Outgoing>,
+}
+
+/// A text that others may ask for.
+struct Owned {
+    text: Rc<[u8]>,
+    /// The same in Latin-1, once somebody asked for that.
+    latin: OnceCell<Rc<[u8]>>,
+    /// Since when, on the server's clock.
+    time: u32,
+}
+
+/// What one target is converted to.
+enum Value {
+    Atoms(Vec<Atom>),
+    Time(u32),
+    Text(Atom, Rc<[u8]>),
+    Nothing,
+}
+
+impl Clipboard {
+    /// Owns nothing and waits for nothing; costs the server nothing.
+    pub(super) fn new() -> Self {
+        Self::default()
+    }
+
+    /// Offers a text to other programs. `time` is that of the user's action, on
+    /// the server's clock. Another program that took the selection later than
+    /// that keeps it.
+    ///
+    /// # Errors
+    /// [`crate::Error::Display`] if the server is gone.
+    pub(super) fn own(
+        &mut self,
+        connection: &Connection,
+        which: Selection,
+        text: &str,
+        time: u32,
+    ) -> Result<()> {
+        if text.is_empty() {
+            return Ok(());
+        }
+        let Some(owner) = self.owner(connection)? else {
+            return Ok(());
+        };
+        let selection = atom(connection, which);
+        connection
+            .set_selection_owner(owner, selection, time)
+            .map_err(|error| connection.lost(error))?
+            .ignore_error();
+        let asked = connection.get_selection_owner(selection);
+        let now = connection.answer(asked)?;
+        let ours = now.is_some_and(|now| now.owner == owner);
+        *self.place(which) = ours.then(|| Owned {
+            text: text.as_bytes().into(),
+            latin: OnceCell::new(),
+            time,
+        });
+        Ok(())
+    }
+
+    /// Asks for a selection's text. It comes as an [`Input::Paste`], or, if a
+    /// place is given, as an [`Input::MiddleClickPaste`] there: now if it is our
+    /// own, else later, or never.
+    ///
+    /// # Errors
+    /// [`crate::Error::Display`] if the server is gone.
+    pub(super) fn request(
+        &mut self,
+        connection: &Connection,
+        which: Selection,
+        time: u32,
+        place: Option<Pos2>,
+        out: &mut Vec<Input>,
+    ) -> Result<()> {
+        if let Some(owned) = self.place(which) {
+            let text = String::from_utf8_lossy(&owned.text).into_owned();
+            out.push(pasted(text, place));
+            return Ok(());
+        }
+        if self.incoming.len() >= MOST_INCOMING {
+            return Ok(());
+        }
+        let selection = atom(connection, which);
+        let now = Instant::now();
+        let started = Incoming::start(connection, selection, time, place, now)?;
+        self.incoming.extend(started);
+        Ok(())
+    }
+
+    /// When to call [`Clipboard::tick`], if something is under way.
+    pub(super) fn deadline(&self) -> Option<Instant> {
+        let incoming = self.incoming.iter().map(Incoming::deadline);
+        let outgoing = self.outgoing.iter().map(Outgoing::deadline);
+        incoming.chain(outgoing).min()
+    }
+
+    /// Gives up what has taken too long.
+    ///
+    /// # Errors
+    /// [`crate::Error::Display`] if the server is gone.
+    pub(super) fn tick(&mut self, connection: &Connection, now: Instant) -> Result<()> {
+        while let Some(late) = self.incoming.iter().position(|one| one.deadline() <= now) {
+            self.incoming.remove(late).finish(connection)?;
+        }
+        while let Some(late) = self.outgoing.iter().position(|one| one.deadline() <= now) {
+            self.stop_sending(connection, late, true)?;
+        }
+        Ok(())
+    }
+
+    /// Takes what concerns selections; true if the event did.
+    ///
+    /// # Errors
+    /// [`crate::Error::Display`] if the server is gone.
+    pub(super) fn handle(
+        &mut self,
+        connection: &Connection,
+        event: &Event,
+        out: &mut Vec<Input>,
+    ) -> Result<bool> {
+        let now = Instant::now();
+        match event {
+            Event::SelectionNotify(event) => {
+                let Some(place) = self.receiving(event.requestor) else {
+                    return Ok(false);
+                };
+                let step = match self.incoming.get_mut(place) {
+                    Some(incoming) => incoming.answered(connection, event, now)?,
+                    None => Step::Underway,
+                };
+                self.step(connection, place, step, out)?;
+            }
+            Event::PropertyNotify(event) if event.state == Property::NEW_VALUE => {
+                let Some(place) = self.receiving(event.window) else {
+                    return Ok(false);
+                };
+                let step = match self.incoming.get_mut(place) {
+                    Some(incoming) => incoming.written(connection, event.atom, now)?,
+                    None => Step::Underway,
+                };
+                self.step(connection, place, step, out)?;
+            }
+            Event::PropertyNotify(event) => {
+                let Some(place) = self.sending(event.window, event.atom) else {
+                    return Ok(self.receiving(event.window).is_some());
+                };
+                if let Some(outgoing) = self.outgoing.get_mut(place)
+                    && outgoing.taken(connection, now)?
+                {
+                    self.stop_sending(connection, place, true)?;
+                }
+            }
+            Event::DestroyNotify(event) => {
+                let gone = |one: &Outgoing| one.requestor() == event.window;
+                let Some(mut place) = self.outgoing.iter().position(gone) else {
+                    return Ok(false);
+                };
+                loop {
+                    self.stop_sending(connection, place, false)?;
+                    match self.outgoing.iter().position(gone) {
+                        Some(next) => place = next,
+                        None => break,
+                    }
+                }
+            }
+            Event::SelectionRequest(event) if Some(event.owner) == self.owner => {
+                self.asked(connection, event, now)?;
+            }
+            Event::SelectionClear(event) if Some(event.owner) == self.owner => {
+                if let Some(which) = which(connection, event.selection) {
+                    let place = self.place(which);
+                    let since = place.as_ref().map_or(CURRENT_TIME, |owned| owned.time);
+                    if !is_before(event.time, since) {
+                        *place = None;
+                    }
+                }
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// Hands the clipboard's text over to the clipboard manager, if there is
+    /// one, so that it outlives the window. Waits for that, but not longer than
+    /// said; other events are lost meanwhile.
+    ///
+    /// # Errors
+    /// [`crate::Error::Display`] if the server is gone.
+    pub(super) fn hand_over(&mut self, connection: &Connection, limit: Duration) -> Result<()> {
+        let end = Instant::now() + limit;
+        let (Some(owner), Some(owned)) = (self.owner, &self.clipboard) else {
+            return Ok(());
+        };
+        let time = owned.time;
+        let atoms = connection.atoms();
+        let asked = connection.get_selection_owner(atoms.CLIPBOARD_MANAGER);
+        if connection
+            .answer(asked)?
+            .is_none_or(|manager| manager.owner == NONE)
+        {
+            return Ok(());
+        }
+        let list = texts(connection);
+        let property = atoms._VIDES_SELECTION;
+        connection
+            .change_property32(PropMode::REPLACE, owner, property, AtomEnum::ATOM, &list)
+            .map_err(|error| connection.lost(error))?
+            .ignore_error();
+        connection
+            .convert_selection(
+                owner,
+                atoms.CLIPBOARD_MANAGER,
+                atoms.SAVE_TARGETS,
+                property,
+                time,
+            )
+            .map_err(|error| connection.lost(error))?
+            .ignore_error();
+        let mut unheard = Vec::new();
+        while Instant::now() < end && self.clipboard.is_some() {
+            connection.flush().map_err(|error| connection.lost(error))?;
+            let event = connection.poll_for_event();
+            match event.map_err(|error| connection.lost(error))? {
+                Some(Event::SelectionNotify(event))
+                    if event.requestor == owner && event.target == atoms.SAVE_TARGETS =>
+                {
+                    break;
+                }
+                Some(event) => {
+                    self.handle(connection, &event, &mut unheard)?;
+                }
+                None => std::thread::sleep(Duration::from_millis(1)),
+            }
+            unheard.clear();
+        }
+        Ok(())
+    }
+
+    fn place(&mut self, which: Selection) -> &mut Option<Owned> {
+        match which {
+            Selection::Clipboard => &mut self.clipboard,
+            Selection::Primary => &mut self.primary,
+        }
+    }
+
+    fn owner(&mut self, connection: &Connection) -> Result<Option<Window>> {
+        if self.owner.is_none() {
+            let window = connection.generate_id();
+            if let Some(window) = connection.excuse(window)? {
+                incoming::create(connection, window, EventMask::NO_EVENT)?;
+                self.owner = Some(window);
+            }
+        }
+        Ok(self.owner)
+    }
+
+    fn receiving(&self, window: Window) -> Option<usize> {
+        self.incoming.iter().position(|one| one.window() == window)
+    }
+
+    fn sending(&self, window: Window, property: Atom) -> Option<usize> {
+        let same = |one: &Outgoing| one.requestor() == window && one.property() == property;
+        self.outgoing.iter().position(same)
+    }
+
+    fn step(
+        &mut self,
+        connection: &Connection,
+        place: usize,
+        step: Step,
+        out: &mut Vec<Input>,
+    ) -> Result<()> {
+        let Step::Over(text) = step else {
+            return Ok(());
+        };
+        let incoming = self.incoming.remove(place);
+        out.extend(text.map(|text| pasted(text, incoming.place)));
+        incoming.finish(connection)
+    }
+
+    /// Forgets a transfer; if the other window is still there and no other
+    /// transfer goes to it, it is listened to no more.
+    fn stop_sending(&mut self, connection: &Connection, place: usize, there: bool) -> Result<()> {
+        let outgoing = self.outgoing.swap_remove(place);
+        let window = outgoing.requestor();
+        if there && self.outgoing.iter().all(|one| one.requestor() != window) {
+            outgoing::listen(connection, window, false)?;
+        }
+        Ok(())
+    }
+
+    /// Another program asks for one of our texts.
+    fn asked(
+        &mut self,
+        connection: &Connection,
+        event: &SelectionRequestEvent,
+        now: Instant,
+    ) -> Result<()> {
+        // Programs of before ICCCM name no property.
+        let property = match event.property {
+            NONE => event.target,
+            property => property,
+        };
+        let to = (event.requestor, property);
+        let which = which(connection, event.selection);
+        let known = which.is_some_and(|which| {
+            let owned = self.place(which).as_ref();
+            owned.is_some_and(|owned| !is_before(event.time, owned.time))
+        });
+        // Listening to a window of our own would make it deaf to its user.
+        let ours = is_ours(connection, event.requestor);
+        let done = match which {
+            Some(which) if known && !ours => {
+                if event.target == connection.atoms().MULTIPLE {
+                    event.property != NONE && self.convert_all(connection, which, to, now)?
+                } else {
+                    self.convert(connection, which, event.target, to, now)?
+                }
+            }
+            _ => false,
+        };
+        let answer = SelectionNotifyEvent {
+            response_type: SELECTION_NOTIFY_EVENT,
+            sequence: 0,
+            time: event.time,
+            requestor: event.requestor,
+            selection: event.selection,
+            target: event.target,
+            property: if done { property } else { NONE },
+        };
+        connection
+            .send_event(false, event.requestor, EventMask::NO_EVENT, answer)
+            .map_err(|error| connection.lost(error))?
+            .ignore_error();
+        Ok(())
+    }
+
+    /// Several targets at once; those that cannot be converted are crossed out.
+    fn convert_all(
+        &mut self,
+        connection: &Connection,
+        which: Selection,
+        (requestor, property): (Window, Atom),
+        now: Instant,
+    ) -> Result<bool> {
+        let asked =
+            connection.get_property(false, requestor, property, AtomEnum::ANY, 0, 2 * MOST_PAIRS);
+        let Some(list) = connection.answer(asked)? else {
+            return Ok(false);
+        };
+        if list.bytes_after > 0 {
+            return Ok(false);
+        }
+        let Some(list) = list.value32() else {
+            return Ok(false);
+        };
+        let mut list: Vec<Atom> = list.collect();
+        for pair in list.chunks_exact_mut(2) {
+            if let [target, into] = pair
+                && (*into == NONE
+                    || *target == connection.atoms().MULTIPLE
+                    || !self.convert(connection, which, *target, (requestor, *into), now)?)
+            {
+                *into = NONE;
+            }
+        }
+        let kind = connection.atoms().ATOM_PAIR;
+        connection
+            .change_property32(PropMode::REPLACE, requestor, property, kind, &list)
+            .map_err(|error| connection.lost(error))?
+            .ignore_error();
+        Ok(true)
+    }
+
+    /// Writes one target into a property of the other's window, at once or in
+    /// pieces. False if it cannot be had.
+    fn convert(
+        &mut self,
+        connection: &Connection,
+        which: Selection,
+        target: Atom,
+        to: (Window, Atom),
+        now: Instant,
+    ) -> Result<bool> {
+        let Some(value) = self.value(connection, which, target) else {
+            return Ok(false);
+        };
+        let (window, property) = to;
+        let replace = PropMode::REPLACE;
+        let written = match value {
+            Value::Atoms(atoms) => {
+                connection.change_property32(replace, window, property, AtomEnum::ATOM, &atoms)
+            }
+            Value::Time(time) => {
+                connection.change_property32(replace, window, property, AtomEnum::INTEGER, &[time])
+            }
+            Value::Nothing => {
+                let kind = connection.atoms().NULL;
+                connection.change_property32(replace, window, property, kind, &[])
+            }
+            Value::Text(kind, text) if text.len() <= outgoing::piece(connection) => {
+                connection.change_property8(replace, window, property, kind, &text)
+            }
+            Value::Text(kind, text) => {
+                if let Some(same) = self.sending(window, property) {
+                    self.outgoing.swap_remove(same);
+                }
+                if self.outgoing.len() >= MOST_OUTGOING {
+                    return Ok(false);
+                }
+                let started = Outgoing::start(connection, to, kind, text, now)?;
+                self.outgoing.push(started);
+                return Ok(true);
+            }
+        };
+        written
+            .map_err(|error| connection.lost(error))?
+            .ignore_error();
+        Ok(true)
+    }
+
+    fn value(&mut self, connection: &Connection, which: Selection, target: Atom) -> Option<Value> {
+        let atoms = connection.atoms();
+        let string = Atom::from(AtomEnum::STRING);
+        let owned = self.place(which).as_ref()?;
+        Some(if target == atoms.TARGETS {
+            let mut list = vec![atoms.TARGETS, atoms.MULTIPLE, atoms.TIMESTAMP];
+            if which == Selection::Clipboard {
+                list.push(atoms.SAVE_TARGETS);
+            }
+            list.extend(texts(connection));
+            Value::Atoms(list)
+        } else if target == atoms.TIMESTAMP {
+            Value::Time(owned.time)
+        } else if target == atoms.SAVE_TARGETS && which == Selection::Clipboard {
+            Value::Nothing
+        } else if target == string {
+            Value::Text(string, owned.latin())
+        } else if target == atoms.TEXT {
+            // The owner chooses: the plainest that holds the whole text.
+            match owned.text.is_ascii() {
+                true => Value::Text(string, Rc::clone(&owned.text)),
+                false => Value::Text(atoms.UTF8_STRING, Rc::clone(&owned.text)),
+            }
+        } else if [atoms.UTF8_STRING, atoms.TEXT_PLAIN_UTF8].contains(&target) {
+            Value::Text(target, Rc::clone(&owned.text))
+        } else {
+            return None;
+        })
+    }
+}
+
+impl Owned {
+    /// In Latin-1; a question mark for what that has not.
+    fn latin(&self) -> Rc<[u8]> {
+        let make = || {
+            let text = String::from_utf8_lossy(&self.text);
+            let signs = text.chars().map(|sign| u8::try_from(sign).unwrap_or(b'?'));
+            signs.collect()
+        };
+        Rc::clone(self.latin.get_or_init(make))
+    }
+}
+
+fn pasted(text: String, place: Option<Pos2>) -> Input {
+    match place {
+        Some(pos) => Input::MiddleClickPaste { pos, text },
+        None => Input::Paste(text),
+    }
+}
+
+/// The targets that are the text itself.
+fn texts(connection: &Connection) -> [Atom; 4] {
+    let atoms = connection.atoms();
+    [
+        atoms.UTF8_STRING,
+        atoms.TEXT_PLAIN_UTF8,
+        atoms.TEXT,
+        AtomEnum::STRING.into(),
+    ]
+}
+
+fn atom(connection: &Connection, which: Selection) -> Atom {
+    match which {
+        Selection::Clipboard => connection.atoms().CLIPBOARD,
+        Selection::Primary => AtomEnum::PRIMARY.into(),
+    }
+}
+
+fn which(connection: &Connection, selection: Atom) -> Option<Selection> {
+    [Selection::Clipboard, Selection::Primary]
+        .into_iter()
+        .find(|which| atom(connection, *which) == selection)
+}
+
+/// Whether a window was made by this connection.
+fn is_ours(connection: &Connection, window: Window) -> bool {
+    let setup = connection.setup();
+    window & !setup.resource_id_mask == setup.resource_id_base
+}
+
+/// Whether one time of the server's clock, which begins anew every 50 days, is
+/// before another. "Now" is before nothing.
+fn is_before(time: u32, other: u32) -> bool {
+    let behind = other.wrapping_sub(time);
+    time != CURRENT_TIME && other != CURRENT_TIME && behind != 0 && behind < u32::MAX / 2
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_servers_clock_wraps() {
+        assert!(is_before(5, 6) && !is_before(6, 5) && !is_before(5, 5));
+        assert!(is_before(u32::MAX - 5, 3) && !is_before(3, u32::MAX - 5));
+        assert!(!is_before(CURRENT_TIME, 9) && !is_before(9, CURRENT_TIME));
+    }
+
+    #[test]
+    fn latin_1_has_a_question_mark_for_the_rest() {
+        let owned = Owned {
+            text: "aä€\n".as_bytes().into(),
+            latin: OnceCell::new(),
+            time: 0,
+        };
+        assert_eq!(&*owned.latin(), b"a\xE4?\n");
+    }
+}

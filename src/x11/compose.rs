@@ -1,0 +1,194 @@
+//! Dead keys and compose sequences: several keys that make one sign.
+//!
+//! The table is the system's or the user's own Compose file for the locale. It
+//! is read once for the whole process, and only when the first sign is typed
+//! into a text: it costs some milliseconds and some hundred kilobytes.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, OnceLock};
+
+use kbvm::xkb::Context;
+use kbvm::xkb::compose::{ComposeTable, FeedResult, State};
+use kbvm::xkb::diagnostic::Diagnostic;
+use kbvm::{Keysym, syms};
+
+/// What becomes of a key that is pressed.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Fed {
+    /// It belongs to no sequence and counts by itself.
+    Plain,
+    /// It belongs to a sequence that goes on, or has just been given up.
+    Taken,
+    /// It ends a sequence that makes this text.
+    Text(String),
+}
+
+/// Where in a sequence a keyboard is.
+#[derive(Default)]
+pub(super) struct Compose {
+    table: Option<Arc<ComposeTable>>,
+    state: Option<State>,
+}
+
+impl Compose {
+    /// Takes the next key.
+    pub(super) fn feed(&mut self, keysym: Keysym) -> Fed {
+        if self.table.is_none() {
+            self.table = shared();
+        }
+        let Some(table) = self.table.as_deref() else {
+            return Fed::Plain;
+        };
+        let mut state = self.state.take().unwrap_or_else(|| table.create_state());
+        let underway = state != table.create_state();
+        let mut result = table.feed(&mut state, keysym);
+        if result == Some(FeedResult::Aborted) {
+            if matches!(keysym, syms::BackSpace | syms::Escape) {
+                return Fed::Taken;
+            }
+            // Whatever does not fit ends the sequence, and counts by itself.
+            result = table.feed(&mut state, keysym);
+        }
+        match result {
+            Some(FeedResult::Pending) => {
+                self.state = Some(state);
+                Fed::Taken
+            }
+            Some(FeedResult::Composed { string, keysym }) => match text(string, keysym) {
+                Some(text) => Fed::Text(text),
+                None => Fed::Taken,
+            },
+            Some(FeedResult::Aborted) => Fed::Plain,
+            None => {
+                // A modifier leaves a sequence as it is.
+                self.state = underway.then_some(state).filter(|_| keysym.is_modifier());
+                Fed::Plain
+            }
+        }
+    }
+
+    /// Gives up a sequence that is not finished.
+    pub(super) fn reset(&mut self) {
+        self.state = None;
+    }
+}
+
+/// What a finished sequence makes. The file's own text comes first, but not
+/// where it is written in another encoding than UTF-8.
+fn text(string: Option<&str>, keysym: Option<Keysym>) -> Option<String> {
+    let sound = |text: &&str| !text.is_empty() && !text.contains('\u{FFFD}');
+    string
+        .filter(sound)
+        .map(str::to_owned)
+        .or_else(|| keysym?.char().map(String::from))
+        .or_else(|| string.map(str::to_owned))
+}
+
+/// The table of this process's locale.
+fn shared() -> Option<Arc<ComposeTable>> {
+    static TABLE: OnceLock<Option<Arc<ComposeTable>>> = OnceLock::new();
+    TABLE.get_or_init(|| load(&Context::default())).clone()
+}
+
+/// Reads the table that the environment names, or that of English where the
+/// locale has none. The files are read as they are: what does not make sense
+/// in them is passed over, and a fault of the reader is no fault of ours.
+fn load(context: &Context) -> Option<Arc<ComposeTable>> {
+    let read = |locale: Option<&str>| {
+        let build = AssertUnwindSafe(|| {
+            let mut builder = context.compose_table_builder();
+            if let Some(locale) = locale {
+                builder.locale(locale);
+            }
+            // Nobody reads the diagnostics: they are refused before they are made.
+            builder.build((Vec::<Diagnostic>::new(), |_, _| false))
+        });
+        catch_unwind(build).ok().flatten()
+    };
+    read(None)
+        .or_else(|| read(Some("en_US.UTF-8")))
+        .map(Arc::new)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FILE: &str = r#"
+<dead_acute> <e> : "é" eacute
+<dead_acute> <space> : "'" apostrophe
+<Multi_key> <less> <equal> : "≤"
+<Multi_key> <o> <o> : degree
+<Multi_key> <dead_acute> : "´"
+"#;
+
+    fn compose(file: &str) -> Compose {
+        let context = Context::default();
+        let mut builder = context.compose_table_builder();
+        builder.buffer(file);
+        let table = builder.build(Vec::<Diagnostic>::new()).unwrap();
+        Compose {
+            table: Some(Arc::new(table)),
+            state: None,
+        }
+    }
+
+    fn text(text: &str) -> Fed {
+        Fed::Text(text.to_owned())
+    }
+
+    #[test]
+    fn sequences_make_their_text() {
+        let mut compose = compose(FILE);
+        assert_eq!(compose.feed(syms::e), Fed::Plain);
+        assert_eq!(compose.feed(syms::dead_acute), Fed::Taken);
+        assert_eq!(compose.feed(syms::Shift_L), Fed::Plain);
+        assert_eq!(compose.feed(syms::e), text("é"));
+        assert_eq!(compose.feed(syms::e), Fed::Plain);
+        assert_eq!(compose.feed(syms::Multi_key), Fed::Taken);
+        assert_eq!(compose.feed(syms::less), Fed::Taken);
+        assert_eq!(compose.feed(syms::equal), text("≤"));
+        for key in [syms::Multi_key, syms::o] {
+            assert_eq!(compose.feed(key), Fed::Taken);
+        }
+        assert_eq!(compose.feed(syms::o), text("°"));
+    }
+
+    #[test]
+    fn a_sequence_that_cannot_go_on_is_given_up() {
+        let mut compose = compose(FILE);
+        for stop in [syms::BackSpace, syms::Escape] {
+            assert_eq!(compose.feed(syms::dead_acute), Fed::Taken);
+            assert_eq!(compose.feed(stop), Fed::Taken);
+            assert_eq!(compose.feed(stop), Fed::Plain);
+        }
+        assert_eq!(compose.feed(syms::dead_acute), Fed::Taken);
+        assert_eq!(compose.feed(syms::x), Fed::Plain);
+        assert_eq!(compose.feed(syms::e), Fed::Plain);
+        // What does not fit may begin a sequence of its own.
+        assert_eq!(compose.feed(syms::dead_acute), Fed::Taken);
+        assert_eq!(compose.feed(syms::Multi_key), Fed::Taken);
+        assert_eq!(compose.feed(syms::dead_acute), text("´"));
+        assert_eq!(compose.feed(syms::dead_acute), Fed::Taken);
+        compose.reset();
+        assert_eq!(compose.feed(syms::e), Fed::Plain);
+    }
+
+    /// "\351" is é in Latin-1, and nothing in UTF-8.
+    #[test]
+    fn text_in_another_encoding_gives_way_to_the_keysym() {
+        let mut compose = compose("<dead_acute> <e> : \"\\351\" eacute\n");
+        assert_eq!(compose.feed(syms::dead_acute), Fed::Taken);
+        assert_eq!(compose.feed(syms::e), text("é"));
+    }
+
+    #[test]
+    fn a_missing_or_broken_file_does_no_harm() {
+        let mut builder = Context::builder();
+        builder
+            .environment_accessor(|name| (name == "XLOCALEDIR").then(|| "/nonexistent".to_owned()));
+        assert!(load(&builder.build()).is_none());
+        let mut compose = compose("<dead_acute <e> : \"\u{1}\n<\n\0\n");
+        assert_eq!(compose.feed(syms::dead_acute), Fed::Plain);
+    }
+}

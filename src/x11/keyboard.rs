@@ -1,0 +1,469 @@
+//! From keys pressed on an X server to egui's events: which key, which text,
+//! which modifiers; key repeat, dead keys, the clipboard's shortcuts.
+//!
+//! The keymap is asked for when the first key comes, so that a window opens
+//! without it, and again after it was changed. Modifiers are those of the
+//! events themselves; between events the keyboard extension tells of changes,
+//! but only while we have the focus: otherwise each shift key pressed in any
+//! other program would wake us.
+
+use egui::{Event as Input, Key, Modifiers};
+use kbvm::Keysym;
+use x11rb::connection::RequestConnection as _;
+use x11rb::protocol::Event;
+use x11rb::protocol::xkb::{
+    self, ConnectionExt as _, EventType, MapPart, NKNDetail, PerClientFlag, SelectEventsAux,
+    SelectEventsAuxNewKeyboardNotify, SelectEventsAuxStateNotify, StatePart,
+};
+use x11rb::protocol::xproto::{KeyPressEvent, Mapping, NotifyDetail};
+
+use super::compose::{Compose, Fed};
+use super::connection::Connection;
+use super::core_keymap::{CONTROL, MOD1, SHIFT};
+use super::keymap::{KEYBOARD, Keymap, Meaning};
+use crate::error::Result;
+
+/// See the module.
+pub(super) struct Keyboard {
+    /// The keyboard extension is there.
+    extension: bool,
+    keymap: Option<Keymap>,
+    /// The keymap is to be asked for before it is used again.
+    stale: bool,
+    /// The extension tells us of modifiers.
+    watching: bool,
+    /// A held key sends presses only, no releases between them.
+    detectable: bool,
+    /// Modifiers and group, as an event's state has them.
+    state: u16,
+    /// The modifiers that egui knows of.
+    told: Modifiers,
+    /// The keys that are held, by keycode, and what egui was told of them.
+    held: Vec<(u8, Told)>,
+    /// A release that may be half of a repetition.
+    waiting: Option<Release>,
+    /// A text is being edited, so that signs are composed.
+    editing: bool,
+    compose: Compose,
+    /// When the user asked for the clipboard's contents.
+    paste: Option<u32>,
+}
+
+/// The key that egui was told to be pressed, and the one at its place; none if
+/// it was told nothing, since the key belonged to a sequence or a shortcut.
+type Told = Option<(Key, Option<Key>)>;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Release {
+    keycode: u8,
+    time: u32,
+}
+
+impl Keyboard {
+    /// A keyboard of which nothing is known yet.
+    ///
+    /// # Errors
+    /// [`crate::Error::Display`] if the server is gone.
+    pub(super) fn new(connection: &Connection) -> Result<Self> {
+        let found = connection
+            .extension_information(xkb::X11_EXTENSION_NAME)
+            .map_err(|error| connection.lost(error))?;
+        if found.is_some() {
+            // From here on the states of events say the keyboard's group too.
+            // The answer tells nothing that the next one would not.
+            drop(connection.xkb_use_extension(1, 0));
+        }
+        Ok(Self::with(found.is_some()))
+    }
+
+    /// One that does not use the server's keyboard extension.
+    #[cfg(test)]
+    pub(super) fn without_extension() -> Self {
+        Self::with(false)
+    }
+
+    fn with(extension: bool) -> Self {
+        Self {
+            extension,
+            keymap: None,
+            stale: true,
+            watching: false,
+            detectable: false,
+            state: 0,
+            told: Modifiers::NONE,
+            held: Vec::new(),
+            waiting: None,
+            editing: true,
+            compose: Compose::default(),
+            paste: None,
+        }
+    }
+
+    /// The modifiers that are held.
+    pub(super) fn modifiers(&self) -> Modifiers {
+        let alt = self.keymap.as_ref().map_or(MOD1, Keymap::alt);
+        let held = |bits| self.state & bits != 0;
+        Modifiers {
+            alt: held(alt),
+            ctrl: held(CONTROL),
+            shift: held(SHIFT),
+            mac_cmd: false,
+            command: held(CONTROL),
+        }
+    }
+
+    /// Whether a text is being edited: only then are signs composed.
+    pub(super) fn set_editing(&mut self, editing: bool) {
+        if !editing {
+            self.compose.reset();
+        }
+        self.editing = editing;
+    }
+
+    /// The time at which the user asked for the clipboard's contents, if so
+    /// since the last call.
+    pub(super) fn take_paste(&mut self) -> Option<u32> {
+        self.paste.take()
+    }
+
+    /// Takes what concerns the keyboard: keys, its keymap, its modifiers. Looks
+    /// at the focus and at the modifiers in the pointer's events too, but leaves
+    /// those to others. True if the event was the keyboard's.
+    ///
+    /// # Errors
+    /// [`crate::Error::Display`] if the server is gone.
+    pub(super) fn handle(
+        &mut self,
+        connection: &Connection,
+        event: &Event,
+        out: &mut Vec<Input>,
+    ) -> Result<bool> {
+        match event {
+            Event::KeyPress(event) => self.press(connection, event, out)?,
+            Event::KeyRelease(event) => self.release(event, out),
+            Event::XkbStateNotify(event) => {
+                if self.watching {
+                    let group = u16::from(u8::from(event.group)) & 3;
+                    self.state = u16::from(event.mods) & 0xFF | group << 13;
+                    self.tell_modifiers(out);
+                }
+            }
+            Event::XkbNewKeyboardNotify(_) | Event::XkbMapNotify(_) => self.stale = true,
+            Event::MappingNotify(event) => self.stale |= event.request != Mapping::POINTER,
+            Event::FocusIn(event) => {
+                if !is_passing(event.detail) {
+                    self.watch(connection, true)?;
+                    self.tell_modifiers(out);
+                }
+                return Ok(false);
+            }
+            Event::FocusOut(event) => {
+                if !is_passing(event.detail) {
+                    self.watch(connection, false)?;
+                    self.release_all(out);
+                }
+                return Ok(false);
+            }
+            Event::ButtonPress(event) | Event::ButtonRelease(event) => {
+                return Ok(self.pointer(event.state.into(), out));
+            }
+            Event::MotionNotify(event) => return Ok(self.pointer(event.state.into(), out)),
+            Event::EnterNotify(event) | Event::LeaveNotify(event) => {
+                return Ok(self.pointer(event.state.into(), out));
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// To be called when there are no more events for now.
+    ///
+    /// # Errors
+    /// [`crate::Error::Display`] if the server is gone.
+    pub(super) fn settle(&mut self, connection: &Connection, out: &mut Vec<Input>) -> Result<()> {
+        self.release_waiting(out);
+        // Who changes the keymap to type what it lacks changes it back soon.
+        if self.stale && self.keymap.is_some() {
+            self.load(connection)?;
+        }
+        Ok(())
+    }
+
+    /// The window has lost the keyboard: no key is held any more.
+    pub(super) fn release_all(&mut self, out: &mut Vec<Input>) {
+        self.waiting = None;
+        self.compose.reset();
+        let modifiers = self.modifiers();
+        for (_, key) in std::mem::take(&mut self.held) {
+            up(key, modifiers, out);
+        }
+        self.state &= !0xFF;
+        self.tell_modifiers(out);
+    }
+
+    fn press(
+        &mut self,
+        connection: &Connection,
+        event: &KeyPressEvent,
+        out: &mut Vec<Input>,
+    ) -> Result<()> {
+        if self.stale {
+            self.load(connection)?;
+        }
+        self.watch(connection, true)?;
+        self.key(event.detail, event.state.into(), event.time, out);
+        Ok(())
+    }
+
+    /// A key is pressed, or pressed still.
+    fn key(&mut self, keycode: u8, state: u16, time: u32, out: &mut Vec<Input>) {
+        let half = Release { keycode, time };
+        if self.waiting == Some(half) {
+            self.waiting = None;
+        } else {
+            self.release_waiting(out);
+        }
+        self.state = state;
+        self.tell_modifiers(out);
+        let meaning = self.keymap.as_ref().map(|map| map.meaning(keycode, state));
+        let place = self.held.iter().position(|(held, _)| *held == keycode);
+        let before = place.map(|place| self.held.swap_remove(place).1);
+        if let Some(meaning) = meaning
+            && self.held.len() < MOST_HELD
+        {
+            let told = self.tell(meaning, before, time, out);
+            self.held.push((keycode, told));
+        }
+        self.hold(keycode, true, out);
+    }
+
+    /// Tells egui what a pressed key means; gives back which key it was told.
+    /// `before` is what it was told when the same key was pressed before, if it
+    /// has not been released since.
+    fn tell(
+        &mut self,
+        meaning: Meaning,
+        before: Option<Told>,
+        time: u32,
+        out: &mut Vec<Input>,
+    ) -> Told {
+        let known = before.flatten();
+        let modifiers = self.modifiers();
+        if let Some(shortcut) = meaning.key.and_then(|key| shortcut(key, modifiers)) {
+            match shortcut {
+                Shortcut::Copy => out.push(Input::Copy),
+                Shortcut::Cut => out.push(Input::Cut),
+                Shortcut::Paste => self.paste = Some(time),
+            }
+            return known;
+        }
+        let text = match meaning.command {
+            true => None,
+            false => match self.feed(meaning.keysym) {
+                Fed::Plain => meaning.keysym.char().map(String::from),
+                Fed::Text(text) => {
+                    tell_text(Some(text), out);
+                    return known;
+                }
+                Fed::Taken => return known,
+            },
+        };
+        // What was told at first stays: the key that goes up must be that one.
+        let told = known.or(meaning.key.map(|key| (key, meaning.physical)));
+        if let Some((key, physical_key)) = told {
+            out.push(Input::Key {
+                key,
+                physical_key,
+                pressed: true,
+                repeat: before.is_some(),
+                modifiers,
+            });
+        }
+        tell_text(text, out);
+        told
+    }
+
+    fn feed(&mut self, keysym: Keysym) -> Fed {
+        match self.editing {
+            true => self.compose.feed(keysym),
+            false => Fed::Plain,
+        }
+    }
+
+    fn release(&mut self, event: &KeyPressEvent, out: &mut Vec<Input>) {
+        self.release_waiting(out);
+        self.state = event.state.into();
+        self.tell_modifiers(out);
+        let keycode = event.detail;
+        if self.detectable {
+            self.let_go(keycode, out);
+        } else {
+            let time = event.time;
+            self.waiting = Some(Release { keycode, time });
+        }
+    }
+
+    fn release_waiting(&mut self, out: &mut Vec<Input>) {
+        if let Some(release) = self.waiting.take() {
+            self.let_go(release.keycode, out);
+        }
+    }
+
+    fn let_go(&mut self, keycode: u8, out: &mut Vec<Input>) {
+        if let Some(place) = self.held.iter().position(|(held, _)| *held == keycode) {
+            let (_, key) = self.held.swap_remove(place);
+            up(key, self.modifiers(), out);
+        }
+        self.hold(keycode, false, out);
+    }
+
+    /// A modifier's own key changes the modifiers only after its event. The
+    /// extension tells; without it this does.
+    fn hold(&mut self, keycode: u8, down: bool, out: &mut Vec<Input>) {
+        let Some(map) = self.keymap.as_ref().filter(|_| !self.extension) else {
+            return;
+        };
+        let sets = map.sets(keycode) & (SHIFT | CONTROL | map.alt());
+        if sets == 0 {
+            return;
+        }
+        let others = self.held.iter().filter(|(held, _)| *held != keycode);
+        let still = others.fold(0, |bits, (held, _)| bits | map.sets(*held));
+        match down {
+            true => self.state |= sets,
+            false => self.state &= !sets | still,
+        }
+        self.tell_modifiers(out);
+    }
+
+    /// The modifiers in an event of the pointer's: they are told even when
+    /// another window has the keyboard.
+    fn pointer(&mut self, state: u16, out: &mut Vec<Input>) -> bool {
+        self.state = state;
+        self.tell_modifiers(out);
+        false
+    }
+
+    fn tell_modifiers(&mut self, out: &mut Vec<Input>) {
+        let modifiers = self.modifiers();
+        if modifiers != self.told {
+            self.told = modifiers;
+            out.push(Input::ModifiersChanged(modifiers));
+        }
+    }
+
+    /// Asks for the keymap, and for the first time to be told when it changes.
+    fn load(&mut self, connection: &Connection) -> Result<()> {
+        self.stale = false;
+        if self.extension && self.keymap.is_none() {
+            let map = MapPart::KEY_TYPES
+                | MapPart::KEY_SYMS
+                | MapPart::MODIFIER_MAP
+                | MapPart::VIRTUAL_MODS
+                | MapPart::VIRTUAL_MOD_MAP;
+            let keyboard = SelectEventsAuxNewKeyboardNotify {
+                affect_new_keyboard: NKNDetail::KEYCODES | NKNDetail::DEVICE_ID,
+                new_keyboard_details: NKNDetail::KEYCODES | NKNDetail::DEVICE_ID,
+            };
+            let nothing = EventType::default();
+            let details = SelectEventsAux::new().new_keyboard_notify(keyboard);
+            if let Ok(asked) =
+                connection.xkb_select_events(KEYBOARD, nothing, nothing, map, map, &details)
+            {
+                asked.ignore_error();
+            }
+            let repeat = PerClientFlag::DETECTABLE_AUTO_REPEAT;
+            let none = xkb::BoolCtrl::default();
+            let asked = connection.xkb_per_client_flags(KEYBOARD, repeat, repeat, none, none, none);
+            let flags = connection.answer(asked)?;
+            self.detectable = flags.is_some_and(|flags| flags.value.contains(repeat));
+        }
+        if let Some(keymap) = Keymap::load(connection, self.extension)? {
+            self.keymap = Some(keymap);
+        }
+        Ok(())
+    }
+
+    /// Has the extension tell us of modifiers, or not.
+    fn watch(&mut self, connection: &Connection, watch: bool) -> Result<()> {
+        if !self.extension || self.watching == watch {
+            return Ok(());
+        }
+        self.watching = watch;
+        let parts = StatePart::MODIFIER_STATE | StatePart::GROUP_STATE;
+        let state = SelectEventsAuxStateNotify {
+            affect_state: parts,
+            state_details: if watch { parts } else { StatePart::default() },
+        };
+        let nothing = EventType::default();
+        let unchanged = MapPart::default();
+        let details = SelectEventsAux::new().state_notify(state);
+        if let Ok(asked) =
+            connection.xkb_select_events(KEYBOARD, nothing, nothing, unchanged, unchanged, &details)
+        {
+            asked.ignore_error();
+        }
+        if watch && let Some(now) = connection.answer(connection.xkb_get_state(KEYBOARD))? {
+            let group = u16::from(u8::from(now.group)) & 3;
+            self.state = u16::from(now.mods) & 0xFF | group << 13;
+        }
+        Ok(())
+    }
+}
+
+/// Keys that can be held at once: more than a keyboard sends.
+const MOST_HELD: usize = 256;
+
+/// Focus events that do not concern this window: the pointer's window follows
+/// the focus, or a child of ours has it.
+fn is_passing(detail: NotifyDetail) -> bool {
+    matches!(
+        detail,
+        NotifyDetail::POINTER | NotifyDetail::POINTER_ROOT | NotifyDetail::INFERIOR
+    )
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shortcut {
+    Copy,
+    Cut,
+    Paste,
+}
+
+/// What a key means for the clipboard: Ctrl-C, Ctrl-X and Ctrl-V, the older
+/// Ctrl-Insert, Shift-Delete and Shift-Insert, and the keys of their own.
+fn shortcut(key: Key, held: Modifiers) -> Option<Shortcut> {
+    let ctrl = held.ctrl && !held.alt;
+    let shift = held.shift && !held.ctrl && !held.alt;
+    match key {
+        Key::Copy => Some(Shortcut::Copy),
+        Key::Cut => Some(Shortcut::Cut),
+        Key::Paste => Some(Shortcut::Paste),
+        Key::C | Key::Insert if ctrl => Some(Shortcut::Copy),
+        Key::X if ctrl => Some(Shortcut::Cut),
+        Key::V if ctrl => Some(Shortcut::Paste),
+        Key::Delete if shift => Some(Shortcut::Cut),
+        Key::Insert if shift => Some(Shortcut::Paste),
+        _ => None,
+    }
+}
+
+fn up(key: Told, modifiers: Modifiers, out: &mut Vec<Input>) {
+    if let Some((key, physical_key)) = key {
+        out.push(Input::Key {
+            key,
+            physical_key,
+            pressed: false,
+            repeat: false,
+            modifiers,
+        });
+    }
+}
+
+/// Text without control characters: those are keys, not signs.
+fn tell_text(text: Option<String>, out: &mut Vec<Input>) {
+    if let Some(text) = text.filter(|text| !text.is_empty() && !text.chars().any(char::is_control))
+    {
+        out.push(Input::Text(text));
+    }
+}

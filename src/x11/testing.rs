@@ -1,0 +1,79 @@
+//! X servers for tests, each of its own and gone with the test.
+
+use std::io::{BufRead, BufReader};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// How long a test waits for what must happen.
+pub(super) const PATIENCE: Duration = Duration::from_secs(20);
+
+/// A running Xvfb.
+pub(super) struct Server {
+    process: Child,
+    display: String,
+}
+
+impl Server {
+    /// Starts one; it chooses a display's number that is free.
+    pub(super) fn start() -> Self {
+        Self::with(&[])
+    }
+
+    /// Starts one with more arguments.
+    pub(super) fn with(arguments: &[&str]) -> Self {
+        let mut process = Command::new("Xvfb")
+            .args(["-displayfd", "1", "-nolisten", "tcp", "-noreset"])
+            .args(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("Xvfb");
+        let mut number = String::new();
+        let output = process.stdout.take().unwrap();
+        BufReader::new(output).read_line(&mut number).unwrap();
+        let display = format!(":{}", number.trim());
+        Self { process, display }
+    }
+
+    /// The display's name.
+    pub(super) fn display(&self) -> &str {
+        &self.display
+    }
+
+    /// A program that shall run on this display.
+    pub(super) fn command(&self, program: &str) -> Command {
+        let mut command = Command::new(program);
+        command
+            .env("DISPLAY", &self.display)
+            .env("XAUTHORITY", "/dev/null")
+            .env_remove("WAYLAND_DISPLAY");
+        command
+    }
+
+    /// Runs a program on this display and waits for it.
+    pub(super) fn run(&self, program: &str, arguments: &[&str]) {
+        let output = self.command(program).args(arguments).output();
+        let output = output.unwrap_or_else(|error| panic!("{program}: {error}"));
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{program} {arguments:?}: {said}");
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+/// Asks again and again, with a short rest, until there is an answer.
+pub(super) fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> T {
+    let end = Instant::now() + PATIENCE;
+    loop {
+        if let Some(answer) = ask() {
+            return answer;
+        }
+        assert!(Instant::now() < end, "waited too long for {what}");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+}
