@@ -161,6 +161,14 @@ impl Connection {
         }
     }
 
+    /// Why there can be no window on this display, as a sentence.
+    pub(super) fn unfit(&self, reason: &str) -> Error {
+        Error::Display(sentence(format_args!(
+            "display \"{}\": {reason}",
+            self.display
+        )))
+    }
+
     /// What ended the connection, as a sentence.
     pub(super) fn lost(&self, error: impl Into<ReplyOrIdError>) -> Error {
         let reason = lost_because(error.into());

@@ -10,6 +10,7 @@
 //!
 //! It knows nothing of what the window shows, and nothing of C.
 
+mod areas;
 mod atoms;
 mod clipboard;
 mod compose;
@@ -17,21 +18,53 @@ mod connect;
 mod connection;
 mod core_keymap;
 mod cursor;
+mod events;
+mod icon;
 mod incoming;
 mod keyboard;
 mod keymap;
 mod keys;
 mod outgoing;
+mod pixels;
+mod pointer;
+mod present;
+mod scale;
+mod shared;
 mod stream;
+mod visual;
+mod window;
 
 #[cfg(test)]
 mod keyboard_tests;
 #[cfg(test)]
 mod testing;
+#[cfg(test)]
+mod window_tests;
 
 use std::os::fd::{AsFd, BorrowedFd};
+use std::time::{Duration, Instant};
 
-use crate::error::Result;
+use egui::{Pos2, Rect, Vec2, ViewportInfo};
+use x11rb::connection::{Connection as _, RequestConnection as _};
+use x11rb::protocol::xproto::ImageOrder;
+use x11rb::resource_manager::Database;
+
+use crate::error::{Error, Message, Result, sentence};
+use crate::raster::{Area, Target};
+use clipboard::{Clipboard, Selection};
+use connection::Connection;
+use cursor::Cursors;
+use keyboard::Keyboard;
+use pixels::Layout;
+use pointer::Pointer;
+use present::Surface;
+use window::Frame;
+
+/// The largest texture that the painter is given, pixels a side.
+const TEXTURE_SIDE: usize = 2048;
+
+/// How long a clipboard manager is waited for when the window closes.
+const HAND_OVER: Duration = Duration::from_millis(300);
 
 /// How a window is to be opened.
 #[derive(Clone, Debug, Default)]
@@ -61,75 +94,307 @@ pub(crate) struct News {
 
 /// An open window. Dropping it closes the window and the connection.
 pub(crate) struct Window {
-    never: std::convert::Infallible,
+    connection: Connection,
+    frame: Frame,
+    surface: Surface,
+    pointer: Pointer,
+    keyboard: Keyboard,
+    clipboard: Clipboard,
+    cursors: Cursors,
+    /// The desktop's settings.
+    resources: Database,
+    /// Text that can be edited lies under the pointer.
+    over_text: bool,
+    /// Where the pointer was last, in points.
+    pos: Pos2,
+    /// Pixels for a point.
+    scale: f32,
+    /// The smallest useful size in points.
+    smallest: [f32; 2],
+    /// The window's size in pixels; the buffer follows when it can.
+    size: (u32, u32),
+    focus: Focus,
+    /// It is on the screen, or was iconified.
+    mapped: bool,
+    /// Nothing of it is to be seen.
+    covered: bool,
+    /// When the user last did something, by the server's clock, milliseconds.
+    time: u32,
+    /// What egui has not taken yet.
+    events: Vec<egui::Event>,
+    news: News,
+    opened: Instant,
+    /// Why there is no window any more.
+    lost: Option<Message>,
+}
+
+/// Who gives the window the keyboard.
+#[derive(Clone, Copy, Debug, Default)]
+struct Focus {
+    /// It was given to the window.
+    own: bool,
+    /// It belongs to the window under the pointer, and this is it.
+    by_pointer: bool,
+    /// What egui was told.
+    told: bool,
 }
 
 impl Window {
     /// Connects and opens a window. Waits for the server's answers, but at
     /// most a few seconds in all.
+    ///
+    /// # Errors
+    /// [`Error::Display`] with a sentence that names the display and the reason.
     pub(crate) fn open(options: &Options) -> Result<Self> {
-        let _ = options;
-        Err(crate::Error::Display("no window yet".into()))
+        let connection = Connection::open(options.display.as_deref())?;
+        let setup = connection.setup();
+        let visual = visual::choose(setup, connection.screen()).ok_or_else(|| {
+            connection.unfit("the screen shows no true colours, which are needed")
+        })?;
+        let layout = Layout::new(&visual, setup.image_byte_order == ImageOrder::MSB_FIRST);
+        connection.maximum_request_bytes(); // asked for long ago; now it is known
+        let resources = scale::ask(&connection)?;
+        let scale = scale::of(&resources);
+        let frame = window::create(&connection, &visual, options, scale)?;
+        let mut surface = Surface::new(frame.window, frame.context, visual.depth, layout);
+        surface.try_sharing(&connection)?;
+        let keyboard = Keyboard::new(&connection)?;
+        connection.settle();
+        let mut window = Self {
+            connection,
+            frame,
+            surface,
+            pointer: Pointer::default(),
+            keyboard,
+            clipboard: Clipboard::new(),
+            cursors: Cursors::new(),
+            resources,
+            over_text: false,
+            pos: Pos2::ZERO,
+            scale,
+            smallest: options.smallest,
+            size: frame.size,
+            focus: Focus::default(),
+            mapped: false,
+            covered: false,
+            time: x11rb::CURRENT_TIME,
+            events: Vec::new(),
+            news: News {
+                input: true,
+                ..News::default()
+            },
+            opened: Instant::now(),
+            lost: None,
+        };
+        window.flush()?;
+        Ok(window)
     }
 
     /// Reads and handles everything that has arrived; never blocks. Answers
     /// the server's questions (ping, selections, exposures) itself.
     ///
     /// # Errors
-    /// [`crate::Error::Display`] if the server is gone or hangs.
+    /// [`Error::Display`] if the server or the window is gone.
     pub(crate) fn poll(&mut self) -> Result<News> {
-        match self.never {}
+        self.alive()?;
+        let result = self.drain();
+        self.noted(result)?;
+        let mut news = std::mem::take(&mut self.news);
+        news.input |= !self.events.is_empty();
+        // What was covered meanwhile may be on its way once more.
+        news.shown &= self.surface.is_free();
+        Ok(news)
+    }
+
+    fn drain(&mut self) -> Result<()> {
+        self.clipboard.tick(&self.connection, Instant::now())?;
+        let pushed = self.connection.stream().push();
+        pushed.map_err(|error| {
+            self.connection
+                .lost(x11rb::errors::ConnectionError::from(error))
+        })?;
+        // Handling an event may wait for an answer, and that may bring further
+        // events whose arrival the descriptor does not show any more.
+        loop {
+            let mut any = false;
+            while let Some(event) = self.next()? {
+                any = true;
+                self.handle(&event)?;
+            }
+            self.keyboard.settle(&self.connection, &mut self.events)?;
+            if let Some(time) = self.keyboard.take_paste() {
+                self.paste(Selection::Clipboard, time, None)?;
+            }
+            if self.mapped && self.surface.is_free() && self.surface.size() != self.size {
+                self.surface.resize(&self.connection, self.size)?;
+                self.news.new_buffer = true;
+                self.news.input = true;
+            }
+            self.surface.go_on(&self.connection)?;
+            self.send()?;
+            if !any {
+                return Ok(());
+            }
+        }
     }
 
     /// The input since the last call, complete: time, screen, scale,
     /// modifiers, focus, events.
     pub(crate) fn take_input(&mut self) -> egui::RawInput {
-        match self.never {}
+        let points = |pixels: u32| pixels as f32 / self.scale;
+        let size = Vec2::new(points(self.size.0), points(self.size.1));
+        let screen = self.connection.screen();
+        let screen = [screen.width_in_pixels, screen.height_in_pixels];
+        let viewport = ViewportInfo {
+            native_pixels_per_point: Some(self.scale),
+            monitor_size: Some(Vec2::from(screen.map(|side| points(side.into())))),
+            focused: Some(self.focus.told),
+            occluded: Some(!self.visible()),
+            ..ViewportInfo::default()
+        };
+        egui::RawInput {
+            viewports: std::iter::once((egui::ViewportId::ROOT, viewport)).collect(),
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, size)),
+            max_texture_side: Some(TEXTURE_SIDE),
+            time: Some(self.opened.elapsed().as_secs_f64()),
+            focused: self.focus.told,
+            events: std::mem::take(&mut self.events),
+            ..egui::RawInput::default()
+        }
     }
 
     /// Pixels for one point.
     pub(crate) fn scale(&self) -> f32 {
-        match self.never {}
+        self.scale
     }
 
     /// The pixels to paint into; `None` while a frame is in flight, or when
     /// the window is not visible. [`News::shown`] tells when to ask again.
-    pub(crate) fn target(&mut self) -> Option<crate::raster::Target<'_>> {
-        match self.never {}
+    pub(crate) fn target(&mut self) -> Option<Target<'_>> {
+        let fits = self.surface.size() == self.size;
+        if !self.visible() || !fits || self.lost.is_some() {
+            return None;
+        }
+        self.surface.target()
     }
 
     /// Shows these areas of the pixels.
-    pub(crate) fn present(&mut self, areas: &[crate::raster::Area]) -> Result<()> {
-        let _ = areas;
-        match self.never {}
+    ///
+    /// # Errors
+    /// [`Error::Display`] if the server or the window is gone.
+    pub(crate) fn present(&mut self, areas: &[Area]) -> Result<()> {
+        self.alive()?;
+        let result = self.surface.show(&self.connection, areas);
+        self.noted(result)?;
+        self.flush()
     }
 
     /// Does what egui wants done outside: cursor, clipboard, primary selection.
+    ///
+    /// # Errors
+    /// [`Error::Display`] if the server or the window is gone.
     pub(crate) fn take_output(&mut self, output: egui::PlatformOutput) -> Result<()> {
-        drop(output);
-        match self.never {}
+        self.alive()?;
+        let result = self.serve(output);
+        self.noted(result)?;
+        self.flush()
+    }
+
+    fn serve(&mut self, output: egui::PlatformOutput) -> Result<()> {
+        let (connection, window) = (&self.connection, self.frame.window);
+        self.over_text = output.mutable_text_under_cursor;
+        self.keyboard.set_editing(output.ime.is_some());
+        (self.cursors).apply(connection, &self.resources, window, output.cursor_icon)?;
+        for command in output.commands {
+            let (which, text) = match command {
+                egui::OutputCommand::CopyText(text) => (Selection::Clipboard, text),
+                egui::OutputCommand::TextSelectionSettled(text) => (Selection::Primary, text),
+                _ => continue,
+            };
+            self.clipboard.own(connection, which, &text, self.time)?;
+        }
+        Ok(())
     }
 
     /// Another title.
+    ///
+    /// # Errors
+    /// [`Error::Display`] if the server or the window is gone.
     pub(crate) fn set_title(&mut self, title: &str) -> Result<()> {
-        let _ = title;
-        match self.never {}
+        self.alive()?;
+        let result = window::set_title(&self.connection, self.frame.window, title);
+        self.noted(result)?;
+        self.flush()
     }
 
     /// To the front, with the keyboard.
+    ///
+    /// # Errors
+    /// [`Error::Display`] if the server or the window is gone.
     pub(crate) fn raise(&mut self) -> Result<()> {
-        match self.never {}
+        self.alive()?;
+        let result = window::raise(&self.connection, self.frame.window, self.time);
+        self.noted(result)?;
+        self.flush()
     }
 
-    /// Sends what is still waiting to be sent.
+    /// Sends what is still waiting to be sent, as far as it goes now; the
+    /// descriptor becomes readable when more goes.
+    ///
+    /// # Errors
+    /// [`Error::Display`] if the server or the window is gone.
     pub(crate) fn flush(&mut self) -> Result<()> {
-        match self.never {}
+        self.alive()?;
+        let result = self.send();
+        self.noted(result)
+    }
+
+    fn send(&self) -> Result<()> {
+        let sent = self.connection.flush();
+        sent.map_err(|error| self.connection.lost(error))
+    }
+
+    /// Asks for a text that another program, or this one, offers.
+    fn paste(&mut self, which: Selection, time: u32, place: Option<Pos2>) -> Result<()> {
+        let out = &mut self.events;
+        self.clipboard
+            .request(&self.connection, which, time, place, out)
+    }
+
+    fn visible(&self) -> bool {
+        self.mapped && !self.covered
+    }
+
+    /// Nothing is asked of a server that is gone.
+    fn alive(&self) -> Result<()> {
+        match &self.lost {
+            Some(reason) => Err(Error::Display(reason.clone())),
+            None => Ok(()),
+        }
+    }
+
+    /// Keeps in mind that the window is gone.
+    fn noted(&mut self, result: Result<()>) -> Result<()> {
+        if let Err(error) = &result {
+            self.lost = Some(sentence(format_args!("{error}")));
+        }
+        result
+    }
+}
+
+impl Drop for Window {
+    /// What was copied here is left with whoever keeps it when programs end.
+    /// All else ends with the connection.
+    fn drop(&mut self) {
+        if self.lost.is_none() {
+            self.clipboard.hand_over(&self.connection, HAND_OVER).ok();
+        }
     }
 }
 
 impl AsFd for Window {
-    /// The connection: readable when [`Window::poll`] has something to do.
+    /// Readable when [`Window::poll`] has something to do.
     fn as_fd(&self) -> BorrowedFd<'_> {
-        match self.never {}
+        self.connection.as_fd()
     }
 }

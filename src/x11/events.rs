@@ -1,0 +1,231 @@
+//! What the server tells, and what becomes of it.
+
+use egui::{Pos2, pos2};
+use x11rb::connection::Connection as _;
+use x11rb::protocol::ErrorKind;
+use x11rb::protocol::Event;
+use x11rb::protocol::xproto::{
+    ButtonPressEvent, ClientMessageEvent, ConfigureNotifyEvent, EnterNotifyEvent, ExposeEvent,
+    FocusInEvent, NotifyDetail, NotifyMode, Property, Visibility,
+};
+use x11rb::x11_utils::X11Error;
+
+use super::clipboard::Selection;
+use super::present::Surface;
+use super::{Window, scale, window};
+use crate::error::{Error, Result};
+use crate::raster::Area;
+
+/// Set in an event's kind when another client sent it.
+const SENT: u8 = 0x80;
+
+impl Window {
+    /// Does what `event` asks for. Events of other windows are left alone, and
+    /// nothing that stands in one is believed without a look.
+    pub(super) fn handle(&mut self, event: &Event) -> Result<()> {
+        let ours = self.frame.window;
+        if let Event::KeyPress(event) | Event::KeyRelease(event) = event {
+            self.time = event.time;
+        }
+        let (connection, out) = (&self.connection, &mut self.events);
+        if self.keyboard.handle(connection, event, out)?
+            || self.clipboard.handle(connection, event, out)?
+        {
+            return Ok(());
+        }
+        match event {
+            Event::MotionNotify(event) if event.event == ours => {
+                self.time = event.time;
+                let pos = self.moved(event.event_x, event.event_y);
+                self.pointer.moved(pos, &mut self.events);
+            }
+            Event::ButtonPress(event) if event.event == ours => self.button(event, true)?,
+            Event::ButtonRelease(event) if event.event == ours => self.button(event, false)?,
+            Event::EnterNotify(event) if event.event == ours => self.crossed(event, true),
+            Event::LeaveNotify(event) if event.event == ours => self.crossed(event, false),
+            Event::FocusIn(event) if event.event == ours => self.focus(event, true),
+            Event::FocusOut(event) if event.event == ours => self.focus(event, false),
+            Event::Expose(event) if event.window == ours => self.expose(event)?,
+            Event::ConfigureNotify(event) if event.window == ours => self.configured(event),
+            Event::MapNotify(event) if event.window == ours => {
+                self.mapped = true;
+                self.covered = false;
+                self.news.shown = true;
+            }
+            Event::UnmapNotify(event) if event.window == ours => {
+                self.mapped = false;
+                let modifiers = self.keyboard.modifiers();
+                let pos = self.pos;
+                self.pointer.lost(pos, modifiers, &mut self.events);
+                self.keyboard.release_all(&mut self.events);
+            }
+            Event::VisibilityNotify(event) if event.window == ours => {
+                self.covered = event.state == Visibility::FULLY_OBSCURED;
+                self.news.shown |= !self.covered;
+            }
+            Event::DestroyNotify(event) if event.window == ours => {
+                return Err(Error::Display("the window was closed from outside".into()));
+            }
+            Event::PropertyNotify(event) => {
+                let resources = u32::from(x11rb::protocol::xproto::AtomEnum::RESOURCE_MANAGER);
+                let root = scale::root(&self.connection);
+                if event.window == root
+                    && event.atom == resources
+                    && event.state == Property::NEW_VALUE
+                {
+                    self.rescale()?;
+                }
+            }
+            Event::ClientMessage(event) if event.window == ours => self.message(event)?,
+            Event::ShmCompletion(event) => {
+                self.news.shown |= self.surface.completed(event);
+            }
+            Event::Error(error) => self.complaint(error)?,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// A place in the window, in points.
+    fn moved(&mut self, x: i16, y: i16) -> Pos2 {
+        self.pos = pos2(f32::from(x) / self.scale, f32::from(y) / self.scale);
+        self.pos
+    }
+
+    fn button(&mut self, event: &ButtonPressEvent, pressed: bool) -> Result<()> {
+        self.time = event.time;
+        let pos = self.moved(event.event_x, event.event_y);
+        let modifiers = self.keyboard.modifiers();
+        let out = &mut self.events;
+        self.pointer
+            .button(event.detail, pressed, pos, modifiers, out);
+        const MIDDLE: u8 = 2;
+        if event.detail == MIDDLE && pressed && self.over_text {
+            self.paste(Selection::Primary, event.time, Some(pos))?;
+        }
+        Ok(())
+    }
+
+    fn crossed(&mut self, event: &EnterNotifyEvent, enters: bool) {
+        if event.detail == NotifyDetail::INFERIOR {
+            return;
+        }
+        self.time = event.time;
+        let pos = self.moved(event.event_x, event.event_y);
+        if enters {
+            self.pointer.entered(pos, &mut self.events);
+        } else {
+            self.pointer.left(&mut self.events);
+        }
+        // Where nobody gives windows the keyboard, it belongs to the one under
+        // the pointer.
+        const HAS_KEYBOARD: u8 = 1;
+        let keyboard = event.same_screen_focus & HAS_KEYBOARD != 0;
+        self.focus.by_pointer = enters && keyboard;
+        self.tell_focus();
+    }
+
+    fn focus(&mut self, event: &FocusInEvent, gained: bool) {
+        // For a short time somebody else has the keyboard: nothing has changed.
+        if matches!(event.mode, NotifyMode::GRAB | NotifyMode::UNGRAB) {
+            return;
+        }
+        match event.detail {
+            NotifyDetail::POINTER => self.focus.by_pointer = gained,
+            NotifyDetail::POINTER_ROOT | NotifyDetail::NONE => {}
+            _ => self.focus.own = gained,
+        }
+        self.tell_focus();
+    }
+
+    fn tell_focus(&mut self) {
+        let focused = self.focus.own || self.focus.by_pointer;
+        if focused != self.focus.told {
+            self.focus.told = focused;
+            self.events.push(egui::Event::WindowFocused(focused));
+        }
+    }
+
+    fn expose(&mut self, event: &ExposeEvent) -> Result<()> {
+        let area = Area {
+            x: event.x.into(),
+            y: event.y.into(),
+            width: event.width.into(),
+            height: event.height.into(),
+        };
+        self.surface.show(&self.connection, &[area])
+    }
+
+    fn configured(&mut self, event: &ConfigureNotifyEvent) {
+        // What a window manager sends tells the place; the server itself tells
+        // every size.
+        if event.response_type & SENT == 0 {
+            let size = Surface::fitting(event.width.into(), event.height.into());
+            self.news.input |= size != self.size;
+            self.size = size;
+        }
+    }
+
+    /// The desktop's resources have changed: the resolution, too?
+    fn rescale(&mut self) -> Result<()> {
+        self.resources = scale::ask(&self.connection)?;
+        let scale = scale::of(&self.resources);
+        if scale != self.scale {
+            let pixels = self.pos * self.scale;
+            self.scale = scale;
+            self.pos = pixels / scale;
+            self.news.input = true;
+            let set = window::set_sizes(
+                &self.connection,
+                self.frame.window,
+                self.smallest,
+                scale,
+                self.size,
+            );
+            set.map_err(|error| self.connection.lost(error))?;
+        }
+        Ok(())
+    }
+
+    fn message(&mut self, event: &ClientMessageEvent) -> Result<()> {
+        if event.format != 32 {
+            return Ok(());
+        }
+        let atoms = self.connection.atoms();
+        let data = event.data.as_data32();
+        if event.type_ == atoms._VIDES_SHOWN {
+            self.news.shown |= self.surface.arrived(&self.connection, data[0])?;
+        } else if event.type_ == atoms.WM_PROTOCOLS {
+            if data[0] == atoms.WM_DELETE_WINDOW {
+                self.news.close = true;
+            } else if data[0] == atoms._NET_WM_PING {
+                window::answer_ping(&self.connection, event)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The server could not do something that was asked for. That ends the
+    /// window only if it was about a window that is no more.
+    fn complaint(&mut self, error: &X11Error) -> Result<()> {
+        let ours = error.bad_value == self.frame.window;
+        if ours && matches!(error.error_kind, ErrorKind::Window | ErrorKind::Drawable) {
+            return Err(Error::Display("the window was closed from outside".into()));
+        }
+        self.news.shown |= self.surface.failed(&self.connection, error)?;
+        Ok(())
+    }
+
+    /// The next event that is there, without waiting. One that cannot be read is
+    /// left out.
+    pub(super) fn next(&self) -> Result<Option<Event>> {
+        loop {
+            let next = self.connection.poll_for_event();
+            match next {
+                Ok(event) => return Ok(event),
+                Err(x11rb::errors::ConnectionError::ParseError(_)) => {}
+                Err(error) => return Err(self.connection.lost(error)),
+            }
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! Memory that the X server reads, too.
+//!
+//! It is a file without a name, so that nothing is left behind whatever
+//! happens, sealed against shrinking, so that the server may trust it, and with
+//! all its pages taken beforehand, so that a lack of memory is an error here
+//! and not a signal later.
+#![allow(unsafe_code)] // system calls, mapped memory
+
+use std::io::{Error, Result};
+use std::os::fd::{AsRawFd, OwnedFd};
+use std::ptr::NonNull;
+
+use super::stream::descriptor;
+
+/// A run of pixels or bytes.
+#[derive(Debug)]
+pub(super) struct Memory {
+    start: NonNull<u8>,
+    /// Bytes, a multiple of 4096.
+    length: usize,
+}
+
+impl Memory {
+    /// At least `length` bytes, zero, and the descriptor that the server takes
+    /// them by.
+    ///
+    /// # Errors
+    /// The system's; there is no memory left.
+    pub(super) fn new(length: usize) -> Result<(Self, OwnedFd)> {
+        let length = length.max(1).next_multiple_of(4096);
+        let flags = libc::MFD_CLOEXEC | libc::MFD_ALLOW_SEALING;
+        // SAFETY: the name ends with a zero.
+        let file = descriptor(unsafe { libc::memfd_create(c"vides".as_ptr(), flags) })?;
+        let raw = file.as_raw_fd();
+        let size = libc::off_t::try_from(length).map_err(Error::other)?;
+        // SAFETY: no pointer is involved.
+        if unsafe { libc::fallocate(raw, 0, 0, size) } != 0 {
+            return Err(Error::last_os_error());
+        }
+        let seals = libc::F_SEAL_SHRINK | libc::F_SEAL_GROW | libc::F_SEAL_SEAL;
+        // SAFETY: no pointer is involved.
+        if unsafe { libc::fcntl(raw, libc::F_ADD_SEALS, seals) } != 0 {
+            return Err(Error::last_os_error());
+        }
+        let protection = libc::PROT_READ | libc::PROT_WRITE;
+        // SAFETY: a new mapping where the system likes; it replaces none.
+        let start = unsafe {
+            libc::mmap(
+                std::ptr::null_mut(),
+                length,
+                protection,
+                libc::MAP_SHARED,
+                raw,
+                0,
+            )
+        };
+        if start == libc::MAP_FAILED {
+            return Err(Error::last_os_error());
+        }
+        let start = NonNull::new(start.cast()).ok_or(std::io::ErrorKind::OutOfMemory)?;
+        Ok((Self { start, length }, file))
+    }
+
+    /// Bytes.
+    pub(super) fn length(&self) -> usize {
+        self.length
+    }
+
+    /// All of it as pixels. The server only reads it.
+    pub(super) fn pixels(&mut self) -> &mut [u32] {
+        // SAFETY: the mapping is `length` bytes long, begins at a page, lives as
+        // long as `self`, and any bits are numbers. Nobody else writes to it: the
+        // server was told to map it for reading only.
+        unsafe { std::slice::from_raw_parts_mut(self.start.as_ptr().cast(), self.length / 4) }
+    }
+
+    /// All of it as bytes.
+    pub(super) fn bytes(&mut self) -> &mut [u8] {
+        // SAFETY: as for the pixels.
+        unsafe { std::slice::from_raw_parts_mut(self.start.as_ptr(), self.length) }
+    }
+}
+
+impl Drop for Memory {
+    fn drop(&mut self) {
+        // SAFETY: the mapping is ours alone, and nothing points into it any more.
+        unsafe { libc::munmap(self.start.as_ptr().cast(), self.length) };
+    }
+}

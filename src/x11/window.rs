@@ -1,0 +1,337 @@
+//! The window on the server: made, named and described for window managers.
+
+use x11rb::connection::Connection as _;
+use x11rb::properties::{WmHints, WmHintsState, WmSizeHints, WmSizeHintsSpecification};
+use x11rb::protocol::xproto::{
+    AtomEnum, ChangeWindowAttributesAux, ClientMessageEvent, ColormapAlloc, ConfigureWindowAux,
+    ConnectionExt as _, CreateGCAux, CreateWindowAux, EventMask, Gravity, InputFocus, PropMode,
+    StackMode, WindowClass,
+};
+use x11rb::wrapper::ConnectionExt as _;
+
+use super::connection::Connection;
+use super::visual::Visual;
+use super::{Options, connect, icon, scale};
+use crate::error::{Error, Result};
+
+/// What is asked of the server to be told.
+fn events() -> EventMask {
+    EventMask::KEY_PRESS
+        | EventMask::KEY_RELEASE
+        | EventMask::BUTTON_PRESS
+        | EventMask::BUTTON_RELEASE
+        | EventMask::ENTER_WINDOW
+        | EventMask::LEAVE_WINDOW
+        | EventMask::POINTER_MOTION
+        | EventMask::EXPOSURE
+        | EventMask::VISIBILITY_CHANGE
+        | EventMask::STRUCTURE_NOTIFY
+        | EventMask::FOCUS_CHANGE
+        | EventMask::PROPERTY_CHANGE
+}
+
+/// Of a title no more is told to the window manager, letters.
+const LONGEST_TITLE: usize = 1000;
+
+/// The window's names on the server.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    pub(super) window: u32,
+    /// The graphics context that images are sent with.
+    pub(super) context: u32,
+    /// The inner size, pixels.
+    pub(super) size: (u32, u32),
+}
+
+/// Makes a window and shows it.
+///
+/// # Errors
+/// [`Error::Display`].
+pub(super) fn create(
+    connection: &Connection,
+    visual: &Visual,
+    options: &Options,
+    scale: f32,
+) -> Result<Frame> {
+    let frame = make(connection, visual, options, scale)?;
+    let lost = |error| connection.lost(error);
+    describe(connection, frame, options, scale).map_err(lost)?;
+    set_title(connection, frame.window, &options.title)?;
+    // To be told of another resolution.
+    let watch = ChangeWindowAttributesAux::new().event_mask(EventMask::PROPERTY_CHANGE);
+    let root = scale::root(connection);
+    connection
+        .change_window_attributes(root, &watch)
+        .map_err(lost)?;
+    connection.map_window(frame.window).map_err(lost)?;
+    Ok(frame)
+}
+
+fn make(connection: &Connection, visual: &Visual, options: &Options, scale: f32) -> Result<Frame> {
+    let lost = |error| connection.lost(error);
+    let id = || {
+        connection
+            .generate_id()
+            .map_err(|error| connection.lost(error))
+    };
+    let screen = connection.screen();
+    let most = (screen.width_in_pixels, screen.height_in_pixels);
+    let (width, height) = in_pixels(options.size, scale, most);
+    let colormap = if visual.foreign {
+        let colormap = id()?;
+        connection
+            .create_colormap(ColormapAlloc::NONE, colormap, screen.root, visual.id)
+            .map_err(lost)?;
+        colormap
+    } else {
+        screen.default_colormap
+    };
+    // Without a background nothing flickers before it is painted; the border
+    // must be named where the depth is not the parent's.
+    let attributes = CreateWindowAux::new()
+        .border_pixel(0)
+        .bit_gravity(Gravity::NORTH_WEST)
+        .colormap(colormap)
+        .event_mask(events());
+    let window = id()?;
+    let made = connection
+        .create_window(
+            visual.depth,
+            window,
+            screen.root,
+            0,
+            0,
+            width,
+            height,
+            0,
+            WindowClass::INPUT_OUTPUT,
+            visual.id,
+            &attributes,
+        )
+        .map_err(lost)?;
+    let context = id()?;
+    let values = CreateGCAux::new().graphics_exposures(0);
+    connection
+        .create_gc(context, window, &values)
+        .map_err(lost)?;
+    if !connection.done(Ok(made))? {
+        return Err(Error::Display("the X server makes no window".into()));
+    }
+    Ok(Frame {
+        window,
+        context,
+        size: (width.into(), height.into()),
+    })
+}
+
+/// A size in points as one in pixels that the screen has room for.
+fn in_pixels(size: [f32; 2], scale: f32, most: (u16, u16)) -> (u16, u16) {
+    let pixels = |points: f32, most: u16| (points * scale).round().clamp(1.0, most.max(1).into());
+    // A number that is none becomes 0 here, which no window may have.
+    let whole = |pixels: f32| (pixels as u16).max(1);
+    (
+        whole(pixels(size[0], most.0)),
+        whole(pixels(size[1], most.1)),
+    )
+}
+
+fn describe(
+    connection: &Connection,
+    frame: Frame,
+    options: &Options,
+    scale: f32,
+) -> Result<(), x11rb::errors::ConnectionError> {
+    let atoms = connection.atoms();
+    let window = frame.window;
+    let replace = PropMode::REPLACE;
+    let string = AtomEnum::STRING;
+    let class = b"vides\0Vides\0";
+    connection.change_property8(replace, window, AtomEnum::WM_CLASS, string, class)?;
+    let protocols = [atoms.WM_DELETE_WINDOW, atoms._NET_WM_PING];
+    connection.change_property32(
+        replace,
+        window,
+        atoms.WM_PROTOCOLS,
+        AtomEnum::ATOM,
+        &protocols,
+    )?;
+    let machine = connect::host_name();
+    connection.change_property8(
+        replace,
+        window,
+        AtomEnum::WM_CLIENT_MACHINE,
+        string,
+        &machine,
+    )?;
+    let process = [std::process::id()];
+    connection.change_property32(
+        replace,
+        window,
+        atoms._NET_WM_PID,
+        AtomEnum::CARDINAL,
+        &process,
+    )?;
+    let locale = locale();
+    connection.change_property8(
+        replace,
+        window,
+        atoms.WM_LOCALE_NAME,
+        string,
+        locale.as_bytes(),
+    )?;
+    let kind = [atoms._NET_WM_WINDOW_TYPE_NORMAL];
+    connection.change_property32(
+        replace,
+        window,
+        atoms._NET_WM_WINDOW_TYPE,
+        AtomEnum::ATOM,
+        &kind,
+    )?;
+    let icon = icon::icon();
+    connection.change_property32(
+        replace,
+        window,
+        atoms._NET_WM_ICON,
+        AtomEnum::CARDINAL,
+        &icon,
+    )?;
+    let hints = WmHints {
+        input: Some(true),
+        initial_state: Some(WmHintsState::Normal),
+        ..WmHints::new()
+    };
+    hints.set(&**connection, window)?;
+    set_sizes(connection, window, options.smallest, scale, frame.size)
+}
+
+/// Tells the window manager the smallest size, given in points.
+pub(super) fn set_sizes(
+    connection: &Connection,
+    window: u32,
+    smallest: [f32; 2],
+    scale: f32,
+    size: (u32, u32),
+) -> Result<(), x11rb::errors::ConnectionError> {
+    let screen = connection.screen();
+    let most = (screen.width_in_pixels, screen.height_in_pixels);
+    let (width, height) = in_pixels(smallest, scale, most);
+    let whole = |pixels: u32| i32::try_from(pixels).unwrap_or(i32::MAX);
+    let wanted = WmSizeHintsSpecification::ProgramSpecified;
+    let sizes = WmSizeHints {
+        size: Some((wanted, whole(size.0), whole(size.1))),
+        min_size: Some((width.into(), height.into())),
+        ..WmSizeHints::new()
+    };
+    sizes.set_normal_hints(&**connection, window).map(drop)
+}
+
+/// Another title, for new and for old window managers.
+///
+/// # Errors
+/// The server is gone.
+pub(super) fn set_title(connection: &Connection, window: u32, title: &str) -> Result<()> {
+    let title = title.chars().filter(|c| !c.is_control());
+    let title: String = title.take(LONGEST_TITLE).collect();
+    let old = latin1(&title);
+    let atoms = connection.atoms();
+    let set = || {
+        for name in [AtomEnum::WM_NAME, AtomEnum::WM_ICON_NAME] {
+            connection.change_property8(PropMode::REPLACE, window, name, AtomEnum::STRING, &old)?;
+        }
+        for name in [atoms._NET_WM_NAME, atoms._NET_WM_ICON_NAME] {
+            connection.change_property8(
+                PropMode::REPLACE,
+                window,
+                name,
+                atoms.UTF8_STRING,
+                title.as_bytes(),
+            )?;
+        }
+        Ok(())
+    };
+    set().map_err(|error: x11rb::errors::ConnectionError| connection.lost(error))
+}
+
+/// Text for those who know no Unicode.
+fn latin1(text: &str) -> Vec<u8> {
+    let letter = |c: char| match c {
+        '\u{2010}'..='\u{2015}' => b'-',
+        '\u{2018}' | '\u{2019}' => b'\'',
+        '\u{201c}'..='\u{201e}' => b'"',
+        c => u8::try_from(u32::from(c)).unwrap_or(b'?'),
+    };
+    text.chars().map(letter).collect()
+}
+
+/// The locale of the texts, as C programs look it up.
+fn locale() -> String {
+    let set = |name| std::env::var(name).ok().filter(|value| !value.is_empty());
+    let found = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().find_map(set);
+    found
+        .filter(|name| name.is_ascii())
+        .unwrap_or_else(|| "C".to_owned())
+}
+
+/// To the front, with the keyboard. `time` is that of the user's last action.
+///
+/// # Errors
+/// The server is gone.
+pub(super) fn raise(connection: &Connection, window: u32, time: u32) -> Result<()> {
+    let lost = |error| connection.lost(error);
+    connection.map_window(window).map_err(lost)?;
+    let above = ConfigureWindowAux::new().stack_mode(StackMode::ABOVE);
+    connection.configure_window(window, &above).map_err(lost)?;
+    // Window managers do it when they are asked so; where there is none, the
+    // keyboard is taken. A window that is not yet to be seen cannot have it:
+    // the server's complaint of that is of no use to anyone.
+    let data = [1, time, 0, 0, 0];
+    let kind = connection.atoms()._NET_ACTIVE_WINDOW;
+    let message = ClientMessageEvent::new(32, window, kind, data);
+    let root = connection.screen().root;
+    let mask = EventMask::SUBSTRUCTURE_NOTIFY | EventMask::SUBSTRUCTURE_REDIRECT;
+    connection
+        .send_event(false, root, mask, message)
+        .map_err(lost)?;
+    let focus = connection.set_input_focus(InputFocus::PARENT, window, time);
+    focus.map(drop).map_err(lost)
+}
+
+/// Answers a window manager that asks whether we are alive.
+///
+/// # Errors
+/// The server is gone.
+pub(super) fn answer_ping(connection: &Connection, question: &ClientMessageEvent) -> Result<()> {
+    let root = connection.screen().root;
+    let answer = ClientMessageEvent {
+        window: root,
+        ..*question
+    };
+    let mask = EventMask::SUBSTRUCTURE_NOTIFY | EventMask::SUBSTRUCTURE_REDIRECT;
+    let sent = connection.send_event(false, root, mask, answer);
+    sent.map(drop).map_err(|error| connection.lost(error))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_fit_the_screen() {
+        assert_eq!(in_pixels([1200.0, 800.0], 1.0, (1920, 1080)), (1200, 800));
+        assert_eq!(in_pixels([1200.0, 800.0], 2.0, (1920, 1080)), (1920, 1080));
+        assert_eq!(in_pixels([100.3, 99.9], 1.25, (1920, 1080)), (125, 125));
+        for odd in [0.0, -7.0, f32::NAN, f32::NEG_INFINITY] {
+            assert_eq!(in_pixels([odd, odd], 1.0, (1920, 1080)), (1, 1));
+        }
+        assert_eq!(in_pixels([f32::INFINITY, 5.0], 1.0, (1920, 0)), (1920, 1));
+    }
+
+    #[test]
+    fn old_window_managers_get_their_letters() {
+        assert_eq!(
+            latin1("VIDES – *Flug über Köln"),
+            b"VIDES - *Flug \xfcber K\xf6ln"
+        );
+        assert_eq!(latin1("„a“ ’b’ 点 ÿ"), b"\"a\" 'b' ? \xff");
+    }
+}
