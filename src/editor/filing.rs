@@ -1,5 +1,6 @@
 //! What is loaded, saved and written, and the question before work is lost.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::refusals::{Kind, of_edit, reason_of};
@@ -252,8 +253,16 @@ impl Editor {
 
 /// A file's name without its folder.
 pub(super) fn short(file: &Path) -> String {
-    file.file_name().map_or_else(
-        || file.display().to_string(),
-        |name| name.to_string_lossy().into_owned(),
-    )
+    readable(file.file_name().unwrap_or(file.as_os_str()))
+}
+
+/// A name as it is shown: what is no letter is a question mark.
+pub(super) fn readable(name: &OsStr) -> String {
+    let letters = name.to_string_lossy();
+    let plain = letters.chars().map(|letter| match letter {
+        char::REPLACEMENT_CHARACTER => '?',
+        control if control.is_control() => '?',
+        other => other,
+    });
+    plain.collect()
 }

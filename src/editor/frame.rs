@@ -1,7 +1,9 @@
 //! The layout: menu bar with the output field, panels on the left, the
 //! movement window in the middle, sub-windows above.
 
-use egui::{CentralPanel, Context, CornerRadius, Frame, Margin, Panel, Stroke, StrokeKind, Ui};
+use egui::{
+    CentralPanel, Context, CornerRadius, Frame, Id, Key, Margin, Panel, Stroke, StrokeKind, Ui,
+};
 
 use super::state::Editor;
 use super::{keys, menu, output, panels, space, theme, windows};
@@ -10,7 +12,7 @@ use super::{keys, menu, output, panels, space, theme, windows};
 const BAR: f32 = 32.0;
 
 /// Width of the panels, in points.
-const PANELS: f32 = 264.0;
+const PANELS: f32 = panels::WIDTH + 24.0;
 
 /// Shows everything, and does what was asked for.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
@@ -70,10 +72,32 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     }
 }
 
-/// A border around what has the keyboard; a text shows that by its caret too.
+/// A border around what has the keyboard, if it came there by a key: who
+/// clicks knows where.
 fn show_focus(context: &Context) {
+    let by_key = Id::unique("focus came by a key");
+    let (pressed, walked) = context.input(|input| {
+        let keys = [
+            Key::Tab,
+            Key::ArrowUp,
+            Key::ArrowDown,
+            Key::ArrowLeft,
+            Key::ArrowRight,
+        ];
+        (
+            input.pointer.any_pressed(),
+            keys.iter().any(|&key| input.key_pressed(key)),
+        )
+    });
+    if pressed || walked {
+        context.data_mut(|data| data.insert_temp(by_key, walked && !pressed));
+    }
     let Some(response) = context
         .memory(|memory| memory.focused())
+        .filter(|_| {
+            let by_key = context.data(|data| data.get_temp(by_key));
+            by_key.unwrap_or(false) || context.text_edit_focused()
+        })
         .and_then(|id| context.read_response(id))
     else {
         return;
@@ -86,6 +110,6 @@ fn show_focus(context: &Context) {
         response.rect,
         CornerRadius::same(4),
         Stroke::new(1.5, palette.focus),
-        StrokeKind::Outside,
+        StrokeKind::Inside,
     );
 }

@@ -1,13 +1,21 @@
 //! The menu bar (thesis A.5): opened by the pointer or by Alt and a letter,
 //! walked through by the arrow keys; in an open menu an entry's letter picks it.
 
-use egui::{Align, Button, Context, FocusDirection, Id, Key, Modifiers, Popup, Ui};
+use egui::{
+    Align2, Button, Color32, Context, CornerRadius, FocusDirection, Id, Key, Modifiers, Popup,
+    Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
+};
 
 use super::actions::Action;
 use super::keys;
 use super::setup::Theme;
 use super::state::Editor;
 use super::theme;
+
+/// Room for a mark before an entry's text.
+const MARK: f32 = 28.0;
+/// Between the texts and their keys.
+const APART: f32 = 32.0;
 
 /// An entry of a menu.
 struct Entry {
@@ -162,36 +170,33 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
 
 fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Option<Action> {
     let mut picked = None;
-    ui.set_min_width(200.0);
     ui.spacing_mut().item_spacing.y = 0.0;
+    let keys = |entry: &Entry| {
+        let keys = keys::words(editor.language, entry.action);
+        let letter = || entry.letter.map(|letter| letter.name().to_owned());
+        keys.or_else(letter).unwrap_or_default()
+    };
+    let width = |text: &str| {
+        let galley = ui
+            .painter()
+            .layout_no_wrap(text.to_owned(), theme::text(), Color32::WHITE);
+        galley.size().x
+    };
+    let widest = |of: &dyn Fn(&Entry) -> f32| menu.entries.iter().map(of).fold(0.0, f32::max);
+    let all =
+        MARK + widest(&|entry| width(entry.text)) + APART + widest(&|entry| width(&keys(entry)));
+    let size = vec2((all + 8.0).ceil(), theme::ROW);
     for entry in &menu.entries {
         if entry.apart {
-            ui.add_space(theme::GAP / 2.0);
-            ui.separator();
-            ui.add_space(theme::GAP / 2.0);
+            let (line, _) = ui.allocate_exact_size(vec2(size.x, 9.0), Sense::hover());
+            let stroke = Stroke::new(1.0, theme::palette(ui).line);
+            ui.painter().hline(line.x_range(), line.center().y, stroke);
         }
-        let mark = match entry.on {
-            Some(true) => "•",
-            _ => "",
-        };
-        let keys = keys::words(editor.language, entry.action);
-        let keys = keys.or_else(|| entry.letter.map(|letter| letter.name().to_owned()));
-        let weak = theme::palette(ui).weak;
-        let text = egui::RichText::new(entry.text);
-        let button = Button::new(text)
-            .min_size(egui::vec2(0.0, theme::ROW))
-            .left_text(egui::RichText::new(mark))
-            .right_text(egui::RichText::new(keys.unwrap_or_default()).color(weak));
-        let mut response = ui.add_enabled(entry.enabled, button);
-        response.widget_info(|| match entry.on {
-            Some(on) => {
-                egui::WidgetInfo::selected(egui::Role::CheckBox, entry.enabled, on, entry.text)
-            }
-            None => egui::WidgetInfo::labeled(egui::Role::Button, entry.enabled, entry.text),
-        });
-        if let Some(hint) = entry.hint {
-            response = response.on_disabled_hover_text(hint);
-        }
+        let response = ui
+            .add_enabled_ui(entry.enabled, |ui| {
+                show_entry(ui, entry, &keys(entry), size)
+            })
+            .inner;
         if entry.enabled {
             bar.entries.push(response.id);
             if bar.wants_first {
@@ -203,9 +208,48 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
             picked = Some(entry.action);
             ui.close();
         }
-        let _ = Align::Min;
+        if let Some(hint) = entry.hint {
+            response.on_disabled_hover_text(hint);
+        }
     }
     picked
+}
+
+/// A row: room for a mark, the text, its keys at the right.
+fn show_entry(ui: &mut Ui, entry: &Entry, keys: &str, size: Vec2) -> Response {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let palette = theme::palette(ui);
+    let painter = ui.painter();
+    if entry.enabled && (response.hovered() || response.has_focus()) {
+        painter.rect_filled(rect, CornerRadius::same(4), palette.hovered);
+    }
+    let middle = rect.center().y;
+    if entry.on == Some(true) {
+        let at = |x: f32, y: f32| pos2(rect.left() + 8.0 + x, middle + y);
+        let tick = vec![at(0.0, 0.0), at(3.0, 3.5), at(9.0, -4.0)];
+        painter.add(Shape::line(tick, Stroke::new(1.5, palette.accent)));
+    }
+    let left = pos2(rect.left() + MARK, middle);
+    painter.text(
+        left,
+        Align2::LEFT_CENTER,
+        entry.text,
+        theme::text(),
+        palette.text,
+    );
+    let right = pos2(rect.right() - 8.0, middle);
+    painter.text(
+        right,
+        Align2::RIGHT_CENTER,
+        keys,
+        theme::text(),
+        palette.weak,
+    );
+    response.widget_info(|| match entry.on {
+        Some(on) => WidgetInfo::selected(Role::MenuItemCheckBox, entry.enabled, on, entry.text),
+        None => WidgetInfo::labeled(Role::MenuItem, entry.enabled, entry.text),
+    });
+    response
 }
 
 /// The keyboard in the menus.

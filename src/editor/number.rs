@@ -136,7 +136,12 @@ impl<'a> Number<'a> {
     /// Shows it, so wide and as high as a row. `id` tells it from all others
     /// in the window.
     pub(super) fn show(self, ui: &mut Ui, language: Language, id: &str, width: f32) -> Entry {
-        let (_, rect) = ui.allocate_space(vec2(width, theme::ROW));
+        let height = if self.fixed {
+            theme::LOW_ROW
+        } else {
+            theme::ROW
+        };
+        let (_, rect) = ui.allocate_space(vec2(width, height));
         let id = Id::unique(("number", id));
         let Some(value) = self.value.filter(|_| ui.is_enabled() && !self.fixed) else {
             self.show_still(ui, language, id, rect);
@@ -198,19 +203,12 @@ impl<'a> Number<'a> {
         } else if response.drag_started() {
             ui.data_mut(|data| data.insert_temp(exact, value));
             entry = Entry::Begin;
-        } else if response.drag_stopped() {
-            let dragging = ui.data_mut(|data| data.remove_temp::<f64>(exact));
-            entry = if dragging.is_some() {
-                Entry::End
-            } else {
-                Entry::Idle
-            };
-        } else if response.dragged()
-            && let Some(before) = ui.data(|data| data.get_temp::<f64>(exact))
-        {
-            if ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
-                ui.data_mut(|data| data.remove_temp::<f64>(exact));
-                return Entry::Cancel;
+        } else if let Some(before) = ui.data(|data| data.get_temp::<f64>(exact)) {
+            // egui itself ends a drag on Escape.
+            let escape = ui.input(|input| input.key_pressed(Key::Escape));
+            if escape || !response.dragged() {
+                ui.data_mut(|data| data.remove::<f64>(exact));
+                return if escape { Entry::Cancel } else { Entry::End };
             }
             let moved = response.drag_delta();
             let fine = if ui.input(|input| input.modifiers.shift) {
@@ -262,7 +260,8 @@ impl<'a> Number<'a> {
             rect,
             TextEdit::singleline(&mut typing.text)
                 .id(id)
-                .font(theme::digits())
+                .font(theme::text())
+                .frame(theme::field(ui))
                 .align(Align2::RIGHT_CENTER)
                 .margin(Margin::symmetric(6, 0))
                 .clip_text(true)
@@ -357,14 +356,14 @@ impl<'a> Number<'a> {
             inner.left_center(),
             Align2::LEFT_CENTER,
             self.label,
-            theme::digits(),
+            theme::text(),
             palette.weak,
         );
         painter.text(
             inner.right_center(),
             Align2::RIGHT_CENTER,
             self.shown(language),
-            theme::digits(),
+            theme::text(),
             if ui.is_enabled() {
                 palette.text
             } else {

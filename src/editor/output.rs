@@ -100,14 +100,14 @@ fn paint(ui: &Ui, rect: Rect, left: f32, places: &[(f32, Align2, &str, bool)]) {
     for &(x, align, text, strong) in places {
         let color = if strong { palette.text } else { palette.weak };
         let at = pos2(left + x, rect.center().y);
-        painter.text(at, align, text, theme::digits(), color);
+        painter.text(at, align, text, theme::text(), color);
     }
 }
 
 fn text_width(ui: &Ui, text: &str) -> f32 {
-    let galley =
-        ui.painter()
-            .layout_no_wrap(text.to_owned(), theme::digits(), Color32::PLACEHOLDER);
+    let galley = ui
+        .painter()
+        .layout_no_wrap(text.to_owned(), theme::text(), Color32::PLACEHOLDER);
     galley.size().x
 }
 

@@ -117,12 +117,35 @@ pub(super) fn palette_of(visuals: &Visuals) -> &'static Palette {
 pub(super) const TEXT: f32 = 13.0;
 /// Height of buttons and fields in points.
 pub(super) const ROW: f32 = 24.0;
+/// Height of what can only be read.
+pub(super) const LOW_ROW: f32 = 20.0;
 /// Distance between things that belong together.
 pub(super) const GAP: f32 = 4.0;
 
-/// Numbers that stand in columns: digits of equal width.
-pub(super) fn digits() -> FontId {
+/// The frame of a field to be typed into.
+pub(super) fn field(ui: &egui::Ui) -> egui::Frame {
+    let palette = palette(ui);
+    egui::Frame::new()
+        .fill(palette.field)
+        .stroke(Stroke::new(1.0, palette.edge))
+        .corner_radius(4)
+        .inner_margin(Margin::symmetric(6, 0))
+}
+
+/// The font of all text; its digits are of equal width, so that numbers stand
+/// in columns.
+pub(super) fn text() -> FontId {
     FontId::new(TEXT, FontFamily::Proportional)
+}
+
+/// The font of headings.
+pub(super) fn heading() -> FontId {
+    FontId::new(14.0, FontFamily::Proportional)
+}
+
+/// The font of remarks that must not stand out.
+pub(super) fn small() -> FontId {
+    FontId::new(11.0, FontFamily::Proportional)
 }
 
 /// Gives a context our looks, of which [`Theme`] is shown.
@@ -163,6 +186,7 @@ fn style(theme: Theme) -> Style {
     spacing.icon_spacing = 8.0;
     spacing.tooltip_width = 320.0;
     spacing.scroll = ScrollStyle::thin();
+    spacing.scroll.fade.strength = 0.0;
     style.interaction.selectable_labels = false;
     style
 }
@@ -170,7 +194,11 @@ fn style(theme: Theme) -> Style {
 fn visuals(theme: Theme, palette: &Palette) -> Visuals {
     let mut visuals = theme.of_egui().default_visuals();
     visuals.widgets.noninteractive = widget(palette.panel, palette.line, palette.text);
-    visuals.widgets.inactive = widget(palette.button, palette.button, palette.text);
+    visuals.widgets.inactive = WidgetVisuals {
+        // Rails, handles, boxes.
+        bg_fill: palette.edge,
+        ..widget(palette.button, palette.button, palette.text)
+    };
     visuals.widgets.hovered = widget(palette.hovered, palette.edge, palette.text);
     visuals.widgets.active = widget(palette.pressed, palette.focus, palette.text);
     visuals.widgets.open = widget(palette.hovered, palette.hovered, palette.text);

@@ -5,49 +5,68 @@ mod position;
 mod speed;
 mod zoom;
 
-use egui::{Button, Color32, Response, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2};
+use egui::{Button, Color32, Response, RichText, ScrollArea, Sense, Stroke, Ui, WidgetInfo, vec2};
 
 use super::actions::Action;
 use super::state::Editor;
 use super::theme;
 
+/// Width of the panels: two, three and four columns with gaps between them
+/// fill it exactly.
+pub(super) const WIDTH: f32 = 236.0;
+
 /// Between two panels.
-const APART: f32 = 12.0;
+const APART: f32 = 8.0;
 
 /// Shows the panels from top to bottom. They scroll where the window is lower
 /// than they are.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let height = ui.available_height();
     ScrollArea::vertical().show(ui, |ui| {
+        ui.set_width(WIDTH);
         position::show(editor, ui);
-        ui.add_space(APART);
+        apart(ui);
         orientation::show(editor, ui);
-        ui.add_space(APART);
+        apart(ui);
         speed::show(editor, ui, height);
-        ui.add_space(APART);
+        apart(ui);
         zoom::show(editor, ui);
     });
+}
+
+/// A line between two panels.
+fn apart(ui: &mut Ui) {
+    let gap = ui.spacing().item_spacing.y;
+    let size = vec2(ui.available_width(), APART - gap);
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    let middle = rect.center().y - gap / 2.0;
+    let whole = rect.x_range().expand(12.0);
+    let painter = ui.painter().with_clip_rect(rect.expand(12.0));
+    painter.hline(
+        whole,
+        middle.round() + 0.5,
+        Stroke::new(1.0, theme::palette(ui).line),
+    );
 }
 
 /// A panel's heading, with a remark at the right.
 fn heading(ui: &mut Ui, text: &str, remark: &str) -> Response {
     let palette = theme::palette(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
-    let font = theme::digits();
     let (left, right) = (rect.left_center(), rect.right_center());
     let painter = ui.painter();
     painter.text(
         left,
         egui::Align2::LEFT_CENTER,
         text,
-        font.clone(),
-        palette.accent,
+        theme::heading(),
+        palette.text,
     );
     painter.text(
         right,
         egui::Align2::RIGHT_CENTER,
         remark,
-        font,
+        theme::text(),
         palette.weak,
     );
     response.widget_info(|| {
@@ -133,7 +152,7 @@ fn words(ui: &mut Ui, text: &str, width: f32, color: Color32) -> Response {
         center,
         egui::Align2::CENTER_CENTER,
         text,
-        theme::digits(),
+        theme::text(),
         color,
     );
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, text));

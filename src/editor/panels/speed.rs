@@ -13,28 +13,36 @@ use crate::path::speed_curve::{INTERVALS, SpeedCurve};
 use crate::path::{Change, Section};
 
 /// Height of all panels but this picture.
-const OTHERS: f32 = 448.0;
+const OTHERS: f32 = 460.0;
 /// The picture's least and greatest height.
-const HEIGHTS: (f32, f32) = (48.0, 112.0);
+const HEIGHTS: (f32, f32) = (36.0, 112.0);
 
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui, height: f32) {
     let texts = &editor.texts().speed;
     let (curve, section) = current(editor);
-    let section_words = section.map(|section| ends(editor, section));
-    let remark = section_words.as_deref().unwrap_or(texts.end);
-    heading(ui, texts.heading, remark);
+    let words = section.map_or_else(|| texts.end.to_owned(), |section| frames(editor, section));
+    heading(ui, texts.heading, &words);
     let height = (height - OTHERS).clamp(HEIGHTS.0, HEIGHTS.1);
     let speeds = editor.orientation().map(|current| current.speeds);
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), height.floor()), Sense::click());
     paint(ui, rect, &response, curve.as_ref(), speeds.as_ref());
+    if let Some(section) = section {
+        let place = rect.left_bottom() + vec2(6.0, -4.0);
+        let color = theme::palette(ui).weak;
+        let words = ends(editor, section);
+        ui.painter().text(
+            place,
+            egui::Align2::LEFT_BOTTOM,
+            words,
+            theme::small(),
+            color,
+        );
+    }
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, texts.picture));
     if response.on_hover_text(texts.picture_hint).clicked() {
         editor.act(Action::SpeedCurve, ui.ctx());
     }
-    let palette = theme::palette(ui);
-    let words = section.map_or_else(String::new, |section| frames(editor, section));
-    super::words(ui, &words, ui.available_width(), palette.weak);
     let change = Key::new(texts.change, texts.change_hint, Action::SpeedCurve);
     keys(editor, ui, &[change]);
 }

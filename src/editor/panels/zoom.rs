@@ -9,7 +9,7 @@ use crate::editor::state::Editor;
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
 
 /// Width of the field beside the slider.
-const FIELD: f32 = 64.0;
+const FIELD: f32 = 56.0;
 
 /// Half the height of the picture in mm: of a 36×24 mm camera.
 const HALF_HEIGHT: f64 = 12.0;
@@ -26,7 +26,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
     heading(ui, texts.heading, &words).on_hover_text(texts.angle_hint);
     ui.horizontal(|ui| {
         let gap = ui.spacing().item_spacing.x;
-        ui.spacing_mut().slider_width = ui.available_width() - FIELD - 2.0 * gap;
+        ui.spacing_mut().slider_width = super::WIDTH - FIELD - gap;
         let mut zoom = current.zoom;
         let slider = Slider::new(&mut zoom, MIN_ZOOM..=MAX_ZOOM)
             .clamping(SliderClamping::Never)

@@ -1,6 +1,10 @@
 //! The window's contents driven as a hand drives them, without a screen: by
 //! the labels that a person reads, in both languages.
 
+mod files;
+mod keyboard;
+mod menus;
+mod panels;
 mod pictures;
 
 use egui::{Key, Modifiers, vec2};
@@ -9,6 +13,7 @@ use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 
 use super::setup::Theme;
+use super::texts::fill;
 use super::{Editor, Folders, Language, Options};
 use crate::document::{Document, Edit};
 use crate::path::{Orientation, Target};
@@ -45,7 +50,11 @@ pub(super) fn window_of(options: Options, size: [f32; 2], scale: f32, theme: The
                     prepared = true;
                     editor.prepare(ui.ctx());
                 }
-                editor.show(ui);
+                // The harness leaves a border around what it shows.
+                let whole = egui::UiBuilder::new().max_rect(ui.ctx().content_rect());
+                let mut ui = ui.new_child(whole);
+                ui.set_clip_rect(ui.max_rect());
+                editor.show(&mut ui);
             },
             editor,
         );
@@ -69,6 +78,42 @@ pub(super) fn click(window: &mut Window, label: &str) {
     window.get_by_label(label).click();
     window.run();
 }
+
+/// What stands in the output field: a message, or nothing but the setting.
+pub(super) fn said(window: &Window) -> Option<String> {
+    let message = window.state().message.as_ref();
+    message.map(|message| {
+        // It is there for the eye as well.
+        assert!(
+            window.query_all_by_label(&message.text).next().is_some(),
+            "{}",
+            message.text
+        );
+        message.text.clone()
+    })
+}
+
+/// Types into the number of this name and presses Enter.
+pub(super) fn enter(window: &mut Window, name: &str, text: &str) {
+    type_into(window, name, text);
+    press(window, Modifiers::NONE, Key::Enter);
+}
+
+/// Types into the number of this name.
+pub(super) fn type_into(window: &mut Window, name: &str, text: &str) {
+    window.get_by_label(name).click();
+    window.run();
+    window.get_by_label(name).type_text(text);
+    window.run();
+}
+
+/// The value that stands in the number of this name.
+pub(super) fn value(window: &Window, name: &str) -> String {
+    window.get_by_label(name).value().expect("a value")
+}
+
+/// Both languages.
+pub(super) const BOTH: [Language; 2] = [Language::German, Language::English];
 
 /// A path with some points, of which the third has three orientations.
 pub(super) fn some_points() -> Document {

@@ -9,12 +9,13 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use egui::{
-    Button, Checkbox, Context, Id, Key, Label, Modifiers, RichText, ScrollArea, TextEdit, Ui, vec2,
+    Button, Checkbox, Context, Id, Key, Label, Modifiers, RichText, ScrollArea, Sense, TextEdit,
+    Ui, vec2,
 };
 
 use super::folder::{Folder, MAX_ENTRIES, fits, is_hidden};
 use super::modal;
-use crate::editor::filing::{Purpose, short};
+use crate::editor::filing::{Purpose, readable, short};
 use crate::editor::refusals::of_system;
 use crate::editor::state::Editor;
 use crate::editor::texts::fill;
@@ -139,13 +140,13 @@ impl FileWindow {
             Err(error) => {
                 let why = of_system(editor.language, &error);
                 let text = editor.texts().errors.cannot_list;
-                self.trouble = Some(fill(text, &[&place.display(), &why]));
+                self.trouble = Some(fill(text, &[&readable(place.as_os_str()), &why]));
                 if self.folder.path.as_os_str().is_empty() {
                     self.folder = Folder::empty(place);
                 }
             }
         }
-        self.place = self.folder.path.to_string_lossy().into_owned();
+        self.place = readable(self.folder.path.as_os_str());
         self.chosen = None;
         if self.loads() {
             self.name.clear();
@@ -216,8 +217,16 @@ impl FileWindow {
     fn show_choice(&mut self, editor: &Editor, ui: &mut Ui, done: &mut Done) {
         let texts = &editor.texts().files;
         let field = |ui: &mut Ui, label: &str| {
-            let size = vec2(LABELS, theme::ROW);
-            ui.add_sized(size, Label::new(label).halign(egui::Align::Min));
+            let (rect, _) = ui.allocate_exact_size(vec2(LABELS, theme::ROW), Sense::hover());
+            let color = theme::palette(ui).weak;
+            let place = rect.left_center();
+            ui.painter().text(
+                place,
+                egui::Align2::LEFT_CENTER,
+                label,
+                theme::text(),
+                color,
+            );
         };
         ui.horizontal(|ui| {
             field(ui, texts.folder);
@@ -225,13 +234,15 @@ impl FileWindow {
             let edit = TextEdit::singleline(&mut self.place)
                 .id(Id::unique("files.place"))
                 .desired_width(ui.available_width() - buttons)
+                .frame(theme::field(ui))
                 .align(egui::Align2::LEFT_CENTER)
                 .margin(egui::Margin::symmetric(6, 0))
                 .min_size(vec2(0.0, theme::ROW));
             let response = ui.add(edit).on_hover_text(texts.folder_hint);
             ui.ctx()
                 .accesskit_node_builder(response.id, |node| node.set_label(texts.folder));
-            if entered(ui, &response) {
+            let known = self.place == readable(self.folder.path.as_os_str());
+            if entered(ui, &response) && !known {
                 done.go = Some(self.resolved(&self.place));
             }
             let above = self.folder.above().map(Path::to_owned);
@@ -252,6 +263,7 @@ impl FileWindow {
             let edit = TextEdit::singleline(&mut self.name)
                 .id(Id::unique("files.name"))
                 .desired_width(ui.available_width())
+                .frame(theme::field(ui))
                 .align(egui::Align2::LEFT_CENTER)
                 .margin(egui::Margin::symmetric(6, 0))
                 .min_size(vec2(0.0, theme::ROW));
@@ -275,6 +287,7 @@ impl FileWindow {
             let edit = TextEdit::singleline(&mut self.filter)
                 .id(Id::unique("files.filter"))
                 .desired_width(120.0)
+                .frame(theme::field(ui))
                 .align(egui::Align2::LEFT_CENTER)
                 .margin(egui::Margin::symmetric(6, 0))
                 .min_size(vec2(0.0, theme::ROW));
@@ -339,7 +352,7 @@ impl FileWindow {
                 let place = ui.max_rect().left_top() + vec2(8.0, theme::ROW / 2.0);
                 let align = egui::Align2::LEFT_CENTER;
                 ui.painter()
-                    .text(place, align, words, theme::digits(), palette.weak);
+                    .text(place, align, words, theme::text(), palette.weak);
             }
         });
         if self.folder.more {
@@ -433,12 +446,14 @@ impl FileWindow {
             }
             _ if typed.is_empty() => {
                 self.trouble = Some(editor.texts().files.no_name.to_owned());
+                self.fresh = true;
                 return false;
             }
             _ => self.resolved(&typed),
         };
         if path.is_dir() {
             self.go(editor, path);
+            self.fresh = true;
             return false;
         }
         if self.loads() {
@@ -463,6 +478,7 @@ impl FileWindow {
             Err(text) => {
                 editor.complain(text.clone());
                 self.trouble = Some(text);
+                self.fresh = true;
                 false
             }
         }

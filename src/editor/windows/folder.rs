@@ -8,6 +8,8 @@ use std::os::unix::ffi::OsStrExt;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use crate::editor::filing::readable;
+
 /// Entries that are kept of one directory: more than anybody looks through.
 pub(super) const MAX_ENTRIES: usize = 20_000;
 
@@ -90,7 +92,7 @@ impl Folder {
                     Some(Ok(entry)) => {
                         let name = entry.file_name();
                         self.items.push(Item {
-                            shown: name.to_string_lossy().into_owned(),
+                            shown: readable(&name),
                             is_folder: is_folder(&entry),
                             name,
                         });
@@ -240,7 +242,7 @@ mod tests {
                 "A.vid",
                 "b.vid",
                 "lost",
-                "odd\u{fffd}\u{fffd}.vid"
+                "odd??.vid"
             ]
         );
         assert!(read.items.iter().any(|item| item.name == odd));

@@ -43,6 +43,9 @@ pub(super) struct Windows {
     pub(super) question: Option<Question>,
 }
 
+/// Where a sub-window opens: beside the panels.
+const FIRST_PLACE: egui::Pos2 = egui::pos2(288.0, 64.0);
+
 /// One kind of sub-window; at most one of each kind is open.
 pub(super) trait SubWindow: Sized {
     /// Its name for egui: where it stands is remembered under it.
@@ -107,15 +110,26 @@ pub(super) fn sub_window(
     add: impl FnOnce(&mut egui::Ui),
 ) -> bool {
     let mut open = true;
-    let on_top = context.top_layer_id() == Some(layer(id));
-    let escape = on_top && keys::take_escape(context);
+    let escape = topmost(context) == Some(layer(id)) && keys::take_escape(context);
     egui::Window::new(title)
         .id(egui::Id::unique(id))
         .open(&mut open)
+        .default_pos(FIRST_PLACE)
+        .default_size([240.0, 120.0])
         .collapsible(false)
         .resizable(false)
         .show(context, add);
     open && !escape
+}
+
+/// The sub-window that lies above all others that are open.
+fn topmost(context: &egui::Context) -> Option<egui::LayerId> {
+    context.memory(|memory| {
+        let shown = |layer: &egui::LayerId| {
+            layer.order == egui::Order::Middle && memory.areas().visible_last_frame(layer)
+        };
+        memory.layer_ids().filter(shown).last()
+    })
 }
 
 /// A window that wants an answer before anything else: in the middle, with all

@@ -1,0 +1,387 @@
+//! The panels (thesis A.4.1, A.4.2, A.4.4), sentence by sentence.
+
+use super::*;
+use crate::document::Selection;
+use crate::limits;
+
+fn selection(window: &Window) -> Selection {
+    window.state().document.selection()
+}
+
+fn points(window: &Window) -> usize {
+    window.state().document.path().points.len()
+}
+
+fn orientations(window: &Window) -> usize {
+    let point = selection(window).point;
+    window.state().document.path().points[point]
+        .orientations
+        .len()
+}
+
+fn window_with_points(language: Language) -> Window {
+    let options = Options {
+        document: some_points(),
+        ..options(language)
+    };
+    window_of(options, [1200.0, 800.0], 1.0, Theme::Dark)
+}
+
+#[test]
+fn the_panels_have_the_names_that_the_thesis_gives_them() {
+    let window = window_with_points(Language::German);
+    for name in [
+        "Pos.+",
+        "Pos.++",
+        "Pos.-",
+        "<< Pos.",
+        "Pos. >>",
+        "3 von 6",
+        "b1",
+        "c1",
+        "t1",
+        "b2",
+        "c2",
+        "t2",
+        "Ändern …",
+        "Ori.+",
+        "Ori.-",
+        "<< Ori",
+        "Ori >>",
+        "Ori 1 von 3",
+        "Abs.",
+        "Rel.",
+        "Zeitkurve ändern …",
+        "Zoom",
+    ] {
+        assert!(window.query_by_label(name).is_some(), "{name}");
+    }
+    let window = window_with_points(Language::English);
+    for name in ["3 of 6", "Change …", "Ori 1 of 3", "Change speed curve …"] {
+        assert!(window.query_by_label(name).is_some(), "{name}");
+    }
+}
+
+#[test]
+fn a_point_is_inserted_half_way_and_has_all_of_its_predecessor() {
+    let mut window = window(Language::German);
+    enter(&mut window, "Zoomwert", "35");
+    click(&mut window, "Pos.+");
+    assert_eq!((points(&window), selection(&window).point), (3, 1));
+    let path = window.state().document.path();
+    let middle = path.points[1].position;
+    assert!((middle - DVec3::new(0.0, 0.2, 0.8)).length() < 1e-9);
+    assert_eq!(path.points[1].orientations, path.points[0].orientations);
+    assert_eq!(path.points[1].orientations[0].zoom, 35.0);
+    assert_eq!(said(&window), None);
+}
+
+#[test]
+fn several_points_are_asked_for_in_a_small_window() {
+    for language in BOTH {
+        let texts = &language.texts().position;
+        let mut window = window(language);
+        click(&mut window, "Pos.++");
+        assert!(window.query_by_label(texts.how_many).is_some());
+        click(&mut window, "10");
+        assert_eq!((points(&window), selection(&window).point), (12, 1));
+        assert!(window.query_by_label(texts.how_many).is_none());
+        let path = window.state().document.path();
+        for pair in path.points.windows(2) {
+            let way = pair[1].position - pair[0].position;
+            assert!((way.length() - 1.2 / 11.0).abs() < 1e-9);
+        }
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert_eq!(points(&window), 2);
+        // By the keyboard alone: a digit.
+        click(&mut window, "Pos.++");
+        press(&mut window, Modifiers::NONE, Key::Num3);
+        assert_eq!(points(&window), 5);
+        click(&mut window, "Pos.++");
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        assert_eq!(points(&window), 5);
+        assert!(window.query_by_label(texts.how_many).is_none());
+    }
+}
+
+#[test]
+fn behind_the_last_point_there_is_a_message() {
+    for language in BOTH {
+        let texts = &language.texts().position;
+        for button in [texts.add, texts.add_many] {
+            let mut window = window(language);
+            click(&mut window, texts.next);
+            click(&mut window, button);
+            assert_eq!(said(&window).as_deref(), Some(texts.last_point));
+            assert!(
+                window
+                    .state()
+                    .message
+                    .as_ref()
+                    .is_some_and(|message| message.error)
+            );
+            assert_eq!(points(&window), 2);
+            // It stays until the next action.
+            window.run();
+            assert_eq!(said(&window).as_deref(), Some(texts.last_point));
+            click(&mut window, texts.previous);
+            assert_eq!(said(&window), None);
+        }
+        // A closed path has a segment there.
+        let mut window = window(language);
+        click(&mut window, texts.next);
+        click(&mut window, language.texts().menu.edit);
+        click(&mut window, language.texts().menu.close);
+        click(&mut window, texts.add);
+        assert_eq!((points(&window), selection(&window).point), (3, 2));
+    }
+}
+
+#[test]
+fn the_predecessor_of_a_removed_point_becomes_current_and_two_remain() {
+    for language in BOTH {
+        let texts = &language.texts().position;
+        let mut window = window_with_points(language);
+        click(&mut window, texts.remove);
+        assert_eq!(
+            (points(&window), selection(&window)),
+            (5, Selection::at(1, 0))
+        );
+        click(&mut window, texts.remove);
+        click(&mut window, texts.remove);
+        assert_eq!((points(&window), selection(&window).point), (3, 0));
+        press(&mut window, Modifiers::NONE, Key::Delete);
+        assert_eq!(points(&window), 2);
+        click(&mut window, texts.remove);
+        assert_eq!(points(&window), 2);
+        assert_eq!(said(&window).as_deref(), Some(texts.two_remain));
+        // Undo brings back what was current.
+        for _ in 0..4 {
+            press(&mut window, Modifiers::CTRL, Key::Z);
+        }
+        assert_eq!(
+            (points(&window), selection(&window)),
+            (6, Selection::at(2, 0))
+        );
+        assert!(!window.state().document.is_modified());
+    }
+}
+
+#[test]
+fn the_choice_of_a_point_goes_round() {
+    let mut window = window_with_points(Language::German);
+    let mut seen = Vec::new();
+    for _ in 0..6 {
+        click(&mut window, "Pos. >>");
+        seen.push(selection(&window).point);
+    }
+    assert_eq!(seen, [3, 4, 5, 0, 1, 2]);
+    click(&mut window, "Ori >>");
+    click(&mut window, "<< Pos.");
+    // Another point begins with its first orientation.
+    assert_eq!(selection(&window), Selection::at(1, 0));
+    click(&mut window, "<< Pos.");
+    click(&mut window, "<< Pos.");
+    assert_eq!(selection(&window).point, 5);
+    assert!(window.query_by_label("6 von 6").is_some());
+}
+
+#[test]
+fn bias_continuity_and_tension_of_this_point_and_the_next_are_shown() {
+    let mut window = window_with_points(Language::German);
+    assert_eq!(value(&window, "c1"), "0,00");
+    assert_eq!(value(&window, "c2"), "−0,50");
+    click(&mut window, "Pos. >>");
+    assert_eq!(value(&window, "c1"), "−0,50");
+    assert!(
+        window
+            .query_by_label("Position und Kurve: Standard 5")
+            .is_some()
+    );
+    click(&mut window, "Pos. >>");
+    click(&mut window, "Pos. >>");
+    // Behind the last point there is none.
+    for name in ["b2", "c2", "t2"] {
+        assert_eq!(value(&window, name), "–");
+    }
+    window.state_mut().edit(Edit::SetClosed(true));
+    window.run();
+    assert_eq!(value(&window, "b2"), "0,00");
+}
+
+#[test]
+fn orientations_come_and_go_between_one_and_ten() {
+    for language in BOTH {
+        let texts = &language.texts().orientation;
+        let mut window = window(language);
+        enter(&mut window, texts.roll, "30");
+        for count in 2..=10 {
+            click(&mut window, texts.add);
+            assert_eq!(orientations(&window), count);
+            assert_eq!(selection(&window).orientation, count - 1);
+            let path = window.state().document.path();
+            assert_eq!(path.points[0].orientations[count - 1].roll, 30.0);
+        }
+        click(&mut window, texts.add);
+        assert_eq!(orientations(&window), 10);
+        let message = fill(texts.at_most, &[&limits::MAX_ORIENTATIONS]);
+        assert_eq!(said(&window), Some(message));
+        assert!(
+            window
+                .query_by_label(&fill(texts.count, &[&10, &10]))
+                .is_some()
+        );
+        for count in (1..10).rev() {
+            click(&mut window, texts.remove);
+            assert_eq!(orientations(&window), count);
+            assert_eq!(selection(&window).orientation, count - 1);
+        }
+        click(&mut window, texts.remove);
+        assert_eq!(said(&window).as_deref(), Some(texts.one_remains));
+        assert_eq!(orientations(&window), 1);
+        click(&mut window, texts.next);
+        assert_eq!(said(&window).as_deref(), Some(texts.only_one));
+    }
+}
+
+#[test]
+fn removing_the_first_orientation_makes_the_new_first_current() {
+    let mut window = window_with_points(Language::German);
+    click(&mut window, "Ori.-");
+    assert_eq!(selection(&window), Selection::at(2, 0));
+    assert!(window.query_by_label("Ori 1 von 2").is_some());
+}
+
+#[test]
+fn the_choice_of_an_orientation_goes_round() {
+    let mut window = window_with_points(Language::German);
+    let mut seen = Vec::new();
+    for _ in 0..3 {
+        click(&mut window, "Ori >>");
+        seen.push(selection(&window).orientation);
+    }
+    assert_eq!(seen, [1, 2, 0]);
+    click(&mut window, "<< Ori");
+    assert_eq!(selection(&window), Selection::at(2, 2));
+    assert!(window.query_by_label("Ori 3 von 3").is_some());
+}
+
+#[test]
+fn an_absolute_target_stays_and_a_relative_one_goes_along() {
+    let mut window = window(Language::German);
+    let target = |window: &Window| window.state().orientation().expect("there").target;
+    let view = |window: &Window| {
+        let editor = window.state();
+        let position = editor.point().expect("there").position;
+        editor.orientation().expect("there").view(position)
+    };
+    let before = view(&window);
+    click(&mut window, "Abs.");
+    let Target::Absolute(place) = target(&window) else {
+        panic!("absolute");
+    };
+    assert!((view(&window) - before).length() < 1e-12);
+    enter(&mut window, "Position y", "0,5");
+    assert_eq!(target(&window), Target::Absolute(place));
+    assert!((view(&window) - before).length() > 0.1);
+    click(&mut window, "Rel.");
+    let relative = target(&window);
+    assert!(matches!(relative, Target::Relative(_)));
+    let before = view(&window);
+    enter(&mut window, "Position y", "-0.5");
+    assert_eq!(target(&window), relative);
+    assert_eq!(view(&window), before);
+}
+
+#[test]
+fn the_numbers_of_the_target_are_those_of_its_kind() {
+    let mut window = window(Language::German);
+    assert_eq!(value(&window, "Richtung z"), "−0,400");
+    enter(&mut window, "Richtung x", "0,3");
+    assert_eq!(
+        window.state().orientation().expect("there").target,
+        Target::Relative(DVec3::new(0.3, 0.0, -0.4))
+    );
+    click(&mut window, "Abs.");
+    assert_eq!(value(&window, "Ziel x"), "−0,300");
+    assert!(window.query_by_label("Richtung x").is_none());
+    // A target on the camera's own position is refused.
+    enter(&mut window, "Ziel x", "-0,6");
+    enter(&mut window, "Ziel z", "0,8");
+    let message = Language::German.texts().orientation.on_position;
+    assert_eq!(said(&window).as_deref(), Some(message));
+    assert_eq!(value(&window, "Ziel z"), "0,400");
+    // And so is a position on the target.
+    enter(&mut window, "Position z", "0,4");
+    let message = Language::German.texts().position.on_target;
+    assert_eq!(said(&window).as_deref(), Some(message));
+}
+
+#[test]
+fn each_orientation_has_a_zoom_of_its_own() {
+    for language in BOTH {
+        let texts = &language.texts().zoom;
+        let mut window = window_with_points(language);
+        enter(&mut window, texts.value, "50");
+        let heading = format!("{}: {}°", texts.heading, language.number(26.991_466, 1));
+        assert!(window.query_by_label(&heading).is_some(), "{heading}");
+        let path = window.state().document.path();
+        let zooms: Vec<f64> = path.points[2].orientations.iter().map(|o| o.zoom).collect();
+        assert_eq!(zooms, [50.0, 24.0, 24.0]);
+        enter(&mut window, texts.value, "101");
+        let errors = &language.texts().errors;
+        let message = fill(errors.out_of_range, &[&texts.value, &1, &100]);
+        assert_eq!(said(&window), Some(message));
+        assert_eq!(window.state().orientation().expect("there").zoom, 50.0);
+    }
+}
+
+#[test]
+fn the_zoom_slider_is_dragged_in_one_step() {
+    let mut window = window(Language::German);
+    let rect = window.get_by_label("Zoom").rect();
+    let y = rect.center().y;
+    window.drag_at(egui::pos2(rect.left() + 60.0, y));
+    window.run();
+    for x in 61..140 {
+        window.hover_at(egui::pos2(rect.left() + x as f32, y));
+        window.run();
+    }
+    window.drop_at(egui::pos2(rect.left() + 140.0, y));
+    window.run();
+    let zoom = window.state().orientation().expect("there").zoom;
+    assert!((70.0..90.0).contains(&zoom), "{zoom}");
+    press(&mut window, Modifiers::CTRL, Key::Z);
+    assert_eq!(window.state().orientation().expect("there").zoom, 24.0);
+    assert!(!window.state().document.can_undo());
+}
+
+#[test]
+fn the_section_is_shown_with_its_frames_and_seconds() {
+    let mut window = window(Language::German);
+    assert!(
+        window
+            .query_by_label("Zeitkurve: 120 Bilder · 4,80 s")
+            .is_some()
+    );
+    click(&mut window, "Pos. >>");
+    assert!(window.query_by_label("Zeitkurve: Ende der Bahn").is_some());
+    click(&mut window, "Zeitkurve ändern …");
+    assert!(window.state().windows.speed.is_some());
+    click(&mut window, "Ändern …");
+    assert!(window.state().windows.curve.is_some());
+}
+
+#[test]
+fn holding_takes_whole_frames() {
+    let mut window = window(Language::English);
+    enter(&mut window, "Hold", "12");
+    assert_eq!(window.state().orientation().expect("there").hold, 12);
+    enter(&mut window, "Hold", "2.5");
+    assert_eq!(
+        said(&window).as_deref(),
+        Some("Hold must be a whole number")
+    );
+    enter(&mut window, "Hold", "-1");
+    assert_eq!(window.state().orientation().expect("there").hold, 12);
+}
