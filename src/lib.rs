@@ -4,7 +4,7 @@
 //! [`path`] is the engine, [`document`] the path being edited and its files,
 //! [`math`] what both stand on. `editor` is the window's contents, `raster`
 //! and `x11` bring them to a screen, `instance` joins the three under the
-//! host's event loop. `ffi` is the border to C; its header is
+//! host's event loop; [`window`] opens one from Rust. `ffi` is the border to C; its header is
 //! `include/libvides.h`. `ARCHITECTURE.md` draws the arrows between them,
 //! `docs/path.md` tells the rules by which a path becomes poses.
 //!
@@ -17,6 +17,7 @@ pub mod error;
 pub mod limits;
 pub mod math;
 pub mod path;
+pub mod window;
 
 #[allow(dead_code, unused_imports)] // until the window is whole
 mod editor;

@@ -1,4 +1,4 @@
-//! The command `vides`: camera paths from the shell, without a window.
+//! The command `vides`: camera paths from the shell, with and without a window.
 
 mod command;
 

@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 /// is below it too.
 const ARROWS: &[(&str, &[&str])] = &[
     ("ffi", &["instance", "document"]),
+    ("window", &["instance"]),
     ("instance", &["editor", "x11", "raster"]),
     ("editor", &["document", "raster"]),
     ("x11", &["raster"]),

@@ -5,6 +5,7 @@
 //! Exit statuses: 0 all was done, or whoever read our output had enough of it;
 //! 1 bad input or a file that cannot be read or written; 2 bad usage.
 
+mod edit;
 mod info;
 mod input;
 mod progress;
@@ -36,6 +37,12 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Opens the editor in a window
+    Edit {
+        /// The path; one that does not exist yet is a new one of that name
+        #[arg(value_name = "FILE.vid")]
+        file: Option<PathBuf>,
+    },
     /// Writes every camera pose of a path
     Sample(sample::Arguments),
     /// Shows points, sections, lengths, frames and seconds of a path
@@ -71,6 +78,7 @@ pub(crate) fn run() -> ExitCode {
         Err(error) => return conclude(print(&error.render().to_string())),
     };
     conclude(match cli.command {
+        Command::Edit { file } => edit::run(file.as_deref()),
         Command::Sample(arguments) => sample::run(&arguments),
         Command::Info { file } => info::run(&file),
     })

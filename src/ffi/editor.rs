@@ -21,7 +21,7 @@ use super::status::{
 use super::types::{V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_POSE};
 use crate::document::{Document, Edit};
 use crate::editor::{self, Language};
-use crate::error::{Result, vec_with_room};
+use crate::error::{Result, complain, vec_with_room};
 use crate::instance::{self, Host, Id};
 use crate::path::{BaseSpeeds, Pose, Sampler};
 
@@ -380,6 +380,10 @@ impl Host for Callbacks {
         // SAFETY: the host's function.
         self.on_close
             .is_none_or(|on_close| unsafe { on_close(self.handle.get(), self.user) } != 0)
+    }
+
+    fn lost(&self, why: &str) {
+        complain(why);
     }
 
     fn closed(&self, _: Id) {

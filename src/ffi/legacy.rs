@@ -167,6 +167,10 @@ impl Host for Contract {
         self.ende.is_none_or(|ende| unsafe { ende() } != 0)
     }
 
+    fn lost(&self, why: &str) {
+        complain(why);
+    }
+
     fn closed(&self, _: Id) {}
 }
 

@@ -48,6 +48,10 @@ pub(crate) trait Host {
     /// Asks the host whether the window may close.
     fn may_close(&self, window: Id) -> bool;
 
+    /// A window is about to be gone for this reason, which nobody was told yet.
+    /// Calls no host code.
+    fn lost(&self, why: &str);
+
     /// The window is gone: closed by the user, or its X server went away. Calls
     /// no host code.
     fn closed(&self, window: Id);

@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 use super::descriptors::Descriptors;
 use super::window::Window;
 use super::{Host, Id, xt};
-use crate::error::{Error, Result, complain, panic_said};
+use crate::error::{Error, Result, panic_said};
 
 /// Ids are given out once in the life of the process.
 static NEXT: AtomicU64 = AtomicU64::new(1);
@@ -311,15 +311,15 @@ pub(super) fn lose(id: Id, window: Option<Box<Window>>, why: Lost, lost: &mut Op
         table.told.clone_from(&why.why);
         (slot, new)
     });
-    if new {
-        complain(&why.why);
-    }
-    *lost = Some(why);
     discard(window);
     if let Some(slot) = slot {
         discard(slot.window);
+        if new {
+            slot.host.lost(&why.why);
+        }
         slot.host.closed(id);
     }
+    *lost = Some(why);
 }
 
 /// Closes a window, if it neither works nor calls at present; else as soon as

@@ -128,6 +128,7 @@ impl Screen for Fake {
 struct Calls {
     asked: Cell<usize>,
     closed: Cell<usize>,
+    lost: RefCell<Vec<String>>,
     on_close: RefCell<Option<Box<dyn FnMut(Id) -> bool>>>,
 }
 
@@ -145,6 +146,10 @@ impl Host for Calls {
         let answer = function(window);
         *self.on_close.borrow_mut() = Some(function);
         answer
+    }
+
+    fn lost(&self, why: &str) {
+        self.lost.borrow_mut().push(why.to_owned());
     }
 
     fn closed(&self, _: Id) {
@@ -336,8 +341,29 @@ fn a_lost_screen_takes_its_window_alone() {
         ("the X server went away", false)
     );
     assert_eq!((first.closed.get(), first.asked.get()), (1, 0));
+    assert_eq!(*first.lost.borrow(), ["the X server went away"]);
     assert!(one.dropped.get() && is_open(id));
     close(id);
+}
+
+#[test]
+fn what_took_many_windows_is_said_once() {
+    let windows = [open(), open(), open()];
+    dispatch();
+    for (_, remote, _) in &windows {
+        remote.fail(Fails::Gone);
+        assert!(dispatch().lost.is_some());
+    }
+    let said: usize = windows
+        .iter()
+        .map(|(_, _, calls)| calls.lost.borrow().len())
+        .sum();
+    assert_eq!(said, 1);
+    // A window that opens later is another matter.
+    let (_, remote, calls) = open();
+    remote.fail(Fails::Gone);
+    dispatch();
+    assert_eq!((calls.lost.borrow().len(), calls.closed.get()), (1, 1));
 }
 
 #[test]
