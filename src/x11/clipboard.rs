@@ -6,11 +6,13 @@
 //! what they ask for and what they send is bounded in size, number and time.
 
 use std::cell::OnceCell;
+use std::os::fd::AsFd as _;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use egui::{Event as Input, Pos2};
 use x11rb::connection::Connection as _;
+use x11rb::errors::ConnectionError;
 use x11rb::protocol::Event;
 use x11rb::protocol::xproto::{
     Atom, AtomEnum, ConnectionExt as _, EventMask, PropMode, Property, SELECTION_NOTIFY_EVENT,
@@ -22,6 +24,7 @@ use x11rb::{CURRENT_TIME, NONE};
 use super::connection::Connection;
 use super::incoming::{self, Incoming, Step};
 use super::outgoing::{self, Outgoing};
+use super::stream::wait;
 use crate::error::Result;
 
 /// Which of the two.
@@ -37,7 +40,11 @@ pub(super) enum Selection {
 const MOST_INCOMING: usize = 8;
 
 /// Transfers in pieces to others at once.
-const MOST_OUTGOING: usize = 64;
+const MOST_OUTGOING: usize = 16;
+
+/// Bytes that may wait to be sent before others are refused more: who asks and
+/// asks must not fill the memory.
+const MOST_WAITING: usize = 4 << 20;
 
 /// Pairs of one MULTIPLE request that are looked at.
 const MOST_PAIRS: u32 = 64;
@@ -221,10 +228,11 @@ impl Clipboard {
             }
             Event::SelectionClear(event) if Some(event.owner) == self.owner => {
                 if let Some(which) = which(connection, event.selection) {
-                    let place = self.place(which);
-                    let since = place.as_ref().map_or(CURRENT_TIME, |owned| owned.time);
-                    if !is_before(event.time, since) {
-                        *place = None;
+                    // It may be long ago, and ours once more since then.
+                    let asked = connection.get_selection_owner(event.selection);
+                    let now = connection.answer(asked)?;
+                    if now.is_none_or(|now| Some(now.owner) != self.owner) {
+                        *self.place(which) = None;
                     }
                 }
             }
@@ -272,6 +280,8 @@ impl Clipboard {
         let mut unheard = Vec::new();
         while Instant::now() < end && self.clipboard.is_some() {
             connection.flush().map_err(|error| connection.lost(error))?;
+            let pushed = connection.stream().push();
+            pushed.map_err(|error| connection.lost(ConnectionError::from(error)))?;
             let event = connection.poll_for_event();
             match event.map_err(|error| connection.lost(error))? {
                 Some(Event::SelectionNotify(event))
@@ -282,7 +292,11 @@ impl Clipboard {
                 Some(event) => {
                     self.handle(connection, &event, &mut unheard)?;
                 }
-                None => std::thread::sleep(Duration::from_millis(1)),
+                None => {
+                    let rest = end.saturating_duration_since(Instant::now());
+                    let waited = wait(connection.as_fd(), libc::POLLIN, rest);
+                    waited.map_err(|error| connection.lost(ConnectionError::from(error)))?;
+                }
             }
             unheard.clear();
         }
@@ -435,6 +449,9 @@ impl Clipboard {
         to: (Window, Atom),
         now: Instant,
     ) -> Result<bool> {
+        if connection.stream().waiting() > MOST_WAITING {
+            return Ok(false);
+        }
         let Some(value) = self.value(connection, which, target) else {
             return Ok(false);
         };

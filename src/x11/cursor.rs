@@ -11,7 +11,7 @@ use x11rb::NONE;
 use x11rb::connection::Connection as _;
 use x11rb::cursor::Handle;
 use x11rb::protocol::xproto::{
-    ChangeWindowAttributesAux, ConnectionExt as _, Cursor, Pixmap, Window,
+    ChangeWindowAttributesAux, ConnectionExt as _, CreateGCAux, Cursor, Rectangle, Window,
 };
 use x11rb::resource_manager::Database;
 
@@ -159,7 +159,6 @@ fn invisible(connection: &Connection) -> Result<Cursor> {
         return Ok(NONE);
     };
     let lost = |error| connection.lost(error);
-    let pixmap: Pixmap = pixmap;
     let root = connection.screen().root;
     connection
         .create_pixmap(1, pixmap, root, 1, 1)
@@ -168,7 +167,6 @@ fn invisible(connection: &Connection) -> Result<Cursor> {
     let Some(gc) = connection.excuse(connection.generate_id())? else {
         return Ok(NONE);
     };
-    use x11rb::protocol::xproto::{CreateGCAux, Rectangle};
     connection
         .create_gc(gc, pixmap, &CreateGCAux::new().foreground(0))
         .map_err(lost)?

@@ -143,6 +143,9 @@ impl Window {
         if focused != self.focus.told {
             self.focus.told = focused;
             self.events.push(egui::Event::WindowFocused(focused));
+            if !focused {
+                self.keyboard.release_all(&mut self.events);
+            }
         }
     }
 

@@ -35,6 +35,10 @@ mod visual;
 mod window;
 
 #[cfg(test)]
+mod clipboard_hostile_tests;
+#[cfg(test)]
+mod clipboard_tests;
+#[cfg(test)]
 mod keyboard_tests;
 #[cfg(test)]
 mod testing;
