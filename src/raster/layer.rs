@@ -1,15 +1,25 @@
 //! One primitive, sorted into the tiles that it touches.
 
+use std::any::Any;
+use std::sync::Arc;
+
 use egui::epaint::Primitive;
-use egui::{ClippedPrimitive, Mesh, Rect};
+use egui::{ClippedPrimitive, Color32, Mesh, Rect};
 
 use super::grid::{Tiles, pixels_of};
 use super::hash::{mix, pair};
 use super::lines::Lines;
+use super::quad::Quad;
 use super::stroke::Stroke;
-use super::texture::Textures;
+use super::texture::{Texture, Textures};
 use super::tile::{Cut, Tile};
-use super::triangle;
+use super::triangle::{self, Corner};
+
+/// Begins the fingerprint of a tile that one colour hides.
+const GROUND: u64 = 1;
+
+/// In an item: this triangle and the next one make a [`Quad`].
+const QUAD: u32 = 1 << 31;
 
 /// No further item.
 const END: u32 = u32::MAX;
@@ -22,6 +32,17 @@ struct Cell {
     last: u32,
     /// The fingerprint of all of it.
     hash: u64,
+    /// All of the tile is hidden by this colour, the items come above.
+    ground: Option<u32>,
+}
+
+impl Cell {
+    const EMPTY: Self = Self {
+        first: END,
+        last: END,
+        hash: 0,
+        ground: None,
+    };
 }
 
 /// An item of a tile, and the next one.
@@ -31,30 +52,133 @@ struct Link {
     next: u32,
 }
 
+/// What a primitive is known by.
+pub(super) struct Key {
+    clip: Cut,
+    content: Content,
+}
+
+enum Content {
+    Nothing,
+    /// The fingerprint of a mesh and of the texture that it shows.
+    Mesh(u64),
+    /// The lines themselves, so that their place in memory is not used again.
+    Lines(Arc<dyn Any + Send + Sync>),
+}
+
+impl PartialEq for Key {
+    fn eq(&self, other: &Self) -> bool {
+        self.clip == other.clip
+            && match (&self.content, &other.content) {
+                (Content::Nothing, Content::Nothing) => true,
+                (Content::Mesh(a), Content::Mesh(b)) => a == b,
+                (Content::Lines(a), Content::Lines(b)) => Arc::ptr_eq(a, b),
+                _ => false,
+            }
+    }
+}
+
+impl Key {
+    pub(super) fn new(
+        primitive: &ClippedPrimitive,
+        textures: &Textures,
+        pixels_per_point: f32,
+        target: Cut,
+    ) -> Self {
+        let mut clip = cut(primitive.clip_rect, pixels_per_point, target);
+        let content = match &primitive.primitive {
+            Primitive::Mesh(mesh) => match textures.get(mesh.texture_id) {
+                Some(texture) => Content::Mesh(fingerprint(mesh, texture.generation)),
+                None => Content::Nothing,
+            },
+            Primitive::Callback(callback) => {
+                clip = clip.and(cut(callback.rect, pixels_per_point, target));
+                Content::Lines(Arc::clone(&callback.callback))
+            }
+        };
+        Self { clip, content }
+    }
+}
+
+/// The fingerprint of a whole mesh.
+fn fingerprint(mesh: &Mesh, generation: u64) -> u64 {
+    // Side by side, since each waits for its last result.
+    let mut places = generation;
+    let mut textures = 1;
+    let mut colors = 2;
+    for vertex in &mesh.vertices {
+        places = mix(places, pair(vertex.pos.x, vertex.pos.y));
+        textures = mix(textures, pair(vertex.uv.x, vertex.uv.y));
+        colors = mix(colors, u64::from(bits(vertex.color)));
+    }
+    let mut order = [3, 4];
+    let mut indices = mesh.indices.chunks_exact(4);
+    for four in &mut indices {
+        order[0] = mix(order[0], u64::from(four[0]) << 32 | u64::from(four[1]));
+        order[1] = mix(order[1], u64::from(four[2]) << 32 | u64::from(four[3]));
+    }
+    for &index in indices.remainder() {
+        order[0] = mix(order[0], u64::from(index));
+    }
+    let counts = mix(mesh.vertices.len() as u64, mesh.indices.len() as u64);
+    [places, textures, colors, order[0], order[1]]
+        .into_iter()
+        .fold(counts, mix)
+}
+
+#[inline(always)]
+fn bits(color: Color32) -> u32 {
+    u32::from_ne_bytes(color.to_array())
+}
+
+/// Two whole numbers as one word.
+#[inline(always)]
+fn word(a: i32, b: i32) -> u64 {
+    u64::from(a as u32) << 32 | u64::from(b as u32)
+}
+
 /// A primitive's items by tile.
 pub(super) struct Layer {
-    clip: Cut,
+    pub(super) key: Key,
     tiles: Tiles,
     cells: Vec<Cell>,
     links: Vec<Link>,
 }
 
+/// What is known of a tile before it is painted.
+#[derive(Clone, Copy)]
+pub(super) struct Sum {
+    /// The fingerprint of all that it shows.
+    pub(super) hash: u64,
+    /// The colour that hides all further below.
+    pub(super) ground: u32,
+    /// The first layer above that.
+    pub(super) first: u32,
+}
+
 /// What a primitive is for us.
 pub(super) enum Kind<'a> {
     Mesh(&'a Mesh),
-    Lines(&'a Lines, Rect),
+    Lines(&'a Lines),
 }
 
 impl<'a> Kind<'a> {
     pub(super) fn of(primitive: &'a ClippedPrimitive) -> Option<Self> {
         match &primitive.primitive {
             Primitive::Mesh(mesh) => Some(Self::Mesh(mesh)),
-            Primitive::Callback(callback) => {
-                let lines = Lines::of(callback)?;
-                Some(Self::Lines(lines, callback.rect))
-            }
+            Primitive::Callback(callback) => Some(Self::Lines(Lines::of(callback)?)),
         }
     }
+}
+
+/// Continues a fingerprint by a corner.
+#[inline(always)]
+fn hash_of(hash: u64, corner: &Corner) -> u64 {
+    let place = mix(hash, word(corner.x, corner.y));
+    mix(
+        mix(place, pair(corner.u, corner.v)),
+        u64::from(bits(corner.color)),
+    )
 }
 
 /// A rectangle in points as whole pixels of the target.
@@ -70,69 +194,96 @@ fn cut(rect: Rect, pixels_per_point: f32, target: Cut) -> Cut {
 }
 
 impl Layer {
+    /// Sorts a primitive. `memory` is a layer that is no longer needed.
     pub(super) fn new(
+        key: Key,
         primitive: &ClippedPrimitive,
         textures: &Textures,
         pixels_per_point: f32,
         target: Cut,
+        memory: Option<Self>,
     ) -> Self {
-        let mut clip = cut(primitive.clip_rect, pixels_per_point, target);
+        let (mut cells, mut links) = memory.map_or_else(Default::default, |l| (l.cells, l.links));
+        links.clear();
+        cells.clear();
+        let tiles = Tiles::of(key.clip);
+        cells.resize(tiles.count(), Cell::EMPTY);
         let mut layer = Self {
-            clip,
-            tiles: Tiles::default(),
-            cells: Vec::new(),
-            links: Vec::new(),
+            key,
+            tiles,
+            cells,
+            links,
         };
         match Kind::of(primitive) {
             None => {}
             Some(Kind::Mesh(mesh)) => {
-                let Some(texture) = textures.get(mesh.texture_id) else {
-                    return layer;
-                };
-                layer.open(clip, texture.generation);
-                layer.sort_mesh(mesh, pixels_per_point);
+                if let Some(texture) = textures.get(mesh.texture_id) {
+                    layer.sort_mesh(mesh, texture, pixels_per_point, target);
+                }
             }
-            Some(Kind::Lines(lines, rect)) => {
-                clip = clip.and(cut(rect, pixels_per_point, target));
-                layer.open(clip, 0);
-                layer.sort_lines(lines, pixels_per_point);
-            }
+            Some(Kind::Lines(lines)) => layer.sort_lines(lines, pixels_per_point),
         }
         layer
     }
 
-    fn open(&mut self, clip: Cut, seed: u64) {
-        self.clip = clip;
-        self.tiles = Tiles::of(clip);
-        let empty = Cell {
-            first: END,
-            last: END,
-            hash: seed,
-        };
-        self.cells.resize(self.tiles.count(), empty);
-    }
-
-    fn sort_mesh(&mut self, mesh: &Mesh, pixels_per_point: f32) {
-        for item in 0..mesh.indices.len() / 3 {
-            let Some(corners) = triangle::corners(mesh, item, pixels_per_point) else {
+    fn sort_mesh(&mut self, mesh: &Mesh, texture: &Texture, pixels_per_point: f32, target: Cut) {
+        let count = mesh.indices.len() / 3;
+        let corners = |item: usize| triangle::corners(mesh, item, pixels_per_point);
+        let mut following = corners(0);
+        let mut item = 0;
+        while item < count {
+            let this = following;
+            following = corners(item + 1);
+            let number = item;
+            item += 1;
+            let Some(this) = this else { continue };
+            if let Some(next) = following
+                && let Some(quad) = Quad::new(&this, &next)
+            {
+                following = corners(item + 1);
+                item += 1;
+                self.add_quad(number as u32 | QUAD, &quad, texture, target);
+                continue;
+            }
+            let bounds = self.key.clip.and(triangle::bounds(&this));
+            if bounds.is_empty() {
+                continue;
+            }
+            let Some(edges) = triangle::edges(&this) else {
                 continue;
             };
-            let bounds = self.clip.and(triangle::bounds(&corners));
+            let hash = this.iter().fold(texture.generation, hash_of);
             let tiles = Tiles::of(bounds);
-            let Some(edges) = triangle::edges(&corners) else {
-                continue;
-            };
-            let hash = corners.iter().fold(0, |hash, corner| {
-                let place = (corner.x as u32 as u64) << 32 | corner.y as u32 as u64;
-                let color = u64::from(u32::from_ne_bytes(corner.color.to_array()));
-                mix(mix(mix(hash, place), pair(corner.u, corner.v)), color)
-            });
+            let single = tiles.count() == 1;
             for y in tiles.y0..tiles.y1 {
                 for x in tiles.x0..tiles.x1 {
                     let within = bounds.and(pixels_of(x, y));
-                    if edges.iter().all(|edge| edge.touches(within)) {
-                        self.add(x, y, item as u32, hash);
+                    if single || edges.iter().all(|edge| edge.touches(within)) {
+                        self.add(x, y, number as u32, hash);
                     }
+                }
+            }
+        }
+    }
+
+    fn add_quad(&mut self, item: u32, quad: &Quad, texture: &Texture, target: Cut) {
+        let bounds = self.key.clip.and(quad.bounds());
+        let hash = hash_of(hash_of(texture.generation ^ 1, &quad.low), &quad.high);
+        let tiles = Tiles::of(bounds);
+        let ground = quad.ink(texture).and_then(|ink| ink.opaque());
+        for y in tiles.y0..tiles.y1 {
+            for x in tiles.x0..tiles.x1 {
+                match ground {
+                    Some(color) if bounds.holds(pixels_of(x, y).and(target)) => {
+                        if let Some(index) = self.tiles.index(x, y) {
+                            self.cells[index] = Cell {
+                                ground: Some(color),
+                                hash: mix(GROUND, u64::from(color)),
+                                ..Cell::EMPTY
+                            };
+                        }
+                    }
+                    _ => self.add(x, y, item, hash),
                 }
             }
         }
@@ -143,13 +294,19 @@ impl Layer {
             let Some(stroke) = Stroke::new(line, pixels_per_point) else {
                 continue;
             };
-            let bounds = self.clip.and(stroke.bounds());
-            let tiles = Tiles::of(bounds);
+            let bounds = self.key.clip.and(stroke.bounds());
+            if bounds.is_empty() {
+                continue;
+            }
             let hash = mix(
                 mix(pair(line.from.x, line.from.y), pair(line.to.x, line.to.y)),
-                u64::from(line.width.to_bits()) << 32
-                    | u64::from(u32::from_ne_bytes(line.color.to_array())),
+                u64::from(line.width.to_bits()) << 32 | u64::from(bits(line.color)),
             );
+            let tiles = Tiles::of(bounds);
+            if tiles.count() == 1 {
+                self.add(tiles.x0, tiles.y0, item as u32, hash);
+                continue;
+            }
             for y in tiles.y0..tiles.y1 {
                 for x in tiles.x0..tiles.x1 {
                     if stroke.touches(bounds.and(pixels_of(x, y))) {
@@ -160,6 +317,7 @@ impl Layer {
         }
     }
 
+    #[inline]
     fn add(&mut self, x: usize, y: usize, item: u32, hash: u64) {
         let Some(index) = self.tiles.index(x, y) else {
             return;
@@ -169,12 +327,9 @@ impl Layer {
         let cell = &mut self.cells[index];
         if cell.first == END {
             // How the clip cuts this tile is part of what is seen.
-            let within = self.clip.and(pixels_of(x, y));
-            let word = |a: i32, b: i32| (a as u32 as u64) << 32 | b as u32 as u64;
-            cell.hash = mix(
-                mix(cell.hash, word(within.x0, within.y0)),
-                word(within.x1, within.y1),
-            );
+            let within = self.key.clip.and(pixels_of(x, y));
+            cell.hash = mix(cell.hash, word(within.x0, within.y0));
+            cell.hash = mix(cell.hash, word(within.x1, within.y1));
             cell.first = link;
         } else {
             self.links[cell.last as usize].next = link;
@@ -183,11 +338,28 @@ impl Layer {
         cell.hash = mix(cell.hash, hash);
     }
 
-    /// Continues the fingerprint of a tile.
-    pub(super) fn hash(&self, x: usize, y: usize, hash: u64) -> u64 {
-        match self.tiles.index(x, y).map(|index| self.cells[index]) {
-            Some(cell) if cell.first != END => mix(hash, cell.hash),
-            _ => hash,
+    /// Continues what is known of the target's tiles by this layer, the
+    /// `number`th from below.
+    pub(super) fn sum(&self, number: u32, all: Tiles, sums: &mut [Sum]) {
+        let mut cells = self.cells.iter();
+        for y in self.tiles.y0..self.tiles.y1 {
+            for x in self.tiles.x0..self.tiles.x1 {
+                let (Some(cell), Some(index)) = (cells.next(), all.index(x, y)) else {
+                    continue;
+                };
+                let Some(sum) = sums.get_mut(index) else {
+                    continue;
+                };
+                if let Some(ground) = cell.ground {
+                    *sum = Sum {
+                        hash: cell.hash,
+                        ground,
+                        first: number,
+                    };
+                } else if cell.first != END {
+                    sum.hash = mix(sum.hash, cell.hash);
+                }
+            }
         }
     }
 
@@ -203,12 +375,12 @@ impl Layer {
         let Some(index) = self.tiles.index(x, y) else {
             return;
         };
-        let within = self.clip.and(pixels_of(x, y));
+        let within = self.key.clip.and(pixels_of(x, y));
         let mut next = self.cells[index].first;
         let items = std::iter::from_fn(|| {
             let link = self.links.get(next as usize)?;
             next = link.next;
-            Some(link.item as usize)
+            Some(link.item)
         });
         match Kind::of(primitive) {
             None => {}
@@ -216,15 +388,24 @@ impl Layer {
                 let Some(texture) = textures.get(mesh.texture_id) else {
                     return;
                 };
+                let corners = |item| triangle::corners(mesh, item, pixels_per_point);
                 for item in items {
-                    if let Some(corners) = triangle::corners(mesh, item, pixels_per_point) {
-                        triangle::paint(tile, &corners, texture, within);
+                    let number = (item & !QUAD) as usize;
+                    let Some(this) = corners(number) else {
+                        continue;
+                    };
+                    if item & QUAD == 0 {
+                        triangle::paint(tile, &this, texture, within);
+                    } else if let Some(next) = corners(number + 1)
+                        && let Some(quad) = Quad::new(&this, &next)
+                    {
+                        quad.paint(tile, texture, within);
                     }
                 }
             }
-            Some(Kind::Lines(lines, _)) => {
+            Some(Kind::Lines(lines)) => {
                 for item in items {
-                    let line = lines.lines.get(item);
+                    let line = lines.lines.get(item as usize);
                     if let Some(stroke) = line.and_then(|l| Stroke::new(l, pixels_per_point)) {
                         stroke.paint(tile, within);
                     }

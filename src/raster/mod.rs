@@ -10,9 +10,13 @@ mod grid;
 mod hash;
 mod layer;
 mod lines;
+mod plane;
+mod quad;
 mod stroke;
 #[cfg(test)]
 pub(crate) mod testing;
+#[cfg(test)]
+mod tests;
 mod texture;
 mod tile;
 mod triangle;
@@ -20,7 +24,7 @@ mod triangle;
 pub(crate) use lines::{Line, Lines};
 
 use grid::{Areas, Tiles, pixels_of};
-use layer::Layer;
+use layer::{Key, Layer, Sum};
 use texture::Textures;
 use tile::{Cut, Tile};
 
@@ -51,6 +55,9 @@ pub(crate) struct Target<'a> {
     pub(crate) height: u32,
 }
 
+/// Among so many layers of the last call one is looked for.
+const LOOK_AHEAD: usize = 32;
+
 /// Paints one window. It remembers what stands in each tile of the target, so
 /// the same target must come again, untouched, until [`Raster::forget`].
 pub(crate) struct Raster {
@@ -60,6 +67,12 @@ pub(crate) struct Raster {
     shown: Vec<u64>,
     /// What `shown` holds for: width, height, pixels per point.
     shown_for: Option<(u32, u32, f32)>,
+    /// What `layers` holds for.
+    sorted_for: Option<(u32, u32, f32)>,
+    /// The primitives of the last call, sorted into tiles.
+    layers: Vec<Layer>,
+    /// For each tile; kept for its memory.
+    sums: Vec<Sum>,
     tile: Tile,
 }
 
@@ -71,6 +84,9 @@ impl Raster {
             textures: Textures::default(),
             shown: Vec::new(),
             shown_for: None,
+            sorted_for: None,
+            layers: Vec::new(),
+            sums: Vec::new(),
             tile: Tile::new(),
         }
     }
@@ -113,37 +129,51 @@ impl Raster {
             x1,
             y1,
         };
-        let room = target.stride.saturating_mul(y1.max(1) as usize - 1) + x1 as usize;
-        if whole.is_empty() || target.stride < x1 as usize || target.pixels.len() < room {
+        let rows_above = target
+            .stride
+            .saturating_mul(target.height.max(1) as usize - 1);
+        let room = rows_above.saturating_add(target.width as usize);
+        if whole.is_empty() || target.stride < target.width as usize || target.pixels.len() < room {
             return Vec::new();
         }
         let tiles = Tiles::of(whole);
-        let layers: Vec<Layer> = primitives
-            .iter()
-            .map(|primitive| Layer::new(primitive, &self.textures, pixels_per_point, whole))
-            .collect();
         let now = Some((target.width, target.height, pixels_per_point));
         let anew = self.shown_for != now;
         self.shown_for = now;
+        if !self.sort(primitives, pixels_per_point, whole) && !anew {
+            return Vec::new();
+        }
         self.shown.resize(tiles.count(), 0);
+        self.sums.clear();
+        let nothing = Sum {
+            hash: 0,
+            ground: tile::pixel(self.background),
+            first: 0,
+        };
+        self.sums.resize(tiles.count(), nothing);
+        for (number, layer) in self.layers.iter().enumerate() {
+            layer.sum(number as u32, tiles, &mut self.sums);
+        }
         let mut areas = Areas::default();
-        let mut shown = self.shown.iter_mut();
+        let mut each = self.shown.iter_mut().zip(&self.sums);
         for y in tiles.y0..tiles.y1 {
             for x in tiles.x0..tiles.x1 {
-                let hash = layers.iter().fold(0, |hash, layer| layer.hash(x, y, hash));
-                let Some(shown) = shown.next() else { continue };
-                if *shown == hash && !anew {
+                let Some((shown, sum)) = each.next() else {
+                    continue;
+                };
+                if *shown == sum.hash && !anew {
                     continue;
                 }
-                *shown = hash;
+                *shown = sum.hash;
                 let cut = pixels_of(x, y).and(whole);
-                self.tile
-                    .start(cut.x0, cut.y0, tile::pixel(self.background));
-                for (layer, primitive) in layers.iter().zip(primitives) {
+                self.tile.start(cut.x0, cut.y0, sum.ground);
+                let layers = self.layers.iter().zip(primitives);
+                for (layer, primitive) in layers.skip(sum.first as usize) {
+                    let textures = &self.textures;
                     layer.paint(
                         (x, y),
                         primitive,
-                        &self.textures,
+                        textures,
                         pixels_per_point,
                         &mut self.tile,
                     );
@@ -159,5 +189,51 @@ impl Raster {
             areas.end_row();
         }
         areas.into_areas()
+    }
+
+    /// Makes `layers` those of the primitives, and says whether they are
+    /// others than before.
+    fn sort(
+        &mut self,
+        primitives: &[ClippedPrimitive],
+        pixels_per_point: f32,
+        target: Cut,
+    ) -> bool {
+        let now = Some((target.x1 as u32, target.y1 as u32, pixels_per_point));
+        if self.sorted_for != now {
+            self.layers.clear();
+            self.sorted_for = now;
+        }
+        let keys: Vec<Key> = primitives
+            .iter()
+            .map(|primitive| Key::new(primitive, &self.textures, pixels_per_point, target))
+            .collect();
+        let same = |(layer, key): (&Layer, &Key)| layer.key == *key;
+        if keys.len() == self.layers.len() && self.layers.iter().zip(&keys).all(same) {
+            return false;
+        }
+        // A layer that was there before, if it is found near its old place.
+        let mut old: Vec<Option<Layer>> = self.layers.drain(..).map(Some).collect();
+        let mut start = 0;
+        let found: Vec<Option<Layer>> = keys
+            .iter()
+            .map(|key| {
+                let near = old.iter().enumerate().skip(start).take(LOOK_AHEAD);
+                let found = near.filter_map(|(i, layer)| Some((i, layer.as_ref()?)));
+                let at = found.into_iter().find(|(_, layer)| layer.key == *key)?.0;
+                start = at + 1;
+                old[at].take()
+            })
+            .collect();
+        let mut unused = old.into_iter().flatten();
+        for ((key, found), primitive) in keys.into_iter().zip(found).zip(primitives) {
+            let layer = found.unwrap_or_else(|| {
+                let memory = unused.next();
+                let textures = &self.textures;
+                Layer::new(key, primitive, textures, pixels_per_point, target, memory)
+            });
+            self.layers.push(layer);
+        }
+        true
     }
 }

@@ -90,47 +90,149 @@ pub(super) fn pixel(color: Color32) -> u32 {
     u32::from_be_bytes([0, r, g, b])
 }
 
-/// Blue, green, red and alpha: the order of a pixel's bytes from the lowest.
-#[inline(always)]
-pub(super) fn channels(color: Color32) -> [u32; 4] {
-    let [r, g, b, a] = color.to_array();
-    [b, g, r, a].map(u32::from)
+/// Weights by which a colour is laid on are counted in this many parts.
+pub(super) const FULL: u32 = 256;
+
+/// A colour made ready to be laid over pixels.
+#[derive(Clone, Copy)]
+pub(super) struct Ink {
+    /// See [`spread`].
+    color: u64,
+    /// Its opacity in 65 536 parts, rounded up.
+    alpha: u32,
+    /// A channel is more than its opacity: light is added, and has to be
+    /// stopped at white.
+    glows: bool,
+    /// As a pixel, where it hides what is below.
+    opaque: Option<u32>,
 }
 
-/// `value / 255` rounded to the nearest, for values up to 65 535.
-#[inline(always)]
-fn by_255(value: u32) -> u32 {
-    let value = value + 128;
-    (value + (value >> 8)) >> 8
+/// How a colour is laid over what is below it.
+#[derive(Clone, Copy)]
+pub(super) enum Kind {
+    /// Hides it.
+    Opaque,
+    /// Lets it shine through, or is not there at all.
+    Clear,
+    /// Adds light.
+    Glowing,
 }
 
-/// Lays one colour over pixels.
-pub(super) fn fill(pixels: &mut [u32], color: Color32) {
-    if color.a() == 255 {
-        pixels.fill(pixel(color));
-        return;
+/// Does the same with the function that fits the ink.
+macro_rules! with_ink {
+    ($ink:expr, |$over:ident| $body:expr) => {
+        match $ink.kind() {
+            $crate::raster::tile::Kind::Opaque => {
+                let $over = |below, weight| $ink.over_opaque(below, weight);
+                $body
+            }
+            $crate::raster::tile::Kind::Clear => {
+                let $over = |below, weight| $ink.over_clear(below, weight);
+                $body
+            }
+            $crate::raster::tile::Kind::Glowing => {
+                let $over = |below, weight| $ink.over_glowing(below, weight);
+                $body
+            }
+        }
+    };
+}
+pub(super) use with_ink;
+
+/// A half in each channel of a product, for rounding.
+const HALVES: u64 = 0x0080_0080_0080;
+
+/// The channels with 16 bits for each: blue, red, green from the lowest.
+#[inline(always)]
+fn spread(pixel: u32) -> u64 {
+    let pixel = u64::from(pixel);
+    pixel & 0x00FF_00FF | (pixel & 0xFF00) << 24
+}
+
+/// Back from [`spread`].
+#[inline(always)]
+fn gathered(channels: u64) -> u32 {
+    (channels & 0x00FF_00FF | channels >> 24 & 0xFF00) as u32
+}
+
+impl Ink {
+    #[inline]
+    pub(super) fn new(color: Color32) -> Self {
+        let [r, g, b, a] = color.to_array();
+        Self {
+            color: spread(pixel(color)),
+            alpha: (u32::from(a) * 65_536).div_ceil(255),
+            glows: r > a || g > a || b > a,
+            opaque: (a == 255).then(|| pixel(color)),
+        }
     }
-    let source = channels(color);
-    for pixel in pixels {
-        *pixel = over(*pixel, source);
+
+    /// The pixel that results if it hides all that is below.
+    pub(super) fn opaque(&self) -> Option<u32> {
+        self.opaque
     }
-}
 
-/// A colour (see [`channels`]) over a pixel.
-#[inline(always)]
-pub(super) fn over(below: u32, [b, g, r, a]: [u32; 4]) -> u32 {
-    let rest = 255 - a;
-    let blue = (by_255((below & 255) * rest) + b).min(255);
-    let green = (by_255((below >> 8 & 255) * rest) + g).min(255);
-    let red = (by_255((below >> 16 & 255) * rest) + r).min(255);
-    red << 16 | green << 8 | blue
-}
+    /// How the ink is laid over pixels.
+    #[inline]
+    pub(super) fn kind(&self) -> Kind {
+        if self.glows {
+            Kind::Glowing
+        } else if self.opaque.is_some() {
+            Kind::Opaque
+        } else {
+            Kind::Clear
+        }
+    }
 
-/// Lays a colour over pixels, each by its coverage.
-pub(super) fn cover(pixels: &mut [u32], coverage: &[u8], color: Color32) {
-    let source = channels(color);
-    for (pixel, &coverage) in pixels.iter_mut().zip(coverage) {
-        *pixel = over(*pixel, source.map(|c| by_255(c * u32::from(coverage))));
+    /// Laid over a pixel with a weight up to [`FULL`], if it is
+    /// [`Kind::Opaque`]. Off by one at most from the exact value.
+    #[inline(always)]
+    pub(super) fn over_opaque(&self, below: u32, weight: u32) -> u32 {
+        let mixed = spread(below) * u64::from(FULL - weight) + self.color * u64::from(weight);
+        gathered((mixed + HALVES) >> 8)
+    }
+
+    /// Laid over a pixel with a weight up to [`FULL`], unless it is
+    /// [`Kind::Glowing`]. Off by less than two from the exact value.
+    #[inline(always)]
+    pub(super) fn over_clear(&self, below: u32, weight: u32) -> u32 {
+        // A channel is at most its opacity, and then no sum passes 16 bits:
+        // 255·(256 − hidden) + channel·weight + 128 ≤ 65 535.
+        let hidden = (self.alpha * weight + 0x8000) >> 16;
+        let mixed = spread(below) * u64::from(FULL - hidden) + self.color * u64::from(weight);
+        gathered((mixed + HALVES) >> 8)
+    }
+
+    /// Laid over a pixel with a weight up to [`FULL`], whatever it is.
+    #[inline]
+    pub(super) fn over_glowing(&self, below: u32, weight: u32) -> u32 {
+        let hidden = (self.alpha * weight + 0x8000) >> 16;
+        let below = spread(below);
+        let mixed = [0, 16, 32].map(|shift| {
+            let channel = |of: u64| (of >> shift & 255) as u32;
+            let sum = channel(below) * (FULL - hidden) + channel(self.color) * weight + 128;
+            u64::from((sum >> 8).min(255)) << shift
+        });
+        gathered(mixed[0] | mixed[1] | mixed[2])
+    }
+
+    /// Laid over pixels.
+    #[inline]
+    pub(super) fn fill(&self, pixels: &mut [u32]) {
+        if let Some(color) = self.opaque {
+            pixels.fill(color);
+        } else {
+            self.lay(pixels, std::iter::repeat(FULL));
+        }
+    }
+
+    /// Laid over pixels, each by its weight up to [`FULL`].
+    #[inline(always)]
+    pub(super) fn lay(&self, pixels: &mut [u32], weights: impl Iterator<Item = u32>) {
+        let pairs = pixels.iter_mut().zip(weights);
+        with_ink!(self, |over| for (pixel, weight) in pairs {
+            *pixel = over(*pixel, weight);
+        });
     }
 }
 

@@ -9,8 +9,9 @@
 use egui::epaint::Vertex;
 use egui::{Color32, Mesh};
 
+use super::plane::{self, Plane};
 use super::texture::Texture;
-use super::tile::{self, Cut, Tile};
+use super::tile::{self, Cut, FULL, Ink, Tile};
 
 /// Steps of a corner within a pixel.
 pub(super) const STEPS: i32 = 256;
@@ -130,144 +131,174 @@ pub(super) fn edges(corners: &[Corner; 3]) -> Option<[Edge; 3]> {
 }
 
 /// Positive if the corners turn clockwise, y being downwards.
-fn twice_area([a, b, c]: &[Corner; 3]) -> i64 {
+pub(super) fn twice_area([a, b, c]: &[Corner; 3]) -> i64 {
     let x = |corner: &Corner| i64::from(corner.x) - i64::from(a.x);
     let y = |corner: &Corner| i64::from(corner.y) - i64::from(a.y);
     x(b) * y(c) - x(c) * y(b)
 }
 
-/// The pixels of row `y` from `x0` up to `x1` that are inside of all edges.
-#[inline]
-fn row(edges: &[Edge; 3], y: i32, x0: i32, x1: i32) -> (i32, i32) {
-    let (mut from, mut to) = (0, i64::from(x1 - x0));
-    for edge in edges {
-        let start = edge.at(x0, y);
-        if start >= 0 && edge.dx >= 0 {
-            continue;
-        }
-        if start < 0 && edge.dx <= 0 {
-            return (x0, x0);
-        }
-        // The number of steps to the place where the sign changes; the
-        // quotient is off by one at most.
-        let mut steps = (-start as f64 / edge.dx as f64) as i64;
-        if edge.dx > 0 {
-            if steps > to {
-                return (x0, x0);
-            }
-            while start + steps * edge.dx < 0 {
-                steps += 1;
-            }
-            while start + (steps - 1) * edge.dx >= 0 {
-                steps -= 1;
-            }
-            from = from.max(steps);
-        } else if steps <= to {
-            while start + steps * edge.dx < 0 {
-                steps -= 1;
-            }
-            while start + (steps + 1) * edge.dx >= 0 {
-                steps += 1;
-            }
-            to = to.min(steps + 1);
-        }
-    }
-    (x0 + from as i32, x0 + to.max(from) as i32)
+/// The edges on the way from row to row.
+struct Rows {
+    edges: [Edge; 3],
+    /// One pixel further is so many pixels' worth.
+    inverse: [f64; 3],
+    /// The values at the first pixel of the row.
+    at: [i64; 3],
+    x0: i32,
+    width: i64,
 }
 
-/// A quantity that is given at three corners, over the plane.
-struct Plane {
-    at: f64,
-    x: f64,
-    y: f64,
-}
-
-impl Plane {
-    fn new(corners: &[Corner; 3], area: f64, values: [f64; 3]) -> Self {
-        let [a, b, c] = corners;
-        let x = |corner: &Corner| f64::from(corner.x) - f64::from(a.x);
-        let y = |corner: &Corner| f64::from(corner.y) - f64::from(a.y);
-        let (to_b, to_c) = (values[1] - values[0], values[2] - values[0]);
-        let dx = (to_b * y(c) - to_c * y(b)) / area * f64::from(STEPS);
-        let dy = (to_c * x(b) - to_b * x(c)) / area * f64::from(STEPS);
-        let middle = |at: i32| 0.5 - f64::from(at) / f64::from(STEPS);
+impl Rows {
+    fn new(edges: [Edge; 3], cut: Cut) -> Self {
         Self {
-            at: values[0] + dx * middle(a.x) + dy * middle(a.y),
-            x: dx,
-            y: dy,
+            inverse: edges.map(|edge| -1.0 / edge.dx as f64),
+            at: edges.map(|edge| edge.at(cut.x0, cut.y0)),
+            edges,
+            x0: cut.x0,
+            width: i64::from(cut.x1 - cut.x0),
         }
     }
 
+    /// The pixels of the next row that are inside: from, up to without.
     #[inline]
-    fn value(&self, x: i32, y: i32) -> f64 {
-        self.at + self.x * f64::from(x) + self.y * f64::from(y)
+    fn next(&mut self) -> (i32, i32) {
+        let (mut from, mut to) = (0, self.width);
+        for (i, edge) in self.edges.iter().enumerate() {
+            let start = self.at[i];
+            self.at[i] += edge.dy;
+            if start < 0 {
+                if edge.dx <= 0 {
+                    to = 0;
+                    continue;
+                }
+                // The number of steps to the place where the sign changes.
+                // The product is off by one at most.
+                let mut steps = (start as f64 * self.inverse[i]) as i64;
+                if steps >= to {
+                    to = 0;
+                    continue;
+                }
+                while start + steps * edge.dx < 0 {
+                    steps += 1;
+                }
+                while start + (steps - 1) * edge.dx >= 0 {
+                    steps -= 1;
+                }
+                from = from.max(steps);
+            } else if edge.dx < 0 {
+                let mut steps = (start as f64 * self.inverse[i]) as i64;
+                if steps > to {
+                    continue;
+                }
+                while start + steps * edge.dx < 0 {
+                    steps -= 1;
+                }
+                while start + (steps + 1) * edge.dx >= 0 {
+                    steps += 1;
+                }
+                to = to.min(steps + 1);
+            }
+        }
+        (self.x0 + from as i32, self.x0 + to.max(from) as i32)
     }
 }
 
-/// Blue, green, red, alpha of a colour, in which a texel is taken in.
-fn tinted(color: Color32, [r, g, b, a]: [f32; 4]) -> [f32; 4] {
-    let [cr, cg, cb, ca] = color.to_array().map(f32::from);
-    [cb * b, cg * g, cr * r, ca * a].map(|c| c / 255.0)
+/// What a triangle's pixels get.
+enum Paint {
+    /// One colour.
+    Plain(Ink),
+    /// One colour, from corner to corner more or less of it: egui's soft edges.
+    Faded(Ink, [f64; 3]),
+    /// Any colours, and one place in the texture.
+    Shaded([[f32; 4]; 3]),
+    /// Any colours and the texture.
+    Textured,
+}
+
+/// Whether all corners show one place of the texture.
+pub(super) fn is_plain(corners: &[Corner]) -> bool {
+    corners
+        .iter()
+        .all(|c| c.u == corners[0].u && c.v == corners[0].v)
+}
+
+impl Paint {
+    fn of(corners: &[Corner; 3], texture: &Texture) -> Self {
+        if !is_plain(corners) {
+            return Self::Textured;
+        }
+        let texel = texture.sample(corners[0].u, corners[0].v, texture.filter(0.0));
+        let colors = corners.map(|corner| plane::tinted(corner.color, texel));
+        let whole = |c: [f32; 4]| {
+            let [b, g, r, a] = c.map(|c| (c + 0.5) as u8);
+            Ink::new(Color32::from_rgba_premultiplied(r, g, b, a))
+        };
+        let none = [0.0; 4];
+        let some = colors.iter().copied().find(|&c| c != none).unwrap_or(none);
+        if colors == [some; 3] {
+            return Self::Plain(whole(some));
+        }
+        if colors.iter().all(|&c| c == some || c == none) {
+            let full = f64::from(FULL);
+            return Self::Faded(
+                whole(some),
+                colors.map(|c| if c == some { full } else { 0.0 }),
+            );
+        }
+        Self::Shaded(colors)
+    }
 }
 
 /// Paints the pixels of a triangle within a rectangle that lies in the tile.
 pub(super) fn paint(tile: &mut Tile, corners: &[Corner; 3], texture: &Texture, cut: Cut) {
     let cut = cut.and(bounds(corners));
-    let Some(edges) = edges(corners) else { return };
     if cut.is_empty() {
         return;
     }
+    let Some(edges) = edges(corners) else { return };
+    let mut rows = Rows::new(edges, cut);
     let area = twice_area(corners) as f64;
-    let [a, b, c] = corners;
-    let plane = |values: [f32; 3]| Plane::new(corners, area, values.map(f64::from));
-    let us = [a.u, b.u, c.u];
-    let vs = [a.v, b.v, c.v];
-    let plain = us == [a.u; 3] && vs == [a.v; 3];
-    if plain {
-        let filter = texture.filter(0.0);
-        let texel = texture.sample(a.u, a.v, filter);
-        let colors = corners.map(|corner| tinted(corner.color, texel));
-        if colors[0] == colors[1] && colors[0] == colors[2] {
-            let [b, g, r, a] = colors[0].map(|c| (c + 0.5) as u8);
-            let color = Color32::from_rgba_premultiplied(r, g, b, a);
+    match Paint::of(corners, texture) {
+        Paint::Plain(ink) => {
             for y in cut.y0..cut.y1 {
-                let (x0, x1) = row(&edges, y, cut.x0, cut.x1);
-                tile::fill(tile.span(y, x0, x1), color);
-            }
-            return;
-        }
-        let planes: [Plane; 4] = std::array::from_fn(|i| plane(colors.map(|c| c[i])));
-        let steps: [f32; 4] = std::array::from_fn(|i| planes[i].x as f32);
-        for y in cut.y0..cut.y1 {
-            let (x0, x1) = row(&edges, y, cut.x0, cut.x1);
-            let start: [f32; 4] = std::array::from_fn(|i| planes[i].value(x0, y) as f32);
-            for (i, pixel) in tile.span(y, x0, x1).iter_mut().enumerate() {
-                let color: [f32; 4] =
-                    std::array::from_fn(|c| (start[c] + steps[c] * i as f32).clamp(0.0, 255.0));
-                *pixel = tile::over_exact(*pixel, color);
+                let (x0, x1) = rows.next();
+                ink.fill(tile.span(y, x0, x1));
             }
         }
-        return;
-    }
-    let colors = corners.map(|corner| {
-        let [r, g, b, a] = corner.color.to_array().map(f32::from);
-        [b, g, r, a]
-    });
-    let planes: [Plane; 4] = std::array::from_fn(|i| plane(colors.map(|c| c[i])));
-    let (u, v) = (plane(us), plane(vs));
-    let (w, h) = (texture.width as f64, texture.height as f64);
-    let per_pixel = f64::hypot(u.x * w, v.x * h).max(f64::hypot(u.y * w, v.y * h));
-    let filter = texture.filter(per_pixel as f32);
-    for y in cut.y0..cut.y1 {
-        let (x0, x1) = row(&edges, y, cut.x0, cut.x1);
-        for x in x0..x1 {
-            let [r, g, b, a] = texture.sample(u.value(x, y) as f32, v.value(x, y) as f32, filter);
-            let texel = [b, g, r, a];
-            let color: [f32; 4] = std::array::from_fn(|c| {
-                (planes[c].value(x, y) as f32).clamp(0.0, 255.0) * texel[c] * (1.0 / 255.0)
-            });
-            for pixel in tile.span(y, x, x + 1) {
-                *pixel = tile::over_exact(*pixel, color);
+        Paint::Faded(ink, weights) => {
+            let weight = Plane::new(corners, area, weights);
+            let step = weight.x as f32;
+            for y in cut.y0..cut.y1 {
+                let (x0, x1) = rows.next();
+                let start = weight.value(x0, y) as f32 + 0.5;
+                let weights = (0..).map(|i: i32| {
+                    let weight = (start + step * i as f32) as i32;
+                    weight.clamp(0, FULL as i32) as u32
+                });
+                ink.lay(tile.span(y, x0, x1), weights);
+            }
+        }
+        Paint::Shaded(colors) => {
+            let planes: [Plane; 4] =
+                std::array::from_fn(|i| Plane::new(corners, area, colors.map(|c| f64::from(c[i]))));
+            let steps: [f32; 4] = std::array::from_fn(|i| planes[i].x as f32);
+            for y in cut.y0..cut.y1 {
+                let (x0, x1) = rows.next();
+                let start: [f32; 4] = std::array::from_fn(|i| planes[i].value(x0, y) as f32);
+                for (i, pixel) in tile.span(y, x0, x1).iter_mut().enumerate() {
+                    let color: [f32; 4] =
+                        std::array::from_fn(|c| (start[c] + steps[c] * i as f32).clamp(0.0, 255.0));
+                    *pixel = tile::over_exact(*pixel, color);
+                }
+            }
+        }
+        Paint::Textured => {
+            let surface = plane::Surface::new(corners, area, texture);
+            for y in cut.y0..cut.y1 {
+                let (x0, x1) = rows.next();
+                for (x, pixel) in (x0..x1).zip(tile.span(y, x0, x1)) {
+                    *pixel = tile::over_exact(*pixel, surface.color(x, y));
+                }
             }
         }
     }

@@ -1,0 +1,194 @@
+//! Two triangles that make an upright rectangle: filled areas, letters, images.
+//!
+//! The result is that of the two triangles; here it comes faster. Letters are
+//! shown texel by pixel, so that nothing has to be mixed between texels.
+
+use egui::Color32;
+
+use super::plane::{self, Surface};
+use super::texture::{Texels, Texture};
+use super::tile::{self, Cut, Ink, Tile};
+use super::triangle::{self, Corner, STEPS};
+
+/// Texels that lie this close to the pixels count as lying on them.
+const NEAR: f32 = 1.0 / 64.0;
+
+/// An upright rectangle of one colour.
+pub(super) struct Quad {
+    /// Upper left and lower right corner.
+    pub(super) low: Corner,
+    pub(super) high: Corner,
+}
+
+impl Quad {
+    /// The rectangle that a triangle and the next one of a mesh make, if they do.
+    pub(super) fn new(first: &[Corner; 3], next: &[Corner; 3]) -> Option<Self> {
+        let all = || first.iter().chain(next);
+        let mut low = first[0];
+        let mut high = first[0];
+        for corner in all() {
+            (low.x, low.y) = (low.x.min(corner.x), low.y.min(corner.y));
+            (high.x, high.y) = (high.x.max(corner.x), high.y.max(corner.y));
+        }
+        // Which of the four corners each is; together all four, and each
+        // triangle lacks the one opposite to the other's.
+        let mut lacking = [0b1111_u8; 2];
+        for (lacking, triangle) in lacking.iter_mut().zip([first, next]) {
+            for corner in triangle {
+                let (right, below) = (corner.x == high.x, corner.y == high.y);
+                if (!right && corner.x != low.x) || (!below && corner.y != low.y) {
+                    return None;
+                }
+                *lacking &= !(1 << (usize::from(right) + 2 * usize::from(below)));
+            }
+        }
+        if !matches!(lacking, [1, 8] | [8, 1] | [2, 4] | [4, 2]) {
+            return None;
+        }
+        let at = |x: i32, y: i32| all().find(move |c| c.x == x && c.y == y);
+        (low, high) = (*at(low.x, low.y)?, *at(high.x, high.y)?);
+        let fits = all().all(|corner| {
+            let u = if corner.x == low.x { low.u } else { high.u };
+            let v = if corner.y == low.y { low.v } else { high.v };
+            corner.color == low.color && corner.u == u && corner.v == v
+        });
+        fits.then_some(Self { low, high })
+    }
+
+    /// Its pixels.
+    pub(super) fn bounds(&self) -> Cut {
+        Cut {
+            x0: triangle::first_pixel(self.low.x),
+            y0: triangle::first_pixel(self.low.y),
+            x1: triangle::first_pixel(self.high.x),
+            y1: triangle::first_pixel(self.high.y),
+        }
+    }
+
+    /// Its colour, if it has only one.
+    pub(super) fn ink(&self, texture: &Texture) -> Option<Ink> {
+        let (u, v) = (self.low.u, self.low.v);
+        if (u, v) != (self.high.u, self.high.v) {
+            return None;
+        }
+        let texel = texture.sample(u, v, texture.filter(0.0));
+        let [b, g, r, a] = plane::tinted(self.low.color, texel).map(|c| (c + 0.5) as u8);
+        Some(Ink::new(Color32::from_rgba_premultiplied(r, g, b, a)))
+    }
+
+    /// Where in the texture pixel (0, 0) would be, if each pixel shows exactly
+    /// one texel.
+    fn texels(&self, texture: &Texture) -> Option<[i32; 2]> {
+        let along = |low: i32, high: i32, from: f32, to: f32, count: usize| {
+            let count = count as f32;
+            let steps = STEPS as f32;
+            let (start, end) = (low as f32 / steps, high as f32 / steps);
+            let (from, to) = (from * count - start, to * count - end);
+            let whole = (from + 0.5f32.copysign(from)) as i32;
+            let near = |at: f32| (at - whole as f32).abs() < NEAR;
+            (near(from) && near(to)).then_some(whole)
+        };
+        let (low, high) = (&self.low, &self.high);
+        Some([
+            along(low.x, high.x, low.u, high.u, texture.width)?,
+            along(low.y, high.y, low.v, high.v, texture.height)?,
+        ])
+    }
+
+    /// Paints its pixels within a rectangle that lies in the tile.
+    pub(super) fn paint(&self, tile: &mut Tile, texture: &Texture, cut: Cut) {
+        let cut = cut.and(self.bounds());
+        if cut.is_empty() {
+            return;
+        }
+        if let Some(ink) = self.ink(texture) {
+            for y in cut.y0..cut.y1 {
+                ink.fill(tile.span(y, cut.x0, cut.x1));
+            }
+            return;
+        }
+        if let Some(rows) = self
+            .texels(texture)
+            .and_then(|at| Rows::new(texture, at, cut))
+        {
+            rows.paint(tile, self.low.color, cut);
+            return;
+        }
+        let corner = |right: bool, below: bool| {
+            let pick = |high: bool, of: fn(&Corner) -> i32, uv: fn(&Corner) -> f32| {
+                let corner = if high { &self.high } else { &self.low };
+                (of(corner), uv(corner))
+            };
+            let (x, u) = pick(right, |c| c.x, |c| c.u);
+            let (y, v) = pick(below, |c| c.y, |c| c.v);
+            Corner {
+                x,
+                y,
+                u,
+                v,
+                color: self.low.color,
+            }
+        };
+        let half = [
+            corner(false, false),
+            corner(true, false),
+            corner(false, true),
+        ];
+        let surface = Surface::new(&half, triangle::twice_area(&half) as f64, texture);
+        for y in cut.y0..cut.y1 {
+            for (x, pixel) in (cut.x0..cut.x1).zip(tile.span(y, cut.x0, cut.x1)) {
+                *pixel = tile::over_exact(*pixel, surface.color(x, y));
+            }
+        }
+    }
+}
+
+/// A part of a texture that lies on pixels.
+struct Rows<'a> {
+    texture: &'a Texture,
+    /// The texel of the first pixel.
+    left: usize,
+    top: usize,
+}
+
+impl<'a> Rows<'a> {
+    /// `None` if it is not all within the texture.
+    fn new(texture: &'a Texture, [x, y]: [i32; 2], cut: Cut) -> Option<Self> {
+        let start = |at: i32, from: i32, to: i32, count: usize| {
+            let end = usize::try_from(at.checked_add(to)?).ok()?;
+            let from = usize::try_from(at.checked_add(from)?).ok()?;
+            (end <= count).then_some(from)
+        };
+        Some(Self {
+            left: start(x, cut.x0, cut.x1, texture.width)?,
+            top: start(y, cut.y0, cut.y1, texture.height)?,
+            texture,
+        })
+    }
+
+    fn paint(&self, tile: &mut Tile, color: Color32, cut: Cut) {
+        let width = (cut.x1 - cut.x0) as usize;
+        let ink = Ink::new(color);
+        for (row, y) in (cut.y0..cut.y1).enumerate() {
+            let start = (self.top + row) * self.texture.width + self.left;
+            let pixels = tile.span(y, cut.x0, cut.x1);
+            match &self.texture.texels {
+                Texels::Coverage(alphas) => {
+                    if let Some(alphas) = alphas.get(start..start + width) {
+                        let part = |&alpha: &u8| u32::from(alpha) + u32::from(alpha >> 7);
+                        ink.lay(pixels, alphas.iter().map(part));
+                    }
+                }
+                Texels::Color(colors) => {
+                    let Some(colors) = colors.get(start..start + width) else {
+                        continue;
+                    };
+                    for (pixel, texel) in pixels.iter_mut().zip(colors) {
+                        let texel = texel.to_array().map(f32::from);
+                        *pixel = tile::over_exact(*pixel, plane::tinted(color, texel));
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! Lines: how much of each pixel is covered.
+
+use std::sync::Arc;
+
+use egui::{ClippedPrimitive, Color32, Rect, Shape, pos2, vec2};
+
+use super::{Random, Screen, everywhere};
+use crate::raster::{Line, Lines};
+
+pub(super) fn primitive(lines: &Arc<Lines>) -> ClippedPrimitive {
+    let Shape::Callback(callback) = Lines::shape(lines, Rect::EVERYTHING) else {
+        unreachable!("lines are a callback");
+    };
+    everywhere(egui::epaint::Primitive::Callback(callback))
+}
+
+fn one(line: Line) -> ClippedPrimitive {
+    primitive(&Arc::new(Lines { lines: vec![line] }))
+}
+
+/// How much of each pixel of a square lies within half a width of a piece:
+/// many rows, in each of which the covered part is known exactly.
+fn coverage(line: Line, side: usize) -> Vec<f64> {
+    const ROWS: usize = 200;
+    let [x0, y0, x1, y1] = [line.from.x, line.from.y, line.to.x, line.to.y].map(f64::from);
+    let radius = f64::from(line.width).max(1.0) / 2.0;
+    let length = (x1 - x0).hypot(y1 - y0);
+    let mut covered = vec![0.0; side * side];
+    for row in 0..side * ROWS {
+        let y = (row as f64 + 0.5) / ROWS as f64;
+        let mut ends = Vec::new();
+        for (cx, cy) in [(x0, y0), (x1, y1)] {
+            let square = radius * radius - (y - cy) * (y - cy);
+            if square > 0.0 {
+                ends.extend([cx - square.sqrt(), cx + square.sqrt()]);
+            }
+        }
+        if length > 0.0 {
+            let (nx, ny) = ((y0 - y1) / length * radius, (x1 - x0) / length * radius);
+            let corners = [
+                (x0 + nx, y0 + ny),
+                (x1 + nx, y1 + ny),
+                (x1 - nx, y1 - ny),
+                (x0 - nx, y0 - ny),
+            ];
+            for i in 0..4 {
+                let ((ax, ay), (bx, by)) = (corners[i], corners[(i + 1) % 4]);
+                if (ay < y) != (by < y) {
+                    ends.push(ax + (bx - ax) * (y - ay) / (by - ay));
+                }
+            }
+        }
+        let from = ends.iter().copied().fold(f64::MAX, f64::min);
+        let to = ends.iter().copied().fold(f64::MIN, f64::max);
+        for x in 0..side {
+            let part = to.min(x as f64 + 1.0) - from.max(x as f64);
+            covered[row / ROWS * side + x] += part.max(0.0) / ROWS as f64;
+        }
+    }
+    covered
+}
+
+fn check(line: Line) {
+    const SIDE: usize = 48;
+    let mut screen = Screen::new(SIDE as u32, SIDE as u32, Color32::BLACK);
+    screen.paint(&[one(line)]);
+    let exact = coverage(line, SIDE);
+    for (i, exact) in exact.iter().enumerate() {
+        let found = f64::from(screen.rgb(i % SIDE, i / SIDE)[1]);
+        let paler = f64::from(line.width).min(1.0);
+        let off = found - 255.0 * exact * paler;
+        // A sixty-fourth of the pixel, and the rounding of the colour.
+        assert!(
+            off.abs() <= 255.0 / 64.0 + 1.0,
+            "{line:?} at {}, {}: {found}, exact {}",
+            i % SIDE,
+            i / SIDE,
+            255.0 * exact * paler
+        );
+    }
+}
+
+fn white(from: [f32; 2], to: [f32; 2], width: f32) -> Line {
+    Line {
+        from: from.into(),
+        to: to.into(),
+        width,
+        color: Color32::WHITE,
+    }
+}
+
+#[test]
+fn lines_cover_what_they_cover() {
+    let mut random = Random(1);
+    for _ in 0..400 {
+        let from = [random.between(5.0, 43.0), random.between(5.0, 43.0)];
+        let (angle, length) = (random.between(0.0, 6.3), random.between(0.0, 30.0));
+        let to = pos2(from[0], from[1]) + length * vec2(angle.cos(), angle.sin());
+        let width = random.between(0.3, 6.0);
+        check(white(from, to.into(), width));
+    }
+}
+
+#[test]
+fn upright_flat_and_diagonal_lines_and_dots() {
+    for shift in [0.0, 0.25, 0.5, 0.9] {
+        for width in [0.5, 1.0, 1.5, 2.0, 7.0] {
+            let a = 20.0 + shift;
+            for to in [
+                [50.0, a],
+                [a, 50.0],
+                [a + 30.0, a + 30.0],
+                [a, a],
+                [50.0, 21.0],
+            ] {
+                check(white([a, a], to, width));
+                check(white(to, [a, a], width));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_line_is_the_same_from_either_end() {
+    let mut random = Random(2);
+    for _ in 0..100 {
+        let mut point = || [random.between(-40.0, 120.0), random.between(-40.0, 120.0)];
+        let (a, b) = (point(), point());
+        let pixels = |from, to| {
+            let mut screen = Screen::new(80, 80, Color32::BLACK);
+            screen.paint(&[one(white(from, to, 1.5))]);
+            screen.pixels
+        };
+        assert_eq!(pixels(a, b), pixels(b, a));
+    }
+}
+
+/// A line that begins and ends far away passes where it should.
+#[test]
+fn long_lines_stay_straight() {
+    for reach in [1e4, 1e6, 1e7] {
+        for slope in [0.0, 0.3, 1.0, -0.7] {
+            let mut screen = Screen::new(80, 80, Color32::BLACK);
+            let far = white(
+                [40.5 - reach, 40.5 - slope * reach],
+                [40.5 + reach, 40.5 + slope * reach],
+                3.0,
+            );
+            screen.paint(&[one(far)]);
+            assert_eq!(screen.rgb(40, 40), [255; 3], "{reach} {slope}");
+            assert_eq!(screen.rgb(10, (40.0 - 30.0 * slope) as usize), [255; 3]);
+            assert_eq!(screen.rgb(70, (40.0 + 30.0 * slope) as usize), [255; 3]);
+            assert_eq!(screen.rgb(60, (40.0 + 20.0 * slope) as usize - 8), [0; 3]);
+        }
+    }
+}
+
+#[test]
+fn the_clip_cuts_and_the_scale_scales() {
+    let mut screen = Screen::new(60, 60, Color32::BLACK);
+    screen.scale = 2.0;
+    let lines = Arc::new(Lines {
+        lines: vec![white([0.0, 10.0], [30.0, 10.0], 2.0)],
+    });
+    let clip = Rect::from_min_max(pos2(5.0, 0.0), pos2(10.0, 30.0));
+    let Shape::Callback(callback) = Lines::shape(&lines, clip) else {
+        unreachable!("lines are a callback");
+    };
+    let mut primitive = everywhere(egui::epaint::Primitive::Callback(callback));
+    primitive.clip_rect = Rect::from_min_max(pos2(0.0, 0.0), pos2(30.0, 10.0));
+    screen.paint(&[primitive]);
+    for y in 0..60 {
+        for x in 0..60 {
+            let inside = (10..20).contains(&x) && (18..20).contains(&y);
+            assert_eq!(
+                screen.rgb(x, y),
+                [if inside { 255 } else { 0 }; 3],
+                "{x} {y}"
+            );
+        }
+    }
+}
