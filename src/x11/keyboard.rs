@@ -365,11 +365,12 @@ impl Keyboard {
                 affect_new_keyboard: NKNDetail::KEYCODES | NKNDetail::DEVICE_ID,
                 new_keyboard_details: NKNDetail::KEYCODES | NKNDetail::DEVICE_ID,
             };
-            let nothing = EventType::default();
             let details = SelectEventsAux::new().new_keyboard_notify(keyboard);
-            if let Ok(asked) =
-                connection.xkb_select_events(KEYBOARD, nothing, nothing, map, map, &details)
-            {
+            let none = EventType::default();
+            // Without "all" of this kind, `map` itself would not be looked at.
+            let all = EventType::MAP_NOTIFY;
+            let asked = connection.xkb_select_events(KEYBOARD, none, all, map, map, &details);
+            if let Ok(asked) = asked {
                 asked.ignore_error();
             }
             let repeat = PerClientFlag::DETECTABLE_AUTO_REPEAT;

@@ -2,8 +2,9 @@
 
 use egui::{Event as Input, Key, Modifiers};
 use x11rb::connection::Connection as _;
+use x11rb::protocol::Event;
 use x11rb::protocol::xproto::{
-    ConnectionExt as _, CreateWindowAux, EventMask, InputFocus, WindowClass,
+    ConnectionExt as _, CreateWindowAux, EventMask, InputFocus, KeyPressEvent, WindowClass,
 };
 use x11rb::{COPY_DEPTH_FROM_PARENT, COPY_FROM_PARENT, CURRENT_TIME};
 
@@ -209,5 +210,230 @@ fn layouts_levels_dead_keys_and_sequences() {
             "key", "105", "key", "94", "keydown", SHIFT, "key", "19", "keyup", SHIFT,
         ]);
         assert_eq!(text(&heard), "≤", "extension {extension}");
+    }
+}
+
+fn held(names: &str) -> Modifiers {
+    Modifiers {
+        alt: names.contains("alt"),
+        ctrl: names.contains("ctrl"),
+        shift: names.contains("shift"),
+        mac_cmd: false,
+        command: names.contains("ctrl"),
+    }
+}
+
+#[test]
+fn commands_are_no_text() {
+    for extension in [true, false] {
+        let mut desk = Desk::new("us", extension);
+        for (keys, key, with) in [
+            ("alt+d", Key::D, "alt"),
+            ("ctrl+z", Key::Z, "ctrl"),
+            ("ctrl+shift+z", Key::Z, "ctrl shift"),
+            ("alt+F4", Key::F4, "alt"),
+            ("ctrl+alt+v", Key::V, "ctrl alt"),
+            ("shift+Tab", Key::Tab, "shift"),
+        ] {
+            let events = desk.type_with(&["key", keys]);
+            assert_eq!(pressed(&events), [(key, held(with))], "{keys} {extension}");
+            assert_eq!(text(&events), "", "{keys} {extension}");
+        }
+        assert_eq!(pressed(&desk.type_with(&["key", "super+a"])).len(), 1);
+        assert_eq!(desk.keyboard.modifiers(), Modifiers::NONE);
+        for (keys, event) in [
+            ("ctrl+c", Some(Input::Copy)),
+            ("ctrl+Insert", Some(Input::Copy)),
+            ("ctrl+x", Some(Input::Cut)),
+            ("shift+Delete", Some(Input::Cut)),
+            ("XF86Copy", Some(Input::Copy)),
+            ("ctrl+v", None),
+            ("shift+Insert", None),
+        ] {
+            let events = desk.type_with(&["key", keys]);
+            assert_eq!(pressed(&events), [], "{keys} {extension}");
+            assert_eq!(text(&events), "", "{keys} {extension}");
+            let paste = desk.keyboard.take_paste();
+            assert_eq!(paste.is_some(), event.is_none(), "{keys} {extension}");
+            if let Some(event) = event {
+                let times = events.iter().filter(|heard| **heard == event).count();
+                assert_eq!(times, 1, "{keys} {extension}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_keypad_follows_num_lock() {
+    for extension in [true, false] {
+        let mut desk = Desk::new("us", extension);
+        let events = desk.keys(&[79, 91, 86, 104]);
+        let keys = [Key::Home, Key::Delete, Key::Plus, Key::Enter];
+        assert_eq!(pressed(&events), keys.map(|key| (key, Modifiers::NONE)));
+        assert_eq!(text(&events), "+", "extension {extension}");
+        desk.type_with(&["key", "Num_Lock"]);
+        let events = desk.keys(&[79, 91, 86, 104]);
+        let keys = [Key::Num7, Key::Period, Key::Plus, Key::Enter];
+        assert_eq!(pressed(&events), keys.map(|key| (key, Modifiers::NONE)));
+        assert_eq!(text(&events), "7.+", "extension {extension}");
+    }
+}
+
+#[test]
+fn other_alphabets_keep_their_shortcuts() {
+    for layout in ["ru", "gr", "de,ru"] {
+        let mut desk = Desk::new(layout, true);
+        if layout == "de,ru" {
+            desk.server.run("setxkbmap", &["-layout", "ru,de"]);
+        }
+        let events = desk.keys(&[54]);
+        let sign = if layout == "gr" { "ψ" } else { "с" };
+        assert_eq!(text(&events), sign);
+        assert_eq!(pressed(&events), [(Key::C, Modifiers::NONE)]);
+        let events = desk.type_with(&["keydown", "37", "key", "54", "keyup", "37"]);
+        assert!(events.contains(&Input::Copy), "{layout}");
+        // By place where nothing else is known, by letter where it is.
+        let key = if layout == "de,ru" { Key::Z } else { Key::Y };
+        assert_eq!(pressed(&desk.keys(&[29])), [(key, Modifiers::NONE)]);
+    }
+}
+
+#[test]
+fn another_keymap_is_taken_over_at_once() {
+    for extension in [true, false] {
+        let mut desk = Desk::new("us", extension);
+        assert_eq!(text(&desk.keys(&[29, 47])), "y;");
+        desk.server.run("setxkbmap", &["-layout", "de"]);
+        assert_eq!(text(&desk.keys(&[29, 47])), "zö", "extension {extension}");
+        desk.server.run("setxkbmap", &["-layout", "fr"]);
+        assert_eq!(text(&desk.keys(&[24, 11])), "aé", "extension {extension}");
+    }
+    // The second group, as an event's state has it (xdotool knows the first
+    // only).
+    let mut desk = Desk::new("us,de", true);
+    assert_eq!(text(&desk.keys(&[29])), "y");
+    for (group, sign) in [(0, "y"), (1, "z"), (2, "y"), (3, "z"), (0, "y")] {
+        let down = Event::KeyPress(event(29, 1, group << 13));
+        let up = Event::KeyRelease(event(29, 2, group << 13));
+        let mut heard = Vec::new();
+        for event in [down, up] {
+            let (keyboard, connection) = (&mut desk.keyboard, &desk.connection);
+            keyboard.handle(connection, &event, &mut heard).unwrap();
+        }
+        assert_eq!(text(&heard), sign, "group {group}");
+    }
+    // Signs that no key has, put onto a spare key for the moment.
+    let events = desk.type_with(&["type", "--args", "1", "--delay", "400", "жλ😀"]);
+    assert_eq!(text(&events), "жλ😀");
+}
+
+/// An event as the server makes it.
+fn event(keycode: u8, time: u32, state: u16) -> KeyPressEvent {
+    KeyPressEvent {
+        response_type: 2,
+        detail: keycode,
+        sequence: 0,
+        time,
+        root: 0,
+        event: 0,
+        child: 0,
+        root_x: 0,
+        root_y: 0,
+        event_x: 0,
+        event_y: 0,
+        state: state.into(),
+        same_screen: true,
+    }
+}
+
+#[test]
+fn a_held_key_repeats_and_goes_up_once() {
+    for extension in [true, false] {
+        let mut desk = Desk::new("us", extension);
+        let mut heard = Vec::new();
+        let mut hear = |events: &[Event]| {
+            let (keyboard, connection) = (&mut desk.keyboard, &desk.connection);
+            for event in events {
+                keyboard.handle(connection, event, &mut heard).unwrap();
+            }
+            keyboard.settle(connection, &mut heard).unwrap();
+            let keys = heard.iter().filter_map(|event| match event {
+                Input::Key {
+                    pressed, repeat, ..
+                } => Some((*pressed, *repeat)),
+                _ => None,
+            });
+            let keys: Vec<_> = keys.collect();
+            (std::mem::take(&mut heard), keys)
+        };
+        let down = |time| Event::KeyPress(event(38, time, 0));
+        let up = |time| Event::KeyRelease(event(38, time, 0));
+        // Without the extension a repetition is a release and a press at once.
+        let repetitions = match extension {
+            true => vec![down(1), down(500), down(540)],
+            false => vec![down(1), up(500), down(500), up(540), down(540)],
+        };
+        let (events, keys) = hear(&repetitions);
+        assert_eq!(keys, [(true, false), (true, true), (true, true)]);
+        assert_eq!(text(&events), "aaa");
+        assert_eq!(hear(&[up(560)]).1, [(false, false)]);
+        assert_eq!(hear(&[up(570)]).1, []);
+        // Pressed twice is no repetition.
+        let twice = [down(600), up(620), down(640), up(660)];
+        let expected = [(true, false), (false, false), (true, false), (false, false)];
+        assert_eq!(hear(&twice).1, expected);
+        // What was shift-1 goes up as that, though shift went up before.
+        let keys = [
+            Event::KeyPress(event(10, 700, 1)),
+            Event::KeyRelease(event(10, 720, 0)),
+        ];
+        for heard in hear(&keys).0 {
+            if let Input::Key { key, .. } = heard {
+                assert_eq!(key, Key::Exclamationmark);
+            }
+        }
+    }
+}
+
+#[test]
+fn without_the_keyboard_no_key_is_held() {
+    for extension in [true, false] {
+        let mut desk = Desk::new("us", extension);
+        let events = desk.type_with(&["keydown", "ctrl", "keydown", "k"]);
+        assert_eq!(pressed(&events), [(Key::K, held("ctrl"))]);
+        assert_eq!(desk.keyboard.modifiers(), held("ctrl"));
+        let focus = InputFocus::NONE;
+        let asked = desk.connection.set_input_focus(focus, 0u32, CURRENT_TIME);
+        asked.unwrap();
+        until("the loss", || {
+            desk.poll();
+            (desk.keyboard.modifiers() == Modifiers::NONE).then_some(())
+        });
+        let up = |event: &&Input| {
+            matches!(
+                event,
+                Input::Key {
+                    key: Key::K,
+                    pressed: false,
+                    ..
+                }
+            )
+        };
+        assert_eq!(desk.heard.iter().filter(up).count(), 1);
+        // Whatever happens meanwhile is none of ours.
+        let before = desk.heard.len();
+        desk.server.run("xdotool", &["keyup", "k", "key", "x"]);
+        desk.poll();
+        assert_eq!(desk.heard.len(), before);
+        // Back again, control is held still.
+        let focus = InputFocus::PARENT;
+        let asked = desk
+            .connection
+            .set_input_focus(focus, desk.window, CURRENT_TIME);
+        asked.unwrap();
+        desk.heard.clear();
+        let events = desk.type_with(&["key", "j", "keyup", "ctrl"]);
+        assert_eq!(pressed(&events), [(Key::J, held("ctrl"))]);
+        assert_eq!(desk.keyboard.modifiers(), Modifiers::NONE);
     }
 }
