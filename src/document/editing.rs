@@ -305,6 +305,11 @@ impl Document {
         self.state
     }
 
+    /// No file knows the present state, nor any other.
+    pub fn mark_unsaved(&mut self) {
+        self.saved = u64::MAX;
+    }
+
     /// The present state is that of the file.
     pub fn mark_saved(&mut self) {
         self.saved = self.state;

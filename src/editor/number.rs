@@ -53,6 +53,7 @@ pub(super) struct Number<'a> {
     per_point: f64,
     fixed: bool,
     whole: bool,
+    pending: bool,
 }
 
 /// What has been typed so far, and the value that it began with.
@@ -82,6 +83,7 @@ impl<'a> Number<'a> {
             per_point: 0.005,
             fixed: false,
             whole: false,
+            pending: false,
         }
     }
 
@@ -112,6 +114,13 @@ impl<'a> Number<'a> {
     /// The values that it may have.
     pub(super) fn range(mut self, range: RangeInclusive<f64>) -> Self {
         self.range = range;
+        self
+    }
+
+    /// The value only waits to be applied: any number may be typed, and
+    /// whoever applies it sees to the range.
+    pub(super) fn pending(mut self) -> Self {
+        self.pending = true;
         self
     }
 
@@ -293,7 +302,7 @@ impl<'a> Number<'a> {
         if self.whole && new.fract() != 0.0 {
             return Entry::Wrong(fill(texts.not_whole, &[&self.name]));
         }
-        if !self.range.contains(&new) {
+        if !self.pending && !self.range.contains(&new) {
             let bound = |value: f64| written(language, value, 0);
             let (low, high) = (bound(*self.range.start()), bound(*self.range.end()));
             return Entry::Wrong(fill(texts.out_of_range, &[&self.name, &low, &high]));

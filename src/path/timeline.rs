@@ -281,13 +281,32 @@ impl Timeline {
     #[must_use]
     pub fn speed_curve(&self, path: &CameraPath, section: usize) -> SpeedCurve {
         let speeds = &self.orientation_at(path, section).speeds;
-        let before = self.moving_before(section);
-        let after = self.moving_after(section);
-        SpeedCurve::new(
-            speeds,
-            before.map(|before| self.orientation_at(path, before).speeds[speeds.len() - 1]),
-            after.map(|after| self.orientation_at(path, after).speeds[0]),
-        )
+        let (before, after) = self.facing_speeds(path, section);
+        SpeedCurve::new(speeds, before, after)
+    }
+
+    /// The last speed of the section before this one and the first of the one
+    /// after it, sections without frames looked past; none at the ends. The
+    /// number of sections stands for the orientation behind the last of them.
+    ///
+    /// # Panics
+    /// If there is no such section.
+    #[must_use]
+    pub fn facing_speeds(&self, path: &CameraPath, section: usize) -> (Option<f64>, Option<f64>) {
+        let before = self.moving_before(section).map(|before| {
+            let [.., last] = self.orientation_at(path, before).speeds;
+            last
+        });
+        let after = if section < self.sections.len() {
+            self.moving_after(section)
+        } else {
+            None
+        };
+        let after = after.map(|after| {
+            let [first, ..] = self.orientation_at(path, after).speeds;
+            first
+        });
+        (before, after)
     }
 
     /// Point and orientation with which a section begins.

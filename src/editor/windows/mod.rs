@@ -8,10 +8,12 @@
 
 mod colours;
 mod curve;
+mod curve_picture;
 mod display;
 mod files;
 mod folder;
 mod help;
+mod pending;
 mod points;
 mod question;
 mod speed;
