@@ -139,7 +139,8 @@ pub(super) fn was_typing(context: &Context) -> bool {
 pub(super) fn take_escape(context: &Context) -> bool {
     !was_typing(context)
         && !egui::Popup::is_any_open(context)
-        && !context.egui_is_using_pointer()
+        // egui ends a drag on Escape before anybody sees the key.
+        && !context.input(|input| input.pointer.any_down())
         && context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape))
 }
 

@@ -1,11 +1,14 @@
 //! The window's contents driven as a hand drives them, without a screen: by
 //! the labels that a person reads, in both languages.
 
+mod curve;
 mod files;
 mod keyboard;
 mod menus;
 mod panels;
 mod pictures;
+mod setup;
+mod speed;
 
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;

@@ -5,6 +5,15 @@ use super::texts;
 texts! {
     /// Texts of the colour window.
     Colours {
-        title: "Colours", "Farben";
+        title: "Colours", "Farbe";
+        red: "Red", "Rot";
+        green: "Green", "Grün";
+        blue: "Blue", "Blau";
+        reset: "Reset", "Zurücksetzen";
+        reset_hint: "Give this element its first colour back", "Diesem Element seine erste Farbe zurückgeben";
+        reset_all: "Reset all", "Alle zurücksetzen";
+        reset_all_hint: "Give all elements their first colours back",
+            "Allen Elementen ihre erste Farbe zurückgeben";
+        of_theme: "Theme: {0}", "Erscheinungsbild: {0}";
     }
 }

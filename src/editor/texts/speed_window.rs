@@ -6,5 +6,39 @@ texts! {
     /// Texts of the speed-curve window.
     SpeedWindow {
         title: "Speed curve", "Zeitkurve";
+        section: "Section {0} – {1}", "Abschnitt {0} – {1}";
+        end_of_path: "{0} · end of path: no section begins here",
+            "{0} · Ende der Bahn: Hier beginnt kein Abschnitt";
+        takes: "{0} frames · {1} s", "{0} Bilder · {1} s";
+        nothing_changes: "Nothing changes: no frames", "Nichts ändert sich: keine Bilder";
+        speed: "Speed {0}", "Geschwindigkeit {0}";
+
+        constant: "Constant", "Gleichmäßig";
+        constant_hint: "The same speed all the way; the section takes as long as before",
+            "Überall dieselbe Geschwindigkeit; der Abschnitt dauert so lange wie bisher";
+        ease_in: "Slow start", "Langsam los";
+        ease_in_hint: "Slow at the start; the section takes as long as before",
+            "Am Anfang langsam; der Abschnitt dauert so lange wie bisher";
+        ease_out: "Slow end", "Langsam aus";
+        ease_out_hint: "Slow at the end; the section takes as long as before",
+            "Am Ende langsam; der Abschnitt dauert so lange wie bisher";
+        both: "Both", "Beides";
+        both_hint: "Slow at both ends; the section takes as long as before",
+            "An beiden Enden langsam; der Abschnitt dauert so lange wie bisher";
+
+        copy: "Copy", "Kopieren";
+        copy_hint: "Keep these ten speeds for pasting", "Diese zehn Geschwindigkeiten zum Einfügen merken";
+        copied: "Speed curve copied", "Zeitkurve kopiert";
+        paste: "Paste", "Einfügen";
+        paste_hint: "Take over the ten speeds that were copied",
+            "Die kopierten zehn Geschwindigkeiten übernehmen";
+        reset: "Reset", "Zurücksetzen";
+        reset_hint: "Speed 50 all the way", "Überall Geschwindigkeit 50";
+
+        hold: "Hold (frames)", "Verweilen (Bilder)";
+        hold_hint: "Frames that the camera rests before it goes on",
+            "Bilder, die die Kamera ruht, bevor es weitergeht";
+        fps: "Frames per second", "Bilder pro Sekunde";
+        fps_hint: "The film's frame rate; it tells seconds only", "Bildrate des Films; nur für die Sekunden";
     }
 }

@@ -211,8 +211,10 @@ impl CurveWindow {
                         .show_value(false)
                         .step_by(0.01);
                     let response = ui.add(slider).labelled_by(label.id).on_hover_text(hint);
-                    if response.changed() {
-                        self.set(editor, Field::Shape(part), slid);
+                    // egui rounds to steps even where nobody touches it.
+                    if response.changed() && (slid - value.clamp(-1.0, 1.0)).abs() > 1e-9 {
+                        let rounded = (slid * 100.0).round() / 100.0;
+                        self.set(editor, Field::Shape(part), rounded);
                     }
                     let number = Number::new(name, value)
                         .hint(hint)

@@ -17,6 +17,7 @@ mod pending;
 mod points;
 mod question;
 mod speed;
+mod speed_shapes;
 
 pub(super) use colours::ColourWindow;
 pub(super) use curve::CurveWindow;
@@ -35,6 +36,8 @@ use super::state::Editor;
 pub(super) struct Windows {
     pub(super) curve: Option<CurveWindow>,
     pub(super) speed: Option<SpeedWindow>,
+    /// Ten speeds to be pasted.
+    pub(super) copied_speeds: Option<[f64; crate::limits::SPEEDS]>,
     pub(super) colours: Option<ColourWindow>,
     pub(super) display: Option<DisplayWindow>,
     pub(super) points: Option<PointsWindow>,
@@ -117,9 +120,8 @@ pub(super) fn sub_window(
         .id(egui::Id::unique(id))
         .open(&mut open)
         .default_pos(FIRST_PLACE)
-        .default_size([240.0, 120.0])
         .collapsible(false)
-        .resizable(false)
+        .auto_sized()
         .show(context, add);
     open && !escape
 }

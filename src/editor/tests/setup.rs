@@ -1,0 +1,186 @@
+//! The colour and display windows and the setup file (thesis A.5, A.9).
+
+use egui::{Color32, Role};
+
+use super::*;
+use crate::editor::setup::{Element, Setup};
+use crate::raster::testing::screenshot;
+
+const BOTH: [Language; 2] = [Language::German, Language::English];
+
+#[test]
+fn an_element_is_chosen_and_three_sliders_mix_its_colour() {
+    for language in BOTH {
+        let texts = &language.texts().colours;
+        let mut window = window(language);
+        press(&mut window, Modifiers::ALT, Key::F);
+        click(&mut window, language.texts().display.curve);
+        let first = window.state().setup.colours().of(Element::Curve);
+        for (name, text) in [(texts.red, "10"), (texts.green, "20"), (texts.blue, "256")] {
+            window.get_by_role_and_label(Role::SpinButton, name).click();
+            window.run();
+            window.event(egui::Event::Text(text.to_owned()));
+            window.run();
+            press(&mut window, Modifiers::NONE, Key::Enter);
+        }
+        let colour = window.state().setup.colours().of(Element::Curve);
+        assert_eq!(
+            colour,
+            Color32::from_rgb(10, 20, first.b()),
+            "256 is refused"
+        );
+        window
+            .get_by_role_and_label(Role::Slider, texts.red)
+            .focus();
+        window.run();
+        press(&mut window, Modifiers::NONE, Key::ArrowRight);
+        assert_eq!(window.state().setup.colours().of(Element::Curve).r(), 11);
+        click(&mut window, texts.reset);
+        assert_eq!(window.state().setup, Setup::default());
+        // No change of the path: nothing to be saved with it.
+        assert!(!window.state().document.is_modified());
+    }
+}
+
+#[test]
+fn each_element_is_switched_off_and_on() {
+    for language in BOTH {
+        let texts = &language.texts().display;
+        let mut window = window(language);
+        press(&mut window, Modifiers::ALT, Key::Z);
+        for element in Element::ALL.into_iter().filter(|e| e.has_switch()) {
+            for on in [false, true] {
+                window
+                    .get_by_role_and_label(Role::CheckBox, texts.name(element))
+                    .click();
+                window.run();
+                assert_eq!(window.state().setup.shown.has(element), on, "{element:?}");
+            }
+        }
+        window
+            .get_by_role_and_label(Role::CheckBox, texts.cube)
+            .click();
+        window.run();
+        click(&mut window, texts.all);
+        assert_eq!(window.state().setup, Setup::default());
+        window
+            .get_by_role_and_label(Role::RadioButton, language.texts().menu.light)
+            .click();
+        window.run();
+        assert_eq!(window.state().setup.theme, Theme::Light);
+    }
+}
+
+/// What is switched off is not seen any more.
+#[test]
+fn the_cube_is_gone_from_the_picture() {
+    let options = Options {
+        document: some_points(),
+        ..options(Language::German)
+    };
+    let mut window = window_of(options, [800.0, 600.0], 1.0, Theme::Dark);
+    let colour = window.state().setup.colours().of(Element::Cube);
+    let count = |window: &mut Window| {
+        let image = window.render().unwrap();
+        let same = |p: &&image::Rgba<u8>| p.0[..3] == colour.to_array()[..3];
+        image.pixels().filter(same).count()
+    };
+    let with = count(&mut window);
+    window.state_mut().setup.shown.set(Element::Cube, false);
+    window.run();
+    let without = count(&mut window);
+    assert!(with > without + 100, "{with} {without}");
+}
+
+#[test]
+fn the_setup_is_read_at_start() {
+    let folder = tempfile::tempdir().unwrap();
+    let folders = || Folders {
+        setup: Some(folder.path().to_owned()),
+        state: None,
+    };
+    let start = |language| {
+        let options = Options {
+            folders: folders(),
+            ..options(language)
+        };
+        Editor::new(options).unwrap()
+    };
+    // None there: nothing to be said.
+    let mut editor = start(Language::German);
+    assert!(editor.message.is_none());
+    editor.setup.theme = Theme::Light;
+    editor.setup.view.tilt = 33.0;
+    editor.setup.shown.set(Element::Cube, false);
+    editor
+        .save_setup(&folder.path().join("setup.toml"))
+        .unwrap();
+    let again = start(Language::German);
+    assert_eq!(again.setup, editor.setup);
+    // A broken one: said so, and all as in a new window.
+    std::fs::write(
+        folder.path().join("setup.toml"),
+        "theme = \"dark\"\ncolor = 3\n",
+    )
+    .unwrap();
+    for language in BOTH {
+        let broken = start(language);
+        assert_eq!(broken.setup, Setup::default());
+        let message = broken.message.unwrap();
+        assert!(message.error && message.text.contains("setup.toml"));
+        assert!(
+            message.text.contains("line 2: unknown key \"color\""),
+            "{}",
+            message.text
+        );
+    }
+}
+
+#[test]
+fn a_setup_is_saved_and_loaded_by_the_menu() {
+    for language in BOTH {
+        let folder = tempfile::tempdir().unwrap();
+        let options = Options {
+            folders: Folders {
+                setup: Some(folder.path().to_owned()),
+                state: None,
+            },
+            ..options(language)
+        };
+        let mut window = window_of(options, [1200.0, 800.0], 1.0, Theme::Light);
+        press(&mut window, Modifiers::ALT, Key::P);
+        window
+            .get_by_role_and_label(Role::Button, language.texts().files.save)
+            .click();
+        window.run();
+        let file = folder.path().join("setup.toml");
+        assert!(file.is_file(), "the proposal is setup.toml in its folder");
+        window.state_mut().setup = Setup::default();
+        press(&mut window, Modifiers::ALT, Key::T);
+        click(&mut window, "setup.toml");
+        window
+            .get_by_role_and_label(Role::Button, language.texts().files.load)
+            .click();
+        window.run();
+        assert_eq!(window.state().setup.theme, Theme::Light);
+    }
+}
+
+#[test]
+fn pictures() {
+    for (language, theme, scale, name) in [
+        (Language::German, Theme::Dark, 1.0, "de-dark"),
+        (Language::English, Theme::Light, 1.0, "en-light"),
+        (Language::German, Theme::Light, 2.0, "de-light-2x"),
+    ] {
+        for (key, which) in [(Key::F, "colours"), (Key::Z, "display")] {
+            let options = Options {
+                document: some_points(),
+                ..options(language)
+            };
+            let mut window = window_of(options, [800.0, 600.0], scale, theme);
+            press(&mut window, Modifiers::ALT, key);
+            screenshot(&mut window, &format!("{which}-{name}.png"));
+        }
+    }
+}
