@@ -2,6 +2,7 @@
 
 use std::io::Read;
 use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::change::Content;
 use super::edit::Edit;
@@ -49,7 +50,16 @@ pub struct Document {
     newest: u64,
     /// Number of the state that was saved.
     saved: u64,
+    /// A number that no other contents have had.
+    revision: u64,
     plan: Plan,
+}
+
+/// The next number for [`Document::revision`]. Its order means nothing, so
+/// that nothing need be ordered by it.
+fn fresh_revision() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(1);
+    NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
 impl Default for Document {
@@ -94,6 +104,7 @@ impl Document {
             state: 0,
             newest: 0,
             saved: 0,
+            revision: fresh_revision(),
             plan: Plan::new(),
         }
     }
@@ -168,6 +179,14 @@ impl Document {
         self.selection
     }
 
+    /// A number for the present contents, path and all else, but not for the
+    /// selection: where it is the same, whatever was computed of them holds,
+    /// also if it was computed of another document of this process.
+    #[must_use]
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
     /// Makes a point and one of its orientations current. That is no edit: it
     /// cannot be undone by itself and leaves the document unmodified.
     ///
@@ -212,6 +231,7 @@ impl Document {
         }
         self.newest += 1;
         self.state = self.newest;
+        self.revision = fresh_revision();
         Ok(())
     }
 
@@ -289,6 +309,7 @@ impl Document {
         });
         std::mem::swap(&mut step.selection, &mut self.selection);
         std::mem::swap(&mut step.state, &mut self.state);
+        self.revision = fresh_revision();
     }
 
     /// Whether there is something that the file does not know. Undoing back to

@@ -10,6 +10,7 @@
 //! runs in tests without a screen.
 
 mod actions;
+mod camera_view;
 mod filing;
 mod folders;
 mod frame;
@@ -18,6 +19,7 @@ mod menu;
 mod number;
 mod output;
 mod panels;
+mod playing;
 mod refusals;
 mod setup;
 mod setup_file;

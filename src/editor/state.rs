@@ -9,7 +9,7 @@ use super::number::Entry;
 use super::setup::{Element, Setup};
 use super::texts::{Language, Texts, fill};
 use super::theme;
-use super::{space, windows};
+use super::{playing, space, windows};
 use crate::document::{Document, Edit};
 use crate::error::{Error, Result};
 use crate::path::{Orientation, SupportPoint};
@@ -71,6 +71,8 @@ pub(crate) struct Editor {
     pub(super) setup: Setup,
     /// The movement window.
     pub(super) space: space::Space,
+    /// The bar below it.
+    pub(super) playing: playing::Playing,
     /// The sub-windows.
     pub(super) windows: windows::Windows,
 }
@@ -105,6 +107,7 @@ impl Editor {
             requests: Vec::new(),
             setup: Setup::default(),
             space: space::Space::default(),
+            playing: playing::Playing::default(),
             windows: windows::Windows::default(),
         };
         editor.read_first_setup();

@@ -6,6 +6,7 @@
 //! that are tested without a window. [`hand`] and [`keyboard`] take the events, [`scene`] and
 //! [`overlay`] draw, [`sliders`] stand around, [`menu`] is a point's menu.
 
+mod cameras;
 mod drag;
 mod hand;
 mod keyboard;
@@ -20,13 +21,18 @@ mod strokes;
 use std::sync::Arc;
 
 use egui::{EventFilter, Rect, Sense, Ui};
+use glam::DVec3;
 
+pub(super) use self::cameras::Camera;
+use self::cameras::Ribbon;
 use self::drag::Handle;
 use self::hand::{Desk, Hand};
 use self::projection::Projection;
 use self::scene::{Look, Scene};
+use self::strokes::Strokes;
 use super::setup::Element;
 use super::state::Editor;
+use super::{camera_view, playing};
 use crate::path::Orientation;
 use crate::raster::Lines;
 
@@ -35,15 +41,28 @@ use crate::raster::Lines;
 pub(super) struct Space {
     hand: Hand,
     scene: Scene,
+    ribbon: Ribbon,
     menu: menu::PointMenu,
+    /// The view before a number of it is dragged.
+    view_before: Option<super::setup::View>,
     /// What was copied last.
     copied: Option<Orientation>,
 }
 
 /// Shows the movement window in all the room that is left.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+    playing::show(editor, ui);
     let room = sliders::show(editor, ui);
     view(editor, ui, room);
+    camera_view::show(editor, ui.ctx(), room);
+}
+
+/// The edges of the movement space.
+pub(super) fn cube() -> impl Iterator<Item = (DVec3, DVec3)> {
+    projection::cube_edges().map(|(along, signs)| {
+        let [from, to] = projection::edge_ends(along, signs);
+        (from, to)
+    })
 }
 
 /// The part in which the space is seen.
@@ -118,6 +137,10 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
     }
     let trouble = editor.space.scene.update(document, &look).err();
     editor.space.scene.paint(&painter, room);
+    if editor.setup.shown.has(Element::Ribbon) && editor.space.ribbon.update(document).is_ok() {
+        editor.space.ribbon.paint(&painter, &look);
+    }
+    add(cameras::keys(document, &look));
     if let Some((through, fixed)) = through {
         add(overlay::guides(&look, through, Some(fixed)));
     }
@@ -138,6 +161,13 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
             overlay::ring(&painter, &look, at, color, held.is_some());
         }
     }
+    if let Some(color) = look.of(Element::Player)
+        && let Some((camera, true)) = editor.camera()
+    {
+        let mut strokes = Strokes::new(look.projection, room);
+        cameras::camera(&mut strokes, &look, &camera, 44.0, 1.8, color);
+        add(strokes.finish());
+    }
     let pointed = match hand.hover {
         Some(Handle::Point(at)) => Some(at),
         _ => None,
@@ -148,3 +178,8 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
         editor.complain(error.to_string());
     }
 }
+
+#[cfg(test)]
+mod menu_tests;
+#[cfg(test)]
+pub(super) mod tests;

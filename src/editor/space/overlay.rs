@@ -205,15 +205,8 @@ pub(super) fn numbers(
             Some(name) if hover == Some(at) => format!("{}  {name}", at + 1),
             _ => (at + 1).to_string(),
         };
-        label(
-            painter,
-            pos + vec2(7.0, -6.0),
-            Align2::LEFT_BOTTOM,
-            text,
-            size,
-            color,
-            look,
-        );
+        let (way, align) = free_corner(document, look, at, image);
+        label(painter, pos + way, align, text, size, color, look);
     };
     put(current, true);
     if let Some(hover) = hover.filter(|&hover| hover != current) {
@@ -224,6 +217,56 @@ pub(super) fn numbers(
             .filter(|&at| at != current && Some(at) != hover)
             .for_each(|at| put(at, false));
     }
+}
+
+/// Beside a point, the corner that is farthest from where its curve runs and
+/// its camera looks: the way there, and which corner of the text comes to lie
+/// in it.
+fn free_corner(
+    document: &Document,
+    look: &Look<'_>,
+    at: usize,
+    image: DVec2,
+) -> (egui::Vec2, Align2) {
+    let points = &document.path().points;
+    let neighbour = |at: Option<usize>| {
+        let point = at.and_then(|at| points.get(at))?;
+        Some(look.projection.image(point.position) - image)
+    };
+    let point = points.get(at);
+    let camera = point.and_then(|point| {
+        let view = point.orientations.first()?.view(point.position);
+        Some(look.projection.image_of_way(view))
+    });
+    // Up is where the ribbon leans, and the arrow of the current camera.
+    let taken = [
+        neighbour(at.checked_sub(1)),
+        neighbour(Some(at + 1)),
+        camera,
+    ];
+    let taken = taken.map(|way| way.map_or(DVec2::ZERO, DVec2::normalize_or_zero));
+    let corners = [
+        (DVec2::new(1.0, -1.0), Align2::LEFT_BOTTOM),
+        (DVec2::new(-1.0, -1.0), Align2::RIGHT_BOTTOM),
+        (DVec2::new(1.0, 1.0), Align2::LEFT_TOP),
+        (DVec2::new(-1.0, 1.0), Align2::RIGHT_TOP),
+    ];
+    let crowd = |corner: DVec2| {
+        let near = taken.iter().map(|way| way.dot(corner.normalize()));
+        near.fold(-1.0, f64::max)
+    };
+    let (mut best, mut least) = (corners[0], crowd(corners[0].0));
+    for corner in &corners[1..] {
+        let found = crowd(corner.0);
+        // The first ones are where one looks for a number.
+        if found < least - 0.1 {
+            (best, least) = (*corner, found);
+        }
+    }
+    let (way, align) = best;
+    #[allow(clippy::cast_possible_truncation)]
+    let way = vec2(way.x as f32 * 6.0, way.y as f32 * 4.0);
+    (way, align)
 }
 
 /// A text with a halo of the ground, so that it can be read above lines.

@@ -44,7 +44,7 @@ impl Axis {
 pub(super) const EDGE_ON: f64 = 0.035;
 
 /// How much of the room is left free around the largest cube.
-const MARGIN: f64 = 0.94;
+const MARGIN: f64 = 0.98;
 
 /// From the movement space to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -28,6 +28,12 @@ const CHUNK: usize = 64;
 /// How far the drawn curve may stray from the true one, in pixels.
 const STRAY: f64 = 0.25;
 
+/// Points of the curve and crosses that are nearer to the last one than this
+/// are not drawn, in pixels: nobody would see them, and a path of ten thousand
+/// points has many.
+const MERGE: f64 = 0.25;
+const MERGE_CROSSES: f64 = 1.5;
+
 /// Half the size of a cross, in points.
 const CROSS: f64 = 4.0;
 
@@ -223,9 +229,10 @@ impl Chunk {
             self.knots.extend(knots(path, index));
         }
         let mut strokes = Strokes::new(look.projection, look.room);
+        let merge = MERGE / look.pixels_per_point;
         stroke_curve(
             &mut strokes,
-            &self.pieces,
+            thinned(&self.pieces, look.projection, merge),
             look.of(Element::Curve),
             look.of(Element::Outside),
             CURVE,
@@ -233,7 +240,14 @@ impl Chunk {
         self.curve = Arc::new(strokes.finish());
         let mut strokes = Strokes::new(look.projection, look.room);
         if let Some(color) = look.of(Element::Crosses) {
+            let merge = MERGE_CROSSES / look.pixels_per_point;
+            let mut last = DVec2::INFINITY;
             for point in &path.points[first..end] {
+                let image = look.projection.image(point.position);
+                if image.distance(last) < merge {
+                    continue;
+                }
+                last = image;
                 cross(&mut strokes, look, point.position, CROSS, THIN, color);
             }
         }
@@ -252,11 +266,29 @@ fn pieces(curve: &Cubic, stray: f64, room: &mut Vec<(f64, DVec3)>) -> Result<()>
     tessellate(curve, stray.max(size * 1e-6), room)
 }
 
+/// Points without those that are seen nearer than `merge` to the last one kept;
+/// first and last stay.
+fn thinned(points: &[DVec3], projection: &Projection, merge: f64) -> impl Iterator<Item = DVec3> {
+    let end = points.len().saturating_sub(1);
+    let mut last = DVec2::INFINITY;
+    points
+        .iter()
+        .enumerate()
+        .filter_map(move |(index, &point)| {
+            let image = projection.image(point);
+            if index != end && image.distance(last) < merge {
+                return None;
+            }
+            last = image;
+            Some(point)
+        })
+}
+
 /// A curve through points: inside the cube in its own colour, outside dashed in
 /// another one.
 fn stroke_curve(
     strokes: &mut Strokes<'_>,
-    points: &[DVec3],
+    points: impl Iterator<Item = DVec3>,
     inside: Option<Color32>,
     outside: Option<Color32>,
     width: f32,
@@ -266,8 +298,11 @@ fn stroke_curve(
     let outside = outside.or(inside);
     let marked = outside != inside;
     strokes.restart_dashes();
-    for pair in points.windows(2) {
-        let (from, to) = (pair[0], pair[1]);
+    let mut last = None;
+    for to in points {
+        let Some(from) = last.replace(to) else {
+            continue;
+        };
         if !marked || (within(from) && within(to)) {
             if let Some(color) = inside {
                 strokes.line(from, to, width, color);
@@ -342,7 +377,13 @@ pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
         )?;
         let points: Vec<DVec3> = room.into_iter().map(|(_, point)| point).collect();
         let outside = look.of(Element::Outside);
-        stroke_curve(&mut strokes, &points, Some(color), outside, SEGMENT);
+        stroke_curve(
+            &mut strokes,
+            points.into_iter(),
+            Some(color),
+            outside,
+            SEGMENT,
+        );
     }
     if let Some(point) = path.points.get(at)
         && let Some(color) = look.of(Element::Crosses)

@@ -32,6 +32,22 @@ texts! {
         remove: "Remove point", "Punkt löschen";
         copied: "Orientation copied", "Orientierung kopiert";
         nothing_copied: "No orientation has been copied yet", "Es ist noch keine Orientierung kopiert";
+        play: "Play", "Abspielen";
+        pause: "Pause", "Anhalten";
+        play_tip: "Plays the flight (space bar)", "Spielt den Flug ab (Leertaste)";
+        timeline: "Frame", "Bild";
+        timeline_tip: "Drag or use the arrow keys to go through the frames",
+            "Ziehen oder Pfeiltasten: durch die Bilder gehen";
+        frame_of: "Frame {0} / {1}", "Bild {0} / {1}";
+        seconds_at: "{0} s · {1} fps", "{0} s · {1} Bilder/s";
+        too_many_frames: "Too many frames", "Zu viele Bilder";
+        camera_view: "Camera view", "Kamerabild";
+        camera_view_tip: "Shows what the camera sees (C)", "Zeigt, was die Kamera sieht (C)";
+        camera_picture: "What the camera sees", "Was die Kamera sieht";
+        close_camera_view: "Close the camera view", "Kamerabild schließen";
+        camera_at_frame: "Camera · frame {0}", "Kamera · Bild {0}";
+        camera_at_key: "Camera · point {0}.{1}", "Kamera · Punkt {0}.{1}";
+        millimetres: "{0} mm", "{0} mm";
         view_reset: "Reset the view", "Ansicht zurücksetzen";
         view_front: "From the front", "Von vorn";
         view_right: "From the right", "Von rechts";

@@ -1,0 +1,452 @@
+//! Playing the flight: the bar under the movement window with all frames, the
+//! marks of the orientations, play and pause, by mouse and by keyboard.
+//!
+//! While it plays the window asks for the next frame when that is due; at rest
+//! it asks for nothing.
+
+use std::time::Duration;
+
+use egui::{
+    Align2, Context, CornerRadius, CursorIcon, EventFilter, FontId, Key, Modifiers, Painter, Pos2,
+    Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+
+use super::setup::Element;
+use super::space::Camera;
+use super::state::Editor;
+use super::texts::fill;
+use super::theme;
+use crate::document::{Document, Selection};
+use crate::error::Result;
+use crate::path::Change;
+
+/// Height of the bar.
+const HEIGHT: f32 = 56.0;
+
+/// Width of a button.
+const BUTTON: f32 = 32.0;
+
+/// What is played, and where.
+#[derive(Debug, Default)]
+pub(super) struct Playing {
+    /// The frame that is shown, from 1; none: the current orientation.
+    frame: Option<f64>,
+    /// It plays: since when (in egui's time), from which frame.
+    since: Option<(f64, f64)>,
+    /// What was current in the last pass.
+    selection: Selection,
+    marks: Marks,
+}
+
+/// The keys of the path on the scale of its frames.
+#[derive(Debug, Default)]
+struct Marks {
+    revision: Option<u64>,
+    keys: Vec<Mark>,
+    /// All frames; 0 if there are too many.
+    frames: usize,
+}
+
+/// An orientation and its frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Mark {
+    point: usize,
+    orientation: usize,
+    frame: usize,
+}
+
+impl Marks {
+    /// Brings them up to date.
+    fn update(&mut self, document: &Document) -> Result<()> {
+        let revision = document.revision();
+        if self.revision == Some(revision) {
+            return Ok(());
+        }
+        self.revision = Some(revision);
+        self.keys.clear();
+        self.frames = 0;
+        let path = document.path();
+        let keys = &mut self.keys;
+        self.frames = document.timeline(|timeline| {
+            let mut frame = 1;
+            for index in 0..timeline.section_count() {
+                let section = timeline.section(index);
+                let (point, orientation) = (section.point, section.orientation);
+                keys.try_reserve(2)?;
+                keys.push(Mark {
+                    point,
+                    orientation,
+                    frame,
+                });
+                if section.change != Change::Nothing {
+                    let hold = path.points[point].orientations[orientation].hold;
+                    frame += hold as usize + section.frames;
+                }
+            }
+            if let Some(point) = path.points.len().checked_sub(1).filter(|_| !path.closed) {
+                let orientation = path.points[point].orientations.len().saturating_sub(1);
+                keys.push(Mark {
+                    point,
+                    orientation,
+                    frame,
+                });
+            }
+            timeline.frame_count()
+        })??;
+        Ok(())
+    }
+
+    /// The frame at which an orientation is reached.
+    fn frame_of(&self, selection: Selection) -> Option<usize> {
+        self.keys
+            .iter()
+            .find(|mark| (mark.point, mark.orientation) == (selection.point, selection.orientation))
+            .map(|mark| mark.frame)
+    }
+}
+
+impl Editor {
+    /// The camera that is shown: the one at the frame that is played, else the
+    /// current one. With it whether it is that of a frame.
+    pub(super) fn camera(&self) -> Option<(Camera, bool)> {
+        let frame = self.playing.frame;
+        if let Some(pose) = frame.and_then(|frame| self.document.sampler().ok()?.pose(frame).ok()) {
+            return Some((pose.into(), true));
+        }
+        let Selection { point, orientation } = self.document.selection();
+        Camera::at(&self.document, point, orientation).map(|camera| (camera, false))
+    }
+
+    /// The frame that is shown, as the film counts it.
+    #[allow(clippy::cast_possible_truncation)]
+    pub(super) fn shown_frame(&self) -> Option<i64> {
+        let frame = self.playing.frame?.round() as i64;
+        Some(frame - 1 + i64::from(self.document.info().first_frame))
+    }
+
+    /// Begins to play, or stops; at the end it begins anew.
+    pub(super) fn play_or_pause(&mut self, context: &Context) {
+        if self.playing.since.take().is_some() {
+            return;
+        }
+        let last = as_frame(self.playing.marks.frames);
+        let at = self.position_on_bar();
+        let from = if at >= last { 1.0 } else { at };
+        self.playing.frame = Some(from);
+        self.playing.since = Some((context.input(|input| input.time), from));
+    }
+
+    /// Goes to a frame; out of range to the nearest one.
+    fn scrub(&mut self, frame: f64) {
+        self.playing.since = None;
+        self.playing.frame = Some(frame.clamp(1.0, as_frame(self.playing.marks.frames)));
+    }
+
+    /// The frame at which the bar's handle stands.
+    fn position_on_bar(&self) -> f64 {
+        let playing = &self.playing;
+        let current = || {
+            playing
+                .marks
+                .frame_of(self.document.selection())
+                .map(as_frame)
+        };
+        playing.frame.or_else(current).unwrap_or(1.0)
+    }
+
+    /// Keeps the state in step with time, path and selection.
+    fn advance(&mut self, context: &Context) {
+        if let Err(error) = self.playing.marks.update(&self.document)
+            && self.playing.frame.is_some()
+        {
+            self.complain(error.to_string());
+        }
+        let playing = &mut self.playing;
+        let selection = self.document.selection();
+        // Another current orientation is one that somebody wants to see.
+        if playing.selection != selection && playing.since.is_none() {
+            playing.frame = None;
+        }
+        playing.selection = selection;
+        if playing.marks.frames == 0 {
+            (playing.frame, playing.since) = (None, None);
+        }
+        let last = as_frame(playing.marks.frames);
+        playing.frame = playing.frame.map(|frame| frame.clamp(1.0, last.max(1.0)));
+        let Some((start, from)) = playing.since else {
+            return;
+        };
+        let fps = self.document.info().fps;
+        let gone = (context.input(|input| input.time) - start).max(0.0) * fps;
+        let frame = (from + gone).floor().min(last);
+        playing.frame = Some(frame);
+        if frame >= last {
+            playing.since = None;
+        } else {
+            // To when the next whole frame is due.
+            let wait = (frame + 1.0 - from - gone) / fps;
+            context.request_repaint_after(Duration::from_secs_f64(wait.clamp(0.001, 3600.0)));
+        }
+    }
+}
+
+#[allow(clippy::cast_precision_loss)]
+fn as_frame(frame: usize) -> f64 {
+    frame as f64
+}
+
+/// Shows the bar at the lower border.
+pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+    editor.advance(ui.ctx());
+    let palette = theme::palette(ui);
+    let frame = egui::Frame::new()
+        .fill(palette.panel)
+        .inner_margin(egui::Margin {
+            left: 12,
+            right: 12,
+            top: 0,
+            bottom: 0,
+        });
+    egui::Panel::bottom("playing")
+        .resizable(false)
+        .exact_size(HEIGHT)
+        .frame(frame)
+        .show(ui, |ui| {
+            ui.horizontal_centered(|ui| {
+                ui.spacing_mut().item_spacing.x = 12.0;
+                play_button(editor, ui);
+                readout(editor, ui);
+                let width = ui.available_width() - BUTTON - 12.0;
+                timeline(editor, ui, width.max(60.0));
+                camera_button(editor, ui);
+            });
+        });
+}
+
+/// A square button with a picture.
+fn button(ui: &mut Ui, name: &str, tip: &str, on: bool) -> (egui::Response, Painter) {
+    let size = vec2(BUTTON, theme::ROW + 4.0);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    response.widget_info(|| WidgetInfo::selected(Role::Button, ui.is_enabled(), on, name));
+    let visuals = ui.style().interact_selectable(&response, on);
+    ui.painter().rect(
+        rect,
+        CornerRadius::same(4),
+        visuals.weak_bg_fill,
+        visuals.bg_stroke,
+        egui::StrokeKind::Inside,
+    );
+    let painter = ui.painter_at(rect);
+    (response.on_hover_text(tip), painter)
+}
+
+fn play_button(editor: &mut Editor, ui: &mut Ui) {
+    let texts = &editor.texts().space;
+    let plays = editor.playing.since.is_some();
+    let name = if plays { texts.pause } else { texts.play };
+    let (response, painter) = button(ui, name, texts.play_tip, false);
+    let color = ui.style().interact(&response).fg_stroke.color;
+    let centre = response.rect.center();
+    if plays {
+        for x in [-3.5, 3.5] {
+            let bar = Rect::from_center_size(centre + vec2(x, 0.0), vec2(3.0, 11.0));
+            painter.rect_filled(bar, 0.5, color);
+        }
+    } else {
+        let corners = [vec2(-4.0, -6.0), vec2(6.0, 0.0), vec2(-4.0, 6.0)];
+        let corners = corners.map(|way| centre + way).to_vec();
+        painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
+    }
+    if response.clicked() {
+        editor.play_or_pause(ui.ctx());
+    }
+}
+
+fn camera_button(editor: &mut Editor, ui: &mut Ui) {
+    let texts = &editor.texts().space;
+    let on = editor.setup.camera_view;
+    let (response, painter) = button(ui, texts.camera_view, texts.camera_view_tip, on);
+    let visuals = ui.style().interact_selectable(&response, on);
+    let stroke = Stroke::new(1.5, visuals.fg_stroke.color);
+    let centre = response.rect.center();
+    let body = Rect::from_center_size(centre - vec2(2.5, 0.0), vec2(11.0, 9.0));
+    painter.rect_stroke(body, 1.5, stroke, egui::StrokeKind::Middle);
+    let lens = [vec2(3.0, 0.0), vec2(8.0, -4.0), vec2(8.0, 4.0)];
+    let lens = lens.map(|way| centre + way).to_vec();
+    painter.add(Shape::closed_line(lens, stroke));
+    if response.clicked() {
+        editor.setup.camera_view = !on;
+    }
+}
+
+/// Frame, all frames, seconds.
+fn readout(editor: &Editor, ui: &mut Ui) {
+    let texts = &editor.texts().space;
+    let info = editor.document.info();
+    let count = editor.playing.marks.frames;
+    let at = editor.position_on_bar().round();
+    let seconds = (at - 1.0) / info.fps;
+    let first = f64::from(info.first_frame) - 1.0;
+    let number = |value: f64, decimals| editor.language.number(value, decimals);
+    let lines = if count == 0 {
+        [texts.too_many_frames.to_owned(), String::new()]
+    } else {
+        let values = [number(first + at, 0), number(first + as_frame(count), 0)];
+        let rates = [number(seconds, 2), number(info.fps, 0)];
+        [
+            fill(texts.frame_of, &[&values[0], &values[1]]),
+            fill(texts.seconds_at, &[&rates[0], &rates[1]]),
+        ]
+    };
+    let palette = theme::palette(ui);
+    let (rect, response) = ui.allocate_exact_size(vec2(136.0, 36.0), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, lines.join(", ")));
+    let painter = ui.painter();
+    let font = theme::digits();
+    let [above, below] = [-8.5, 8.5].map(|y| pos2(rect.left(), rect.center().y + y));
+    let [frames, times] = lines;
+    painter.text(
+        above,
+        Align2::LEFT_CENTER,
+        frames,
+        font.clone(),
+        palette.text,
+    );
+    painter.text(below, Align2::LEFT_CENTER, times, font, palette.weak);
+}
+
+/// The scale of frames with its handle.
+fn timeline(editor: &mut Editor, ui: &mut Ui, width: f32) {
+    let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click_and_drag());
+    let texts = &editor.texts().space;
+    let name = texts.timeline;
+    let at = editor.position_on_bar();
+    response.widget_info(|| WidgetInfo::slider(true, at, name));
+    let rail = Rect::from_min_max(
+        pos2(rect.left() + 8.0, rect.center().y - 2.0),
+        pos2(rect.right() - 8.0, rect.center().y + 2.0),
+    );
+    if editor.playing.marks.frames > 0 {
+        scrub_by_mouse(editor, ui, &response, rail);
+        scrub_by_keys(editor, ui, &response);
+    }
+    if response.hovered() || response.dragged() {
+        ui.set_cursor_icon(CursorIcon::PointingHand);
+    }
+    paint_timeline(editor, ui, rect, rail, response.has_focus());
+    response.on_hover_text(texts.timeline_tip);
+}
+
+fn scrub_by_mouse(editor: &mut Editor, ui: &Ui, response: &egui::Response, rail: Rect) {
+    if !response.is_pointer_button_down_on() {
+        return;
+    }
+    response.request_focus();
+    if let Some(pointer) = response.interact_pointer_pos() {
+        let share = f64::from((pointer.x - rail.left()) / rail.width().max(1.0));
+        let last = as_frame(editor.playing.marks.frames);
+        editor.scrub((1.0 + share * (last - 1.0)).round());
+        ui.ctx().request_repaint();
+    }
+}
+
+fn scrub_by_keys(editor: &mut Editor, ui: &Ui, response: &egui::Response) {
+    if !response.has_focus() {
+        return;
+    }
+    let filter = EventFilter {
+        horizontal_arrows: true,
+        ..EventFilter::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    let (step, end, plays) = ui.input_mut(|input| {
+        let mut count = |modifiers, key| input.count_and_consume_key(modifiers, key) as f64;
+        // The one with Shift first: without, egui takes it for both.
+        let ten =
+            count(Modifiers::SHIFT, Key::ArrowRight) - count(Modifiers::SHIFT, Key::ArrowLeft);
+        let one = count(Modifiers::NONE, Key::ArrowRight) - count(Modifiers::NONE, Key::ArrowLeft);
+        let first = input.consume_key(Modifiers::NONE, Key::Home);
+        let last = input.consume_key(Modifiers::NONE, Key::End);
+        let plays = input.consume_key(Modifiers::NONE, Key::Space);
+        (one + 10.0 * ten, (first, last), plays)
+    });
+    if step != 0.0 {
+        let at = editor.position_on_bar().round();
+        editor.scrub(at + step);
+    }
+    match end {
+        (true, _) => editor.scrub(1.0),
+        (_, true) => editor.scrub(as_frame(editor.playing.marks.frames)),
+        _ => {}
+    }
+    if plays {
+        editor.play_or_pause(ui.ctx());
+    }
+}
+
+fn paint_timeline(editor: &Editor, ui: &Ui, rect: Rect, rail: Rect, focus: bool) {
+    let palette = theme::palette(ui);
+    let painter = ui.painter_at(rect);
+    let marks = &editor.playing.marks;
+    let span = (as_frame(marks.frames) - 1.0).max(1.0);
+    #[allow(clippy::cast_possible_truncation)]
+    let x_of = |frame: f64| rail.left() + rail.width() * ((frame - 1.0) / span) as f32;
+    painter.rect_filled(rail, 2.0, palette.edge);
+    let at = x_of(editor.position_on_bar());
+    let done = Rect::from_min_max(rail.min, pos2(at, rail.bottom()));
+    painter.rect_filled(done, 2.0, palette.accent);
+    let selection = editor.document.selection();
+    let snap = |x: f32| {
+        let scale = ui.ctx().pixels_per_point();
+        ((x * scale).floor() + 0.5) / scale
+    };
+    let mut free = f32::NEG_INFINITY;
+    let mut last_tick = f32::NEG_INFINITY;
+    for mark in &marks.keys {
+        let x = x_of(as_frame(mark.frame));
+        let current = (mark.point, mark.orientation) == (selection.point, selection.orientation);
+        if x - last_tick < 3.0 && !current {
+            continue;
+        }
+        last_tick = x;
+        let color = if current {
+            palette.accent
+        } else {
+            palette.weak
+        };
+        let x = snap(x);
+        let tick = [pos2(x, rail.top() - 7.0), pos2(x, rail.top() - 1.0)];
+        painter.line_segment(tick, Stroke::new(1.0, color));
+        let text = if mark.orientation == 0 {
+            (mark.point + 1).to_string()
+        } else {
+            format!("{}.{}", mark.point + 1, mark.orientation + 1)
+        };
+        let galley = painter.layout_no_wrap(text, FontId::proportional(11.0), color);
+        let width = galley.size().x;
+        let left = (x - width / 2.0).clamp(rect.left(), (rect.right() - width).max(rect.left()));
+        if left > free {
+            free = left + width + 4.0;
+            painter.galley(
+                pos2(left, rail.top() - 9.0 - galley.size().y),
+                galley,
+                color,
+            );
+        }
+    }
+    let plays = editor.playing.frame.is_some();
+    let handle: Pos2 = pos2(at, rail.center().y);
+    let color = if plays {
+        editor.setup.colours().of(Element::Player)
+    } else {
+        palette.accent
+    };
+    painter.circle(handle, 7.0, color, Stroke::new(2.0, palette.panel));
+    if focus {
+        painter.circle_stroke(handle, 9.5, Stroke::new(1.5, palette.focus));
+    }
+}
+
+#[cfg(test)]
+#[path = "playing_tests.rs"]
+mod tests;
