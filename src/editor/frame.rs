@@ -18,7 +18,8 @@ const PANELS: f32 = panels::WIDTH + 24.0;
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let context = ui.ctx().clone();
     context.set_theme(editor.setup.theme.of_egui());
-    if !context.input(|input| input.pointer.any_down() || input.pointer.any_released()) {
+    let dragging = context.input(|input| input.pointer.any_down() || input.pointer.any_released());
+    if !dragging && !editor.space.keeps_step_open() {
         // A drag whose end nobody saw: its control vanished meanwhile.
         editor.document.end_step();
     }

@@ -302,7 +302,7 @@ fn readout(editor: &Editor, ui: &mut Ui) {
     let (rect, response) = ui.allocate_exact_size(vec2(136.0, 36.0), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, lines.join(", ")));
     let painter = ui.painter();
-    let font = theme::digits();
+    let font = theme::text();
     let [above, below] = [-8.5, 8.5].map(|y| pos2(rect.left(), rect.center().y + y));
     let [frames, times] = lines;
     painter.text(

@@ -197,8 +197,6 @@ fn take(editor: &mut Editor, desk: &Desk<'_>, event: Event) {
                 keyboard::press(editor, desk, key, modifiers);
             }
         }
-        Event::Copy if desk.keyboard => editor.copy_orientation(),
-        Event::Paste(_) if desk.keyboard => editor.paste_orientation(),
         _ => {}
     }
 }

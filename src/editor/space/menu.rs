@@ -6,6 +6,7 @@ use egui::{Align, Button, Key, Layout, Popup, PopupKind, Pos2, Rect, SetOpenComm
 
 use super::drag::Handle;
 use crate::document::Edit;
+use crate::editor::actions::Action;
 use crate::editor::setup::View;
 use crate::editor::state::Editor;
 
@@ -62,7 +63,6 @@ fn entries(editor: &mut Editor, ui: &mut Ui) {
     let texts = &editor.texts().space;
     let closed = editor.document.path().closed;
     let count = editor.document.path().points.len();
-    let at = editor.document.selection().point;
     let entry = |ui: &mut Ui, enabled: bool, text: &str| {
         ui.add_enabled(enabled, Button::new(text)).clicked()
     };
@@ -82,14 +82,14 @@ fn entries(editor: &mut Editor, ui: &mut Ui) {
     }
     ui.separator();
     if entry(ui, true, texts.copy_orientation) {
-        editor.copy_orientation();
+        editor.act(Action::CopyOrientation, ui.ctx());
     }
-    if entry(ui, editor.space.copied.is_some(), texts.paste_orientation) {
-        editor.paste_orientation();
+    if entry(ui, editor.copied.is_some(), texts.paste_orientation) {
+        editor.act(Action::PasteOrientation, ui.ctx());
     }
     ui.separator();
     if entry(ui, count > crate::limits::MIN_POINTS, texts.remove) {
-        do_edit(editor, Edit::RemovePoint { at });
+        editor.act(Action::RemovePoint, ui.ctx());
     }
 }
 
@@ -118,42 +118,4 @@ fn views(editor: &mut Editor, ui: &mut Ui) {
 fn do_edit(editor: &mut Editor, edit: Edit) {
     editor.message = None;
     editor.edit(edit);
-}
-
-impl Editor {
-    /// Remembers the current orientation: target, roll, zoom and all else.
-    pub(in crate::editor) fn copy_orientation(&mut self) {
-        let selection = self.document.selection();
-        self.space.copied = self
-            .document
-            .path()
-            .points
-            .get(selection.point)
-            .and_then(|point| point.orientations.get(selection.orientation))
-            .cloned();
-        if self.space.copied.is_some() {
-            self.say(self.texts().space.copied);
-        }
-    }
-
-    /// Gives the current orientation the values that were remembered.
-    pub(in crate::editor) fn paste_orientation(&mut self) {
-        let Some(orientation) = self.space.copied.clone() else {
-            self.complain(self.texts().space.nothing_copied);
-            return;
-        };
-        let selection = self.document.selection();
-        self.message = None;
-        let edit = Edit::SetOrientation {
-            point: selection.point,
-            at: selection.orientation,
-            orientation,
-        };
-        self.edit(edit);
-    }
-
-    /// Whether there is an orientation to be pasted.
-    pub(in crate::editor) fn has_copied_orientation(&self) -> bool {
-        self.space.copied.is_some()
-    }
 }

@@ -48,7 +48,8 @@ fn orientations_are_copied_from_point_to_point() {
     let mut harness = pyramid_window();
     harness.state_mut().document.select(3, 1).unwrap();
     let copied = harness.state().document.path().points[3].orientations[1].clone();
-    harness.state_mut().copy_orientation();
+    harness.event(Event::Copy);
+    harness.step();
     choose(&mut harness, 0, "Paste orientation");
     assert_eq!(
         harness.state().document.path().points[0].orientations[0],

@@ -33,7 +33,6 @@ use self::strokes::Strokes;
 use super::setup::Element;
 use super::state::Editor;
 use super::{camera_view, playing};
-use crate::path::Orientation;
 use crate::raster::Lines;
 
 /// What the movement window remembers.
@@ -45,8 +44,13 @@ pub(super) struct Space {
     menu: menu::PointMenu,
     /// The view before a number of it is dragged.
     view_before: Option<super::setup::View>,
-    /// What was copied last.
-    copied: Option<Orientation>,
+}
+
+impl Space {
+    /// A step of the document is open for keys that are held down.
+    pub(super) fn keeps_step_open(&self) -> bool {
+        self.hand.nudging
+    }
 }
 
 /// Shows the movement window in all the room that is left.

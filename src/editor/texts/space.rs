@@ -30,8 +30,6 @@ texts! {
         copy_orientation: "Copy orientation", "Orientierung kopieren";
         paste_orientation: "Paste orientation", "Orientierung einfügen";
         remove: "Remove point", "Punkt löschen";
-        copied: "Orientation copied", "Orientierung kopiert";
-        nothing_copied: "No orientation has been copied yet", "Es ist noch keine Orientierung kopiert";
         play: "Play", "Abspielen";
         pause: "Pause", "Anhalten";
         play_tip: "Plays the flight (space bar)", "Spielt den Flug ab (Leertaste)";
