@@ -258,7 +258,7 @@ impl SpeedWindow {
                     Align2::CENTER_TOP
                 },
                 editor.language.number(speed, 1),
-                theme::digits(),
+                FontId::proportional(theme::TEXT),
                 palette.text,
             );
         }
