@@ -41,6 +41,8 @@ mod clipboard_tests;
 #[cfg(test)]
 mod keyboard_tests;
 #[cfg(test)]
+mod server_tests;
+#[cfg(test)]
 mod testing;
 #[cfg(test)]
 mod window_tests;

@@ -481,4 +481,14 @@ impl Surface {
     pub(super) fn shares(&self) -> bool {
         self.shares
     }
+
+    /// Bytes that the pixels take.
+    pub(super) fn room(&self) -> usize {
+        match &self.store {
+            Store::None => 0,
+            Store::Private(pixels) => pixels.capacity() * 4,
+            Store::Shared(segment) => segment.memory.length(),
+            Store::Both(pixels, segment) => pixels.capacity() * 4 + segment.memory.length(),
+        }
+    }
 }

@@ -35,6 +35,11 @@ impl Server {
         Self { process, display }
     }
 
+    /// Its process.
+    pub(super) fn process(&self) -> i32 {
+        self.process.id().cast_signed()
+    }
+
     /// The display's name.
     pub(super) fn display(&self) -> &str {
         &self.display
@@ -59,10 +64,17 @@ impl Server {
     }
 }
 
-impl Drop for Server {
-    fn drop(&mut self) {
+impl Server {
+    /// Kills it.
+    pub(super) fn end(&mut self) {
         let _ = self.process.kill();
         let _ = self.process.wait();
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        self.end();
     }
 }
 
