@@ -44,7 +44,7 @@ pub(super) fn show(editor: &mut Editor, context: &Context, room: Rect) {
         .constrain_to(room)
         .pivot(Align2::RIGHT_TOP)
         .default_pos(room.right_top() + vec2(-12.0, 12.0))
-        .default_width(WIDTH)
+        .default_width(WIDTH.min(room.width() * 0.27).max(WIDTH / 2.0))
         .min_width(WIDTH / 2.0)
         .show(context, |ui| contents(editor, ui));
 }

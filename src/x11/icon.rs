@@ -110,6 +110,6 @@ mod tests {
             );
             rest = next;
         }
-        assert_eq!(rest, []);
+        assert!(rest.is_empty());
     }
 }
