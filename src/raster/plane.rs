@@ -39,10 +39,18 @@ impl Plane {
     }
 }
 
-/// A corner's colour and a texel multiplied: blue, green, red, alpha.
-pub(super) fn tinted(color: Color32, [r, g, b, a]: [f32; 4]) -> [f32; 4] {
-    let [cr, cg, cb, ca] = color.to_array().map(f32::from);
-    [cb * b, cg * g, cr * r, ca * a].map(|c| c * (1.0 / 255.0))
+/// A colour and a texel, whose channels go up to 255, multiplied.
+#[inline]
+pub(super) fn tinted(color: Color32, texel: [f32; 4]) -> Color32 {
+    if texel == [255.0; 4] {
+        return color;
+    }
+    let color = color.to_array();
+    let [r, g, b, a] = std::array::from_fn(|i| {
+        let product = f32::from(color[i]) * texel[i] * (1.0 / 255.0);
+        (product + 0.5) as u8
+    });
+    Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
 /// Colours and texture of a triangle.

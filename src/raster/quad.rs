@@ -7,7 +7,7 @@ use egui::Color32;
 
 use super::plane::{self, Surface};
 use super::texture::{Texels, Texture};
-use super::tile::{self, Cut, Ink, Tile};
+use super::tile::{self, Cut, FULL, Ink, Tile};
 use super::triangle::{self, Corner, STEPS};
 
 /// Texels that lie this close to the pixels count as lying on them.
@@ -71,9 +71,8 @@ impl Quad {
         if (u, v) != (self.high.u, self.high.v) {
             return None;
         }
-        let texel = texture.sample(u, v, texture.filter(0.0));
-        let [b, g, r, a] = plane::tinted(self.low.color, texel).map(|c| (c + 0.5) as u8);
-        Some(Ink::new(Color32::from_rgba_premultiplied(r, g, b, a)))
+        let texel = texture.plain(u, v);
+        Some(Ink::new(plane::tinted(self.low.color, texel)))
     }
 
     /// Where in the texture pixel (0, 0) would be, if each pixel shows exactly
@@ -185,7 +184,8 @@ impl<'a> Rows<'a> {
                     };
                     for (pixel, texel) in pixels.iter_mut().zip(colors) {
                         let texel = texel.to_array().map(f32::from);
-                        *pixel = tile::over_exact(*pixel, plane::tinted(color, texel));
+                        let ink = Ink::new(plane::tinted(color, texel));
+                        ink.lay(std::slice::from_mut(pixel), std::iter::once(FULL));
                     }
                 }
             }

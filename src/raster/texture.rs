@@ -144,6 +144,16 @@ impl Texture {
         }
     }
 
+    /// The colour of an area that shows one place of the texture.
+    #[inline]
+    pub(super) fn plain(&self, u: f32, v: f32) -> [f32; 4] {
+        // egui's place for what has no texture: there is nothing to mix.
+        if (u, v) == (0.0, 0.0) && self.options.wrap_mode == TextureWrapMode::ClampToEdge {
+            return self.texel(0, 0);
+        }
+        self.sample(u, v, self.filter(0.0))
+    }
+
     /// The colour at (u, v), where the texture spans 0…1, each channel 0…255.
     pub(super) fn sample(&self, u: f32, v: f32, filter: TextureFilter) -> [f32; 4] {
         let mode = self.options.wrap_mode;

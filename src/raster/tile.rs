@@ -90,6 +90,13 @@ pub(super) fn pixel(color: Color32) -> u32 {
     u32::from_be_bytes([0, r, g, b])
 }
 
+/// The channels of a colour: blue, green, red, alpha.
+#[inline]
+pub(super) fn channels(color: Color32) -> [u8; 4] {
+    let [r, g, b, a] = color.to_array();
+    [b, g, r, a]
+}
+
 /// Weights by which a colour is laid on are counted in this many parts.
 pub(super) const FULL: u32 = 256;
 

@@ -210,7 +210,7 @@ enum Paint {
     /// One colour, from corner to corner more or less of it: egui's soft edges.
     Faded(Ink, [f64; 3]),
     /// Any colours, and one place in the texture.
-    Shaded([[f32; 4]; 3]),
+    Shaded([Color32; 3]),
     /// Any colours and the texture.
     Textured,
 }
@@ -227,23 +227,17 @@ impl Paint {
         if !is_plain(corners) {
             return Self::Textured;
         }
-        let texel = texture.sample(corners[0].u, corners[0].v, texture.filter(0.0));
+        let texel = texture.plain(corners[0].u, corners[0].v);
         let colors = corners.map(|corner| plane::tinted(corner.color, texel));
-        let whole = |c: [f32; 4]| {
-            let [b, g, r, a] = c.map(|c| (c + 0.5) as u8);
-            Ink::new(Color32::from_rgba_premultiplied(r, g, b, a))
-        };
-        let none = [0.0; 4];
-        let some = colors.iter().copied().find(|&c| c != none).unwrap_or(none);
+        let none = Color32::TRANSPARENT;
+        let some = colors.into_iter().find(|&c| c != none).unwrap_or(none);
         if colors == [some; 3] {
-            return Self::Plain(whole(some));
+            return Self::Plain(Ink::new(some));
         }
         if colors.iter().all(|&c| c == some || c == none) {
             let full = f64::from(FULL);
-            return Self::Faded(
-                whole(some),
-                colors.map(|c| if c == some { full } else { 0.0 }),
-            );
+            let weights = colors.map(|c| if c == some { full } else { 0.0 });
+            return Self::Faded(Ink::new(some), weights);
         }
         Self::Shaded(colors)
     }
@@ -279,8 +273,9 @@ pub(super) fn paint(tile: &mut Tile, corners: &[Corner; 3], texture: &Texture, c
             }
         }
         Paint::Shaded(colors) => {
-            let planes: [Plane; 4] =
-                std::array::from_fn(|i| Plane::new(corners, area, colors.map(|c| f64::from(c[i]))));
+            let channels = colors.map(tile::channels);
+            let plane = |i: usize| Plane::new(corners, area, channels.map(|c| f64::from(c[i])));
+            let planes: [Plane; 4] = std::array::from_fn(plane);
             let steps: [f32; 4] = std::array::from_fn(|i| planes[i].x as f32);
             for y in cut.y0..cut.y1 {
                 let (x0, x1) = rows.next();
