@@ -83,3 +83,32 @@ fn saving_is_remembered_across_undo() {
     document.apply(close(true)).unwrap();
     assert!(!document.is_modified());
 }
+
+#[test]
+fn contents_have_a_number_of_their_own() {
+    let mut document = Document::new();
+    let mut seen = vec![document.revision(), Document::new().revision()];
+    document.select(1, 0).unwrap();
+    assert_eq!(document.revision(), seen[0]);
+    document.apply(Edit::SetClosed(true)).unwrap();
+    seen.push(document.revision());
+    // Refused, or nothing changed: the same contents.
+    document.apply(Edit::RemovePoint { at: 0 }).unwrap_err();
+    document.apply(Edit::SetClosed(true)).unwrap();
+    assert_eq!(document.revision(), seen[2]);
+    assert!(document.undo());
+    seen.push(document.revision());
+    assert!(document.redo());
+    seen.push(document.revision());
+    document.begin_step();
+    assert!(document.in_step());
+    document.apply(Edit::SetClosed(false)).unwrap();
+    seen.push(document.revision());
+    document.cancel_step();
+    assert!(!document.in_step());
+    seen.push(document.revision());
+    let count = seen.len();
+    seen.sort_unstable();
+    seen.dedup();
+    assert_eq!(seen.len(), count);
+}

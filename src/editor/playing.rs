@@ -137,7 +137,7 @@ impl Editor {
     }
 
     /// Goes to a frame; out of range to the nearest one.
-    fn scrub(&mut self, frame: f64) {
+    pub(super) fn scrub(&mut self, frame: f64) {
         self.playing.since = None;
         self.playing.frame = Some(frame.clamp(1.0, as_frame(self.playing.marks.frames)));
     }

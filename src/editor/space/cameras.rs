@@ -207,6 +207,12 @@ impl Ribbon {
         Ok(())
     }
 
+    /// The poses that it is made of.
+    #[cfg(test)]
+    pub(super) fn poses(&self) -> &[Camera] {
+        &self.poses
+    }
+
     /// Paints it.
     pub(super) fn paint(&self, painter: &Painter, look: &Look<'_>) {
         let Some(color) = look.of(Element::Ribbon) else {

@@ -44,6 +44,10 @@ pub(super) fn press(editor: &mut Editor, desk: &Desk<'_>, key: Key, modifiers: M
         *view = view.in_range();
         return;
     }
+    // With Alt only what moves; the rest are the menus' keys.
+    if modifiers.alt && !NUDGES[..6].contains(&key) {
+        return;
+    }
     let step = STEPS[usize::from(modifiers.shift)];
     let projection = Projection::new(&editor.setup.view, desk.room);
     let what = if modifiers.alt {

@@ -32,6 +32,7 @@ use self::scene::{Look, Scene};
 use self::strokes::Strokes;
 use super::setup::Element;
 use super::state::Editor;
+use super::texts::Texts;
 use super::{camera_view, playing};
 use crate::raster::Lines;
 
@@ -59,6 +60,25 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let room = sliders::show(editor, ui);
     view(editor, ui, room);
     camera_view::show(editor, ui.ctx(), room);
+}
+
+/// What mouse and keys do here beside what the thesis names: hand, meaning.
+pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 12] {
+    let texts = &texts.space;
+    [
+        (texts.shift_mouse, texts.shift_meaning),
+        (texts.whole_mouse, texts.whole_meaning),
+        (texts.escape_keys, texts.escape_meaning),
+        (texts.move_keys, texts.move_meaning),
+        (texts.target_keys, texts.target_meaning),
+        (texts.roll_keys, texts.roll_meaning),
+        (texts.turn_keys, texts.turn_meaning),
+        (texts.size_keys, texts.size_meaning),
+        (texts.next_keys, texts.next_meaning),
+        (texts.play_keys, texts.play_meaning),
+        (texts.camera_keys, texts.camera_meaning),
+        (texts.menu_keys, texts.menu_meaning),
+    ]
 }
 
 /// The edges of the movement space.

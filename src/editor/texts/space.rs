@@ -46,6 +46,35 @@ texts! {
         camera_at_frame: "Camera · frame {0}", "Kamera · Bild {0}";
         camera_at_key: "Camera · point {0}.{1}", "Kamera · Punkt {0}.{1}";
         millimetres: "{0} mm", "{0} mm";
+        shift_mouse: "Drag elsewhere, middle button or Shift", "Daneben ziehen, Mitte oder Umschalt";
+        shift_meaning: "Shift the space", "Raum verschieben";
+        whole_mouse: "Double click elsewhere", "Doppelklick daneben";
+        whole_meaning: "See all of it as at first", "Alles sehen wie am Anfang";
+        move_keys: "Arrow keys, Page Up, Page Down", "Pfeiltasten, Bild auf, Bild ab";
+        move_meaning: "Move the current point; Shift: ten times as far",
+            "Aktuellen Punkt bewegen; Umschalt: zehnmal so weit";
+        target_keys: "Alt with these", "Alt mit diesen";
+        target_meaning: "Move the tip of VPN", "VPN-Spitze bewegen";
+        roll_keys: "Comma, full stop", "Komma, Punkt";
+        roll_meaning: "Roll the camera by 1°; Shift: by 10°",
+            "Kamera um 1° drehen; Umschalt: um 10°";
+        turn_keys: "Ctrl + arrow keys", "Strg + Pfeiltasten";
+        turn_meaning: "Rotate and tilt the space", "Raum drehen und kippen";
+        size_keys: "+, −, Home", "+, −, Pos1";
+        size_meaning: "Size of the space; Home: as at first",
+            "Größe des Raums; Pos1: wie am Anfang";
+        next_keys: "N, O", "N, O";
+        next_meaning: "Next point, next orientation; Shift: previous",
+            "Nächster Punkt, nächste Orientierung; Umschalt: vorige";
+        play_keys: "Space bar", "Leertaste";
+        play_meaning: "Play, pause", "Abspielen, anhalten";
+        camera_keys: "C", "C";
+        camera_meaning: "Open and close the camera view", "Kamerabild öffnen und schließen";
+        menu_keys: "Shift + F10", "Umschalt + F10";
+        menu_meaning: "What can be done with the current point",
+            "Was sich mit dem aktuellen Punkt tun lässt";
+        escape_keys: "Esc while dragging", "Esc beim Ziehen";
+        escape_meaning: "Leave all as it was", "Alles lassen, wie es war";
         view_reset: "Reset the view", "Ansicht zurücksetzen";
         view_front: "From the front", "Von vorn";
         view_right: "From the right", "Von rechts";

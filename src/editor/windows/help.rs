@@ -5,6 +5,7 @@ use egui::{Grid, Key, Modifiers, ScrollArea};
 use super::{SubWindow, Windows, sub_window};
 use crate::editor::actions::Action;
 use crate::editor::keys::{SHORTCUTS, combination};
+use crate::editor::space;
 use crate::editor::state::Editor;
 use crate::editor::texts::Language;
 use crate::editor::theme;
@@ -57,7 +58,7 @@ fn sections(language: Language) -> [(&'static str, Vec<(String, &'static str)>);
     let row = |keys: &str, meaning| (keys.to_owned(), meaning);
     let alt = |key| combination(language, Modifiers::ALT, key);
     let plain = |key| combination(language, Modifiers::NONE, key);
-    let mouse = vec![
+    let mut mouse = vec![
         row(texts.left_button, texts.left_meaning),
         row(texts.middle_button, texts.middle_meaning),
         row(texts.right_button, texts.right_meaning),
@@ -67,6 +68,8 @@ fn sections(language: Language) -> [(&'static str, Vec<(String, &'static str)>);
         row(texts.wheel, texts.wheel_meaning),
         row(texts.context, texts.context_meaning),
     ];
+    let ways = space::ways(language.texts());
+    mouse.extend(ways.map(|(hand, meaning)| row(hand, meaning)));
     let shortcuts = SHORTCUTS
         .iter()
         .map(|&(modifiers, key, action)| {
