@@ -2,7 +2,7 @@
 //! movement window in the middle, sub-windows above.
 
 use egui::{
-    CentralPanel, Context, CornerRadius, Frame, Id, Key, Margin, Panel, Stroke, StrokeKind, Ui,
+    Color32, Context, CornerRadius, Id, Key, Rect, Stroke, StrokeKind, Ui, UiBuilder, vec2,
 };
 
 use super::state::Editor;
@@ -12,7 +12,10 @@ use super::{keys, menu, output, panels, space, theme, windows};
 const BAR: f32 = 32.0;
 
 /// Width of the panels, in points.
-const PANELS: f32 = panels::WIDTH + 24.0;
+const PANELS: f32 = panels::WIDTH + 2.0 * MARGIN;
+
+/// Around the panels, in points.
+const MARGIN: f32 = 12.0;
 
 /// Shows everything, and does what was asked for.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
@@ -23,7 +26,6 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         // A drag whose end nobody saw: its control vanished meanwhile.
         editor.document.end_step();
     }
-    let before = editor.stamp();
     let mut action = editor.waiting.take();
     if !editor.windows.ask() {
         action = action.or_else(|| keys::pressed(&context));
@@ -32,35 +34,39 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         keys::release(&context);
     }
     let palette = editor.setup.theme.palette();
-    let bar = Frame::new()
-        .fill(palette.panel)
-        .inner_margin(Margin::symmetric(8, 0));
-    let picked = Panel::top("bar")
-        .exact_size(BAR)
-        .frame(bar)
-        .show(ui, |ui| {
-            egui::MenuBar::new()
-                .ui(ui, |ui| {
-                    ui.set_min_height(BAR);
-                    let picked = menu::show(editor, ui);
-                    output::show(editor, ui);
-                    picked
-                })
-                .inner
+    let whole = ui.max_rect();
+    let (bar, below) = whole.split_top_bottom_at_y(whole.top() + BAR);
+    let (left, middle) = below.split_left_right_at_x(below.left() + PANELS);
+    // First of all what moves under the hand: panels and output field then
+    // show in the same pass what a drag has changed.
+    part(ui, "space", middle, editor.background(), |ui| {
+        space::show(editor, ui)
+    });
+    let before = editor.stamp();
+    let picked = part(ui, "bar", bar, palette.panel, |ui| {
+        ui.set_clip_rect(bar);
+        let room = bar.shrink2(vec2(8.0, 0.0));
+        let bar = egui::MenuBar::new();
+        let inside = UiBuilder::new().max_rect(room);
+        ui.scope_builder(inside, |ui| {
+            bar.ui(ui, |ui| {
+                ui.set_min_height(BAR);
+                let picked = menu::show(editor, ui);
+                output::show(editor, ui);
+                picked
+            })
         })
-        .inner;
-    Panel::left("panels")
-        .resizable(false)
-        .exact_size(PANELS)
-        .frame(
-            Frame::new()
-                .fill(palette.panel)
-                .inner_margin(Margin::same(12)),
-        )
-        .show(ui, |ui| panels::show(editor, ui));
-    CentralPanel::default()
-        .frame(Frame::new().fill(editor.background()))
-        .show(ui, |ui| space::show(editor, ui));
+    });
+    let picked = picked.inner.inner;
+    part(ui, "panels", left, palette.panel, |ui| {
+        let inside = UiBuilder::new().max_rect(left.shrink(MARGIN));
+        ui.scope_builder(inside, |ui| panels::show(editor, ui));
+    });
+    let line = Stroke::new(1.0, palette.line);
+    ui.painter()
+        .hline(whole.x_range(), bar.bottom() - 0.5, line);
+    ui.painter()
+        .vline(left.right() - 0.5, below.y_range(), line);
     windows::show(editor, &context);
     if let Some(action) = action.or(picked) {
         editor.act(action, &context);
@@ -71,6 +77,19 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         // What stands further up was shown before the change.
         context.request_repaint();
     }
+}
+
+/// One part of the window, in its rectangle.
+fn part<R>(
+    ui: &mut Ui,
+    name: &str,
+    rect: Rect,
+    fill: Color32,
+    add: impl FnOnce(&mut Ui) -> R,
+) -> R {
+    ui.painter().rect_filled(rect, CornerRadius::ZERO, fill);
+    let inside = UiBuilder::new().max_rect(rect).id_salt(name);
+    ui.scope_builder(inside, add).inner
 }
 
 /// A border around what has the keyboard, if it came there by a key: who

@@ -145,12 +145,7 @@ impl<'a> Number<'a> {
     /// Shows it, so wide and as high as a row. `id` tells it from all others
     /// in the window.
     pub(super) fn show(self, ui: &mut Ui, language: Language, id: &str, width: f32) -> Entry {
-        let height = if self.fixed {
-            theme::LOW_ROW
-        } else {
-            theme::ROW
-        };
-        let (_, rect) = ui.allocate_space(vec2(width, height));
+        let (_, rect) = ui.allocate_space(vec2(width, theme::ROW));
         let id = Id::unique(("number", id));
         let Some(value) = self.value.filter(|_| ui.is_enabled() && !self.fixed) else {
             self.show_still(ui, language, id, rect);

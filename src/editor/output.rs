@@ -31,7 +31,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui) {
             };
             show_message(ui, response, &message.text, color);
         }
-        None => show_setting(editor, ui, &response),
+        None => show_setting(editor, ui, response),
     }
 }
 
@@ -64,7 +64,7 @@ fn show_message(ui: &Ui, response: Response, text: &str, color: Color32) {
 }
 
 /// The current camera setting.
-fn show_setting(editor: &Editor, ui: &Ui, response: &Response) {
+fn show_setting(editor: &Editor, ui: &Ui, response: Response) {
     let columns = columns(editor);
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, in_words(&columns)));
     let rect = response.rect.shrink2(vec2(12.0, 0.0));
@@ -89,6 +89,9 @@ fn show_setting(editor: &Editor, ui: &Ui, response: &Response) {
         let all = x - between;
         if all <= rect.width() || (!labels && between < 10.0) {
             paint(ui, rect, rect.right() - all, &places);
+            if !labels {
+                response.on_hover_text(in_words(&columns));
+            }
             return;
         }
     }

@@ -117,8 +117,6 @@ pub(super) fn palette_of(visuals: &Visuals) -> &'static Palette {
 pub(super) const TEXT: f32 = 13.0;
 /// Height of buttons and fields in points.
 pub(super) const ROW: f32 = 24.0;
-/// Height of what can only be read.
-pub(super) const LOW_ROW: f32 = 20.0;
 /// Distance between things that belong together.
 pub(super) const GAP: f32 = 4.0;
 

@@ -4,6 +4,7 @@
 mod curve;
 mod files;
 mod keyboard;
+mod looks;
 mod menus;
 mod panels;
 mod pictures;

@@ -126,7 +126,7 @@ macro_rules! parts {
             const GERMAN: Self = Self { $($part: $part::$group::GERMAN,)* };
 
             #[cfg(test)]
-            const ALL: &'static [&'static [(&'static str, &'static str, &'static str)]] =
+            pub(super) const ALL: &'static [&'static [(&'static str, &'static str, &'static str)]] =
                 &[$($part::$group::ALL,)*];
         }
     };
