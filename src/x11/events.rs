@@ -10,7 +10,6 @@ use x11rb::protocol::xproto::{
 };
 use x11rb::x11_utils::X11Error;
 
-use super::clipboard::Selection;
 use super::present::Surface;
 use super::{Window, scale, window};
 use crate::error::{Error, Result};
@@ -39,8 +38,8 @@ impl Window {
                 let pos = self.moved(event.event_x, event.event_y);
                 self.pointer.moved(pos, &mut self.events);
             }
-            Event::ButtonPress(event) if event.event == ours => self.button(event, true)?,
-            Event::ButtonRelease(event) if event.event == ours => self.button(event, false)?,
+            Event::ButtonPress(event) if event.event == ours => self.button(event, true),
+            Event::ButtonRelease(event) if event.event == ours => self.button(event, false),
             Event::EnterNotify(event) if event.event == ours => self.crossed(event, true),
             Event::LeaveNotify(event) if event.event == ours => self.crossed(event, false),
             Event::FocusIn(event) if event.event == ours => self.focus(event, true),
@@ -92,7 +91,7 @@ impl Window {
         self.pos
     }
 
-    fn button(&mut self, event: &ButtonPressEvent, pressed: bool) -> Result<()> {
+    fn button(&mut self, event: &ButtonPressEvent, pressed: bool) {
         self.time = event.time;
         let pos = self.moved(event.event_x, event.event_y);
         let modifiers = self.keyboard.modifiers();
@@ -100,10 +99,9 @@ impl Window {
         self.pointer
             .button(event.detail, pressed, pos, modifiers, out);
         const MIDDLE: u8 = 2;
-        if event.detail == MIDDLE && pressed && self.over_text {
-            self.paste(Selection::Primary, event.time, Some(pos))?;
+        if event.detail == MIDDLE && pressed {
+            self.middle = Some((event.time, pos));
         }
-        Ok(())
     }
 
     fn crossed(&mut self, event: &EnterNotifyEvent, enters: bool) {

@@ -39,6 +39,8 @@ mod clipboard_hostile_tests;
 #[cfg(test)]
 mod clipboard_tests;
 #[cfg(test)]
+mod input_tests;
+#[cfg(test)]
 mod keyboard_tests;
 #[cfg(test)]
 mod server_tests;
@@ -109,8 +111,9 @@ pub(crate) struct Window {
     cursors: Cursors,
     /// The desktop's settings.
     resources: Database,
-    /// Text that can be edited lies under the pointer.
-    over_text: bool,
+    /// When and where the middle button was pressed, until egui has said whether
+    /// there is a text.
+    middle: Option<(u32, Pos2)>,
     /// Where the pointer was last, in points.
     pos: Pos2,
     /// Pixels for a point.
@@ -175,7 +178,7 @@ impl Window {
             clipboard: Clipboard::new(),
             cursors: Cursors::new(),
             resources,
-            over_text: false,
+            middle: None,
             pos: Pos2::ZERO,
             scale,
             smallest: options.smallest,
@@ -308,7 +311,6 @@ impl Window {
 
     fn serve(&mut self, output: egui::PlatformOutput) -> Result<()> {
         let (connection, window) = (&self.connection, self.frame.window);
-        self.over_text = output.mutable_text_under_cursor;
         self.keyboard.set_editing(output.ime.is_some());
         (self.cursors).apply(connection, &self.resources, window, output.cursor_icon)?;
         for command in output.commands {
@@ -318,6 +320,12 @@ impl Window {
                 _ => continue,
             };
             self.clipboard.own(connection, which, &text, self.time)?;
+        }
+        // The button also drags; only over a text does it paste.
+        if let Some((time, place)) = self.middle.take()
+            && output.mutable_text_under_cursor
+        {
+            self.paste(Selection::Primary, time, Some(place))?;
         }
         Ok(())
     }

@@ -1,0 +1,233 @@
+//! A whole window with text fields in it, used by other programs' hands: what
+//! is typed, copied, marked and pasted, and the pointer's shape over it.
+
+use std::io::Write as _;
+use std::process::{Child, Stdio};
+use std::time::Instant;
+
+use egui::CursorIcon;
+use x11rb::connection::{Connection as _, RequestConnection as _};
+use x11rb::errors::ParseError;
+use x11rb::x11_utils::TryParse;
+
+use super::testing::{PATIENCE, Server, until};
+use super::{Options, Window};
+
+/// A window with two fields, one above the other.
+struct Desk<'a> {
+    server: &'a Server,
+    window: Window,
+    egui: egui::Context,
+    fields: [String; 2],
+}
+
+impl<'a> Desk<'a> {
+    fn new(server: &'a Server) -> Self {
+        let options = Options {
+            display: Some(server.display().to_owned()),
+            title: "VIDES".to_owned(),
+            size: [300.0, 200.0],
+            smallest: [100.0, 80.0],
+        };
+        let mut desk = Self {
+            server,
+            window: Window::open(&options).unwrap(),
+            egui: egui::Context::default(),
+            fields: <[String; 2]>::default(),
+        };
+        desk.until("a visible window", |desk| desk.window.visible());
+        desk
+    }
+
+    /// One turn as the owner of a window does it, without the painting.
+    fn turn(&mut self) {
+        self.window.poll().unwrap();
+        let input = self.window.take_input();
+        let fields = &mut self.fields;
+        let mut output = self.egui.run_ui(input, |ui| {
+            for field in fields.iter_mut() {
+                ui.add_sized([280.0, 40.0], egui::TextEdit::singleline(field));
+            }
+        });
+        output.textures_delta.clear();
+        self.window.take_output(output.platform_output).unwrap();
+    }
+
+    fn until(&mut self, what: &str, mut holds: impl FnMut(&mut Self) -> bool) {
+        until(what, || {
+            self.turn();
+            holds(self).then_some(())
+        });
+    }
+
+    /// Runs a program to its end and gives the window time to take it in.
+    fn run(&mut self, program: &str, arguments: &[&str]) {
+        let command = self.server.command(program).args(arguments).spawn();
+        let mut command = command.unwrap();
+        self.until(program, |_| command.try_wait().unwrap().is_some());
+        for _ in 0..10 {
+            self.turn();
+        }
+    }
+
+    fn xdotool(&mut self, arguments: &[&str]) {
+        self.run("xdotool", arguments);
+    }
+
+    fn holds(&mut self, field: usize, text: &str) {
+        let end = Instant::now() + PATIENCE;
+        while self.fields[field] != text && Instant::now() < end {
+            self.turn();
+        }
+        assert_eq!(self.fields[field], text);
+    }
+
+    /// What xclip reads from a selection of ours.
+    fn xclip(&mut self, selection: &str) -> String {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("text");
+        let xclip = self
+            .server
+            .command("xclip")
+            .args(["-o", "-selection", selection, "-t", "UTF8_STRING"])
+            .stdout(std::fs::File::create(&file).unwrap())
+            .spawn();
+        let mut xclip = xclip.unwrap();
+        self.until("xclip", |_| xclip.try_wait().unwrap().is_some());
+        std::fs::read_to_string(file).unwrap()
+    }
+
+    /// An xclip that owns a selection until it is killed.
+    fn owned_by_xclip(&mut self, selection: &str, text: &str) -> Child {
+        let xclip = self
+            .server
+            .command("xclip")
+            .args(["-i", "-selection", selection, "-quiet"])
+            .stdin(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn();
+        let mut xclip = xclip.unwrap();
+        let mut input = xclip.stdin.take().unwrap();
+        input.write_all(text.as_bytes()).unwrap();
+        drop(input);
+        // Until then it is we that are asked.
+        let end = Instant::now() + PATIENCE;
+        while self.xclip(selection) != text {
+            assert!(Instant::now() < end, "waited too long for xclip");
+        }
+        xclip
+    }
+
+    /// The serial number of the shape that the pointer has, and its size.
+    fn shape(&self) -> Shape {
+        let connection = &self.window.connection;
+        let name = "XFIXES";
+        let found = connection.extension_information(name).unwrap().unwrap();
+        let major = found.major_opcode;
+        let version = [major, 0, 3, 0, 5, 0, 0, 0, 0, 0, 0, 0];
+        let slices = [std::io::IoSlice::new(&version)];
+        let asked = connection.send_request_with_reply::<Shape>(&slices, Vec::new());
+        asked.unwrap().reply().unwrap();
+        let image = [major, 4, 1, 0];
+        let slices = [std::io::IoSlice::new(&image)];
+        let asked = connection.send_request_with_reply::<Shape>(&slices, Vec::new());
+        asked.unwrap().reply().unwrap()
+    }
+}
+
+/// The beginning of XFIXES' answer to GetCursorImage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Shape {
+    width: u16,
+    serial: u32,
+}
+
+impl TryParse for Shape {
+    fn try_parse(reply: &[u8]) -> Result<(Self, &[u8]), ParseError> {
+        let short = ParseError::InsufficientData;
+        let (head, rest) = reply.split_at_checked(32).ok_or(short)?;
+        let shape = Self {
+            width: u16::from_le_bytes([head[12], head[13]]),
+            serial: u32::from_le_bytes([head[20], head[21], head[22], head[23]]),
+        };
+        Ok((shape, rest))
+    }
+}
+
+#[test]
+fn texts_are_typed_copied_marked_and_pasted() {
+    let server = Server::start();
+    let mut desk = Desk::new(&server);
+    desk.run("setxkbmap", &["-layout", "de"]);
+    // A click into the first field, then ´ and e, @ by AltGr, and umlauts.
+    desk.xdotool(&["mousemove", "100", "20", "click", "1"]);
+    desk.xdotool(&[
+        "key", "21", "key", "26", "keydown", "108", "key", "24", "keyup", "108",
+    ]);
+    desk.xdotool(&["key", "48", "key", "47", "key", "20"]);
+    desk.holds(0, "é@äöß");
+    // Copied and marked, then cut.
+    desk.xdotool(&["key", "ctrl+a", "key", "ctrl+c"]);
+    assert_eq!(desk.xclip("clipboard"), "é@äöß");
+    assert_eq!(desk.xclip("primary"), "é@äöß");
+    desk.xdotool(&["key", "ctrl+x"]);
+    desk.holds(0, "");
+    // Our own text, by both keys.
+    desk.xdotool(&["key", "ctrl+v", "key", "shift+Insert"]);
+    desk.holds(0, "é@äößé@äöß");
+    // Another program's, and its marked text where one clicks.
+    let mut xclip = desk.owned_by_xclip("clipboard", "12 €");
+    desk.xdotool(&["key", "ctrl+a", "key", "ctrl+v"]);
+    desk.holds(0, "12 €");
+    xclip.kill().unwrap();
+    xclip.wait().unwrap();
+    let mut xclip = desk.owned_by_xclip("primary", "marked");
+    desk.xdotool(&["mousemove", "100", "65", "click", "2"]);
+    desk.holds(1, "marked");
+    assert_eq!(desk.fields[0], "12 €");
+    // Beside the fields the button pastes nothing, and asks for nothing.
+    desk.xdotool(&["mousemove", "100", "150", "click", "2"]);
+    assert!(desk.window.clipboard.deadline().is_none());
+    assert_eq!(desk.fields, ["12 €", "marked"]);
+    xclip.kill().unwrap();
+    xclip.wait().unwrap();
+}
+
+#[test]
+fn the_pointer_has_the_wanted_shape() {
+    let server = Server::start();
+    let mut desk = Desk::new(&server);
+    desk.xdotool(&["mousemove", "100", "150"]);
+    let plain = desk.shape();
+    desk.xdotool(&["mousemove", "100", "20"]);
+    let text = desk.shape();
+    assert_ne!(plain, text);
+    desk.xdotool(&["mousemove", "100", "21"]);
+    assert_eq!(desk.shape(), text);
+    desk.xdotool(&["mousemove", "100", "150"]);
+    assert_eq!(desk.shape(), plain);
+    // Every shape there is; the server would complain of one that is none.
+    let window = desk.window.frame.window;
+    for icon in CursorIcon::ALL {
+        let Window {
+            connection,
+            cursors,
+            resources,
+            ..
+        } = &mut desk.window;
+        cursors.apply(connection, resources, window, icon).unwrap();
+        let before = desk.shape();
+        if icon == CursorIcon::None {
+            assert_eq!(before.width, 1);
+        } else {
+            // Of those that move the server tells no size.
+            let moves = matches!(icon, CursorIcon::Progress | CursorIcon::Wait);
+            assert!(before.width > 1 || moves, "{icon:?}");
+        }
+    }
+    while let Some(event) = desk.window.connection.poll_for_event().unwrap() {
+        if let x11rb::protocol::Event::Error(error) = event {
+            panic!("{error:?}");
+        }
+    }
+}
