@@ -152,7 +152,7 @@ bench: libs
 	python3 benches/table.py
 
 soak: toolchain
-	PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked
+	VIDES_KILLS=200 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked
 
 # ---- Laying it down -------------------------------------------------------------
 

@@ -6,6 +6,7 @@ use super::actions::Action;
 use super::filing::Then;
 use super::folders::Folders;
 use super::number::Entry;
+use super::recovery::Keeper;
 use super::setup::{Element, Setup};
 use super::texts::{Language, Texts, fill};
 use super::theme;
@@ -75,6 +76,10 @@ pub(crate) struct Editor {
     pub(super) playing: playing::Playing,
     /// The sub-windows.
     pub(super) windows: windows::Windows,
+    /// Keeps unsaved work, where there is a folder for it.
+    pub(super) keeper: Option<Keeper>,
+    /// Closing was asked for, and nothing has happened since.
+    pub(super) closing: bool,
 }
 
 /// A line for the output field.
@@ -109,8 +114,11 @@ impl Editor {
             space: space::Space::default(),
             playing: playing::Playing::default(),
             windows: windows::Windows::default(),
+            keeper: None,
+            closing: false,
         };
         editor.read_first_setup();
+        editor.begin_recovery();
         Ok(editor)
     }
 
@@ -122,12 +130,16 @@ impl Editor {
 
     /// One pass: shows everything and takes the input.
     pub(crate) fn show(&mut self, ui: &mut egui::Ui) {
+        self.closing = false;
         super::frame::show(self, ui);
+        self.keep_work(ui.ctx());
     }
 
     /// The oldest request that was not seen to.
     pub(crate) fn next_request(&mut self) -> Option<Request> {
-        (!self.requests.is_empty()).then(|| self.requests.remove(0))
+        let request = (!self.requests.is_empty()).then(|| self.requests.remove(0));
+        self.closing = request == Some(Request::Close);
+        request
     }
 
     /// The window manager wants the window closed: asks about unsaved work if

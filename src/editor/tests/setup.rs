@@ -126,7 +126,7 @@ fn the_setup_is_read_at_start() {
     for language in BOTH {
         let broken = start(language);
         assert_eq!(broken.setup, Setup::default());
-        let message = broken.message.unwrap();
+        let message = broken.message.clone().unwrap();
         assert!(message.error && message.text.contains("setup.toml"));
         assert!(
             message.text.contains("line 2: unknown key \"color\""),

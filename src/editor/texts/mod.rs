@@ -27,6 +27,7 @@ mod orientation;
 mod output;
 mod position;
 mod questions;
+mod rescue;
 mod setup;
 mod space;
 mod speed;
@@ -144,6 +145,7 @@ parts! {
     output: Output;
     position: Position;
     questions: Questions;
+    rescue: Rescue;
     setup: Setup;
     space: Space;
     speed: Speed;

@@ -254,7 +254,7 @@ impl CurveWindow {
         }
         let texts = &editor.texts().curve;
         let palette = editor.setup.theme.palette();
-        let font = egui::FontId::proportional(11.0);
+        let font = theme::small();
         let mut at = rect.left_bottom() + vec2(8.0, -6.0);
         for (text, colour) in [(texts.before, palette.weak), (texts.after, palette.accent)] {
             let end = painter.text(at, egui::Align2::LEFT_BOTTOM, text, font.clone(), colour);

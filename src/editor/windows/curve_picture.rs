@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::pending::{Choice, Pending};
 use crate::document::Document;
-use crate::editor::theme::Palette;
+use crate::editor::theme::{self, Palette};
 use crate::path::{CameraPath, CurveParameters, SupportPoint, Tcb, kochanek_bartels};
 
 /// Segments on either side that depend on a point: its position shapes two.
@@ -261,7 +261,7 @@ pub(super) fn paint(
             pos2(at.x + 5.0, at.y - 3.0),
             egui::Align2::LEFT_BOTTOM,
             around.numbers[k] + 1,
-            egui::FontId::proportional(11.0),
+            theme::small(),
             if current {
                 palette.accent
             } else {

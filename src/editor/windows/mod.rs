@@ -16,6 +16,7 @@ mod help;
 mod pending;
 mod points;
 mod question;
+mod rescue;
 mod speed;
 mod speed_shapes;
 
@@ -26,6 +27,7 @@ pub(super) use files::FileWindow;
 pub(super) use help::HelpWindow;
 pub(super) use points::PointsWindow;
 pub(super) use question::Question;
+pub(super) use rescue::RescueWindow;
 pub(super) use speed::SpeedWindow;
 
 use super::keys;
@@ -46,6 +48,8 @@ pub(super) struct Windows {
     pub(super) files: Option<FileWindow>,
     /// A question waits for its answer; nothing else happens meanwhile.
     pub(super) question: Option<Question>,
+    /// Unsaved work was left behind, and a question stands what is to become of it.
+    pub(super) rescue: Option<RescueWindow>,
 }
 
 /// Where a sub-window opens: beside the panels.
@@ -89,12 +93,15 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     if let Some(question) = editor.windows.question.take() {
         question.show(editor, context);
     }
+    if let Some(question) = editor.windows.rescue.take() {
+        question.show(editor, context);
+    }
 }
 
 impl Windows {
     /// Whether one is open that wants an answer first.
     pub(super) fn ask(&self) -> bool {
-        self.files.is_some() || self.question.is_some()
+        self.files.is_some() || self.question.is_some() || self.rescue.is_some()
     }
 }
 

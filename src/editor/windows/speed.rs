@@ -3,8 +3,8 @@
 //! and after, the curve as it runs.
 
 use egui::{
-    Align, Align2, CornerRadius, CursorIcon, EventFilter, FontId, Id, Key, Layout, Modifiers,
-    Painter, Pos2, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Align, Align2, CornerRadius, CursorIcon, EventFilter, Id, Key, Layout, Modifiers, Painter,
+    Pos2, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::speed_shapes::Shape;
@@ -258,7 +258,7 @@ impl SpeedWindow {
                     Align2::CENTER_TOP
                 },
                 editor.language.number(speed, 1),
-                FontId::proportional(theme::TEXT),
+                theme::text(),
                 palette.text,
             );
         }
@@ -341,7 +341,7 @@ impl Frame {
                 pos2(self.rect.left() - 6.0, y),
                 Align2::RIGHT_CENTER,
                 editor.language.number(speed, 0),
-                FontId::proportional(11.0),
+                theme::small(),
                 palette.weak,
             );
         }

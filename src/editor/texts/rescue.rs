@@ -1,0 +1,25 @@
+//! Texts about unsaved work that is kept and offered.
+
+use super::texts;
+
+texts! {
+    /// Texts about unsaved work that is kept and offered.
+    Rescue {
+        title: "Unsaved work was found", "Nicht gespeicherte Arbeit gefunden";
+        question: "VIDES ended before this was saved. What is to become of it?",
+            "VIDES wurde beendet, bevor dies gespeichert war. Was soll damit geschehen?";
+        restore: "Restore", "Wiederherstellen";
+        discard: "Discard", "Verwerfen";
+        later: "Later", "Später";
+        later_hint: "Keep it and ask again at the next start",
+            "Aufheben und beim nächsten Start wieder fragen";
+        just_now: "less than a minute ago", "vor weniger als einer Minute";
+        minutes: "{0} min ago", "vor {0} min";
+        hours: "{0} hours ago", "vor {0} Stunden";
+        days: "{0} days ago", "vor {0} Tagen";
+        restored: "Unsaved work restored", "Nicht gespeicherte Arbeit wiederhergestellt";
+        broken: "This cannot be restored: {0}", "Das lässt sich nicht wiederherstellen: {0}";
+        not_kept: "Unsaved work cannot be kept in {0}: {1}. If VIDES is killed it is lost",
+            "Nicht gespeicherte Arbeit lässt sich nicht in {0} aufheben: {1}. Bei einem Absturz geht sie verloren";
+    }
+}
