@@ -248,7 +248,7 @@ fn a_process_at_work() {
     for number in 1u32.. {
         change(editor.document_mut(), f64::from(number) / 1e6);
         let began = start.elapsed().as_micros();
-        let _ = context
+        context
             .run_ui(egui::RawInput::default(), |ui| editor.show(ui))
             .textures_delta
             .clear();
