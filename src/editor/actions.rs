@@ -1,6 +1,6 @@
 //! What menus, shortcuts and buttons do, each under one name.
 
-use super::filing::Purpose;
+use super::filing::{Purpose, Then};
 use super::setup::Theme;
 use super::state::{Editor, Request};
 use super::texts::fill;
@@ -70,6 +70,8 @@ pub(super) enum Action {
     Display,
     /// Ask for a setup file and load it.
     LoadSetup,
+    /// Load a recent file.
+    Recent(usize),
     /// Ask for a name and save the setup.
     SaveSetup,
     /// Dark or light.
@@ -149,6 +151,7 @@ impl Editor {
             Action::SpeedCurve => windows::open::<SpeedWindow>(self, context),
             Action::Colours => windows::open::<ColourWindow>(self, context),
             Action::Display => windows::open::<DisplayWindow>(self, context),
+            Action::Recent(number) => self.ask_before(Then::Recent(number)),
             Action::LoadSetup => self.choose_file(Purpose::LoadSetup),
             Action::SaveSetup => self.choose_file(Purpose::SaveSetup),
             Action::Theme(theme) => self.setup.theme = theme,

@@ -33,6 +33,8 @@ pub(super) enum Then {
     Close,
     /// Another path is loaded.
     Load,
+    /// A recent file of this number is loaded.
+    Recent(usize),
 }
 
 impl Editor {
@@ -61,6 +63,13 @@ impl Editor {
         match then {
             Then::Close => self.requests.push(Request::Close),
             Then::Load => self.choose_file(Purpose::LoadPath),
+            Then::Recent(number) => {
+                if let Some(file) = self.recent.get(number).cloned()
+                    && let Err(text) = self.load_path(&file)
+                {
+                    self.complain(text);
+                }
+            }
         }
     }
 
@@ -112,6 +121,7 @@ impl Editor {
             Ok(document) => {
                 self.document = document;
                 self.file = Some(file.to_owned());
+                self.note_file(file);
                 self.say(fill(texts.output.loaded, &[&short(file)]));
                 Ok(())
             }
@@ -150,6 +160,7 @@ impl Editor {
             Ok(()) => {
                 self.document.mark_saved();
                 self.file = Some(file.to_owned());
+                self.note_file(file);
                 self.say(fill(texts.output.saved, &[&short(file)]));
                 Ok(())
             }

@@ -1,6 +1,8 @@
 //! The menu bar (thesis A.5): opened by the pointer or by Alt and a letter,
 //! walked through by the arrow keys; in an open menu an entry's letter picks it.
 
+use std::borrow::Cow;
+
 use egui::{
     Align2, Button, Color32, Context, CornerRadius, FocusDirection, Id, Key, Modifiers, Popup,
     Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
@@ -19,7 +21,7 @@ const APART: f32 = 32.0;
 
 /// An entry of a menu.
 struct Entry {
-    text: &'static str,
+    text: Cow<'static, str>,
     action: Action,
     /// Picks it while the menu is open.
     letter: Option<Key>,
@@ -35,7 +37,7 @@ struct Entry {
 impl Entry {
     const fn new(text: &'static str, action: Action) -> Self {
         Self {
-            text,
+            text: Cow::Borrowed(text),
             action,
             letter: None,
             enabled: true,
@@ -89,12 +91,19 @@ fn menus(editor: &Editor) -> [Menu; 5] {
         letter,
         entries,
     };
-    let file = vec![
+    let mut file = vec![
         Entry::new(texts.load, Action::Load).letter(Key::L),
         Entry::new(texts.save, Action::Save).apart(),
         Entry::new(texts.save_as, Action::SaveAs).letter(Key::S),
-        Entry::new(texts.quit, Action::Quit).apart(),
     ];
+    for (number, name) in editor.recent_names().into_iter().enumerate() {
+        file.push(Entry {
+            text: name.into(),
+            apart: number == 0,
+            ..Entry::new("", Action::Recent(number))
+        });
+    }
+    file.push(Entry::new(texts.quit, Action::Quit).apart());
     let edit = vec![
         Entry::new(texts.undo, Action::Undo).enabled(editor.document.can_undo()),
         Entry::new(texts.redo, Action::Redo).enabled(editor.document.can_redo()),
@@ -184,7 +193,7 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
     };
     let widest = |of: &dyn Fn(&Entry) -> f32| menu.entries.iter().map(of).fold(0.0, f32::max);
     let all =
-        MARK + widest(&|entry| width(entry.text)) + APART + widest(&|entry| width(&keys(entry)));
+        MARK + widest(&|entry| width(&entry.text)) + APART + widest(&|entry| width(&keys(entry)));
     let size = vec2((all + 8.0).ceil(), theme::ROW);
     for entry in &menu.entries {
         if entry.apart {
@@ -233,7 +242,7 @@ fn show_entry(ui: &mut Ui, entry: &Entry, keys: &str, size: Vec2) -> Response {
     painter.text(
         left,
         Align2::LEFT_CENTER,
-        entry.text,
+        &entry.text,
         theme::text(),
         palette.text,
     );
@@ -246,8 +255,8 @@ fn show_entry(ui: &mut Ui, entry: &Entry, keys: &str, size: Vec2) -> Response {
         palette.weak,
     );
     response.widget_info(|| match entry.on {
-        Some(on) => WidgetInfo::selected(Role::MenuItemCheckBox, entry.enabled, on, entry.text),
-        None => WidgetInfo::labeled(Role::MenuItem, entry.enabled, entry.text),
+        Some(on) => WidgetInfo::selected(Role::MenuItemCheckBox, entry.enabled, on, &*entry.text),
+        None => WidgetInfo::labeled(Role::MenuItem, entry.enabled, &*entry.text),
     });
     response
 }

@@ -20,6 +20,7 @@ mod number;
 mod output;
 mod panels;
 mod playing;
+mod recent;
 mod recovery;
 mod refusals;
 mod rescue;

@@ -76,6 +76,8 @@ pub(crate) struct Editor {
     pub(super) playing: playing::Playing,
     /// The sub-windows.
     pub(super) windows: windows::Windows,
+    /// Files that were open last.
+    pub(super) recent: Vec<PathBuf>,
     /// Keeps unsaved work, where there is a folder for it.
     pub(super) keeper: Option<Keeper>,
     /// Closing was asked for, and nothing has happened since.
@@ -114,10 +116,15 @@ impl Editor {
             space: space::Space::default(),
             playing: playing::Playing::default(),
             windows: windows::Windows::default(),
+            recent: Vec::new(),
             keeper: None,
             closing: false,
         };
         editor.read_first_setup();
+        editor.read_recent();
+        if let Some(file) = editor.file.clone() {
+            editor.note_file(&file);
+        }
         editor.begin_recovery();
         Ok(editor)
     }

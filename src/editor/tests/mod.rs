@@ -8,6 +8,7 @@ mod looks;
 mod menus;
 mod panels;
 mod pictures;
+mod recent;
 mod rescue;
 mod setup;
 mod speed;

@@ -358,19 +358,22 @@ impl CurveWindow {
     fn buttons(&mut self, editor: &Editor, ui: &mut Ui) {
         let texts = &editor.texts().curve;
         ui.add_space(theme::GAP * 2.0);
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let size = vec2(96.0, theme::ROW);
-            let mut button = |text: &str, hint: &str| {
-                ui.add_sized(size, egui::Button::new(text))
-                    .on_hover_text(hint)
-                    .clicked()
-            };
-            if button(texts.ok, texts.ok_hint) {
-                self.pressed = Some(Button::Ok);
-            }
-            if button(texts.show, texts.show_hint) {
-                self.pressed = Some(Button::Show);
-            }
+        // In a row of its own, else it would fill the window's old height.
+        ui.horizontal(|ui| {
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let size = vec2(96.0, theme::ROW);
+                let mut button = |text: &str, hint: &str| {
+                    ui.add_sized(size, egui::Button::new(text))
+                        .on_hover_text(hint)
+                        .clicked()
+                };
+                if button(texts.ok, texts.ok_hint) {
+                    self.pressed = Some(Button::Ok);
+                }
+                if button(texts.show, texts.show_hint) {
+                    self.pressed = Some(Button::Show);
+                }
+            });
         });
     }
 }

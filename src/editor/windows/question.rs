@@ -32,7 +32,7 @@ impl Question {
         let texts = &editor.texts().questions;
         let text = match self.then {
             Then::Close => texts.before_close,
-            Then::Load => texts.before_load,
+            Then::Load | Then::Recent(_) => texts.before_load,
         };
         let name = editor
             .file
