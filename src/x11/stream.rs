@@ -321,3 +321,88 @@ pub(super) fn descriptor(result: libc::c_int) -> Result<OwnedFd> {
     // SAFETY: the call has just made it, and nobody else has it.
     Ok(unsafe { OwnedFd::from_raw_fd(result) })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::{Read, Write};
+    use std::os::unix::net::UnixStream;
+    use x11rb::rust_connection::Stream as _;
+
+    const SOON: Duration = Duration::from_millis(200);
+
+    fn pair() -> (Stream, UnixStream) {
+        let (ours, theirs) = UnixStream::pair().unwrap();
+        let stream = Stream::new(ours.into(), Instant::now() + SOON).unwrap();
+        (stream, theirs)
+    }
+
+    fn ready(stream: &Stream) -> bool {
+        wait(stream.watch(), libc::POLLIN, Duration::ZERO).unwrap() != 0
+    }
+
+    #[test]
+    fn what_is_not_taken_is_kept_in_order_and_sent_later() {
+        let (stream, mut theirs) = pair();
+        let all: Vec<u8> = (0..3_000_000_u32).map(|i| (i % 251) as u8).collect();
+        for part in all.chunks(70_001) {
+            let (front, back) = part.split_at(part.len() / 3);
+            let slices = [IoSlice::new(front), IoSlice::new(&[]), IoSlice::new(back)];
+            let taken = stream.write_vectored(&slices, &mut Vec::new()).unwrap();
+            assert_eq!(taken, part.len());
+        }
+        assert!(stream.waiting() > 0 && !ready(&stream), "there is no room");
+        let mut got: Vec<u8> = Vec::new();
+        let mut buffer = vec![0; 1 << 16];
+        theirs.set_nonblocking(true).unwrap();
+        while got.len() < all.len() {
+            // Room is told of when most of the socket's buffer is free again.
+            while let Ok(count) = theirs.read(&mut buffer) {
+                got.extend(&buffer[..count]);
+            }
+            assert!(
+                stream.waiting() == 0 || wait(stream.watch(), libc::POLLIN, SOON).unwrap() != 0
+            );
+            stream.push().unwrap();
+        }
+        assert!(got == all);
+        assert!(!ready(&stream), "nothing waits any more");
+        theirs.write_all(b"x").unwrap();
+        assert!(ready(&stream));
+    }
+
+    #[test]
+    fn an_answer_is_waited_for_once_and_not_again_until_something_comes() {
+        let (stream, mut theirs) = pair();
+        let late = |stream: &Stream| stream.poll(PollMode::Readable).unwrap_err().kind();
+        assert_eq!(late(&stream), ErrorKind::TimedOut);
+        stream.settle();
+        assert_eq!(
+            stream.patience(),
+            Duration::ZERO,
+            "it was silent while it opened"
+        );
+        theirs.write_all(b"x").unwrap();
+        stream.poll(PollMode::Readable).unwrap();
+        assert_eq!(stream.read(&mut [0; 8], &mut Vec::new()).unwrap(), 1);
+        assert_eq!(stream.patience(), PATIENCE);
+        assert_eq!(late(&stream), ErrorKind::TimedOut);
+        assert_eq!(stream.patience(), Duration::ZERO);
+    }
+
+    #[test]
+    fn too_much_is_refused_and_a_closed_end_is_an_error() {
+        let (stream, theirs) = pair();
+        let much = vec![0; 1 << 20];
+        let refused = (0..40).find_map(|_| stream.write(&much, &mut Vec::new()).err());
+        assert_eq!(refused.map(|error| error.kind()), Some(ErrorKind::TimedOut));
+        drop(theirs);
+        assert!(stream.push().is_err());
+        let (stream, theirs) = pair();
+        drop(theirs);
+        assert!(ready(&stream));
+        assert_eq!(stream.read(&mut [0; 8], &mut Vec::new()).unwrap(), 0);
+        let error = stream.write(b"x", &mut Vec::new()).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::BrokenPipe);
+    }
+}
