@@ -123,13 +123,15 @@ impl Screen for Fake {
     }
 }
 
+type OnClose = Box<dyn FnMut(Id) -> bool>;
+
 /// A host whose functions are written in each test.
 #[derive(Default)]
 struct Calls {
     asked: Cell<usize>,
     closed: Cell<usize>,
     lost: RefCell<Vec<String>>,
-    on_close: RefCell<Option<Box<dyn FnMut(Id) -> bool>>>,
+    on_close: RefCell<Option<OnClose>>,
 }
 
 impl Host for Calls {

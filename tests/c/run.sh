@@ -66,7 +66,7 @@ run() { # NAME PROGRAM WRAPPER...
     local name=$1 program=$2 folder
     shift 2
     folder=$(mktemp -d "$work/folder.XXXX")
-    result "$name" env LD_LIBRARY_PATH="$libraries" LOCPATH="$LOCPATH" \
+    result "$name" env -u DISPLAY LD_LIBRARY_PATH="$libraries" LOCPATH="$LOCPATH" \
         ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1 \
         UBSAN_OPTIONS=halt_on_error=1 timeout 600 "$@" "$program" "$folder"
 }
@@ -113,7 +113,7 @@ if [ $# -eq 0 ]; then
     header "$cxx" -x c++ -std=c++20 -pedantic "$here/silent.c"
     result "header: parameters" no_parameter_is_a_function_of_libc
     result "header: includes" only_stddef
-    set -- layout errors handles editing orientations poses list memory threads files process toolbox
+    set -- layout errors handles editing orientations poses list memory threads files process toolbox windows
 fi
 for name; do
     check "$name"
