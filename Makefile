@@ -1,7 +1,7 @@
 # VIDES: builds the C libraries and the command, tests and installs them.
 #
 #   make             the libraries and the command, in target/
-#   make demo        the flight around the pyramid
+#   make demo        a Motif program that opens the editor, on your display or by itself
 #   make test        every check there is
 #   make bench       speed, beside other libraries
 #   make soak        the random checks again, with many more cases
@@ -75,33 +75,39 @@ header: toolchain
 
 # ---- Seeing it ------------------------------------------------------------------
 
-# Both programs read the same flight: the command, and a C host that takes the
-# list and walks it both ways. What they write is long; its ends are shown.
-# The picture is built as `make test` builds, so that nothing is built twice.
+# The Motif host on the user's display; without one it is played by mouse and
+# keyboard on an X server without a screen.
 demo: all
+	@mk/need.sh /usr/include/Xm/Xm.h=libmotif-dev
 	@mkdir -p $(DEMO)
 	$(RELEASE)/vides info examples/pyramid.vid
 	$(RELEASE)/vides sample examples/pyramid.vid -o $(DEMO)/pyramid.txt
 	$(CC) -std=c89 -pedantic -Wall -Wextra -Iinclude -o $(DEMO)/headless \
 	    c_examples/headless.c -L$(LIB) -lvides -lm
-	$(CC) -std=c89 -pedantic -Wall -Wextra -Iinclude -o $(DEMO)/headless_archive \
-	    c_examples/headless.c $(LIB)/libvides.a -lm
 	LD_LIBRARY_PATH=$(LIB) $(DEMO)/headless examples/pyramid.vid >$(DEMO)/list.txt
-	$(DEMO)/headless_archive examples/pyramid.vid | cmp - $(DEMO)/list.txt
-	@head -n 4 $(DEMO)/list.txt; echo '  ...'; tail -n 3 $(DEMO)/list.txt
 	$(CARGO) run --quiet --locked --profile test --example picture -- \
 	    examples/pyramid.vid $(DEMO)/pyramid.svg
+	$(CC) -Iinclude -o $(DEMO)/pyramid_motif c_examples/pyramid_motif.c \
+	    -L$(LIB) -lvides -lm -lXm -lXt -lX11
 	@echo
-	@echo 'The flight around the pyramid, in $(DEMO):'
+	@echo 'A flight around a pyramid, in $(DEMO):'
 	@echo '  pyramid.svg   the path in space, its speed and its turning: open it in a browser'
 	@echo '  pyramid.txt   every camera pose, one a line, as vides sample writes them'
 	@echo '  list.txt      the same as a C program meets them in its list, forwards and back'
-	@echo '  headless      that program, with the shared library; headless_archive with the other'
+	@if [ -n "$$DISPLAY" ]; then \
+	    echo 'A Motif program of 1994: press "Edit Kurve", plan a flight, hand it over with Alt-U.'; \
+	    LD_LIBRARY_PATH=$(LIB) $(DEMO)/pyramid_motif; \
+	else \
+	    mk/need.sh $(X_TOOLS) && \
+	    echo 'No display: mouse and keyboard play it by themselves. Screens and poses:' && \
+	    LD_LIBRARY_PATH=$(LIB) PYTHONDONTWRITEBYTECODE=1 \
+	        python3 tests/x/demo.py $(DEMO)/pyramid_motif $(DEMO); \
+	fi
 
 # ---- Checks, the cheap ones first -----------------------------------------------
 
 test: toolchain check-format check-lints check-rust check-c check-linking \
-	check-install check-docs check-dependencies
+	check-x check-install check-docs check-dependencies
 	@echo 'make test: every check passed'
 
 check-format:

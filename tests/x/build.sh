@@ -45,6 +45,14 @@ build two_windows "$examples/two_windows.c" -- -lvides -lm
 build xlib_loop "$examples/xlib_loop.c" -- -lvides -lm -lX11
 build glut_flight "$examples/glut_flight.c" -- -lvides -lm -lglut -lGL
 
+# The README's own program: C99, as it stands there.
+"$root/mk/readme.sh" "$root/README.md" "$out"
+extra=-std=c99
+build readme_window "$out/window.c" -- -lvides -lm
+
 extra=-D_GNU_SOURCE
 build loop_poll "$here/loop_poll.c" "$here/host.c" -- -lvides -lm
 build loop_xt "$here/loop_xt.c" "$here/host.c" -- -lvides -lm -lXt -lX11
+
+extra=
+"$cc" -std=gnu99 -O1 -Wall -Wextra -Werror -o "$out/first_picture" "$here/first_picture.c" -lX11

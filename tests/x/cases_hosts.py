@@ -77,6 +77,20 @@ def a_host_without_x(place):
 
 
 @test()
+def the_host_in_the_readme(place):
+    """Shows what it says."""
+    server = place.server()
+    program = place.program(server, "readme_window")
+    window = server.window()
+    server.drawn(window)
+    hand_over(server, window)
+    program.expect(f"{POSES:4d}:  0.6000")
+    server.press(window, "ctrl+q")
+    check(program.ends() == 0, "its exit status")
+    check(not program.complained, f"it complained: {program.complained}")
+
+
+@test()
 def two_windows_with_lists_of_their_own(place):
     """Each hands over into its own."""
     server = place.server()
@@ -343,7 +357,7 @@ def sixty_four_windows(place):
     for window in (windows[0], windows[63], windows[31]):
         server.drawn(window)
         hand_over(server, window)
-        heard.add(host.expect("rueck").split()[1])
+        heard.add(host.expect("rueck ").split()[1])
     check(len(heard) == 3, f"three windows handed over into the lists {heard}")
     for window in windows[:5]:
         server.press(window, "ctrl+q")

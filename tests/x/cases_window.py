@@ -1,8 +1,8 @@
 """Closing, keyboard, clipboard, files, dragging: what the user does with one window."""
 
 import os
-import random
 import re
+import shutil
 
 from cases_hosts import POSES, hand_over
 from harness import check, run, wait
@@ -91,7 +91,8 @@ def the_title_bar_and_the_window_manager(place):
     server.xdotool("windowsize", "--sync", window, 900, 700)
     wait(lambda: server.geometry(window)[2:] == (900, 700), "the new size")
     server.drawn(window)
-    server.xdotool("windowminimize", "--sync", window)
+    server.xdotool("windowminimize", window)
+    wait(lambda: "Iconic" in server.property(window, "WM_STATE"), "an icon")
     host.live()
     server.xdotool("windowmap", "--sync", window)
     server.drawn(window)
@@ -149,14 +150,15 @@ def a_broken_file_changes_nothing(place):
 @test()
 def what_is_handed_over_is_what_vides_samples(place):
     """The list of a hand-over, the output file, and `vides sample`: the same lines."""
-    pyramid = os.path.join(os.path.dirname(__file__), "../../examples/pyramid.vid")
+    pyramid = place.path("pyramid.vid")
+    shutil.copy(os.path.join(os.path.dirname(__file__), "../../examples/pyramid.vid"), pyramid)
     command = os.path.join(place.hosts, "../release/vides")
     server = place.server()
     host = place.told(server)
     host.open(3)
     window = server.window()
     server.drawn(window)
-    named_file(server, window, "ctrl+o", os.path.abspath(pyramid))
+    named_file(server, window, "ctrl+o", "pyramid.vid")
     wait(lambda: "pyramid" in server.property(window, "_NET_WM_NAME"), "the file's name")
     hand_over(server, window)
     count = int(host.expect("rueck 3").split()[2])
@@ -193,23 +195,31 @@ def clipboard_both_ways(place):
     server.press(window, "ctrl+s")
     wait(lambda: server.picture(window).differs(before), "a file window")
     name = "Flug_über_Köln.vid"
-    run("xclip", "-selection", "clipboard", "-i", env=server.env, stdin=name.encode())
-    server.xdotool("key", "--delay", "40", "ctrl+a", "ctrl+v", "ctrl+a", "ctrl+c")
-
-    def copied():
-        held = server.xdotool("getwindowname", window) and run(
-            "xclip", "-selection", "clipboard", "-o", env=server.env, fail=False)
-        return held.decode(errors="replace") == name
-
-    wait(copied, "the copied text")
-    wait(lambda: server.drawn(window), "a picture")
+    server.copy(name)
+    server.xdotool("key", "--delay", "40", "ctrl+a", "ctrl+v")
+    server.drawn(window)
+    server.copy("something else")
+    server.xdotool("key", "--delay", "40", "ctrl+a", "ctrl+c")
+    wait(lambda: server.copied() == name, "the copied text")
     server.xdotool("key", "Return")
     wait(lambda: os.path.exists(place.path(name)), "the file of that name")
-    long = "a" * 700_000  # more than one request carries: in pieces
-    run("xclip", "-selection", "clipboard", "-i", env=server.env, stdin=long.encode())
-    server.press(window, "ctrl+shift+s")
+    host.leave()
+
+
+@test()
+def a_large_text_comes_in_pieces(place):
+    """More than one request carries, both ways; a middle click pastes what is selected."""
+    server, host, window = opened(place)
+    before = server.drawn(window)
+    server.press(window, "ctrl+s")
+    wait(lambda: server.picture(window).differs(before), "a file window")
+    long = "ab" * 200_000
+    server.copy(long)
+    server.xdotool("key", "--delay", "40", "ctrl+a", "ctrl+v")
     server.drawn(window)
-    server.xdotool("key", "--delay", "40", "ctrl+a", "ctrl+v", "ctrl+a", "ctrl+c")
+    server.copy("something else")
+    server.xdotool("key", "--delay", "40", "ctrl+a", "ctrl+c")
+    wait(lambda: server.copied() == long, "the long text")
     host.live()
     host.leave()
 

@@ -122,10 +122,23 @@ class Server:
                 ["openbox", "--sm-disable"], env=self.env, stdout=log, stderr=log))
         wait(lambda: b"window id" in run("xprop", "-root", "_NET_SUPPORTING_WM_CHECK",
                                          env=self.env), "a window manager")
+        # It says so before it listens; a window that comes in between is lost.
+        wait_for_rest(self.helpers[-1].pid, 0.3)
 
     def resources(self, text):
         """Sets X resources, such as `Xft.dpi: 192`."""
         run("xrdb", "-merge", "-", env=self.env, stdin=text.encode() + b"\n")
+
+    def copy(self, text, selection="clipboard"):
+        """Another program owns the clipboard from now on; it goes on in the background."""
+        subprocess.run(["xclip", "-selection", selection, "-i"], env=self.env, input=text.encode(),
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=LIMIT,
+                       check=True)
+
+    def copied(self, selection="clipboard"):
+        """What another program finds in the clipboard."""
+        return run("xclip", "-selection", selection, "-o", env=self.env, fail=False).decode(
+            errors="replace")
 
     # ---- hands and eyes
 
@@ -181,7 +194,7 @@ class Server:
 
     def type(self, text):
         """Types a text where the keyboard is."""
-        self.xdotool("type", "--delay", "20", text)
+        self.xdotool("type", "--delay", "20", "--", text)
 
     def click(self, window, x, y, button=1):
         """Clicks at a place in a window."""
@@ -207,7 +220,7 @@ class Server:
         area = None
         if window is not None:
             x, y, width, height = self.geometry(window)
-            area = max(x, 0), max(y, 0), width, height
+            area = max(x, 0), max(y, 0), width + min(x, 0), height + min(y, 0)
         return Picture.of_xwd(run("xwd", "-root", "-silent", env=self.env), area)
 
     def drawn(self, window, colours=8):
@@ -222,6 +235,30 @@ class Server:
 
         wait(same, "something drawn")
         return last[0]
+
+
+def switches(pid):
+    """How often the threads of a process have gone to sleep by themselves."""
+    total = 0
+    for task in os.listdir(f"/proc/{pid}/task"):
+        with open(f"/proc/{pid}/task/{task}/status", encoding="ascii") as status:
+            for line in status:
+                if line.startswith("voluntary_ctxt_switches:"):
+                    total += int(line.split()[1])
+    return total
+
+
+def wait_for_rest(pid, seconds):
+    """Waits until a process has not moved for so long."""
+    last = [-1]
+
+    def still():
+        before, last[0] = last[0], switches(pid)
+        if before != last[0]:
+            time.sleep(seconds)
+        return before == last[0]
+
+    wait(still, "it to come to rest")
 
 
 def clean_environment(folder):
@@ -309,24 +346,11 @@ class Program:
 
     def switches(self):
         """How often its threads have gone to sleep by themselves."""
-        total = 0
-        for task in os.listdir(f"/proc/{self.pid}/task"):
-            with open(f"/proc/{self.pid}/task/{task}/status", encoding="ascii") as status:
-                for line in status:
-                    if line.startswith("voluntary_ctxt_switches:"):
-                        total += int(line.split()[1])
-        return total
+        return switches(self.pid)
 
     def idle(self, seconds=1.0):
         """Waits until it has not moved for a while."""
-        last = [self.switches()]
-
-        def still():
-            time.sleep(seconds)
-            before, last[0] = last[0], self.switches()
-            return before == last[0]
-
-        wait(still, "it to come to rest")
+        wait_for_rest(self.pid, seconds)
 
 
 class Told(Program):

@@ -169,13 +169,34 @@ static void open_editor(int which, const char *file, const char *display)
     say("edited %d %.1f %s", status, 1e6 * (now() - start), v_last_error());
 }
 
-/* The points' positions, then the current file's view of them. */
+/* Opens and closes windows; each is served for a moment. */
+static void cycle(int times)
+{
+    int i;
+
+    for (i = 0; i < times; i++) {
+        V_EDITOR_OPTIONS options;
+        V_EDITOR *editor;
+
+        v_editor_options_init(&options);
+        if (v_editor_open(&options, &editor) != V_OK)
+            break;
+        if (i % 4 != 0)
+            v_dispatch();
+        if (v_editor_close(editor) != V_OK)
+            break;
+        v_dispatch();
+    }
+    say("cycled %d %s", i, v_last_error());
+}
+
+/* The points' positions. */
 static void print_path(int which)
 {
     V_PATH *path;
-    double xyz[3], tcb[3];
+    double xyz[3];
     char line[4000];
-    int count, i, preset, status, orientations;
+    int count, i, status;
     size_t length = 0;
 
     status = v_editor_get_path(editors[which], &path);
@@ -186,8 +207,6 @@ static void print_path(int which)
     v_path_point_count(path, &count);
     for (i = 0; i < count && length < sizeof line - 300; i++) {
         v_path_get_position(path, i, xyz);
-        v_path_get_tcb(path, i, tcb, &preset);
-        v_path_orientation_count(path, i, &orientations);
         length += (size_t)sprintf(line + length, " %.17g %.17g %.17g", xyz[0], xyz[1], xyz[2]);
     }
     v_path_free(path);
@@ -236,21 +255,23 @@ static void command(char *line)
 {
     char name[40] = "", text[300] = "", more[300] = "";
     int a = 0, b = 0, rest = 0;
+    V_KAMERAPAR *list;
+    V_EDITOR **editor;
     double start;
 
     sscanf(line, "%39s %n", name, &rest);
     sscanf(line + rest, "%d %d", &a, &b);
     sscanf(line + rest, "%299s %299s", text, more);
-    if (a < 0 || a >= LISTS)
-        a = 0;
     if (loop_command(name, line + rest))
         return;
+    list = &lists[(unsigned)a % LISTS];
+    editor = &editors[(unsigned)a % EDITORS];
     if (strcmp(name, "haupt") == 0) { /* with list number a, rueck and ende */
         start = now();
-        v_haupt(speeds[0], speeds[1], speeds[2], speeds[3], &lists[a], 10, pyramid, rueck, ende);
+        v_haupt(speeds[0], speeds[1], speeds[2], speeds[3], list, 10, pyramid, rueck, ende);
         say("haupt %.1f %s", 1e6 * (now() - start), v_last_error());
     } else if (strcmp(name, "poll") == 0) { /* a list, but no functions */
-        v_haupt(speeds[0], speeds[1], speeds[2], speeds[3], &lists[a], 10, pyramid, NULL, NULL);
+        v_haupt(speeds[0], speeds[1], speeds[2], speeds[3], list, 10, pyramid, NULL, NULL);
         say("haupt 0 %s", v_last_error());
     } else if (strcmp(name, "nolist") == 0) { /* a function, but no list */
         v_haupt(speeds[0], speeds[1], speeds[2], speeds[3], NULL, 0, NULL, rueck, ende);
@@ -274,17 +295,17 @@ static void command(char *line)
         strcpy(within_ende, line + rest);
         say("within-ende");
     } else if (strcmp(name, "list") == 0) {
-        if (lists[a].number < 0)
+        if (list->number < 0)
             say("list %d none", a);
         else
-            say("list %d %d first %.9g %.9g %.9g last %.9g %.9g %.9g", a, lists[a].prev->number,
-                lists[a].VRP.x, lists[a].VRP.y, lists[a].VRP.z, lists[a].prev->VRP.x,
-                lists[a].prev->VRP.y, lists[a].prev->VRP.z);
+            say("list %d %d first %.9g %.9g %.9g last %.9g %.9g %.9g", a, list->prev->number,
+                list->VRP.x, list->VRP.y, list->VRP.z, list->prev->VRP.x,
+                list->prev->VRP.y, list->prev->VRP.z);
     } else if (strcmp(name, "write") == 0) {
-        write_list(&lists[a], more);
+        write_list(list, more);
     } else if (strcmp(name, "free") == 0) {
-        v_free_liste(&lists[a]);
-        say("freed %d %s", lists[a].number, v_last_error());
+        v_free_liste(list);
+        say("freed %d %s", list->number, v_last_error());
     } else if (strcmp(name, "edit") == 0) { /* NUMBER [FILE] */
         open_editor(a, more[0] != '\0' ? more : NULL, NULL);
     } else if (strcmp(name, "edit-on") == 0) { /* NUMBER DISPLAY */
@@ -300,7 +321,7 @@ static void command(char *line)
     } else if (strcmp(name, "set") == 0) {
         path_command(a, more, 0);
     } else if (strcmp(name, "close") == 0) {
-        a = v_editor_close(editors[a]);
+        a = v_editor_close(*editor);
         say("closed %d %s", a, v_last_error());
     } else if (strcmp(name, "dispatch") == 0) {
         a = v_dispatch();
@@ -318,6 +339,10 @@ static void command(char *line)
     } else if (strcmp(name, "sleep") == 0) { /* milliseconds, serving nothing */
         usleep((useconds_t)atoi(text) * 1000);
         say("slept");
+    } else if (strcmp(name, "cycle") == 0) {
+        cycle(a);
+    } else if (strcmp(name, "stamp") == 0) {
+        say("stamp %.1f", 1e6 * now());
     } else if (strcmp(name, "ping") == 0) {
         say("pong");
     } else if (strcmp(name, "exit") == 0) {

@@ -25,13 +25,18 @@ class Picture:
         x, y, width, height = area or (0, 0, whole_width, whole_height)
         width, height = min(width, whole_width - x), min(height, whole_height - y)
         size = bits // 8
-        same = bits == 32 and order == 0 and masks == (0xFF0000, 0xFF00, 0xFF)
+        same = size == 4 and order == 0 and masks == (0xFF0000, 0xFF00, 0xFF)
         pixels = _Pixels(masks)
         rows = []
         for line in range(y, y + height):
             at = start + line * stride + x * size
             row = data[at:at + width * size]
-            if not same:
+            if size == 3:  # so xwd packs a screen on which windows' visuals differ
+                packed, row = row, bytearray(4 * width)
+                for i in range(3):
+                    row[i::4] = packed[i::3]
+                row = bytes(row)
+            elif not same:
                 kind = ("<>"[order], "H" if size == 2 else "I")
                 values = struct.unpack(f"{kind[0]}{width}{kind[1]}", row)
                 row = b"".join([pixels[value] for value in values])

@@ -1,0 +1,171 @@
+"""The pyramid example of the thesis (7.5), played on the Motif host with mouse
+and keyboard: demo.py PYRAMID_MOTIF FOLDER
+
+Leaves a picture of each step and the poses in the folder.
+"""
+
+import os
+import sys
+import tempfile
+
+from harness import Failure, Program, Server, check, wait
+from panel import BUTTON, FIELD, boxes, middle
+from space import first_look
+
+PANEL = 262
+"""Right edge of the panels, in pixels."""
+
+START = [(-0.6, 0.2, 0.8), (0.6, 0.2, 0.8)]
+FLIGHT = [(-0.6, 0.2, 0.8), (-0.85, 0.3, 0.1), (-0.7, 0.35, -0.65),
+          (0.75, 0.35, -0.65), (0.85, 0.3, 0.1), (0.6, 0.2, 0.8)]
+SUMMIT = (0.0, 0.5, 0.0)
+CORNER = 3
+"""The point at which the camera stands and pans."""
+
+
+class Player:
+    """Hands that know the window."""
+
+    def __init__(self, server, program, folder):
+        self.server, self.program, self.folder = server, program, folder
+        self.host = self.window = None
+        self.step = 0
+
+    def shot(self, what):
+        """A picture of the whole screen."""
+        self.server.drawn(self.window or self.host, 1)
+        self.step += 1
+        name = f"{self.step}-{what}.png"
+        self.server.picture().save(os.path.join(self.folder, name))
+        print(f"  {name}", flush=True)
+
+    def press_host(self, number):
+        """One of the three buttons of the host."""
+        _, _, width, height = self.server.geometry(self.host)
+        self.server.click(self.host, width / 2, height * (2 * number + 1) / 6)
+
+    def rows(self, colour):
+        """Buttons or fields in the panels, as rows from the top."""
+        picture = self.server.drawn(self.window)
+        return boxes(picture, colour, 0, 34, PANEL, picture.height)
+
+    def button(self, row, column):
+        """Clicks a button in the panels, counted as they stand there."""
+        self._click(self.rows(BUTTON)[row][column])
+        self.away()
+
+    def number(self, row, column, value):
+        """Types a number into a field in the panels."""
+        self._click(self.rows(FIELD)[row][column])
+        self.server.xdotool("key", "--delay", "20", "ctrl+a")
+        self.server.type(f"{value:g}")
+        self.server.xdotool("key", "Return")
+        self.away()
+
+    def away(self):
+        """The pointer where it covers and lights nothing."""
+        self.server.xdotool("mousemove", "--window", self.window, PANEL + 60, 120)
+
+    def _click(self, box):
+        self.server.click(self.window, *middle(box))
+
+
+def place_points(player):
+    """Abbildungen 7.3 and 7.4: four more points, then each to its place by the
+    mouse: along the ground with the middle button, then up with the right one."""
+    space = first_look(player.server.drawn(player.window))
+    player.button(0, 1)
+    player.shot("how-many")
+    player.server.xdotool("key", "4")
+    player.away()
+    player.shot("four-more-points")
+    for number in range(1, 5):
+        begin = [START[0][k] + (START[1][k] - START[0][k]) * number / 5 for k in range(3)]
+        goal = FLIGHT[number]
+        along = (goal[0], begin[1], goal[2])
+        for start, end, button in ((begin, along, 2), (along, goal, 3)):
+            player.server.drag(player.window, space.image(start), space.image(end), button)
+        player.away()
+        player.server.drawn(player.window)
+        player.button(1, 1)
+    player.shot("points-placed")
+
+
+def aim(player, target):
+    """Gives the current orientation a target in the world, by numbers."""
+    for axis in range(3):
+        player.number(3, axis, target[axis])
+
+
+def aim_all(player):
+    """Abbildung 7.6: everything looks at the summit; at the corner the camera pans."""
+    for number in range(len(FLIGHT)):
+        # The order of points is: the last one is current now.
+        player.button(1, 1)
+        player.button(3, 2)
+        aim(player, SUMMIT)
+        if number == CORNER:
+            for target in ((-0.3, 0.0, -0.3), (0.3, 0.0, 0.3), SUMMIT):
+                player.button(3, 0)
+                aim(player, target)
+            player.shot("looking")
+
+
+def play(server, program, folder):
+    """The whole of it."""
+    player = Player(server, program, folder)
+    player.host = server.window("^MainTest$")
+    server.place(player.host, 1240, 60)
+    player.press_host(0)
+    player.window = server.window()
+    player.away()
+    player.shot("window")
+    place_points(player)
+    aim_all(player)
+    player.shot("flight")
+    server.press(player.window, "alt+u")
+    line = program.expect("")
+    wait(lambda: program.said and program.said[-1].startswith(f"pose {line.split()[0]}:"),
+         "all poses")
+    player.shot("handed-over")
+    count = int(line.split()[0])
+    with open(os.path.join(folder, "poses.txt"), "w", encoding="ascii") as out:
+        out.write("\n".join(program.said[1:count + 1]) + "\n")
+    print(f"  poses.txt: {count} poses, as the host got them")
+    player.press_host(1)
+    program.expect("pose 1:")
+    server.press(player.window, "ctrl+s")
+    player.shot("saving")
+    server.xdotool("key", "--delay", "20", "ctrl+a")
+    server.type(os.path.join(folder, "flight.vid"))
+    server.xdotool("key", "Return")
+    wait(lambda: os.path.exists(os.path.join(folder, "flight.vid")), "the saved path")
+    print("  flight.vid: the path, as the window saved it")
+    server.press(player.window, "alt+F4")
+    program.expect("the editor asks")
+    player.window = None
+    player.press_host(2)
+    check(program.ends() == 0, "the host's exit status")
+
+
+def main():
+    """See the top."""
+    binary, folder = map(os.path.abspath, sys.argv[1:3])
+    with tempfile.TemporaryDirectory(prefix="vides-demo-") as work:
+        server = Server(work, screen="1400x860x24")
+        program = Program(work, [binary], server.env, terminal=True)
+        try:
+            play(server, program, folder)
+        except Failure:
+            server.picture().save(os.path.join(folder, "failed.png"))
+            raise
+        finally:
+            program.kill()
+            server.end()
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Failure as failure:
+        sys.exit(f"demo: {failure}")

@@ -1,0 +1,124 @@
+"""How fast windows open, and what they take: measure.py HOSTS_FOLDER [soak [TIMES]]
+
+Without `soak` it prints times and memory; machines differ, so it asserts
+nothing. With it, it opens and closes windows thousands of times and fails if
+the host's memory or descriptors, or what the server holds, grow.
+"""
+
+import os
+import statistics
+import sys
+import tempfile
+
+from harness import Failure, Program, Server, Told, check, wait
+
+WINDOWS = 32
+TIMES = 30
+
+
+def spread(values, unit):
+    """The smallest and the middle one."""
+    return f"min {min(values):.1f}, median {statistics.median(values):.1f} {unit}"
+
+
+def private(pid):
+    """Memory that only this process has, in kB."""
+    with open(f"/proc/{pid}/smaps_rollup", encoding="ascii") as file:
+        return sum(int(line.split()[1]) for line in file if line.startswith("Private_"))
+
+
+def times(folder, hosts, kind):
+    """v_haupt() and the first picture, each time a host of its own: the first
+    window is the slow one."""
+    returned, shown, second = [], [], []
+    for _ in range(TIMES):
+        server = Server(tempfile.mkdtemp(dir=folder), screen="1300x900x24")
+        watcher = host = None
+        try:
+            watcher = Program(folder, [os.path.join(hosts, "first_picture")], server.env)
+            watcher.expect("ready")
+            host = Told(folder, [os.path.join(hosts, f"loop_poll-{kind}")], server.env)
+            host.live()
+            words = host.tell("stamp", "stamp").split()
+            start = float(words[1])
+            returned.append(float(host.tell("haupt 0").split()[1]) / 1000)
+            shown.append((float(watcher.expect("")) - start) / 1000)
+            second.append(float(host.tell("haupt 1").split()[1]) / 1000)
+            host.leave()
+        finally:
+            for program in (watcher, host):
+                if program:
+                    program.kill()
+            server.end()
+    print(f"{kind}: v_haupt() returns, first window of a process: {spread(returned, 'ms')}")
+    print(f"{kind}: v_haupt() returns, second window: {spread(second, 'ms')}")
+    print(f"{kind}: from the call to the first picture: {spread(shown, 'ms')}")
+
+
+def memory(folder, hosts, kind):
+    """What windows take of a host's own memory."""
+    server = Server(tempfile.mkdtemp(dir=folder), screen="1300x900x24")
+    host = Told(folder, [os.path.join(hosts, f"loop_poll-{kind}")], server.env)
+    try:
+        host.live()
+        empty = private(host.pid)
+        host.open(0)
+        server.drawn(server.window())
+        one = private(host.pid)
+        for number in range(1, WINDOWS):
+            host.open(number)
+        wait(lambda: len(server.windows()) == WINDOWS, "all windows")
+        host.idle()
+        all_of_them = private(host.pid)
+        print(f"{kind}: private memory: first window {(one - empty) / 1024:.1f} MB, "
+              f"each further one {(all_of_them - one) / (WINDOWS - 1) / 1024:.2f} MB")
+    finally:
+        host.kill()
+        server.end()
+
+
+def soak(folder, hosts, kind, count):
+    """Opens and closes; nothing may grow."""
+    server = Server(tempfile.mkdtemp(dir=folder), screen="1300x900x24")
+    host = Told(folder, [os.path.join(hosts, f"loop_poll-{kind}")], server.env)
+
+    def held():
+        return (private(host.pid), len(os.listdir(f"/proc/{host.pid}/fd")),
+                private(server.process.pid), len(server.windows(".", visible=False)))
+
+    try:
+        host.tell(f"cycle {max(count // 10, 100)}", "cycled", 600)
+        before = held()
+        host.tell(f"cycle {count}", "cycled", 3600)
+        after = held()
+        names = ("host's memory, kB", "host's descriptors", "server's memory, kB", "windows")
+        for name, old, new in zip(names, before, after):
+            print(f"{kind}: {count} windows opened and closed: {name}: {old} -> {new}")
+        check(after[0] - before[0] < 512, "the host's memory grows")
+        check(after[1] == before[1], "descriptors stay open")
+        check(after[2] - before[2] < 2048, "the server's memory grows")
+        check(after[3] == before[3], "windows stay on the server")
+        host.leave()
+    finally:
+        host.kill()
+        server.end()
+
+
+def main():
+    """See the top."""
+    hosts = os.path.abspath(sys.argv[1])
+    with tempfile.TemporaryDirectory(prefix="vides-x-") as folder:
+        if sys.argv[2:3] == ["soak"]:
+            for kind in ("archive", "shared"):
+                soak(folder, hosts, kind, int(sys.argv[3]) if len(sys.argv) > 3 else 10_000)
+            return
+        for kind in ("archive", "shared"):
+            times(folder, hosts, kind)
+            memory(folder, hosts, kind)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Failure as failure:
+        sys.exit(f"measure: {failure}")

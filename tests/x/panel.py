@@ -1,0 +1,73 @@
+"""Finding buttons and fields in a picture of the window, as an eye does: by
+their colour and their place, not by numbers of pixels written down once.
+"""
+
+BUTTON = (0x2B, 0x30, 0x3A)
+"""A button at rest, in the dark theme."""
+
+FIELD = (0x12, 0x15, 0x1A)
+"""What can be typed into."""
+
+
+def boxes(picture, colour, left, top, right, bottom, least=(14, 14), tolerance=3):
+    """Rectangles of one colour within an area, as rows from the top, each from
+    the left: (x, y, width, height). Texts inside them do no harm."""
+    wanted = bytes((colour[2], colour[1], colour[0]))
+    open_boxes, done = [], []
+    for y in range(top, min(bottom, picture.height)):
+        runs = _runs(picture.rows[y], wanted, left, min(right, picture.width), tolerance)
+        going = []
+        for start, end in runs:
+            for box in open_boxes:
+                if start < box[2] and end > box[0]:
+                    box[0], box[2], box[3] = min(box[0], start), max(box[2], end), y
+                    going.append(box)
+                    break
+            else:
+                going.append([start, y, end, y])
+        for box in open_boxes:
+            if not any(box is other for other in going):
+                if box[3] < y - 3:
+                    done.append(box)
+                else:
+                    going.append(box)
+        unique = []
+        for box in going:
+            if not any(box is other for other in unique):
+                unique.append(box)
+        open_boxes = unique
+    found = [(x, y, right - x, bottom - y + 1) for x, y, right, bottom in done + open_boxes
+             if right - x >= least[0] and bottom - y + 1 >= least[1]]
+    rows = []
+    for box in sorted(found, key=lambda box: box[1] + box[3] / 2):
+        middle = box[1] + box[3] / 2
+        if rows and abs(rows[-1][0][1] + rows[-1][0][3] / 2 - middle) < 6:
+            rows[-1].append(box)
+        else:
+            rows.append([box])
+    return [sorted(row) for row in rows]
+
+
+def _runs(row, wanted, left, right, tolerance):
+    """Stretches of about this colour, gaps of less than 3 pixels bridged."""
+    runs, start, last = [], None, None
+    for x in range(left, right):
+        at = 4 * x
+        if (abs(row[at] - wanted[0]) <= tolerance and abs(row[at + 1] - wanted[1]) <= tolerance
+                and abs(row[at + 2] - wanted[2]) <= tolerance):
+            if start is None:
+                start = x
+            last = x
+        elif start is not None and x - last > 2:
+            if last - start >= 4:
+                runs.append((start, last + 1))
+            start = None
+    if start is not None and last - start >= 4:
+        runs.append((start, last + 1))
+    return runs
+
+
+def middle(box):
+    """Where to click it."""
+    x, y, width, height = box
+    return x + width / 2, y + height / 2
