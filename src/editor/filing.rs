@@ -120,6 +120,7 @@ impl Editor {
         match self.loaded(file) {
             Ok(document) => {
                 self.document = document;
+                self.windows.path_replaced();
                 self.file = Some(file.to_owned());
                 self.note_file(file);
                 self.say(fill(texts.output.loaded, &[&short(file)]));

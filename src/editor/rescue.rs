@@ -63,6 +63,7 @@ impl Editor {
             document = unsaved_copy(&document)?;
         }
         self.document = document;
+        self.windows.path_replaced();
         self.file.clone_from(&found.original);
         // Kept as this window's before the old file is removed.
         if let (Some(keeper), file) = (&mut self.keeper, self.file.as_deref()) {

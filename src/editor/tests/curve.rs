@@ -173,17 +173,23 @@ fn undo_and_loading_discard_with_a_message() {
     assert_eq!(message(&window), texts.curve.given_up_changed);
     assert!(window.query_by_label(texts.curve.waiting).is_none());
 
-    let mut window = opened(Language::English);
-    click(&mut window, &fill(texts.curve.preset, &[&5]));
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("same.vid");
-    let mut other = some_points();
-    other.select(2, 0).unwrap();
-    other.save(&file).unwrap();
-    window.state_mut().load_path(&file).unwrap();
-    window.state_mut().select(2, 0);
-    window.run();
-    assert!(window.query_by_label(texts.curve.waiting).is_none());
+    // The very same path again, as a document as young as the old one; with a
+    // host's speeds it has had an edit.
+    for fixed_speeds in [false, true] {
+        let options = Options {
+            fixed_speeds,
+            ..options(Language::English)
+        };
+        let mut window = window_of(options, [1200.0, 800.0], 1.0, Theme::Dark);
+        click(&mut window, texts.position.change);
+        click(&mut window, &fill(texts.curve.preset, &[&5]));
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("same.vid");
+        Document::new().save(&file).unwrap();
+        window.state_mut().load_path(&file).unwrap();
+        window.run();
+        assert!(window.query_by_label(texts.curve.waiting).is_none());
+    }
 }
 
 #[test]

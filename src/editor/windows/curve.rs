@@ -15,7 +15,8 @@ use crate::path::{Target, Tcb};
 /// Widths in points: the list of presets, the rest beside it, a number.
 const LIST: f32 = 120.0;
 const REST: f32 = 336.0;
-const NUMBER: f32 = 84.0;
+const NUMBER: f32 = 82.0;
+const LABEL: f32 = 78.0;
 /// Height of the picture.
 const PICTURE: f32 = 150.0;
 
@@ -102,6 +103,11 @@ impl SubWindow for CurveWindow {
 }
 
 impl CurveWindow {
+    /// Another path is open: what waits here was meant for the old one.
+    pub(super) fn lose(&mut self) {
+        self.belonging.lose();
+    }
+
     /// Gives up what is pending if what it was meant for is gone.
     fn follow(&mut self, editor: &mut Editor, context: &egui::Context) {
         let Some(gone) = self.belonging.follow(&editor.document) else {
@@ -200,13 +206,13 @@ impl CurveWindow {
         let mut wrong = false;
         Grid::new("shape")
             .num_columns(3)
-            .spacing(vec2(8.0, theme::GAP))
+            .spacing(vec2(theme::GAP, theme::GAP))
             .show(ui, |ui| {
                 for (part, (name, hint)) in names.into_iter().enumerate() {
-                    let label = ui.label(name).on_hover_text(hint);
+                    let label = in_column(ui, name).on_hover_text(hint);
                     let value = parts(self.pending.tcb(&editor.document))[part];
                     let mut slid = value.clamp(-1.0, 1.0);
-                    ui.spacing_mut().slider_width = REST - NUMBER - 100.0;
+                    ui.spacing_mut().slider_width = REST - LABEL - NUMBER - 2.0 * theme::GAP;
                     let slider = Slider::new(&mut slid, -1.0..=1.0)
                         .show_value(false)
                         .step_by(0.01);
@@ -277,7 +283,7 @@ impl CurveWindow {
             .spacing(vec2(theme::GAP, theme::GAP))
             .show(ui, |ui| {
                 let position = self.pending.position(&editor.document);
-                ui.label(texts.position);
+                in_column(ui, texts.position);
                 for (axis, sign) in ["x", "y", "z"].into_iter().enumerate() {
                     let name = format!("{} {sign}", texts.position);
                     let number = Number::new(&name, position[axis]).label(sign);
@@ -285,8 +291,7 @@ impl CurveWindow {
                 }
                 ui.end_row();
                 let target = self.pending.target(&editor.document);
-                ui.label(format!("{} ({kind})", texts.orientation))
-                    .on_hover_text(hint);
+                in_column(ui, &format!("{} ({kind})", texts.orientation)).on_hover_text(hint);
                 for (axis, sign) in ["x", "y", "z"].into_iter().enumerate() {
                     let name = format!("{} {sign}", texts.orientation);
                     let number = Number::new(&name, target[axis]).label(sign).hint(hint);
@@ -294,7 +299,7 @@ impl CurveWindow {
                 }
                 ui.end_row();
                 let roll = self.pending.roll(&editor.document);
-                ui.label(texts.roll).on_hover_text(texts.roll_hint);
+                in_column(ui, texts.roll).on_hover_text(texts.roll_hint);
                 let number = Number::new(texts.roll, roll)
                     .hint(texts.roll_hint)
                     .unit("°")
@@ -376,6 +381,15 @@ impl CurveWindow {
             });
         });
     }
+}
+
+/// A label as wide as all others.
+fn in_column(ui: &mut Ui, text: &str) -> egui::Response {
+    ui.horizontal(|ui| {
+        ui.set_width(LABEL);
+        ui.label(text)
+    })
+    .inner
 }
 
 fn parts(tcb: Tcb) -> [f64; 3] {

@@ -99,6 +99,13 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
 }
 
 impl Windows {
+    /// Another path is open: what waits was meant for the old one.
+    pub(super) fn path_replaced(&mut self) {
+        if let Some(window) = &mut self.curve {
+            window.lose();
+        }
+    }
+
     /// Whether one is open that wants an answer first.
     pub(super) fn ask(&self) -> bool {
         self.files.is_some() || self.question.is_some() || self.rescue.is_some()

@@ -198,10 +198,18 @@ impl Belonging {
         }
     }
 
+    /// What it belonged to has been replaced as a whole.
+    pub(super) fn lose(&mut self) {
+        // Any state that comes now looks as if gone back to.
+        (self.state, self.newest) = (u64::MAX, u64::MAX);
+    }
+
     /// Brings it up to date; says whether what it belonged to is gone.
     pub(super) fn follow(&mut self, document: &Document) -> Option<GivenUp> {
         let mut now = Self::of(document);
-        now.newest = self.newest.max(now.state);
+        if self.newest != u64::MAX {
+            now.newest = self.newest.max(now.state);
+        }
         // An edit has a number that was never there before; only undo, redo
         // and another document come with an old one.
         let back = now.state != self.state && now.state <= self.newest;
