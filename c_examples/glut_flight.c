@@ -17,9 +17,12 @@
 
 #define FRAME 40 /* milliseconds */
 
-static const double object[10][3] = {
-    {0.3, 0, 0.3}, {0.3, 0, -0.3}, {-0.3, 0, -0.3}, {-0.3, 0, 0.3}, {0.3, 0, 0.3},
-    {0, 0.5, 0}, {0.3, 0, -0.3}, {-0.3, 0, -0.3}, {0, 0.5, 0}, {-0.3, 0, 0.3}
+/* What both show: from point to point a line, unless draw is 0. */
+static V_OBJEKT_LIST pyramid[10] = {
+    {{ 0.3f, 0.0f,  0.3f}, 0, 1}, {{ 0.3f, 0.0f, -0.3f}, 1, 2}, {{-0.3f, 0.0f, -0.3f}, 1, 3},
+    {{-0.3f, 0.0f,  0.3f}, 1, 4}, {{ 0.3f, 0.0f,  0.3f}, 1, 5}, {{ 0.0f, 0.5f,  0.0f}, 1, 6},
+    {{ 0.3f, 0.0f, -0.3f}, 1, 7}, {{-0.3f, 0.0f, -0.3f}, 0, 8}, {{ 0.0f, 0.5f,  0.0f}, 1, 9},
+    {{-0.3f, 0.0f,  0.3f}, 1, 10}
 };
 static V_POSE *flight;     /* a copy of what was handed over */
 static size_t poses, now;
@@ -41,9 +44,6 @@ static void on_poses(V_EDITOR *editor, const V_POSE *handed_over, size_t count, 
 
 static void display(void)
 {
-    static const int lines[8][2] = {
-        {0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 5}, {1, 5}, {2, 5}, {3, 5}
-    };
     double matrix[16], slope, aspect;
     int i;
 
@@ -61,9 +61,11 @@ static void display(void)
         glMatrixMode(GL_MODELVIEW);
         glLoadMatrixd(matrix);
         glBegin(GL_LINES);
-        for (i = 0; i < 8; i++) {
-            glVertex3dv(object[lines[i][0]]);
-            glVertex3dv(object[lines[i][1]]);
+        for (i = 1; i < 10; i++) {
+            if (pyramid[i].draw) {
+                glVertex3f(pyramid[i - 1].pos.x, pyramid[i - 1].pos.y, pyramid[i - 1].pos.z);
+                glVertex3f(pyramid[i].pos.x, pyramid[i].pos.y, pyramid[i].pos.z);
+            }
         }
         glEnd();
     }
@@ -104,6 +106,8 @@ int main(int argc, char **argv)
 
     v_editor_options_init(&options);
     options.title = "glut_flight";
+    options.object = pyramid;
+    options.object_count = 10;
     options.on_poses = on_poses;
     if (argc > 1)
         options.file = argv[1];

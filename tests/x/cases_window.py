@@ -6,6 +6,7 @@ import shutil
 
 from cases_hosts import POSES, hand_over
 from harness import check, run, wait
+from panel import FIELD, boxes, middle
 from run import test
 
 
@@ -182,6 +183,33 @@ def what_is_handed_over_is_what_vides_samples(place):
     wait(lambda: os.path.exists(place.path("poses.txt")), "the output file")
     wait(lambda: open(place.path("poses.txt"), encoding="ascii").read().splitlines() == sampled,
          "the output file to be what vides sample writes")
+    host.leave()
+
+
+# ---- Numbers ----------------------------------------------------------------------
+
+@test()
+def numbers_typed_into_fields(place):
+    """With a comma, with a point, in a German window; what is no number changes nothing."""
+    server, host, window = opened(place, LC_ALL="de_DE.UTF-8")
+    fields = boxes(server.drawn(window), FIELD, 0, 34, 262, 700)[0]
+    check(len(fields) == 3, f"the fields of the position: {fields}")
+    for axis, typed, value in ((0, "0,25", 0.25), (1, "-0.125", -0.125), (2, "1", 1.0)):
+        server.click(window, *middle(fields[axis]))
+        server.xdotool("key", "--delay", "20", "ctrl+a")
+        server.type(typed)
+        server.xdotool("key", "Return")
+        wait(lambda: host.path()[0][axis] == value, f"{typed} to be {value}: {host.path()[0]}")
+    before = host.path()
+    server.click(window, *middle(fields[0]))
+    server.xdotool("key", "--delay", "20", "ctrl+a")
+    server.type("1,2,3")
+    shown = server.drawn(window)
+    server.xdotool("key", "Return")
+    wait(lambda: server.drawn(window).differs(shown), "a message")
+    check(host.path() == before, "what is no number was taken for one")
+    server.press(window, *["ctrl+z"] * 3)
+    wait(lambda: host.path()[0] == (-0.6, 0.2, 0.8), "undo of the three")
     host.leave()
 
 
