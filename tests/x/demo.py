@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 from harness import Failure, Program, Server, check, wait
-from panel import BUTTON, FIELD, boxes, middle
+from panel import BUTTON, FIELD, RADIO, boxes, middle
 from space import first_look
 
 PANEL = 262
@@ -30,6 +30,7 @@ class Player:
         self.server, self.program, self.folder = server, program, folder
         self.host = self.window = None
         self.step = 0
+        self.current = 0
 
     def shot(self, what):
         """A picture of the whole screen."""
@@ -51,12 +52,12 @@ class Player:
 
     def button(self, row, column):
         """Clicks a button in the panels, counted as they stand there."""
-        self._click(self.rows(BUTTON)[row][column])
+        self.click(self.rows(BUTTON)[row][column])
         self.away()
 
     def number(self, row, column, value):
         """Types a number into a field in the panels."""
-        self._click(self.rows(FIELD)[row][column])
+        self.click(self.rows(FIELD)[row][column])
         self.server.xdotool("key", "--delay", "20", "ctrl+a")
         self.server.type(f"{value:g}")
         self.server.xdotool("key", "Return")
@@ -66,8 +67,16 @@ class Player:
         """The pointer where it covers and lights nothing."""
         self.server.xdotool("mousemove", "--window", self.window, PANEL + 60, 120)
 
-    def _click(self, box):
+    def click(self, box):
+        """Clicks what was found."""
         self.server.click(self.window, *middle(box))
+
+
+def go_to(player, number):
+    """Makes a point, counted from 0, the current one."""
+    while player.current != number:
+        player.button(1, 1)
+        player.current = (player.current + 1) % len(FLIGHT)
 
 
 def place_points(player):
@@ -79,6 +88,7 @@ def place_points(player):
     player.server.xdotool("key", "4")
     player.away()
     player.shot("four-more-points")
+    player.current = 1  # the first of the new ones
     for number in range(1, 5):
         begin = [START[0][k] + (START[1][k] - START[0][k]) * number / 5 for k in range(3)]
         goal = FLIGHT[number]
@@ -87,8 +97,36 @@ def place_points(player):
             player.server.drag(player.window, space.image(start), space.image(end), button)
         player.away()
         player.server.drawn(player.window)
-        player.button(1, 1)
+        go_to(player, number + 1)
     player.shot("points-placed")
+
+
+def shape(player, at, preset):
+    """Abbildung 7.5: gives a point a preset of the curve's shape."""
+    go_to(player, at)
+    player.button(2, 0)
+    picture = player.server.drawn(player.window)
+    circles = boxes(picture, RADIO, PANEL + 20, 34, PANEL + 64, picture.height, least=(9, 9))
+    player.click(circles[preset][0])
+    if preset == 5:
+        player.shot("shape-of-the-curve")
+    last = boxes(picture, BUTTON, PANEL, 34, 1100, picture.height - 60)[-1]
+    player.click(last[-1])
+    player.away()
+
+
+def slow_start(player):
+    """Abbildung 7.7: after the pan the camera sets off slowly."""
+    go_to(player, CORNER)
+    for _ in range(3):
+        player.button(4, 1)
+    player.button(5, 0)
+    picture = player.server.drawn(player.window)
+    shapes = [row for row in boxes(picture, BUTTON, PANEL, 34, 1100, 700) if len(row) >= 5][0]
+    player.click(shapes[1])
+    player.shot("speed-curve")
+    player.server.xdotool("key", "Escape")
+    player.away()
 
 
 def aim(player, target):
@@ -100,8 +138,7 @@ def aim(player, target):
 def aim_all(player):
     """Abbildung 7.6: everything looks at the summit; at the corner the camera pans."""
     for number in range(len(FLIGHT)):
-        # The order of points is: the last one is current now.
-        player.button(1, 1)
+        go_to(player, number)
         player.button(3, 2)
         aim(player, SUMMIT)
         if number == CORNER:
@@ -121,7 +158,10 @@ def play(server, program, folder):
     player.away()
     player.shot("window")
     place_points(player)
+    shape(player, 2, 2)
+    shape(player, CORNER, 5)
     aim_all(player)
+    slow_start(player)
     player.shot("flight")
     server.press(player.window, "alt+u")
     line = program.expect("")
@@ -156,7 +196,7 @@ def main():
         program = Program(work, [binary], server.env, terminal=True)
         try:
             play(server, program, folder)
-        except Failure:
+        except (Failure, IndexError):  # or something was not where it should be
             server.picture().save(os.path.join(folder, "failed.png"))
             raise
         finally:

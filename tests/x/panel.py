@@ -5,6 +5,9 @@ their colour and their place, not by numbers of pixels written down once.
 BUTTON = (0x2B, 0x30, 0x3A)
 """A button at rest, in the dark theme."""
 
+RADIO = (0x3F, 0x47, 0x53)
+"""The circle of a choice, taken or not."""
+
 FIELD = (0x12, 0x15, 0x1A)
 """What can be typed into."""
 
