@@ -206,6 +206,8 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
 #[cfg(test)]
 mod cameras_tests;
 #[cfg(test)]
+mod manual_tests;
+#[cfg(test)]
 mod menu_tests;
 #[cfg(test)]
 pub(super) mod tests;

@@ -276,3 +276,47 @@ fn points_far_outside_cost_little() {
         }
     }
 }
+
+/// The three edges that meet in the farthest corner are dashed, the other nine
+/// are drawn through.
+#[test]
+fn hidden_edges_are_dashed_and_visible_ones_drawn_through() {
+    for (rotation, tilt) in [(28.0, 20.0), (-60.0, -35.0), (100.0, 50.0)] {
+        let eye = Eye::new(&View {
+            rotation,
+            tilt,
+            ..View::default()
+        });
+        let color = eye.colours.of(Element::Cube);
+        let lines = still(&Object::default(), &eye.look()).lines;
+        let length = |color: Color32| -> f64 {
+            let drawn = lines.iter().filter(|line| line.color == color);
+            drawn
+                .map(|line| f64::from((line.to - line.from).length()))
+                .sum()
+        };
+        let [mut through, mut dashed] = [0.0; 2];
+        let far = -eye.projection.toward();
+        for axis in 0..3 {
+            for signs in [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]] {
+                let [a, b] = [(axis + 1) % 3, (axis + 2) % 3];
+                let mut ends = [DVec3::ZERO; 2];
+                for (end, along) in ends.iter_mut().zip([-1.0, 1.0]) {
+                    end[axis] = along;
+                    end[a] = signs[0];
+                    end[b] = signs[1];
+                }
+                let [from, to] = ends.map(|end| eye.projection.image(end));
+                if far[a] * signs[0] > 0.0 && far[b] * signs[1] > 0.0 {
+                    dashed += from.distance(to);
+                } else {
+                    through += from.distance(to);
+                }
+            }
+        }
+        let drawn = length(color);
+        assert!((drawn / through - 1.0).abs() < 0.01, "{drawn} {through}");
+        let drawn = length(color.gamma_multiply(0.7));
+        assert!((0.3..0.8).contains(&(drawn / dashed)), "{drawn} {dashed}");
+    }
+}

@@ -5,6 +5,7 @@ mod curve;
 mod files;
 mod keyboard;
 mod looks;
+mod manual;
 mod menus;
 mod panels;
 mod pictures;

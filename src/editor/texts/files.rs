@@ -20,11 +20,19 @@ texts! {
         home_hint: "Go to your own directory", "Zum persönlichen Verzeichnis";
         contents: "Contents of the directory", "Inhalt des Verzeichnisses";
         name: "Name", "Name";
+        name_hint: "The file's name, or a path that ends in it; Enter takes it",
+            "Der Name der Datei oder ein Pfad, der mit ihm endet; Enter übernimmt ihn";
         filter: "Filter", "Filter";
         filter_hint: "Files to be shown: * stands for any letters, ? for one",
             "Dateien, die gezeigt werden: * steht für beliebige Zeichen, ? für eines";
         hidden: "Hidden files", "Versteckte Dateien";
+        hidden_hint: "Show files, too, whose names begin with a full stop",
+            "Auch Dateien zeigen, deren Namen mit einem Punkt beginnen";
         load: "Load", "Laden";
+        take_hint: "Take the file of this name (Enter)", "Die Datei dieses Namens nehmen (Enter)";
+        overwrite_hint: "Put the new file in the place of the old one",
+            "Die neue Datei an die Stelle der alten setzen";
+        cancel_hint: "Go back without doing anything (Esc)", "Zurück, ohne etwas zu tun (Esc)";
         save: "Save", "Speichern";
         write: "Write", "Schreiben";
         cancel: "Cancel", "Abbrechen";

@@ -38,6 +38,8 @@ texts! {
         dark: "Dark", "Dunkel";
         light: "Light", "Hell";
 
+        close_window: "Close this window", "Dieses Fenster schließen";
+
         keys: "Keys and mouse", "Tasten und Maus";
 
         control: "Ctrl", "Strg";

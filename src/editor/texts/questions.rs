@@ -14,5 +14,8 @@ texts! {
         save: "Save", "Speichern";
         discard: "Discard", "Verwerfen";
         cancel: "Cancel", "Abbrechen";
+        save_hint: "Save, then go on", "Speichern und dann fortfahren";
+        discard_hint: "Go on; the changes are lost", "Fortfahren; die Änderungen gehen verloren";
+        cancel_hint: "Stay here; nothing happens (Esc)", "Hier bleiben; es geschieht nichts (Esc)";
     }
 }

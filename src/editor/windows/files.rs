@@ -267,7 +267,7 @@ impl FileWindow {
                 .align(egui::Align2::LEFT_CENTER)
                 .margin(egui::Margin::symmetric(6, 0))
                 .min_size(vec2(0.0, theme::ROW));
-            let response = ui.add(edit);
+            let response = ui.add(edit).on_hover_text(texts.name_hint);
             ui.ctx()
                 .accesskit_node_builder(response.id, |node| node.set_label(texts.name));
             if self.fresh {
@@ -295,7 +295,8 @@ impl FileWindow {
             ui.ctx()
                 .accesskit_node_builder(response.id, |node| node.set_label(texts.filter));
             ui.add_space(8.0);
-            ui.add(Checkbox::new(&mut self.hidden, texts.hidden));
+            ui.add(Checkbox::new(&mut self.hidden, texts.hidden))
+                .on_hover_text(texts.hidden_hint);
         });
         let palette = theme::palette(ui);
         let trouble = self.trouble.as_deref().unwrap_or_default();
@@ -309,8 +310,8 @@ impl FileWindow {
             Purpose::Export => texts.write,
         };
         let [cancel, taken] = buttons(ui, [texts.cancel, take]);
-        done.cancel |= cancel.clicked();
-        done.take |= taken.clicked();
+        done.cancel |= cancel.on_hover_text(texts.cancel_hint).clicked();
+        done.take |= taken.on_hover_text(texts.take_hint).clicked();
     }
 
     fn show_list(&mut self, editor: &Editor, ui: &mut Ui, done: &mut Done) {
@@ -407,8 +408,8 @@ impl FileWindow {
             self.fresh = false;
             cancel.request_focus();
         }
-        done.cancel = cancel.clicked();
-        done.take = overwrite.clicked();
+        done.cancel = cancel.on_hover_text(texts.cancel_hint).clicked();
+        done.take = overwrite.on_hover_text(texts.overwrite_hint).clicked();
     }
 
     /// A typed place: `~` is the personal directory, others begin where the

@@ -55,6 +55,9 @@ pub(super) struct Windows {
 /// Where a sub-window opens: beside the panels.
 const FIRST_PLACE: egui::Pos2 = egui::pos2(288.0, 64.0);
 
+/// How far the cross of a sub-window lies within its upper right corner.
+const CROSS: f32 = 36.0;
+
 /// One kind of sub-window; at most one of each kind is open.
 pub(super) trait SubWindow: Sized {
     /// Its name for egui: where it stands is remembered under it.
@@ -113,10 +116,12 @@ impl Windows {
 }
 
 fn show_one<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
-    if let Some(mut window) = W::slot(&mut editor.windows).take()
-        && window.show(editor, context)
-    {
-        W::slot(&mut editor.windows).get_or_insert(window);
+    if let Some(mut window) = W::slot(&mut editor.windows).take() {
+        let stays = window.show(editor, context);
+        name_cross(context, layer(W::ID), editor.texts().menu.close_window);
+        if stays {
+            W::slot(&mut editor.windows).get_or_insert(window);
+        }
     }
 }
 
@@ -138,6 +143,34 @@ pub(super) fn sub_window(
         .auto_sized()
         .show(context, add);
     open && !escape
+}
+
+/// Gives the cross of a sub-window that was shown in this pass a name in the
+/// window's language, for screen readers and as a tooltip: egui has an English
+/// one for all. It is known by its place, the upper right corner.
+fn name_cross(context: &egui::Context, layer: egui::LayerId, name: &str) {
+    let Some(area) = context.memory(|memory| memory.area_rect(layer.id)) else {
+        return;
+    };
+    let corner = egui::Rect::from_min_max(
+        area.right_top() - egui::vec2(CROSS, 0.0),
+        area.right_top() + egui::vec2(0.0, CROSS),
+    );
+    let cross = context.viewport(|viewport| {
+        let mut widgets = viewport.this_pass.widgets.get_layer(layer);
+        widgets
+            .find(|widget| {
+                let button = widget.sense.senses_click() && !widget.sense.senses_drag();
+                button && corner.contains_rect(widget.rect)
+            })
+            .map(|widget| widget.id)
+    });
+    if let Some(id) = cross {
+        context.accesskit_node_builder(id, |node| node.set_label(name));
+        if let Some(response) = context.read_response(id) {
+            response.on_hover_text(name);
+        }
+    }
 }
 
 /// The sub-window that lies above all others that are open.

@@ -43,12 +43,13 @@ impl Question {
             ui.label(fill(text, &[&name]));
             ui.add_space(8.0);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                for (text, which) in [
-                    (texts.cancel, Answer::Cancel),
-                    (texts.discard, Answer::Discard),
-                    (texts.save, Answer::Save),
+                for (text, hint, which) in [
+                    (texts.cancel, texts.cancel_hint, Answer::Cancel),
+                    (texts.discard, texts.discard_hint, Answer::Discard),
+                    (texts.save, texts.save_hint, Answer::Save),
                 ] {
-                    let response = ui.add(Button::new(text).min_size(vec2(96.0, 28.0)));
+                    let button = Button::new(text).min_size(vec2(96.0, 28.0));
+                    let response = ui.add(button).on_hover_text(hint);
                     if self.fresh && matches!(which, Answer::Save) {
                         self.fresh = false;
                         response.request_focus();
