@@ -4,9 +4,9 @@
 //! [`path`] is the engine, [`document`] the path being edited and its files,
 //! [`math`] what both stand on. `editor` is the window's contents, `raster`
 //! and `x11` bring them to a screen, `instance` joins the three under the
-//! host's event loop; [`window`] opens one from Rust. `ffi` is the border to C; its header is
-//! `include/libvides.h`. `ARCHITECTURE.md` draws the arrows between them,
-//! `docs/path.md` tells the rules by which a path becomes poses.
+//! host's event loop; [`window`] opens one from Rust. `ffi` is the border to C;
+//! its header is `include/libvides.h`. `ARCHITECTURE.md` draws the arrows
+//! between them, `docs/path.md` tells the rules by which a path becomes poses.
 //!
 //! "The thesis" is W.-D. Groß, *Orts- und Orientierungsinterpolation zur
 //! kontrollierten Generierung von Zwischenpositionen für Animationssequenzen*,
@@ -19,14 +19,10 @@ pub mod math;
 pub mod path;
 pub mod window;
 
-#[allow(dead_code, unused_imports)] // until the window is whole
 mod editor;
 mod ffi;
-#[allow(dead_code, unused_imports)] // until the window is whole
 mod instance;
-#[allow(dead_code, unused_imports)] // until the window is whole
 mod raster;
-#[allow(dead_code, unused_imports)] // until the window is whole
 mod x11;
 
 pub use error::{Error, Result};
