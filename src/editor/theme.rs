@@ -20,8 +20,6 @@ use super::setup::Theme;
 pub(super) struct Palette {
     /// Behind panels, menu bar and windows.
     pub(super) panel: Color32,
-    /// Behind the movement window.
-    pub(super) ground: Color32,
     /// Behind numbers and texts that can be typed into, and behind pictures.
     pub(super) field: Color32,
     /// A button at rest.
@@ -55,7 +53,6 @@ const fn rgb(code: u32) -> Color32 {
 
 static DARK: Palette = Palette {
     panel: rgb(0x1c_2027),
-    ground: rgb(0x10_1317),
     field: rgb(0x12_151a),
     button: rgb(0x2b_303a),
     hovered: rgb(0x37_3d49),
@@ -72,7 +69,6 @@ static DARK: Palette = Palette {
 
 static LIGHT: Palette = Palette {
     panel: rgb(0xff_ffff),
-    ground: rgb(0xfa_fbfd),
     field: rgb(0xf1_f4f8),
     button: rgb(0xe8_ebf0),
     hovered: rgb(0xdd_e2e9),
@@ -276,6 +272,7 @@ fn shadow(theme: Theme) -> Shadow {
 
 #[cfg(test)]
 mod tests {
+    use super::super::setup::{Colours, Element};
     use super::*;
 
     /// Relative luminance (WCAG 2.2).
@@ -306,18 +303,19 @@ mod tests {
 
     #[test]
     fn all_text_can_be_read() {
-        for p in [&DARK, &LIGHT] {
-            let grounds = [p.panel, p.ground, p.field, p.button, p.hovered, p.pressed];
+        for (p, colours) in [(&DARK, Colours::DARK), (&LIGHT, Colours::LIGHT)] {
+            let space = colours.of(Element::Background);
+            let grounds = [p.panel, space, p.field, p.button, p.hovered, p.pressed];
             for ground in grounds {
                 assert!(contrast(p.text, ground) >= 4.5, "{ground:?}");
             }
-            for ground in [p.panel, p.ground, p.field, p.button] {
+            for ground in [p.panel, space, p.field, p.button] {
                 assert!(contrast(p.weak, ground) >= 4.5, "weak on {ground:?}");
                 assert!(contrast(p.error, ground) >= 4.5, "error on {ground:?}");
             }
             assert!(contrast(p.on_accent, p.accent) >= 4.5);
             // What is no text but must be seen: 3:1.
-            for ground in [p.panel, p.ground, p.field] {
+            for ground in [p.panel, space, p.field] {
                 assert!(contrast(p.accent, ground) >= 3.0, "accent on {ground:?}");
                 assert!(contrast(p.focus, ground) >= 3.0, "focus on {ground:?}");
             }

@@ -31,7 +31,7 @@ use crate::error::{Error, Result};
 use crate::path::Sampler;
 use crate::x11;
 
-pub(crate) use pump::{Served, dispatch, main_loop};
+pub(crate) use pump::{dispatch, main_loop};
 pub(crate) use registry::{Lost, is_open, within_a_call};
 pub(crate) use xt::Refusal;
 

@@ -142,6 +142,16 @@ fn discard(window: Option<Box<Window>>) {
     let _ = catch_unwind(AssertUnwindSafe(|| drop(window)));
 }
 
+/// Discards a window that its owner has closed: its unsaved work is not to be
+/// offered at the next start.
+fn discard_closed(slot: Option<Slot>) {
+    let Some(mut window) = slot.and_then(|slot| slot.window) else {
+        return;
+    };
+    let _ = catch_unwind(AssertUnwindSafe(|| window.editor_mut().forget_unsaved()));
+    discard(Some(window));
+}
+
 /// Takes in a window.
 ///
 /// # Errors
@@ -270,7 +280,7 @@ pub(super) fn work<R>(
                     None
                 }
             });
-            discard(closed.and_then(|slot| slot.window));
+            discard_closed(closed);
             Some(done)
         }
         Err(panic) => {
@@ -334,7 +344,7 @@ pub(super) fn close(id: Id) -> bool {
         let free = slot.window.is_some() && !slot.calling;
         (found, if free { table.remove(id) } else { None })
     });
-    discard(closed.and_then(|slot| slot.window));
+    discard_closed(closed);
     found
 }
 
@@ -377,7 +387,7 @@ pub(super) fn call<R>(
         }
         None
     });
-    discard(closed.and_then(|slot| slot.window));
+    discard_closed(closed);
     match done {
         Ok(done) => Some(done),
         Err(panic) => {

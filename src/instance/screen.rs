@@ -2,6 +2,7 @@
 //! offers, as a trait, so that the loop can be tried without an X server.
 
 use std::os::fd::{AsFd as _, BorrowedFd};
+use std::time::Instant;
 
 use egui::{PlatformOutput, RawInput};
 
@@ -13,11 +14,13 @@ use crate::x11::{News, Window};
 pub(super) trait Screen {
     fn connection(&self) -> BorrowedFd<'_>;
     fn poll(&mut self) -> Result<News>;
+    fn deadline(&self) -> Option<Instant>;
     fn take_input(&mut self) -> RawInput;
     fn target(&mut self) -> Option<Target<'_>>;
     fn present(&mut self, areas: &[Area]) -> Result<()>;
     fn take_output(&mut self, output: PlatformOutput) -> Result<()>;
     fn set_title(&mut self, title: &str) -> Result<()>;
+    fn raise(&mut self) -> Result<()>;
     fn flush(&mut self) -> Result<()>;
 }
 
@@ -28,6 +31,10 @@ impl Screen for Window {
 
     fn poll(&mut self) -> Result<News> {
         self.poll()
+    }
+
+    fn deadline(&self) -> Option<Instant> {
+        self.deadline()
     }
 
     fn take_input(&mut self) -> RawInput {
@@ -48,6 +55,10 @@ impl Screen for Window {
 
     fn set_title(&mut self, title: &str) -> Result<()> {
         self.set_title(title)
+    }
+
+    fn raise(&mut self) -> Result<()> {
+        self.raise()
     }
 
     fn flush(&mut self) -> Result<()> {

@@ -6,12 +6,14 @@ use std::io::{Read as _, Write as _};
 use std::os::fd::{AsFd as _, BorrowedFd};
 use std::os::unix::net::UnixStream;
 use std::rc::Rc;
+use std::time::{Duration, Instant};
 
 use egui::{PlatformOutput, RawInput};
 
+use super::pump::Served;
 use super::screen::Screen;
 use super::window::Window;
-use super::{Host, Id, Served, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
+use super::{Host, Id, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
 use crate::document::Document;
 use crate::editor::{Editor, Folders, Language, Options};
 use crate::error::{Error, Result};
@@ -28,6 +30,8 @@ struct Remote {
     polls: Cell<usize>,
     presents: Cell<usize>,
     dropped: Cell<bool>,
+    raised: Cell<bool>,
+    deadline: Cell<Option<Instant>>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -91,6 +95,10 @@ impl Screen for Fake {
             .unwrap_or_default())
     }
 
+    fn deadline(&self) -> Option<Instant> {
+        self.remote.deadline.get()
+    }
+
     fn take_input(&mut self) -> RawInput {
         RawInput::default()
     }
@@ -111,6 +119,11 @@ impl Screen for Fake {
     }
 
     fn take_output(&mut self, _: PlatformOutput) -> Result<()> {
+        Ok(())
+    }
+
+    fn raise(&mut self) -> Result<()> {
+        self.remote.raised.set(true);
         Ok(())
     }
 
@@ -176,6 +189,8 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         polls: Cell::new(0),
         presents: Cell::new(0),
         dropped: Cell::new(false),
+        raised: Cell::new(false),
+        deadline: Cell::new(None),
     });
     let calls = Rc::new(Calls::default());
     let editor = Editor::new(Options {
@@ -305,6 +320,21 @@ fn a_callback_may_serve_the_others_and_close_them_and_itself() {
     assert!(!is_open(first) && is_open(second));
     assert_eq!(others.asked.get(), 0);
     close(second);
+}
+
+#[test]
+fn what_the_screen_waits_for_wakes_the_host() {
+    let (id, one, _) = open();
+    settle(&[&one]);
+    assert_eq!(wait(), None);
+    let polls = one.polls.get();
+    (one.deadline).set(Some(Instant::now() + Duration::from_millis(20)));
+    dispatch();
+    assert!(wait().is_some_and(|wait| wait <= Duration::from_millis(20)));
+    one.deadline.set(None);
+    dispatch();
+    assert!(one.polls.get() > polls && wait().is_none());
+    close(id);
 }
 
 #[test]

@@ -99,13 +99,14 @@ impl Window {
     /// When the next turn is due without any news from the screen. While a
     /// picture is in flight the screen's news come first.
     pub(super) fn due(&self, now: Instant) -> Option<Instant> {
-        if self.in_flight {
+        let due = if self.in_flight {
             None
         } else if self.fresh {
             Some(now)
         } else {
             self.due
-        }
+        };
+        due.into_iter().chain(self.screen.deadline()).min()
     }
 
     /// Does what there is to do.
@@ -139,6 +140,10 @@ impl Window {
             self.pass(now)?;
         }
         turn.wish = self.next_wish(id, host);
+        if news.close && turn.wish.is_none() {
+            // There is a question, which nobody sees behind other windows.
+            self.screen.raise()?;
+        }
         turn.busy |= self.paint()?;
         self.screen.flush()?;
         Ok(turn)

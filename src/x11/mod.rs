@@ -272,9 +272,10 @@ impl Window {
         }
     }
 
-    /// Pixels for one point.
-    pub(crate) fn scale(&self) -> f32 {
-        self.scale
+    /// When to [`Window::poll`] even if the connection stays quiet: a transfer
+    /// of the clipboard is to be given up then.
+    pub(crate) fn deadline(&self) -> Option<Instant> {
+        self.clipboard.deadline()
     }
 
     /// The pixels to paint into; `None` while a frame is in flight, or when

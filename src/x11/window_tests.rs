@@ -596,14 +596,14 @@ fn the_resolution_is_followed() {
     looker.resources("Xft.dpi:\t144\n");
     let mut shown = Shown::open(&server);
     shown.settle();
-    assert_eq!((shown.window.scale(), shown.window.size), (1.5, (450, 300)));
+    assert_eq!((shown.window.scale, shown.window.size), (1.5, (450, 300)));
     assert_eq!(
         shown.input.screen_rect.unwrap().size(),
         egui::vec2(300.0, 200.0)
     );
     assert_eq!(shown.input.viewport().native_pixels_per_point, Some(1.5));
     looker.resources("Xft.dpi:\t192\n");
-    shown.until("another scale", |shown| shown.window.scale() == 2.0);
+    shown.until("another scale", |shown| shown.window.scale == 2.0);
     assert_eq!(
         shown.input.screen_rect.unwrap().size(),
         egui::vec2(225.0, 150.0)

@@ -1,8 +1,6 @@
 //! The movement window as a hand meets it: whole sequences of mouse and keys.
 
-use egui::{
-    CursorIcon, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Vec2, pos2, vec2,
-};
+use egui::{CursorIcon, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;

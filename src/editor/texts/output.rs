@@ -5,7 +5,6 @@ use super::texts;
 texts! {
     /// Texts of the output field.
     Output {
-        name: "Output field", "Ausgabefenster";
         point: "Point", "Punkt";
         position: "Position", "Position";
         view: "View", "Blick";

@@ -4,7 +4,7 @@
 
 use egui::{
     Align, Align2, CornerRadius, CursorIcon, EventFilter, Id, Key, Layout, Modifiers, Painter,
-    Pos2, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Pos2, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::speed_shapes::Shape;
