@@ -79,11 +79,7 @@ fn contents(editor: &mut Editor, ui: &mut Ui) {
             Align2::LEFT_BOTTOM,
             text,
         ),
-        (
-            picture.right_bottom() + vec2(-8.0, -6.0),
-            Align2::RIGHT_BOTTOM,
-            zoom,
-        ),
+        (picture.left_top() + vec2(8.0, 6.0), Align2::LEFT_TOP, zoom),
     ];
     let ground = editor
         .setup

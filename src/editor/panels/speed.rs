@@ -1,7 +1,9 @@
 //! The speed curve of the current section, small (thesis A.4.3), as it really
 //! runs, with the frames and seconds that the section takes.
 
-use egui::{CornerRadius, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui::{
+    Align2, CornerRadius, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
 
 use super::{Key, heading, keys};
 use crate::editor::actions::Action;
@@ -28,16 +30,15 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui, height: f32) {
         ui.allocate_exact_size(vec2(ui.available_width(), height.floor()), Sense::click());
     paint(ui, rect, &response, curve.as_ref(), speeds.as_ref());
     if let Some(section) = section {
-        let place = rect.left_bottom() + vec2(6.0, -4.0);
+        let (place, align) = if speeds.is_some_and(begins_low) {
+            (rect.left_top() + vec2(6.0, 4.0), Align2::LEFT_TOP)
+        } else {
+            (rect.left_bottom() + vec2(6.0, -4.0), Align2::LEFT_BOTTOM)
+        };
         let color = theme::palette(ui).weak;
         let words = ends(editor, section);
-        ui.painter().text(
-            place,
-            egui::Align2::LEFT_BOTTOM,
-            words,
-            theme::small(),
-            color,
-        );
+        ui.painter()
+            .text(place, align, words, theme::small(), color);
     }
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, texts.picture));
     if response.on_hover_text(texts.picture_hint).clicked() {
@@ -45,6 +46,14 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui, height: f32) {
     }
     let change = Key::new(texts.change, texts.change_hint, Action::SpeedCurve);
     keys(editor, ui, &[change]);
+}
+
+/// Whether there is more room above the first speeds than below them.
+fn begins_low(speeds: [f64; SPEEDS]) -> bool {
+    let first = &speeds[..SPEEDS / 3 + 1];
+    let highest = first.iter().copied().fold(MIN_SPEED, f64::max);
+    let lowest = first.iter().copied().fold(MAX_SPEED, f64::min);
+    MAX_SPEED - highest > lowest - MIN_SPEED
 }
 
 /// The speed curve that belongs to the current orientation, and its section;
