@@ -430,7 +430,8 @@ fn without_the_keyboard_no_key_is_held() {
         let asked = desk
             .connection
             .set_input_focus(focus, desk.window, CURRENT_TIME);
-        asked.unwrap();
+        // Before the keys of another program come in.
+        asked.unwrap().check().unwrap();
         desk.heard.clear();
         let events = desk.type_with(&["key", "j", "keyup", "ctrl"]);
         assert_eq!(pressed(&events), [(Key::J, held("ctrl"))]);
