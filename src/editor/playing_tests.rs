@@ -6,8 +6,8 @@ use egui::{Modifiers, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-use super::super::space::tests::{editor, pyramid, pyramid_window, tap, window};
 use super::*;
+use crate::editor::space::tests::{editor, pyramid, pyramid_window, tap, window};
 use crate::editor::texts::Language;
 use crate::path::Pose;
 
