@@ -241,10 +241,13 @@ def switches(pid):
     """How often the threads of a process have gone to sleep by themselves."""
     total = 0
     for task in os.listdir(f"/proc/{pid}/task"):
-        with open(f"/proc/{pid}/task/{task}/status", encoding="ascii") as status:
-            for line in status:
-                if line.startswith("voluntary_ctxt_switches:"):
-                    total += int(line.split()[1])
+        try:
+            with open(f"/proc/{pid}/task/{task}/status", encoding="ascii") as status:
+                lines = status.readlines()
+        except (FileNotFoundError, ProcessLookupError):  # a thread that has just ended
+            continue
+        total += sum(int(line.split()[1]) for line in lines
+                     if line.startswith("voluntary_ctxt_switches:"))
     return total
 
 

@@ -5,15 +5,18 @@ nothing. With it, it opens and closes windows thousands of times and fails if
 the host's memory or descriptors, or what the server holds, grow.
 """
 
+import math
 import os
 import statistics
 import sys
 import tempfile
 
 from harness import Failure, Program, Server, Told, check, wait
+from space import first_look
 
 WINDOWS = 32
 TIMES = 30
+MOTIONS = 200
 
 
 def spread(values, unit):
@@ -77,6 +80,55 @@ def memory(folder, hosts, kind):
         server.end()
 
 
+def spiral(file, count):
+    """Writes a path of so many points; the first one lies free."""
+    with open(file, "w", encoding="ascii") as out:
+        out.write("version = 1\n")
+        for number in range(count):
+            turn = number * 20 / count
+            size = 0.3 + 0.5 * number / count
+            at = ((0.9, 0.6, 0.5) if number == 0 else
+                  (size * math.cos(turn), 0.8 * math.sin(0.7 * turn), size * math.sin(turn)))
+            out.write(f"[[point]]\nposition = {list(at)}\n[[point.orientation]]\n"
+                      "target = [0.0, 0.05, 0.0]\n")
+
+
+def drags(folder, hosts, kind):
+    """The host's own time for each motion while a point is dragged: input,
+    path, picture, hand-over to the server."""
+    for count in (2, 100, 10_000):
+        file = os.path.join(folder, f"{count}.vid")
+        spiral(file, count)
+        server = Server(tempfile.mkdtemp(dir=folder), screen="1300x900x24")
+        host = Told(folder, [os.path.join(hosts, f"loop_poll-{kind}")], server.env)
+        try:
+            host.edit(0, file)
+            window = server.window()
+            start = first_look(server.drawn(window)).image((0.9, 0.6, 0.5))
+            words = server.drag_words(window, start, (start[0] - 20, start[1] - 20), 2, 5, False)
+            server.xdotool(*words)
+            host.idle()
+            before, spent = host.path()[0], processor(host.pid)
+            words = []
+            for step in range(MOTIONS):
+                words += ["mousemove", "--window", window, round(start[0]) - 21 - step % 50,
+                          round(start[1]) - 21 - step % 37, "sleep", "0.02"]
+            server.xdotool(*words)
+            host.idle()
+            spent = processor(host.pid) - spent
+            check(host.path()[0] != before, "the point stayed where it was")
+            print(f"{kind}: dragging one of {count} points: {spent / MOTIONS:.2f} ms a motion")
+        finally:
+            host.kill()
+            server.end()
+
+
+def processor(pid):
+    """Time that a process has had of a processor, in ms."""
+    with open(f"/proc/{pid}/schedstat", encoding="ascii") as file:
+        return int(file.read().split()[0]) / 1e6
+
+
 def soak(folder, hosts, kind, count):
     """Opens and closes; nothing may grow."""
     server = Server(tempfile.mkdtemp(dir=folder), screen="1300x900x24")
@@ -115,6 +167,7 @@ def main():
         for kind in ("archive", "shared"):
             times(folder, hosts, kind)
             memory(folder, hosts, kind)
+            drags(folder, hosts, kind)
 
 
 if __name__ == "__main__":
