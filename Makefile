@@ -4,7 +4,8 @@
 #   make demo        a Motif program that opens the editor, on your display or by itself
 #   make test        every check there is
 #   make bench       speed, beside other libraries
-#   make soak        the random checks again, with many more cases
+#   make soak        the random checks again, with many more cases, and fuzz
+#   make fuzz        tries broken files for FUZZ_SECONDS each of the three kinds
 #   make install     PREFIX=/usr/local DESTDIR=
 #   make uninstall   the same
 #   make header      writes include/libvides.h anew
@@ -38,12 +39,13 @@ DEMO = $(CARGO_TARGET_DIR)/demo
 TOOLS = $(CARGO_TARGET_DIR)/tools
 
 SOAK_CASES ?= 20000
+FUZZ_SECONDS ?= 1800
 # What drives a window under an X server without a screen.
 X_TOOLS = python3=python3 Xvfb=xvfb xauth=xauth xdotool=xdotool xprop=x11-utils \
     xwd=x11-apps /usr/include/Xm/Xm.h=libmotif-dev
 LINT = -D warnings
 
-.PHONY: all libs demo test bench soak install uninstall header clean FORCE \
+.PHONY: all libs demo test bench soak fuzz install uninstall header clean FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-x check-install check-docs check-dependencies
 
@@ -113,6 +115,7 @@ test: toolchain check-format check-lints check-rust check-c check-linking \
 check-format:
 	@command -v cargo-fmt >/dev/null || mk/component.sh rustfmt
 	$(CARGO) fmt --check
+	$(CARGO) fmt --check --manifest-path fuzz/Cargo.toml
 
 check-lints:
 	@command -v cargo-clippy >/dev/null || mk/component.sh clippy
@@ -157,8 +160,15 @@ bench: libs
 	@mk/need.sh python3=python3 python3:ensurepip=python3-venv
 	python3 benches/table.py
 
-soak: toolchain
+soak: toolchain libs fuzz
 	VIDES_KILLS=200 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked
+	VIDES_SAVE_KILLS=1000 tests/c/run.sh $(LIB) saving
+
+fuzz: toolchain
+	@mk/need.sh c++=g++
+	@command -v cargo-fuzz >/dev/null || [ -x $(TOOLS)/bin/cargo-fuzz ] || \
+	    $(CARGO) install --locked --root $(TOOLS) --target-dir $(TOOLS)/build cargo-fuzz
+	PATH="$$PATH:$(abspath $(TOOLS))/bin" mk/fuzz.sh $(FUZZ_SECONDS)
 
 # ---- Laying it down -------------------------------------------------------------
 

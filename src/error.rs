@@ -140,6 +140,15 @@ pub(crate) fn vec_with_room<T>(capacity: usize) -> Result<Vec<T>> {
     Ok(vec)
 }
 
+/// Sees that so many bytes can be had just now: asks for them and gives them
+/// back. For what follows and cannot be told to give up, as parts of the standard
+/// library; nobody but another thread comes in between.
+pub(crate) fn room(bytes: usize) -> Result<()> {
+    // Shown to the compiler as used: else it leaves the question out.
+    std::hint::black_box(vec_with_room::<u8>(bytes)?);
+    Ok(())
+}
+
 /// `value` on the heap, or [`Error::Memory`].
 pub(crate) fn try_box<T>(value: T) -> Result<Box<[T]>> {
     let mut vec = vec_with_room(1)?;

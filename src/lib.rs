@@ -25,4 +25,21 @@ mod instance;
 mod raster;
 mod x11;
 
+/// The door of the fuzzer in `fuzz/` to readers that are nobody else's business;
+/// see `editor::hostile`. There only when the compiler is told `--cfg fuzzing`.
+#[cfg(fuzzing)]
+pub mod hostile {
+    use std::path::Path;
+
+    /// Checks bytes as a setup file, in a folder for this alone.
+    pub fn setup(folder: &Path, bytes: &[u8]) {
+        crate::editor::hostile::setup(folder, bytes);
+    }
+
+    /// Checks bytes as a recovery file, in a folder for this alone.
+    pub fn recovery(folder: &Path, bytes: &[u8]) {
+        crate::editor::hostile::recovery(folder, bytes);
+    }
+}
+
 pub use error::{Error, Result};

@@ -50,9 +50,9 @@ pub const MAX_HOLD: u32 = 1_000_000;
 /// of a small machine while it is parsed.
 pub const MAX_FILE_BYTES: u64 = 320 << 20;
 
-/// Values of a file that are parsed at once: the coordinates of the largest
-/// object and some more, in about a gigabyte.
-pub const MAX_FILE_VALUES: usize = 8_000_000;
+/// Bytes that parsing a part of a file may take, told beforehand and by far too
+/// many for most: the largest object, written as it is saved, and a little more.
+pub const MAX_PARSE_BYTES: usize = 2 << 30;
 
 /// Steps that can be taken back: more than a day's work by hand.
 pub const MAX_HISTORY_STEPS: usize = 10_000;

@@ -1,42 +1,13 @@
 //! What edits cost, counted in allocations: moving one point of many must not
 //! touch the others, and a document without history must keep nothing.
 
-// Counting needs an allocator of its own, and an allocator is unsafe.
-#![allow(unsafe_code)]
+#[path = "common/counting.rs"]
+mod counting;
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
-
+use counting::cost;
 use glam::dvec3;
 use vides::document::{Document, Edit, Info};
 use vides::path::{CameraPath, Orientation, SupportPoint, Tcb};
-
-struct Counting;
-
-thread_local! {
-    static BYTES: Cell<usize> = const { Cell::new(0) };
-    static LIVE: Cell<isize> = const { Cell::new(0) };
-}
-
-// SAFETY: everything is handed on to the system's allocator; the counters are
-// plain cells without destructors, which may be used at any time of a thread.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        BYTES.set(BYTES.get() + layout.size());
-        LIVE.set(LIVE.get() + layout.size() as isize);
-        // SAFETY: the caller's promises are those that the system's needs.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        LIVE.set(LIVE.get() - layout.size() as isize);
-        // SAFETY: as above; the memory came from the system's allocator.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 fn document(points: usize) -> Document {
     let path = CameraPath {
@@ -46,13 +17,6 @@ fn document(points: usize) -> Document {
         ..CameraPath::default()
     };
     Document::from_parts(path, Info::default()).unwrap()
-}
-
-/// Bytes that `f` allocates, and by how much it leaves more of them in use.
-fn cost(f: impl FnOnce()) -> (usize, isize) {
-    let (bytes, live) = (BYTES.get(), LIVE.get());
-    f();
-    (BYTES.get() - bytes, LIVE.get() - live)
 }
 
 /// Edits of the values at point `at`, `round` making them differ.
@@ -89,13 +53,13 @@ fn changing_one_point_costs_the_same_however_many_there_are() {
         let mut document = document(points);
         let mut costs = Vec::new();
         for edit in edits(points / 2, 1) {
-            costs.push(cost(|| document.apply(edit).unwrap()).0);
+            costs.push(cost(|| document.apply(edit).unwrap()).bytes);
         }
         for _ in 0..4 {
-            costs.push(cost(|| assert!(document.undo())).0);
+            costs.push(cost(|| assert!(document.undo())).bytes);
         }
         for _ in 0..4 {
-            costs.push(cost(|| assert!(document.redo())).0);
+            costs.push(cost(|| assert!(document.redo())).bytes);
         }
         costs
     };
@@ -122,7 +86,7 @@ fn taking_insertions_back_needs_no_memory() {
         })
         .unwrap();
     for _ in 0..3 {
-        let (bytes, live) = cost(|| {
+        let cost = cost(|| {
             for _ in 0..3 {
                 assert!(document.undo());
             }
@@ -130,7 +94,7 @@ fn taking_insertions_back_needs_no_memory() {
                 assert!(document.redo());
             }
         });
-        assert_eq!((bytes, live), (0, 0));
+        assert_eq!((cost.bytes, cost.left), (0, 0));
     }
 }
 
@@ -145,7 +109,8 @@ fn without_history_ten_thousand_edits_leave_nothing_behind() {
         }
     };
     run(0..100);
-    assert_eq!(cost(|| run(100..10_000)), (0, 0));
+    let cost = cost(|| run(100..10_000));
+    assert_eq!((cost.bytes, cost.left), (0, 0));
 }
 
 #[test]
@@ -155,14 +120,14 @@ fn a_drag_of_ten_thousand_moves_keeps_one_record() {
     for edit in edits(50, 0) {
         document.apply(edit).unwrap();
     }
-    let (_, live) = cost(|| {
+    let cost = cost(|| {
         for round in 1..10_000 {
             for edit in edits(50, round) {
                 document.apply(edit).unwrap();
             }
         }
     });
-    assert_eq!(live, 0);
+    assert_eq!(cost.left, 0);
 }
 
 #[test]
@@ -177,10 +142,11 @@ fn large_steps_do_not_pile_up() {
     for _ in 0..8 {
         document.apply(Edit::ReplacePath(large())).unwrap();
     }
-    let (_, live) = cost(|| {
+    let cost = cost(|| {
         for _ in 0..40 {
             document.apply(Edit::ReplacePath(large())).unwrap();
         }
     });
-    assert!(live < vides::limits::MAX_HISTORY_BYTES as isize, "{live}");
+    let left = cost.left;
+    assert!(left < vides::limits::MAX_HISTORY_BYTES as isize, "{left}");
 }

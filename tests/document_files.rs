@@ -412,15 +412,6 @@ fn what_is_no_file_is_refused_and_never_waits() {
     );
 }
 
-#[test]
-fn many_values_in_one_table_are_refused_before_they_fill_the_memory() {
-    let text = format!("version = 1\nfps = [{}]\n", "1,".repeat(8_000_001));
-    assert_eq!(
-        parse(&text).unwrap_err(),
-        "the file has more than 8000000 values in one table"
-    );
-}
-
 /// The file that the module's own description shows.
 fn example() -> String {
     let description = include_str!("../src/document/vid/mod.rs");

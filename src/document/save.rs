@@ -7,7 +7,14 @@ use std::io::{self, BufWriter, Write};
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt, PermissionsExt};
 use std::path::{Path, PathBuf};
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, room};
+
+/// Bytes that are written at once.
+const BUFFER: usize = 32 << 10;
+
+/// The same, and names and messages, for which the standard library cannot be
+/// told to give up. Little enough that what is given back stays at hand.
+const ROOM: usize = BUFFER + (32 << 10);
 
 /// Saves bytes. See [`save_with`].
 ///
@@ -27,6 +34,7 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<()> {
 /// [`Error::Io`] naming the file, or the error of `write`. The old file is
 /// whole then, and nothing is left beside it.
 pub fn save_with(file: &Path, write: &mut dyn FnMut(&mut dyn Write) -> Result<()>) -> Result<()> {
+    room(ROOM)?;
     let io = |error| failed(file, error);
     let target = destination(file).map_err(io)?;
     let old = match fs::metadata(&target) {
@@ -51,7 +59,7 @@ pub fn save_with(file: &Path, write: &mut dyn FnMut(&mut dyn Write) -> Result<()
         _ => Path::new("."),
     };
     let mut temporary = Temporary::beside(&target, folder).map_err(io)?;
-    let mut out = BufWriter::with_capacity(1 << 16, &temporary.file);
+    let mut out = BufWriter::with_capacity(BUFFER, &temporary.file);
     write(&mut out).map_err(|error| match error {
         Error::Io { source, .. } => io(source),
         other => other,

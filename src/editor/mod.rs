@@ -14,6 +14,8 @@ mod camera_view;
 mod filing;
 mod folders;
 mod frame;
+#[cfg(any(test, fuzzing))]
+pub(crate) mod hostile;
 mod keys;
 mod menu;
 mod number;

@@ -21,8 +21,9 @@ use crate::error::{Error, Result};
 /// The version that is written, and the newest that is read.
 const VERSION: i64 = 1;
 
-/// Bytes of a setup file: a hundred times what is written.
-const MAX_BYTES: u64 = 1 << 20;
+/// Bytes of a setup file: forty times what is written. Parsed, they may take some
+/// hundred times as much.
+const MAX_BYTES: u64 = 64 << 10;
 
 const KEYS: [&str; 7] = [
     "version",

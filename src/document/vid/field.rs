@@ -21,10 +21,14 @@ pub(crate) struct Source<'a> {
 impl Source<'_> {
     /// A sentence about the place at a byte offset of the piece.
     pub(crate) fn complain(self, offset: usize, reason: impl Display) -> Error {
+        Error::Format(format!("line {}: {reason}", self.line(offset)).into())
+    }
+
+    /// The line of a byte offset of the piece.
+    pub(crate) fn line(self, offset: usize) -> usize {
         let end = (self.start + offset).min(self.text.len());
         let before = &self.text.as_bytes()[..end];
-        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        Error::Format(format!("line {line}: {reason}").into())
+        1 + before.iter().filter(|&&byte| byte == b'\n').count()
     }
 }
 

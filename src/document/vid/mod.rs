@@ -34,6 +34,7 @@
 pub(crate) mod field;
 mod pieces;
 mod read;
+mod weight;
 mod write;
 
 use std::fs::OpenOptions;
@@ -42,7 +43,7 @@ use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
 use super::info::Info;
-use crate::error::{Error, Result, vec_with_room};
+use crate::error::{Error, Result, room, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
 
@@ -51,6 +52,10 @@ pub(super) use write::to_toml;
 
 /// The version of the format that is written, and the newest that is read.
 const VERSION: i64 = 1;
+
+/// Bytes for names, messages and what else the standard library allocates by the
+/// way without being able to give up.
+const ROOM: usize = 32 << 10;
 
 /// Reads a file.
 pub(super) fn load(file: &Path) -> Result<(CameraPath, Info)> {
@@ -70,6 +75,7 @@ pub(super) fn load_from(reader: &mut dyn Read, name: &str) -> Result<(CameraPath
 /// [`Error::Io`], [`Error::Limit`], [`Error::Memory`]; [`Error::Format`] if it
 /// is no UTF-8. Each names the file.
 pub(crate) fn read_text(file: &Path, most: u64) -> Result<String> {
+    room(ROOM)?;
     let place = file.display().to_string();
     let io = |source| Error::Io {
         place: file.display().to_string(),

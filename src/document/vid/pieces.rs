@@ -11,11 +11,12 @@
 use toml::de::{DeTable, Error as ParseError};
 
 use super::field::Source;
-use crate::error::{Error, Result};
-use crate::limits::{MAX_COMMENT_BYTES, MAX_FILE_VALUES};
+use super::weight;
+use crate::error::{Error, Result, room};
+use crate::limits::{MAX_COMMENT_BYTES, MAX_PARSE_BYTES};
 
-/// Bytes of a piece, at least.
-const PIECE: usize = 128 << 10;
+/// Bytes of a piece, at least. A fuzzer's files are small, and are to be cut too.
+const PIECE: usize = if cfg!(fuzzing) { 256 } else { 128 << 10 };
 
 /// More than the longest comment takes, even if each of its bytes is written
 /// as six; nothing else that may hold a line of this kind is longer.
@@ -55,19 +56,21 @@ fn cut(source: Source<'_>, least: usize) -> usize {
         .map_or(bytes.len(), |position| from + position + 1)
 }
 
+/// The tree of the text up to `end`, or why there is none.
 fn parse_to(source: Source<'_>, end: usize) -> Result<Result<DeTable<'_>, ParseError>> {
     let piece = &source.text[source.start..end];
-    // Each value stands behind one of these; nobody counts in a small piece.
-    let opens = |byte: &u8| matches!(byte, b'=' | b'[' | b',' | b'{');
-    let values = match piece.len() {
-        ..=MAX_FILE_VALUES => 0,
-        _ => piece.as_bytes().iter().filter(|byte| opens(byte)).count(),
-    };
-    if values > MAX_FILE_VALUES {
-        return Err(Error::Limit(
-            format!("the file has more than {MAX_FILE_VALUES} values in one table").into(),
-        ));
+    let memory = weight::memory(piece);
+    if memory > MAX_PARSE_BYTES {
+        let most = MAX_PARSE_BYTES >> 20;
+        let line = source.line(0);
+        let reason = format!(
+            "line {line}: what begins here could take more than {most} MiB of memory to be read"
+        );
+        return Err(Error::Limit(reason.into()));
     }
+    // The parser cannot give up when memory runs out: see that there is enough,
+    // for copies of its texts too.
+    room(memory + piece.len())?;
     Ok(DeTable::parse(piece).map(toml::Spanned::into_inner))
 }
 

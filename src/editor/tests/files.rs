@@ -350,3 +350,34 @@ fn the_hosts_speeds_and_object_stand() {
     assert_eq!(document.info().object.len(), 1);
     assert!(!document.is_modified() && !document.can_undo());
 }
+
+/// As two programs do: whoever looks finds a whole path, in the end one of the two.
+#[test]
+fn two_windows_that_save_to_one_file_leave_it_whole() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("both.vid");
+    Document::new().save(&file).expect("a file");
+    let work = |step: &str| {
+        let mut options = options(Language::English);
+        options.file = Some(file.clone());
+        let mut window = window_of(options, [1200.0, 800.0], 1.0, Theme::Dark);
+        for _ in 0..20 {
+            click(&mut window, step);
+            press(&mut window, Modifiers::CTRL, Key::S);
+            assert!(!modified(&window), "{:?}", said(&window));
+        }
+        window.state().document.to_toml().expect("a text")
+    };
+    let texts = std::thread::scope(|scope| {
+        let both = ["Pos.+", "Ori.+"].map(|step| scope.spawn(move || work(step)));
+        while !both.iter().all(|window| window.is_finished()) {
+            Document::load(&file).expect("a whole path");
+        }
+        both.map(|window| window.join().expect("a window"))
+    });
+    assert_ne!(texts[0], texts[1]);
+    let left = std::fs::read_to_string(&file).expect("a text");
+    assert!(texts.contains(&left));
+    let names = std::fs::read_dir(folder.path()).expect("a folder");
+    assert_eq!(names.count(), 1);
+}
