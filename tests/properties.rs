@@ -5,10 +5,12 @@ mod common;
 use common::{Random, all_poses, prepared, set_speeds};
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
+use vides::document::export::{self, Format, Options};
+use vides::document::{Document, Info};
 use vides::path::arc_length::ArcLength;
 use vides::path::hermite::Cubic;
 use vides::path::speed_curve::SpeedCurve;
-use vides::path::{CameraPath, CurveParameters, Pose, Target};
+use vides::path::{CameraPath, Change, CurveParameters, Pose, Target};
 
 fn vector() -> impl Strategy<Value = DVec3> {
     prop::array::uniform3(-1.0..1.0f64).prop_map(DVec3::from_array)
@@ -328,4 +330,121 @@ fn zoom_stays_between_its_keys() {
     }
     println!("{beyond:e} beyond the keys");
     assert!(beyond <= 0.0);
+}
+
+/// What is counted beforehand is what is sampled, and what every file holds.
+#[test]
+fn every_count_of_frames_is_the_same() {
+    let mut random = Random::new(57);
+    for _ in 0..200 {
+        let path = some_path(&mut random);
+        let (timeline, sampler) = prepared(&path);
+        let poses = all_poses(&sampler);
+        let counted = timeline.frame_count().unwrap();
+        assert_eq!((counted, sampler.frame_count()), (poses.len(), poses.len()));
+        let document = Document::from_parts(path, Info::default()).unwrap();
+        for (format, heading) in [(Format::Ascii, 0), (Format::Csv, 1)] {
+            let mut text = Vec::new();
+            let options = Options {
+                format,
+                world: false,
+            };
+            export::write(&document, options, &mut text, &mut |_, _| {}).unwrap();
+            let lines = text.iter().filter(|&&byte| byte == b'\n').count();
+            assert_eq!(lines, heading + poses.len());
+            assert_eq!(text.last(), Some(&b'\n'));
+        }
+    }
+}
+
+/// Frame n of N stands where the integral of the speed curve says, measured
+/// along the segment: with any speeds, not only even ones.
+#[test]
+fn distances_follow_the_speed_curve() {
+    let mut random = Random::new(58);
+    let (mut worst, mut uneven) = (0.0f64, 0);
+    for _ in 0..300 {
+        let path = random.path(60.0);
+        let (timeline, sampler) = prepared(&path);
+        let poses = all_poses(&sampler);
+        for index in 0..timeline.section_count() {
+            let section = timeline.section(index);
+            if section.change != Change::Position {
+                continue;
+            }
+            let curve = timeline.curve(section.point);
+            let arc = ArcLength::new(curve).unwrap();
+            let speed = timeline.speed_curve(&path, index);
+            let first = sampler.first_frame(index) - 1;
+            for n in 1..section.frames {
+                let u = n as f64 / section.frames as f64;
+                let share = speed.fraction(u);
+                uneven += usize::from((share - u).abs() > 0.01);
+                let should = curve.point(arc.parameter_at(share * arc.length()));
+                let is = DVec3::from(poses[first + n - 1].vrp);
+                worst = worst.max((is - should).length() / arc.length());
+            }
+        }
+    }
+    println!("{worst:e} of a segment's length, {uneven} frames where the speed is uneven");
+    assert!(uneven > 1000 && worst < 1e-9, "{worst:e} {uneven}");
+}
+
+/// Of a relative offset only the direction counts.
+#[test]
+fn the_length_of_an_offset_changes_nothing() {
+    let mut random = Random::new(59);
+    for _ in 0..300 {
+        let path = random.path(60.0);
+        let mut other = path.clone();
+        for point in &mut other.points {
+            for orientation in &mut point.orientations {
+                if let Target::Relative(offset) = &mut orientation.target {
+                    // A power of two: the direction is the same to the last bit.
+                    *offset *= 2f64.powi(random.below(20) as i32 - 10);
+                }
+            }
+        }
+        let [one, two] = [&path, &other].map(|path| all_poses(&prepared(path).1));
+        assert_eq!(one, two);
+    }
+}
+
+/// A closed path that begins at another of its points runs through the same
+/// poses, from there on.
+#[test]
+fn a_closed_path_has_no_beginning() {
+    let mut random = Random::new(60);
+    let mut worst = 0.0f64;
+    for _ in 0..300 {
+        let mut path = random.path(60.0);
+        path.closed = true;
+        for point in &mut path.points {
+            for orientation in &mut point.orientations {
+                // The first key's hold counts at the start, and not again at the end.
+                orientation.hold = 0;
+                // No two are one key; none is half a turn from the next by a pole.
+                orientation.zoom = random.between(1.0, 100.0);
+                let offset = orientation.target.offset_from(point.position);
+                if offset.x.hypot(offset.z) < 1e-3 {
+                    orientation.target = Target::Relative(DVec3::new(0.1, offset.y, 0.3));
+                }
+            }
+        }
+        let begin = random.below(path.points.len());
+        let mut turned = path.clone();
+        turned.points.rotate_left(begin);
+        let (timeline, sampler) = prepared(&path);
+        let poses = all_poses(&sampler);
+        let others = all_poses(&prepared(&turned).1);
+        assert_eq!(poses.len(), others.len());
+        let section = timeline.section_from(begin, 0).unwrap();
+        let first = sampler.first_frame(section) - 2;
+        let round = poses.len() - 1;
+        for (k, other) in others.iter().enumerate() {
+            worst = worst.max(apart(&poses[(first + k) % round], other));
+        }
+    }
+    println!("{worst:e} apart");
+    assert!(worst < 1e-9, "{worst:e}");
 }

@@ -8,21 +8,7 @@
 #include <locale.h>
 #include <sys/stat.h>
 
-#include "check.h"
-
-static char name[500];
-
-static const char *in(const char *folder, const char *file)
-{
-    sprintf(name, "%.300s/%s", folder, file);
-    return name;
-}
-
-static void write_text(const char *file, const char *text)
-{
-    FILE *out = fopen(file, "w");
-    CHECK(out != NULL && fputs(text, out) >= 0 && fclose(out) == 0);
-}
+#include "files.h"
 
 static V_PATH *some_path(void)
 {
@@ -80,13 +66,13 @@ static void broken_files(const char *folder)
     not_loaded(V_ERR_IO, "", "");
     not_loaded(V_ERR_IO, folder, "");
     write_text(in(folder, "empty.vid"), "");
-    not_loaded(V_ERR_FORMAT, name, "empty.vid");
+    not_loaded(V_ERR_FORMAT, in(folder, "empty.vid"), "empty.vid");
     write_text(in(folder, "noise.vid"), "version = 1\n\n= what\n");
-    not_loaded(V_ERR_FORMAT, name, "3");
+    not_loaded(V_ERR_FORMAT, in(folder, "noise.vid"), "3");
     write_text(in(folder, "typo.vid"), "version = 1\ntitel = \"x\"\n");
-    not_loaded(V_ERR_FORMAT, name, "titel");
+    not_loaded(V_ERR_FORMAT, in(folder, "typo.vid"), "titel");
     write_text(in(folder, "newer.vid"), "version = 2\n");
-    not_loaded(V_ERR_FORMAT, name, "version");
+    not_loaded(V_ERR_FORMAT, in(folder, "newer.vid"), "version");
 }
 
 static void ascii(const char *folder)
@@ -105,7 +91,7 @@ static void ascii(const char *folder)
     sprintf(is, "%.1f", 0.5);
     CHECK(strcmp(is, "0,5") == 0);
     OK(v_path_write_ascii(path, in(folder, "poses.txt")));
-    file = fopen(name, "r");
+    file = fopen(in(folder, "poses.txt"), "r");
     CHECK(file != NULL);
     for (i = 0; i < count && file != NULL; i++) {
         double numbers[10];
@@ -136,6 +122,35 @@ static void ascii(const char *folder)
     v_path_free(path);
 }
 
+/* As many frames as poses, elements of the list, and lines of the file. */
+static void counts(const char *folder)
+{
+    int kind;
+    for (kind = 0; kind < 20; kind++) {
+        V_PATH *path = path_of(1 + kind, kind);
+        V_KAMERAPAR first;
+        size_t frames = 0, poses = 0, lines = 0;
+        int c;
+        FILE *file;
+        OK(v_path_set_speeds(path, 3 + 7 * kind, 20, 20, 20));
+        OK(v_path_set_closed(path, kind % 2));
+        OK(v_path_frame_count(path, &frames));
+        STATUS(V_OK, v_path_sample(path, NULL, 0, &poses));
+        first.number = -1;
+        OK(v_path_to_list(path, &first));
+        OK(v_path_write_ascii(path, in(folder, "counted.txt")));
+        file = fopen(in(folder, "counted.txt"), "r");
+        while (file != NULL && (c = getc(file)) != EOF)
+            lines += c == '\n';
+        if (file != NULL)
+            fclose(file);
+        CHECK(frames > 1 && poses == frames && lines == frames);
+        CHECK((size_t)first.prev->number == frames);
+        v_free_liste(&first);
+        v_path_free(path);
+    }
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2)
@@ -143,5 +158,6 @@ int main(int argc, char **argv)
     saved_and_loaded(argv[1]);
     broken_files(argv[1]);
     ascii(argv[1]);
+    counts(argv[1]);
     return failures != 0;
 }
