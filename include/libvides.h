@@ -277,7 +277,10 @@ struct v_editor_options {
     double winkel_speed;
     /** name of the X display; NULL: the environment's DISPLAY */
     const char *display;
-    /** "de" or "en"; NULL: the environment's, by LC_ALL, LC_MESSAGES, LANG */
+    /**
+     * "de" or "en"; NULL: the environment's, by LC_ALL, LC_MESSAGES, LANG.
+     * A language that the user has chosen in the setup counts before both
+     */
     const char *language;
     /**
      * called when the user hands over the poses; they are the library's and

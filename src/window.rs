@@ -7,7 +7,7 @@ use std::path::Path;
 use std::rc::Rc;
 
 use crate::document::Document;
-use crate::editor::{self, Folders, Language};
+use crate::editor::{self, Folders};
 use crate::error::{Error, Result};
 use crate::instance::{self, Host, Id};
 use crate::path::Sampler;
@@ -29,7 +29,7 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
             document,
             file: file.map(Path::to_path_buf),
             title: None,
-            language: Language::of_environment(),
+            language: None,
             hand_over: false,
             fixed_speeds: false,
             folders: Folders::of_environment(),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::error::{Error, Result, sentence};
+use crate::error::{Error, Message, Result, message};
 use crate::limits;
 use crate::path::Pose;
 use crate::path::camera_path::check_coordinates;
@@ -117,8 +117,8 @@ impl Space {
     /// [`Error::Range`], [`Error::Argument`] or [`Error::Limit`].
     pub fn check(&self) -> Result<()> {
         check_scale(self.scale)?;
-        check_coordinates(self.origin).map_err(|error| error.at("the origin"))?;
-        check_line(&self.unit, "the unit")
+        check_coordinates(self.origin).map_err(|error| error.at(message!("the origin")))?;
+        check_line(&self.unit, message!("the unit"))
     }
 }
 
@@ -157,19 +157,19 @@ impl Info {
     /// # Errors
     /// The first field that is not, with the reason.
     pub fn check(&self) -> Result<()> {
-        check_line(&self.title, "the title")?;
+        check_line(&self.title, message!("the title"))?;
         check_comment(&self.comment)?;
         check_fps(self.fps)?;
         self.space.check()?;
         if self.object.len() > limits::MAX_OBJECT_POINTS {
-            return Err(Error::Limit(sentence(format_args!(
-                "an object has at most {} points",
+            return Err(Error::Limit(message!(
+                "an object has at most {0} points",
                 limits::MAX_OBJECT_POINTS
-            ))));
+            )));
         }
         for (index, point) in self.object.iter().enumerate() {
             check_coordinates(point.position)
-                .map_err(|error| error.at(format_args!("object point {}", index + 1)))?;
+                .map_err(|error| error.at(message!("object point {0}", index + 1)))?;
         }
         Ok(())
     }
@@ -178,9 +178,9 @@ impl Info {
 /// Scale of a space.
 pub(super) fn check_scale(scale: f64) -> Result<()> {
     if !(scale > 0.0 && scale <= limits::MAX_COORDINATE) {
-        return Err(Error::Range(
-            "the scale must be greater than 0 and at most 1e9".into(),
-        ));
+        return Err(Error::Range(message!(
+            "the scale must be greater than 0 and at most 1e9"
+        )));
     }
     Ok(())
 }
@@ -188,9 +188,9 @@ pub(super) fn check_scale(scale: f64) -> Result<()> {
 /// Frames per second that a film can have.
 pub(super) fn check_fps(fps: f64) -> Result<()> {
     if !(fps > 0.0 && fps <= limits::MAX_FPS) {
-        return Err(Error::Range(
-            "the frames per second must be greater than 0 and at most 100000".into(),
-        ));
+        return Err(Error::Range(message!(
+            "the frames per second must be greater than 0 and at most 100000"
+        )));
     }
     Ok(())
 }
@@ -198,16 +198,16 @@ pub(super) fn check_fps(fps: f64) -> Result<()> {
 /// A comment: not too long.
 pub(super) fn check_comment(comment: &str) -> Result<()> {
     if comment.len() > limits::MAX_COMMENT_BYTES {
-        return Err(Error::Limit(sentence(format_args!(
-            "the comment has at most {} bytes",
+        return Err(Error::Limit(message!(
+            "the comment has at most {0} bytes",
             limits::MAX_COMMENT_BYTES
-        ))));
+        )));
     }
     Ok(())
 }
 
 /// A text that stands on one line: no control characters, not too long.
-pub(super) fn check_line(text: &str, what: &str) -> Result<()> {
+pub(super) fn check_line(text: &str, what: Message) -> Result<()> {
     crate::path::camera_path::check_name(text).map_err(|error| error.at(what))
 }
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::error::{Error, Result, sentence};
+use crate::error::{Error, Result, message};
 use crate::limits::MAX_DIVISION;
 use crate::math::orientation::unit;
 use crate::path::CameraPath;
@@ -21,17 +21,19 @@ pub(super) fn divide<'a>(
     if segment >= path.segment_count() {
         let last = path.segment_count() - 1;
         return Err(Error::Range(if segment + 1 == path.points.len() {
-            "no segment begins in the last point of an open path".into()
+            message!("no segment begins in the last point of an open path")
         } else {
-            sentence(format_args!(
-                "there is no segment {segment}: the path has segments 0 to {last}"
-            ))
+            message!(
+                "there is no segment {0}: the path has segments 0 to {1}",
+                segment,
+                last
+            )
         }));
     }
     if count == 0 || count > MAX_DIVISION {
-        return Err(Error::Range(
-            "a segment is divided by 1 to 10 points".into(),
-        ));
+        return Err(Error::Range(message!(
+            "a segment is divided by 1 to 10 points"
+        )));
     }
     let curve = kochanek_bartels::segment(path, segment);
     let measure = ArcLength::new(&curve)?;
@@ -54,11 +56,11 @@ pub(super) enum End {
 /// segment at that end is long, kept in the movement space.
 pub(super) fn beyond(path: &CameraPath, end: End) -> Result<DVec3> {
     if path.closed {
-        return Err(Error::Argument("a closed path has no ends".into()));
+        return Err(Error::Argument(message!("a closed path has no ends")));
     }
-    let (segment, name) = match end {
-        End::First => (0, "first"),
-        End::Last => (path.segment_count() - 1, "last"),
+    let segment = match end {
+        End::First => 0,
+        End::Last => path.segment_count() - 1,
     };
     let curve = kochanek_bartels::segment(path, segment);
     let length = ArcLength::new(&curve)?.length();
@@ -67,17 +69,25 @@ pub(super) fn beyond(path: &CameraPath, end: End) -> Result<DVec3> {
         End::Last => (curve.end, way_out_at_end(&curve)),
     };
     let Some(way) = way else {
-        return Err(Error::Argument(sentence(format_args!(
-            "the {name} segment has no length and so no direction to go on in"
-        ))));
+        return Err(Error::Argument(match end {
+            End::First => {
+                message!("the first segment has no length and so no direction to go on in")
+            }
+            End::Last => {
+                message!("the last segment has no length and so no direction to go on in")
+            }
+        }));
     };
     // An end that already lies outside must not be pulled back in.
     let (low, high) = (from.min(DVec3::NEG_ONE), from.max(DVec3::ONE));
     let place = (from + length * way).clamp(low, high);
     if place == from {
-        return Err(Error::Range(sentence(format_args!(
-            "there is no room in the movement space beyond the {name} point"
-        ))));
+        return Err(Error::Range(match end {
+            End::First => {
+                message!("there is no room in the movement space beyond the first point")
+            }
+            End::Last => message!("there is no room in the movement space beyond the last point"),
+        }));
     }
     Ok(place)
 }

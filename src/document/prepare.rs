@@ -8,7 +8,7 @@ use super::edit::Edit;
 use super::editing::Selection;
 use super::place;
 use super::target;
-use crate::error::{Error, Result, sentence, vec_with_room};
+use crate::error::{Error, Result, message, vec_with_room};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::camera_path::{check_coordinates, check_speeds};
@@ -20,10 +20,11 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
     let change = match edit {
         Edit::InsertPoint { at, position } => {
             if at > path.points.len() {
-                return Err(Error::Range(sentence(format_args!(
-                    "a new point must be put at 0 to {}, not at {at}",
-                    path.points.len()
-                ))));
+                return Err(Error::Range(message!(
+                    "a new point must be put at 0 to {0}, not at {1}",
+                    path.points.len(),
+                    at
+                )));
             }
             let points = copies(content, at.saturating_sub(1), &[position])?;
             return Ok(inserted(at, points));
@@ -46,9 +47,9 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
         Edit::RemovePoint { at } => {
             point(path, at)?;
             if path.points.len() <= limits::MIN_POINTS {
-                return Err(Error::Range(
-                    "the last two points of a path cannot be removed".into(),
-                ));
+                return Err(Error::Range(message!(
+                    "the last two points of a path cannot be removed"
+                )));
             }
             return Ok((
                 Change::remove_point(at)?,
@@ -63,7 +64,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             point(path, at)?;
             let name = name.filter(|name| !name.is_empty());
             if let Some(name) = &name {
-                super::info::check_line(name, "the name")?;
+                super::info::check_line(name, message!("the name"))?;
             }
             Change::Name { at, name }
         }
@@ -99,9 +100,9 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
         Edit::RemoveOrientation { point: number, at } => {
             orientation(path, number, at)?;
             if path.points[number].orientations.len() == 1 {
-                return Err(Error::Range(
-                    "the last orientation of a point cannot be removed".into(),
-                ));
+                return Err(Error::Range(message!(
+                    "the last orientation of a point cannot be removed"
+                )));
             }
             let change = Change::RemoveOrientation { point: number, at };
             let selection = Selection::at(number, at.saturating_sub(1));
@@ -178,10 +179,10 @@ fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>)
 fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<SupportPoint>> {
     let source = &content.path.points[from];
     if content.path.points.len() + positions.len() > limits::MAX_POINTS {
-        return Err(Error::Limit(sentence(format_args!(
-            "a path has at most {} support points",
+        return Err(Error::Limit(message!(
+            "a path has at most {0} support points",
             limits::MAX_POINTS
-        ))));
+        )));
     }
     check_all_orientations(content.orientations + positions.len() * source.orientations.len())?;
     let mut points = vec_with_room(positions.len())?;
@@ -216,12 +217,16 @@ fn new_orientation(
     let point = point(&content.path, number)?;
     let count = point.orientations.len();
     if at > count {
-        return Err(Error::Range(sentence(format_args!(
-            "a new orientation must be put at 0 to {count}, not at {at}"
-        ))));
+        return Err(Error::Range(message!(
+            "a new orientation must be put at 0 to {0}, not at {1}",
+            count,
+            at
+        )));
     }
     if count == limits::MAX_ORIENTATIONS {
-        return Err(Error::Limit("a point has at most 10 orientations".into()));
+        return Err(Error::Limit(message!(
+            "a point has at most 10 orientations"
+        )));
     }
     check_all_orientations(content.orientations + 1)?;
     match given {
@@ -241,11 +246,11 @@ fn check_position(point: &SupportPoint, at: usize, position: DVec3) -> Result<()
     check_coordinates(position)?;
     for (index, orientation) in point.orientations.iter().enumerate() {
         if orientation.target == Target::Absolute(position) {
-            return Err(Error::Argument(sentence(format_args!(
-                "point {} must not lie on the target of its orientation {}",
+            return Err(Error::Argument(message!(
+                "point {0} must not lie on the target of its orientation {1}",
                 at + 1,
                 index + 1
-            ))));
+            )));
         }
     }
     Ok(())
@@ -253,10 +258,10 @@ fn check_position(point: &SupportPoint, at: usize, position: DVec3) -> Result<()
 
 fn check_all_orientations(count: usize) -> Result<()> {
     if count > limits::MAX_ALL_ORIENTATIONS {
-        return Err(Error::Limit(sentence(format_args!(
-            "the points of a path have at most {} orientations together",
+        return Err(Error::Limit(message!(
+            "the points of a path have at most {0} orientations together",
             limits::MAX_ALL_ORIENTATIONS
-        ))));
+        )));
     }
     Ok(())
 }
@@ -264,10 +269,11 @@ fn check_all_orientations(count: usize) -> Result<()> {
 /// The point of this number.
 pub(super) fn point(path: &CameraPath, at: usize) -> Result<&SupportPoint> {
     path.points.get(at).ok_or_else(|| {
-        Error::Range(sentence(format_args!(
-            "there is no point {at}: the path has points 0 to {}",
+        Error::Range(message!(
+            "there is no point {0}: the path has points 0 to {1}",
+            at,
             path.points.len() - 1
-        )))
+        ))
     })
 }
 
@@ -275,16 +281,20 @@ pub(super) fn point(path: &CameraPath, at: usize) -> Result<&SupportPoint> {
 pub(super) fn orientation(path: &CameraPath, number: usize, at: usize) -> Result<&Orientation> {
     let point = point(path, number)?;
     point.orientations.get(at).ok_or_else(|| {
-        Error::Range(sentence(format_args!(
-            "there is no orientation {at}: point {number} has orientations 0 to {}",
+        Error::Range(message!(
+            "there is no orientation {0}: point {1} has orientations 0 to {2}",
+            at,
+            number,
             point.orientations.len() - 1
-        )))
+        ))
     })
 }
 
 fn preset_number(preset: usize) -> Result<u8> {
     match u8::try_from(preset) {
         Ok(number) if preset < limits::PRESETS => Ok(number),
-        _ => Err(Error::Range("the preset must lie between 0 and 9".into())),
+        _ => Err(Error::Range(message!(
+            "the preset must lie between 0 and 9"
+        ))),
     }
 }

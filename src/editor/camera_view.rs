@@ -70,7 +70,7 @@ fn contents(editor: &mut Editor, ui: &mut Ui) {
             fill(texts.camera_at_key, &[&point, &number])
         }
     };
-    let zoom = editor.language.number(camera.zoom, 0);
+    let zoom = editor.language().number(camera.zoom, 0);
     let palette = theme::palette(ui);
     let zoom = fill(texts.millimetres, &[&zoom]);
     let corners = [

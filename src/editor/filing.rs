@@ -202,7 +202,7 @@ impl Editor {
         {
             return fill(self.texts().errors.frames, &[&limits::MAX_FRAMES]);
         }
-        let why = reason_of(self.language, error);
+        let why = reason_of(self.language(), error);
         let name = format!("{}: ", file.display());
         why.strip_prefix(&name).map_or(why.clone(), str::to_owned)
     }
@@ -213,10 +213,11 @@ impl Editor {
         match self.document.apply(edit) {
             Ok(()) => {
                 self.message = None;
+                self.tell_doubts();
                 true
             }
             Err(error) => {
-                self.complain(of_edit(self.language, &self.document, kind, &error));
+                self.complain(of_edit(self.language(), &self.document, kind, &error));
                 false
             }
         }

@@ -51,7 +51,10 @@ pub(crate) fn recovery(folder: &Path, bytes: &[u8]) {
         let document = match found.document() {
             Ok(document) => document,
             Err(Error::Format(sentence) | Error::Limit(sentence)) => {
-                assert!(!sentence.chars().any(char::is_control), "{sentence:?}");
+                assert!(
+                    !sentence.to_string().chars().any(char::is_control),
+                    "{sentence:?}"
+                );
                 found.discard();
                 continue;
             }

@@ -12,7 +12,9 @@ use super::actions::Action;
 use super::keys;
 use super::setup::Theme;
 use super::state::Editor;
+use super::texts::fill;
 use super::theme;
+use crate::limits::MIN_POINTS;
 
 /// Room for a mark before an entry's text.
 const MARK: f32 = 28.0;
@@ -22,27 +24,27 @@ const APART: f32 = 32.0;
 /// An entry of a menu.
 struct Entry {
     text: Cow<'static, str>,
+    /// What it does, or why it cannot be picked.
+    hint: Cow<'static, str>,
     action: Action,
     /// Picks it while the menu is open.
     letter: Option<Key>,
     enabled: bool,
     /// A switch, and whether it is on.
     on: Option<bool>,
-    /// Why it cannot be picked.
-    hint: Option<&'static str>,
     /// A line stands above it.
     apart: bool,
 }
 
 impl Entry {
-    const fn new(text: &'static str, action: Action) -> Self {
+    const fn new(text: &'static str, hint: &'static str, action: Action) -> Self {
         Self {
             text: Cow::Borrowed(text),
+            hint: Cow::Borrowed(hint),
             action,
             letter: None,
             enabled: true,
             on: None,
-            hint: None,
             apart: false,
         }
     }
@@ -52,13 +54,12 @@ impl Entry {
         self
     }
 
-    const fn enabled(mut self, enabled: bool) -> Self {
-        self.enabled = enabled;
-        self
-    }
-
-    const fn hint(mut self, hint: &'static str) -> Self {
-        self.hint = Some(hint);
+    /// Else it says why not.
+    fn only_if(mut self, possible: bool, why_not: &'static str) -> Self {
+        self.enabled = possible;
+        if !possible {
+            self.hint = Cow::Borrowed(why_not);
+        }
         self
     }
 
@@ -83,68 +84,108 @@ struct Menu {
 
 fn menus(editor: &Editor) -> [Menu; 5] {
     let texts = &editor.texts().menu;
-    let path = editor.document.path();
-    let closed = path.closed;
-    let theme = editor.setup.theme;
     let menu = |title, letter, entries| Menu {
         title,
         letter,
         entries,
     };
+    [
+        menu(texts.file, Some(Key::D), file(editor)),
+        menu(texts.edit, None, edit(editor)),
+        menu(texts.output, Some(Key::A), output(editor)),
+        menu(texts.settings, Some(Key::E), settings(editor)),
+        menu(texts.help, None, help(editor)),
+    ]
+}
+
+fn file(editor: &Editor) -> Vec<Entry> {
+    let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
     let mut file = vec![
-        Entry::new(texts.load, Action::Load).letter(Key::L),
-        Entry::new(texts.save, Action::Save).apart(),
-        Entry::new(texts.save_as, Action::SaveAs).letter(Key::S),
+        Entry::new(texts.load, hints.load, Action::Load).letter(Key::L),
+        Entry::new(texts.save, hints.save, Action::Save).apart(),
+        Entry::new(texts.save_as, hints.save_as, Action::SaveAs).letter(Key::S),
     ];
-    for (number, name) in editor.recent_names().into_iter().enumerate() {
-        file.push(Entry {
-            text: name.into(),
-            apart: number == 0,
-            ..Entry::new("", Action::Recent(number))
-        });
-    }
-    file.push(Entry::new(texts.quit, Action::Quit).apart());
-    let edit = vec![
-        Entry::new(texts.undo, Action::Undo).enabled(editor.document.can_undo()),
-        Entry::new(texts.redo, Action::Redo).enabled(editor.document.can_redo()),
-        Entry::new(texts.add_point, Action::AddPoint)
-            .enabled(editor.has_segment())
+    let recent = editor.recent.iter().zip(editor.recent_names());
+    file.extend(recent.enumerate().map(|(number, (path, name))| Entry {
+        text: name.into(),
+        hint: fill(hints.recent, &[&path.display()]).into(),
+        apart: number == 0,
+        ..Entry::new("", "", Action::Recent(number))
+    }));
+    file.push(Entry::new(texts.quit, hints.quit, Action::Quit).apart());
+    file
+}
+
+fn edit(editor: &Editor) -> Vec<Entry> {
+    let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    let (position, output) = (&editor.texts().position, &editor.texts().output);
+    let path = editor.document.path();
+    let closed = path.closed;
+    let close_hint = if closed { hints.open } else { hints.close };
+    vec![
+        Entry::new(texts.undo, hints.undo, Action::Undo)
+            .only_if(editor.document.can_undo(), output.nothing_to_undo),
+        Entry::new(texts.redo, hints.redo, Action::Redo)
+            .only_if(editor.document.can_redo(), output.nothing_to_redo),
+        Entry::new(texts.add_point, position.add_hint, Action::AddPoint)
+            .only_if(editor.has_segment(), position.last_point)
             .apart(),
-        Entry::new(texts.remove_point, Action::RemovePoint).enabled(path.points.len() > 2),
-        Entry::new(texts.append, Action::AppendPoint).enabled(!closed),
-        Entry::new(texts.prepend, Action::PrependPoint).enabled(!closed),
-        Entry::new(texts.close, Action::SetClosed(!closed)).on(closed),
-        Entry::new(texts.copy_orientation, Action::CopyOrientation).apart(),
-        Entry::new(texts.paste_orientation, Action::PasteOrientation)
-            .enabled(editor.copied.is_some()),
-    ];
-    let output = vec![
-        Entry::new(texts.export, Action::Export).letter(Key::D),
-        Entry::new(texts.hand_over, Action::HandOver)
+        Entry::new(
+            texts.remove_point,
+            position.remove_hint,
+            Action::RemovePoint,
+        )
+        .only_if(path.points.len() > MIN_POINTS, position.two_remain),
+        Entry::new(texts.append, hints.append, Action::AppendPoint)
+            .only_if(!closed, position.closed_has_no_ends),
+        Entry::new(texts.prepend, hints.prepend, Action::PrependPoint)
+            .only_if(!closed, position.closed_has_no_ends),
+        Entry::new(texts.close, close_hint, Action::SetClosed(!closed)).on(closed),
+        Entry::new(
+            texts.copy_orientation,
+            hints.copy_orientation,
+            Action::CopyOrientation,
+        )
+        .apart(),
+        Entry::new(
+            texts.paste_orientation,
+            hints.paste_orientation,
+            Action::PasteOrientation,
+        )
+        .only_if(editor.copied.is_some(), output.nothing_copied),
+    ]
+}
+
+fn output(editor: &Editor) -> Vec<Entry> {
+    let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    vec![
+        Entry::new(texts.export, hints.export, Action::Export).letter(Key::D),
+        Entry::new(texts.hand_over, hints.hand_over, Action::HandOver)
             .letter(Key::U)
-            .enabled(editor.hand_over)
-            .hint(texts.nobody_takes),
-    ];
-    let settings = vec![
-        Entry::new(texts.colours, Action::Colours).letter(Key::F),
-        Entry::new(texts.display, Action::Display).letter(Key::Z),
-        Entry::new(texts.dark, Action::Theme(Theme::Dark))
+            .only_if(editor.hand_over, texts.nobody_takes),
+    ]
+}
+
+fn settings(editor: &Editor) -> Vec<Entry> {
+    let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    let theme = editor.setup.theme;
+    vec![
+        Entry::new(texts.colours, hints.colours, Action::Colours).letter(Key::F),
+        Entry::new(texts.display, hints.display, Action::Display).letter(Key::Z),
+        Entry::new(texts.dark, hints.dark, Action::Theme(Theme::Dark))
             .on(theme == Theme::Dark)
             .apart(),
-        Entry::new(texts.light, Action::Theme(Theme::Light)).on(theme == Theme::Light),
-        Entry::new(texts.load_setup, Action::LoadSetup)
+        Entry::new(texts.light, hints.light, Action::Theme(Theme::Light)).on(theme == Theme::Light),
+        Entry::new(texts.load_setup, hints.load_setup, Action::LoadSetup)
             .letter(Key::T)
             .apart(),
-        Entry::new(texts.save_setup, Action::SaveSetup).letter(Key::P),
-    ];
-    let help = vec![Entry::new(texts.keys, Action::Keys)];
-    [
-        menu(texts.file, Some(Key::D), file),
-        menu(texts.edit, None, edit),
-        menu(texts.output, Some(Key::A), output),
-        menu(texts.settings, Some(Key::E), settings),
-        menu(texts.help, None, help),
+        Entry::new(texts.save_setup, hints.save_setup, Action::SaveSetup).letter(Key::P),
     ]
+}
+
+fn help(editor: &Editor) -> Vec<Entry> {
+    let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    vec![Entry::new(texts.keys, hints.keys, Action::Keys)]
 }
 
 /// What is remembered of the bar from pass to pass.
@@ -181,7 +222,7 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
     let mut picked = None;
     ui.spacing_mut().item_spacing.y = 0.0;
     let keys = |entry: &Entry| {
-        let keys = keys::words(editor.language, entry.action);
+        let keys = keys::words(editor.language(), entry.action);
         let letter = || entry.letter.map(|letter| letter.name().to_owned());
         keys.or_else(letter).unwrap_or_default()
     };
@@ -217,9 +258,9 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
             picked = Some(entry.action);
             ui.close();
         }
-        if let Some(hint) = entry.hint {
-            response.on_disabled_hover_text(hint);
-        }
+        response
+            .on_hover_text(&*entry.hint)
+            .on_disabled_hover_text(&*entry.hint);
     }
     picked
 }

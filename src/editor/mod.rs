@@ -11,6 +11,7 @@
 
 mod actions;
 mod camera_view;
+mod doubts;
 mod filing;
 mod folders;
 mod frame;

@@ -1,7 +1,9 @@
 //! The output field (thesis A.2): the current camera setting in steady columns,
 //! or what there is to say.
 
-use egui::{Align2, Color32, FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2};
+use egui::{
+    Align, Align2, Color32, FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
+};
 
 use super::state::Editor;
 use super::texts::Language;
@@ -9,7 +11,7 @@ use super::theme;
 
 /// One value: as it is written, and how wide it may become.
 struct Column {
-    /// Stands before it where there is room.
+    /// Stands before it where there is room, else above it.
     label: &'static str,
     /// The numbers.
     values: Vec<String>,
@@ -68,28 +70,37 @@ fn show_setting(editor: &Editor, ui: &Ui, response: Response) {
     let columns = columns(editor);
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, in_words(&columns)));
     let rect = response.rect.shrink2(vec2(12.0, 0.0));
-    let width = |text: &str| text_width(ui, text);
-    let digits = width("0");
-    // Labels where there is room for them, else the numbers alone.
-    for (labels, between) in [(true, 20.0), (true, 12.0), (false, 14.0), (false, 8.0)] {
+    let width = |text: &str, font: FontId| text_width(ui, text, font);
+    let digits = width("0", theme::text());
+    // Labels beside the numbers where there is room for them, else above.
+    for (above, between) in [(false, 20.0), (false, 12.0), (true, 14.0), (true, 8.0)] {
         let mut places = Vec::new();
         let mut x = 0.0;
         for column in &columns {
-            if labels {
-                places.push((x, Align2::LEFT_CENTER, column.label, false));
-                x += width(column.label) + digits * 0.75;
-            }
+            let label_width = if above {
+                places.push((x, Align2::LEFT_BOTTOM, column.label, Kind::Above));
+                x + width(column.label, theme::small())
+            } else {
+                places.push((x, Align2::LEFT_CENTER, column.label, Kind::Beside));
+                x += width(column.label, theme::text()) + digits * 0.75;
+                x
+            };
             for value in &column.values {
-                x += width(column.widest).max(width(value));
-                places.push((x, Align2::RIGHT_CENTER, value, true));
+                x += width(column.widest, theme::text()).max(width(value, theme::text()));
+                let align = if above {
+                    Align2::RIGHT_TOP
+                } else {
+                    Align2::RIGHT_CENTER
+                };
+                places.push((x, align, value, Kind::Value));
                 x += digits * 0.75;
             }
-            x += between - digits * 0.75;
+            x = x.max(label_width + digits * 0.75) + between - digits * 0.75;
         }
         let all = x - between;
-        if all <= rect.width() || (!labels && between < 10.0) {
+        if all <= rect.width() || (above && between < 10.0) {
             paint(ui, rect, rect.right() - all, &places);
-            if !labels {
+            if above {
                 response.on_hover_text(in_words(&columns));
             }
             return;
@@ -97,26 +108,46 @@ fn show_setting(editor: &Editor, ui: &Ui, response: Response) {
     }
 }
 
-fn paint(ui: &Ui, rect: Rect, left: f32, places: &[(f32, Align2, &str, bool)]) {
+/// A text of the field.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Value,
+    /// A label beside its values.
+    Beside,
+    /// A small label above them.
+    Above,
+}
+
+fn paint(ui: &Ui, rect: Rect, left: f32, places: &[(f32, Align2, &str, Kind)]) {
     let palette = theme::palette(ui);
     let painter = ui.painter().with_clip_rect(rect);
-    for &(x, align, text, strong) in places {
-        let color = if strong { palette.text } else { palette.weak };
-        let at = pos2(left + x, rect.center().y);
-        painter.text(at, align, text, theme::text(), color);
+    for &(x, align, text, kind) in places {
+        let (color, font) = match kind {
+            Kind::Value => (palette.text, theme::text()),
+            Kind::Beside => (palette.weak, theme::text()),
+            Kind::Above => (palette.weak, theme::small()),
+        };
+        // Two lines meet a little above the middle.
+        let line = if align.y() == Align::Center {
+            0.0
+        } else {
+            -2.0
+        };
+        let at = pos2(left + x, rect.center().y + line);
+        painter.text(at, align, text, font, color);
     }
 }
 
-fn text_width(ui: &Ui, text: &str) -> f32 {
+fn text_width(ui: &Ui, text: &str, font: FontId) -> f32 {
     let galley = ui
         .painter()
-        .layout_no_wrap(text.to_owned(), theme::text(), Color32::PLACEHOLDER);
+        .layout_no_wrap(text.to_owned(), font, Color32::PLACEHOLDER);
     galley.size().x
 }
 
 fn columns(editor: &Editor) -> Vec<Column> {
     let texts = &editor.texts().output;
-    let language = editor.language;
+    let language = editor.language();
     let (Some(point), Some(orientation)) = (editor.point(), editor.orientation()) else {
         return Vec::new();
     };

@@ -159,7 +159,7 @@ impl Editor {
         if let Err(error) = self.playing.marks.update(&self.document)
             && self.playing.frame.is_some()
         {
-            self.complain(error.to_string());
+            self.complain_of(&error);
         }
         let playing = &mut self.playing;
         let selection = self.document.selection();
@@ -287,7 +287,7 @@ fn readout(editor: &Editor, ui: &mut Ui) {
     let at = editor.position_on_bar().round();
     let seconds = (at - 1.0) / info.fps;
     let first = f64::from(info.first_frame) - 1.0;
-    let number = |value: f64, decimals| editor.language.number(value, decimals);
+    let number = |value: f64, decimals| editor.language().number(value, decimals);
     let lines = if count == 0 {
         [texts.too_many_frames.to_owned(), String::new()]
     } else {

@@ -1,7 +1,8 @@
 //! Why something could not be done, in the window's language.
 //!
-//! The library's own sentences are English and speak to programs too. Of what
-//! a hand can bring about in the window each has one here.
+//! The library's own sentences speak to programs too and count from 0. Of what a
+//! hand can bring about in the window each has one here; the others are said in
+//! the window's language as they are.
 
 use std::io;
 
@@ -94,18 +95,21 @@ pub(super) fn of_edit(
             fill(position.too_far, &[&low, &high])
         }
         (_, Error::Memory) => texts.errors.memory.to_owned(),
-        (_, other) => fill(texts.errors.refused, &[&other]),
+        (_, other) => fill(texts.errors.refused, &[&reason_of(language, other)]),
     }
 }
 
 /// Why something with a file or with poses failed, without the file's name.
-/// Of a broken file the line and the reason stay as the library tells them.
 pub(super) fn reason_of(language: Language, error: &Error) -> String {
     let texts = &language.texts().errors;
     match error {
         Error::Io { source, .. } => of_system(language, source),
         Error::Memory => texts.memory.to_owned(),
-        other => other.to_string(),
+        Error::Argument(message)
+        | Error::Range(message)
+        | Error::Limit(message)
+        | Error::Format(message)
+        | Error::Display(message) => language.reason(message),
     }
 }
 
@@ -127,19 +131,24 @@ pub(super) fn of_system(language: Language, error: &io::Error) -> String {
             // What the document's files say of themselves.
             "this is a directory, not a file" => texts.is_directory,
             "this is not a regular file" => texts.not_regular,
-            _ => return reason(error),
+            _ => return fill(texts.system, &[&reason(error)]),
         },
     };
     known.to_owned()
 }
 
 impl Editor {
+    /// Says what went wrong without a hand at work.
+    pub(super) fn complain_of(&mut self, error: &Error) {
+        self.complain(reason_of(self.language(), error));
+    }
+
     /// Says how a hand-over failed.
     pub(super) fn complain_of_hand_over(&mut self, error: &Error) {
         let texts = &self.texts().errors;
         let why = match error {
             Error::Limit(_) => fill(texts.frames, &[&limits::MAX_FRAMES]),
-            other => reason_of(self.language, other),
+            other => reason_of(self.language(), other),
         };
         self.complain(fill(texts.cannot_hand_over, &[&why]));
     }

@@ -34,7 +34,7 @@ impl Editor {
             Kept::Idle => {}
             Kept::In(time) => context.request_repaint_after(time),
             Kept::Failed(error) => {
-                let why = super::refusals::reason_of(self.language, &error);
+                let why = super::refusals::reason_of(self.language(), &error);
                 let folder = self.folders.state.as_deref().unwrap_or(Path::new(""));
                 let text = self.texts().rescue.not_kept;
                 self.complain(fill(text, &[&folder.display(), &why]));

@@ -6,6 +6,8 @@
 
 use egui::Color32;
 
+use super::texts::Language;
+
 /// Something in the movement window that has a colour of its own and can be
 /// switched off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -242,6 +244,8 @@ pub(super) struct Setup {
     pub(super) view: View,
     /// Whether the picture of the camera is shown.
     pub(super) camera_view: bool,
+    /// The language that was chosen; that of the host or the environment if none.
+    pub(super) language: Option<Language>,
 }
 
 impl Default for Setup {
@@ -253,6 +257,7 @@ impl Default for Setup {
             shown: Shown::default(),
             view: View::default(),
             camera_view: true,
+            language: None,
         }
     }
 }
@@ -283,6 +288,7 @@ const fn rgb(colour: u32) -> Color32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::editor::theme;
 
     #[test]
     fn the_list_is_in_the_order_of_the_enumeration() {
@@ -307,27 +313,11 @@ mod tests {
         }
     }
 
-    /// Relative luminance as WCAG 2 defines it.
-    fn luminance(colour: Color32) -> f64 {
-        let [r, g, b, _] = colour.to_array().map(|c| {
-            let c = f64::from(c) / 255.0;
-            if c <= 0.040_45 {
-                c / 12.92
-            } else {
-                ((c + 0.055) / 1.055).powf(2.4)
-            }
-        });
-        0.2126 * r + 0.7152 * g + 0.0722 * b
-    }
-
     #[test]
     fn what_must_be_seen_stands_out() {
         for colours in [Colours::DARK, Colours::LIGHT] {
-            let ground = luminance(colours.of(Element::Background));
-            let contrast = |element| {
-                let other = luminance(colours.of(element));
-                (ground.max(other) + 0.05) / (ground.min(other) + 0.05)
-            };
+            let ground = colours.of(Element::Background);
+            let contrast = |element| theme::contrast(colours.of(element), ground);
             // Text, then lines (WCAG 1.4.3, 1.4.11).
             assert!(contrast(Element::Numbers) >= 4.5);
             for element in Element::ALL {

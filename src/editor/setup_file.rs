@@ -12,11 +12,11 @@ use toml::de::DeTable;
 use super::folders;
 use super::setup::{Colours, Element, Setup, Shown, Theme, View};
 use super::state::Editor;
-use super::texts::fill;
+use super::texts::{Language, fill};
 use crate::document::save;
 use crate::document::vid::field::{Field, Source, fields};
 use crate::document::vid::read_text;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, message};
 
 /// The version that is written, and the newest that is read.
 const VERSION: i64 = 1;
@@ -25,9 +25,10 @@ const VERSION: i64 = 1;
 /// hundred times as much.
 const MAX_BYTES: u64 = 64 << 10;
 
-const KEYS: [&str; 7] = [
+const KEYS: [&str; 8] = [
     "version",
     "theme",
+    "language",
     "camera_view",
     "view",
     "shown",
@@ -42,7 +43,7 @@ const VIEW_KEYS: [&str; 4] = ["rotation_degrees", "tilt_degrees", "size", "shift
 /// [`Error::Io`]; [`Error::Format`] with file, line and reason.
 pub(super) fn load(file: &Path) -> Result<Setup> {
     let text = read_text(file, MAX_BYTES)?;
-    from_toml(&text).map_err(|error| error.at(file.display()))
+    from_toml(&text).map_err(|error| error.at(file.display().to_string()))
 }
 
 /// Saves a setup, atomically; makes the folder if need be.
@@ -77,6 +78,12 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
     };
     writeln!(out, "version = {VERSION}")?;
     writeln!(out, "theme = \"{theme}\"")?;
+    let language = match setup.language {
+        None => "system",
+        Some(Language::English) => "en",
+        Some(Language::German) => "de",
+    };
+    writeln!(out, "language = \"{language}\"")?;
     writeln!(out, "camera_view = {}", setup.camera_view)?;
     let view = &setup.view;
     writeln!(out, "\n[view]")?;
@@ -101,17 +108,16 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
 /// The setup in a text.
 fn from_toml(text: &str) -> Result<Setup> {
     let source = Source { text, start: 0 };
-    let root = DeTable::parse(text).map_err(|error| {
-        let offset = error.span().map_or(0, |span| span.start);
-        source.complain(offset, error.message())
-    })?;
+    let root = DeTable::parse(text).map_err(|error| source.not_toml(&error))?;
     let root = root.get_ref();
     // First of all: what a newer version means by its keys is not known here.
     for field in fields(source, root).filter(|field| field.key == "version") {
         let version = field.integer()?;
         if version != VERSION {
-            return Err(field.error(format_args!(
-                "this is version {version} of the setup; version {VERSION} is understood here"
+            return Err(field.error(message!(
+                "this is version {0} of the setup; version {1} is understood here",
+                version,
+                VERSION
             )));
         }
     }
@@ -123,7 +129,15 @@ fn from_toml(text: &str) -> Result<Setup> {
                 setup.theme = match field.text()? {
                     "dark" => Theme::Dark,
                     "light" => Theme::Light,
-                    _ => return Err(field.error("must be \"dark\" or \"light\"")),
+                    _ => return Err(field.error(message!("must be \"dark\" or \"light\""))),
+                }
+            }
+            "language" => {
+                setup.language = match field.text()? {
+                    "system" => None,
+                    "en" => Some(Language::English),
+                    "de" => Some(Language::German),
+                    _ => return Err(field.error(message!("must be \"system\", \"en\" or \"de\""))),
                 }
             }
             "camera_view" => setup.camera_view = field.boolean()?,
@@ -154,11 +168,7 @@ fn view(table: Field<'_>) -> Result<View> {
             ..view
         };
         if mended != rotation_only {
-            return Err(field.error(format_args!(
-                "out of range: the tilt lies in [-90, 90], the size in [{}, {}], the shift in [-4, 4]",
-                View::MIN_SIZE,
-                View::MAX_SIZE
-            )));
+            return Err(field.error(message!("out of range: the tilt lies in [-90, 90], the size in [{0}, {1}], the shift in [-4, 4]", View::MIN_SIZE, View::MAX_SIZE)));
         }
     }
     Ok(view.in_range())
@@ -186,7 +196,9 @@ fn read_colours(table: Field<'_>, colours: &mut Colours) -> Result<()> {
     for field in table.fields()? {
         let element = element(&field, |_| true)?;
         let colour = colour(field.text()?).ok_or_else(|| {
-            field.error("a colour is written as \"#\" and six digits 0 to 9, a to f")
+            field.error(message!(
+                "a colour is written as \"#\" and six digits 0 to 9, a to f"
+            ))
         })?;
         colours.set(element, colour);
     }
@@ -264,6 +276,7 @@ mod tests {
     fn odd_setup() -> Setup {
         let mut setup = Setup {
             theme: Theme::Light,
+            language: Some(Language::German),
             camera_view: false,
             view: View {
                 rotation: -12.345_678_901_234_5,
@@ -308,6 +321,7 @@ mod tests {
             ("version = 2", 1, "version 2"),
             ("theme = \"dark\"\ncolor = 1", 2, "unknown key \"color\""),
             ("theme = \"grey\"", 1, "\"dark\" or \"light\""),
+            ("language = \"fr\"", 1, "\"en\" or \"de\""),
             ("\n[shown]\ncube = 1", 3, "true or false"),
             ("[shown]\nbackground = false", 2, "unknown key"),
             ("[dark]\ncurve = \"red\"", 2, "six digits"),

@@ -12,7 +12,7 @@ use super::texts::{Language, Texts, fill};
 use super::theme;
 use super::{playing, space, windows};
 use crate::document::{Document, Edit};
-use crate::error::{Error, Result};
+use crate::error::{self, Error, Result};
 use crate::path::{Orientation, SupportPoint};
 
 /// How a window begins.
@@ -24,8 +24,9 @@ pub(crate) struct Options {
     pub(crate) file: Option<PathBuf>,
     /// What follows `VIDES` in the title; the file's name if none.
     pub(crate) title: Option<String>,
-    /// The language of the window.
-    pub(crate) language: Language,
+    /// The language of the window; the environment's if none. What the user
+    /// has set up counts before it.
+    pub(crate) language: Option<Language>,
     /// Somebody takes poses that are handed over directly.
     pub(crate) hand_over: bool,
     /// The base speeds are the host's: a loaded file's are ignored.
@@ -52,7 +53,8 @@ pub(crate) struct Editor {
     pub(super) file: Option<PathBuf>,
     /// The host's name for the window.
     pub(super) title: Option<String>,
-    pub(super) language: Language,
+    /// The language that the window has of itself.
+    pub(super) given_language: Language,
     pub(super) hand_over: bool,
     pub(super) fixed_speeds: bool,
     pub(super) folders: Folders,
@@ -102,7 +104,7 @@ impl Editor {
             document: options.document,
             file: options.file,
             title: options.title,
-            language: options.language,
+            given_language: options.language.unwrap_or_else(Language::of_environment),
             hand_over: options.hand_over,
             fixed_speeds: options.fixed_speeds,
             folders: options.folders,
@@ -172,6 +174,11 @@ impl Editor {
         self.message = Some(Message { text, error: true });
     }
 
+    /// Shows in the output field what was wrong with what the host gave.
+    pub(crate) fn warn(&mut self, warning: &error::Message) {
+        self.complain(self.language().reason(warning));
+    }
+
     /// Says how a hand-over went: the number of poses.
     pub(crate) fn handed_over(&mut self, result: Result<usize, Error>) {
         match result {
@@ -221,6 +228,16 @@ impl Editor {
         }
     }
 
+    /// Ends the step that a hand in space was at. The running coordinates give
+    /// way to the pose; what could not be done stays to be read.
+    pub(super) fn let_go(&mut self) {
+        self.document.end_step();
+        self.message.take_if(|message| !message.error);
+        if self.message.is_none() {
+            self.tell_doubts();
+        }
+    }
+
     /// What changes when something is done.
     pub(super) fn stamp(&self) -> impl PartialEq + use<> {
         let message = self.message.clone();
@@ -257,7 +274,12 @@ impl Editor {
         }
     }
 
+    /// The language of the window.
+    pub(super) fn language(&self) -> Language {
+        self.setup.language.unwrap_or(self.given_language)
+    }
+
     pub(super) fn texts(&self) -> &'static Texts {
-        self.language.texts()
+        self.language().texts()
     }
 }

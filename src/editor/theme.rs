@@ -270,28 +270,28 @@ fn shadow(theme: Theme) -> Shadow {
     }
 }
 
+/// How far two colours stand apart, from 1 to 21 (WCAG 2.2).
 #[cfg(test)]
-mod tests {
-    use super::super::setup::{Colours, Element};
-    use super::*;
-
-    /// Relative luminance (WCAG 2.2).
-    fn luminance(color: Color32) -> f64 {
-        let linear = |byte: u8| {
+pub(super) fn contrast(a: Color32, b: Color32) -> f64 {
+    let luminance = |colour: Color32| {
+        let [red, green, blue, _] = colour.to_array().map(|byte| {
             let part = f64::from(byte) / 255.0;
             if part <= 0.04045 {
                 part / 12.92
             } else {
                 ((part + 0.055) / 1.055).powf(2.4)
             }
-        };
-        0.2126 * linear(color.r()) + 0.7152 * linear(color.g()) + 0.0722 * linear(color.b())
-    }
+        });
+        0.2126 * red + 0.7152 * green + 0.0722 * blue
+    };
+    let (a, b) = (luminance(a), luminance(b));
+    (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
 
-    fn contrast(a: Color32, b: Color32) -> f64 {
-        let (a, b) = (luminance(a), luminance(b));
-        (a.max(b) + 0.05) / (a.min(b) + 0.05)
-    }
+#[cfg(test)]
+mod tests {
+    use super::super::setup::{Colours, Element};
+    use super::*;
 
     #[test]
     fn contrast_is_that_of_the_norm() {

@@ -21,7 +21,7 @@ use super::status::{
 use super::types::{V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_POSE};
 use crate::document::{Document, Edit};
 use crate::editor::{self, Language};
-use crate::error::{Result, complain, vec_with_room};
+use crate::error::{Message, Result, complain, vec_with_room};
 use crate::instance::{self, Host, Id};
 use crate::path::{BaseSpeeds, Pose, Sampler};
 
@@ -146,7 +146,7 @@ unsafe fn options_of(options: *const V_EDITOR_OPTIONS) -> Answer<V_EDITOR_OPTION
 struct Beginning {
     editor: editor::Options,
     display: Option<String>,
-    warning: Option<String>,
+    warning: Option<Message>,
 }
 
 /// What the options say, in our own types; copies only.
@@ -198,9 +198,9 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
         )
     };
     let language = match language.as_deref() {
-        None => Language::of_environment(),
-        Some("de") => Language::German,
-        Some("en") => Language::English,
+        None => None,
+        Some("de") => Some(Language::German),
+        Some("en") => Some(Language::English),
         Some(_) => {
             return Err(Failure::Border(
                 V_ERR_ARGUMENT,
@@ -221,7 +221,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             folders: editor::Folders::of_environment(),
         },
         display,
-        warning: warnings.said(),
+        warning: warnings.said().cloned(),
     })
 }
 

@@ -9,11 +9,11 @@ use super::host_loop;
 use super::list;
 use super::object::{Warnings, object, speeds};
 use super::pointers::check;
-use super::status::{Answer, Failure, V_ERR_ARGUMENT, set_last_error, with_last_error};
+use super::status::{Answer, Failure, V_ERR_ARGUMENT, add_last_error, with_last_error};
 use super::types::{V_KAMERAPAR, V_OBJEKT_LIST};
 use crate::document::{Document, Edit, Object};
 use crate::editor;
-use crate::error::{Error, Result, complain, try_box};
+use crate::error::{Error, Message, Result, complain, message, try_box};
 use crate::instance::{self, Host, Id};
 use crate::path::{BaseSpeeds, Sampler};
 
@@ -64,11 +64,11 @@ pub unsafe extern "C" fn v_haupt(
     rueck: Option<unsafe extern "C" fn(daten: *mut V_KAMERAPAR, anzahl: c_int)>,
     ende: Option<unsafe extern "C" fn() -> c_int>,
 ) {
+    let mut warnings = Warnings::default();
     border((), || {
         if !interpol_liste.is_null() {
             check(interpol_liste)?;
         }
-        let mut warnings = Warnings::default();
         let given = [move_speed, orient_speed, zoom_speed, winkel_speed].map(f64::from);
         let speeds = speeds(given, &mut warnings);
         // SAFETY: the host's array, as the header says.
@@ -78,16 +78,16 @@ pub unsafe extern "C" fn v_haupt(
             rueck,
             ende,
         };
-        open(speeds, object, warnings, host)
+        open(speeds, object, &mut warnings, host)
     });
-    report();
+    report(warnings.said());
 }
 
 /// Opens the window. An object that cannot be shown is no reason not to.
 fn open(
     speeds: BaseSpeeds,
     object: Answer<Object>,
-    mut warnings: Warnings,
+    warnings: &mut Warnings,
     host: Contract,
 ) -> Answer<()> {
     let mut document = Document::try_new()?;
@@ -98,12 +98,12 @@ fn open(
         Ok(document.apply(Edit::SetInfo(Box::new(info)))?)
     });
     if let Err(failure) = shown {
-        warnings.add(crate::error::sentence(format_args!(
-            "the object is not shown: {failure}"
-        )));
+        warnings.add(message!(
+            "the object is not shown: {0}",
+            failure.into_message()
+        ));
     }
     let (path, info) = document.into_parts();
-    let warning = warnings.said();
     instance::on_input(host_loop::serve);
     instance::open(instance::Options {
         editor: editor::Options {
@@ -111,18 +111,15 @@ fn open(
             document: Document::from_parts(path, info)?,
             file: None,
             title: None,
-            language: editor::Language::of_environment(),
+            language: None,
             hand_over: host.rueck.is_some() || !host.list.is_null(),
             fixed_speeds: true,
             folders: editor::Folders::of_environment(),
         },
         display: None,
-        warning: warning.clone(),
+        warning: warnings.said().cloned(),
         host: Rc::new(host),
     })?;
-    if let Some(warning) = warning {
-        set_last_error(format_args!("{warning}"));
-    }
     Ok(())
 }
 
@@ -137,7 +134,7 @@ impl Host for Contract {
     fn prepare(&self, _: Id, sampler: &Sampler) -> Result<Box<dyn FnOnce()>> {
         let frames = sampler.frame_count();
         let count = c_int::try_from(frames)
-            .map_err(|_| Error::Limit("a list cannot number so many poses".into()))?;
+            .map_err(|_| Error::Limit(message!("a list cannot number so many poses")))?;
         let Some(rueck) = self.rueck else {
             if !self.list.is_null() {
                 // SAFETY: the host's element, which outlives the window.
@@ -218,12 +215,17 @@ impl Drop for OwnList {
     }
 }
 
-/// Says the last error on standard error.
-fn report() {
+/// Says on standard error why there is no window and what else was wrong, a
+/// line each; v_last_error() tells both.
+fn report(warning: Option<&Message>) {
     with_last_error(|message| match std::str::from_utf8(message) {
         Ok("") | Err(_) => {}
         Ok(sentence) => complain(sentence),
     });
+    if let Some(warning) = warning {
+        complain(warning);
+        add_last_error(format_args!("{warning}"));
+    }
 }
 
 /// Frees all elements of a list but the first, which is the host's, and sets

@@ -9,7 +9,7 @@ use super::pointers::slice;
 use super::status::Answer;
 use super::types::V_OBJEKT_LIST;
 use crate::document::{Object, ObjectPoint};
-use crate::error::{Error, Message, sentence, vec_with_room};
+use crate::error::{Error, Message, message, vec_with_room};
 use crate::limits;
 use crate::path::BaseSpeeds;
 
@@ -32,10 +32,10 @@ pub(super) unsafe fn object(
         return Ok(Object::default());
     }
     if count > limits::MAX_OBJECT_POINTS {
-        return Err(Error::Limit(sentence(format_args!(
-            "an object has at most {} points",
+        return Err(Error::Limit(message!(
+            "an object has at most {0} points",
             limits::MAX_OBJECT_POINTS
-        )))
+        ))
         .into());
     }
     // SAFETY: the caller's word.
@@ -53,9 +53,11 @@ pub(super) unsafe fn object(
         });
     }
     if let Some((should, is)) = misnumbered {
-        warn.add(sentence(format_args!(
-            "point {should} of the object has the number {is}; the order of the array counts"
-        )));
+        warn.add(message!(
+            "point {0} of the object has the number {1}; the order of the array counts",
+            should,
+            is
+        ));
     }
     Ok(copied.into())
 }
@@ -67,9 +69,12 @@ pub(super) fn speeds(given: [f64; 4], warn: &mut Warnings) -> BaseSpeeds {
     let mut sound = given;
     for (speed, name) in sound.iter_mut().zip(names) {
         if !(speed.is_finite() && *speed > 0.0) {
-            warn.add(sentence(format_args!(
-                "{name} is {speed} and must be finite and greater than 0: {USUAL_SPEED} is taken"
-            )));
+            warn.add(message!(
+                "{0} is {1} and must be finite and greater than 0: {2} is taken",
+                name,
+                *speed,
+                USUAL_SPEED
+            ));
             *speed = USUAL_SPEED;
         }
     }
@@ -82,25 +87,21 @@ pub(super) fn speeds(given: [f64; 4], warn: &mut Warnings) -> BaseSpeeds {
     }
 }
 
-/// What was wrong and could be mended, as one sentence.
+/// What was wrong and could be mended.
 #[derive(Debug, Default)]
-pub(super) struct Warnings(String);
+pub(super) struct Warnings(Option<Message>);
 
 impl Warnings {
     /// One thing more.
     pub(super) fn add(&mut self, what: Message) {
-        let needed = what.len() + 2;
-        // Without memory nothing can be said of it.
-        if self.0.try_reserve(needed).is_ok() {
-            if !self.0.is_empty() {
-                self.0.push_str("; ");
-            }
-            self.0.push_str(&what);
-        }
+        self.0 = Some(match self.0.take() {
+            Some(before) => message!("{0}; {1}", before, what),
+            None => what,
+        });
     }
 
-    /// Everything, if there was anything.
-    pub(super) fn said(self) -> Option<String> {
-        (!self.0.is_empty()).then_some(self.0)
+    /// Everything, if there was anything, as one sentence.
+    pub(super) fn said(&self) -> Option<&Message> {
+        self.0.as_ref()
     }
 }

@@ -85,6 +85,16 @@ impl Failure {
     }
 }
 
+impl Failure {
+    /// What it says.
+    pub(super) fn into_message(self) -> crate::error::Message {
+        match self {
+            Self::Border(_, sentence) => sentence.into(),
+            Self::Library(error) => error.into_message(),
+        }
+    }
+}
+
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -132,6 +142,13 @@ impl Message {
     /// Keeps a sentence, its middle left out if it is too long.
     fn set(&mut self, sentence: fmt::Arguments<'_>) {
         self.clear();
+        self.add(sentence);
+    }
+
+    /// Keeps a sentence behind what is there, its middle left out if it is too
+    /// long for the room that is left.
+    fn add(&mut self, sentence: fmt::Arguments<'_>) {
+        let room = MESSAGE_BYTES - 1 - self.used;
         let mut whole = Length(0);
         let _ = whole.write_fmt(sentence);
         let mut part = Part {
@@ -139,8 +156,8 @@ impl Message {
             seen: 0,
             gap: 0..0,
         };
-        if whole.0 >= MESSAGE_BYTES {
-            let side = (MESSAGE_BYTES - 1 - LEFT_OUT.len()) / 2;
+        if whole.0 > room {
+            let side = room.saturating_sub(LEFT_OUT.len()) / 2;
             part.gap = side..whole.0 - side;
         }
         // The only error is that a value gave a longer text the second time.
@@ -220,6 +237,17 @@ pub(super) fn set_last_error(sentence: fmt::Arguments<'_>) {
     // Formatted before the cell is borrowed would need memory; the values
     // formatted here (errors, texts) do not come back to this module.
     with_message(|message| message.set(sentence));
+}
+
+/// Keeps a sentence behind the last message, if there is one.
+pub(super) fn add_last_error(sentence: fmt::Arguments<'_>) {
+    with_message(|message| {
+        if message.used > 0 {
+            message.add(format_args!("; {sentence}"));
+        } else {
+            message.set(sentence);
+        }
+    });
 }
 
 /// Hands the last message on as bytes, for standard error.
@@ -304,6 +332,20 @@ mod tests {
             let (head, tail) = kept.split_once(LEFT_OUT).expect("something left out");
             assert!(long.starts_with(head) && (long + "!").ends_with(tail));
             assert!(tail.ends_with(": why!"));
+        }
+    }
+
+    #[test]
+    fn a_sentence_is_put_behind_another() {
+        clear_last_error();
+        add_last_error(format_args!("one"));
+        add_last_error(format_args!("two"));
+        assert_eq!(last(), "one; two");
+        for length in [900, MESSAGE_BYTES - 5, MESSAGE_BYTES - 1, 4 * MESSAGE_BYTES] {
+            set_last_error(format_args!("{}", "x".repeat(length)));
+            let before = last();
+            add_last_error(format_args!("{}", "y".repeat(MESSAGE_BYTES)));
+            assert!(last().starts_with(&before) && last().len() < MESSAGE_BYTES);
         }
     }
 

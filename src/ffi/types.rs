@@ -209,7 +209,8 @@ pub struct v_editor_options {
     pub winkel_speed: f64,
     /// name of the X display; NULL: the environment's DISPLAY
     pub display: *const c_char,
-    /// "de" or "en"; NULL: the environment's, by LC_ALL, LC_MESSAGES, LANG
+    /// "de" or "en"; NULL: the environment's, by LC_ALL, LC_MESSAGES, LANG.
+    /// A language that the user has chosen in the setup counts before both
     pub language: *const c_char,
     /// called when the user hands over the poses; they are the library's and
     /// valid until it returns. NULL: nothing can be handed over

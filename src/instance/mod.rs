@@ -27,7 +27,7 @@ use std::time::Duration;
 
 use crate::document::Document;
 use crate::editor::{self, Editor};
-use crate::error::{Error, Result};
+use crate::error::{Error, Message, Result};
 use crate::path::Sampler;
 use crate::x11;
 
@@ -69,7 +69,7 @@ pub(crate) struct Options {
     pub(crate) display: Option<String>,
     /// A sentence that stands in the output field at first: what was wrong
     /// with the host's arguments.
-    pub(crate) warning: Option<String>,
+    pub(crate) warning: Option<Message>,
     /// Its owner.
     pub(crate) host: Rc<dyn Host>,
 }
@@ -88,7 +88,7 @@ const SMALLEST: [f32; 2] = [800.0, 600.0];
 pub(crate) fn open(options: Options) -> Result<Id> {
     let mut editor = Editor::new(options.editor)?;
     if let Some(warning) = options.warning {
-        editor.complain(warning);
+        editor.warn(&warning);
     }
     let title = editor.window_title();
     let screen = x11::Window::open(&x11::Options {

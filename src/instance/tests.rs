@@ -197,7 +197,7 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         document: Document::new(),
         file: None,
         title: None,
-        language: Language::English,
+        language: Some(Language::English),
         hand_over: true,
         fixed_speeds: true,
         folders: Folders::default(),

@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-use crate::error::{Error, Result, sentence, vec_with_room};
+use crate::error::{Error, Result, message, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
 
@@ -79,9 +79,9 @@ impl Target {
         let (Self::Absolute(v) | Self::Relative(v)) = self;
         check_coordinates(v)?;
         if self.offset_from(position) == DVec3::ZERO {
-            return Err(Error::Argument(
-                "the target must not lie on the camera's own position".into(),
-            ));
+            return Err(Error::Argument(message!(
+                "the target must not lie on the camera's own position"
+            )));
         }
         Ok(())
     }
@@ -126,7 +126,9 @@ impl Orientation {
     pub fn check(&self, position: DVec3) -> Result<()> {
         self.target.check(position)?;
         if !self.roll.is_finite() {
-            return Err(Error::Argument("the roll must be a finite number".into()));
+            return Err(Error::Argument(message!(
+                "the roll must be a finite number"
+            )));
         }
         check_zoom(self.zoom)?;
         self.turning.check()?;
@@ -324,15 +326,15 @@ impl CameraPath {
     /// The first one that does not, with its place.
     pub fn check(&self) -> Result<()> {
         if self.points.len() < limits::MIN_POINTS {
-            return Err(Error::Range(
-                "a path needs at least two support points".into(),
-            ));
+            return Err(Error::Range(message!(
+                "a path needs at least two support points"
+            )));
         }
         if self.points.len() > limits::MAX_POINTS {
-            return Err(Error::Limit(sentence(format_args!(
-                "a path has at most {} support points",
+            return Err(Error::Limit(message!(
+                "a path has at most {0} support points",
                 limits::MAX_POINTS
-            ))));
+            )));
         }
         for preset in self.presets {
             preset.check()?;
@@ -341,7 +343,7 @@ impl CameraPath {
         for (index, point) in self.points.iter().enumerate() {
             point
                 .check()
-                .map_err(|error| error.at(format!("point {}", index + 1)))?;
+                .map_err(|error| error.at(message!("point {0}", index + 1)))?;
         }
         Ok(())
     }
@@ -355,24 +357,26 @@ impl SupportPoint {
     pub fn check(&self) -> Result<()> {
         check_coordinates(self.position)?;
         if let Some(name) = &self.name {
-            check_name(name).map_err(|error| error.at("the name"))?;
+            check_name(name).map_err(|error| error.at(message!("the name")))?;
         }
         match self.curve {
             CurveParameters::Preset(preset) if usize::from(preset) >= limits::PRESETS => {
-                return Err(Error::Range("the preset must lie between 0 and 9".into()));
+                return Err(Error::Range(message!(
+                    "the preset must lie between 0 and 9"
+                )));
             }
             CurveParameters::Preset(_) => {}
             CurveParameters::Own(tcb) => tcb.check()?,
         }
         if self.orientations.is_empty() || self.orientations.len() > limits::MAX_ORIENTATIONS {
-            return Err(Error::Range(
-                "a point has between 1 and 10 orientations".into(),
-            ));
+            return Err(Error::Range(message!(
+                "a point has between 1 and 10 orientations"
+            )));
         }
         for (index, orientation) in self.orientations.iter().enumerate() {
             orientation
                 .check(self.position)
-                .map_err(|error| error.at(format!("orientation {}", index + 1)))?;
+                .map_err(|error| error.at(message!("orientation {0}", index + 1)))?;
         }
         Ok(())
     }
@@ -384,12 +388,12 @@ impl SupportPoint {
 /// [`Error::Argument`] if not finite, [`Error::Range`] if too large.
 pub fn check_coordinates(v: DVec3) -> Result<()> {
     if !v.is_finite() {
-        return Err(Error::Argument(
-            "a coordinate must be a finite number".into(),
-        ));
+        return Err(Error::Argument(message!(
+            "a coordinate must be a finite number"
+        )));
     }
     if v.abs().max_element() > limits::MAX_COORDINATE {
-        return Err(Error::Range("a coordinate must not exceed 1e9".into()));
+        return Err(Error::Range(message!("a coordinate must not exceed 1e9")));
     }
     Ok(())
 }
@@ -401,13 +405,15 @@ pub fn check_coordinates(v: DVec3) -> Result<()> {
 /// [`Error::Argument`] or [`Error::Limit`].
 pub fn check_name(name: &str) -> Result<()> {
     if name.len() > limits::MAX_NAME_BYTES {
-        return Err(Error::Limit(sentence(format_args!(
-            "at most {} bytes are allowed",
+        return Err(Error::Limit(message!(
+            "at most {0} bytes are allowed",
             limits::MAX_NAME_BYTES
-        ))));
+        )));
     }
     if name.chars().any(char::is_control) {
-        return Err(Error::Argument("control characters are not allowed".into()));
+        return Err(Error::Argument(message!(
+            "control characters are not allowed"
+        )));
     }
     Ok(())
 }
@@ -418,9 +424,10 @@ pub fn check_name(name: &str) -> Result<()> {
 /// [`Error::Range`].
 pub fn check_shape(value: f64, name: &str) -> Result<()> {
     if !(-1.0..=1.0).contains(&value) {
-        return Err(Error::Range(sentence(format_args!(
-            "the {name} must lie between -1 and 1"
-        ))));
+        return Err(Error::Range(message!(
+            "the {0} must lie between -1 and 1",
+            name
+        )));
     }
     Ok(())
 }
@@ -431,7 +438,9 @@ pub fn check_shape(value: f64, name: &str) -> Result<()> {
 /// [`Error::Range`].
 pub fn check_zoom(zoom: f64) -> Result<()> {
     if !(limits::MIN_ZOOM..=limits::MAX_ZOOM).contains(&zoom) {
-        return Err(Error::Range("the zoom must lie between 1 and 100".into()));
+        return Err(Error::Range(message!(
+            "the zoom must lie between 1 and 100"
+        )));
     }
     Ok(())
 }
@@ -442,9 +451,9 @@ pub fn check_zoom(zoom: f64) -> Result<()> {
 /// [`Error::Range`].
 pub fn check_speed(speed: f64) -> Result<()> {
     if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&speed) {
-        return Err(Error::Range(
-            "each value of a speed curve must lie between 1 and 100".into(),
-        ));
+        return Err(Error::Range(message!(
+            "each value of a speed curve must lie between 1 and 100"
+        )));
     }
     Ok(())
 }
@@ -455,9 +464,9 @@ pub fn check_speed(speed: f64) -> Result<()> {
 /// [`Error::Range`].
 pub fn check_hold(hold: u32) -> Result<()> {
     if hold > limits::MAX_HOLD {
-        return Err(Error::Range(
-            "the hold must lie between 0 and 1000000 frames".into(),
-        ));
+        return Err(Error::Range(message!(
+            "the hold must lie between 0 and 1000000 frames"
+        )));
     }
     Ok(())
 }
@@ -468,9 +477,9 @@ pub fn check_hold(hold: u32) -> Result<()> {
 /// [`Error::Argument`].
 pub fn check_base_speed(speed: f64) -> Result<()> {
     if !(speed > 0.0 && speed.is_finite()) {
-        return Err(Error::Argument(
-            "a base speed must be finite and greater than zero".into(),
-        ));
+        return Err(Error::Argument(message!(
+            "a base speed must be finite and greater than zero"
+        )));
     }
     Ok(())
 }

@@ -22,6 +22,7 @@ pub mod camera_path;
 pub mod catmull_rom;
 pub mod cubic_spline;
 mod dispatch;
+pub mod doubts;
 mod fill;
 pub mod hermite;
 pub mod kochanek_bartels;
@@ -43,6 +44,7 @@ pub use camera_path::{
     BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, SupportPoint, Target,
     Tcb, ZoomMode,
 };
+pub use doubts::{Doubt, doubt};
 pub use plan::Plan;
 pub use pose::Pose;
 pub use sampling::Sampler;

@@ -11,7 +11,7 @@ use super::leg::{Leg, Way};
 use super::orientation_curve::{self, Key, turnings};
 use super::pose::Pose;
 use super::timeline::{Change, Timeline};
-use crate::error::{Error, Result, try_box, vec_with_room};
+use crate::error::{Error, Result, message, try_box, vec_with_room};
 use crate::limits::BASE_SPEED;
 use crate::math::{monotone_cubic, orientation};
 
@@ -139,9 +139,9 @@ impl Sampler {
     pub fn sample(&self, first: usize, poses: &mut [Pose]) -> Result<()> {
         let inside = first >= 1 && first <= self.frames + 1;
         if !inside || poses.len() > self.frames + 1 - first {
-            return Err(Error::Range(
-                "a frame must lie between 1 and the number of frames".into(),
-            ));
+            return Err(Error::Range(message!(
+                "a frame must lie between 1 and the number of frames"
+            )));
         }
         let mut scratch = Scratch::new(poses.len());
         let mut rest = poses;
@@ -185,9 +185,9 @@ impl Sampler {
     #[allow(clippy::cast_precision_loss)]
     pub fn pose(&self, frame: f64) -> Result<Pose> {
         if !(frame >= 1.0 && frame <= self.frames as f64) {
-            return Err(Error::Range(
-                "a frame must lie between 1 and the number of frames".into(),
-            ));
+            return Err(Error::Range(message!(
+                "a frame must lie between 1 and the number of frames"
+            )));
         }
         let index = self
             .legs

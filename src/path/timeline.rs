@@ -7,7 +7,7 @@ use super::dispatch;
 use super::hermite::Cubic;
 use super::kochanek_bartels;
 use super::speed_curve::SpeedCurve;
-use crate::error::{Error, Result, vec_with_room};
+use crate::error::{Error, Result, message, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_FRAMES, MAX_ZOOM, MIN_ZOOM};
 use crate::math::{orientation, quaternion};
 
@@ -203,9 +203,9 @@ impl Timeline {
     /// [`Error::Limit`] if there are more than [`MAX_FRAMES`].
     pub fn frame_count(&self) -> Result<usize> {
         if self.frames > MAX_FRAMES {
-            return Err(Error::Limit(
-                "the path would yield more than 100000000 frames; lower the base speeds".into(),
-            ));
+            return Err(Error::Limit(message!(
+                "the path would yield more than 100000000 frames; lower the base speeds"
+            )));
         }
         Ok(self.frames)
     }

@@ -29,7 +29,7 @@ pub(crate) fn check(bytes: &[u8]) {
     assert_eq!(again.to_toml().expect("a text"), text);
     match document.sampler() {
         Ok(sampler) => check_poses(sampler),
-        Err(Error::Limit(reason)) => assert!(reason.contains("frames"), "{reason}"),
+        Err(Error::Limit(reason)) => assert!(reason.to_string().contains("frames"), "{reason}"),
         Err(error) => panic!("a path in order gives no poses: {error}"),
     }
 }

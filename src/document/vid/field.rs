@@ -1,13 +1,11 @@
 //! One `key = value` of a file, with its line: typed access whose errors say
 //! where and why.
 
-use std::fmt::Display;
-
 use glam::DVec3;
 use toml::Spanned;
-use toml::de::{DeString, DeTable, DeValue};
+use toml::de::{DeString, DeTable, DeValue, Error as ParseError};
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Message, Result, message};
 
 /// A piece of a file, and the whole for its line numbers.
 #[derive(Clone, Copy)]
@@ -19,9 +17,16 @@ pub(crate) struct Source<'a> {
 }
 
 impl Source<'_> {
+    /// What the parser stumbled over, in the parser's words.
+    pub(crate) fn not_toml(self, error: &ParseError) -> Error {
+        let offset = error.span().map_or(0, |span| span.start);
+        let words = Message::from(error.message().to_owned());
+        self.complain(offset, words)
+    }
+
     /// A sentence about the place at a byte offset of the piece.
-    pub(crate) fn complain(self, offset: usize, reason: impl Display) -> Error {
-        Error::Format(format!("line {}: {reason}", self.line(offset)).into())
+    pub(crate) fn complain(self, offset: usize, reason: Message) -> Error {
+        Error::Format(message!("line {0}: {1}", self.line(offset), reason))
     }
 
     /// The line of a byte offset of the piece.
@@ -70,16 +75,16 @@ impl<'a> Field<'a> {
     }
 
     /// An error at this place.
-    pub(crate) fn error(&self, reason: impl Display) -> Error {
-        let place = format_args!("{}: {reason}", self.key);
-        self.source.complain(self.offset, place)
+    pub(crate) fn error(&self, reason: Message) -> Error {
+        let reason = message!("{0}: {1}", self.key, reason);
+        self.source.complain(self.offset, reason)
     }
 
     /// The error of a check, at this place.
     pub(crate) fn checked<T>(&self, result: Result<T>) -> Result<T> {
         result.map_err(|error| match error {
             Error::Memory => error,
-            other => self.error(other),
+            other => self.error(other.into_message()),
         })
     }
 
@@ -87,25 +92,25 @@ impl<'a> Field<'a> {
     pub(crate) fn unknown(&self, known: &[&str]) -> Error {
         self.source.complain(
             self.offset,
-            format_args!(
-                "unknown key \"{}\"; known here: {}",
-                self.key.escape_debug(),
+            message!(
+                "unknown key \"{0}\"; known here: {1}",
+                self.key.escape_debug().to_string(),
                 known.join(", ")
             ),
         )
     }
 
-    fn mismatch(&self, wanted: &str) -> Error {
+    fn mismatch(&self, wanted: Message) -> Error {
         let found = match self.value {
-            DeValue::String(_) => "a text",
-            DeValue::Integer(_) => "a whole number",
-            DeValue::Float(_) => "a decimal number",
-            DeValue::Boolean(_) => "true or false",
-            DeValue::Datetime(_) => "a date or time",
-            DeValue::Array(_) => "an array",
-            DeValue::Table(_) => "a table",
+            DeValue::String(_) => message!("a text"),
+            DeValue::Integer(_) => message!("a whole number"),
+            DeValue::Float(_) => message!("a decimal number"),
+            DeValue::Boolean(_) => message!("true or false"),
+            DeValue::Datetime(_) => message!("a date or time"),
+            DeValue::Array(_) => message!("an array"),
+            DeValue::Table(_) => message!("a table"),
         };
-        self.error(format_args!("expected {wanted}, found {found}"))
+        self.error(message!("expected {0}, found {1}", wanted, found))
     }
 
     /// A finite number, written with or without a decimal point.
@@ -116,11 +121,11 @@ impl<'a> Field<'a> {
             DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
                 .ok()
                 .map(|integer| integer as f64),
-            _ => return Err(self.mismatch("a number")),
+            _ => return Err(self.mismatch(message!("a number"))),
         };
         match number {
             Some(number) if f64::is_finite(number) => Ok(number),
-            _ => Err(self.error("the number must be finite")),
+            _ => Err(self.error(message!("the number must be finite"))),
         }
     }
 
@@ -128,8 +133,8 @@ impl<'a> Field<'a> {
     pub(crate) fn integer(&self) -> Result<i64> {
         match self.value {
             DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
-                .map_err(|_| self.error("the number is too large")),
-            _ => Err(self.mismatch("a whole number")),
+                .map_err(|_| self.error(message!("the number is too large"))),
+            _ => Err(self.mismatch(message!("a whole number"))),
         }
     }
 
@@ -139,7 +144,7 @@ impl<'a> Field<'a> {
         if (low..=high).contains(&integer) {
             Ok(integer)
         } else {
-            Err(self.error(format_args!("must lie between {low} and {high}")))
+            Err(self.error(message!("must lie between {0} and {1}", low, high)))
         }
     }
 
@@ -147,7 +152,7 @@ impl<'a> Field<'a> {
     pub(crate) fn boolean(&self) -> Result<bool> {
         match self.value {
             DeValue::Boolean(boolean) => Ok(*boolean),
-            _ => Err(self.mismatch("true or false")),
+            _ => Err(self.mismatch(message!("true or false"))),
         }
     }
 
@@ -155,7 +160,7 @@ impl<'a> Field<'a> {
     pub(crate) fn text(&self) -> Result<&'a str> {
         match self.value {
             DeValue::String(text) => Ok(text),
-            _ => Err(self.mismatch("a text in quotes")),
+            _ => Err(self.mismatch(message!("a text in quotes"))),
         }
     }
 
@@ -163,14 +168,14 @@ impl<'a> Field<'a> {
     pub(crate) fn fields(&self) -> Result<impl Iterator<Item = Field<'a>> + use<'a>> {
         match self.value {
             DeValue::Table(table) => Ok(fields(self.source, table)),
-            _ => Err(self.mismatch("a table")),
+            _ => Err(self.mismatch(message!("a table"))),
         }
     }
 
     /// The elements of an array.
     pub(crate) fn elements(&self) -> Result<impl ExactSizeIterator<Item = Field<'a>> + use<'a>> {
         let DeValue::Array(array) = self.value else {
-            return Err(self.mismatch("an array"));
+            return Err(self.mismatch(message!("an array")));
         };
         let (source, key) = (self.source, self.key);
         Ok(array.iter().map(move |element| Field {
@@ -185,8 +190,9 @@ impl<'a> Field<'a> {
     pub(crate) fn numbers<const N: usize>(&self) -> Result<[f64; N]> {
         let elements = self.elements()?;
         if elements.len() != N {
-            return Err(self.error(format_args!(
-                "expected {N} numbers, found {}",
+            return Err(self.error(message!(
+                "expected {0} numbers, found {1}",
+                N,
                 elements.len()
             )));
         }

@@ -43,7 +43,7 @@ use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
 use super::info::Info;
-use crate::error::{Error, Result, room, vec_with_room};
+use crate::error::{Error, Result, message, room, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
 
@@ -60,7 +60,7 @@ const ROOM: usize = 32 << 10;
 /// Reads a file.
 pub(super) fn load(file: &Path) -> Result<(CameraPath, Info)> {
     let text = read_text(file, MAX_FILE_BYTES)?;
-    from_toml(&text).map_err(|error| error.at(file.display()))
+    from_toml(&text).map_err(|error| error.at(file.display().to_string()))
 }
 
 /// Reads what a reader gives, to its end.
@@ -123,16 +123,18 @@ fn read_all(reader: &mut dyn Read, place: &str, room: usize, most: u64) -> Resul
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        Error::Format(format!("{place}: line {line}: this is not UTF-8 text").into())
+        Error::Format(message!(
+            "line {0}: {1}",
+            line,
+            message!("this is not UTF-8 text")
+        ))
+        .at(place)
     })
 }
 
 fn too_large(most: u64) -> Error {
-    Error::Limit(
-        format!(
-            "the file is larger than the {} MiB that are read",
-            most >> 20
-        )
-        .into(),
-    )
+    Error::Limit(message!(
+        "the file is larger than the {0} MiB that are read",
+        most >> 20
+    ))
 }

@@ -12,7 +12,7 @@ use toml::de::{DeTable, Error as ParseError};
 
 use super::field::Source;
 use super::weight;
-use crate::error::{Error, Result, room};
+use crate::error::{Error, Result, message, room};
 use crate::limits::{MAX_COMMENT_BYTES, MAX_PARSE_BYTES};
 
 /// Bytes of a piece, at least. A fuzzer's files are small, and are to be cut too.
@@ -35,10 +35,10 @@ pub(super) fn parse(source: Source<'_>) -> Result<(DeTable<'_>, usize)> {
             let end = cut(source, end - source.start + LONGEST_TEXT);
             match parse_to(source, end)? {
                 Ok(root) => Ok((root, end)),
-                Err(error) => Err(refusal(source, &error)),
+                Err(error) => Err(source.not_toml(&error)),
             }
         }
-        Err(error) => Err(refusal(source, &error)),
+        Err(error) => Err(source.not_toml(&error)),
     }
 }
 
@@ -63,18 +63,14 @@ fn parse_to(source: Source<'_>, end: usize) -> Result<Result<DeTable<'_>, ParseE
     if memory > MAX_PARSE_BYTES {
         let most = MAX_PARSE_BYTES >> 20;
         let line = source.line(0);
-        let reason = format!(
-            "line {line}: what begins here could take more than {most} MiB of memory to be read"
+        let reason = message!(
+            "what begins here could take more than {0} MiB of memory to be read",
+            most
         );
-        return Err(Error::Limit(reason.into()));
+        return Err(Error::Limit(message!("line {0}: {1}", line, reason)));
     }
     // The parser cannot give up when memory runs out: see that there is enough,
     // for copies of its texts too.
     room(memory + piece.len())?;
     Ok(DeTable::parse(piece).map(toml::Spanned::into_inner))
-}
-
-fn refusal(source: Source<'_>, error: &ParseError) -> Error {
-    let offset = error.span().map_or(0, |span| span.start);
-    source.complain(offset, error.message())
 }

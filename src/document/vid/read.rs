@@ -7,7 +7,7 @@ use super::VERSION;
 use super::field::{Field, Source, fields};
 use super::pieces;
 use crate::document::info::{self, Info, ObjectPoint, Space};
-use crate::error::{Result, vec_with_room};
+use crate::error::{Result, message, vec_with_room};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::camera_path::{
@@ -56,8 +56,10 @@ pub(in crate::document) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
     }
     let count = reader.path.points.len();
     if count < limits::MIN_POINTS {
-        let reason =
-            format!("a path needs at least two points, each with its [[point]], found {count}");
+        let reason = message!(
+            "a path needs at least two points, each with its [[point]], found {0}",
+            count
+        );
         return Err(source.complain(text.len(), reason));
     }
     Ok((reader.path, reader.info))
@@ -86,7 +88,7 @@ impl Reader {
             };
             // Within one piece the parser has seen to that.
             if std::mem::replace(&mut self.seen[key], true) && field.key != "point" {
-                return Err(field.error("this was given further up already"));
+                return Err(field.error(message!("this was given further up already")));
             }
             match field.key {
                 "title" => info.title = one_line(field)?,
@@ -123,16 +125,18 @@ impl Reader {
 /// before anything else.
 fn check_version(source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
     let Some(field) = fields(source, root).find(|field| field.key == "version") else {
-        return Err(source.complain(0, "a .vid file begins with version = 1"));
+        return Err(source.complain(0, message!("a .vid file begins with version = 1")));
     };
     let version = field.integer()?;
     if version > VERSION {
-        return Err(field.error(format_args!(
-            "this file is of version {version}, newer than this program, which knows up to version {VERSION}"
+        return Err(field.error(message!(
+            "this file is of version {0}, newer than this program, which knows up to version {1}",
+            version,
+            VERSION
         )));
     }
     if version < 1 {
-        return Err(field.error("there is no such version"));
+        return Err(field.error(message!("there is no such version")));
     }
     Ok(())
 }
@@ -148,7 +152,7 @@ fn orientation_mode(field: Field<'_>) -> Result<OrientationMode> {
         "tcb" => Ok(OrientationMode::Tcb),
         "barry-goldman" => Ok(OrientationMode::BarryGoldman),
         "slerp" => Ok(OrientationMode::Slerp),
-        _ => Err(field.error("must be \"tcb\", \"barry-goldman\" or \"slerp\"")),
+        _ => Err(field.error(message!("must be \"tcb\", \"barry-goldman\" or \"slerp\""))),
     }
 }
 
@@ -156,7 +160,7 @@ fn zoom_mode(field: Field<'_>) -> Result<ZoomMode> {
     match field.text()? {
         "smooth" => Ok(ZoomMode::Smooth),
         "linear" => Ok(ZoomMode::Linear),
-        _ => Err(field.error("must be \"smooth\" or \"linear\"")),
+        _ => Err(field.error(message!("must be \"smooth\" or \"linear\""))),
     }
 }
 
@@ -188,7 +192,7 @@ fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) -> Result<()>
         // Exactly one digit: neither 01 nor +1 is a second name of 1.
         let preset = match field.key.as_bytes() {
             [digit @ b'0'..=b'9'] => &mut presets[usize::from(digit - b'0')],
-            _ => return Err(field.error("the presets are numbered 0 to 9")),
+            _ => return Err(field.error(message!("the presets are numbered 0 to 9"))),
         };
         *preset = tcb(field)?;
     }
@@ -235,8 +239,8 @@ fn object(table: Field<'_>) -> Result<Vec<ObjectPoint>> {
         for polyline in field.elements()? {
             let points = polyline.elements()?;
             if points.len() > limits::MAX_OBJECT_POINTS - object.len() {
-                return Err(polyline.error(format_args!(
-                    "an object has at most {} points",
+                return Err(polyline.error(message!(
+                    "an object has at most {0} points",
                     limits::MAX_OBJECT_POINTS
                 )));
             }
@@ -261,16 +265,16 @@ fn points(
     points.try_reserve(elements.len().min(limits::MAX_POINTS))?;
     for element in elements {
         if points.len() == limits::MAX_POINTS {
-            return Err(element.error(format_args!(
-                "a path has at most {} points",
+            return Err(element.error(message!(
+                "a path has at most {0} points",
                 limits::MAX_POINTS
             )));
         }
         let point = point(element)?;
         *orientations += point.orientations.len();
         if *orientations > limits::MAX_ALL_ORIENTATIONS {
-            return Err(element.error(format_args!(
-                "the points of a path have at most {} orientations together",
+            return Err(element.error(message!(
+                "the points of a path have at most {0} orientations together",
                 limits::MAX_ALL_ORIENTATIONS
             )));
         }
@@ -282,7 +286,7 @@ fn points(
 fn point(table: Field<'_>) -> Result<SupportPoint> {
     // The position first: targets are checked against it.
     let Some(position) = table.fields()?.find(|field| field.key == "position") else {
-        return Err(table.error("this point has no position"));
+        return Err(table.error(message!("this point has no position")));
     };
     let mut point = SupportPoint {
         position: position.vector()?,
@@ -297,7 +301,9 @@ fn point(table: Field<'_>) -> Result<SupportPoint> {
             "name" => point.name = Some(one_line(field)?),
             "preset" | "own" => {
                 if curve_given {
-                    return Err(field.error("a point has either a preset or its own values"));
+                    return Err(
+                        field.error(message!("a point has either a preset or its own values"))
+                    );
                 }
                 curve_given = true;
                 point.curve = if field.key == "own" {
@@ -330,7 +336,7 @@ fn orientations(array: Field<'_>, position: DVec3) -> Result<Vec<Orientation>> {
     let mut orientations = vec_with_room(elements.len().min(limits::MAX_ORIENTATIONS))?;
     for element in elements {
         if orientations.len() == limits::MAX_ORIENTATIONS {
-            return Err(element.error("a point has at most 10 orientations"));
+            return Err(element.error(message!("a point has at most 10 orientations")));
         }
         orientations.push(orientation(element, position)?);
     }
@@ -344,7 +350,9 @@ fn orientation(table: Field<'_>, position: DVec3) -> Result<Orientation> {
         match field.key {
             "target" | "offset" => {
                 if target_given {
-                    return Err(field.error("an orientation has either a target or an offset"));
+                    return Err(
+                        field.error(message!("an orientation has either a target or an offset"))
+                    );
                 }
                 target_given = true;
                 let vector = field.vector()?;

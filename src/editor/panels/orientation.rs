@@ -50,7 +50,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
         &Key::new(texts.next, texts.next_hint, Action::NextOrientation),
     );
     target(editor, ui, &current);
-    let language = editor.language;
+    let language = editor.language();
     let width = share(ui, 2);
     ui.horizontal(|ui| {
         let roll = Number::new(texts.roll, current.roll)

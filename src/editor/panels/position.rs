@@ -87,7 +87,7 @@ pub(super) fn three_numbers(
                 .label(letter)
                 .hint(hint)
                 .range(-MAX_COORDINATE..=MAX_COORDINATE)
-                .show(ui, editor.language, &format!("{id}.{letter}"), width);
+                .show(ui, editor.language(), &format!("{id}.{letter}"), width);
             enter(editor, entry, &|value| {
                 let mut new = vector;
                 new[axis] = value;
@@ -110,7 +110,7 @@ fn shape(editor: &mut Editor, ui: &mut egui::Ui, which: usize) {
     };
     let tcb = point.map(|point| path.tcb(point));
     let width = share(ui, 3);
-    let language = editor.language;
+    let language = editor.language();
     ui.horizontal(|ui| {
         for (name, value) in [
             ("b", tcb.map(|tcb| tcb.bias)),

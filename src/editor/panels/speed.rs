@@ -118,7 +118,7 @@ fn frames(editor: &Editor, section: Section) -> String {
         return texts.no_frames.to_owned();
     }
     let fps = editor.document.info().fps;
-    let seconds = editor.language.number(section.frames as f64 / fps, 2);
+    let seconds = editor.language().number(section.frames as f64 / fps, 2);
     let text = if section.frames == 1 {
         texts.one_frame
     } else {

@@ -16,7 +16,7 @@ const HALF_HEIGHT: f64 = 12.0;
 
 pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
     let texts = &editor.texts().zoom;
-    let language = editor.language;
+    let language = editor.language();
     let selection = editor.document.selection();
     let Some(current) = editor.orientation().cloned() else {
         return;

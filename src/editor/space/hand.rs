@@ -261,7 +261,7 @@ pub(super) fn make_current(editor: &mut Editor, at: usize) {
     if at != editor.document.selection().point
         && let Err(error) = editor.document.select(at, 0)
     {
-        editor.complain(error.to_string());
+        editor.complain_of(&error);
     }
 }
 
@@ -320,7 +320,7 @@ pub(super) fn tell_place(editor: &mut Editor, what: Handle) {
         return;
     };
     let texts = &editor.texts().space;
-    let number = |value: f64| editor.language.number(value, 3);
+    let number = |value: f64| editor.language().number(value, 3);
     let place = |text: &str, v: DVec3| fill(text, &[&number(v.x), &number(v.y), &number(v.z)]);
     let text = match what {
         Handle::Point(_) => place(texts.position_at, point.position),
@@ -330,7 +330,7 @@ pub(super) fn tell_place(editor: &mut Editor, what: Handle) {
         },
         Handle::Vup => fill(
             texts.roll_at,
-            &[&editor.language.number(orientation.roll, 1)],
+            &[&editor.language().number(orientation.roll, 1)],
         ),
     };
     editor.say(text);
@@ -376,16 +376,7 @@ fn release(editor: &mut Editor) {
     };
     if hold.moved {
         if hold.what.is_some() {
-            editor.document.end_step();
-            // The running coordinates give way to the pose; what could not be
-            // done stays to be read.
-            if editor
-                .message
-                .as_ref()
-                .is_some_and(|message| !message.error)
-            {
-                editor.message = None;
-            }
+            editor.let_go();
         }
     } else if hold.button == PointerButton::Secondary {
         editor.space.hand.menu = Some((hold.pressed, hold.what));

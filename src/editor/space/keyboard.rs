@@ -176,14 +176,7 @@ fn nudge_by(editor: &mut Editor, what: Handle, edit: Edit) {
 /// Ends the step that the keys opened.
 pub(super) fn end_nudge(editor: &mut Editor) {
     if std::mem::take(&mut editor.space.hand.nudging) {
-        editor.document.end_step();
-        if editor
-            .message
-            .as_ref()
-            .is_some_and(|message| !message.error)
-        {
-            editor.message = None;
-        }
+        editor.let_go();
     }
 }
 
@@ -207,7 +200,7 @@ fn step_orientation(editor: &mut Editor, by: isize) {
     let next = around(selection.orientation, by, count);
     editor.message = None;
     if let Err(error) = editor.document.select(selection.point, next) {
-        editor.complain(error.to_string());
+        editor.complain_of(&error);
     }
 }
 

@@ -60,42 +60,56 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, room: Rect) {
 
 /// What can be done with the current point.
 fn entries(editor: &mut Editor, ui: &mut Ui) {
-    let texts = &editor.texts().space;
+    let texts = editor.texts();
+    let (space, hints) = (&texts.space, &texts.menu_hints);
+    let (position, output) = (&texts.position, &texts.output);
     let closed = editor.document.path().closed;
     let count = editor.document.path().points.len();
-    let entry = |ui: &mut Ui, enabled: bool, text: &str| {
-        ui.add_enabled(enabled, Button::new(text)).clicked()
+    // Where it is not possible the tooltip says why.
+    let entry = |ui: &mut Ui, text: &str, hint: &str, not: Option<&str>| {
+        ui.add_enabled(not.is_none(), Button::new(text))
+            .on_hover_text(hint)
+            .on_disabled_hover_text(not.unwrap_or_default())
+            .clicked()
     };
-    if entry(ui, !closed, texts.append) {
+    let no_ends = closed.then_some(position.closed_has_no_ends);
+    if entry(ui, space.append, hints.append, no_ends) {
         do_edit(editor, Edit::AppendAfterLast);
     }
-    if entry(ui, !closed, texts.prepend) {
+    if entry(ui, space.prepend, hints.prepend, no_ends) {
         do_edit(editor, Edit::PrependBeforeFirst);
     }
-    let text = if closed {
-        texts.make_open
+    let (text, hint) = if closed {
+        (space.make_open, hints.open)
     } else {
-        texts.make_closed
+        (space.make_closed, hints.close)
     };
-    if entry(ui, true, text) {
+    if entry(ui, text, hint, None) {
         do_edit(editor, Edit::SetClosed(!closed));
     }
     ui.separator();
-    if entry(ui, true, texts.copy_orientation) {
+    if entry(ui, space.copy_orientation, hints.copy_orientation, None) {
         editor.act(Action::CopyOrientation, ui.ctx());
     }
-    if entry(ui, editor.copied.is_some(), texts.paste_orientation) {
+    let nothing = editor.copied.is_none().then_some(output.nothing_copied);
+    if entry(
+        ui,
+        space.paste_orientation,
+        hints.paste_orientation,
+        nothing,
+    ) {
         editor.act(Action::PasteOrientation, ui.ctx());
     }
     ui.separator();
-    if entry(ui, count > crate::limits::MIN_POINTS, texts.remove) {
+    let two = (count <= crate::limits::MIN_POINTS).then_some(position.two_remain);
+    if entry(ui, space.remove, position.remove_hint, two) {
         editor.act(Action::RemovePoint, ui.ctx());
     }
 }
 
 /// From where the space can be seen.
 fn views(editor: &mut Editor, ui: &mut Ui) {
-    let texts = &editor.texts().space;
+    let (texts, hints) = (&editor.texts().space, &editor.texts().menu_hints);
     let whole = View::default();
     let seen_from = |rotation: f64, tilt: f64| View {
         rotation,
@@ -103,13 +117,13 @@ fn views(editor: &mut Editor, ui: &mut Ui) {
         ..whole
     };
     let views = [
-        (texts.view_reset, whole),
-        (texts.view_front, seen_from(0.0, 0.0)),
-        (texts.view_right, seen_from(-90.0, 0.0)),
-        (texts.view_above, seen_from(0.0, 90.0)),
+        (texts.view_reset, hints.view_reset, whole),
+        (texts.view_front, hints.view_front, seen_from(0.0, 0.0)),
+        (texts.view_right, hints.view_right, seen_from(-90.0, 0.0)),
+        (texts.view_above, hints.view_above, seen_from(0.0, 90.0)),
     ];
-    for (text, view) in views {
-        if ui.button(text).clicked() {
+    for (text, hint, view) in views {
+        if ui.button(text).on_hover_text(hint).clicked() {
             editor.setup.view = view;
         }
     }

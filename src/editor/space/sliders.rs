@@ -161,7 +161,7 @@ fn number(editor: &mut Editor, ui: &mut Ui, part: Part, room: Rect) {
         .decimals(0)
         .range(part.range())
         .steps(1.0, 0.5)
-        .show(ui, editor.language, id, NUMBER);
+        .show(ui, editor.language(), id, NUMBER);
     match entry {
         Entry::Drag(value) | Entry::Set(value) => part.set(&mut editor.setup.view, room, value),
         Entry::Begin => editor.space.view_before = Some(editor.setup.view),

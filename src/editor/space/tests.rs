@@ -20,7 +20,7 @@ pub(in crate::editor) fn editor(document: Document, language: Language) -> Edito
         document,
         file: None,
         title: None,
-        language,
+        language: Some(language),
         hand_over: false,
         fixed_speeds: false,
         folders: crate::editor::Folders::default(),
@@ -204,7 +204,7 @@ fn each_button_drags_in_its_plane_and_a_drag_is_one_step() {
             assert_eq!(now[index].to_bits(), from[index].to_bits());
             let (said, error) = message(&harness).unwrap();
             assert!(said.starts_with("Position") && !error, "{said}");
-            let x = harness.state().language.number(now.x, 3);
+            let x = harness.state().language().number(now.x, 3);
             assert!(said.contains(&x), "{said}");
         }
         let end = start + vec2(-32.0, 24.0);

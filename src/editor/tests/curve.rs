@@ -1,47 +1,17 @@
 //! The curve window (thesis A.4.1).
 
-use egui::Role;
-
 use super::*;
 use crate::path::{CurveParameters, Tcb};
 use crate::raster::testing::screenshot;
 
 /// A window at the third point with the curve window open.
 fn opened(language: Language) -> Window {
-    let options = Options {
-        document: some_points(),
-        ..options(language)
-    };
-    let mut window = window_of(options, [1200.0, 800.0], 1.0, Theme::Dark);
-    click(&mut window, language.texts().position.change);
-    window
-}
-
-/// A number of the window; panels may have one of the same name.
-fn number<'a>(window: &'a Window, name: &'a str) -> egui_kittest::Node<'a> {
-    let all = window.get_all_by_role_and_label(Role::SpinButton, name);
-    all.last().expect("a number")
-}
-
-/// Types into a number.
-fn enter(window: &mut Window, name: &str, text: &str) {
-    number(window, name).click();
-    window.run();
-    window.event(egui::Event::Text(text.to_owned()));
-    window.run();
-    press(window, Modifiers::NONE, Key::Enter);
+    opened_with(language, language.texts().position.change)
 }
 
 fn tcb(window: &Window, point: usize) -> Tcb {
     window.state().document.path().tcb(point)
 }
-
-fn message(window: &Window) -> &str {
-    let message = window.state().message.as_ref();
-    message.map_or("", |message| message.text.as_str())
-}
-
-const BOTH: [Language; 2] = [Language::German, Language::English];
 
 #[test]
 fn a_preset_is_chosen_and_applied_by_show() {
@@ -143,7 +113,7 @@ fn another_point_or_orientation_discards_with_a_message() {
             let mut window = opened(language);
             click(&mut window, &fill(texts.curve.preset, &[&5]));
             click(&mut window, button);
-            assert_eq!(message(&window), texts.curve.given_up);
+            assert_eq!(said(&window).as_deref(), Some(texts.curve.given_up));
             assert!(window.query_by_label(texts.curve.waiting).is_none());
             click(&mut window, texts.curve.show);
             assert!(!window.state().document.is_modified());
@@ -151,7 +121,7 @@ fn another_point_or_orientation_discards_with_a_message() {
         // Nothing pending, nothing to say.
         let mut window = opened(language);
         click(&mut window, texts.position.next);
-        assert_eq!(message(&window), "");
+        assert_eq!(said(&window), None);
     }
 }
 
@@ -170,7 +140,7 @@ fn undo_and_loading_discard_with_a_message() {
     assert!(window.query_by_label(texts.curve.waiting).is_some());
     window.state_mut().document.undo();
     window.run();
-    assert_eq!(message(&window), texts.curve.given_up_changed);
+    assert_eq!(said(&window).as_deref(), Some(texts.curve.given_up_changed));
     assert!(window.query_by_label(texts.curve.waiting).is_none());
 
     // The very same path again, as a document as young as the old one; with a
@@ -180,7 +150,7 @@ fn undo_and_loading_discard_with_a_message() {
             fixed_speeds,
             ..options(Language::English)
         };
-        let mut window = window_of(options, [1200.0, 800.0], 1.0, Theme::Dark);
+        let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
         click(&mut window, texts.position.change);
         click(&mut window, &fill(texts.curve.preset, &[&5]));
         let folder = tempfile::tempdir().unwrap();
@@ -207,7 +177,7 @@ fn what_is_refused_stays_and_changes_nothing() {
             );
         }
         click(&mut window, texts.curve.ok);
-        assert_eq!(message(&window), texts.position.on_target);
+        assert_eq!(said(&window).as_deref(), Some(texts.position.on_target));
         assert!(!window.state().document.is_modified());
         assert!(window.query_by_label(texts.curve.waiting).is_some());
         // With another target it is possible.
@@ -223,14 +193,13 @@ fn what_is_refused_stays_and_changes_nothing() {
         let mut window = opened(language);
         enter(&mut window, texts.curve.tension, "1.5");
         click(&mut window, texts.curve.show);
-        assert!(!message(&window).is_empty());
+        assert!(said(&window).is_some());
         assert!(!window.state().document.is_modified());
-        let number = number(&window, texts.curve.tension);
-        assert_eq!(number.value().unwrap(), language.number(1.5, 2));
+        assert_eq!(value(&window, texts.curve.tension), language.number(1.5, 2));
         // No number at all.
         let mut window = opened(language);
         enter(&mut window, texts.curve.tension, "zwei");
-        assert!(message(&window).contains("zwei"));
+        assert!(said(&window).is_some_and(|said| said.contains("zwei")));
     }
 }
 
@@ -263,10 +232,7 @@ fn position_and_target_may_change_places() {
 fn a_button_takes_what_is_being_typed() {
     let texts = &Language::German.texts().curve;
     let mut window = opened(Language::German);
-    number(&window, texts.tension).click();
-    window.run();
-    window.event(egui::Event::Text("0,7".to_owned()));
-    window.run();
+    type_into(&mut window, texts.tension, "0,7");
     click(&mut window, texts.ok);
     assert_eq!(tcb(&window, 2).tension, 0.7);
     assert!(window.query_by_label(texts.title).is_none());
@@ -285,11 +251,7 @@ fn what_is_not_pending_follows_the_document() {
         .apply(Edit::SetPosition { at: 2, position })
         .unwrap();
     window.run();
-    let shown = |axis| {
-        let name = format!("{} {axis}", texts.position);
-        let number = number(&window, &name);
-        number.value().unwrap()
-    };
+    let shown = |axis| value(&window, &format!("{} {axis}", texts.position));
     assert_eq!([shown("x"), shown("y")], ["0.500", "0.900"]);
 }
 
@@ -308,7 +270,6 @@ fn escape_breaks_a_drag_off() {
         window.hover_at(at + vec2(way, 0.0));
         window.run();
     }
-    let value = |window: &Window, name| number(window, name).value().unwrap();
     assert_ne!(value(&window, texts.tension), "0,00");
     press(&mut window, Modifiers::NONE, Key::Escape);
     assert_eq!(value(&window, texts.tension), "0,00");
@@ -317,16 +278,8 @@ fn escape_breaks_a_drag_off() {
 
 #[test]
 fn pictures() {
-    for (language, theme, scale, name) in [
-        (Language::German, Theme::Dark, 1.0, "de-dark"),
-        (Language::English, Theme::Light, 1.0, "en-light"),
-        (Language::German, Theme::Light, 2.0, "de-light-2x"),
-    ] {
-        let options = Options {
-            document: some_points(),
-            ..options(language)
-        };
-        let mut window = window_of(options, [800.0, 600.0], scale, theme);
+    for (language, theme, scale, name) in LOOKS {
+        let mut window = window_with_points(language, SMALL, scale, theme);
         click(&mut window, language.texts().position.change);
         screenshot(&mut window, &format!("curve-{name}.png"));
         let texts = &language.texts().curve;

@@ -30,6 +30,47 @@ fn modified(window: &Window) -> bool {
     window.state().document.is_modified()
 }
 
+/// Why a file is refused is said in the window's language.
+#[test]
+fn a_broken_file_is_told_in_the_windows_language() {
+    for (language, why) in [
+        (
+            Language::English,
+            "line 3: zoom_mm: the zoom must lie between 1 and 100",
+        ),
+        (
+            Language::German,
+            "Zeile 3: zoom_mm: der Zoom muss zwischen 1 und 100 liegen",
+        ),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("broken.vid");
+        let text =
+            "version = 1\n[[point]]\norientation = [{ zoom_mm = 101 }]\nposition = [0, 0, 0]\n";
+        std::fs::write(&file, text).expect("written");
+        let mut window = window(language);
+        let said = window.state_mut().load_path(&file).unwrap_err();
+        let texts = &language.texts().errors;
+        assert_eq!(said, fill(texts.cannot_load, &[&"broken.vid", &why]));
+    }
+}
+
+/// So is what was wrong with a host's arguments.
+#[test]
+fn a_hosts_mistake_is_told_in_the_windows_language() {
+    let warning = crate::error::message!(
+        "{0} is {1} and must be finite and greater than 0: {2} is taken",
+        "move_speed",
+        -1.0,
+        100.0
+    );
+    let mut window = window(Language::German);
+    window.state_mut().warn(&warning);
+    window.run();
+    let german = "move_speed ist -1 und muss endlich und größer als 0 sein: genommen wird 100";
+    assert_eq!(said(&window).as_deref(), Some(german));
+}
+
 #[test]
 fn a_path_is_saved_and_loaded_by_the_keyboard() {
     for language in BOTH {
@@ -182,11 +223,12 @@ fn what_is_open_stays_when_loading_fails() {
         press(&mut window, Modifiers::ALT, Key::L);
         name(&mut window, "broken.vid");
         let words = said(&window).expect("a message");
+        let line = match language {
+            Language::English => "line 2:",
+            Language::German => "Zeile 2:",
+        };
         let begin = fill(texts.errors.cannot_load, &[&"broken.vid", &""]);
-        assert!(
-            words.starts_with(&begin) && words.contains("line 2"),
-            "{words}"
-        );
+        assert!(words.starts_with(&begin) && words.contains(line), "{words}");
         assert_eq!(window.state().file, None);
         name(&mut window, "missing.vid");
         let missing = fill(
@@ -342,7 +384,7 @@ fn the_hosts_speeds_and_object_stand() {
         fixed_speeds: true,
         ..options(Language::German)
     };
-    let mut window = window_of(options, [1200.0, 800.0], 1.0, Theme::Dark);
+    let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
     window.state_mut().load_path(&file).expect("loaded");
     window.run();
     let document = &window.state().document;

@@ -1,6 +1,7 @@
 //! What can be said of the window's looks without looking: every letter has a
 //! picture, numbers stand in columns, nothing is cut off.
 
+use egui::Id;
 use egui_kittest::kittest::{NodeT, by};
 
 use super::*;
@@ -54,11 +55,7 @@ fn check_nothing_is_cut_off(window: &Window, when: &str) {
 fn nothing_is_cut_off_in_the_smallest_window() {
     for language in BOTH {
         let texts = language.texts();
-        let options = Options {
-            document: some_points(),
-            ..options(language)
-        };
-        let mut window = window_of(options, [800.0, 600.0], 1.0, Theme::Dark);
+        let mut window = window_with_points(language, SMALL, 1.0, Theme::Dark);
         check_nothing_is_cut_off(&window, "at first");
         for action in ["far", "roll"] {
             let (name, text) = match action {
@@ -82,6 +79,179 @@ fn nothing_is_cut_off_in_the_smallest_window() {
         window.state_mut().ask_to_close();
         window.run();
         check_nothing_is_cut_off(&window, "question");
+    }
+}
+
+/// In the smallest window the curve window and the speed window leave most of
+/// the movement window to be seen, lie within the window, and can be moved.
+#[test]
+fn sub_windows_leave_the_movement_window_to_be_seen() {
+    for language in BOTH {
+        let texts = language.texts();
+        for (button, id) in [
+            (texts.position.change, "curve"),
+            (texts.speed.change, "speed"),
+        ] {
+            let mut window = window_with_points(language, SMALL, 1.0, Theme::Dark);
+            let space = window.get_by_label(texts.space.name).rect();
+            click(&mut window, button);
+            let area = |window: &Window| {
+                let area = window.ctx.memory(|memory| memory.area_rect(Id::unique(id)));
+                area.expect("an open window")
+            };
+            let at = area(&window);
+            assert!(window.ctx.content_rect().contains_rect(at), "{id}: {at:?}");
+            let hidden = at.intersect(space).area() / space.area();
+            assert!(hidden < 0.5, "{id} hides {hidden} of the movement window");
+            check_nothing_is_cut_off(&window, id);
+            let title = at.center_top() + vec2(0.0, 14.0);
+            window.hover_at(title);
+            window.run();
+            window.drag_at(title);
+            window.run();
+            window.hover_at(title + vec2(120.0, 40.0));
+            window.run();
+            window.drop_at(title + vec2(120.0, 40.0));
+            window.run();
+            let moved = area(&window).min - at.min;
+            assert!(moved.x > 50.0 && moved.y > 10.0, "{id}: {moved:?}");
+            assert!(
+                window.ctx.content_rect().contains_rect(area(&window)),
+                "{id}"
+            );
+        }
+    }
+}
+
+/// In the smallest window the output field still says what each number is.
+#[test]
+fn the_output_field_keeps_its_labels() {
+    for language in BOTH {
+        let texts = &language.texts().output;
+        let window = window_with_points(language, SMALL, 1.0, Theme::Dark);
+        let mut texts_of_bar = Vec::new();
+        for shape in &window.output().shapes {
+            if let egui::Shape::Text(text) = &shape.shape
+                && text.pos.y < 32.0
+            {
+                let rect = egui::Rect::from_min_size(text.pos, text.galley.size());
+                texts_of_bar.push((text.galley.text().to_owned(), rect));
+            }
+        }
+        for label in [
+            texts.point,
+            texts.position,
+            texts.view,
+            texts.roll,
+            texts.zoom,
+        ] {
+            assert!(
+                texts_of_bar.iter().any(|(text, _)| text == label),
+                "{label}"
+            );
+        }
+        for (index, (one, a)) in texts_of_bar.iter().enumerate() {
+            assert!(a.top() >= 0.0 && a.bottom() <= 32.0, "{one}: {a:?}");
+            for (other, b) in &texts_of_bar[index + 1..] {
+                // Lines of text touch; letters do not.
+                let both = a
+                    .shrink2(vec2(0.0, 2.0))
+                    .intersects(b.shrink2(vec2(0.0, 2.0)));
+                assert!(!both, "{one} {a:?} over {other} {b:?}");
+            }
+        }
+    }
+}
+
+/// All texts that are painted.
+fn painted(shapes: &[egui::epaint::ClippedShape]) -> Vec<String> {
+    fn add(shape: &egui::Shape, found: &mut Vec<String>) {
+        match shape {
+            egui::Shape::Text(text) => found.push(text.galley.text().to_owned()),
+            egui::Shape::Vec(shapes) => shapes.iter().for_each(|shape| add(shape, found)),
+            _ => {}
+        }
+    }
+    let mut found = Vec::new();
+    shapes
+        .iter()
+        .for_each(|clipped| add(&clipped.shape, &mut found));
+    found
+}
+
+/// Whatever is open, a window of one language shows no text of the other, and
+/// egui adds none of its own.
+#[test]
+fn no_text_is_in_the_other_language() {
+    for language in BOTH {
+        let texts = language.texts();
+        let foreign: Vec<&str> = Texts::ALL
+            .iter()
+            .copied()
+            .flatten()
+            .filter(|(_, english, german)| english != german)
+            .map(|(_, english, german)| match language {
+                Language::English => *german,
+                Language::German => *english,
+            })
+            // Some words are those of another text in this language.
+            .filter(|foreign| {
+                Texts::ALL.iter().copied().flatten().all(|(_, e, g)| {
+                    foreign
+                        != match language {
+                            Language::English => e,
+                            Language::German => g,
+                        }
+                })
+            })
+            .collect();
+        let check = |window: &Window, when: &str| {
+            let labels = window
+                .query_all(by().predicate(|node| node.label().is_some()))
+                .filter_map(|node| node.accesskit_node().label());
+            let mut count = 0;
+            for text in painted(&window.output().shapes).into_iter().chain(labels) {
+                assert!(!foreign.contains(&text.trim()), "{when}: {text}");
+                count += 1;
+            }
+            assert!(count > 30, "{when}: {count}");
+        };
+        let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+        check(&window, "at first");
+        for menu in [
+            texts.menu.file,
+            texts.menu.edit,
+            texts.menu.output,
+            texts.menu.settings,
+            texts.menu.help,
+        ] {
+            click(&mut window, menu);
+            check(&window, menu);
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+        for button in [texts.position.change, texts.speed.change] {
+            click(&mut window, button);
+            check(&window, button);
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+        for (modifiers, key) in [
+            (Modifiers::ALT, Key::F),
+            (Modifiers::ALT, Key::Z),
+            (Modifiers::NONE, Key::F1),
+            (Modifiers::ALT, Key::L),
+            (Modifiers::ALT, Key::P),
+        ] {
+            press(&mut window, modifiers, key);
+            check(&window, key.name());
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+        click(&mut window, texts.position.add_many);
+        check(&window, "how many");
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        click(&mut window, texts.position.remove);
+        window.state_mut().ask_to_close();
+        window.run();
+        check(&window, "question");
     }
 }
 

@@ -91,11 +91,7 @@ fn the_three_sliders_change_size_rotation_and_tilt() {
 fn neighbouring_speeds_cannot_be_dragged() {
     for language in BOTH {
         let texts = language.texts();
-        let options = Options {
-            document: some_points(),
-            ..options(language)
-        };
-        let mut window = window_of(options, [1200.0, 800.0], 1.0, Theme::Dark);
+        let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
         click(&mut window, texts.orientation.next);
         click(&mut window, texts.speed.change);
         let square = |window: &Window, at: usize| {

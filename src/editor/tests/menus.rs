@@ -1,5 +1,7 @@
 //! The menu bar and the output field (thesis A.2, A.5).
 
+use egui_kittest::kittest::by;
+
 use super::*;
 use crate::editor::Request;
 
@@ -126,7 +128,7 @@ fn handing_over_is_grey_where_nobody_takes_it() {
             hand_over: false,
             ..options(language)
         };
-        let mut window = window_of(options, [1200.0, 800.0], 1.0, Theme::Dark);
+        let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
         press(&mut window, Modifiers::ALT, Key::A);
         click(&mut window, texts.hand_over);
         assert_eq!(window.state_mut().next_request(), None);
@@ -134,6 +136,84 @@ fn handing_over_is_grey_where_nobody_takes_it() {
         press(&mut window, Modifiers::ALT, Key::U);
         assert_eq!(window.state_mut().next_request(), None);
         assert_eq!(said(&window).as_deref(), Some(texts.nobody_takes));
+    }
+}
+
+/// Rests the pointer on an entry; what the tooltip says then is there to be read.
+fn has_tooltip(window: &mut Window, entry: &str, hint: &str) {
+    assert!(window.query_by_label(hint).is_none(), "{entry}: {hint}");
+    let at = window.get_by_label(entry).rect().center();
+    window.hover_at(at);
+    for _ in 0..4 {
+        window.step();
+    }
+    assert!(window.query_by_label(hint).is_some(), "{entry}: {hint}");
+}
+
+#[test]
+fn every_entry_has_a_tooltip() {
+    for language in BOTH {
+        let texts = language.texts();
+        let (menu, hints, position) = (&texts.menu, &texts.menu_hints, &texts.position);
+        let mut window = window(language);
+        for (title, entries) in [
+            (
+                menu.file,
+                vec![
+                    (menu.load, hints.load),
+                    (menu.save, hints.save),
+                    (menu.save_as, hints.save_as),
+                    (menu.quit, hints.quit),
+                ],
+            ),
+            (
+                menu.edit,
+                vec![
+                    // Those that are not possible say why.
+                    (menu.undo, texts.output.nothing_to_undo),
+                    (menu.redo, texts.output.nothing_to_redo),
+                    (menu.add_point, position.add_hint),
+                    (menu.remove_point, position.two_remain),
+                    (menu.append, hints.append),
+                    (menu.prepend, hints.prepend),
+                    (menu.close, hints.close),
+                    (menu.copy_orientation, hints.copy_orientation),
+                    (menu.paste_orientation, texts.output.nothing_copied),
+                ],
+            ),
+            (
+                menu.output,
+                vec![
+                    (menu.export, hints.export),
+                    (menu.hand_over, hints.hand_over),
+                ],
+            ),
+            (
+                menu.settings,
+                vec![
+                    (menu.colours, hints.colours),
+                    (menu.display, hints.display),
+                    (menu.dark, hints.dark),
+                    (menu.light, hints.light),
+                    (menu.load_setup, hints.load_setup),
+                    (menu.save_setup, hints.save_setup),
+                ],
+            ),
+            (menu.help, vec![(menu.keys, hints.keys)]),
+        ] {
+            click(&mut window, title);
+            let shown = window
+                .query_all(by().predicate(|node| {
+                    let role = node.role();
+                    matches!(role, Role::MenuItem | Role::MenuItemCheckBox)
+                }))
+                .count();
+            assert_eq!(shown, entries.len(), "{title}");
+            for (entry, hint) in entries {
+                has_tooltip(&mut window, entry, hint);
+            }
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
     }
 }
 

@@ -14,7 +14,7 @@ mod rescue;
 mod setup;
 mod speed;
 
-use egui::{Key, Modifiers, vec2};
+use egui::{Key, Modifiers, Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
@@ -33,7 +33,7 @@ pub(super) fn options(language: Language) -> Options {
         document: Document::new(),
         file: None,
         title: None,
-        language,
+        language: Some(language),
         hand_over: true,
         fixed_speeds: false,
         folders: Folders::default(),
@@ -70,7 +70,28 @@ pub(super) fn window_of(options: Options, size: [f32; 2], scale: f32, theme: The
 
 /// A window as it opens, in a language.
 pub(super) fn window(language: Language) -> Window {
-    window_of(options(language), [1200.0, 800.0], 1.0, Theme::Dark)
+    window_of(options(language), LARGE, 1.0, Theme::Dark)
+}
+
+/// A window with some points, of this size and look.
+pub(super) fn window_with_points(
+    language: Language,
+    size: [f32; 2],
+    scale: f32,
+    theme: Theme,
+) -> Window {
+    let options = Options {
+        document: some_points(),
+        ..options(language)
+    };
+    window_of(options, size, scale, theme)
+}
+
+/// A window with some points in which what has this label was clicked.
+pub(super) fn opened_with(language: Language, label: &str) -> Window {
+    let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+    click(&mut window, label);
+    window
 }
 
 /// Presses a key with others held.
@@ -107,19 +128,36 @@ pub(super) fn enter(window: &mut Window, name: &str, text: &str) {
 
 /// Types into the number of this name.
 pub(super) fn type_into(window: &mut Window, name: &str, text: &str) {
-    window.get_by_label(name).click();
+    number(window, name).click();
     window.run();
-    window.get_by_label(name).type_text(text);
+    window.event(egui::Event::Text(text.to_owned()));
     window.run();
+}
+
+/// The number of this name: that of the sub-window, if a panel has one too.
+pub(super) fn number<'a>(window: &'a Window, name: &'a str) -> egui_kittest::Node<'a> {
+    let all = window.get_all_by_role_and_label(Role::SpinButton, name);
+    all.last().expect("a number")
 }
 
 /// The value that stands in the number of this name.
 pub(super) fn value(window: &Window, name: &str) -> String {
-    window.get_by_label(name).value().expect("a value")
+    number(window, name).value().expect("a value")
 }
 
 /// Both languages.
 pub(super) const BOTH: [Language; 2] = [Language::German, Language::English];
+
+/// A roomy window, and the smallest.
+pub(super) const LARGE: [f32; 2] = [1200.0, 800.0];
+pub(super) const SMALL: [f32; 2] = [800.0, 600.0];
+
+/// Looks of which pictures of sub-windows are taken: language, theme, scale, name.
+pub(super) const LOOKS: [(Language, Theme, f32, &str); 3] = [
+    (Language::German, Theme::Dark, 1.0, "de-dark"),
+    (Language::English, Theme::Light, 1.0, "en-light"),
+    (Language::German, Theme::Light, 2.0, "de-light-2x"),
+];
 
 /// A path with some points, of which the third has three orientations.
 pub(super) fn some_points() -> Document {

@@ -19,17 +19,13 @@ fn orientations(window: &Window) -> usize {
         .len()
 }
 
-fn window_with_points(language: Language) -> Window {
-    let options = Options {
-        document: some_points(),
-        ..options(language)
-    };
-    window_of(options, [1200.0, 800.0], 1.0, Theme::Dark)
+fn large(language: Language) -> Window {
+    window_with_points(language, LARGE, 1.0, Theme::Dark)
 }
 
 #[test]
 fn the_panels_have_the_names_that_the_thesis_gives_them() {
-    let window = window_with_points(Language::German);
+    let window = large(Language::German);
     for name in [
         "Pos.+",
         "Pos.++",
@@ -56,7 +52,7 @@ fn the_panels_have_the_names_that_the_thesis_gives_them() {
     ] {
         assert!(window.query_by_label(name).is_some(), "{name}");
     }
-    let window = window_with_points(Language::English);
+    let window = large(Language::English);
     for name in ["3 of 6", "Change …", "Ori 1 of 3", "Change speed curve …"] {
         assert!(window.query_by_label(name).is_some(), "{name}");
     }
@@ -141,7 +137,7 @@ fn behind_the_last_point_there_is_a_message() {
 fn the_predecessor_of_a_removed_point_becomes_current_and_two_remain() {
     for language in BOTH {
         let texts = &language.texts().position;
-        let mut window = window_with_points(language);
+        let mut window = large(language);
         click(&mut window, texts.remove);
         assert_eq!(
             (points(&window), selection(&window)),
@@ -169,7 +165,7 @@ fn the_predecessor_of_a_removed_point_becomes_current_and_two_remain() {
 
 #[test]
 fn the_choice_of_a_point_goes_round() {
-    let mut window = window_with_points(Language::German);
+    let mut window = large(Language::German);
     let mut seen = Vec::new();
     for _ in 0..6 {
         click(&mut window, "Pos. >>");
@@ -188,7 +184,7 @@ fn the_choice_of_a_point_goes_round() {
 
 #[test]
 fn bias_continuity_and_tension_of_this_point_and_the_next_are_shown() {
-    let mut window = window_with_points(Language::German);
+    let mut window = large(Language::German);
     assert_eq!(value(&window, "c1"), "0,00");
     assert_eq!(value(&window, "c2"), "−0,50");
     click(&mut window, "Pos. >>");
@@ -246,7 +242,7 @@ fn orientations_come_and_go_between_one_and_ten() {
 
 #[test]
 fn removing_the_first_orientation_makes_the_new_first_current() {
-    let mut window = window_with_points(Language::German);
+    let mut window = large(Language::German);
     click(&mut window, "Ori.-");
     assert_eq!(selection(&window), Selection::at(2, 0));
     assert!(window.query_by_label("Ori 1 von 2").is_some());
@@ -254,7 +250,7 @@ fn removing_the_first_orientation_makes_the_new_first_current() {
 
 #[test]
 fn the_choice_of_an_orientation_goes_round() {
-    let mut window = window_with_points(Language::German);
+    let mut window = large(Language::German);
     let mut seen = Vec::new();
     for _ in 0..3 {
         click(&mut window, "Ori >>");
@@ -264,6 +260,50 @@ fn the_choice_of_an_orientation_goes_round() {
     click(&mut window, "<< Ori");
     assert_eq!(selection(&window), Selection::at(2, 2));
     assert!(window.query_by_label("Ori 3 von 3").is_some());
+}
+
+/// Where two orientations are half a turn apart, or a tracked target lies on the
+/// way, the window says so.
+#[test]
+fn what_the_path_leaves_open_is_said() {
+    for language in BOTH {
+        let texts = language.texts();
+        let mut window = window(language);
+        let direction = fill(texts.orientation.direction, &[&"z"]);
+        enter(&mut window, &direction, "0.3");
+        let half = fill(texts.output.half_turn, &[&1, &2]);
+        assert_eq!(said(&window), Some(half.clone()));
+        enter(&mut window, &direction, "-0.3");
+        assert_eq!(said(&window), None);
+        click(&mut window, texts.position.next);
+        enter(&mut window, texts.orientation.roll, "180");
+        assert_eq!(said(&window), Some(half));
+        enter(&mut window, texts.orientation.roll, "0");
+
+        // Both look at a place half-way between them.
+        for _ in 0..2 {
+            click(&mut window, texts.orientation.absolute);
+            for (axis, value) in [("x", "0"), ("y", "0.2"), ("z", "0.8")] {
+                enter(
+                    &mut window,
+                    &fill(texts.orientation.target, &[&axis]),
+                    value,
+                );
+            }
+            click(&mut window, texts.position.next);
+        }
+        enter(&mut window, texts.orientation.roll, "1");
+        assert_eq!(said(&window), Some(fill(texts.output.at_target, &[&1, &2])));
+        for _ in 0..2 {
+            enter(&mut window, &fill(texts.orientation.target, &[&"y"]), "0");
+            click(&mut window, texts.position.next);
+        }
+        enter(&mut window, texts.orientation.roll, "2");
+        assert_eq!(
+            said(&window),
+            Some(fill(texts.output.over_target, &[&1, &2]))
+        );
+    }
 }
 
 #[test]
@@ -321,7 +361,7 @@ fn the_numbers_of_the_target_are_those_of_its_kind() {
 fn each_orientation_has_a_zoom_of_its_own() {
     for language in BOTH {
         let texts = &language.texts().zoom;
-        let mut window = window_with_points(language);
+        let mut window = large(language);
         enter(&mut window, texts.value, "50");
         let heading = format!("{}: {}°", texts.heading, language.number(26.991_466, 1));
         assert!(window.query_by_label(&heading).is_some(), "{heading}");

@@ -4,21 +4,13 @@
 use super::*;
 use crate::raster::testing::screenshot;
 
-fn shown(language: Language, size: [f32; 2], scale: f32, theme: Theme) -> Window {
-    let options = Options {
-        document: some_points(),
-        ..options(language)
-    };
-    window_of(options, size, scale, theme)
-}
-
 #[test]
 fn the_main_window() {
     for (language, name) in [(Language::German, "de"), (Language::English, "en")] {
         for (theme, look) in [(Theme::Dark, "dark"), (Theme::Light, "light")] {
-            for size in [[1200.0, 800.0], [800.0, 600.0]] {
+            for size in [LARGE, SMALL] {
                 for scale in [1.0, 1.5, 2.0] {
-                    let mut window = shown(language, size, scale, theme);
+                    let mut window = window_with_points(language, size, scale, theme);
                     let name = format!("frame-{name}-{look}-{}-{scale}.png", size[0]);
                     screenshot(&mut window, &name);
                 }
@@ -33,7 +25,7 @@ fn menus_and_windows() {
         (Language::German, Theme::Dark, "de"),
         (Language::English, Theme::Light, "en"),
     ] {
-        let mut window = shown(language, [800.0, 600.0], 1.0, theme);
+        let mut window = window_with_points(language, SMALL, 1.0, theme);
         for (key, menu) in [(Key::D, "file"), (Key::A, "output"), (Key::E, "settings")] {
             press(&mut window, Modifiers::ALT, key);
             screenshot(&mut window, &format!("menu-{name}-{menu}.png"));

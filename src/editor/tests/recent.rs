@@ -4,7 +4,7 @@ use super::*;
 
 #[test]
 fn recent_files_are_in_the_menu_and_load() {
-    for language in [Language::German, Language::English] {
+    for language in BOTH {
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
         let start = || {
@@ -15,7 +15,7 @@ fn recent_files_are_in_the_menu_and_load() {
                 },
                 ..options(language)
             };
-            window_of(options, [800.0, 600.0], 1.0, Theme::Dark)
+            window_of(options, SMALL, 1.0, Theme::Dark)
         };
         let mut window = start();
         let closed = Edit::SetClosed(true);

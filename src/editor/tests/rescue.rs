@@ -3,8 +3,6 @@
 use super::*;
 use crate::raster::testing::screenshot;
 
-const BOTH: [Language; 2] = [Language::German, Language::English];
-
 fn start(language: Language, folder: &std::path::Path) -> Window {
     let options = Options {
         folders: Folders {
@@ -13,7 +11,7 @@ fn start(language: Language, folder: &std::path::Path) -> Window {
         },
         ..options(language)
     };
-    window_of(options, [800.0, 600.0], 1.0, Theme::Dark)
+    window_of(options, SMALL, 1.0, Theme::Dark)
 }
 
 /// A window with unsaved work vanishes.

@@ -1,12 +1,10 @@
 //! The colour and display windows and the setup file (thesis A.5, A.9).
 
-use egui::{Color32, Role};
+use egui::Color32;
 
 use super::*;
 use crate::editor::setup::{Element, Setup};
 use crate::raster::testing::screenshot;
-
-const BOTH: [Language; 2] = [Language::German, Language::English];
 
 #[test]
 fn an_element_is_chosen_and_three_sliders_mix_its_colour() {
@@ -17,11 +15,7 @@ fn an_element_is_chosen_and_three_sliders_mix_its_colour() {
         click(&mut window, language.texts().display.curve);
         let first = window.state().setup.colours().of(Element::Curve);
         for (name, text) in [(texts.red, "10"), (texts.green, "20"), (texts.blue, "256")] {
-            window.get_by_role_and_label(Role::SpinButton, name).click();
-            window.run();
-            window.event(egui::Event::Text(text.to_owned()));
-            window.run();
-            press(&mut window, Modifiers::NONE, Key::Enter);
+            enter(&mut window, name, text);
         }
         let colour = window.state().setup.colours().of(Element::Curve);
         assert_eq!(
@@ -71,14 +65,42 @@ fn each_element_is_switched_off_and_on() {
     }
 }
 
+#[test]
+fn the_language_is_chosen_and_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let start = |language| {
+        let options = Options {
+            folders: Folders {
+                setup: Some(folder.path().to_owned()),
+                state: None,
+            },
+            ..options(language)
+        };
+        window_of(options, SMALL, 1.0, Theme::Dark)
+    };
+    let mut window = start(Language::English);
+    press(&mut window, Modifiers::ALT, Key::Z);
+    // At once, in all of the window.
+    click(&mut window, "Deutsch");
+    assert!(window.query_by_label("Datei").is_some());
+    assert!(window.query_by_label("Stützpunkte").is_some());
+    let file = folder.path().join("setup.toml");
+    window.state_mut().save_setup(&file).unwrap();
+    let mut window = start(Language::English);
+    assert!(window.query_by_label("Datei").is_some());
+    press(&mut window, Modifiers::ALT, Key::Z);
+    click(&mut window, "Automatisch");
+    assert!(window.query_by_label("File").is_some());
+    // A setup that is loaded brings its language.
+    window.state_mut().load_setup(&file).unwrap();
+    window.run();
+    assert!(window.query_by_label("Datei").is_some());
+}
+
 /// What is switched off is not seen any more.
 #[test]
 fn the_cube_is_gone_from_the_picture() {
-    let options = Options {
-        document: some_points(),
-        ..options(Language::German)
-    };
-    let mut window = window_of(options, [800.0, 600.0], 1.0, Theme::Dark);
+    let mut window = window_with_points(Language::German, SMALL, 1.0, Theme::Dark);
     let colour = window.state().setup.colours().of(Element::Cube);
     let count = |window: &mut Window| {
         let image = window.render().unwrap();
@@ -128,11 +150,11 @@ fn the_setup_is_read_at_start() {
         assert_eq!(broken.setup, Setup::default());
         let message = broken.message.clone().unwrap();
         assert!(message.error && message.text.contains("setup.toml"));
-        assert!(
-            message.text.contains("line 2: unknown key \"color\""),
-            "{}",
-            message.text
-        );
+        let why = match language {
+            Language::English => "line 2: unknown key \"color\"",
+            Language::German => "Zeile 2: unbekannter Schlüssel „color“",
+        };
+        assert!(message.text.contains(why), "{}", message.text);
     }
 }
 
@@ -147,7 +169,7 @@ fn a_setup_is_saved_and_loaded_by_the_menu() {
             },
             ..options(language)
         };
-        let mut window = window_of(options, [1200.0, 800.0], 1.0, Theme::Light);
+        let mut window = window_of(options, LARGE, 1.0, Theme::Light);
         press(&mut window, Modifiers::ALT, Key::P);
         window
             .get_by_role_and_label(Role::Button, language.texts().files.save)
@@ -168,17 +190,9 @@ fn a_setup_is_saved_and_loaded_by_the_menu() {
 
 #[test]
 fn pictures() {
-    for (language, theme, scale, name) in [
-        (Language::German, Theme::Dark, 1.0, "de-dark"),
-        (Language::English, Theme::Light, 1.0, "en-light"),
-        (Language::German, Theme::Light, 2.0, "de-light-2x"),
-    ] {
+    for (language, theme, scale, name) in LOOKS {
         for (key, which) in [(Key::F, "colours"), (Key::Z, "display")] {
-            let options = Options {
-                document: some_points(),
-                ..options(language)
-            };
-            let mut window = window_of(options, [800.0, 600.0], scale, theme);
+            let mut window = window_with_points(language, SMALL, scale, theme);
             press(&mut window, Modifiers::ALT, key);
             screenshot(&mut window, &format!("{which}-{name}.png"));
         }

@@ -1,20 +1,12 @@
 //! The speed-curve window (thesis A.4.3).
 
-use egui::{Pos2, Role, vec2};
+use egui::{Pos2, vec2};
 
 use super::*;
 use crate::raster::testing::screenshot;
 
-const BOTH: [Language; 2] = [Language::German, Language::English];
-
 fn opened(language: Language) -> Window {
-    let options = Options {
-        document: some_points(),
-        ..options(language)
-    };
-    let mut window = window_of(options, [1200.0, 800.0], 1.0, Theme::Dark);
-    click(&mut window, language.texts().speed.change);
-    window
+    opened_with(language, language.texts().speed.change)
 }
 
 fn speeds(window: &Window) -> [f64; 10] {
@@ -22,7 +14,7 @@ fn speeds(window: &Window) -> [f64; 10] {
 }
 
 fn square(window: &Window, at: usize) -> Pos2 {
-    let language = window.state().language;
+    let language = window.state().language();
     let name = fill(language.texts().speed_window.speed, &[&at]);
     let square = window.get_by_role_and_label(Role::Slider, &name);
     square.rect().center()
@@ -116,13 +108,7 @@ fn values_are_typed() {
         let mut window = opened(language);
         for (text, value) in [("77,5", 77.5), ("101", 77.5), ("0", 77.5), ("1", 1.0)] {
             let name = fill(texts.speed_window.speed, &[&10]);
-            window
-                .get_by_role_and_label(Role::SpinButton, &name)
-                .click();
-            window.run();
-            window.event(egui::Event::Text(text.to_owned()));
-            window.run();
-            press(&mut window, Modifiers::NONE, Key::Enter);
+            enter(&mut window, &name, text);
             assert_eq!(speeds(&window)[9], value, "{text}");
             assert_eq!(
                 window.state().message.is_some(),
@@ -215,12 +201,7 @@ fn the_frame_rate_makes_seconds_of_frames() {
         };
         assert!(shown(&window, 25.0));
         for (name, text) in [(texts.fps, "50"), (texts.hold, "12")] {
-            let all = window.get_all_by_role_and_label(Role::SpinButton, name);
-            all.last().unwrap().click();
-            window.run();
-            window.event(egui::Event::Text(text.to_owned()));
-            window.run();
-            press(&mut window, Modifiers::NONE, Key::Enter);
+            enter(&mut window, name, text);
         }
         assert_eq!(window.state().document.info().fps, 50.0);
         assert_eq!(window.state().orientation().unwrap().hold, 12);
@@ -230,19 +211,10 @@ fn the_frame_rate_makes_seconds_of_frames() {
 
 #[test]
 fn pictures() {
-    for (language, theme, scale, name) in [
-        (Language::German, Theme::Dark, 1.0, "de-dark"),
-        (Language::English, Theme::Light, 1.0, "en-light"),
-        (Language::German, Theme::Light, 2.0, "de-light-2x"),
-    ] {
+    for (language, theme, scale, name) in LOOKS {
         for point in [2, 5] {
-            let mut document = some_points();
-            document.select(point, 0).unwrap();
-            let options = Options {
-                document,
-                ..options(language)
-            };
-            let mut window = window_of(options, [800.0, 600.0], scale, theme);
+            let mut window = window_with_points(language, SMALL, scale, theme);
+            window.state_mut().select(point, 0);
             click(&mut window, language.texts().speed.change);
             screenshot(&mut window, &format!("speed-{name}-{point}.png"));
         }

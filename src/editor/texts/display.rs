@@ -30,6 +30,12 @@ texts! {
         view_hint: "Size, rotation and tilt as in a new window",
             "Größe, Drehung und Kippung wie in einem neuen Fenster";
         theme: "Theme", "Erscheinungsbild";
+        language: "Language", "Sprache";
+        automatic: "Automatic", "Automatisch";
+        german: "Deutsch", "Deutsch";
+        english: "English", "English";
+        language_hint: "Automatic: the language of the program that opened the window, or of the system",
+            "Automatisch: die Sprache des Programms, das dieses Fenster öffnete, oder des Systems";
     }
 }
 

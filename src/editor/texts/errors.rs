@@ -28,6 +28,8 @@ texts! {
         read_only: "the disk is read-only", "der Datenträger ist schreibgeschützt";
         long_name: "the name is too long", "der Name ist zu lang";
         too_large: "the file is too large", "die Datei ist zu groß";
+        not_here: "this does not belong here", "das gehört nicht hierher";
+        system: "the system says: {0}", "das System meldet: {0}";
         interrupted: "the system broke it off", "das System hat es abgebrochen";
     }
 }

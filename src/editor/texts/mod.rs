@@ -13,8 +13,13 @@
 //!     }
 //! }
 //! ```
+//!
+//! What the library itself says is English where it is said; `reasons` has the
+//! translations.
 
 use std::fmt::{Display, Write};
+
+use crate::error;
 
 mod colours;
 mod curve;
@@ -23,10 +28,12 @@ mod errors;
 mod files;
 mod help;
 mod menu;
+mod menu_hints;
 mod orientation;
 mod output;
 mod position;
 mod questions;
+mod reasons;
 mod rescue;
 mod setup;
 mod space;
@@ -141,6 +148,7 @@ parts! {
     files: Files;
     help: Help;
     menu: Menu;
+    menu_hints: MenuHints;
     orientation: Orientation;
     output: Output;
     position: Position;
@@ -156,21 +164,11 @@ parts! {
 /// A text with its values put in: `{0}` is the first of them.
 pub(super) fn fill(text: &str, values: &[&dyn Display]) -> String {
     let mut filled = String::with_capacity(text.len() + 16);
-    let mut rest = text;
-    while let Some((before, behind)) = rest.split_once('{') {
-        filled.push_str(before);
-        let Some((number, after)) = behind.split_once('}') else {
-            filled.push('{');
-            rest = behind;
-            break;
-        };
-        if let Some(value) = number.parse().ok().and_then(|at: usize| values.get(at)) {
-            // Writing into a text cannot fail.
-            let _ = write!(filled, "{value}");
-        }
-        rest = after;
-    }
-    filled.push_str(rest);
+    // Writing into a text cannot fail.
+    let _ = error::fill(&mut filled, text, |filled, at| match values.get(at) {
+        Some(value) => write!(filled, "{value}"),
+        None => Ok(()),
+    });
     filled
 }
 
@@ -178,7 +176,7 @@ pub(super) fn fill(text: &str, values: &[&dyn Display]) -> String {
 mod tests {
     use super::*;
 
-    fn placeholders(text: &str) -> Vec<&str> {
+    pub(super) fn placeholders(text: &str) -> Vec<&str> {
         let mut found: Vec<&str> = text
             .split('{')
             .skip(1)

@@ -17,6 +17,12 @@ texts! {
         copied: "Orientation copied", "Orientierung kopiert";
         nothing_copied: "No orientation has been copied yet", "Es wurde noch keine Orientierung kopiert";
         nothing_to_undo: "There is nothing to undo", "Es gibt nichts rückgängig zu machen";
+        half_turn: "From {0} to {1} it is half a turn: the camera may go either way. An orientation in between decides",
+            "Von {0} nach {1} ist es eine halbe Drehung: Beide Wege sind gleich lang. Eine Orientierung dazwischen entscheidet";
+        at_target: "Between {0} and {1} the camera comes to the place that it looks at: there it keeps its direction",
+            "Zwischen {0} und {1} kommt die Kamera an den Ort, auf den sie blickt: Dort behält sie ihre Richtung";
+        over_target: "Between {0} and {1} the camera comes to be straight above or below its target: its picture turns round there",
+            "Zwischen {0} und {1} kommt die Kamera genau über oder unter ihr Ziel: Dort dreht sich ihr Bild";
         nothing_to_redo: "There is nothing to redo", "Es gibt nichts zu wiederholen";
     }
 }

@@ -117,7 +117,7 @@ impl ColourWindow {
                         .whole()
                         .range(0.0..=255.0)
                         .steps(1.0, 1.0);
-                    let entry = number.show(ui, editor.language, &format!("colour.{part}"), 56.0);
+                    let entry = number.show(ui, editor.language(), &format!("colour.{part}"), 56.0);
                     match entry {
                         Entry::Begin => self.before = Some(colour),
                         // In range: the number saw to that.

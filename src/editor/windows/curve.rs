@@ -4,7 +4,7 @@
 use egui::{Grid, Rect, Sense, Slider, Ui, vec2};
 
 use super::pending::{Belonging, Choice, GivenUp, Pending, orientation};
-use super::{SubWindow, Windows, curve_picture, sub_window};
+use super::{SubWindow, Windows, curve_picture, is_cramped, sub_window};
 use crate::editor::number::{Entry, Number};
 use crate::editor::state::Editor;
 use crate::editor::texts::fill;
@@ -12,13 +12,15 @@ use crate::editor::theme;
 use crate::limits::PRESETS;
 use crate::path::{Target, Tcb};
 
-/// Widths in points: the list of presets, the rest beside it, a number.
+/// Widths in points: the list of presets, and beside it a label and three
+/// numbers, which are narrower where there is little room.
 const LIST: f32 = 120.0;
-const REST: f32 = 336.0;
-const NUMBER: f32 = 82.0;
 const LABEL: f32 = 78.0;
-/// Height of the picture.
+const NUMBER: f32 = 82.0;
+const NARROW_NUMBER: f32 = 70.0;
+/// Height of the picture, and where there is little room.
 const PICTURE: f32 = 150.0;
+const LOW_PICTURE: f32 = 96.0;
 
 /// The curve window: what waits in it.
 #[derive(Debug)]
@@ -68,7 +70,7 @@ impl SubWindow for CurveWindow {
         let pressed = self.pressed.take();
         let mut wrong = false;
         let stays = sub_window(context, Self::ID, texts.title, |ui| {
-            ui.set_width(LIST + theme::GAP * 4.0 + REST);
+            ui.set_width(LIST + theme::GAP * 4.0 + rest(ui));
             self.heading(editor, ui);
             ui.horizontal_top(|ui| {
                 ui.spacing_mut().item_spacing.x = theme::GAP * 4.0;
@@ -78,7 +80,7 @@ impl SubWindow for CurveWindow {
                 });
                 ui.vertical(|ui| {
                     ui.spacing_mut().item_spacing.x = theme::GAP;
-                    ui.set_width(REST);
+                    ui.set_width(rest(ui));
                     wrong |= self.shape(editor, ui);
                     self.picture(editor, ui);
                     wrong |= self.numbers(editor, ui);
@@ -212,7 +214,7 @@ impl CurveWindow {
                     let label = in_column(ui, name).on_hover_text(hint);
                     let value = parts(self.pending.tcb(&editor.document))[part];
                     let mut slid = value.clamp(-1.0, 1.0);
-                    ui.spacing_mut().slider_width = REST - LABEL - NUMBER - 2.0 * theme::GAP;
+                    ui.spacing_mut().slider_width = 2.0 * number(ui) + theme::GAP;
                     let slider = Slider::new(&mut slid, -1.0..=1.0)
                         .show_value(false)
                         .step_by(0.01);
@@ -237,7 +239,12 @@ impl CurveWindow {
     fn picture(&self, editor: &Editor, ui: &mut Ui) {
         ui.add_space(theme::GAP);
         let palette = theme::palette(ui);
-        let (rect, response) = ui.allocate_exact_size(vec2(REST, PICTURE), Sense::hover());
+        let height = if is_cramped(ui.ctx()) {
+            LOW_PICTURE
+        } else {
+            PICTURE
+        };
+        let (rect, response) = ui.allocate_exact_size(vec2(rest(ui), height), Sense::hover());
         let name = editor.texts().curve.picture;
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, name));
         let painter = ui.painter().with_clip_rect(rect);
@@ -325,7 +332,8 @@ impl CurveWindow {
             Field::Target(axis) => format!("curve.target.{axis}"),
             Field::Roll => "curve.roll".to_owned(),
         };
-        match number.pending().show(ui, editor.language, &id, NUMBER) {
+        let width = self::number(ui);
+        match number.pending().show(ui, editor.language(), &id, width) {
             Entry::Idle => {}
             Entry::Begin => self.dragged = Some(self.pending.clone()),
             Entry::Drag(value) | Entry::Set(value) => self.set(editor, field, value),
@@ -381,6 +389,20 @@ impl CurveWindow {
             });
         });
     }
+}
+
+/// Width of a number.
+fn number(ui: &Ui) -> f32 {
+    if is_cramped(ui.ctx()) {
+        NARROW_NUMBER
+    } else {
+        NUMBER
+    }
+}
+
+/// Width of what stands beside the list.
+fn rest(ui: &Ui) -> f32 {
+    LABEL + 3.0 * (number(ui) + theme::GAP)
 }
 
 /// A label as wide as all others.

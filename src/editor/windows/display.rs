@@ -5,7 +5,11 @@ use egui::{Grid, vec2};
 use super::{SubWindow, Windows, sub_window};
 use crate::editor::setup::{Element, Shown, Theme, View};
 use crate::editor::state::Editor;
+use crate::editor::texts::Language;
 use crate::editor::theme;
+
+/// From one choice to the next.
+const APART: f32 = 16.0;
 
 /// The display window.
 #[derive(Debug)]
@@ -24,7 +28,7 @@ impl SubWindow for DisplayWindow {
 
     fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
         let texts = &editor.texts().display;
-        let menu = &editor.texts().menu;
+        let (menu, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
         let before = editor.setup.clone();
         let stays = sub_window(context, Self::ID, texts.title, |ui| {
             ui.set_width(420.0);
@@ -67,9 +71,27 @@ impl SubWindow for DisplayWindow {
             });
             ui.separator();
             ui.horizontal(|ui| {
-                ui.label(texts.theme);
-                for (theme, name) in [(Theme::Dark, menu.dark), (Theme::Light, menu.light)] {
-                    ui.radio_value(&mut editor.setup.theme, theme, name);
+                ui.spacing_mut().item_spacing.x = APART;
+                named(ui, texts.theme);
+                for (theme, name, hint) in [
+                    (Theme::Dark, menu.dark, hints.dark),
+                    (Theme::Light, menu.light, hints.light),
+                ] {
+                    ui.radio_value(&mut editor.setup.theme, theme, name)
+                        .on_hover_text(hint);
+                }
+            });
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = APART;
+                named(ui, texts.language);
+                // Each language by its own name, to be found by who speaks it.
+                for (language, name) in [
+                    (None, texts.automatic),
+                    (Some(Language::German), texts.german),
+                    (Some(Language::English), texts.english),
+                ] {
+                    ui.radio_value(&mut editor.setup.language, language, name)
+                        .on_hover_text(texts.language_hint);
                 }
             });
         });
@@ -79,4 +101,13 @@ impl SubWindow for DisplayWindow {
         }
         stays
     }
+}
+
+/// What the choices beside it are about, in a column.
+fn named(ui: &mut egui::Ui, name: &str) {
+    let size = vec2(112.0, theme::ROW);
+    ui.allocate_ui_with_layout(size, *ui.layout(), |ui| {
+        ui.set_min_width(size.x);
+        ui.label(name);
+    });
 }

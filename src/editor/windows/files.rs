@@ -138,7 +138,7 @@ impl FileWindow {
         match Folder::open(place.clone()) {
             Ok(folder) => self.folder = folder,
             Err(error) => {
-                let why = of_system(editor.language, &error);
+                let why = of_system(editor.language(), &error);
                 let text = editor.texts().errors.cannot_list;
                 self.trouble = Some(fill(text, &[&readable(place.as_os_str()), &why]));
                 if self.folder.path.as_os_str().is_empty() {

@@ -30,7 +30,7 @@ impl SubWindow for HelpWindow {
         let height = (context.content_rect().height() - 120.0).max(160.0);
         sub_window(context, Self::ID, texts.title, |ui| {
             ScrollArea::vertical().max_height(height).show(ui, |ui| {
-                for (heading, rows) in sections(editor.language) {
+                for (heading, rows) in sections(editor.language()) {
                     let palette = theme::palette(ui);
                     ui.add_space(4.0);
                     ui.colored_label(palette.accent, heading);

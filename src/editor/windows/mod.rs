@@ -52,8 +52,18 @@ pub(super) struct Windows {
     pub(super) rescue: Option<RescueWindow>,
 }
 
-/// Where a sub-window opens: beside the panels.
-const FIRST_PLACE: egui::Pos2 = egui::pos2(288.0, 64.0);
+/// Where a sub-window opens: beside the panels; over them where it would hide
+/// the movement window, in which one sees what it does.
+const BESIDE_PANELS: egui::Pos2 = egui::pos2(288.0, 64.0);
+const OVER_PANELS: egui::Pos2 = egui::pos2(8.0, 48.0);
+
+/// A narrower window has little room beside the panels.
+const ROOMY: f32 = 1000.0;
+
+/// Whether sub-windows should take little room.
+fn is_cramped(context: &egui::Context) -> bool {
+    context.content_rect().width() < ROOMY
+}
 
 /// How far the cross of a sub-window lies within its upper right corner.
 const CROSS: f32 = 36.0;
@@ -134,11 +144,16 @@ pub(super) fn sub_window(
     add: impl FnOnce(&mut egui::Ui),
 ) -> bool {
     let mut open = true;
+    let place = if is_cramped(context) {
+        OVER_PANELS
+    } else {
+        BESIDE_PANELS
+    };
     let escape = topmost(context) == Some(layer(id)) && keys::take_escape(context);
     egui::Window::new(title)
         .id(egui::Id::unique(id))
         .open(&mut open)
-        .default_pos(FIRST_PLACE)
+        .default_pos(place)
         .collapsible(false)
         .auto_sized()
         .show(context, add);

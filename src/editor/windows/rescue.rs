@@ -58,7 +58,7 @@ impl RescueWindow {
                             label.on_hover_text(original.display().to_string());
                         }
                         let weak = theme::palette(ui).weak;
-                        ui.colored_label(weak, age_in_words(editor.language, age));
+                        ui.colored_label(weak, age_in_words(editor.language(), age));
                     });
                     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                         let size = vec2(104.0, 28.0);
@@ -99,7 +99,7 @@ impl RescueWindow {
                         return;
                     }
                     Err(error) => {
-                        let why = reason_of(editor.language, &error);
+                        let why = reason_of(editor.language(), &error);
                         editor.complain(fill(texts.broken, &[&why]));
                     }
                 }

@@ -8,7 +8,7 @@ use egui::{
 };
 
 use super::speed_shapes::Shape;
-use super::{SubWindow, Windows, sub_window};
+use super::{SubWindow, Windows, is_cramped, sub_window};
 use crate::document::{Edit, Info};
 use crate::editor::number::{Entry, Number};
 use crate::editor::state::Editor;
@@ -17,13 +17,8 @@ use crate::editor::theme::{self, Palette};
 use crate::limits::{BASE_SPEED, MAX_FPS, MAX_HOLD, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::path::speed_curve::SpeedCurve;
 
-/// From one square to the next, in points.
-const STEP: f32 = 48.0;
 /// Left of the picture stand the speeds.
 const SCALE: f32 = 32.0;
-/// The picture: two half steps outside the outermost facing values.
-const WIDTH: f32 = SCALE + STEP * 12.0;
-const HEIGHT: f32 = 232.0;
 /// Room above 100 and below 1.
 const MARGIN: f32 = 14.0;
 /// Half the side of a square.
@@ -38,6 +33,42 @@ pub(in crate::editor) struct SpeedWindow {
     dragged: Option<(usize, f32)>,
     /// The square that was chosen by an arrow key.
     choose: Option<usize>,
+}
+
+/// Sizes of the picture, in points.
+#[derive(Clone, Copy)]
+struct Size {
+    /// From one square to the next.
+    step: f32,
+    height: f32,
+    /// All buttons stand in one row.
+    one_row: bool,
+}
+
+impl Size {
+    const ROOMY: Self = Self {
+        step: 48.0,
+        height: 232.0,
+        one_row: true,
+    };
+    const CRAMPED: Self = Self {
+        step: 40.0,
+        height: 144.0,
+        one_row: false,
+    };
+
+    fn of(ui: &Ui) -> Self {
+        if is_cramped(ui.ctx()) {
+            Self::CRAMPED
+        } else {
+            Self::ROOMY
+        }
+    }
+
+    /// Two half steps lie outside the outermost facing values.
+    fn width(self) -> f32 {
+        SCALE + self.step * 12.0
+    }
 }
 
 /// What is shown of the current section.
@@ -110,7 +141,7 @@ impl SubWindow for SpeedWindow {
             return false;
         };
         sub_window(context, Self::ID, texts.title, |ui| {
-            ui.set_width(WIDTH);
+            ui.set_width(Size::of(ui).width());
             heading(editor, ui, &section);
             ui.add_space(theme::GAP);
             self.picture(editor, ui, &section);
@@ -127,26 +158,20 @@ impl SubWindow for SpeedWindow {
 fn heading(editor: &Editor, ui: &mut Ui, section: &Section) {
     let texts = &editor.texts().speed_window;
     let at = editor.document.selection();
-    let place = |point: usize, orientation: usize| {
-        let several = editor.document.path().points.get(point);
-        if several.is_some_and(|point| point.orientations.len() > 1) {
-            format!("{}.{}", point + 1, orientation + 1)
-        } else {
-            format!("{}", point + 1)
-        }
-    };
     let palette = theme::palette(ui);
-    let from = place(at.point, at.orientation);
+    let from = editor.name_of(at.point, at.orientation);
     ui.horizontal(|ui| {
         let text = match section.to {
-            Some((point, orientation)) => fill(texts.section, &[&from, &place(point, orientation)]),
+            Some((point, orientation)) => {
+                fill(texts.section, &[&from, &editor.name_of(point, orientation)])
+            }
             None => fill(texts.end_of_path, &[&from]),
         };
         ui.label(text);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if let Some(frames) = section.frames {
                 let seconds = frames as f64 / editor.document.info().fps;
-                let seconds = editor.language.number(seconds, 2);
+                let seconds = editor.language().number(seconds, 2);
                 let text = if frames == 0 {
                     texts.nothing_changes.to_owned()
                 } else {
@@ -160,10 +185,11 @@ fn heading(editor: &Editor, ui: &mut Ui, section: &Section) {
 
 impl SpeedWindow {
     fn picture(&mut self, editor: &mut Editor, ui: &mut Ui, section: &Section) {
-        let (rect, _) = ui.allocate_exact_size(vec2(WIDTH, HEIGHT), Sense::hover());
+        let size = Size::of(ui);
+        let (rect, _) = ui.allocate_exact_size(vec2(size.width(), size.height), Sense::hover());
         let palette = theme::palette(ui);
         let painter = ui.painter().with_clip_rect(rect.expand(1.0));
-        let frame = Frame::new(rect);
+        let frame = Frame::new(rect, size.step);
         frame.paint_ground(&painter, palette, editor);
         frame.paint_curve(&painter, palette, section);
         for at in 0..SPEEDS {
@@ -184,7 +210,7 @@ impl SpeedWindow {
         let middle = pos2(frame.x(at as f32), frame.y(speed));
         let id = Id::unique(("speed square", at));
         let response = ui.interact(
-            Rect::from_center_size(middle, vec2(STEP * 0.6, 28.0)),
+            Rect::from_center_size(middle, vec2(frame.step * 0.6, 28.0)),
             id,
             Sense::click_and_drag(),
         );
@@ -257,7 +283,7 @@ impl SpeedWindow {
                 } else {
                     Align2::CENTER_TOP
                 },
-                editor.language.number(speed, 1),
+                editor.language().number(speed, 1),
                 theme::text(),
                 palette.text,
             );
@@ -300,17 +326,19 @@ impl SpeedWindow {
 /// Where a speed stands in the picture.
 struct Frame {
     rect: Rect,
+    /// From one square to the next.
+    step: f32,
 }
 
 impl Frame {
-    fn new(rect: Rect) -> Self {
+    fn new(rect: Rect, step: f32) -> Self {
         let rect = Rect::from_min_max(pos2(rect.left() + SCALE, rect.top()), rect.max);
-        Self { rect }
+        Self { rect, step }
     }
 
     /// Across: 0 is the first square, 9 the last.
     fn x(&self, at: f32) -> f32 {
-        self.rect.left() + STEP * (at + 1.5)
+        self.rect.left() + self.step * (at + 1.5)
     }
 
     fn y(&self, speed: f64) -> f32 {
@@ -340,7 +368,7 @@ impl Frame {
             painter.text(
                 pos2(self.rect.left() - 6.0, y),
                 Align2::RIGHT_CENTER,
-                editor.language.number(speed, 0),
+                editor.language().number(speed, 0),
                 theme::small(),
                 palette.weak,
             );
@@ -395,7 +423,8 @@ fn typed(editor: &mut Editor, ui: &mut Ui, section: &Section) {
     let texts = &editor.texts().speed_window;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GAP;
-        ui.add_space(SCALE + STEP);
+        let step = Size::of(ui).step;
+        ui.add_space(SCALE + step);
         for at in 0..SPEEDS {
             let name = fill(texts.speed, &[&(at + 1)]);
             let number = Number::new(&name, section.speeds[at])
@@ -407,7 +436,7 @@ fn typed(editor: &mut Editor, ui: &mut Ui, section: &Section) {
                 .range(MIN_SPEED..=MAX_SPEED)
                 .steps(1.0, 0.5);
             let id = format!("speed.{at}");
-            let entry = number.show(ui, editor.language, &id, STEP - theme::GAP);
+            let entry = number.show(ui, editor.language(), &id, step - theme::GAP);
             let speeds = section.speeds;
             enter_orientation(editor, entry, |orientation, value| {
                 orientation.speeds = speeds;
@@ -419,8 +448,25 @@ fn typed(editor: &mut Editor, ui: &mut Ui, section: &Section) {
     });
 }
 
-/// Shapes on the left, copy, paste and reset on the right.
+/// Shapes on the left; copy, paste and reset on the right, or below.
 fn buttons(editor: &mut Editor, ui: &mut Ui, section: &Section) {
+    let mut new = None;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = theme::GAP;
+        new = shapes(editor, ui, section);
+        if Size::of(ui).one_row {
+            new = new.or(exchange(editor, ui, section));
+        }
+    });
+    if !Size::of(ui).one_row {
+        ui.horizontal(|ui| new = new.or(exchange(editor, ui, section)));
+    }
+    if let Some(speeds) = new {
+        editor.set_orientation(|orientation| orientation.speeds = speeds);
+    }
+}
+
+fn shapes(editor: &Editor, ui: &mut Ui, section: &Section) -> Option<[f64; SPEEDS]> {
     let texts = &editor.texts().speed_window;
     let names = [
         (texts.constant, texts.constant_hint),
@@ -429,40 +475,37 @@ fn buttons(editor: &mut Editor, ui: &mut Ui, section: &Section) {
         (texts.both, texts.both_hint),
     ];
     let mut new = None;
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = theme::GAP;
-        for (shape, (name, hint)) in Shape::ALL.into_iter().zip(names) {
-            if ui.button(name).on_hover_text(hint).clicked() {
-                new = Some(shape.speeds(&section.speeds, section.before, section.after));
-            }
+    for (shape, (name, hint)) in Shape::ALL.into_iter().zip(names) {
+        if ui.button(name).on_hover_text(hint).clicked() {
+            new = Some(shape.speeds(&section.speeds, section.before, section.after));
         }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.spacing_mut().item_spacing.x = theme::GAP;
-            if ui
-                .button(texts.reset)
-                .on_hover_text(texts.reset_hint)
-                .clicked()
-            {
-                new = Some([BASE_SPEED; SPEEDS]);
-            }
-            let known = editor.windows.copied_speeds;
-            let paste = ui.add_enabled(known.is_some(), egui::Button::new(texts.paste));
-            if paste.on_hover_text(texts.paste_hint).clicked() {
-                new = known;
-            }
-            if ui
-                .button(texts.copy)
-                .on_hover_text(texts.copy_hint)
-                .clicked()
-            {
-                editor.windows.copied_speeds = Some(section.speeds);
-                editor.say(texts.copied);
-            }
-        });
-    });
-    if let Some(speeds) = new {
-        editor.set_orientation(|orientation| orientation.speeds = speeds);
     }
+    new
+}
+
+fn exchange(editor: &mut Editor, ui: &mut Ui, section: &Section) -> Option<[f64; SPEEDS]> {
+    let texts = &editor.texts().speed_window;
+    let mut new = None;
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        ui.spacing_mut().item_spacing.x = theme::GAP;
+        let button = |ui: &mut Ui, enabled, name: &str, hint: &str| {
+            ui.add_enabled(enabled, egui::Button::new(name))
+                .on_hover_text(hint)
+                .clicked()
+        };
+        if button(ui, true, texts.reset, texts.reset_hint) {
+            new = Some([BASE_SPEED; SPEEDS]);
+        }
+        let known = editor.windows.copied_speeds;
+        if button(ui, known.is_some(), texts.paste, texts.paste_hint) {
+            new = known;
+        }
+        if button(ui, true, texts.copy, texts.copy_hint) {
+            editor.windows.copied_speeds = Some(section.speeds);
+            editor.say(texts.copied);
+        }
+    });
+    new
 }
 
 /// Hold and frame rate.
@@ -477,7 +520,7 @@ fn numbers(editor: &mut Editor, ui: &mut Ui, section: &Section) {
             .whole()
             .range(0.0..=f64::from(MAX_HOLD))
             .steps(1.0, 0.5);
-        let entry = number.show(ui, editor.language, "speed.hold", 72.0);
+        let entry = number.show(ui, editor.language(), "speed.hold", 72.0);
         enter_orientation(editor, entry, |orientation, value| {
             // In range and whole: the number saw to that.
             orientation.hold = value.round() as u32;
@@ -489,7 +532,7 @@ fn numbers(editor: &mut Editor, ui: &mut Ui, section: &Section) {
                 .decimals(if fps.fract() == 0.0 { 0 } else { 3 })
                 .range(0.001..=MAX_FPS)
                 .steps(1.0, 0.5);
-            let entry = number.show(ui, editor.language, "speed.fps", 80.0);
+            let entry = number.show(ui, editor.language(), "speed.fps", 80.0);
             let info = editor.document.info().clone();
             editor.enter(entry, |fps| Edit::SetInfo(Box::new(Info { fps, ..info })));
             ui.label(texts.fps).on_hover_text(texts.fps_hint);

@@ -1,11 +1,25 @@
 //! One error type for the whole library. Each message is one sentence that
 //! names the place and the reason, fit to be shown to a person as it stands.
 
-use std::borrow::Cow;
+mod messages;
+
 use std::fmt;
 
-/// The text of an error: mostly fixed, so that failing costs no memory.
-pub type Message = Cow<'static, str>;
+pub(crate) use messages::{Kind, fill, sentence};
+pub use messages::{Message, Part};
+
+/// A [`Message`] that can reach a person in a window: a sentence, and the values
+/// for its places `{0}`, `{1}` …. Each of these sentences stands in every
+/// language among the window's texts, which a test holds.
+macro_rules! message {
+    ($sentence:literal) => {
+        $crate::error::Message::from($sentence)
+    };
+    ($sentence:literal, $($value:expr),+ $(,)?) => {
+        $crate::error::Message::with($sentence, [$($crate::error::Part::from($value)),+])
+    };
+}
+pub(crate) use message;
 
 /// What can go wrong. The variants are those of the C interface's statuses.
 #[derive(Debug, thiserror::Error)]
@@ -46,8 +60,8 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 impl Error {
     /// The same error with the place where it happened put before it.
     #[must_use]
-    pub fn at(self, place: impl fmt::Display) -> Self {
-        let put = |message: Message| sentence(format_args!("{place}: {message}"));
+    pub fn at(self, place: impl Into<Part>) -> Self {
+        let put = |message: Message| message!("{0}: {1}", place.into(), message);
         match self {
             Self::Argument(message) => Self::Argument(put(message)),
             Self::Range(message) => Self::Range(put(message)),
@@ -57,24 +71,18 @@ impl Error {
             Self::Memory | Self::Io { .. } => self,
         }
     }
-}
 
-/// A sentence with values in it. Where there is no memory left to write it, one
-/// that says so: a wrong index must not end a program that has run out of it.
-#[must_use]
-pub(crate) fn sentence(values: fmt::Arguments<'_>) -> Message {
-    struct Sentence(String);
-    impl fmt::Write for Sentence {
-        fn write_str(&mut self, s: &str) -> fmt::Result {
-            self.0.try_reserve(s.len()).map_err(|_| fmt::Error)?;
-            self.0.push_str(s);
-            Ok(())
+    /// What it says.
+    pub(crate) fn into_message(self) -> Message {
+        match self {
+            Self::Argument(message)
+            | Self::Range(message)
+            | Self::Limit(message)
+            | Self::Format(message)
+            | Self::Display(message) => message,
+            Self::Memory => message!("out of memory"),
+            Self::Io { place, source } => message!("{0}: {1}", place, reason(&source)),
         }
-    }
-    let mut sentence = Sentence(String::new());
-    match fmt::write(&mut sentence, values) {
-        Ok(()) => sentence.0.into(),
-        Err(_) => "not as it must be; there is no memory left to say more".into(),
     }
 }
 
@@ -96,20 +104,20 @@ const LINE_BYTES: usize = 2048;
 
 /// Says a sentence on standard error: one line, in one piece, so that nobody
 /// else's text comes between. What is too long is cut.
-pub(crate) fn complain(sentence: &str) {
+pub(crate) fn complain(sentence: impl fmt::Display) {
     use std::io::Write as _;
     let mut line = [0; LINE_BYTES];
     let length = {
         let mut rest = &mut line[..LINE_BYTES - 1];
         // Cut where it does not fit; no allocation.
-        let _ = rest.write_all(b"vides: ").and_then(|()| {
-            sentence
-                .bytes()
-                .map(|byte| if byte.is_ascii_control() { b' ' } else { byte })
-                .try_for_each(|byte| rest.write_all(&[byte]))
-        });
+        let _ = write!(rest, "vides: {sentence}");
         LINE_BYTES - 1 - rest.len()
     };
+    for byte in &mut line[..length] {
+        if byte.is_ascii_control() {
+            *byte = b' ';
+        }
+    }
     line[length] = b'\n';
     // Nothing is left to be done where standard error is closed.
     let _ = std::io::stderr().write_all(&line[..=length]);

@@ -1,0 +1,60 @@
+//! Says what the path leaves open about the current orientation: the way to it
+//! and the way on.
+
+use super::state::Editor;
+use super::texts::fill;
+use crate::path::{Doubt, doubt};
+
+impl Editor {
+    /// Says in the output field what is in doubt, if anything is.
+    pub(super) fn tell_doubts(&mut self) {
+        if let Some(words) = self.doubts() {
+            self.say(words);
+        }
+    }
+
+    fn doubts(&self) -> Option<String> {
+        let at = self.document.selection();
+        let path = self.document.path();
+        let (section, doubt) = self
+            .document
+            .timeline(|timeline| {
+                let count = timeline.section_count();
+                let on = timeline.section_from(at.point, at.orientation);
+                let to = match on.unwrap_or(count) {
+                    0 => path.closed.then(|| count.saturating_sub(1)),
+                    on => Some(on - 1),
+                };
+                let found = |section: usize| {
+                    doubt(path, timeline, section).map(|doubt| (timeline.section(section), doubt))
+                };
+                on.and_then(found).or_else(|| to.and_then(found))
+            })
+            .ok()??;
+        let orientations = path.points.get(section.point)?.orientations.len();
+        let next = if section.orientation + 1 < orientations {
+            (section.point, section.orientation + 1)
+        } else {
+            ((section.point + 1) % path.points.len(), 0)
+        };
+        let texts = &self.texts().output;
+        let text = match doubt {
+            Doubt::HalfTurn => texts.half_turn,
+            Doubt::AtTarget => texts.at_target,
+            Doubt::OverTarget => texts.over_target,
+        };
+        let from = self.name_of(section.point, section.orientation);
+        Some(fill(text, &[&from, &self.name_of(next.0, next.1)]))
+    }
+
+    /// An orientation in numbers as a person counts: that of its point, and its
+    /// own where the point has several.
+    pub(super) fn name_of(&self, point: usize, orientation: usize) -> String {
+        let several = self.document.path().points.get(point);
+        if several.is_some_and(|point| point.orientations.len() > 1) {
+            format!("{}.{}", point + 1, orientation + 1)
+        } else {
+            format!("{}", point + 1)
+        }
+    }
+}

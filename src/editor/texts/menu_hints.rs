@@ -1,0 +1,55 @@
+//! Tooltips of the entries of all menus.
+
+use super::texts;
+
+texts! {
+    /// Tooltips of the entries of all menus.
+    MenuHints {
+        load: "Open a path in place of this one", "Eine Bahn an Stelle dieser öffnen";
+        save: "Save the path under its name", "Die Bahn unter ihrem Namen speichern";
+        save_as: "Save the path under a name that is asked for",
+            "Die Bahn unter einem Namen speichern, nach dem gefragt wird";
+        recent: "Open {0}", "{0} öffnen";
+        quit: "Close this window; you are asked about unsaved work",
+            "Dieses Fenster schließen; nach Ungespeichertem wird gefragt";
+
+        undo: "Take the last change back", "Die letzte Änderung zurücknehmen";
+        redo: "Do again what was taken back", "Zurückgenommenes wiederholen";
+        append: "A new point where the path would go on",
+            "Ein neuer Punkt, wo die Bahn weiterginge";
+        prepend: "A new point where the path would have come from",
+            "Ein neuer Punkt, wo die Bahn hergekommen wäre";
+        close: "Lead the path from the last point back to the first",
+            "Die Bahn vom letzten Punkt zum ersten zurückführen";
+        open: "End the path at the last point", "Die Bahn am letzten Punkt enden lassen";
+        copy_orientation: "Keep this orientation to be pasted elsewhere",
+            "Diese Orientierung merken, um sie anderswo einzufügen";
+        paste_orientation: "Put the copied orientation in place of this one",
+            "Die kopierte Orientierung an die Stelle dieser setzen";
+
+        export: "Compute all camera settings and write them to a file, ten numbers a line",
+            "Alle Kameraeinstellungen berechnen und in eine Datei schreiben, zehn Zahlen je Zeile";
+        hand_over: "Compute all camera settings and give them to the program that opened this window",
+            "Alle Kameraeinstellungen berechnen und dem Programm geben, das dieses Fenster öffnete";
+
+        colours: "Choose the colour of each element of the movement window",
+            "Die Farbe jedes Elements im Bewegungsfenster wählen";
+        display: "Choose what is shown, light or dark, and the language",
+            "Wählen, was zu sehen ist, hell oder dunkel, und die Sprache";
+        dark: "Light letters on a dark ground", "Helle Schrift auf dunklem Grund";
+        light: "Dark letters on a light ground", "Dunkle Schrift auf hellem Grund";
+        load_setup: "Take colours, view and what is shown from a file",
+            "Farben, Ansicht und was zu sehen ist aus einer Datei holen";
+        save_setup: "Keep colours, view and what is shown in a file",
+            "Farben, Ansicht und was zu sehen ist in einer Datei behalten";
+
+        keys: "Show every key and what the mouse does",
+            "Alle Tasten und was die Maus tut";
+
+        view_reset: "Size, rotation and tilt as in a new window",
+            "Größe, Drehung und Kippung wie in einem neuen Fenster";
+        view_front: "Look along the z axis", "Blick längs der z-Achse";
+        view_right: "Look along the x axis", "Blick längs der x-Achse";
+        view_above: "Look along the y axis", "Blick längs der y-Achse";
+    }
+}

@@ -1,0 +1,215 @@
+//! What a person should be told of a section, since its result is a choice
+//! that the path leaves open (`docs/path.md`): half a turn goes either way, and
+//! a camera that looks at a target on its own way has no direction there.
+
+use glam::DVec3;
+
+use super::camera_path::{CameraPath, Orientation, Target};
+use super::hermite::Cubic;
+use super::orientation_curve::AT_TARGET;
+use super::timeline::{Change, Timeline};
+use crate::math::orientation::quaternion_from_roll;
+use crate::math::quaternion::continue_sign;
+
+/// What is in doubt.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Doubt {
+    /// The orientations are half a turn apart: the camera may turn either way.
+    HalfTurn,
+    /// The camera comes to the target that it looks at.
+    AtTarget,
+    /// The camera comes to be straight above or below the target that it looks
+    /// at, where no side of the picture is the left one.
+    OverTarget,
+}
+
+/// Looks along a curve at so many places before it looks closer.
+const PLACES: usize = 64;
+
+/// What is in doubt in a section.
+///
+/// # Panics
+/// If there is no such section.
+#[must_use]
+pub fn doubt(path: &CameraPath, timeline: &Timeline, section: usize) -> Option<Doubt> {
+    let begin = timeline.section(section);
+    let here = &path.points[begin.point];
+    let from = &here.orientations[begin.orientation];
+    let moves = begin.orientation + 1 == here.orientations.len();
+    let (there, to) = if moves {
+        let next = &path.points[(begin.point + 1) % path.points.len()];
+        (next, &next.orientations[0])
+    } else {
+        (here, &here.orientations[begin.orientation + 1])
+    };
+    match (from.target, to.target) {
+        (Target::Absolute(a), Target::Absolute(b)) if a == b => {
+            let curve = (begin.change == Change::Position).then(|| timeline.curve(begin.point))?;
+            met(curve, a)
+        }
+        _ => {
+            let key = |orientation: &Orientation, position| {
+                let view = orientation.view(position);
+                quaternion_from_roll(view, orientation.roll.to_radians())
+            };
+            let (a, b) = (key(from, here.position), key(to, there.position));
+            continue_sign(a, b).1.then_some(Doubt::HalfTurn)
+        }
+    }
+}
+
+/// Whether a curve leads through a target, or straight above or below it.
+fn met(curve: &Cubic, target: DVec3) -> Option<Doubt> {
+    let flat = DVec3::new(1.0, 0.0, 1.0);
+    if nearest(curve, target, DVec3::ONE) < AT_TARGET {
+        Some(Doubt::AtTarget)
+    } else if nearest(curve, target, flat) < AT_TARGET {
+        Some(Doubt::OverTarget)
+    } else {
+        None
+    }
+}
+
+/// The least distance of a curve from a place, along the axes whose part in
+/// `seen` is 1. From the places where the distance stops falling Newton's
+/// method goes on to where its square has no slope.
+fn nearest(curve: &Cubic, place: DVec3, seen: DVec3) -> f64 {
+    let at = |t: f64| (curve.point(t) - place) * seen;
+    let far = |k: usize| at(k as f64 / PLACES as f64).length_squared();
+    let mut least = f64::INFINITY;
+    for k in 0..=PLACES {
+        let here = far(k);
+        if (k > 0 && far(k - 1) < here) || (k < PLACES && far(k + 1) < here) {
+            continue;
+        }
+        let mut t = k as f64 / PLACES as f64;
+        least = least.min(here);
+        for _ in 0..60 {
+            let (offset, way) = (at(t), curve.derivative(t) * seen);
+            let bend = way.length_squared() + offset.dot(curve.second_derivative(t) * seen);
+            // Where it bends the other way there is no valley; where the curve
+            // stands still the plain slope of its first terms does.
+            let step = offset.dot(way) / bend.max(way.length_squared());
+            if !step.is_finite() || step == 0.0 {
+                break;
+            }
+            t = (t - step).clamp(0.0, 1.0);
+            least = least.min(at(t).length_squared());
+        }
+    }
+    least.sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::path::SupportPoint;
+
+    fn orientation(target: Target, roll: f64) -> Orientation {
+        Orientation {
+            target,
+            roll,
+            ..Orientation::default()
+        }
+    }
+
+    fn point(x: f64, y: f64, z: f64, orientations: Vec<Orientation>) -> SupportPoint {
+        SupportPoint {
+            position: DVec3::new(x, y, z),
+            orientations,
+            ..CameraPath::default().points[0].clone()
+        }
+    }
+
+    fn doubts(points: Vec<SupportPoint>) -> Vec<Option<Doubt>> {
+        let path = CameraPath {
+            points,
+            ..CameraPath::default()
+        };
+        path.check().unwrap();
+        let timeline = Timeline::new(&path).unwrap();
+        (0..timeline.section_count())
+            .map(|section| doubt(&path, &timeline, section))
+            .collect()
+    }
+
+    #[test]
+    fn half_a_turn_goes_either_way() {
+        let relative = |x, y, z| Target::Relative(DVec3::new(x, y, z));
+        let looks = |target| vec![orientation(target, 0.0)];
+        let ahead = looks(relative(0.0, 0.0, -0.4));
+        for (target, roll, wanted) in [
+            (relative(0.0, 0.0, 1.0), 0.0, Some(Doubt::HalfTurn)),
+            (relative(0.0, 0.0, -2.0), 180.0, Some(Doubt::HalfTurn)),
+            (relative(0.0, 0.0, -2.0), 179.9, None),
+            (relative(1e-9, 0.0, 1.0), 0.0, None),
+            (relative(1.0, 0.0, 0.0), 0.0, None),
+        ] {
+            let there = vec![orientation(target, roll)];
+            let moving = doubts(vec![
+                point(-0.5, 0.0, 0.0, ahead.clone()),
+                point(0.5, 0.0, 0.0, there.clone()),
+            ]);
+            assert_eq!(moving, [wanted], "{target:?} {roll}");
+            let both = [ahead.clone(), there].concat();
+            let panning = doubts(vec![
+                point(-0.5, 0.0, 0.0, both),
+                point(0.5, 0.0, 0.0, looks(target)),
+            ]);
+            assert_eq!(panning[0], wanted, "{target:?} {roll}");
+        }
+    }
+
+    #[test]
+    fn a_tracked_target_may_be_met() {
+        let target = DVec3::new(0.1, 0.2, 0.3);
+        let along = |y: f64, z: f64| {
+            let looks = vec![orientation(Target::Absolute(target), 0.0)];
+            doubts(vec![
+                point(-0.7, y, z, looks.clone()),
+                point(0.9, y, z, looks.clone()),
+            ])
+        };
+        assert_eq!(along(0.2, 0.3), [Some(Doubt::AtTarget)]);
+        assert_eq!(along(0.6, 0.3), [Some(Doubt::OverTarget)]);
+        assert_eq!(along(-0.6, 0.3), [Some(Doubt::OverTarget)]);
+        assert_eq!(along(0.2, 0.3 + 1e-6), [None]);
+        assert_eq!(along(0.6, 0.3 - 1e-6), [None]);
+        // Bent ways, wherever on them the target lies.
+        for k in 0..200 {
+            let bent = |target: DVec3| {
+                let looks = vec![orientation(Target::Absolute(target), 0.0)];
+                let place = |x, y, z| point(x, y, z, looks.clone());
+                vec![
+                    place(-0.7, 0.1, 0.4),
+                    place(0.2, -0.3, 0.9),
+                    place(0.8, 0.6, -0.5),
+                ]
+            };
+            let path = CameraPath {
+                points: bent(DVec3::ZERO),
+                ..CameraPath::default()
+            };
+            let on_it = Timeline::new(&path)
+                .unwrap()
+                .curve(1)
+                .point((f64::from(k) + 0.5) / 200.0);
+            assert_eq!(doubts(bent(on_it))[1], Some(Doubt::AtTarget), "{k}");
+            let below = on_it - DVec3::new(0.0, 0.25, 0.0);
+            assert_eq!(doubts(bent(below))[1], Some(Doubt::OverTarget), "{k}");
+            let beside = on_it + DVec3::new(0.0, 0.0, 0.01);
+            assert_ne!(doubts(bent(beside))[1], Some(Doubt::AtTarget), "{k}");
+        }
+    }
+
+    #[test]
+    fn a_camera_that_stands_meets_nothing() {
+        let looks = |roll| orientation(Target::Absolute(DVec3::ZERO), roll);
+        let still = vec![looks(0.0), looks(30.0)];
+        let found = doubts(vec![
+            point(0.5, 0.5, 0.5, still.clone()),
+            point(0.6, 0.5, 0.5, still),
+        ]);
+        assert_eq!(found, [None, None, None]);
+    }
+}
