@@ -161,7 +161,7 @@ bench: libs
 	python3 benches/table.py
 
 soak: toolchain libs fuzz
-	VIDES_KILLS=200 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked
+	VIDES_KILLS=200 VIDES_DRAGS=10000 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked
 	VIDES_SAVE_KILLS=1000 tests/c/run.sh $(LIB) saving
 
 fuzz: toolchain

@@ -199,7 +199,7 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
     overlay::numbers(&painter, document, &look, pointed);
     overlay::directions(&painter, &look);
     if let Some(error) = trouble {
-        editor.complain(error.to_string());
+        editor.complain_of(&error);
     }
 }
 
@@ -207,6 +207,8 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
 mod cameras_tests;
 #[cfg(test)]
 mod manual_tests;
+#[cfg(test)]
+mod memory_tests;
 #[cfg(test)]
 mod menu_tests;
 #[cfg(test)]
