@@ -14,6 +14,7 @@ mod camera_view;
 mod doubts;
 mod filing;
 mod folders;
+mod fonts;
 mod frame;
 #[cfg(any(test, fuzzing))]
 pub(crate) mod hostile;

@@ -396,10 +396,7 @@ fn paint_timeline(editor: &Editor, ui: &Ui, rect: Rect, rail: Rect, focus: bool)
     let done = Rect::from_min_max(rail.min, pos2(at, rail.bottom()));
     painter.rect_filled(done, 2.0, palette.accent);
     let selection = editor.document.selection();
-    let snap = |x: f32| {
-        let scale = ui.ctx().pixels_per_point();
-        ((x * scale).floor() + 0.5) / scale
-    };
+    let scale = ui.ctx().pixels_per_point();
     let mut free = f32::NEG_INFINITY;
     let mut last_tick = f32::NEG_INFINITY;
     for mark in &marks.keys {
@@ -414,9 +411,16 @@ fn paint_timeline(editor: &Editor, ui: &Ui, rect: Rect, rail: Rect, focus: bool)
         } else {
             palette.weak
         };
-        let x = snap(x);
-        let tick = [pos2(x, rail.top() - 7.0), pos2(x, rail.top() - 1.0)];
-        painter.line_segment(tick, Stroke::new(1.0, color));
+        // One pixel wide, on the pixels.
+        let left = (x * scale).floor() / scale;
+        let tick = Rect::from_min_max(
+            pos2(left, rail.top() - 7.0),
+            pos2(left + 1.0 / scale, rail.top() - 1.0),
+        );
+        painter.add(theme::block(tick, color));
+        if x < free {
+            continue;
+        }
         let text = if mark.orientation == 0 {
             (mark.point + 1).to_string()
         } else {

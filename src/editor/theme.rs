@@ -5,12 +5,10 @@
 //! (AA, 4.5:1); a test holds all of them against it. Nothing moves by itself,
 //! so that an idle window wakes nobody.
 
-use std::sync::Arc;
-
 use egui::style::{ScrollAnimation, ScrollStyle, Selection, TextCursorStyle, WidgetVisuals};
 use egui::{
-    Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Shadow, Stroke,
-    Style, TextStyle, Visuals, vec2,
+    Color32, CornerRadius, FontFamily, FontId, Margin, Mesh, Rect, Shadow, Shape, Stroke, Style,
+    TextStyle, Visuals, vec2,
 };
 
 use super::setup::Theme;
@@ -144,31 +142,21 @@ pub(super) fn small() -> FontId {
     FontId::new(11.0, FontFamily::Proportional)
 }
 
+/// A plain rectangle. egui's own have soft borders, of forty triangles and not
+/// of two: too many for what stands beside each of a hundred points.
+pub(super) fn block(rect: Rect, color: Color32) -> Shape {
+    let mut mesh = Mesh::default();
+    mesh.add_colored_rect(rect, color);
+    Shape::mesh(mesh)
+}
+
 /// Gives a context our looks, of which [`Theme`] is shown.
 pub(super) fn apply(context: &egui::Context, theme: Theme) {
-    context.set_fonts(fonts());
+    context.set_fonts(super::fonts::definitions());
     for theme in [Theme::Dark, Theme::Light] {
         context.set_style_of(theme.of_egui(), style(theme));
     }
     context.set_theme(theme.of_egui());
-}
-
-/// One font for everything, and egui's few signs. egui's own choice has another
-/// font of digits and letters of equal width, 300 KB that nothing here is
-/// written in.
-fn fonts() -> FontDefinitions {
-    let mut fonts = FontDefinitions::empty();
-    for (name, data) in [
-        ("text", epaint_default_fonts::UBUNTU_LIGHT),
-        ("signs", epaint_default_fonts::EGUI_ICONS),
-    ] {
-        let data = FontData::from_static(data);
-        fonts.font_data.insert(name.to_owned(), Arc::new(data));
-        for family in fonts.families.values_mut() {
-            family.push(name.to_owned());
-        }
-    }
-    fonts
 }
 
 fn style(theme: Theme) -> Style {

@@ -34,6 +34,8 @@ pub(super) struct Window {
     raster: Raster,
     /// There is input, or something changed from outside: egui should run.
     fresh: bool,
+    /// No button is held and nothing moves by itself: the next picture stays.
+    resting: bool,
     /// When egui wants to run again by itself.
     due: Option<Instant>,
     /// Passes since the last input.
@@ -72,6 +74,7 @@ impl Window {
             context: None,
             raster: Raster::new(background),
             fresh: true,
+            resting: false,
             due: None,
             passes: 0,
             picture: None,
@@ -176,6 +179,8 @@ impl Window {
             .remove(&ViewportId::ROOT)
             .map_or(Duration::MAX, |viewport| viewport.repaint_delay);
         self.passes = self.passes.saturating_add(1);
+        let held = context.input(|input| input.pointer.any_down());
+        self.resting = !held && delay == Duration::MAX;
         let delay = if self.passes <= SETTLING_PASSES {
             delay
         } else {
@@ -203,6 +208,9 @@ impl Window {
         };
         let areas = self.raster.paint(primitives, *scale, &mut target);
         self.picture = None;
+        if self.resting {
+            self.raster.rest();
+        }
         if areas.is_empty() {
             return Ok(false);
         }

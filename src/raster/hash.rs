@@ -13,6 +13,14 @@ pub(super) fn mix(state: u64, word: u64) -> u64 {
     (product as u64) ^ ((product >> 64) as u64)
 }
 
+/// `state` continued by two words at once, for long rows of them.
+#[inline(always)]
+pub(super) fn mix_two(state: u64, a: u64, b: u64) -> u64 {
+    let product = u128::from(state.rotate_left(29) ^ a ^ 0x2438_6A88_85A3_08D3)
+        * u128::from(b ^ 0x1319_8A2E_0370_7345_u64);
+    (product as u64) ^ ((product >> 64) as u64)
+}
+
 /// Two numbers as one word, by their bits.
 #[inline(always)]
 pub(super) fn pair(a: f32, b: f32) -> u64 {

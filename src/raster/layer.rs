@@ -7,7 +7,7 @@ use egui::epaint::Primitive;
 use egui::{ClippedPrimitive, Color32, Mesh, Rect};
 
 use super::grid::{Tiles, pixels_of};
-use super::hash::{mix, pair};
+use super::hash::{mix, mix_two, pair};
 use super::lines::Lines;
 use super::quad::Quad;
 use super::stroke::Stroke;
@@ -103,27 +103,34 @@ impl Key {
 /// The fingerprint of a whole mesh.
 fn fingerprint(mesh: &Mesh, generation: u64) -> u64 {
     // Side by side, since each waits for its last result.
-    let mut places = generation;
-    let mut textures = 1;
-    let mut colors = 2;
-    for vertex in &mesh.vertices {
-        places = mix(places, pair(vertex.pos.x, vertex.pos.y));
-        textures = mix(textures, pair(vertex.uv.x, vertex.uv.y));
-        colors = mix(colors, u64::from(bits(vertex.color)));
+    let mut state = [generation, 1, 2, 3, 4];
+    let mut vertices = mesh.vertices.chunks_exact(2);
+    for two in &mut vertices {
+        for (state, vertex) in state.iter_mut().zip(two) {
+            let place = pair(vertex.pos.x, vertex.pos.y);
+            *state = mix_two(*state, place, pair(vertex.uv.x, vertex.uv.y));
+        }
+        let colors = [bits(two[0].color), bits(two[1].color)];
+        state[2] = mix(state[2], u64::from(colors[0]) << 32 | u64::from(colors[1]));
     }
-    let mut order = [3, 4];
+    for vertex in vertices.remainder() {
+        let place = pair(vertex.pos.x, vertex.pos.y);
+        state[0] = mix_two(state[0], place, pair(vertex.uv.x, vertex.uv.y));
+        state[2] = mix(state[2], u64::from(bits(vertex.color)));
+    }
     let mut indices = mesh.indices.chunks_exact(4);
     for four in &mut indices {
-        order[0] = mix(order[0], u64::from(four[0]) << 32 | u64::from(four[1]));
-        order[1] = mix(order[1], u64::from(four[2]) << 32 | u64::from(four[3]));
+        state[3] = mix_two(
+            state[3],
+            u64::from(four[0]) << 32 | u64::from(four[1]),
+            u64::from(four[2]) << 32 | u64::from(four[3]),
+        );
     }
     for &index in indices.remainder() {
-        order[0] = mix(order[0], u64::from(index));
+        state[4] = mix(state[4], u64::from(index));
     }
     let counts = mix(mesh.vertices.len() as u64, mesh.indices.len() as u64);
-    [places, textures, colors, order[0], order[1]]
-        .into_iter()
-        .fold(counts, mix)
+    state.into_iter().fold(counts, mix)
 }
 
 #[inline(always)]
@@ -229,22 +236,30 @@ impl Layer {
     fn sort_mesh(&mut self, mesh: &Mesh, texture: &Texture, pixels_per_point: f32, target: Cut) {
         let count = mesh.indices.len() / 3;
         let corners = |item: usize| triangle::corners(mesh, item, pixels_per_point);
-        let mut following = corners(0);
+        // The corners of the next triangle, if they are known already.
+        let mut known = None;
         let mut item = 0;
         while item < count {
-            let this = following;
-            following = corners(item + 1);
+            if known.is_none()
+                && let Some(quad) = Quad::of_egui(mesh, item, pixels_per_point)
+            {
+                self.add_quad(item as u32 | QUAD, &quad, texture, target);
+                item += 2;
+                continue;
+            }
+            let this = known.take().unwrap_or_else(|| corners(item));
+            let following = corners(item + 1);
             let number = item;
             item += 1;
             let Some(this) = this else { continue };
             if let Some(next) = following
                 && let Some(quad) = Quad::new(&this, &next)
             {
-                following = corners(item + 1);
                 item += 1;
                 self.add_quad(number as u32 | QUAD, &quad, texture, target);
                 continue;
             }
+            known = Some(following);
             let bounds = self.key.clip.and(triangle::bounds(&this));
             if bounds.is_empty() {
                 continue;
@@ -363,6 +378,16 @@ impl Layer {
         }
     }
 
+    /// A tile's fingerprint continued by this layer, if it puts something there.
+    pub(super) fn continued(&self, hash: u64, (x, y): (usize, usize)) -> Option<u64> {
+        let cell = self.cells.get(self.tiles.index(x, y)?)?;
+        if cell.ground.is_some() {
+            Some(cell.hash)
+        } else {
+            (cell.first != END).then(|| mix(hash, cell.hash))
+        }
+    }
+
     /// Paints what the primitive puts into the tile at (x, y).
     pub(super) fn paint(
         &self,
@@ -391,6 +416,12 @@ impl Layer {
                 let corners = |item| triangle::corners(mesh, item, pixels_per_point);
                 for item in items {
                     let number = (item & !QUAD) as usize;
+                    if item & QUAD != 0
+                        && let Some(quad) = Quad::of_egui(mesh, number, pixels_per_point)
+                    {
+                        quad.paint(tile, texture, within);
+                        continue;
+                    }
                     let Some(this) = corners(number) else {
                         continue;
                     };

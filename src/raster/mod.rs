@@ -20,6 +20,7 @@ mod tests;
 mod texture;
 mod tile;
 mod triangle;
+mod under;
 
 pub(crate) use lines::{Line, Lines};
 
@@ -27,6 +28,7 @@ use grid::{Areas, Tiles, pixels_of};
 use layer::{Key, Layer, Sum};
 use texture::Textures;
 use tile::{Cut, Tile};
+use under::{Step, Under};
 
 use egui::{ClippedPrimitive, Color32, TexturesDelta};
 
@@ -73,6 +75,10 @@ pub(crate) struct Raster {
     layers: Vec<Layer>,
     /// For each tile; kept for its memory.
     sums: Vec<Sum>,
+    /// What is kept of each tile; as `shown`.
+    under: Vec<Under>,
+    /// Of the tile that is painted; kept for its memory.
+    steps: Vec<Step>,
     tile: Tile,
 }
 
@@ -87,6 +93,8 @@ impl Raster {
             sorted_for: None,
             layers: Vec::new(),
             sums: Vec::new(),
+            under: Vec::new(),
+            steps: Vec::new(),
             tile: Tile::new(),
         }
     }
@@ -103,6 +111,11 @@ impl Raster {
     /// The target's pixels are lost or another target comes: all is painted anew.
     pub(crate) fn forget(&mut self) {
         self.shown_for = None;
+    }
+
+    /// Nothing moves any more: gives memory back that made it fast.
+    pub(crate) fn rest(&mut self) {
+        self.under.iter_mut().for_each(Under::rest);
     }
 
     /// Takes over new and changed textures, and drops those that egui frees.
@@ -144,6 +157,10 @@ impl Raster {
             return Vec::new();
         }
         self.shown.resize(tiles.count(), 0);
+        if anew {
+            self.under.clear();
+        }
+        self.under.resize_with(tiles.count(), Under::default);
         self.sums.clear();
         let nothing = Sum {
             hash: 0,
@@ -155,10 +172,10 @@ impl Raster {
             layer.sum(number as u32, tiles, &mut self.sums);
         }
         let mut areas = Areas::default();
-        let mut each = self.shown.iter_mut().zip(&self.sums);
+        let mut each = self.shown.iter_mut().zip(&self.sums).zip(&mut self.under);
         for y in tiles.y0..tiles.y1 {
             for x in tiles.x0..tiles.x1 {
-                let Some((shown, sum)) = each.next() else {
+                let Some(((shown, sum), under)) = each.next() else {
                     continue;
                 };
                 if *shown == sum.hash && !anew {
@@ -166,13 +183,18 @@ impl Raster {
                 }
                 *shown = sum.hash;
                 let cut = pixels_of(x, y).and(whole);
-                self.tile.start(cut.x0, cut.y0, sum.ground);
-                let layers = self.layers.iter().zip(primitives);
-                for (layer, primitive) in layers.skip(sum.first as usize) {
+                (self.tile.x, self.tile.y) = (cut.x0, cut.y0);
+                steps(&self.layers, sum.first, (x, y), &mut self.steps);
+                let (painted, keep) = under.begin(&self.steps, sum.ground, &mut self.tile);
+                for (at, step) in self.steps.iter().enumerate().skip(painted) {
+                    if keep == Some(at) {
+                        under.keep(&self.steps, at, &mut self.tile);
+                    }
+                    let number = step.layer as usize;
                     let textures = &self.textures;
-                    layer.paint(
+                    self.layers[number].paint(
                         (x, y),
-                        primitive,
+                        &primitives[number],
                         textures,
                         pixels_per_point,
                         &mut self.tile,
@@ -235,5 +257,18 @@ impl Raster {
             self.layers.push(layer);
         }
         true
+    }
+}
+
+/// What lies in a tile, layer by layer, from the one that hides all below.
+fn steps(layers: &[Layer], first: u32, at: (usize, usize), steps: &mut Vec<Step>) {
+    steps.clear();
+    let mut hash = 0;
+    for (number, layer) in layers.iter().enumerate().skip(first as usize) {
+        if let Some(continued) = layer.continued(hash, at) {
+            hash = continued;
+            let layer = number as u32;
+            steps.push(Step { hash, layer });
+        }
     }
 }

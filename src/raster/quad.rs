@@ -3,7 +3,7 @@
 //! The result is that of the two triangles; here it comes faster. Letters are
 //! shown texel by pixel, so that nothing has to be mixed between texels.
 
-use egui::Color32;
+use egui::{Color32, Mesh};
 
 use super::plane::{self, Surface};
 use super::texture::{Texels, Texture};
@@ -21,6 +21,38 @@ pub(super) struct Quad {
 }
 
 impl Quad {
+    /// The rectangle that begins with this triangle of a mesh, if it is one as
+    /// egui makes them: letters, images, plain areas. What is none may still be
+    /// one for [`Quad::new`], which looks at everything and takes longer.
+    #[inline]
+    pub(super) fn of_egui(mesh: &Mesh, triangle: usize, pixels_per_point: f32) -> Option<Self> {
+        let indices = mesh.indices.get(triangle * 3..triangle * 3 + 6)?;
+        let first = indices[0] as usize;
+        let end = first.checked_add(4)?;
+        let &[a, b, c, d] = mesh.vertices.get(first..end)? else {
+            return None;
+        };
+        // The vertices are there, so that these numbers do not overflow.
+        let i = indices[0];
+        if *indices != [i, i + 1, i + 2, i + 2, i + 1, i + 3] {
+            return None;
+        }
+        let upright = a.pos.x == c.pos.x
+            && b.pos.x == d.pos.x
+            && a.pos.y == b.pos.y
+            && c.pos.y == d.pos.y
+            && a.uv.x == c.uv.x
+            && b.uv.x == d.uv.x
+            && a.uv.y == b.uv.y
+            && c.uv.y == d.uv.y;
+        if !upright || a.color != b.color || a.color != c.color || a.color != d.color {
+            return None;
+        }
+        let low = Corner::new(&a, pixels_per_point)?;
+        let high = Corner::new(&d, pixels_per_point)?;
+        (low.x < high.x && low.y < high.y).then_some(Self { low, high })
+    }
+
     /// The rectangle that a triangle and the next one of a mesh make, if they do.
     pub(super) fn new(first: &[Corner; 3], next: &[Corner; 3]) -> Option<Self> {
         let all = || first.iter().chain(next);

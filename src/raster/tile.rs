@@ -8,7 +8,7 @@
 use egui::Color32;
 
 /// Pixels along a side of a tile.
-pub(super) const SIDE: usize = 64;
+pub(super) const SIDE: usize = 32;
 
 /// A rectangle of whole pixels in the target: from (x0, y0) up to, without,
 /// (x1, y1).
@@ -55,12 +55,6 @@ impl Tile {
             x: 0,
             y: 0,
         }
-    }
-
-    /// Moves to another place and takes one colour.
-    pub(super) fn start(&mut self, x: i32, y: i32, color: u32) {
-        (self.x, self.y) = (x, y);
-        self.pixels.fill(color);
     }
 
     /// The pixels from `x0` to `x1` of a row, in the target's numbers. What

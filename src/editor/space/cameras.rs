@@ -13,9 +13,9 @@ use super::scene::{Look, THIN};
 use super::strokes::Strokes;
 use crate::document::Document;
 use crate::editor::setup::Element;
-use crate::error::{Result, vec_with_room};
+use crate::error::Result;
 use crate::math::orientation;
-use crate::path::Pose;
+use crate::path::{Change, Pose, Sampler, Timeline};
 use crate::raster::Lines;
 
 /// Length of a camera's edges on the screen, in points, and at most in units
@@ -161,11 +161,24 @@ pub(super) fn keys(document: &Document, look: &Look<'_>) -> Lines {
     strokes.finish()
 }
 
+/// One pose of the ribbon.
+#[derive(Clone, Copy, Debug)]
+struct Rib {
+    camera: Camera,
+    /// A section begins here, or the path.
+    begins: bool,
+}
+
 /// The poses that the ribbon is made of, kept as long as the path is the same.
+///
+/// They are counted from the beginning of each section, so that a section
+/// which a change does not reach keeps its part of the ribbon as it is.
 #[derive(Debug, Default)]
 pub(super) struct Ribbon {
     revision: Option<u64>,
-    poses: Vec<Camera>,
+    ribs: Vec<Rib>,
+    /// Frames, kept for their memory.
+    frames: Vec<Pose>,
 }
 
 impl Ribbon {
@@ -179,38 +192,71 @@ impl Ribbon {
         if self.revision == Some(revision) {
             return Ok(());
         }
-        self.poses.clear();
+        self.ribs.clear();
         if document.in_step() && document.path().points.len() > MANY_POINTS {
             self.revision = None;
             return Ok(());
         }
         self.revision = Some(revision);
         let sampler = document.sampler()?;
+        document.timeline(|timeline| self.collect(timeline, sampler))?
+    }
+
+    fn collect(&mut self, timeline: &Timeline, sampler: &Sampler) -> Result<()> {
         let last = sampler.frame_count();
-        let count = last.min(POSES);
-        self.poses.try_reserve(count)?;
-        // Whole frames, evenly, with the first and the last one.
-        let frame = |step: usize| 1 + step * (last - 1) / (count - 1).max(1);
-        if last <= ALL_AT_ONCE {
-            let mut all = vec_with_room(last)?;
-            all.resize(last, Pose::default());
-            sampler.sample(1, &mut all)?;
-            let chosen = (0..count).filter_map(|step| all.get(frame(step) - 1));
-            self.poses.extend(chosen.map(|&pose| Camera::from(pose)));
+        // A power of two, so that one frame more does not shift all others.
+        let stride = last.div_ceil(POSES).next_power_of_two();
+        let sections = if timeline.section_count() < POSES {
+            timeline.section_count()
         } else {
-            for step in 0..count {
+            0
+        };
+        self.ribs.try_reserve(last / stride + sections + 2)?;
+        self.frames.clear();
+        if last <= ALL_AT_ONCE {
+            self.frames.try_reserve(last)?;
+            self.frames.resize(last, Pose::default());
+            sampler.sample(1, &mut self.frames)?;
+        }
+        let (ribs, frames) = (&mut self.ribs, &self.frames);
+        let mut add = |frame: usize, begins: bool| -> Result<()> {
+            let pose = match frames.get(frame - 1) {
+                Some(&pose) => pose,
                 #[allow(clippy::cast_precision_loss)]
-                let pose = sampler.pose(frame(step) as f64)?;
-                self.poses.push(pose.into());
+                None => sampler.pose(frame as f64)?,
+            };
+            let camera = pose.into();
+            ribs.push(Rib { camera, begins });
+            Ok(())
+        };
+        add(1, true)?;
+        let mut end = 1;
+        for section in 0..sections {
+            let count = timeline.section(section).frames;
+            if timeline.section(section).change == Change::Nothing {
+                continue;
             }
+            let first = sampler.first_frame(section);
+            end = first + count - 1;
+            for frame in (first - 1 + stride..end).step_by(stride) {
+                add(frame, false)?;
+            }
+            add(end, true)?;
+        }
+        // Of very many sections one sees nothing; and the last key may rest.
+        for frame in (end + stride..last).step_by(stride) {
+            add(frame, false)?;
+        }
+        if end < last {
+            add(last, true)?;
         }
         Ok(())
     }
 
     /// The poses that it is made of.
     #[cfg(test)]
-    pub(super) fn poses(&self) -> &[Camera] {
-        &self.poses
+    pub(super) fn poses(&self) -> impl ExactSizeIterator<Item = Camera> {
+        self.ribs.iter().map(|rib| rib.camera)
     }
 
     /// Paints it.
@@ -223,22 +269,32 @@ impl Ribbon {
         let surface = color.gamma_multiply(0.13);
         let (edge, fringe) = (color.gamma_multiply(0.5), color.gamma_multiply(0.6));
         let mut last: Option<[DVec3; 2]> = None;
-        let mut since_thread = f64::INFINITY;
-        for pose in &self.poses {
-            let ends = [pose.position, pose.position + pose.up * RIBBON];
+        // On the screen: since the last thread of the fringe, and since the
+        // section began.
+        let (mut since_thread, mut since_begin) = (f64::INFINITY, 0.0);
+        for Rib { camera, begins } in &self.ribs {
+            let ends = [camera.position, camera.position + camera.up * RIBBON];
             if let Some(before) = last {
                 let way = [0, 1].map(|k| look.projection.image_of_way(ends[k] - before[k]));
                 let way = way[0].length().max(way[1].length());
-                if way < STEP {
+                let long = *begins && since_begin + way >= THREAD;
+                if way < STEP && !long {
                     continue;
                 }
                 since_thread += way;
+                since_begin += way;
                 strokes.line(before[1], ends[1], THIN, edge);
                 add_quad(&mut mesh, look, before, ends, surface);
+                if long {
+                    since_thread = f64::INFINITY;
+                }
+            }
+            if *begins {
+                since_begin = 0.0;
             }
             if since_thread >= THREAD {
                 since_thread = 0.0;
-                strokes.line(ends[1], ends[1] + pose.view * FRINGE, THIN, fringe);
+                strokes.line(ends[1], ends[1] + camera.view * FRINGE, THIN, fringe);
             }
             last = Some(ends);
         }

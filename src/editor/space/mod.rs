@@ -182,7 +182,7 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
         if let Some(handle) = held.or(hand.hover)
             && let Some((at, color)) = overlay::place_of(document, &look, &tips, handle)
         {
-            overlay::ring(&painter, &look, at, color, held.is_some());
+            add(overlay::ring(&look, at, color, held.is_some()));
         }
     }
     if let Some(color) = look.of(Element::Player)

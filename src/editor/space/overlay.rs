@@ -14,6 +14,7 @@ use super::scene::{Look, THIN};
 use super::strokes::{Strokes, cut};
 use crate::document::Document;
 use crate::editor::setup::Element;
+use crate::editor::theme;
 use crate::math::orientation;
 use crate::raster::Lines;
 
@@ -22,6 +23,11 @@ const CIRCLE: u32 = 96;
 
 /// Length and half the width of an arrow's head.
 const HEAD: [f64; 2] = [12.0, 4.2];
+
+/// Radius of the ring around what would be taken hold of, and its width, in
+/// points; its straight pieces.
+const RING: [f32; 2] = [8.0, 1.5];
+const RING_PIECES: u32 = 32;
 
 /// Width of the arrows.
 const ARROW: f32 = 2.0;
@@ -143,10 +149,22 @@ pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, fixed: A
 }
 
 /// The answer to the pointer: a ring around what would be taken hold of.
-pub(super) fn ring(painter: &Painter, look: &Look<'_>, at: DVec3, color: Color32, held: bool) {
-    let centre = look.projection.pos(at);
+pub(super) fn ring(look: &Look<'_>, at: DVec3, color: Color32, held: bool) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.room);
+    let centre = look.projection.image(at);
+    // A line without length is a disc.
     let fill = color.gamma_multiply(if held { 0.35 } else { 0.2 });
-    painter.circle(centre, 8.0, fill, Stroke::new(1.5, color));
+    strokes.flat(centre, centre, 2.0 * RING[0], fill);
+    let [radius, width] = RING.map(f64::from);
+    let at = |step: u32| {
+        let turn = std::f64::consts::TAU * f64::from(step) / f64::from(RING_PIECES);
+        centre + DVec2::from_angle(turn) * radius
+    };
+    for step in 0..RING_PIECES {
+        #[allow(clippy::cast_possible_truncation)]
+        strokes.flat(at(step), at(step + 1), width as f32, color);
+    }
+    strokes.finish()
 }
 
 /// Where something that can be taken hold of lies, and its colour.
@@ -282,7 +300,7 @@ fn label(
     let galley = painter.layout_no_wrap(text, FontId::proportional(size), color);
     let rect = align.anchor_size(pos, galley.size());
     let ground = look.colours.of(Element::Background).gamma_multiply(0.7);
-    painter.rect_filled(rect.expand2(vec2(2.0, -1.0)), 3.0, ground);
+    painter.add(theme::block(rect.expand2(vec2(2.0, -1.0)), ground));
     painter.galley(rect.min, galley, color);
 }
 

@@ -165,21 +165,21 @@ fn one_line_repaints_its_tiles_only() {
         screen.paint(&[primitive(&Arc::new(Lines { lines }))])
     };
     let mut screen = Screen::new(250, 200, Color32::BLACK);
-    paint(&mut screen, vec![line(10.0), line(80.0), line(150.0)]);
+    paint(&mut screen, vec![line(10.0), line(80.0), line(110.0)]);
     let tile = |x, width| Area {
         x,
         y: 64,
         width,
-        height: 64,
+        height: 32,
     };
-    let moved = paint(&mut screen, vec![line(10.0), line(81.0), line(150.0)]);
-    assert_eq!(moved, [tile(64, 64)]);
+    let moved = paint(&mut screen, vec![line(10.0), line(81.0), line(110.0)]);
+    assert_eq!(moved, [tile(64, 32)]);
     // From one tile into the next but one: both change.
-    let moved = paint(&mut screen, vec![line(200.0), line(81.0), line(150.0)]);
-    assert_eq!(moved, [tile(0, 64), tile(192, 58)]);
+    let moved = paint(&mut screen, vec![line(200.0), line(81.0), line(110.0)]);
+    assert_eq!(moved, [tile(0, 32), tile(192, 32)]);
     // Neighbours become one area.
     let gone = paint(&mut screen, vec![line(200.0)]);
-    assert_eq!(gone, [tile(64, 128)]);
+    assert_eq!(gone, [tile(64, 64)]);
 }
 
 #[test]
