@@ -51,7 +51,7 @@ def another_display_by_name(place):
     host = place.told(here, XAUTHORITY=there.authority)
     words = host.tell(f"edit-on 0 {there.name}", "edited").split(None, 3)
     check(words[1] == "0", f"{words}")
-    there.drawn(there.window())
+    there.new_window()
     check(not here.windows(), "a window on the wrong server")
     host.leave()
 
@@ -61,8 +61,7 @@ def dies(place, name, *arguments, prepare):
     server = place.server()
     host = place.told(server, name, *arguments)
     host.edit(0)
-    window = server.window()
-    server.drawn(window)
+    window = server.new_window()
     prepare(server, host, window)
     server.kill()
     host.live()
@@ -100,8 +99,7 @@ def server_killed_many_times_while_dragging(place):
         server = place.server()
         host = place.told(server)
         host.edit(0)
-        window = server.window()
-        server.drawn(window)
+        window = server.new_window()
         words = server.drag_words(window, MIDDLE, (800, 500), steps=400, release=False)
         with subprocess.Popen(["xdotool", *map(str, words)], env=server.env,
                               stderr=subprocess.DEVNULL) as hand:
@@ -119,8 +117,7 @@ def server_killed_within_rueck(place):
         server = place.server()
         host = place.told(server)
         host.open()
-        window = server.window()
-        server.drawn(window)
+        window = server.new_window()
         pid = server.process.pid
         host.tell(f"within-rueck kill {pid} {int(signal.SIGKILL)}")
         server.xdotool("windowfocus", "--sync", window, "key", "alt+u", fail=False)
@@ -144,7 +141,7 @@ def server_killed_under_motif_leaves_xlibs_way(place):
     server.place(host, 1500, 600)
     _, _, width, height = server.geometry(host)
     server.click(host, width / 2, height / 6)
-    server.drawn(server.window())
+    server.new_window()
     server.kill()
     check(program.ends() == 1, f"exit status {program.process.returncode}")
 
@@ -156,8 +153,7 @@ def server_stopped_for_twenty_seconds(place):
     server = place.server()
     host = place.told(server)
     host.edit(0)
-    window = server.window()
-    server.drawn(window)
+    window = server.new_window()
     server.pause()
     end = time.monotonic() + 20
     longest = 0.0
@@ -183,7 +179,7 @@ def opening_on_a_stopped_server(place):
     told_why(host)
     server.resume()
     host.open(1)
-    server.drawn(server.window())
+    server.new_window()
     host.leave()
 
 
@@ -193,12 +189,9 @@ def a_window_killed_by_its_server(place):
     server = place.server()
     host = place.told(server)
     host.edit(0)
-    first = server.window()
-    server.drawn(first)
+    first = server.new_window()
     host.edit(1)
-    wait(lambda: len(server.windows()) == 2, "a second window")
-    second = [one for one in server.windows() if one != first][0]
-    server.drawn(second)
+    second = server.new_window(first)
     server.xdotool("windowkill", first)
     server.gone(first)
     wait(lambda: host.tell("dispatch", "dispatch").startswith("dispatch 1"), "one window")

@@ -15,8 +15,7 @@ def opened(place, server=None, file="", name="loop_poll", **variables):
     server = server or place.server()
     host = place.told(server, name, **variables)
     host.edit(0, file)
-    window = server.window()
-    server.drawn(window)
+    window = server.new_window()
     return server, host, window
 
 
@@ -104,12 +103,18 @@ def the_title_bar_and_the_window_manager(place):
 
 # ---- Files, by the keyboard only ----------------------------------------------------
 
-def named_file(server, window, keys, name):
-    """Opens a file window by its keys, types a name in place of the proposed one."""
+def file_window(server, window, keys):
+    """Opens a file window by its keys; what is typed then replaces the proposed name."""
     before = server.drawn(window)
     server.press(window, keys)
     wait(lambda: server.picture(window).differs(before), "a file window")
+    server.drawn(window)
     server.xdotool("key", "--delay", "30", "ctrl+a")
+
+
+def named_file(server, window, keys, name):
+    """Opens a file window by its keys, types a name and goes on."""
+    file_window(server, window, keys)
     server.type(name)
     server.xdotool("key", "Return")
 
@@ -131,6 +136,71 @@ def saving_and_loading_by_keyboard(place):
     wait(lambda: len(host.path()) == 3, "the loaded path")
     check([point[0] for point in host.path()] == [-0.5, 0.125, 0.75], f"{host.path()}")
     host.leave()
+
+
+@test()
+def a_hosts_speeds_stand(place):
+    """In a window of v_haupt() a loaded file's are ignored, and the host's are saved."""
+    server = place.server()
+    host = place.told(server)
+    host.tell("speeds 50 60 70 80")
+    host.open()
+    window = server.new_window()
+    with open(place.path("other.vid"), "w", encoding="utf-8") as other:
+        other.write("version = 1\n[base_speeds]\nmove_frames = 10.0\norient_frames = 20.0\n"
+                    "zoom_frames = 30.0\nroll_frames = 40.0\n"
+                    "[[point]]\nposition = [0, 0, 0]\n[[point]]\nposition = [1, 0, 0]\n")
+    named_file(server, window, "ctrl+o", "other.vid")
+    wait(lambda: "other" in server.property(window, "_NET_WM_NAME"), "the file's name")
+    hand_over(server, window)
+    host.expect("rueck 0 51")
+    check(host.tell("list 0").startswith("list 0 51 first 0 0 0 last 1 0 0"), host.said[-1])
+    named_file(server, window, "ctrl+shift+s", "saved.vid")
+    wait(lambda: os.path.exists(place.path("saved.vid")), "the file")
+    saved = wait(lambda: open(place.path("saved.vid"), encoding="utf-8").read(), "its text")
+    speeds = re.findall(r"^(\w+)_frames = (\S+)$", saved, re.MULTILINE)
+    wanted = {"move": 50, "orient": 60, "zoom": 70, "roll": 80}
+    check({name: float(value) for name, value in speeds if name in wanted} == wanted, f"{speeds}")
+    host.leave()
+
+
+@test()
+def what_the_host_sets_is_one_step(place):
+    """v_editor_set_path() replaces the path; one undo has back what was before."""
+    server, host, window = opened(place)
+    before = host.path()
+    with open(place.path("other.vid"), "w", encoding="utf-8") as other:
+        other.write("version = 1\n" + "".join(
+            f"[[point]]\nposition = [{x}, 0.1, 0.2]\n" for x in (-0.5, 0.125, 0.75)))
+    host.tell(f"set 0 {place.path('other.vid')}", "set 0")
+    after = host.path()
+    check([point[0] for point in after] == [-0.5, 0.125, 0.75], f"{after}")
+    server.press(window, "ctrl+z")
+    wait(lambda: host.path() == before, "undo to have back what was before")
+    server.press(window, "ctrl+shift+z")
+    wait(lambda: host.path() == after, "redo to have back what the host set")
+    host.leave()
+
+
+@test()
+def two_languages_in_one_process(place):
+    """The option `language`: each window has its own, whatever the environment says."""
+    server = place.server()
+    pictures = {}
+    for locale in ("de_DE.UTF-8", "en_GB.UTF-8"):
+        host = place.told(server, LC_ALL=locale)
+        for command in ("edit 0", "edit-in 1 de", "edit-in 2 en"):
+            host.tell(command, "edited 0")
+            window = server.new_window()
+            pictures[locale[:2], command[-2:]] = server.drawn(window)
+            host.tell(f"close {command.split()[1]}", "closed 0")
+            server.gone(window)
+        host.leave()
+    german, english = pictures["de", " 0"], pictures["en", " 0"]
+    check(german.differs(english), "German and English look the same")
+    for locale in ("de", "en"):
+        check(not pictures[locale, "de"].differs(german), f"no German window in {locale}")
+        check(not pictures[locale, "en"].differs(english), f"no English window in {locale}")
 
 
 @test()
@@ -157,8 +227,7 @@ def what_is_handed_over_is_what_vides_samples(place):
     server = place.server()
     host = place.told(server)
     host.open(3)
-    window = server.window()
-    server.drawn(window)
+    window = server.new_window()
     named_file(server, window, "ctrl+o", "pyramid.vid")
     wait(lambda: "pyramid" in server.property(window, "_NET_WM_NAME"), "the file's name")
     hand_over(server, window)
@@ -173,13 +242,7 @@ def what_is_handed_over_is_what_vides_samples(place):
         differences = [abs(float(a) - float(b)) for a, b in zip(ours.split(), its.split())]
         check(max(differences[:9]) < 1.01e-4 and differences[9] <= 0.5, f"{ours}\n{its}")
     server.press(window, "alt+a")
-    before = server.drawn(window)
-    server.xdotool("key", "d")
-    wait(lambda: server.picture(window).differs(before), "a file window")
-    server.drawn(window)
-    server.xdotool("key", "--delay", "30", "ctrl+a")
-    server.type("poses.txt")
-    server.xdotool("key", "Return")
+    named_file(server, window, "d", "poses.txt")
     wait(lambda: os.path.exists(place.path("poses.txt")), "the output file")
     wait(lambda: open(place.path("poses.txt"), encoding="ascii").read().splitlines() == sampled,
          "the output file to be what vides sample writes")
@@ -219,12 +282,10 @@ def numbers_typed_into_fields(place):
 def clipboard_both_ways(place):
     """Texts of other programs into a field, and a field's text into other programs."""
     server, host, window = opened(place)
-    before = server.drawn(window)
-    server.press(window, "ctrl+s")
-    wait(lambda: server.picture(window).differs(before), "a file window")
+    file_window(server, window, "ctrl+s")
     name = "Flug_über_Köln.vid"
     server.copy(name)
-    server.xdotool("key", "--delay", "40", "ctrl+a", "ctrl+v")
+    server.xdotool("key", "ctrl+v")
     server.drawn(window)
     server.copy("something else")
     server.xdotool("key", "--delay", "40", "ctrl+a", "ctrl+c")
@@ -235,15 +296,32 @@ def clipboard_both_ways(place):
 
 
 @test()
-def a_large_text_comes_in_pieces(place):
-    """More than one request carries, both ways; a middle click pastes what is selected."""
+def a_middle_click_pastes_what_is_marked(place):
+    """The primary selection: of another program into a field, and of a field elsewhere."""
     server, host, window = opened(place)
-    before = server.drawn(window)
-    server.press(window, "ctrl+s")
-    wait(lambda: server.picture(window).differs(before), "a file window")
+    field = boxes(server.drawn(window), FIELD, 0, 34, 262, 700)[0][0]
+    server.click(window, *middle(field))
+    server.xdotool("key", "--delay", "40", "ctrl+a", "Delete")
+    server.drawn(window)
+    server.copy("0.375", "primary")
+    server.click(window, *middle(field), 2)
+    server.drawn(window)
+    server.xdotool("key", "Return")
+    wait(lambda: host.path()[0][0] == 0.375, f"what was pasted: {host.path()[0]}")
+    server.xdotool("mousemove", "--window", window, *map(int, middle(field)),
+                   "click", "--repeat", 3, "--delay", 60, 1)
+    wait(lambda: server.copied("primary") == "0.375", "what is marked")
+    host.leave()
+
+
+@test()
+def a_large_text_comes_in_pieces(place):
+    """More than one request carries, both ways."""
+    server, host, window = opened(place)
+    file_window(server, window, "ctrl+s")
     long = "ab" * 200_000
     server.copy(long)
-    server.xdotool("key", "--delay", "40", "ctrl+a", "ctrl+v")
+    server.xdotool("key", "ctrl+v")
     server.drawn(window)
     server.copy("something else")
     server.xdotool("key", "--delay", "40", "ctrl+a", "ctrl+c")

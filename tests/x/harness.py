@@ -158,6 +158,13 @@ class Server:
         found = wait(lambda: self.windows(kind)[number:], f"a window of class {kind}")
         return found[0]
 
+    def new_window(self, *known):
+        """An editor window beside those known, waited for until it is drawn."""
+        found = wait(lambda: [one for one in self.windows() if one not in known],
+                     "a further window" if known else "a window")
+        self.drawn(found[0])
+        return found[0]
+
     def gone(self, window):
         """Waits until a window is there no more."""
         wait(lambda: window not in self.windows(), "the window to close")

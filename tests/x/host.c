@@ -150,7 +150,7 @@ static void process(void)
         (unsigned)fcntl(0, F_GETFL), (unsigned)fcntl(1, F_GETFL), (unsigned)fcntl(2, F_GETFL));
 }
 
-static void open_editor(int which, const char *file, const char *display)
+static void open_editor(int which, const char *file, const char *display, const char *language)
 {
     V_EDITOR_OPTIONS options;
     double start = now();
@@ -160,6 +160,7 @@ static void open_editor(int which, const char *file, const char *display)
     options.title = "host";
     options.file = file;
     options.display = display;
+    options.language = language;
     options.object = pyramid;
     options.object_count = 10;
     options.on_poses = on_poses;
@@ -307,9 +308,11 @@ static void command(char *line)
         v_free_liste(list);
         say("freed %d %s", list->number, v_last_error());
     } else if (strcmp(name, "edit") == 0) { /* NUMBER [FILE] */
-        open_editor(a, more[0] != '\0' ? more : NULL, NULL);
+        open_editor(a, more[0] != '\0' ? more : NULL, NULL, NULL);
     } else if (strcmp(name, "edit-on") == 0) { /* NUMBER DISPLAY */
-        open_editor(a, NULL, more);
+        open_editor(a, NULL, more, NULL);
+    } else if (strcmp(name, "edit-in") == 0) { /* NUMBER LANGUAGE */
+        open_editor(a, NULL, NULL, more);
     } else if (strcmp(name, "path") == 0) {
         print_path(a);
     } else if (strcmp(name, "orientation") == 0) { /* EDITOR POINT AT */

@@ -28,8 +28,7 @@ def take(hosts, theme, scale, path):
             server.env.update(LANG="en_GB.UTF-8")
             host = Told(folder, [os.path.join(hosts, "loop_poll-archive")], server.env)
             host.edit(0, os.path.realpath(PYRAMID))
-            window = server.window()
-            server.drawn(window)
+            window = server.new_window()
             for _ in range(3):  # on to the corner where the camera pans
                 server.click(window, 212 * scale, 108 * scale)
                 server.drawn(window)
