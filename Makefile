@@ -5,6 +5,7 @@
 #   make test        every check there is
 #   make bench       speed, beside other libraries
 #   make soak        the random checks again, with many more cases, and fuzz
+#   make coverage    which share of the branches the tests take, by folder
 #   make fuzz        tries broken files for FUZZ_SECONDS each of the three kinds
 #   make install     PREFIX=/usr/local DESTDIR=
 #   make uninstall   the same
@@ -45,7 +46,7 @@ X_TOOLS = python3=python3 Xvfb=xvfb xauth=xauth xdotool=xdotool xprop=x11-utils 
     xwd=x11-apps /usr/include/Xm/Xm.h=libmotif-dev
 LINT = -D warnings
 
-.PHONY: all libs demo test bench soak fuzz install uninstall header clean FORCE \
+.PHONY: all libs demo test bench soak fuzz coverage install uninstall header clean FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-x check-install check-docs check-dependencies
 
@@ -163,6 +164,11 @@ bench: libs
 soak: toolchain libs fuzz
 	VIDES_KILLS=200 VIDES_DRAGS=10000 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked
 	VIDES_SAVE_KILLS=1000 tests/c/run.sh $(LIB) saving
+
+coverage: toolchain
+	@mk/need.sh python3=python3
+	@mk/locale.sh
+	mk/coverage.sh
 
 fuzz: toolchain
 	@mk/need.sh c++=g++

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs a part of the Rust toolchain: component.sh rustfmt|clippy
+# Installs a part of the Rust toolchain: component.sh rustfmt|clippy|llvm-tools
 set -eu
 
 if command -v rustup >/dev/null 2>&1; then
