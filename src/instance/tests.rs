@@ -32,6 +32,9 @@ struct Remote {
     dropped: Cell<bool>,
     raised: Cell<bool>,
     deadline: Cell<Option<Instant>>,
+    /// What the hand did since the last pass, and how many passes there were.
+    events: RefCell<Vec<egui::Event>>,
+    passes: Cell<usize>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -47,6 +50,15 @@ impl Remote {
     fn send(&self, news: News) {
         self.news.borrow_mut().push_back(news);
         self.theirs.borrow_mut().write_all(b"x").expect("room");
+    }
+
+    fn hand(&self, event: egui::Event) {
+        self.events.borrow_mut().push(event);
+        self.send(News {
+            input: true,
+            shown: true,
+            ..News::default()
+        });
     }
 
     fn fail(&self, how: Fails) {
@@ -100,7 +112,11 @@ impl Screen for Fake {
     }
 
     fn take_input(&mut self) -> RawInput {
-        RawInput::default()
+        self.remote.passes.set(self.remote.passes.get() + 1);
+        RawInput {
+            events: self.remote.events.take(),
+            ..RawInput::default()
+        }
     }
 
     fn target(&mut self) -> Option<Target<'_>> {
@@ -191,6 +207,8 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         dropped: Cell::new(false),
         raised: Cell::new(false),
         deadline: Cell::new(None),
+        events: RefCell::default(),
+        passes: Cell::new(0),
     });
     let calls = Rc::new(Calls::default());
     let editor = Editor::new(Options {
@@ -320,6 +338,46 @@ fn a_callback_may_serve_the_others_and_close_them_and_itself() {
     assert!(!is_open(first) && is_open(second));
     assert_eq!(others.asked.get(), 0);
     close(second);
+}
+
+/// egui wants a second pass after every event; in a drag the next motion comes
+/// first.
+#[test]
+fn a_motion_of_a_drag_costs_one_pass() {
+    let (id, remote, _) = open();
+    settle(&[&remote]);
+    let button = |pressed| egui::Event::PointerButton {
+        pos: egui::pos2(30.0, 30.0),
+        button: egui::PointerButton::Primary,
+        pressed,
+        modifiers: egui::Modifiers::NONE,
+    };
+    remote.hand(button(true));
+    dispatch();
+    // What the press asked for.
+    remote.hand(egui::Event::PointerMoved(egui::pos2(31.0, 30.0)));
+    dispatch();
+    let before = remote.passes.get();
+    for step in 0..20u8 {
+        let at = egui::pos2(32.0 + f32::from(step), 30.0);
+        remote.hand(egui::Event::PointerMoved(at));
+        dispatch();
+        assert_ne!(wait(), Some(Duration::ZERO));
+    }
+    assert_eq!(remote.passes.get() - before, 20);
+    // When the hand rests it settles all the same.
+    remote.send(News {
+        shown: true,
+        ..News::default()
+    });
+    dispatch();
+    std::thread::sleep(wait().expect("a pass to come"));
+    dispatch();
+    assert_eq!(remote.passes.get() - before, 21);
+    remote.hand(button(false));
+    settle(&[&remote]);
+    assert_eq!(wait(), None);
+    close(id);
 }
 
 #[test]

@@ -22,6 +22,10 @@ use crate::raster::Raster;
 /// asks for them where a size settles. More are an animation.
 const SETTLING_PASSES: u32 = 3;
 
+/// egui wants to run again after every event. In a drag the next motion does
+/// as well; only when none comes for so long it runs by itself.
+const SETTLING_DRAG: Duration = Duration::from_millis(40);
+
 /// From picture to picture of an animation.
 const ANIMATION_STEP: Duration = Duration::from_nanos(1_000_000_000 / 60);
 
@@ -179,9 +183,12 @@ impl Window {
             .remove(&ViewportId::ROOT)
             .map_or(Duration::MAX, |viewport| viewport.repaint_delay);
         self.passes = self.passes.saturating_add(1);
-        let held = context.input(|input| input.pointer.any_down());
+        let (held, pressed) =
+            context.input(|input| (input.pointer.any_down(), input.pointer.any_pressed()));
         self.resting = !held && delay == Duration::MAX;
-        let delay = if self.passes <= SETTLING_PASSES {
+        let delay = if held && !pressed {
+            delay.max(SETTLING_DRAG)
+        } else if self.passes <= SETTLING_PASSES {
             delay
         } else {
             delay.max(ANIMATION_STEP)
