@@ -46,9 +46,9 @@ X_TOOLS = python3=python3 Xvfb=xvfb xauth=xauth xdotool=xdotool xprop=x11-utils 
     xwd=x11-apps /usr/include/Xm/Xm.h=libmotif-dev
 LINT = -D warnings
 
-.PHONY: all libs demo test bench soak fuzz coverage install uninstall header clean FORCE \
+.PHONY: all libs demo test bench soak soak-calls soak-x fuzz coverage install uninstall header clean FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
-	check-x check-install check-docs check-dependencies
+	check-calls check-x check-install check-docs check-dependencies
 
 all: libs $(RELEASE)/vides
 
@@ -110,7 +110,7 @@ demo: all
 # ---- Checks, the cheap ones first -----------------------------------------------
 
 test: toolchain check-format check-lints check-rust check-c check-linking \
-	check-x check-install check-docs check-dependencies
+	check-calls check-x check-install check-docs check-dependencies
 	@echo 'make test: every check passed'
 
 check-format:
@@ -136,9 +136,19 @@ check-linking: libs
 	@mk/need.sh c++=g++ /usr/include/Xm/Xm.h=libmotif-dev
 	tests/linking/run.sh $(LIB) include
 
+# Calls as no host should make them; and a library that panics when it is told
+# to. That one is not optimised, and nobody installs it.
+check-calls: libs
+	@mk/need.sh Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev
+	$(CARGO) rustc --locked --lib --crate-type staticlib -- --cfg vides_inject
+	mk/libraries.sh $(CARGO_TARGET_DIR)/debug/libvides.a $(CARGO_TARGET_DIR)/inject $(VERSION)
+	tests/calls/run.sh $(LIB)
+	tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject
+
 # The window, from outside.
 check-x: all
-	@mk/need.sh $(X_TOOLS) xclip=xclip openbox=openbox \
+	@mk/need.sh $(X_TOOLS) xclip=xclip openbox=openbox valgrind=valgrind \
+	    setxkbmap=x11-xkb-utils xdpyinfo=x11-utils \
 	    xrdb=x11-xserver-utils /usr/include/GL/freeglut.h=freeglut3-dev
 	tests/x/run.sh $(LIB)
 
@@ -164,6 +174,18 @@ bench: libs
 soak: toolchain libs fuzz
 	VIDES_KILLS=200 VIDES_DRAGS=10000 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked
 	VIDES_SAVE_KILLS=1000 tests/c/run.sh $(LIB) saving
+	$(MAKE) soak-calls soak-x
+
+# Other calls each time; the seeds are said.
+soak-calls: libs
+	@mk/need.sh Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev
+	SEEDS="$$(seq $$(date +%s) $$(($$(date +%s) + 19)))" CALLS=3000 tests/calls/run.sh $(LIB) hostile
+
+# Events for a minute, and 10,000 windows.
+soak-x: all
+	@mk/need.sh $(X_TOOLS) valgrind=valgrind
+	VIDES_FLOOD=60 tests/x/run.sh $(LIB) events
+	LD_LIBRARY_PATH=$(LIB) python3 tests/x/measure.py $(CARGO_TARGET_DIR)/x soak
 
 coverage: toolchain
 	@mk/need.sh python3=python3

@@ -21,6 +21,7 @@ pub mod window;
 
 mod editor;
 mod ffi;
+mod inject;
 mod instance;
 mod raster;
 mod x11;

@@ -24,7 +24,7 @@ const ARROWS: &[(&str, &[&str])] = &[
 ];
 
 /// What every layer may use. They use each other only.
-const GROUND: &[&str] = &["error", "limits"];
+const GROUND: &[&str] = &["error", "limits", "inject"];
 
 /// Items that `lib.rs` itself shows under the crate's own name.
 const RE_EXPORTED: &[&str] = &["Error", "Result"];

@@ -5,6 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::status::{Answer, clear_last_error, set_last_error};
 use crate::error::panic_said;
+use crate::inject;
 
 /// What an export returns: how a failure looks in it.
 pub(super) trait Returned {
@@ -31,6 +32,10 @@ impl Returned for () {
 /// of a path, and that one's lock is poisoned by it.
 pub(super) fn border<T: Returned>(on_panic: T, body: impl FnOnce() -> Answer<T>) -> T {
     clear_last_error();
+    let body = || {
+        inject::point(inject::Place::Call);
+        body()
+    };
     match catch_unwind(AssertUnwindSafe(body)) {
         Ok(Ok(value)) => value,
         Ok(Err(failure)) => {

@@ -117,10 +117,19 @@ pub unsafe extern "C" fn v_path_point_at_length(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let xyz = Out::array(xyz)?;
-        let curve = read(path, |document| cubic(document, segment))?;
-        let lengths = ArcLength::new(&curve)?;
-        let s = between(s, lengths.length(), "s")?;
-        let point = curve.point(lengths.parameter_at(s));
+        let (curve, length) = read(path, |document| {
+            let segment = self::segment(document, segment)?;
+            Ok(document.timeline(|timeline| {
+                (*timeline.curve(segment), timeline.segment_length(segment))
+            })?)
+        })?;
+        // The end is where v_path_segment_length() says; what is measured for
+        // the inverse may differ from it in the last bit.
+        let t = match between(s, length, "s")? {
+            s if s == length => 1.0,
+            s => ArcLength::new(&curve)?.parameter_at(s),
+        };
+        let point = curve.point(t);
         // SAFETY: room for three doubles, as the header says.
         unsafe { xyz.write(point.to_array()) };
         Ok(V_OK)

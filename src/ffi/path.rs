@@ -10,6 +10,7 @@ use super::pointers::{Out, check, file_name};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit};
+use crate::inject;
 
 /// All paths that C holds.
 static PATHS: Handles<RwLock<Document>, V_PATH> = Handles::new(KIND_PATH);
@@ -31,6 +32,7 @@ pub(super) fn read<R>(path: *const V_PATH, look: impl FnOnce(&Document) -> Answe
     }
     let document = PATHS.get(path)?;
     let document = document.read().map_err(|_| SPOILED)?;
+    inject::point(inject::Place::Path);
     look(&document)
 }
 
@@ -40,7 +42,9 @@ pub(super) fn edit(path: *mut V_PATH, edit: Edit) -> Answer<c_int> {
         check(path)?;
     }
     let document = PATHS.get(path)?;
-    document.write().map_err(|_| SPOILED)?.apply(edit)?;
+    let mut document = document.write().map_err(|_| SPOILED)?;
+    inject::point(inject::Place::Path);
+    document.apply(edit)?;
     Ok(V_OK)
 }
 

@@ -11,6 +11,7 @@ use super::registry::Lost;
 use super::window::Wish;
 use super::{Id, registry};
 use crate::error::Result;
+use crate::inject;
 
 /// Rounds in one call: a picture, what its answer brings along, and a few more
 /// that come meanwhile.
@@ -29,6 +30,7 @@ pub(crate) struct Served {
 /// for a fair while; never waits. Calls the host.
 pub(crate) fn dispatch() -> Served {
     super::hint::served();
+    inject::point(inject::Place::Dispatch);
     let mut served = Served::default();
     registry::leave_those_that_call();
     let mut more = true;

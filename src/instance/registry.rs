@@ -24,6 +24,7 @@ use super::descriptors::Descriptors;
 use super::window::Window;
 use super::{Host, Id, xt};
 use crate::error::{Error, Result, panic_said};
+use crate::inject;
 
 /// Ids are given out once in the life of the process.
 static NEXT: AtomicU64 = AtomicU64::new(1);
@@ -370,7 +371,10 @@ pub(super) fn call<R>(
         table.calls += 1;
         Some(host)
     })?;
-    let done = catch_unwind(AssertUnwindSafe(|| f(&*host)));
+    let done = catch_unwind(AssertUnwindSafe(|| {
+        inject::point(inject::Place::Callback);
+        f(&*host)
+    }));
     let closed = table(|table| {
         table.calls = table.calls.saturating_sub(1);
         let place = table.slots.binary_search_by_key(&id, |slot| slot.id).ok()?;

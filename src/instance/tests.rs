@@ -193,6 +193,7 @@ const CLOSE: News = News {
     input: false,
     shown: true,
     new_buffer: false,
+    more: false,
 };
 
 fn open() -> (Id, Rc<Remote>, Rc<Calls>) {

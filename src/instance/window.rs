@@ -16,6 +16,7 @@ use super::{Host, Id};
 use crate::document::Document;
 use crate::editor::{Editor, Request};
 use crate::error::Result;
+use crate::inject::{self, Place};
 use crate::raster::Raster;
 
 /// Passes in a row that may follow one another at once without input: egui
@@ -122,6 +123,7 @@ impl Window {
     /// [`crate::Error::Display`]: the screen is gone, and the window with it.
     pub(super) fn turn(&mut self, id: Id, host: &Rc<dyn Host>) -> Result<Turn> {
         let news = self.screen.poll()?;
+        inject::point(Place::Turn);
         if news.input {
             self.fresh = true;
             self.passes = 0;
@@ -138,7 +140,7 @@ impl Window {
             self.in_flight = false;
         }
         let mut turn = Turn {
-            busy: news.input || news.close || news.new_buffer || news.shown,
+            busy: news.input || news.close || news.new_buffer || news.shown || news.more,
             wish: None,
         };
         let now = Instant::now();
@@ -166,7 +168,10 @@ impl Window {
             editor.prepare(&context);
             context
         });
-        let output = context.run_ui(input, |ui| editor.show(ui));
+        let output = context.run_ui(input, |ui| {
+            inject::point(Place::Layout);
+            editor.show(ui);
+        });
         let FullOutput {
             platform_output,
             textures_delta,
@@ -213,6 +218,7 @@ impl Window {
         let Some(mut target) = self.screen.target() else {
             return Ok(false);
         };
+        inject::point(Place::Paint);
         let areas = self.raster.paint(primitives, *scale, &mut target);
         self.picture = None;
         if self.resting {
@@ -233,6 +239,7 @@ impl Window {
                 Request::Close => return Some(Wish::Close),
                 Request::HandOver => {
                     self.fresh = true;
+                    inject::point(Place::HandOver);
                     let poses = self.editor.document().sampler().and_then(|sampler| {
                         let call = host.prepare(id, sampler)?;
                         Ok((call, sampler.frame_count()))

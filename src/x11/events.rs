@@ -13,6 +13,7 @@ use x11rb::x11_utils::X11Error;
 use super::present::Surface;
 use super::{Window, scale, window};
 use crate::error::{Error, Result};
+use crate::inject;
 use crate::raster::Area;
 
 /// Set in an event's kind when another client sent it.
@@ -22,6 +23,7 @@ impl Window {
     /// Does what `event` asks for. Events of other windows are left alone, and
     /// nothing that stands in one is believed without a look.
     pub(super) fn handle(&mut self, event: &Event) -> Result<()> {
+        inject::point(inject::Place::Event);
         let ours = self.frame.window;
         if let Event::KeyPress(event) | Event::KeyRelease(event) = event {
             self.time = event.time;

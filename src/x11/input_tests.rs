@@ -5,13 +5,13 @@ use std::io::Write as _;
 use std::process::{Child, Stdio};
 use std::time::Instant;
 
-use egui::CursorIcon;
+use egui::{CursorIcon, Modifiers, PointerButton as PointerButtonKind, pos2};
 use x11rb::connection::{Connection as _, RequestConnection as _};
 use x11rb::errors::ParseError;
 use x11rb::x11_utils::TryParse;
 
 use super::testing::{PATIENCE, Server, until};
-use super::{Options, Window};
+use super::{MOST_EVENTS, Options, Window, first_deed};
 
 /// A window with two fields, one above the other.
 struct Desk<'a> {
@@ -191,6 +191,49 @@ fn texts_are_typed_copied_marked_and_pasted() {
     assert_eq!(desk.fields, ["12 €", "marked"]);
     xclip.kill().unwrap();
     xclip.wait().unwrap();
+}
+
+#[test]
+fn one_deed_at_a_time_and_writing_at_once() {
+    use egui::Event::{Copy, Key, PointerButton, PointerMoved, Text};
+    let key = |key, pressed| Key {
+        key,
+        physical_key: None,
+        pressed,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    };
+    let button = |pressed| PointerButton {
+        pos: pos2(1.0, 2.0),
+        button: PointerButtonKind::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    let (a, written) = (key(egui::Key::A, true), Text("a".to_owned()));
+    let (f1, up) = (key(egui::Key::F1, true), key(egui::Key::F1, false));
+    let (down, let_go) = (button(true), button(false));
+    let moved = PointerMoved(pos2(3.0, 4.0));
+    let parts = [
+        vec![a.clone(), written.clone(), a.clone(), written, f1.clone()],
+        vec![up.clone(), f1],
+        vec![
+            up,
+            moved.clone(),
+            down.clone(),
+            moved.clone(),
+            let_go.clone(),
+        ],
+        vec![down, let_go],
+        vec![Copy],
+        vec![moved],
+    ];
+    let mut events = parts.concat();
+    for part in parts {
+        assert_eq!(first_deed(&mut events), part);
+    }
+    assert_eq!(events, []);
+    let mut many = vec![a; MOST_EVENTS + 1];
+    assert_eq!(first_deed(&mut many).len(), MOST_EVENTS + 1);
 }
 
 #[test]

@@ -71,6 +71,10 @@ use window::Frame;
 /// The largest texture that the painter is given, pixels a side.
 const TEXTURE_SIDE: usize = 2048;
 
+/// Events that are handled in one look. A client that sends without an end
+/// shall keep neither the host nor the other windows.
+const MOST_EVENTS: usize = 256;
+
 /// How long a clipboard manager is waited for when the window closes.
 const HAND_OVER: Duration = Duration::from_millis(300);
 
@@ -98,6 +102,9 @@ pub(crate) struct News {
     pub(crate) shown: bool,
     /// The buffer of pixels is another one (size): paint it whole.
     pub(crate) new_buffer: bool,
+    /// Not all that has arrived was looked at: look again soon, whatever the
+    /// descriptor says.
+    pub(crate) more: bool,
 }
 
 /// An open window. Dropping it closes the window and the connection.
@@ -199,17 +206,19 @@ impl Window {
         Ok(window)
     }
 
-    /// Reads and handles everything that has arrived; never blocks. Answers
-    /// the server's questions (ping, selections, exposures) itself.
+    /// Reads and handles what has arrived, a fair share of it at once; never
+    /// blocks. Answers the server's questions (ping, selections, exposures)
+    /// itself.
     ///
     /// # Errors
     /// [`Error::Display`] if the server or the window is gone.
     pub(crate) fn poll(&mut self) -> Result<News> {
         self.alive()?;
+        let before = self.events.len();
         let result = self.drain();
         self.noted(result)?;
         let mut news = std::mem::take(&mut self.news);
-        news.input |= !self.events.is_empty();
+        news.input |= self.events.len() > before;
         // What was covered meanwhile may be on its way once more.
         news.shown &= self.surface.is_free();
         Ok(news)
@@ -224,9 +233,13 @@ impl Window {
         })?;
         // Handling an event may wait for an answer, and that may bring further
         // events whose arrival the descriptor does not show any more.
+        let mut left = MOST_EVENTS;
         loop {
             let mut any = false;
-            while let Some(event) = self.next()? {
+            while left > 0
+                && let Some(event) = self.next()?
+            {
+                left -= 1;
                 any = true;
                 self.handle(&event)?;
             }
@@ -241,15 +254,19 @@ impl Window {
             }
             self.surface.go_on(&self.connection)?;
             self.send()?;
-            if !any {
+            self.news.more = left == 0;
+            if !any || left == 0 {
                 return Ok(());
             }
         }
     }
 
-    /// The input since the last call, complete: time, screen, scale,
-    /// modifiers, focus, events.
+    /// The input for one pass: time, screen, scale, focus, events. After a
+    /// window was not served for a while that may not be all of it; the rest is
+    /// new input then.
     pub(crate) fn take_input(&mut self) -> egui::RawInput {
+        let events = first_deed(&mut self.events);
+        self.news.input |= !self.events.is_empty();
         let points = |pixels: u32| pixels as f32 / self.scale;
         let size = Vec2::new(points(self.size.0), points(self.size.1));
         let screen = self.connection.screen();
@@ -267,7 +284,7 @@ impl Window {
             max_texture_side: Some(TEXTURE_SIDE),
             time: Some(self.opened.elapsed().as_secs_f64()),
             focused: self.focus.told,
-            events: std::mem::take(&mut self.events),
+            events,
             ..egui::RawInput::default()
         }
     }
@@ -394,6 +411,29 @@ impl Window {
             self.lost = Some(sentence(format_args!("{error}")));
         }
         result
+    }
+}
+
+/// Takes the events up to the first thing that the user has done with them, a
+/// key or a click: a pass sees one of each only, and of two that come together
+/// after a rest the first would be lost. Takes all where there are very many.
+fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
+    use egui::Event::{Copy, Cut, Key, Paste, PointerButton, Text};
+    let is_deed = |place: usize| match &events[place] {
+        // A key that writes is one of many, and every one is written.
+        Key {
+            pressed, repeat, ..
+        } => *pressed && !repeat && !matches!(events.get(place + 1), Some(Text(_))),
+        PointerButton { pressed, .. } => !pressed,
+        Copy | Cut | Paste(_) => true,
+        _ => false,
+    };
+    match (0..events.len()).find(|&place| is_deed(place)) {
+        Some(place) if events.len() <= MOST_EVENTS => {
+            let rest = events.split_off(place + 1);
+            std::mem::replace(events, rest)
+        }
+        _ => std::mem::take(events),
     }
 }
 

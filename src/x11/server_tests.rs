@@ -5,9 +5,15 @@ use std::os::fd::AsFd;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
+use egui::pos2;
+use x11rb::protocol::xproto::{
+    ConnectionExt as _, EventMask, MOTION_NOTIFY_EVENT, MotionNotifyEvent,
+};
+use x11rb::rust_connection::RustConnection;
+
 use super::stream::wait;
 use super::testing::{PATIENCE, Server, until};
-use super::{Options, Window};
+use super::{MOST_EVENTS, Options, Window};
 use crate::raster::Area;
 
 fn open(display: Option<&str>) -> crate::error::Result<Window> {
@@ -243,6 +249,35 @@ fn a_server_that_dies_ends_the_window_with_a_sentence() {
             }
         }
     }
+}
+
+#[test]
+fn a_flood_is_taken_in_parts() {
+    const MANY: i16 = 4000;
+    let server = Server::start();
+    let mut window = open(Some(server.display())).unwrap();
+    until("a frame", || turn(&mut window).unwrap().then_some(()));
+    let id = window.frame.window;
+    let (other, _) = RustConnection::connect(Some(server.display())).unwrap();
+    for x in 0..MANY {
+        let moved = MotionNotifyEvent {
+            response_type: MOTION_NOTIFY_EVENT,
+            event: id,
+            event_x: x,
+            ..MotionNotifyEvent::default()
+        };
+        let sent = other.send_event(false, id, EventMask::NO_EVENT, moved);
+        sent.unwrap().ignore_error();
+    }
+    other.get_input_focus().unwrap().reply().unwrap();
+    // All of it has been sent. What the pointer did in one look is one move.
+    let mut parts = 0;
+    until("the last that was sent", || {
+        parts += usize::from(window.poll().unwrap().more);
+        let last = egui::Event::PointerMoved(pos2(f32::from(MANY - 1), 0.0));
+        window.take_input().events.contains(&last).then_some(())
+    });
+    assert!(parts >= MANY as usize / MOST_EVENTS / 2, "{parts} parts");
 }
 
 #[test]

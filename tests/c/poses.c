@@ -147,7 +147,8 @@ static void sections(void)
 static void the_curve(void)
 {
     V_PATH *path = new_path();
-    double length = 0, at[3], corner[3] = {0.6, 0.2, -0.4};
+    double length = 0, at[3], end[3], corner[3] = {0.6, 0.2, -0.4};
+    int i;
     OK(v_path_length(path, &length));
     NEAR(length, 1.2, 1e-12);
     OK(v_path_segment_length(path, 0, &length));
@@ -181,6 +182,17 @@ static void the_curve(void)
     NEAR(length, 1.2 * sqrt(2), 1e-9);
     OK(v_path_length(path, &length));
     NEAR(length, 2.4 + 1.2 * sqrt(2), 1e-9);
+    /* Where a segment's length ends is its end, whatever its shape. */
+    for (i = 0; i < 200; i++) {
+        at[0] = sin(i);
+        at[1] = cos(3 * i);
+        at[2] = sin(0.3 * i);
+        OK(v_path_set_position(path, 1, at));
+        OK(v_path_set_preset(path, 0, sin(5 * i), cos(7 * i), sin(11 * i)));
+        OK(v_path_segment_length(path, 0, &length));
+        OK(v_path_point_at_length(path, 0, length, end));
+        CHECK(memcmp(at, end, sizeof at) == 0);
+    }
     v_path_free(path);
 }
 

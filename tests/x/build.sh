@@ -54,5 +54,10 @@ extra=-D_GNU_SOURCE
 build loop_poll "$here/loop_poll.c" "$here/host.c" -- -lvides -lm
 build loop_xt "$here/loop_xt.c" "$here/host.c" -- -lvides -lm -lXt -lX11
 
+extra=-std=gnu99
+build work "$here/work.c" "$here/../calls/hands.c" -- -lvides -lm -lX11
+
 extra=
 "$cc" -std=gnu99 -O1 -Wall -Wextra -Werror -o "$out/first_picture" "$here/first_picture.c" -lX11
+"$cc" -std=gnu99 -O1 -Wall -Wextra -Werror -o "$out/flood" "$here/flood.c" \
+    "$here/../calls/hands.c" -lX11

@@ -101,6 +101,19 @@ def the_title_bar_and_the_window_manager(place):
     host.leave()
 
 
+@test()
+def keys_pressed_while_nobody_serves(place):
+    """Alt-U and Ctrl-Q come together when the host is back: first the one, then the other."""
+    server, host, window = opened(place)
+    host.send("sleep 1500")
+    server.press(window, "alt+u", "ctrl+q")
+    host.expect("slept")
+    host.expect(f"poses 0 {POSES}")
+    host.expect("on_close")
+    server.gone(window)
+    host.leave()
+
+
 # ---- Files, by the keyboard only ----------------------------------------------------
 
 def file_window(server, window, keys):
@@ -374,12 +387,6 @@ def a_screen_of_30_bits(place):
 def no_shared_memory(place):
     """Pictures over the connection."""
     screens(place, options=("-extension", "MIT-SHM"))
-
-
-@test()
-def no_xkb(place):
-    """The keys of the core protocol."""
-    screens(place, options=("-extension", "XKEYBOARD"))
 
 
 @test()

@@ -15,7 +15,7 @@ import time
 
 from picture import Picture
 
-LIMIT = 30.0
+LIMIT = 60.0
 """Seconds after which waiting has failed. Long, since machines may be busy."""
 
 
@@ -57,14 +57,14 @@ class Server:
     def __init__(self, folder, screen="1920x1200x24", options=(), cookie=True):
         self.folder = folder
         self.authority = os.path.join(folder, "Xauthority")
-        key = secrets.token_hex(16)
+        self.key = key = secrets.token_hex(16)
         secret = os.path.join(folder, "server-cookie")
         run("xauth", "-q", "-f", secret, "add", ":0", ".", key)
         ours, its = os.pipe()
         with open(os.path.join(folder, "server.log"), "wb") as log:
             self.process = subprocess.Popen(
                 ["Xvfb", "-displayfd", str(its), "-auth", secret, "-screen", "0", screen,
-                 "-nolisten", "tcp", "-noreset", *options],
+                 *(() if "-listen" in options else ("-nolisten", "tcp")), "-noreset", *options],
                 pass_fds=[its], stdout=log, stderr=log, start_new_session=True)
         os.close(its)
         with os.fdopen(ours) as number:
@@ -76,6 +76,19 @@ class Server:
         if cookie:
             run("xauth", "-q", "-f", self.authority, "add", self.name, ".", key)
         self.helpers = []
+
+    def untrusted(self):
+        """The environment of a client whom the server does not trust, as `ssh -X` has it."""
+        env = dict(self.env, XAUTHORITY=os.path.join(self.folder, "untrusted"))
+        run("xauth", "-q", "-f", env["XAUTHORITY"], "generate", self.name, ".", "untrusted",
+            "timeout", "0", env=self.env)
+        return env
+
+    def by_tcp(self):
+        """The environment of a client that comes by way of the network. Needs `-listen tcp`."""
+        env = dict(self.env, DISPLAY=f"127.0.0.1{self.name}")
+        run("xauth", "-q", "-f", self.authority, "add", env["DISPLAY"], ".", self.key)
+        return env
 
     # ---- its life
 

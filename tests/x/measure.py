@@ -129,28 +129,32 @@ def processor(pid):
         return int(file.read().split()[0]) / 1e6
 
 
-def soak(folder, hosts, kind, count):
-    """Opens and closes; nothing may grow."""
+def soak(folder, hosts, kind, count, what):
+    """Opens and closes, or opens, edits, hands over and closes; nothing may grow."""
     server = Server(tempfile.mkdtemp(dir=folder), screen="1300x900x24")
-    host = Told(folder, [os.path.join(hosts, f"loop_poll-{kind}")], server.env)
+    if what == "closed":
+        command, done, host = "cycle ", "cycled", "loop_poll"
+    else:
+        command, done, host = "", "worked", "work"
+    host = Told(folder, [os.path.join(hosts, f"{host}-{kind}")], server.env)
 
     def held():
         return (private(host.pid), len(os.listdir(f"/proc/{host.pid}/fd")),
                 private(server.process.pid), len(server.windows(".", visible=False)))
 
     try:
-        host.tell(f"cycle {max(count // 10, 100)}", "cycled", 600)
+        host.tell(f"{command}{max(count // 10, 100)}", done, 3600)
         before = held()
-        host.tell(f"cycle {count}", "cycled", 3600)
+        words = host.tell(f"{command}{count}", done, 7200).split(None, 2)
+        check(int(words[1]) == count, f"only {words[1:]}")
         after = held()
         names = ("host's memory, kB", "host's descriptors", "server's memory, kB", "windows")
         for name, old, new in zip(names, before, after):
-            print(f"{kind}: {count} windows opened and closed: {name}: {old} -> {new}")
+            print(f"{kind}: {count} windows opened and {what}: {name}: {old} -> {new}", flush=True)
         check(after[0] - before[0] < 512, "the host's memory grows")
         check(after[1] == before[1], "descriptors stay open")
         check(after[2] - before[2] < 2048, "the server's memory grows")
         check(after[3] == before[3], "windows stay on the server")
-        host.leave()
     finally:
         host.kill()
         server.end()
@@ -161,8 +165,10 @@ def main():
     hosts = os.path.abspath(sys.argv[1])
     with tempfile.TemporaryDirectory(prefix="vides-x-") as folder:
         if sys.argv[2:3] == ["soak"]:
+            times_each = int(sys.argv[3]) if len(sys.argv) > 3 else 10_000
             for kind in ("archive", "shared"):
-                soak(folder, hosts, kind, int(sys.argv[3]) if len(sys.argv) > 3 else 10_000)
+                soak(folder, hosts, kind, times_each, "closed")
+                soak(folder, hosts, kind, times_each, "edited, handed over, closed")
             return
         for kind in ("archive", "shared"):
             times(folder, hosts, kind)

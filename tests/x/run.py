@@ -39,6 +39,7 @@ class Place:
     def __init__(self, hosts, kind, folder):
         self.hosts, self.kind, self.folder = hosts, kind, folder
         self.servers, self.programs = [], []
+        self.wrapper = ()  # a command that runs the programs
 
     def server(self, *arguments, **options):
         """A new X server."""
@@ -59,14 +60,16 @@ class Place:
     def told(self, server, name="loop_poll", *arguments, **variables):
         """The host that does what it is told. A variable that is None is unset."""
         env = self._environment(server, variables)
-        program = harness.Told(self.folder, [self.binary(name), *arguments], env)
+        command = [*self.wrapper, self.binary(name), *arguments]
+        program = harness.Told(self.folder, command, env)
         self.programs.append(program)
         return program
 
     def program(self, server, name, *arguments, **variables):
         """Any other host, on a terminal."""
         env = self._environment(server, variables)
-        program = harness.Program(self.folder, [self.binary(name), *arguments], env, terminal=True)
+        command = [*self.wrapper, self.binary(name), *arguments]
+        program = harness.Program(self.folder, command, env, terminal=True)
         self.programs.append(program)
         return program
 

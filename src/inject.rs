@@ -1,0 +1,76 @@
+//! Faults on demand, for the tests: places where the library can be told to
+//! panic.
+//!
+//! Only a library that is built for it has them (`--cfg vides_inject`, see
+//! `tests/calls`), and with them two functions that C finds by name. In any
+//! other, [`point`] is nothing.
+
+/// Where a panic can be had.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(not(vides_inject), allow(dead_code))]
+pub(crate) enum Place {
+    /// In an export, before its body.
+    Call,
+    /// In an export, while it holds a path.
+    Path,
+    /// Before any window is served.
+    Dispatch,
+    /// With an event of the X server.
+    Event,
+    /// In a window's turn, when the events have been taken.
+    Turn,
+    /// While the editor lays itself out.
+    Layout,
+    /// Before pixels are painted.
+    Paint,
+    /// When poses are made ready for the host.
+    HandOver,
+    /// Before host code is called.
+    Callback,
+}
+
+/// Passes a place.
+#[inline(always)]
+pub(crate) fn point(place: Place) {
+    #[cfg(vides_inject)]
+    on_demand::pass(place);
+    #[cfg(not(vides_inject))]
+    let _ = place;
+}
+
+#[cfg(vides_inject)]
+#[allow(unsafe_code)] // names for C
+mod on_demand {
+    use std::cell::Cell;
+    use std::ffi::c_int;
+
+    use super::Place;
+
+    thread_local! {
+        /// The place that is watched, how often it is still passed before it
+        /// panics (never, if negative), and how often it was.
+        static WATCHED: Cell<(c_int, c_int, c_int)> = const { Cell::new((-1, -1, 0)) };
+    }
+
+    pub(super) fn pass(place: Place) {
+        let (watched, left, passed) = WATCHED.get();
+        if watched != place as c_int {
+            return;
+        }
+        WATCHED.set((watched, (left - 1).max(-1), passed + 1));
+        assert!(left != 0, "wanted by a test");
+    }
+
+    /// Watches a place from now on: it panics once, after it was passed so many
+    /// times; never, if `after` is negative.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn v_test_panic(place: c_int, after: c_int) {
+        WATCHED.set((place, after.max(-1), 0));
+    }
+
+    /// How often the place that is watched was passed.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn v_test_passed() -> c_int {
+        WATCHED.get().2
+    }
+}

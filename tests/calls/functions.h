@@ -1,0 +1,82 @@
+/*
+ * The library's functions in the order of the header: what they answer (see
+ * every.h), which status to fit arguments, and whether windows are needed.
+ */
+#ifndef FUNCTIONS_H
+#define FUNCTIONS_H
+
+#include "every.h"
+
+/* Draws arguments for the function of this name and calls it; its answer. */
+#define CALL(name) int call_##name(void)
+
+#define EACH_FUNCTION(F) \
+    F(v_last_error, TEXT, V_OK, 0) \
+    F(v_strerror, TEXT, V_OK, 0) \
+    F(v_version, TEXT, V_OK, 0) \
+    F(v_haupt, NOTHING, V_OK, 1) \
+    F(v_free_liste, NOTHING, V_OK, 0) \
+    F(v_fd, COUNT, V_OK, 0) \
+    F(v_timeout, COUNT, V_OK, 0) \
+    F(v_dispatch, COUNT, V_OK, 0) \
+    F(v_main_loop, STATUS, V_OK, 0) \
+    F(v_set_app_context, STATUS, V_ERR_ARGUMENT, 0) \
+    F(v_path_new, STATUS, V_OK, 0) \
+    F(v_path_clone, STATUS, V_OK, 0) \
+    F(v_path_free, NOTHING, V_OK, 0) \
+    F(v_path_load, STATUS, V_OK, 0) \
+    F(v_path_save, STATUS, V_OK, 0) \
+    F(v_path_point_count, STATUS, V_OK, 0) \
+    F(v_path_insert_point, STATUS, V_OK, 0) \
+    F(v_path_divide_segment, STATUS, V_OK, 0) \
+    F(v_path_remove_point, STATUS, V_OK, 0) \
+    F(v_path_set_position, STATUS, V_OK, 0) \
+    F(v_path_get_position, STATUS, V_OK, 0) \
+    F(v_path_set_tcb, STATUS, V_OK, 0) \
+    F(v_path_use_preset, STATUS, V_OK, 0) \
+    F(v_path_get_tcb, STATUS, V_OK, 0) \
+    F(v_path_set_preset, STATUS, V_OK, 0) \
+    F(v_path_get_preset, STATUS, V_OK, 0) \
+    F(v_orientation_init, NOTHING, V_OK, 0) \
+    F(v_path_orientation_count, STATUS, V_OK, 0) \
+    F(v_path_insert_orientation, STATUS, V_OK, 0) \
+    F(v_path_remove_orientation, STATUS, V_OK, 0) \
+    F(v_path_set_orientation, STATUS, V_OK, 0) \
+    F(v_path_get_orientation, STATUS, V_OK, 0) \
+    F(v_path_set_absolute, STATUS, V_OK, 0) \
+    F(v_path_set_speeds, STATUS, V_OK, 0) \
+    F(v_path_get_speeds, STATUS, V_OK, 0) \
+    F(v_path_set_closed, STATUS, V_OK, 0) \
+    F(v_path_get_closed, STATUS, V_OK, 0) \
+    F(v_path_set_modes, STATUS, V_OK, 0) \
+    F(v_path_get_modes, STATUS, V_OK, 0) \
+    F(v_path_length, STATUS, V_OK, 0) \
+    F(v_path_segment_length, STATUS, V_OK, 0) \
+    F(v_path_curve_point, STATUS, V_OK, 0) \
+    F(v_path_point_at_length, STATUS, V_OK, 0) \
+    F(v_path_section_count, STATUS, V_OK, 0) \
+    F(v_path_section_info, STATUS, V_OK, 0) \
+    F(v_path_frame_count, STATUS, V_OK, 0) \
+    F(v_path_sample, STATUS, V_OK, 0) \
+    F(v_path_pose, STATUS, V_OK, 0) \
+    F(v_path_to_list, STATUS, V_OK, 0) \
+    F(v_path_write_ascii, STATUS, V_OK, 0) \
+    F(v_editor_options_init, NOTHING, V_OK, 0) \
+    F(v_editor_open, STATUS, V_OK, 1) \
+    F(v_editor_close, STATUS, V_OK, 1) \
+    F(v_editor_get_path, STATUS, V_OK, 1) \
+    F(v_editor_set_path, STATUS, V_OK, 1) \
+    F(v_quat_slerp, STATUS, V_OK, 0) \
+    F(v_quat_from_view, STATUS, V_OK, 0) \
+    F(v_view_from_quat, STATUS, V_OK, 0) \
+    F(v_quat_spline, STATUS, V_OK, 0) \
+    F(v_quat_tcb_spline, STATUS, V_OK, 0) \
+    F(v_speed_curve, STATUS, V_OK, 0) \
+    F(v_view_matrix, STATUS, V_OK, 0) \
+    F(v_view_from_pose, STATUS, V_OK, 0) \
+    F(v_pose_gl_matrix, STATUS, V_OK, 0)
+
+#define DECLARED(name, answers, normally, display) CALL(name);
+EACH_FUNCTION(DECLARED)
+
+#endif

@@ -1,0 +1,118 @@
+#!/bin/bash
+# Calls as no host should make them, and faults of our own:
+# run.sh LIBRARY_FOLDER [hostile|reentry|inject]...
+#
+#     hostile  every function with unfit arguments, in any order
+#     reentry  every function from within every callback
+#     inject   panics, with a library that is built for them
+#
+# Each against the archive and the shared library, under AddressSanitizer and
+# UBSan too; those that need an X server have one of their own. One line for
+# each; the exit status is the number of failures.
+#
+#     SEEDS  of hostile (1), CALLS for each of its rounds (600)
+set -u
+
+libraries=$(realpath "$1")
+shift
+here=$(dirname "$(realpath "$0")")
+root=$here/../..
+cc=${CC:-cc}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failed=0
+
+"$here/documented.sh" "$root/include/libvides.h" >"$work/documented.h" || exit 99
+
+# build OUTPUT LIBRARY SOURCE FLAGS...
+build() {
+    local output=$1 library=$2 source=$3
+    shift 3
+    "$cc" -std=gnu99 -g -O1 -Wall -Wextra -Werror "$@" -I"$work" -I"$root/include" -o "$output" \
+        "$here"/{draw,things,every,every_path,hands,served}.c "$here/$source.c" "$library" \
+        -lm -lpthread -lX11
+}
+
+# A command with a folder of its own, for which the word FOLDER stands.
+in_folder() {
+    local folder
+    folder=$(mktemp -d "$work/folder.XXXX")
+    mkdir "$folder/home"
+    env -u RUST_BACKTRACE HOME="$folder/home" XDG_STATE_HOME="$folder/state" XDG_CONFIG_HOME="$folder/config" \
+        LD_LIBRARY_PATH="$libraries" \
+        ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1 \
+        UBSAN_OPTIONS=halt_on_error=1 timeout "${LIMIT:-900}" "${@//FOLDER/$folder}"
+}
+
+# A command under an X server of its own.
+with_server() {
+    local status server name
+    name=$(mktemp "$work/display.XXXX")
+    Xvfb -displayfd 3 -screen 0 1280x900x24 -nolisten tcp -noreset 3>"$name" 2>/dev/null &
+    server=$!
+    until [ -s "$name" ]; do
+        kill -0 "$server" || return 98
+        sleep 0.05
+    done
+    DISPLAY=:$(cat "$name") in_folder "$@"
+    status=$?
+    kill "$server" && wait "$server" 2>/dev/null
+    return "$status"
+}
+
+without_server() {
+    (unset DISPLAY && in_folder "$@")
+}
+
+# result NAME COMMAND...: the command must succeed; its output is shown if not.
+result() {
+    local name=$1 output=$work/output
+    shift
+    if "$@" >"$output" 2>&1; then
+        echo "calls: ok: $name: $(grep -a ' faults' "$output" | tail -n 1)"
+    else
+        failed=$((failed + 1))
+        echo "calls: FAILED: $name"
+        grep -avE '^(vides:|thread|wanted by|note: run with|$)' "$output" | cut -c 1-400 | head -n 80 | sed 's/^/    /'
+    fi
+}
+
+hostile() { # NAME PROGRAM
+    local seed calls=${CALLS:-600}
+    for seed in ${SEEDS:-1}; do
+        result "$1, seed $seed" with_server "$2" FOLDER "$seed" "$calls"
+        result "$1, seed $seed, no display" without_server "$2" FOLDER "$seed" "$((2 * calls))"
+    done
+}
+
+reentry() { # NAME PROGRAM
+    result "$1" with_server "$2" FOLDER
+}
+
+inject() { # NAME PROGRAM
+    result "$1" with_server "$2" FOLDER
+}
+
+[ $# -gt 0 ] || set -- hostile reentry
+for test; do
+    for kind in archive shared; do
+        library=$libraries/libvides.a
+        [ $kind = shared ] && library=$libraries/libvides.so
+        for way in plain sanitizers; do
+            # Not optimised, and full of debugging: each kind once will do.
+            case $test-$kind-$way in
+            inject-archive-sanitizers | inject-shared-plain) continue ;;
+            esac
+            flags=()
+            [ $way = sanitizers ] && flags=(-fsanitize=address,undefined -fno-sanitize-recover=undefined)
+            if build "$work/$test-$kind-$way" "$library" "$test" "${flags[@]}" 2>"$work/output"; then
+                "$test" "$test, $kind, $way" "$work/$test-$kind-$way"
+            else
+                failed=$((failed + 1))
+                echo "calls: FAILED: $test, $kind, $way: does not compile"
+                head -n 20 "$work/output" | sed 's/^/    /'
+            fi
+        done
+    done
+done
+exit $((failed > 100 ? 100 : failed))

@@ -1,0 +1,90 @@
+"""Every C example under valgrind: what is ours reads and writes what it may, and
+leaves nothing behind.
+
+Xt, Motif and OpenGL have faults and leaks of their own, which are not looked at:
+of those hosts only what goes through the library counts.
+"""
+
+import os
+import re
+
+import cases_hosts
+from harness import check
+from run import test
+
+FRAME = re.compile(r"(?:at|by) 0x[0-9A-F]+: (.*)")
+
+
+def errors(folder):
+    """What valgrind found, each as lines; a stack is in them."""
+    found = []
+    for name in sorted(os.listdir(folder)):
+        if not name.startswith("valgrind."):
+            continue
+        with open(os.path.join(folder, name), encoding="utf-8", errors="replace") as log:
+            text = re.sub(r"(?m)^==\d+== ?", "", log.read())
+        found += [block for block in text.split("\n\n") if FRAME.search(block)]
+    return found
+
+
+def is_ours(error):
+    """It went through the library: the shared one by its file, the archive by its names."""
+    return any("libvides.so" in frame or "vides" in frame.split(" (")[0]
+               or frame.startswith("v_") for frame in FRAME.findall(error))
+
+
+def under_valgrind(place, story, all_of_them):
+    """Plays a test of cases_hosts under valgrind."""
+    logs = place.path("valgrind.%p")
+    place.wrapper = ("valgrind", "-q", "--fair-sched=yes", f"--log-file={logs}",
+                     "--leak-check=full", "--errors-for-leak-kinds=definite,possible")
+    story(place)
+    logged = [name for name in os.listdir(place.folder) if name.startswith("valgrind.")]
+    check(logged, "valgrind did not run")
+    found = [error for error in errors(place.folder) if all_of_them or is_ours(error)]
+    check(not found, f"{len(found)} errors, the first: {found[:1]}")
+
+
+@test(first=True)
+def valgrind_and_the_host_of_1994(place):
+    """pyramid_motif.c."""
+    under_valgrind(place, cases_hosts.the_host_of_1994, False)
+
+
+@test(first=True)
+def valgrind_and_a_host_without_x(place):
+    """plain_main_loop.c."""
+    under_valgrind(place, cases_hosts.a_host_without_x, True)
+
+
+@test(first=True)
+def valgrind_and_two_windows(place):
+    """two_windows.c."""
+    under_valgrind(place, cases_hosts.two_windows_with_lists_of_their_own, True)
+
+
+@test(first=True)
+def valgrind_and_a_loop_over_xlib(place):
+    """xlib_loop.c."""
+    under_valgrind(place, cases_hosts.a_loop_over_xlib, False)
+
+
+@test(first=True)
+def valgrind_and_a_flight_in_opengl(place):
+    """glut_flight.c."""
+    under_valgrind(place, cases_hosts.a_flight_in_opengl, False)
+
+
+def _headless(place):
+    program = place.program(None, "headless", "flight.vid")
+    check(program.ends() == 0, f"its exit status; it complained: {program.complained}")
+
+
+@test()
+def valgrind_without_a_window(place):
+    """headless.c."""
+    with open(place.path("flight.vid"), "w", encoding="ascii") as file:
+        file.write("version = 1\n" + "".join(
+            f"[[point]]\nposition = [{x}, 0.2, 0.1]\n[[point.orientation]]\n"
+            "target = [0.0, 0.0, 2.0]\n" for x in (-0.5, 0.0, 0.5)))
+    under_valgrind(place, _headless, True)
