@@ -41,6 +41,6 @@ for target; do
     }
     printf 'fuzz: ok: %s: %s runs, %s, %s files kept\n' "$target" \
         "$(sed -n 's/^stat::number_of_executed_units: *//p' "$place/$target.log")" \
-        "$(grep -o 'cov: [0-9]* ft: [0-9]*' "$place/$target.log" | tail -n 1)" \
+        "$(grep -ao 'cov: [0-9]* ft: [0-9]*' "$place/$target.log" | tail -n 1)" \
         "$(find "$corpus" -type f | wc -l)"
 done
