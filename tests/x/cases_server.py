@@ -34,6 +34,24 @@ def no_display(place):
 
 
 @test()
+def no_display_and_bad_speeds(place):
+    """Both are told: a line each on standard error, and both by v_last_error()."""
+    host = place.told(None, DISPLAY=None)
+    host.tell("speeds 100 -1 100 0")
+    said = host.tell("haupt 0")
+    wait(lambda: len(host.complained) >= 2, "two lines on standard error")
+    host.live()
+    check(len(host.complained) == 2, f"two lines: {host.complained}")
+    display, speeds = host.complained
+    check(display.startswith("vides: DISPLAY is not set"), display)
+    check(speeds.startswith("vides:") and "orient_speed is -1" in speeds
+          and "winkel_speed is 0" in speeds, speeds)
+    for line in (display, speeds):
+        check(line.removeprefix("vides: ") in said, f"v_last_error() tells only {said}")
+    host.leave()
+
+
+@test()
 def without_the_cookie(place):
     """The server refuses."""
     server = place.server(cookie=False)

@@ -1,7 +1,8 @@
 """The pyramid example of the thesis (7.5), played on the Motif host with mouse
-and keyboard: demo.py PYRAMID_MOTIF FOLDER
+and keyboard, in English and in German: demo.py PYRAMID_MOTIF FOLDER
 
-Leaves a picture of each step and the poses in the folder.
+Leaves a picture of each step and the poses in the folders FOLDER/en and
+FOLDER/de. The poses must be the same.
 """
 
 import os
@@ -38,7 +39,7 @@ class Player:
         self.step += 1
         name = f"{self.step}-{what}.png"
         self.server.picture().save(os.path.join(self.folder, name))
-        print(f"  {name}", flush=True)
+        print(f"  {os.path.basename(self.folder)}/{name}", flush=True)
 
     def press_host(self, number):
         """One of the three buttons of the host."""
@@ -154,7 +155,7 @@ def play(server, program, folder):
     player.host = server.window("^MainTest$")
     server.place(player.host, 1240, 60)
     player.press_host(0)
-    player.window = server.window()
+    player.window = server.new_window()
     player.away()
     player.shot("window")
     place_points(player)
@@ -188,11 +189,12 @@ def play(server, program, folder):
     check(program.ends() == 0, "the host's exit status")
 
 
-def main():
-    """See the top."""
-    binary, folder = map(os.path.abspath, sys.argv[1:3])
+def demo(binary, folder, locale):
+    """In one language."""
+    os.makedirs(folder, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="vides-demo-") as work:
         server = Server(work, screen="1400x860x24")
+        server.env["LC_ALL"] = locale
         program = Program(work, [binary], server.env, terminal=True)
         try:
             play(server, program, folder)
@@ -202,6 +204,16 @@ def main():
         finally:
             program.kill()
             server.end()
+    with open(os.path.join(folder, "poses.txt"), encoding="ascii") as poses:
+        return poses.read()
+
+
+def main():
+    """See the top."""
+    binary, folder = map(os.path.abspath, sys.argv[1:3])
+    flights = [demo(binary, os.path.join(folder, language), locale)
+               for language, locale in (("en", "en_GB.UTF-8"), ("de", "de_DE.UTF-8"))]
+    check(flights[0] == flights[1], "the flight depends on the language")
 
 
 if __name__ == "__main__":
