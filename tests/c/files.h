@@ -46,14 +46,24 @@ static WHOLE whole(const char *file)
     return found;
 }
 
+static int same(WHOLE a, WHOLE b)
+{
+    return a.size == b.size && (a.size <= 0 || memcmp(a.bytes, b.bytes, (size_t)a.size) == 0);
+}
+
+/* The file's contents are one or the other, as one look finds them. */
+static int holds_either(const char *file, WHOLE one, WHOLE other)
+{
+    WHOLE is = whole(file);
+    int found = same(is, one) || same(is, other);
+    free(is.bytes);
+    return found;
+}
+
 /* The file's contents are these. */
 static int holds(const char *file, WHOLE should)
 {
-    WHOLE is = whole(file);
-    int same = is.size == should.size
-        && (is.size <= 0 || memcmp(is.bytes, should.bytes, (size_t)is.size) == 0);
-    free(is.bytes);
-    return same;
+    return holds_either(file, should, should);
 }
 
 /* Names in a folder that begin like this. */

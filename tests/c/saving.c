@@ -284,7 +284,7 @@ static void two_savers(const char *folder)
     while (running > 0) {
         V_PATH *seen = NULL;
         int status = 0;
-        wrong += !holds(file, one) && !holds(file, two);
+        wrong += !holds_either(file, one, two);
         OK(v_path_load(file, &seen));
         v_path_free(seen);
         looked++;
