@@ -52,12 +52,12 @@ class Proxy:
             waiting.register(server, selectors.EVENT_READ, client)
             while True:
                 for key, _ in waiting.select():
-                    data = key.fileobj.recv(1 << 16)
-                    if not data:
-                        return
-                    if key.fileobj is client:
-                        data = self._without(data)
                     try:
+                        data = key.fileobj.recv(1 << 16)
+                        if not data:
+                            return
+                        if key.fileobj is client:
+                            data = self._without(data)
                         key.data.sendall(data)
                     except OSError:
                         return
