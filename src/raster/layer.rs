@@ -200,6 +200,34 @@ fn cut(rect: Rect, pixels_per_point: f32, target: Cut) -> Cut {
     }
 }
 
+/// Whole pixels of the target among which all of a primitive's are.
+fn extent(primitive: &ClippedPrimitive, pixels_per_point: f32, target: Cut) -> Cut {
+    let mut extent = Rect::NOTHING;
+    match Kind::of(primitive) {
+        None => {}
+        Some(Kind::Mesh(mesh)) => {
+            for vertex in &mesh.vertices {
+                extent.extend_with(vertex.pos);
+            }
+        }
+        Some(Kind::Lines(lines)) => {
+            let mut widest = 0.0_f32;
+            for line in &lines.lines {
+                extent.extend_with(line.from);
+                extent.extend_with(line.to);
+                widest = widest.max(line.width);
+            }
+            extent = extent.expand(0.5 * widest);
+        }
+    }
+    // A line is a pixel wide at least, and its bounds are rounded outwards.
+    cut(
+        extent.expand(4.0 / pixels_per_point),
+        pixels_per_point,
+        target,
+    )
+}
+
 impl Layer {
     /// Sorts a primitive. `memory` is a layer that is no longer needed.
     pub(super) fn new(
@@ -213,7 +241,8 @@ impl Layer {
         let (mut cells, mut links) = memory.map_or_else(Default::default, |l| (l.cells, l.links));
         links.clear();
         cells.clear();
-        let tiles = Tiles::of(key.clip);
+        // Most layers fill a small part of what they may: a third of the memory.
+        let tiles = Tiles::of(key.clip.and(extent(primitive, pixels_per_point, target)));
         cells.resize(tiles.count(), Cell::EMPTY);
         let mut layer = Self {
             key,
