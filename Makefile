@@ -115,18 +115,18 @@ test: toolchain check-format check-lints check-rust check-c check-linking \
 
 check-format:
 	@command -v cargo-fmt >/dev/null || mk/component.sh rustfmt
-	$(CARGO) fmt --check
+	$(CARGO) fmt --all --check
 	$(CARGO) fmt --check --manifest-path fuzz/Cargo.toml
 
 check-lints:
 	@command -v cargo-clippy >/dev/null || mk/component.sh clippy
-	$(CARGO) clippy --locked --all-targets -- $(LINT)
+	$(CARGO) clippy --locked --workspace --all-targets -- $(LINT)
 
 check-rust:
 	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip \
 	    setxkbmap=x11-xkb-utils /usr/share/X11/locale/compose.dir=libx11-data
 	@mk/locale.sh
-	$(CARGO) test --locked
+	$(CARGO) test --locked --workspace
 
 check-c: libs
 	@mk/need.sh c++=g++ valgrind=valgrind
@@ -157,7 +157,7 @@ check-install: all
 	tests/install/run.sh
 
 check-docs:
-	RUSTDOCFLAGS='$(LINT)' $(CARGO) doc --locked --no-deps --document-private-items
+	RUSTDOCFLAGS='$(LINT)' $(CARGO) doc --locked --workspace --no-deps --document-private-items
 
 # Licences, sources and duplicates. Known weaknesses of dependencies are asked
 # for apart (`cargo deny check advisories`): they come from the network and
@@ -172,7 +172,7 @@ bench: libs
 	python3 benches/table.py
 
 soak: toolchain libs fuzz
-	VIDES_KILLS=200 VIDES_DRAGS=10000 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked
+	VIDES_KILLS=200 VIDES_DRAGS=10000 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked --workspace
 	VIDES_SAVE_KILLS=1000 tests/c/run.sh $(LIB) saving
 	$(MAKE) soak-calls soak-x
 

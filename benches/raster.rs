@@ -1,8 +1,5 @@
 //! The time that painting a window takes, on one core: 1200×800 pixels, 20
 //! widgets with text, and lines.
-//!
-//! The raster is no part of the library's interface; its source is compiled
-//! into this program as a module of its own.
 
 use std::f32::consts::TAU;
 use std::hint::black_box;
@@ -11,11 +8,7 @@ use std::sync::Arc;
 use criterion::{Criterion, criterion_group, criterion_main};
 use egui::{ClippedPrimitive, Color32, Rect, TexturesDelta, pos2, vec2};
 
-#[allow(dead_code, unused_imports, unreachable_pub)]
-#[path = "../src/raster/mod.rs"]
-mod raster;
-
-use raster::{Line, Lines, Raster, Target};
+use vides_raster::{Line, Lines, Raster, Target};
 
 const WIDTH: u32 = 1200;
 const HEIGHT: u32 = 800;

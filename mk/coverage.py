@@ -10,7 +10,7 @@ import os
 import sys
 from collections import defaultdict
 
-FOLDERS = ["src/math", "src/path", "src/document", "src/ffi"]
+FOLDERS = ["src/engine/math", "src/engine/path", "src/document", "src/ffi"]
 
 
 def first_line_of_tests(name):

@@ -13,18 +13,18 @@
 //! Jül-2948, 1994.
 
 pub mod document;
-pub mod error;
-pub mod limits;
-pub mod math;
-pub mod path;
 pub mod window;
 
 mod editor;
 mod ffi;
 mod inject;
 mod instance;
-mod raster;
+#[cfg(test)]
+mod screenshots;
 mod x11;
+
+pub use vides_engine::{Error, Result, error, limits, math, path};
+use vides_raster as raster;
 
 /// The door of the fuzzer in `fuzz/` to readers that are nobody else's business;
 /// see `editor::hostile`. There only when the compiler is told `--cfg fuzzing`.
@@ -42,5 +42,3 @@ pub mod hostile {
         crate::editor::hostile::recovery(folder, bytes);
     }
 }
-
-pub use error::{Error, Result};

@@ -26,8 +26,11 @@ const ARROWS: &[(&str, &[&str])] = &[
 /// What every layer may use. They use each other only.
 const GROUND: &[&str] = &["error", "limits", "inject"];
 
-/// Items that `lib.rs` itself shows under the crate's own name.
-const RE_EXPORTED: &[&str] = &["Error", "Result"];
+/// The crates of the layers that are not in the main one.
+const CRATES: &[&str] = &["vides_engine", "vides_raster"];
+
+/// Items that a crate shows at its root: by `lib.rs`, or a macro.
+const RE_EXPORTED: &[&str] = &["Error", "Result", "message"];
 
 fn below(layer: &str) -> BTreeSet<&'static str> {
     let direct = ARROWS
@@ -215,8 +218,9 @@ fn rust_files(folder: &Path, into: &mut Vec<PathBuf>) {
     }
 }
 
-/// The layer of a file and the number of modules above its items.
+/// The layer of a file and the number of modules above its items, in its crate.
 fn place(relative: &Path) -> (String, usize) {
+    let relative = relative.strip_prefix("engine").unwrap_or(relative);
     let mut parts: Vec<String> = relative
         .with_extension("")
         .iter()
@@ -239,11 +243,18 @@ fn arrows_run_one_way() {
         let text = fs::read_to_string(file).expect("a source in UTF-8");
         let (layer, depth) = place(relative);
         let shown = relative.display();
+        let words = tokens(&text);
         match layer.as_str() {
             "lib" => {}
+            // By `lib.rs`, which has the crates under the names of their layers.
+            _ if words.iter().any(|word| CRATES.contains(&word.as_str())) => {
+                wrong.push(format!("{shown}: another crate but by the root's names"));
+            }
+            // A crate of its own, whose manifest says what it may use.
+            "raster" => {}
             // The command is a crate of its own and sees what every user sees.
             "main" | "command" => {
-                if tokens(&text)
+                if words
                     .windows(3)
                     .any(|w| w[0] == "vides" && w[1] == "::" && w[2] == "ffi")
                 {

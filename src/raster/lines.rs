@@ -6,15 +6,15 @@ use egui::{Color32, PaintCallback, Pos2, Rect, Shape};
 
 /// One straight piece with round ends, in points as egui counts them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Line {
+pub struct Line {
     /// One end.
-    pub(crate) from: Pos2,
+    pub from: Pos2,
     /// The other end.
-    pub(crate) to: Pos2,
+    pub to: Pos2,
     /// Width in points; at least one pixel is painted, the thinner the paler.
-    pub(crate) width: f32,
+    pub width: f32,
     /// Its colour.
-    pub(crate) color: Color32,
+    pub color: Color32,
 }
 
 /// Lines that are painted together, the first one lowest.
@@ -23,15 +23,15 @@ pub(crate) struct Line {
 /// they are, and a part of a scene that did not change can be shown again
 /// without being made again.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Lines {
+pub struct Lines {
     /// The lines, in the order in which they are painted.
-    pub(crate) lines: Vec<Line>,
+    pub lines: Vec<Line>,
 }
 
 impl Lines {
     /// The shape to be handed to egui's painter. `clip` is the rectangle that
     /// the lines are cut at, in points.
-    pub(crate) fn shape(lines: &Arc<Self>, clip: Rect) -> Shape {
+    pub fn shape(lines: &Arc<Self>, clip: Rect) -> Shape {
         Shape::Callback(PaintCallback {
             rect: clip,
             callback: Arc::<Self>::clone(lines),

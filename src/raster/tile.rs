@@ -123,15 +123,15 @@ pub(super) enum Kind {
 macro_rules! with_ink {
     ($ink:expr, |$over:ident| $body:expr) => {
         match $ink.kind() {
-            $crate::raster::tile::Kind::Opaque => {
+            $crate::tile::Kind::Opaque => {
                 let $over = |below, weight| $ink.over_opaque(below, weight);
                 $body
             }
-            $crate::raster::tile::Kind::Clear => {
+            $crate::tile::Kind::Clear => {
                 let $over = |below, weight| $ink.over_clear(below, weight);
                 $body
             }
-            $crate::raster::tile::Kind::Glowing => {
+            $crate::tile::Kind::Glowing => {
                 let $over = |below, weight| $ink.over_glowing(below, weight);
                 $body
             }

@@ -13,7 +13,7 @@ use crate::editor::setup::View;
 use crate::editor::state::Options;
 use crate::editor::texts::Language;
 use crate::path::Target;
-use crate::raster::testing::{renderer, screenshot};
+use crate::screenshots::{renderer, screenshot};
 
 pub(in crate::editor) fn editor(document: Document, language: Language) -> Editor {
     Editor::new(Options {

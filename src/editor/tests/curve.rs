@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::path::{CurveParameters, Tcb};
-use crate::raster::testing::screenshot;
+use crate::screenshots::screenshot;
 
 /// A window at the third point with the curve window open.
 fn opened(language: Language) -> Window {

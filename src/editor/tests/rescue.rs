@@ -1,7 +1,7 @@
 //! Unsaved work that was left behind is offered at the start.
 
 use super::*;
-use crate::raster::testing::screenshot;
+use crate::screenshots::screenshot;
 
 fn start(language: Language, folder: &std::path::Path) -> Window {
     let options = Options {

@@ -4,7 +4,7 @@ use egui::Color32;
 
 use super::*;
 use crate::editor::setup::{Element, Setup};
-use crate::raster::testing::screenshot;
+use crate::screenshots::screenshot;
 
 #[test]
 fn an_element_is_chosen_and_three_sliders_mix_its_colour() {

@@ -6,7 +6,7 @@ use egui::epaint::textures::{TextureOptions, TextureWrapMode};
 use egui::{ColorImage, TextureId, pos2};
 
 use super::{Random, Screen, mesh, texture, vertex};
-use crate::raster::tile::{FULL, Ink};
+use crate::tile::{FULL, Ink};
 
 /// `color`, premultiplied, taken by a weight of 0…1, over a pixel.
 fn over(below: u32, color: Color32, weight: f64) -> [f64; 3] {

@@ -8,7 +8,7 @@ use egui::{ClippedPrimitive, Color32, Rect, TextureId, TexturesDelta, pos2, vec2
 
 use super::lines::primitive;
 use super::{Random, Screen, letters, mesh, texture, vertex};
-use crate::raster::{Area, Line, Lines};
+use crate::{Area, Line, Lines};
 
 fn line(random: &mut Random) -> Line {
     let from = pos2(random.between(-20.0, 270.0), random.between(-20.0, 220.0));

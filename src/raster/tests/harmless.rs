@@ -8,7 +8,7 @@ use egui::{ClippedPrimitive, Color32, ColorImage, Pos2, Rect, TextureId, pos2, v
 
 use super::lines::primitive;
 use super::{Random, Screen, everywhere, mesh, texture, vertex};
-use crate::raster::{Line, Lines, Target};
+use crate::{Line, Lines, Target};
 
 const ODD: [f32; 16] = [
     f32::NAN,

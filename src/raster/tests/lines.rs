@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::{ClippedPrimitive, Color32, Rect, Shape, pos2, vec2};
 
 use super::{Random, Screen, everywhere};
-use crate::raster::{Line, Lines};
+use crate::{Line, Lines};
 
 pub(super) fn primitive(lines: &Arc<Lines>) -> ClippedPrimitive {
     let Shape::Callback(callback) = Lines::shape(lines, Rect::EVERYTHING) else {

@@ -14,15 +14,13 @@ mod plane;
 mod quad;
 mod stroke;
 #[cfg(test)]
-pub(crate) mod testing;
-#[cfg(test)]
 mod tests;
 mod texture;
 mod tile;
 mod triangle;
 mod under;
 
-pub(crate) use lines::{Line, Lines};
+pub use lines::{Line, Lines};
 
 use grid::{Areas, Tiles, pixels_of};
 use layer::{Key, Layer, Sum};
@@ -34,27 +32,27 @@ use egui::{ClippedPrimitive, Color32, TexturesDelta};
 
 /// A rectangle of whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Area {
+pub struct Area {
     /// Left edge.
-    pub(crate) x: u32,
+    pub x: u32,
     /// Upper edge.
-    pub(crate) y: u32,
+    pub y: u32,
     /// Pixels across.
-    pub(crate) width: u32,
+    pub width: u32,
     /// Pixels down.
-    pub(crate) height: u32,
+    pub height: u32,
 }
 
 /// Where the pixels go: rows from the top, each pixel `0x00RRGGBB`.
-pub(crate) struct Target<'a> {
+pub struct Target<'a> {
     /// At least `stride * height` pixels.
-    pub(crate) pixels: &'a mut [u32],
+    pub pixels: &'a mut [u32],
     /// Pixels from one row to the next, at least `width`.
-    pub(crate) stride: usize,
+    pub stride: usize,
     /// Pixels across.
-    pub(crate) width: u32,
+    pub width: u32,
     /// Pixels down.
-    pub(crate) height: u32,
+    pub height: u32,
 }
 
 /// Among so many layers of the last call one is looked for.
@@ -62,7 +60,7 @@ const LOOK_AHEAD: usize = 32;
 
 /// Paints one window. It remembers what stands in each tile of the target, so
 /// the same target must come again, untouched, until [`Raster::forget`].
-pub(crate) struct Raster {
+pub struct Raster {
     background: Color32,
     textures: Textures,
     /// The fingerprints of the tiles as they stand in the target, row by row.
@@ -84,7 +82,7 @@ pub(crate) struct Raster {
 
 impl Raster {
     /// Nothing painted yet.
-    pub(crate) fn new(background: Color32) -> Self {
+    pub fn new(background: Color32) -> Self {
         Self {
             background,
             textures: Textures::default(),
@@ -101,7 +99,7 @@ impl Raster {
 
     /// What shows where nothing is painted. Everything is painted anew after
     /// a change.
-    pub(crate) fn set_background(&mut self, background: Color32) {
+    pub fn set_background(&mut self, background: Color32) {
         if self.background != background {
             self.background = background;
             self.forget();
@@ -109,25 +107,25 @@ impl Raster {
     }
 
     /// The target's pixels are lost or another target comes: all is painted anew.
-    pub(crate) fn forget(&mut self) {
+    pub fn forget(&mut self) {
         self.shown_for = None;
     }
 
     /// Nothing moves any more: gives memory back that made it fast.
-    pub(crate) fn rest(&mut self) {
+    pub fn rest(&mut self) {
         self.under.iter_mut().for_each(Under::rest);
     }
 
     /// Takes over new and changed textures, and drops those that egui frees.
     /// To be called with every output of egui, before [`Raster::paint`].
-    pub(crate) fn update_textures(&mut self, delta: TexturesDelta) {
+    pub fn update_textures(&mut self, delta: TexturesDelta) {
         self.textures.update(delta);
     }
 
     /// Paints what changed since the last call, and says which areas that were.
     /// A paint callback must carry [`Lines`]; any other is left out. A target
     /// that is smaller than it says is left alone.
-    pub(crate) fn paint(
+    pub fn paint(
         &mut self,
         primitives: &[ClippedPrimitive],
         pixels_per_point: f32,

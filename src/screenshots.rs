@@ -6,7 +6,7 @@ use egui::{Color32, TexturesDelta};
 use egui_kittest::{Harness, TestRenderer};
 use image::RgbaImage;
 
-use super::{Raster, Target};
+use crate::raster::{Raster, Target};
 
 /// Names the folder into which [`screenshot`] writes.
 const FOLDER: &str = "VIDES_SCREENSHOTS";
@@ -67,7 +67,7 @@ pub(crate) fn screenshot<State>(harness: &mut Harness<'_, State>, name: &str) ->
 
 #[test]
 fn a_busy_window() {
-    use super::{Line, Lines};
+    use crate::raster::{Line, Lines};
     use egui::pos2;
     let mut text = "some text".to_owned();
     let mut number = 0.5;

@@ -5,12 +5,15 @@ mod messages;
 
 use std::fmt;
 
-pub(crate) use messages::{Kind, fill, sentence};
+#[doc(hidden)]
+pub use messages::{Kind, fill, sentence};
 pub use messages::{Message, Part};
 
 /// A [`Message`] that can reach a person in a window: a sentence, and the values
 /// for its places `{0}`, `{1}` …. Each of these sentences stands in every
 /// language among the window's texts, which a test holds.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! message {
     ($sentence:literal) => {
         $crate::error::Message::from($sentence)
@@ -19,7 +22,8 @@ macro_rules! message {
         $crate::error::Message::with($sentence, [$($crate::error::Part::from($value)),+])
     };
 }
-pub(crate) use message;
+#[doc(hidden)]
+pub use crate::message;
 
 /// What can go wrong. The variants are those of the C interface's statuses.
 #[derive(Debug, thiserror::Error)]
@@ -73,7 +77,8 @@ impl Error {
     }
 
     /// What it says.
-    pub(crate) fn into_message(self) -> Message {
+    #[doc(hidden)]
+    pub fn into_message(self) -> Message {
         match self {
             Self::Argument(message)
             | Self::Range(message)
@@ -104,7 +109,8 @@ const LINE_BYTES: usize = 2048;
 
 /// Says a sentence on standard error: one line, in one piece, so that nobody
 /// else's text comes between. What is too long is cut.
-pub(crate) fn complain(sentence: impl fmt::Display) {
+#[doc(hidden)]
+pub fn complain(sentence: impl fmt::Display) {
     use std::io::Write as _;
     let mut line = [0; LINE_BYTES];
     let length = {
@@ -124,8 +130,9 @@ pub(crate) fn complain(sentence: impl fmt::Display) {
 }
 
 /// What a panic said.
+#[doc(hidden)]
 #[must_use]
-pub(crate) fn panic_said(panic: &(dyn std::any::Any + Send)) -> &str {
+pub fn panic_said(panic: &(dyn std::any::Any + Send)) -> &str {
     panic
         .downcast_ref::<String>()
         .map(String::as_str)
@@ -142,7 +149,8 @@ impl From<std::collections::TryReserveError> for Error {
 /// An empty vector with room for `capacity` elements, or [`Error::Memory`].
 /// Everything between a host's call and its list of poses allocates through
 /// this, so that running out of memory is a status and not an abort.
-pub(crate) fn vec_with_room<T>(capacity: usize) -> Result<Vec<T>> {
+#[doc(hidden)]
+pub fn vec_with_room<T>(capacity: usize) -> Result<Vec<T>> {
     let mut vec = Vec::new();
     vec.try_reserve_exact(capacity)?;
     Ok(vec)
@@ -151,14 +159,16 @@ pub(crate) fn vec_with_room<T>(capacity: usize) -> Result<Vec<T>> {
 /// Sees that so many bytes can be had just now: asks for them and gives them
 /// back. For what follows and cannot be told to give up, as parts of the standard
 /// library; nobody but another thread comes in between.
-pub(crate) fn room(bytes: usize) -> Result<()> {
+#[doc(hidden)]
+pub fn room(bytes: usize) -> Result<()> {
     // Shown to the compiler as used: else it leaves the question out.
     std::hint::black_box(vec_with_room::<u8>(bytes)?);
     Ok(())
 }
 
 /// `value` on the heap, or [`Error::Memory`].
-pub(crate) fn try_box<T>(value: T) -> Result<Box<[T]>> {
+#[doc(hidden)]
+pub fn try_box<T>(value: T) -> Result<Box<[T]>> {
     let mut vec = vec_with_room(1)?;
     vec.push(value);
     Ok(vec.into_boxed_slice())

@@ -20,11 +20,11 @@ pub struct Message {
 
 /// A value in a message.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part(pub(crate) Kind);
+pub struct Part(#[doc(hidden)] pub Kind);
 
 /// What a value is, for those who translate.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// A whole number.
     Whole(i128),
     /// Any number.
@@ -38,7 +38,9 @@ pub(crate) enum Kind {
 impl Message {
     /// A sentence with values. Where there is no memory left for them, one that
     /// says so: a wrong index must not end a program that has run out of it.
-    pub(crate) fn with<const N: usize>(sentence: &'static str, values: [Part; N]) -> Self {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn with<const N: usize>(sentence: &'static str, values: [Part; N]) -> Self {
         let mut room = Vec::new();
         if room.try_reserve_exact(N).is_err() {
             return NO_MEMORY;
@@ -51,19 +53,23 @@ impl Message {
     }
 
     /// The sentence with its places, English.
-    pub(crate) fn sentence(&self) -> &str {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn sentence(&self) -> &str {
         &self.sentence
     }
 
     /// What stands in its places.
-    pub(crate) fn values(&self) -> &[Part] {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn values(&self) -> &[Part] {
         &self.values
     }
 }
 
 /// A message for those who read English: programs, and whoever has no window.
 #[must_use]
-pub(crate) fn sentence(words: fmt::Arguments<'_>) -> Message {
+pub fn sentence(words: fmt::Arguments<'_>) -> Message {
     written(words).map_or(NO_MEMORY, Message::from)
 }
 
@@ -88,7 +94,7 @@ fn written(words: fmt::Arguments<'_>) -> Option<String> {
 
 /// Writes a sentence with `value` called for each of its places: `{0}` is the
 /// first one. A place that is none stays as it is.
-pub(crate) fn fill<W: Write + ?Sized>(
+pub fn fill<W: Write + ?Sized>(
     out: &mut W,
     sentence: &str,
     mut value: impl FnMut(&mut W, usize) -> fmt::Result,
