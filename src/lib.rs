@@ -19,8 +19,6 @@ mod editor;
 mod ffi;
 mod inject;
 mod instance;
-#[cfg(test)]
-mod screenshots;
 mod x11;
 
 pub use vides_engine::{Error, Result, error, limits, math, path};

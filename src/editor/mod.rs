@@ -37,6 +37,8 @@ mod theme;
 mod windows;
 
 #[cfg(test)]
+mod screenshots;
+#[cfg(test)]
 mod tests;
 
 pub(crate) use folders::Folders;

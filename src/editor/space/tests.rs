@@ -8,12 +8,12 @@ use glam::DVec3;
 use super::projection::{Axis, from_pos};
 use super::*;
 use crate::document::{Document, Edit};
+use crate::editor::screenshots::{renderer, screenshot};
 use crate::editor::setup::Theme;
 use crate::editor::setup::View;
 use crate::editor::state::Options;
 use crate::editor::texts::Language;
 use crate::path::Target;
-use crate::screenshots::{renderer, screenshot};
 
 pub(in crate::editor) fn editor(document: Document, language: Language) -> Editor {
     Editor::new(Options {

@@ -1,8 +1,8 @@
 //! The curve window (thesis A.4.1).
 
 use super::*;
+use crate::editor::screenshots::screenshot;
 use crate::path::{CurveParameters, Tcb};
-use crate::screenshots::screenshot;
 
 /// A window at the third point with the curve window open.
 fn opened(language: Language) -> Window {

@@ -49,7 +49,7 @@ pub(super) fn window_of(options: Options, size: [f32; 2], scale: f32, theme: The
         .with_size(vec2(size[0], size[1]))
         .with_pixels_per_point(scale)
         .with_max_steps(16)
-        .renderer(crate::screenshots::renderer())
+        .renderer(crate::editor::screenshots::renderer())
         .build_ui_state(
             move |ui, editor: &mut Editor| {
                 if !prepared {

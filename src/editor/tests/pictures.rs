@@ -2,7 +2,7 @@
 //! folder), and what can be said of its looks without looking.
 
 use super::*;
-use crate::screenshots::screenshot;
+use crate::editor::screenshots::screenshot;
 
 #[test]
 fn the_main_window() {

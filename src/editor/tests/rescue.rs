@@ -1,7 +1,7 @@
 //! Unsaved work that was left behind is offered at the start.
 
 use super::*;
-use crate::screenshots::screenshot;
+use crate::editor::screenshots::screenshot;
 
 fn start(language: Language, folder: &std::path::Path) -> Window {
     let options = Options {

@@ -3,8 +3,8 @@
 use egui::Color32;
 
 use super::*;
+use crate::editor::screenshots::screenshot;
 use crate::editor::setup::{Element, Setup};
-use crate::screenshots::screenshot;
 
 #[test]
 fn an_element_is_chosen_and_three_sliders_mix_its_colour() {

@@ -3,7 +3,7 @@
 use egui::{Pos2, vec2};
 
 use super::*;
-use crate::screenshots::screenshot;
+use crate::editor::screenshots::screenshot;
 
 fn opened(language: Language) -> Window {
     opened_with(language, language.texts().speed.change)
