@@ -17,7 +17,7 @@ use crate::document::Document;
 use crate::editor::{Editor, Request};
 use crate::error::Result;
 use crate::inject::{self, Place};
-use crate::raster::Raster;
+use crate::raster::{Raster, in_pieces};
 
 /// Passes in a row that may follow one another at once without input: egui
 /// asks for them where a size settles. More are an animation.
@@ -175,12 +175,13 @@ impl Window {
         let FullOutput {
             platform_output,
             textures_delta,
-            shapes,
+            mut shapes,
             pixels_per_point,
             mut viewport_output,
         } = output;
         self.raster.update_textures(textures_delta);
         self.raster.set_background(editor.background());
+        in_pieces(&mut shapes);
         let primitives = context.tessellate(shapes, pixels_per_point);
         self.picture = Some((primitives, pixels_per_point));
         self.screen.take_output(platform_output)?;

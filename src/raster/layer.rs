@@ -8,7 +8,7 @@ use egui::{ClippedPrimitive, Color32, Mesh, Rect};
 
 use super::grid::{Tiles, pixels_of};
 use super::hash::{mix, mix_two, pair};
-use super::lines::Lines;
+use super::lines::{Line, Lines};
 use super::quad::Quad;
 use super::stroke::Stroke;
 use super::texture::{Texture, Textures};
@@ -62,8 +62,24 @@ enum Content {
     Nothing,
     /// The fingerprint of a mesh and of the texture that it shows.
     Mesh(u64),
-    /// The lines themselves, so that their place in memory is not used again.
+    /// The lines themselves.
     Lines(Arc<dyn Any + Send + Sync>),
+}
+
+/// Whether two contents are lines, and the same to the last bit.
+fn same_lines(a: &Arc<dyn Any + Send + Sync>, b: &Arc<dyn Any + Send + Sync>) -> bool {
+    let bits_of = |line: &Line| {
+        let Line {
+            from, to, width, ..
+        } = line;
+        let numbers = [from.x, from.y, to.x, to.y, *width].map(f32::to_bits);
+        (numbers, bits(line.color))
+    };
+    let (Some(a), Some(b)) = (a.downcast_ref::<Lines>(), b.downcast_ref::<Lines>()) else {
+        return false;
+    };
+    let (a, b) = (&a.lines, &b.lines);
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| bits_of(a) == bits_of(b))
 }
 
 impl PartialEq for Key {
@@ -72,7 +88,10 @@ impl PartialEq for Key {
             && match (&self.content, &other.content) {
                 (Content::Nothing, Content::Nothing) => true,
                 (Content::Mesh(a), Content::Mesh(b)) => a == b,
-                (Content::Lines(a), Content::Lines(b)) => Arc::ptr_eq(a, b),
+                (Content::Lines(a), Content::Lines(b)) => {
+                    // Made again, they may still be the same.
+                    Arc::ptr_eq(a, b) || same_lines(a, b)
+                }
                 _ => false,
             }
     }
@@ -241,7 +260,8 @@ impl Layer {
         let (mut cells, mut links) = memory.map_or_else(Default::default, |l| (l.cells, l.links));
         links.clear();
         cells.clear();
-        // Most layers fill a small part of what they may: a third of the memory.
+        // Cells are kept where the primitive is, not wherever it might be: most
+        // layers fill a small part of their clip.
         let tiles = Tiles::of(key.clip.and(extent(primitive, pixels_per_point, target)));
         cells.resize(tiles.count(), Cell::EMPTY);
         let mut layer = Self {

@@ -10,6 +10,7 @@ mod grid;
 mod hash;
 mod layer;
 mod lines;
+mod pieces;
 mod plane;
 mod quad;
 mod stroke;
@@ -21,6 +22,7 @@ mod triangle;
 mod under;
 
 pub use lines::{Line, Lines};
+pub use pieces::in_pieces;
 
 use grid::{Areas, Tiles, pixels_of};
 use layer::{Key, Layer, Sum};
@@ -185,9 +187,6 @@ impl Raster {
                 steps(&self.layers, sum.first, (x, y), &mut self.steps);
                 let (painted, keep) = under.begin(&self.steps, sum.ground, &mut self.tile);
                 for (at, step) in self.steps.iter().enumerate().skip(painted) {
-                    if keep == Some(at) {
-                        under.keep(&self.steps, at, &mut self.tile);
-                    }
                     let number = step.layer as usize;
                     let textures = &self.textures;
                     self.layers[number].paint(
@@ -197,6 +196,9 @@ impl Raster {
                         pixels_per_point,
                         &mut self.tile,
                     );
+                    if keep == Some(at + 1) {
+                        under.keep(step.hash, &mut self.tile);
+                    }
                 }
                 let width = (cut.x1 - cut.x0) as usize;
                 for (row, y) in (cut.y0..cut.y1).enumerate() {

@@ -252,9 +252,13 @@ impl Band {
         // The slices lie in the part of the pixel that the line is in.
         let start = (step as f32).max(self.p0 - self.radius);
         let width = (step as f32 + 1.0).min(self.p1 + self.radius) - start;
+        // The bounds are a little wide.
+        if width <= 0.0 {
+            return;
+        }
         let near = MIDDLES * (0.5 * width) + start;
         let borders = [self.borders(near), self.borders(near + 0.5 * width)];
-        lay::<2, P, Q>(pixels, cut, step, borders, width.max(0.0), over);
+        lay::<2, P, Q>(pixels, cut, step, borders, width, over);
     }
 }
 

@@ -27,7 +27,7 @@ pub(super) struct Under {
 
 impl Under {
     /// Begins a tile, whose ground is one colour: how many layers are in it
-    /// then, and below which one its pixels should be kept, if any.
+    /// then, and after how many its pixels should be kept, if they should.
     pub(super) fn begin(
         &mut self,
         steps: &[Step],
@@ -39,25 +39,23 @@ impl Under {
         let same = before.zip(now).take_while(|(a, b)| a == b).count();
         self.hashes.clear();
         self.hashes.extend(steps.iter().map(|step| step.hash));
-        if let Some((hash, pixels)) = &self.pixels
-            && let Some(at) = steps.iter().position(|step| step.hash == *hash)
-        {
+        let kept = self.pixels.as_ref().and_then(|(hash, pixels)| {
+            let at = steps.iter().position(|step| step.hash == *hash)?;
             tile.pixels().copy_from_slice(&**pixels);
-            return (at + 1, None);
+            Some(at + 1)
+        });
+        if kept.is_none() {
+            tile.pixels().fill(ground);
         }
-        tile.pixels().fill(ground);
-        (0, Some(same).filter(|&same| same > 0))
+        let painted = kept.unwrap_or(0);
+        (painted, (same > painted).then_some(same))
     }
 
-    /// Keeps a tile as it is below a layer, the `count`th of the steps.
-    pub(super) fn keep(&mut self, steps: &[Step], count: usize, tile: &mut Tile) {
-        let Some(last) = count.checked_sub(1).and_then(|at| steps.get(at)) else {
-            return;
-        };
-        let (hash, pixels) = self
-            .pixels
-            .get_or_insert_with(|| (0, Box::new([0; SIDE * SIDE])));
-        *hash = last.hash;
+    /// Keeps a tile as it is, and the fingerprint of what it shows.
+    pub(super) fn keep(&mut self, hash: u64, tile: &mut Tile) {
+        let nothing = || (0, Box::new([0; SIDE * SIDE]));
+        let (kept, pixels) = self.pixels.get_or_insert_with(nothing);
+        *kept = hash;
         pixels.copy_from_slice(tile.pixels());
     }
 

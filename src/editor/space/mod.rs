@@ -3,8 +3,9 @@
 //!
 //! [`projection`] says where something is seen, [`picking`] what lies under
 //! the pointer, [`drag`] what a motion makes of it: three pieces of arithmetic
-//! that are tested without a window. [`hand`] and [`keyboard`] take the events, [`scene`] and
-//! [`overlay`] draw, [`sliders`] stand around, [`menu`] is a point's menu.
+//! that are tested without a window. [`hand`] and [`keyboard`] take the events,
+//! [`scene`], [`cameras`], [`ribbon`] and [`overlay`] draw, [`sliders`] stand
+//! around, [`menu`] is a point's menu.
 
 mod cameras;
 mod drag;
@@ -14,6 +15,7 @@ mod menu;
 mod overlay;
 mod picking;
 mod projection;
+mod ribbon;
 mod scene;
 mod sliders;
 mod strokes;
@@ -24,10 +26,11 @@ use egui::{EventFilter, Rect, Sense, Ui};
 use glam::DVec3;
 
 pub(super) use self::cameras::Camera;
-use self::cameras::Ribbon;
+use self::cameras::Keys;
 use self::drag::Handle;
 use self::hand::{Desk, Hand};
 use self::projection::Projection;
+use self::ribbon::Ribbon;
 use self::scene::{Look, Scene};
 use self::strokes::Strokes;
 use super::setup::Element;
@@ -41,6 +44,7 @@ use crate::raster::Lines;
 pub(super) struct Space {
     hand: Hand,
     scene: Scene,
+    keys: Keys,
     ribbon: Ribbon,
     menu: menu::PointMenu,
     /// The view before a number of it is dragged.
@@ -144,11 +148,12 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
     };
     let painter = ui.painter_at(room);
     painter.rect_filled(room, 0.0, look.colours.of(Element::Background));
-    let add = |lines: Lines| {
+    let add_shared = |lines: &Arc<Lines>| {
         if !lines.lines.is_empty() {
-            painter.add(Lines::shape(&Arc::new(lines), room));
+            painter.add(Lines::shape(lines, room));
         }
     };
+    let add = |lines: Lines| add_shared(&Arc::new(lines));
     let document = &editor.document;
     let hand = &editor.space.hand;
     let dragged = hand.dragged();
@@ -164,7 +169,8 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
     if editor.setup.shown.has(Element::Ribbon) && editor.space.ribbon.update(document).is_ok() {
         editor.space.ribbon.paint(&painter, &look);
     }
-    add(cameras::keys(document, &look));
+    add_shared(editor.space.keys.update(document, &look));
+    add(cameras::current_key(document, &look));
     if let Some((through, fixed)) = through {
         add(overlay::guides(&look, through, Some(fixed)));
     }

@@ -2,7 +2,8 @@
 //! guides of a drag, numbers, the answer to the pointer. Few shapes, made anew
 //! in each pass.
 
-use std::collections::HashSet;
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, pos2, vec2};
 use glam::{DVec2, DVec3};
@@ -11,42 +12,52 @@ use super::drag::{Handle, VUP_LENGTH};
 use super::picking::Tips;
 use super::projection::{Axis, from_pos, to_pos};
 use super::scene::{Look, THIN};
-use super::strokes::{Strokes, cut};
+use super::strokes::Strokes;
 use crate::document::Document;
 use crate::editor::setup::Element;
 use crate::editor::theme;
 use crate::math::orientation;
 use crate::raster::Lines;
 
-/// Straight pieces of the VUP circle.
-const CIRCLE: u32 = 96;
+/// How far the straight pieces of a circle may stray from it, in pixels.
+const STRAY: f64 = 0.1;
 
 /// Length and half the width of an arrow's head.
 const HEAD: [f64; 2] = [12.0, 4.2];
 
-/// Radius of the ring around what would be taken hold of, and its width, in
-/// points; its straight pieces.
-const RING: [f32; 2] = [8.0, 1.5];
-const RING_PIECES: u32 = 32;
+/// Radius of the ring around what would be taken hold of and its width, in
+/// points.
+const RING: f64 = 8.0;
+const RING_WIDTH: f32 = 1.5;
 
 /// Width of the arrows.
 const ARROW: f32 = 2.0;
 
+/// A number keeps the others out of the cells around its own, of this size.
+const CELL: [f32; 2] = [18.0, 14.0];
+
 /// More points than this carry no numbers but the current one.
 const MANY: usize = 2000;
+
+/// The straight pieces of a circle whose radius on the screen is so many points:
+/// ways from its middle to both ends, in radii.
+fn corners(look: &Look<'_>, radius: f64) -> impl Iterator<Item = (DVec2, DVec2)> {
+    let rise = STRAY / (radius * look.pixels_per_point).max(1.0);
+    let count = (PI / (1.0 - rise).acos()).ceil();
+    let at = move |step: u32| DVec2::from_angle(TAU * f64::from(step) / count);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    (0..count as u32).map(move |step| (at(step), at(step + 1)))
+}
 
 /// The circle on which the tip of VUP runs.
 pub(super) fn circle(look: &Look<'_>, tips: &Tips) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.room);
     if let Some(color) = look.of(Element::Circle) {
         let (u, v) = orientation::level_axes(tips.view);
-        let at = |step: u32| {
-            let (sin, cos) =
-                (std::f64::consts::TAU * f64::from(step) / f64::from(CIRCLE)).sin_cos();
-            tips.position + (v * cos - u * sin) * VUP_LENGTH
-        };
-        for step in 0..CIRCLE {
-            strokes.line(at(step), at(step + 1), THIN, color);
+        let corners = corners(look, VUP_LENGTH * look.projection.scale());
+        let at = |turn: DVec2| tips.position + (v * turn.x - u * turn.y) * VUP_LENGTH;
+        for (from, to) in corners {
+            strokes.line(at(from), at(to), THIN, color);
         }
     }
     strokes.finish()
@@ -54,16 +65,26 @@ pub(super) fn circle(look: &Look<'_>, tips: &Tips) -> Lines {
 
 /// The arrows of the current camera.
 pub(super) fn arrows(painter: &Painter, look: &Look<'_>, tips: &Tips) {
+    let mut shafts = Strokes::new(look.projection, look.room);
+    let mut heads = Vec::new();
     for (element, tip) in [(Element::Vpn, tips.target), (Element::Vup, tips.up_tip)] {
         if let Some(color) = look.of(element) {
-            arrow(painter, look, [tips.position, tip], color);
+            arrow(&mut shafts, &mut heads, look, [tips.position, tip], color);
         }
     }
+    painter.add(Lines::shape(&Arc::new(shafts.finish()), look.room));
+    painter.extend(heads);
 }
 
 /// An arrow whose head ends exactly at its tip. One that points straight at the
 /// viewer is a dot.
-fn arrow(painter: &Painter, look: &Look<'_>, ends: [DVec3; 2], color: Color32) {
+fn arrow(
+    shafts: &mut Strokes<'_>,
+    heads: &mut Vec<Shape>,
+    look: &Look<'_>,
+    ends: [DVec3; 2],
+    color: Color32,
+) {
     let [from, to] = ends.map(|end| look.projection.image(end));
     let length = from.distance(to);
     if !length.is_finite() {
@@ -71,25 +92,21 @@ fn arrow(painter: &Painter, look: &Look<'_>, ends: [DVec3; 2], color: Color32) {
     }
     let head = HEAD[0].min(length * 0.6);
     if head < 4.0 {
-        painter.circle_filled(to_pos(to), 4.0, color);
+        shafts.disc(to, 4.0, color);
         return;
     }
     let way = (to - from) / length;
-    let room = look.room.expand(24.0);
-    let [low, high] = [from_pos(room.min), from_pos(room.max)];
     // The shaft ends within the head, so that no gap shows.
-    if let Some(ends) = cut(from, to - way * (head * 0.8), low, high) {
-        painter.line_segment(ends.map(to_pos), Stroke::new(ARROW, color));
-    }
-    if room.contains(to_pos(to)) {
+    shafts.flat(from, to - way * (head * 0.8), ARROW, color);
+    if look.room.expand(24.0).contains(to_pos(to)) {
         let side = way.perp() * HEAD[1];
         let foot = to - way * head;
         // A notched head: its two halves, since it is not convex.
         let notch = foot + way * (head * 0.22);
-        for side in [side, -side] {
+        heads.extend([side, -side].map(|side| {
             let corners = [to, foot + side, notch].map(to_pos).to_vec();
-            painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
-        }
+            Shape::convex_polygon(corners, color, Stroke::NONE)
+        }));
     }
 }
 
@@ -152,17 +169,10 @@ pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, fixed: A
 pub(super) fn ring(look: &Look<'_>, at: DVec3, color: Color32, held: bool) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.room);
     let centre = look.projection.image(at);
-    // A line without length is a disc.
     let fill = color.gamma_multiply(if held { 0.35 } else { 0.2 });
-    strokes.flat(centre, centre, 2.0 * RING[0], fill);
-    let [radius, width] = RING.map(f64::from);
-    let at = |step: u32| {
-        let turn = std::f64::consts::TAU * f64::from(step) / f64::from(RING_PIECES);
-        centre + DVec2::from_angle(turn) * radius
-    };
-    for step in 0..RING_PIECES {
-        #[allow(clippy::cast_possible_truncation)]
-        strokes.flat(at(step), at(step + 1), width as f32, color);
+    strokes.disc(centre, RING, fill);
+    for (from, to) in corners(look, RING) {
+        strokes.flat(centre + from * RING, centre + to * RING, RING_WIDTH, color);
     }
     strokes.finish()
 }
@@ -198,7 +208,10 @@ pub(super) fn numbers(
     };
     let current = document.selection().point;
     let points = &document.path().points;
-    let mut taken: HashSet<(i32, i32)> = HashSet::new();
+    // Whether a number stands in a cell of the room, with a row of cells around.
+    let (wide, high) = (look.room.width() / CELL[0], look.room.height() / CELL[1]);
+    let (wide, high) = (wide as usize + 3, high as usize + 3);
+    let mut taken = vec![false; wide * high];
     let mut put = |at: usize, always: bool| {
         let Some(point) = points.get(at) else { return };
         let image = look.projection.image(point.position);
@@ -206,14 +219,15 @@ pub(super) fn numbers(
         if !look.room.contains(pos) {
             return;
         }
-        #[allow(clippy::cast_possible_truncation)]
-        let cell = (pos.x as i32 / 18, pos.y as i32 / 14);
-        let free =
-            (-1..=1).all(|dx| (-1..=1).all(|dy| !taken.contains(&(cell.0 + dx, cell.1 + dy))));
-        if !always && !free {
+        let way = pos - look.room.min;
+        let cell = (way.y / CELL[1]) as usize * wide + (way.x / CELL[0]) as usize;
+        let rows = (0..3).filter_map(|row| taken.get(cell + row * wide..)?.get(..3));
+        if !always && rows.flatten().any(|&taken| taken) {
             return;
         }
-        taken.insert(cell);
+        if let Some(taken) = taken.get_mut(cell + wide + 1) {
+            *taken = true;
+        }
         let (size, color) = if at == current {
             (13.0, look.colours.of(Element::Segment))
         } else {

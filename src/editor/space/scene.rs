@@ -54,7 +54,7 @@ pub(super) struct Look<'a> {
 
 /// What [`Look`] was when something was made.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Seen {
+pub(super) struct Seen {
     projection: Projection,
     room: Rect,
     pixels_per_point: f64,
@@ -63,7 +63,7 @@ struct Seen {
 }
 
 impl Look<'_> {
-    fn seen(&self) -> Seen {
+    pub(super) fn seen(&self) -> Seen {
         Seen {
             projection: *self.projection,
             room: self.room,
@@ -443,4 +443,4 @@ fn cube(strokes: &mut Strokes<'_>, look: &Look<'_>, color: Color32) {
 
 #[cfg(test)]
 #[path = "scene_tests.rs"]
-mod tests;
+pub(super) mod tests;

@@ -9,14 +9,14 @@ use crate::document::Edit;
 use crate::editor::setup::View;
 use crate::path::SupportPoint;
 
-struct Eye {
-    projection: Projection,
+pub(in crate::editor::space) struct Eye {
+    pub(in crate::editor::space) projection: Projection,
     colours: Colours,
     shown: Shown,
 }
 
 impl Eye {
-    fn new(view: &View) -> Self {
+    pub(in crate::editor::space) fn new(view: &View) -> Self {
         Self {
             projection: Projection::new(view, room()),
             colours: Colours::DARK,
@@ -24,7 +24,7 @@ impl Eye {
         }
     }
 
-    fn look(&self) -> Look<'_> {
+    pub(in crate::editor::space) fn look(&self) -> Look<'_> {
         Look {
             projection: &self.projection,
             room: room(),
@@ -35,7 +35,7 @@ impl Eye {
     }
 }
 
-fn document(count: usize) -> Document {
+pub(in crate::editor::space) fn document(count: usize) -> Document {
     let points = (0..count)
         .map(|i| {
             let turn = i as f64 * 0.37;
@@ -49,7 +49,7 @@ fn document(count: usize) -> Document {
     Document::from_parts(path, crate::document::Info::default()).unwrap()
 }
 
-fn edit(count: usize) -> impl Strategy<Value = Edit> {
+pub(in crate::editor::space) fn edit(count: usize) -> impl Strategy<Value = Edit> {
     let position = || prop::array::uniform3(-1.4..1.4f64).prop_map(DVec3::from_array);
     prop_oneof![
         4 => (0..count, position()).prop_map(|(at, position)| Edit::SetPosition { at, position }),

@@ -53,6 +53,12 @@ impl<'a> Strokes<'a> {
         }
     }
 
+    /// A disc around an image: a line without length.
+    #[allow(clippy::cast_possible_truncation)]
+    pub(super) fn disc(&mut self, centre: DVec2, radius: f64, color: Color32) {
+        self.flat(centre, centre, 2.0 * radius as f32, color);
+    }
+
     /// A line in space.
     pub(super) fn line(&mut self, from: DVec3, to: DVec3, width: f32, color: Color32) {
         let [from, to] = [from, to].map(|end| self.projection.image(end));

@@ -4,6 +4,7 @@ mod blending;
 mod frames;
 mod harmless;
 mod lines;
+mod pieces;
 mod triangles;
 
 use egui::epaint::textures::TextureOptions;
