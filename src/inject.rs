@@ -1,8 +1,8 @@
 //! Faults on demand, for the tests: places where the library can be told to
-//! panic.
+//! panic, or that tell when they are passed.
 //!
 //! Only a library that is built for it has them (`--cfg vides_inject`, see
-//! `tests/calls`), and with them two functions that C finds by name. In any
+//! `tests/calls`), and with them three functions that C finds by name. In any
 //! other, [`point`] is nothing.
 
 /// Where a panic can be had.
@@ -23,8 +23,10 @@ pub(crate) enum Place {
     Layout,
     /// Before pixels are painted.
     Paint,
-    /// When poses are made ready for the host.
+    /// Before poses are made ready for the host.
     HandOver,
+    /// When they are, or could not be.
+    Prepared,
     /// Before host code is called.
     Callback,
 }
@@ -50,9 +52,14 @@ mod on_demand {
         /// The place that is watched, how often it is still passed before it
         /// panics (never, if negative), and how often it was.
         static WATCHED: Cell<(c_int, c_int, c_int)> = const { Cell::new((-1, -1, 0)) };
+        /// Is told of every place that is passed.
+        static TOLD: Cell<Option<extern "C" fn(c_int)>> = const { Cell::new(None) };
     }
 
     pub(super) fn pass(place: Place) {
+        if let Some(tell) = TOLD.get() {
+            tell(place as c_int);
+        }
         let (watched, left, passed) = WATCHED.get();
         if watched != place as c_int {
             return;
@@ -66,6 +73,12 @@ mod on_demand {
     #[unsafe(no_mangle)]
     pub extern "C" fn v_test_panic(place: c_int, after: c_int) {
         WATCHED.set((place, after.max(-1), 0));
+    }
+
+    /// Has a function called at every place that is passed; NULL: no more.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn v_test_tell(tell: Option<extern "C" fn(c_int)>) {
+        TOLD.set(tell);
     }
 
     /// How often the place that is watched was passed.

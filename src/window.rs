@@ -48,9 +48,11 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
 struct Nobody;
 
 impl Host for Nobody {
-    fn prepare(&self, _: Id, _: &Sampler) -> Result<Box<dyn FnOnce()>> {
-        Ok(Box::new(|| ()))
+    fn prepare(&self, _: Id, _: &Sampler) -> Result<()> {
+        Ok(())
     }
+
+    fn hand_over(&self, _: Id) {}
 
     fn may_close(&self, _: Id) -> bool {
         true

@@ -1,6 +1,6 @@
 //! Editor windows by handles: the new interface to what `v_haupt` opens.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::ffi::{CStr, c_char, c_int, c_void};
 use std::path::PathBuf;
 use std::ptr;
@@ -117,6 +117,7 @@ pub unsafe extern "C" fn v_editor_open(
             beginning,
             Callbacks {
                 handle: Cell::new(ptr::null_mut()),
+                poses: RefCell::default(),
                 on_poses: options.on_poses,
                 on_close: options.on_close,
                 user: options.user,
@@ -352,6 +353,8 @@ fn replace(document: &mut Document, by: Document, fixed_speeds: bool) -> Result<
 /// The host's functions.
 struct Callbacks {
     handle: Cell<*mut V_EDITOR>,
+    /// Ready to be handed over.
+    poses: RefCell<Vec<Pose>>,
     on_poses: Option<OnPoses>,
     on_close: Option<OnClose>,
     user: *mut c_void,
@@ -361,19 +364,23 @@ type OnPoses = unsafe extern "C" fn(*mut V_EDITOR, *const V_POSE, usize, *mut c_
 type OnClose = unsafe extern "C" fn(*mut V_EDITOR, *mut c_void) -> c_int;
 
 impl Host for Callbacks {
-    fn prepare(&self, _: Id, sampler: &Sampler) -> Result<Box<dyn FnOnce()>> {
-        let Some(on_poses) = self.on_poses else {
-            return Ok(Box::new(|| ()));
-        };
-        let mut poses = vec_with_room(sampler.frame_count())?;
-        poses.resize(sampler.frame_count(), Pose::default());
-        sampler.sample(1, &mut poses)?;
-        let (handle, user) = (self.handle.get(), self.user);
-        Ok(Box::new(move || {
+    fn prepare(&self, _: Id, sampler: &Sampler) -> Result<()> {
+        if self.on_poses.is_some() {
+            let mut poses = vec_with_room(sampler.frame_count())?;
+            poses.resize(sampler.frame_count(), Pose::default());
+            sampler.sample(1, &mut poses)?;
+            self.poses.replace(poses);
+        }
+        Ok(())
+    }
+
+    fn hand_over(&self, _: Id) {
+        if let Some(on_poses) = self.on_poses {
+            let (handle, poses) = (self.handle.get(), self.poses.take());
             // SAFETY: the host's function; the poses live until it returns, and
             // both kinds of pose are laid out alike.
-            unsafe { on_poses(handle, poses.as_ptr().cast(), poses.len(), user) };
-        }))
+            unsafe { on_poses(handle, poses.as_ptr().cast(), poses.len(), self.user) };
+        }
     }
 
     fn may_close(&self, _: Id) -> bool {

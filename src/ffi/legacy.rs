@@ -1,5 +1,6 @@
 //! The two functions of 1994 (thesis B.2, Anhang C).
 
+use std::cell::{Cell, RefCell};
 use std::ffi::{c_float, c_int};
 use std::ptr;
 use std::rc::Rc;
@@ -75,6 +76,8 @@ pub unsafe extern "C" fn v_haupt(
         let object = unsafe { object(objekt, anzahl_objekt, &mut warnings) };
         let host = Contract {
             list: interpol_liste,
+            own: RefCell::default(),
+            count: Cell::default(),
             rueck,
             ende,
         };
@@ -126,37 +129,40 @@ fn open(
 /// What the host was promised, and what it promised.
 struct Contract {
     list: *mut V_KAMERAPAR,
+    /// The list in place of one of the host's, and the count of either, ready to
+    /// be handed over.
+    own: RefCell<Option<OwnList>>,
+    count: Cell<c_int>,
     rueck: Option<Rueck>,
     ende: Option<Ende>,
 }
 
 impl Host for Contract {
-    fn prepare(&self, _: Id, sampler: &Sampler) -> Result<Box<dyn FnOnce()>> {
+    fn prepare(&self, _: Id, sampler: &Sampler) -> Result<()> {
         let frames = sampler.frame_count();
         let count = c_int::try_from(frames)
             .map_err(|_| Error::Limit(message!("a list cannot number so many poses")))?;
-        let Some(rueck) = self.rueck else {
-            if !self.list.is_null() {
-                // SAFETY: the host's element, which outlives the window.
-                unsafe { list::build(frames, self.list, |n, poses| sampler.sample(n, poses)) }?;
-            }
-            return Ok(Box::new(|| ()));
-        };
-        if self.list.is_null() {
-            let mut own = OwnList::new(sampler)?;
-            return Ok(Box::new(move || {
-                // SAFETY: the host's function, and a list that lives until it
-                // has returned.
-                unsafe { rueck(own.head(), count) };
-            }));
+        self.count.set(count);
+        if !self.list.is_null() {
+            // SAFETY: the host's element, which outlives the window.
+            unsafe { list::build(frames, self.list, |n, poses| sampler.sample(n, poses)) }
+        } else if self.rueck.is_some() {
+            self.own.replace(Some(OwnList::new(sampler)?));
+            Ok(())
+        } else {
+            Ok(())
         }
-        let list = self.list;
-        // SAFETY: as above.
-        unsafe { list::build(frames, list, |n, poses| sampler.sample(n, poses)) }?;
-        Ok(Box::new(move || {
-            // SAFETY: the host's function and the host's list.
-            unsafe { rueck(list, count) };
-        }))
+    }
+
+    fn hand_over(&self, _: Id) {
+        let Some(rueck) = self.rueck else {
+            return;
+        };
+        let mut own = self.own.take();
+        let list = own.as_mut().map_or(self.list, OwnList::head);
+        // SAFETY: the host's function, and the host's list or one that lives
+        // until the function has returned.
+        unsafe { rueck(list, self.count.get()) };
     }
 
     fn may_close(&self, _: Id) -> bool {

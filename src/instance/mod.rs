@@ -38,12 +38,15 @@ pub(crate) use xt::Refusal;
 /// What a window's owner does. Its methods run on the window's thread; those
 /// that call host code run while nothing of ours is borrowed.
 pub(crate) trait Host {
-    /// Makes the poses ready for the host while the window is at work, and
-    /// gives back what calls the host, to be run later. Calls no host code.
+    /// Makes the poses ready for the host while the window is at work. Calls no
+    /// host code.
     ///
     /// # Errors
-    /// Shown in the window.
-    fn prepare(&self, window: Id, sampler: &Sampler) -> Result<Box<dyn FnOnce()>>;
+    /// Shown in the window; what the host has is as it was.
+    fn prepare(&self, window: Id, sampler: &Sampler) -> Result<()>;
+
+    /// Calls the host with the poses that were made ready last.
+    fn hand_over(&self, window: Id);
 
     /// Asks the host whether the window may close.
     fn may_close(&self, window: Id) -> bool;

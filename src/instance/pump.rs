@@ -71,8 +71,8 @@ fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
     };
     match turn.wish {
         None => return turn.busy,
-        Some(Wish::HandOver(call)) => {
-            registry::call(id, lost, |_| call());
+        Some(Wish::HandOver) => {
+            registry::call(id, lost, |host| host.hand_over(id));
         }
         Some(Wish::Close) => {
             if registry::call(id, lost, |host| host.may_close(id)) == Some(true) {

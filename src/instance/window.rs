@@ -63,8 +63,8 @@ pub(super) struct Turn {
 
 /// What only the host can do.
 pub(super) enum Wish {
-    /// To be called: it takes the poses.
-    HandOver(Box<dyn FnOnce()>),
+    /// It takes the poses that were made ready.
+    HandOver,
     /// May the window close?
     Close,
 }
@@ -241,16 +241,15 @@ impl Window {
                 Request::HandOver => {
                     self.fresh = true;
                     inject::point(Place::HandOver);
-                    let poses = self.editor.document().sampler().and_then(|sampler| {
-                        let call = host.prepare(id, sampler)?;
-                        Ok((call, sampler.frame_count()))
+                    let count = self.editor.document().sampler().and_then(|sampler| {
+                        host.prepare(id, sampler)?;
+                        Ok(sampler.frame_count())
                     });
-                    match poses {
-                        Ok((call, count)) => {
-                            self.editor.handed_over(Ok(count));
-                            return Some(Wish::HandOver(call));
-                        }
-                        Err(error) => self.editor.handed_over(Err(error)),
+                    inject::point(Place::Prepared);
+                    let ready = count.is_ok();
+                    self.editor.handed_over(count);
+                    if ready {
+                        return Some(Wish::HandOver);
                     }
                 }
             }

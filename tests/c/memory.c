@@ -3,84 +3,9 @@
  * list is built: at every single allocation, of the library's own too, once
  * and from then on. The answer is V_ERR_MEMORY, the path or the old list is as
  * it was, nothing is left behind, and the next call succeeds.
- *
- * This program's malloc and its kin stand in for the C library's.
  */
-#include <errno.h>
-
+#include "allocations.h"
 #include "check.h"
-
-extern void *__libc_malloc(size_t size);
-extern void *__libc_calloc(size_t count, size_t size);
-extern void *__libc_realloc(void *old, size_t size);
-extern void *__libc_memalign(size_t alignment, size_t size);
-extern void __libc_free(void *old);
-
-static long blocks;          /* allocated and not freed */
-static long asked;           /* allocations since the countdown was set */
-static long fail_at = -1;    /* the allocation that fails, counted from 0 */
-static int fail_forever;     /* and all that follow */
-
-static int refused(void)
-{
-    long number = asked++;
-    if (fail_at < 0 || number < fail_at || (number > fail_at && !fail_forever))
-        return 0;
-    errno = ENOMEM;
-    return 1;
-}
-
-static void *counted(void *made)
-{
-    blocks += made != NULL;
-    return made;
-}
-
-void *malloc(size_t size)
-{
-    return refused() ? NULL : counted(__libc_malloc(size));
-}
-
-void *calloc(size_t count, size_t size)
-{
-    return refused() ? NULL : counted(__libc_calloc(count, size));
-}
-
-void *realloc(void *old, size_t size)
-{
-    void *made;
-    if (refused())
-        return NULL;
-    made = __libc_realloc(old, size);
-    if (old == NULL)
-        counted(made);
-    return made;
-}
-
-void *memalign(size_t alignment, size_t size)
-{
-    return refused() ? NULL : counted(__libc_memalign(alignment, size));
-}
-
-void *aligned_alloc(size_t alignment, size_t size)
-{
-    return memalign(alignment, size);
-}
-
-int posix_memalign(void **made, size_t alignment, size_t size)
-{
-    void *block = memalign(alignment, size);
-    if (block == NULL)
-        return ENOMEM;
-    *made = block;
-    return 0;
-}
-
-void free(void *old)
-{
-    blocks -= old != NULL;
-    __libc_free(old);
-}
 
 /* A path with everything: pans, tracked targets, rolls, zooms, holds. */
 static V_PATH *rich_path(int points, double move_speed)

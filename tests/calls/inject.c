@@ -13,16 +13,13 @@
 #include "draw.h"
 #include "every.h"
 #include "hands.h"
+#include "places.h"
 #include "served.h"
 
-/* As in src/inject.rs. */
-enum place { CALL, PATH, DISPATCH, EVENT, TURN, LAYOUT, PAINT, HAND_OVER, CALLBACK, PLACES };
 static const char *const place_names[PLACES] = {
-    "call", "path", "dispatch", "event", "turn", "layout", "paint", "hand-over", "callback"
+    "call", "path", "dispatch", "event", "turn", "layout", "paint", "hand-over", "prepared",
+    "callback"
 };
-
-void v_test_panic(int place, int after);
-int v_test_passed(void);
 
 static struct window victim, bystander, old_bystander;
 static V_KAMERAPAR heads[2];
@@ -195,7 +192,7 @@ static void every_place(void)
     for (place = EVENT; place < PLACES; place++)
         for (of_haupt = 0; of_haupt < 2; of_haupt++) {
             in_window(place, of_haupt, 0);
-            if (place != HAND_OVER)
+            if (place != HAND_OVER && place != PREPARED)
                 in_window(place, of_haupt, 1);
         }
 }

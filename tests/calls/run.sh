@@ -1,16 +1,18 @@
 #!/bin/bash
 # Calls as no host should make them, and faults of our own:
-# run.sh LIBRARY_FOLDER [hostile|reentry|inject]...
+# run.sh LIBRARY_FOLDER [hostile|reentry|inject|hand_over]...
 #
-#     hostile  every function with unfit arguments, in any order
-#     reentry  every function from within every callback
-#     inject   panics, with a library that is built for them
+#     hostile    every function with unfit arguments, in any order
+#     reentry    every function from within every callback
+#     inject     panics, with a library that is built for them
+#     hand_over  memory that runs out while a window hands over, with the same library
 #
 # Each against the archive and the shared library, under AddressSanitizer and
 # UBSan too; those that need an X server have one of their own. One line for
 # each; the exit status is the number of failures.
 #
 #     SEEDS  of hostile (1), CALLS for each of its rounds (600)
+#     KINDS  of the library (archive shared), WAYS (plain sanitizers)
 set -u
 
 libraries=$(realpath "$1")
@@ -30,7 +32,7 @@ build() {
     shift 3
     "$cc" -std=gnu99 -g -O1 -Wall -Wextra -Werror "$@" -I"$work" -I"$root/include" -o "$output" \
         "$here"/{draw,things,every,every_path,hands,served}.c "$here/$source.c" "$library" \
-        -lm -lpthread -lX11
+        ${LDFLAGS:-} -lm -lpthread -lX11
 }
 
 # A command with a folder of its own, for which the word FOLDER stands.
@@ -93,15 +95,21 @@ inject() { # NAME PROGRAM
     result "$1" with_server "$2" FOLDER
 }
 
+hand_over() { # NAME PROGRAM
+    result "$1" with_server "$2" FOLDER
+}
+
 [ $# -gt 0 ] || set -- hostile reentry
 for test; do
-    for kind in archive shared; do
+    for kind in ${KINDS:-archive shared}; do
         library=$libraries/libvides.a
         [ $kind = shared ] && library=$libraries/libvides.so
-        for way in plain sanitizers; do
-            # Not optimised, and full of debugging: each kind once will do.
+        for way in ${WAYS:-plain sanitizers}; do
+            # Not optimised, and full of debugging: each kind once will do. What
+            # replaces malloc cannot have it replaced again.
             case $test-$kind-$way in
             inject-archive-sanitizers | inject-shared-plain) continue ;;
+            hand_over-*-sanitizers) continue ;;
             esac
             flags=()
             [ $way = sanitizers ] && flags=(-fsanitize=address,undefined -fno-sanitize-recover=undefined)
