@@ -28,6 +28,10 @@ pub(super) const PATIENCE: Duration = Duration::from_secs(1);
 /// wrong.
 const MOST_WAITING: usize = 16 << 20;
 
+/// How much is read before what has come is looked at, bytes. Who sends faster than
+/// that goes waits with the server, and costs no memory here.
+const MOST_AT_ONCE: usize = 64 << 10;
+
 /// How many descriptors go with one message.
 const MOST_DESCRIPTORS: usize = 4;
 
@@ -42,6 +46,8 @@ pub(super) struct Stream {
     deadline: Cell<Option<Instant>>,
     /// An answer did not come in time, and nothing has come since.
     silent: Cell<bool>,
+    /// Read since there was last said to be nothing more.
+    taken: Cell<usize>,
 }
 
 /// What the socket did not take yet.
@@ -68,6 +74,7 @@ impl Stream {
             waiting: RefCell::default(),
             deadline: Cell::new(Some(deadline)),
             silent: Cell::new(false),
+            taken: Cell::new(0),
         };
         stream.set_watch(libc::EPOLL_CTL_ADD, libc::EPOLLIN)?;
         Ok(stream)
@@ -202,7 +209,13 @@ impl x11rb::rust_connection::Stream for Stream {
         }
     }
 
+    /// x11rb reads until there is nothing more, so at times that is what it is
+    /// told, though there is.
     fn read(&self, buf: &mut [u8], _: &mut Vec<RawFdContainer>) -> Result<usize> {
+        let taken = self.taken.take();
+        if taken >= MOST_AT_ONCE {
+            return Err(ErrorKind::WouldBlock.into());
+        }
         let socket = self.socket.as_raw_fd();
         // Descriptors are never asked for; the system closes what comes anyway.
         let count = again(|| {
@@ -217,6 +230,7 @@ impl x11rb::rust_connection::Stream for Stream {
             }
         })?;
         self.silent.set(false);
+        self.taken.set(taken + count);
         Ok(count)
     }
 
@@ -327,6 +341,8 @@ mod tests {
     use super::*;
     use std::io::{Read, Write};
     use std::os::unix::net::UnixStream;
+    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::thread;
     use x11rb::rust_connection::Stream as _;
 
     const SOON: Duration = Duration::from_millis(200);
@@ -388,6 +404,36 @@ mod tests {
         assert_eq!(stream.patience(), PATIENCE);
         assert_eq!(late(&stream), ErrorKind::TimedOut);
         assert_eq!(stream.patience(), Duration::ZERO);
+    }
+
+    #[test]
+    fn what_has_no_end_is_read_in_parts() {
+        let (stream, theirs) = pair();
+        let ended = AtomicBool::new(false);
+        thread::scope(|scope| {
+            scope.spawn(|| {
+                let mut sent = Ok(());
+                while sent.is_ok() && !ended.load(Ordering::Relaxed) {
+                    sent = (&theirs).write_all(&[7; 4096]);
+                }
+            });
+            let mut buffer = [0; 4096];
+            for _ in 0..20 {
+                // As x11rb does, until there is nothing more.
+                let mut got = 0;
+                stream.poll(PollMode::Readable).unwrap();
+                let end = loop {
+                    match stream.read(&mut buffer, &mut Vec::new()) {
+                        Ok(count) => got += count,
+                        Err(error) => break error.kind(),
+                    }
+                };
+                assert_eq!(end, ErrorKind::WouldBlock);
+                assert!(got > 0 && got < MOST_AT_ONCE + buffer.len());
+            }
+            ended.store(true, Ordering::Relaxed);
+            drop(stream);
+        });
     }
 
     #[test]
