@@ -7,6 +7,8 @@
 #   make soak        the random checks again, with many more cases, and fuzz
 #   make coverage    which share of the branches the tests take, by folder
 #   make fuzz        tries broken files for FUZZ_SECONDS each of the three kinds
+#   make miri        runs the unsafe code in an interpreter that sees what it may not
+#   make threads     looks for races between threads
 #   make install     PREFIX=/usr/local DESTDIR=
 #   make uninstall   the same
 #   make header      writes include/libvides.h anew
@@ -46,7 +48,7 @@ X_TOOLS = python3=python3 Xvfb=xvfb xauth=xauth xdotool=xdotool xprop=x11-utils 
     xwd=x11-apps /usr/include/Xm/Xm.h=libmotif-dev
 LINT = -D warnings
 
-.PHONY: all libs demo test bench soak soak-calls soak-x fuzz coverage install uninstall header clean FORCE \
+.PHONY: all libs demo test bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header clean FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-calls check-x check-install check-docs check-dependencies
 
@@ -137,13 +139,13 @@ check-linking: libs
 	tests/linking/run.sh $(LIB) include
 
 # Calls as no host should make them; and a library that panics when it is told
-# to. That one is not optimised, and nobody installs it.
+# to, and says where it is. That one is not optimised, and nobody installs it.
 check-calls: libs
 	@mk/need.sh Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev
 	$(CARGO) rustc --locked --lib --crate-type staticlib -- --cfg vides_inject
 	mk/libraries.sh $(CARGO_TARGET_DIR)/debug/libvides.a $(CARGO_TARGET_DIR)/inject $(VERSION)
 	tests/calls/run.sh $(LIB)
-	tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject
+	tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
 
 # The window, from outside.
 check-x: all
@@ -188,9 +190,15 @@ soak-x: all
 	LD_LIBRARY_PATH=$(LIB) python3 tests/x/measure.py $(CARGO_TARGET_DIR)/x soak
 
 coverage: toolchain
-	@mk/need.sh python3=python3
+	@mk/need.sh python3=python3 Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev
 	@mk/locale.sh
 	mk/coverage.sh
+
+miri:
+	mk/miri.sh
+
+threads: toolchain
+	mk/threads.sh
 
 fuzz: toolchain
 	@mk/need.sh c++=g++

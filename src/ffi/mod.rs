@@ -41,3 +41,6 @@ mod splines;
 mod status;
 mod types;
 mod view;
+
+#[cfg(test)]
+mod host_tests;

@@ -1,7 +1,8 @@
 /*
  * One path read by several threads at once, each with its own results and its
- * own list; and a path freed while others read it: every call either ends as
- * if it had come before, or finds the handle gone.
+ * own list; and a path freed while others read it: every call either ends as if
+ * it had come before, or finds the handle gone. A path that is changed without a
+ * lock while others read it, as no host should, is before or after a change.
  */
 #include <pthread.h>
 
@@ -88,9 +89,57 @@ static void freed_while_read(void)
     }
 }
 
+static V_POSE closed[400];
+static size_t closed_count;
+
+static void *reader_of_changes(void *unused)
+{
+    V_POSE poses[400];
+    int round;
+    (void)unused;
+    for (round = 0; round < 100; round++) {
+        size_t count = 0;
+        OK(v_path_sample(shared, poses, 400, &count));
+        CHECK((count == expected_count && memcmp(poses, expected, count * sizeof *poses) == 0)
+              || (count == closed_count && memcmp(poses, closed, count * sizeof *poses) == 0));
+    }
+    return NULL;
+}
+
+static void *changer(void *unused)
+{
+    int round;
+    (void)unused;
+    for (round = 0; round < 100; round++) {
+        OK(v_path_set_closed(shared, 1));
+        OK(v_path_set_closed(shared, 0));
+    }
+    return NULL;
+}
+
+static void changed_while_read(void)
+{
+    pthread_t threads[THREADS];
+    double xyz[3] = {0, 0.7, 0};
+    int i;
+    shared = new_path();
+    OK(v_path_insert_point(shared, 1, xyz));
+    OK(v_path_set_closed(shared, 1));
+    OK(v_path_sample(shared, closed, 400, &closed_count));
+    OK(v_path_set_closed(shared, 0));
+    OK(v_path_sample(shared, expected, 400, &expected_count));
+    CHECK(closed_count > expected_count);
+    for (i = 0; i < THREADS; i++)
+        CHECK(pthread_create(&threads[i], NULL, i % 2 ? changer : reader_of_changes, NULL) == 0);
+    for (i = 0; i < THREADS; i++)
+        pthread_join(threads[i], NULL);
+    v_path_free(shared);
+}
+
 int main(void)
 {
     reading_together();
+    changed_while_read();
     freed_while_read();
     return failures != 0;
 }

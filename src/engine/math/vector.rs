@@ -164,7 +164,8 @@ mod x86_64 {
     /// The operations that all kinds have under like names.
     macro_rules! lane_by_lane {
         ($lanes:literal, $set1:ident, $loadu:ident, $storeu:ident, $add:ident, $sub:ident,
-         $mul:ident, $div:ident, $sqrt:ident, $min:ident, $max:ident, $stream:ident) => {
+         $mul:ident, $div:ident, $sqrt:ident, $min:ident, $max:ident, $stream:ident,
+         $aligned:ident) => {
             const LANES: usize = $lanes;
             #[inline(always)]
             fn splat(value: f64) -> Self {
@@ -234,17 +235,28 @@ mod x86_64 {
                     let mut k = 0;
                     while k < LINE {
                         let value = Self::load(&values[k..]);
+                        // Miri has no store past the caches; one that must be
+                        // aligned as well asks the same of the address.
                         // SAFETY: the line begins at a multiple of its size, and
                         // k is a multiple of the number of lanes below it.
-                        unsafe { $stream(line.as_mut_ptr().add(k), value.0) }
+                        unsafe {
+                            let to = line.as_mut_ptr().add(k);
+                            if cfg!(miri) {
+                                $aligned(to, value.0);
+                            } else {
+                                $stream(to, value.0);
+                            }
+                        }
                         k += $lanes;
                     }
                 }
             }
             #[inline(always)]
             fn settle() {
-                // SAFETY: SSE is part of x86-64.
-                unsafe { _mm_sfence() }
+                if !cfg!(miri) {
+                    // SAFETY: SSE is part of x86-64.
+                    unsafe { _mm_sfence() }
+                }
             }
         };
     }
@@ -262,7 +274,8 @@ mod x86_64 {
             _mm_sqrt_pd,
             _mm_min_pd,
             _mm_max_pd,
-            _mm_stream_pd
+            _mm_stream_pd,
+            _mm_store_pd
         );
         #[inline(always)]
         fn mul_add(self, b: Self, c: Self) -> Self {
@@ -297,7 +310,8 @@ mod x86_64 {
             _mm256_sqrt_pd,
             _mm256_min_pd,
             _mm256_max_pd,
-            _mm256_stream_pd
+            _mm256_stream_pd,
+            _mm256_store_pd
         );
         #[inline(always)]
         fn mul_add(self, b: Self, c: Self) -> Self {

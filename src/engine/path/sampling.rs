@@ -259,3 +259,7 @@ fn zooms(
     }
     Ok(())
 }
+
+#[cfg(test)]
+#[path = "sampling_tests.rs"]
+mod tests;

@@ -1,0 +1,150 @@
+//! Every kind of vectors gives the poses of the plain way, and writes nothing
+//! beside them. The paths are short, since Miri looks at each step.
+
+use glam::DVec3;
+
+use super::*;
+use crate::math::vector::Vector;
+use crate::path::fill;
+use crate::path::{Orientation, OrientationMode, SupportPoint, Target, Tcb};
+
+/// Every kind of section: one long enough for pieces that are fitted, fewer
+/// frames than vectors hold, uneven speed, a target on the way and one above it.
+fn path(mode: OrientationMode, closed: bool) -> CameraPath {
+    let mut path = CameraPath::default();
+    let looks = |target, roll, zoom| Orientation {
+        target,
+        roll,
+        zoom,
+        turning: Tcb::new(0.2, -0.1, 0.3),
+        ..Orientation::default()
+    };
+    let point = |position: [f64; 3], orientations| SupportPoint {
+        orientations,
+        ..SupportPoint::new(DVec3::from_array(position))
+    };
+    let ahead = Target::Relative(DVec3::new(0.1, 0.2, -0.4));
+    let aside = Target::Relative(DVec3::new(-0.5, 0.1, 0.3));
+    let there = Target::Absolute(DVec3::new(1.0, 0.1, 0.2));
+    let above = Target::Absolute(DVec3::new(0.5, 2.0, 0.0));
+    let mut slow = looks(aside, 30.0, 60.0);
+    slow.speeds = std::array::from_fn(|k| [100.0, 5.0][k % 2]);
+    slow.hold = 3;
+    path.points = vec![
+        point([0.0, 0.0, 0.0], vec![looks(ahead, 0.0, 20.0), slow.clone()]),
+        point([0.1, 0.1, 0.3], vec![looks(there, 0.0, 20.0)]),
+        point(
+            [1.3, 0.1, 0.1],
+            vec![looks(there, -70.0, 20.0), looks(above, 0.0, 5.0)],
+        ),
+        point([-0.3, 0.1, 0.0], vec![looks(above, 10.0, 24.0)]),
+        point([-0.4, 0.3, 0.1], vec![looks(ahead, 0.0, 24.0)]),
+        point(
+            [-0.4, 0.5, 0.6],
+            vec![looks(ahead, 0.0, 24.0), looks(ahead, 0.0, 25.0)],
+        ),
+    ];
+    path.closed = closed;
+    path.orientation_mode = mode;
+    path.speeds.movement = 40.0;
+    path.speeds.turning = 200.0;
+    path.speeds.zoom = 30.0;
+    path
+}
+
+fn prepared(path: &CameraPath) -> Sampler {
+    path.check().expect("a path in order");
+    let timeline = Timeline::new(path).expect("a timeline");
+    Sampler::new(path, &timeline).expect("a sampler")
+}
+
+/// Whether all numbers of two poses are equal to within rounding.
+fn near(a: &Pose, b: &Pose) -> bool {
+    let of = |pose: &Pose| {
+        let [vrp, vpn, vup] = [pose.vrp, pose.vpn, pose.vup];
+        [vrp, vpn, vup, [pose.zoom, 0.0, 0.0]]
+    };
+    let pairs = of(a).into_iter().flatten().zip(of(b).into_iter().flatten());
+    pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-12)
+}
+
+/// Fills poses of a leg from a frame on.
+type Fill<'a> = &'a dyn Fn(&Leg, &mut Scratch, usize, &mut [Pose]) -> Result<()>;
+
+fn against_the_plain_way(name: &str, fill: Fill<'_>) {
+    let never = Pose {
+        zoom: -1.0,
+        ..Pose::default()
+    };
+    let paths = [
+        (OrientationMode::Tcb, true),
+        (OrientationMode::BarryGoldman, false),
+        (OrientationMode::Slerp, false),
+    ];
+    // To Miri all three are the same, and it is slow.
+    for (mode, closed) in paths.into_iter().take(if cfg!(miri) { 1 } else { 3 }) {
+        let sampler = prepared(&path(mode, closed));
+        for (index, leg) in sampler.legs.iter().enumerate() {
+            let mut poses = vec![never; leg.frames + 2];
+            // In one go, and past the caches in two.
+            for (at_once, asked) in [(leg.frames, 1), (leg.frames / 2 + 1, usize::MAX)] {
+                let mut scratch = Scratch::new(asked);
+                poses.fill(never);
+                for first in (1..=leg.frames).step_by(at_once) {
+                    let end = (first + at_once).min(leg.frames + 1);
+                    fill(leg, &mut scratch, first, &mut poses[first..end]).expect("memory");
+                }
+                assert!(poses[0] == never && poses[leg.frames + 1] == never);
+                // The plain way measures the curve for each pose: few for Miri.
+                let step = if cfg!(miri) { 19 } else { 1 };
+                for (frame, pose) in poses[1..=leg.frames].iter().enumerate().step_by(step) {
+                    let u = (frame + 1) as f64 / leg.frames as f64;
+                    let plain = leg.pose(leg.phi(u)).expect("memory");
+                    assert!(
+                        near(pose, &plain),
+                        "{name}, {mode:?}, section {index}, frame {frame} of {}: {pose:?} is not {plain:?}",
+                        leg.frames
+                    );
+                }
+            }
+        }
+    }
+}
+
+fn with<V: Vector>(name: &str) {
+    against_the_plain_way(name, &fill::fill::<V>);
+}
+
+#[test]
+fn plain_numbers_give_the_poses_of_the_plain_way() {
+    with::<f64>("f64");
+}
+
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn two_numbers_at_once_give_the_poses_of_the_plain_way() {
+    with::<crate::math::vector::Sse2>("Sse2");
+}
+
+#[test]
+fn the_widest_vectors_give_the_poses_of_the_plain_way() {
+    against_the_plain_way("the widest", &dispatch::fill);
+}
+
+#[test]
+fn the_path_has_every_kind_of_section() {
+    let (mut tracked, mut kept, mut free, mut short, mut fitted) = (0, 0, 0, 0, 0);
+    for closed in [false, true] {
+        let sampler = prepared(&path(OrientationMode::Tcb, closed));
+        for leg in &sampler.legs {
+            match leg.turning {
+                orientation_curve::Turning::Tracked(..) => tracked += 1,
+                orientation_curve::Turning::Kept(..) => kept += 1,
+                _ => free += 1,
+            }
+            short += usize::from(leg.frames < 4);
+            fitted += usize::from(leg.frames > 128);
+        }
+    }
+    assert!(tracked > 0 && kept > 0 && free > 0 && short > 0 && fitted > 0);
+}
