@@ -1,9 +1,8 @@
 """The C examples under valgrind: what is ours reads and writes what it may, and
 leaves nothing behind.
 
-Xlib, Xt and Motif have faults and leaks of their own, which are not looked at: of
-those hosts only what goes through the library counts. The one with OpenGL is not
-among them: drawing without a graphics card takes minutes there.
+Xlib, Xt, Motif and Mesa have faults and leaks of their own, which are not looked
+at: of those hosts only what goes through the library counts.
 """
 
 import os
@@ -46,40 +45,30 @@ def under_valgrind(place, story, all_of_them):
     check(not found, f"{len(found)} errors, the first: {found[:1]}")
 
 
-@test(first=True)
-def valgrind_and_the_host_of_1994(place):
-    """pyramid_motif.c."""
-    under_valgrind(place, cases_hosts.the_host_of_1994, False)
-
-
-@test(first=True)
-def valgrind_and_a_host_without_x(place):
-    """plain_main_loop.c."""
-    under_valgrind(place, cases_hosts.a_host_without_x, True)
-
-
-@test(first=True)
-def valgrind_and_two_windows(place):
-    """two_windows.c."""
-    under_valgrind(place, cases_hosts.two_windows_with_lists_of_their_own, True)
-
-
-@test(first=True)
-def valgrind_and_a_loop_over_xlib(place):
-    """xlib_loop.c."""
-    under_valgrind(place, cases_hosts.a_loop_over_xlib, False)
-
-
-def _headless(place):
-    program = place.program(None, "headless", "flight.vid")
-    check(program.ends() == 0, f"its exit status; it complained: {program.complained}")
-
-
-@test()
-def valgrind_without_a_window(place):
+def without_a_window(place):
     """headless.c."""
     with open(place.path("flight.vid"), "w", encoding="ascii") as file:
         file.write("version = 1\n" + "".join(
             f"[[point]]\nposition = [{x}, 0.2, 0.1]\n[[point.orientation]]\n"
             "target = [0.0, 0.0, 2.0]\n" for x in (-0.5, 0.0, 0.5)))
-    under_valgrind(place, _headless, True)
+    program = place.program(None, "headless", "flight.vid")
+    check(program.ends() == 0, f"its exit status; it complained: {program.complained}")
+
+
+# Each with whether all that is found counts, since nothing but the library is at
+# work there.
+EXAMPLES = (
+    (cases_hosts.the_host_of_1994, False),
+    (cases_hosts.a_loop_over_xlib, False),
+    (cases_hosts.a_flight_in_opengl, False),
+    (cases_hosts.a_host_without_x, True),
+    (cases_hosts.two_windows_with_lists_of_their_own, True),
+    (without_a_window, True),
+)
+
+for _story, _all in EXAMPLES:
+    def _case(place, story=_story, all_of_them=_all):
+        under_valgrind(place, story, all_of_them)
+
+    _case.__name__ = f"valgrind_and_{_story.__name__}"
+    test(first=True)(_case)
