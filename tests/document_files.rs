@@ -242,7 +242,7 @@ fn the_shortest_file_is_the_path_of_a_new_window() {
 #[test]
 fn numbers_may_be_written_as_people_do() {
     let text = "version = 1
-fps = 24
+fps = 0x18
 [[point]]
 position = [0, 1_000, +0.5]
 preset = 0x3

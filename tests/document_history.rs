@@ -3,7 +3,7 @@
 use glam::dvec3;
 use vides::document::{Document, Edit};
 use vides::limits;
-use vides::path::{CameraPath, SupportPoint};
+use vides::path::{CameraPath, Orientation, SupportPoint, Target};
 
 fn line(xs: &[f64]) -> Document {
     let path = CameraPath {
@@ -36,6 +36,47 @@ fn a_drag_is_one_step_and_small() {
     assert!(!document.can_undo());
     assert!(document.redo());
     assert_eq!(document.path().points[1].position, dvec3(0.9999, 0.1, 0.0));
+}
+
+#[test]
+fn a_step_that_is_open_is_taken_back_if_something_was_done() {
+    let mut document = line(&[0.0, 1.0]);
+    document.cancel_step(); // there is none
+    document.begin_step();
+    assert!(document.in_step() && !document.can_undo() && !document.undo());
+    document.begin_step();
+    document.apply(Edit::SetClosed(true)).unwrap();
+    assert!(document.can_undo() && document.undo());
+    assert!(!document.path().closed && !document.in_step() && document.can_redo());
+}
+
+#[test]
+fn whatever_of_an_orientation_changes_is_a_step() {
+    let one = Orientation::default();
+    let mut others = vec![one.clone(); 9];
+    others[0].target = Target::Relative(dvec3(0.0, 0.1, -0.4));
+    others[1].target = Target::Absolute(dvec3(0.0, 0.0, -0.4));
+    others[2].roll = -0.0;
+    others[3].turning.tension = 0.5;
+    others[4].turning.continuity = 0.5;
+    others[5].turning.bias = 0.5;
+    others[6].zoom = 25.0;
+    others[7].speeds[9] = 51.0;
+    others[8].hold = 1;
+    for other in others {
+        let set = |orientation: &Orientation| Edit::SetOrientation {
+            point: 1,
+            at: 0,
+            orientation: orientation.clone(),
+        };
+        let mut document = line(&[0.0, 1.0]);
+        document.apply(set(&one)).unwrap();
+        assert!(!document.can_undo() && !document.is_modified());
+        document.apply(set(&other)).unwrap();
+        assert!(document.can_undo() && document.is_modified(), "{other:?}");
+        assert!(document.undo());
+        assert_eq!(document.path().points[1].orientations[0], one);
+    }
 }
 
 #[test]

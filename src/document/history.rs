@@ -121,10 +121,7 @@ impl History {
 
     /// Takes the memory for one more step.
     pub(super) fn reserve(&mut self) -> Result<()> {
-        if self.keeps_any() {
-            self.steps.try_reserve(1)?;
-        }
-        Ok(())
+        Ok(self.steps.try_reserve(1)?)
     }
 
     /// A step has been done; those taken back before are gone.
@@ -133,9 +130,7 @@ impl History {
             return;
         }
         while self.can_redo() {
-            if let Some((_, weight)) = self.steps.pop_back() {
-                self.weight -= weight;
-            }
+            self.weight -= self.steps.pop_back().map_or(0, |(_, weight)| weight);
         }
         let weight = step.weight();
         self.weight += weight;
@@ -144,10 +139,8 @@ impl History {
         while self.steps.len() > self.limit
             || (self.weight > limits::MAX_HISTORY_BYTES && self.steps.len() > 1)
         {
-            if let Some((_, weight)) = self.steps.pop_front() {
-                self.weight -= weight;
-                self.done -= 1;
-            }
+            self.weight -= self.steps.pop_front().map_or(0, |(_, weight)| weight);
+            self.done -= 1;
         }
     }
 

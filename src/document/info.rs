@@ -145,8 +145,8 @@ impl Info {
     /// Brings it into the form that documents keep: no line leads to the first
     /// point of an object.
     pub(super) fn normalise(&mut self) {
-        if self.object.first().is_some_and(|first| first.draw)
-            && let Some(points) = &mut self.object.0
+        if let Some(points) = &mut self.object.0
+            && points.first().is_some_and(|first| first.draw)
         {
             Arc::make_mut(points)[0].draw = false;
         }

@@ -7,6 +7,7 @@
  */
 #include <locale.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "files.h"
 
@@ -42,8 +43,25 @@ static void saved_and_loaded(const char *folder)
     STATUS(V_ERR_IO, v_path_save(path, in(folder, "none/path.vid")));
     CHECK(strstr(v_last_error(), "none/path.vid") != NULL);
     STATUS(V_ERR_IO, v_path_save(path, folder)); /* a folder */
+    STATUS(V_ERR_IO, v_path_save(path, "/"));
+    STATUS(V_ERR_IO, v_path_save(path, ".."));
     STATUS(V_ERR_IO, v_path_save(path, ""));
     CHECK(stat(in(folder, "path.vid"), &found) == 0);
+    v_path_free(path);
+    v_path_free(again);
+}
+
+/* A name without a folder is one in the folder where the process is. */
+static void a_name_alone(const char *folder)
+{
+    V_PATH *path = some_path(), *again = NULL;
+    char before[1000];
+    struct stat found;
+    CHECK(getcwd(before, sizeof before) != NULL && chdir(folder) == 0);
+    OK(v_path_save(path, "alone.vid"));
+    OK(v_path_load("alone.vid", &again));
+    CHECK(chdir(before) == 0);
+    CHECK(stat(in(folder, "alone.vid"), &found) == 0 && found.st_size > 100);
     v_path_free(path);
     v_path_free(again);
 }
@@ -156,6 +174,7 @@ int main(int argc, char **argv)
     if (argc != 2)
         return 2;
     saved_and_loaded(argv[1]);
+    a_name_alone(argv[1]);
     broken_files(argv[1]);
     ascii(argv[1]);
     counts(argv[1]);

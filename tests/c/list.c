@@ -169,6 +169,14 @@ static void somebody_elses_list(void)
         v_free_liste(own);
         CHECK(v_last_error()[0] != '\0' && own[0].number == 1);
         third->number = 3;
+        third->next->prev = second;
+        v_free_liste(own);
+        CHECK(v_last_error()[0] != '\0' && own[0].number == 1);
+        third->next->prev = third;
+        own[0].prev->next = second;
+        v_free_liste(own);
+        CHECK(v_last_error()[0] != '\0' && own[0].number == 1);
+        own[0].prev->next = own;
         v_free_liste(own); /* all as it was made */
         CHECK(v_last_error()[0] == '\0' && own[0].number == -1);
     }

@@ -156,10 +156,16 @@ static void *other_thread(void *fd)
 static void haupt(void)
 {
     V_KAMERAPAR head, *unaligned = (V_KAMERAPAR *)((char *)&head + 1);
-    V_OBJEKT_LIST object = {{0, 0, 0}, 0, 7};
+    V_OBJEKT_LIST object[3] = {{{0, 0, 0}, 0, 1}, {{0, 1, 0}, 1, 7}, {{1, 1, 0}, 1, 8}};
     head.number = -1;
-    v_haupt(100, 100, 100, 100, &head, 1, &object, NULL, NULL);
+    v_haupt(100, 100, 100, 100, &head, 3, object, NULL, NULL);
     CHECK(strstr(v_last_error(), "DISPLAY") != NULL);
+    CHECK(strstr(v_last_error(), "point 2 of the object has the number 7;") != NULL);
+    CHECK(strstr(v_last_error(), "point 3") == NULL); /* the first one tells */
+    v_haupt(100, 100, 100, 100, &head, 1000001, object, NULL, NULL);
+    CHECK(strstr(v_last_error(), "the object is not shown: an object has at most") != NULL);
+    v_haupt(100, 100, 100, 100, &head, 0, object + 1, NULL, NULL);
+    CHECK(strstr(v_last_error(), "object") == NULL);
     CHECK(head.number == -1);
     v_haupt(0, NAN, -1, INFINITY, NULL, -5, NULL, NULL, NULL);
     CHECK(v_last_error()[0] != '\0');

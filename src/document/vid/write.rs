@@ -196,7 +196,7 @@ impl fmt::Display for Quoted<'_> {
                     out.write_char('"')?;
                 }
                 '"' => out.write_str("\\\"")?,
-                '\n' if lines => out.write_char('\n')?,
+                '\n' => out.write_char('\n')?,
                 '\t' => out.write_char('\t')?,
                 // An editor may change the ends of lines: this one is meant.
                 '\r' => out.write_str("\\r")?,
