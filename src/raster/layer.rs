@@ -427,6 +427,11 @@ impl Layer {
         }
     }
 
+    /// Whether it may put something into a row of tiles.
+    pub(super) fn reaches(&self, y: usize) -> bool {
+        (self.tiles.y0..self.tiles.y1).contains(&y)
+    }
+
     /// A tile's fingerprint continued by this layer, if it puts something there.
     pub(super) fn continued(&self, hash: u64, (x, y): (usize, usize)) -> Option<u64> {
         let cell = self.cells.get(self.tiles.index(x, y)?)?;

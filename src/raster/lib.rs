@@ -77,7 +77,9 @@ pub struct Raster {
     sums: Vec<Sum>,
     /// What is kept of each tile; as `shown`.
     under: Vec<Under>,
-    /// Of the tile that is painted; kept for its memory.
+    /// The layers in the row of tiles that is painted, and those in the tile;
+    /// kept for their memory.
+    row: Vec<u32>,
     steps: Vec<Step>,
     tile: Tile,
 }
@@ -94,6 +96,7 @@ impl Raster {
             layers: Vec::new(),
             sums: Vec::new(),
             under: Vec::new(),
+            row: Vec::new(),
             steps: Vec::new(),
             tile: Tile::new(),
         }
@@ -174,6 +177,7 @@ impl Raster {
         let mut areas = Areas::default();
         let mut each = self.shown.iter_mut().zip(&self.sums).zip(&mut self.under);
         for y in tiles.y0..tiles.y1 {
+            self.row.clear();
             for x in tiles.x0..tiles.x1 {
                 let Some(((shown, sum), under)) = each.next() else {
                     continue;
@@ -184,7 +188,12 @@ impl Raster {
                 *shown = sum.hash;
                 let cut = pixels_of(x, y).and(whole);
                 (self.tile.x, self.tile.y) = (cut.x0, cut.y0);
-                steps(&self.layers, sum.first, (x, y), &mut self.steps);
+                if self.row.is_empty() {
+                    let numbered = (0..).zip(&self.layers);
+                    let reach = numbered.filter(|(_, layer)| layer.reaches(y));
+                    self.row.extend(reach.map(|(number, _)| number));
+                }
+                steps(&self.layers, &self.row, sum.first, (x, y), &mut self.steps);
                 let (painted, keep) = under.begin(&self.steps, sum.ground, &mut self.tile);
                 for (at, step) in self.steps.iter().enumerate().skip(painted) {
                     let number = step.layer as usize;
@@ -260,14 +269,14 @@ impl Raster {
     }
 }
 
-/// What lies in a tile, layer by layer, from the one that hides all below.
-fn steps(layers: &[Layer], first: u32, at: (usize, usize), steps: &mut Vec<Step>) {
+/// What lies in a tile, layer by layer, from the one that hides all below. The
+/// row is of the layers that reach the tile's.
+fn steps(layers: &[Layer], row: &[u32], first: u32, at: (usize, usize), steps: &mut Vec<Step>) {
     steps.clear();
     let mut hash = 0;
-    for (number, layer) in layers.iter().enumerate().skip(first as usize) {
-        if let Some(continued) = layer.continued(hash, at) {
+    for &layer in &row[row.partition_point(|&number| number < first)..] {
+        if let Some(continued) = layers[layer as usize].continued(hash, at) {
             hash = continued;
-            let layer = number as u32;
             steps.push(Step { hash, layer });
         }
     }
