@@ -17,6 +17,14 @@ from space import first_look
 WINDOWS = 32
 TIMES = 30
 MOTIONS = 200
+# A mouse tells 125 times a second where it is.
+BETWEEN = "0.008"
+# Setup files, and what is to be seen then.
+SHOWN = {
+    "version = 1\n": "everything shown",
+    "version = 1\n[shown]\nribbon = false\ncameras = false\nnumbers = false\n":
+        "curve, crosses and arrows shown",
+}
 
 
 def spread(values, unit):
@@ -93,13 +101,17 @@ def spiral(file, count):
                       "target = [0.0, 0.05, 0.0]\n")
 
 
-def drags(folder, hosts, kind):
+def drags(folder, hosts, kind, shown):
     """The host's own time for each motion while a point is dragged: input,
     path, picture, hand-over to the server."""
-    for count in (2, 100, 10_000):
+    for count in (2, 100, 1000, 10_000):
         file = os.path.join(folder, f"{count}.vid")
         spiral(file, count)
         server = Server(tempfile.mkdtemp(dir=folder), screen="1300x900x24")
+        setup = os.path.join(server.env["XDG_CONFIG_HOME"], "vides")
+        os.makedirs(setup)
+        with open(os.path.join(setup, "setup.toml"), "w", encoding="ascii") as out:
+            out.write(shown)
         host = Told(folder, [os.path.join(hosts, f"loop_poll-{kind}")], server.env)
         try:
             host.edit(0, file)
@@ -112,12 +124,13 @@ def drags(folder, hosts, kind):
             words = []
             for step in range(MOTIONS):
                 words += ["mousemove", "--window", window, round(start[0]) - 21 - step % 50,
-                          round(start[1]) - 21 - step % 37, "sleep", "0.02"]
+                          round(start[1]) - 21 - step % 37, "sleep", BETWEEN]
             server.xdotool(*words)
             host.idle()
             spent = processor(host.pid) - spent
             check(host.path()[0] != before, "the point stayed where it was")
-            print(f"{kind}: dragging one of {count} points: {spent / MOTIONS:.2f} ms a motion")
+            print(f"{kind}: dragging one of {count} points, {SHOWN[shown]}: "
+                  f"{spent / MOTIONS:.2f} ms a motion")
         finally:
             host.kill()
             server.end()
@@ -173,7 +186,8 @@ def main():
         for kind in ("archive", "shared"):
             times(folder, hosts, kind)
             memory(folder, hosts, kind)
-            drags(folder, hosts, kind)
+            for shown in SHOWN:
+                drags(folder, hosts, kind, shown)
 
 
 if __name__ == "__main__":
