@@ -7,6 +7,7 @@ use std::io::{self, BufWriter, Write};
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt, PermissionsExt};
 use std::path::{Path, PathBuf};
 
+use super::NotAFile;
 use crate::error::{Error, Result, room};
 
 /// Bytes that are written at once.
@@ -38,14 +39,9 @@ pub fn save_with(file: &Path, write: &mut dyn FnMut(&mut dyn Write) -> Result<()
     let io = |error| failed(file, error);
     let target = destination(file).map_err(io)?;
     let old = match fs::metadata(&target) {
-        Ok(metadata) if metadata.is_file() => Some(metadata),
         Ok(metadata) => {
-            let what = if metadata.is_dir() {
-                "this is a directory, not a file"
-            } else {
-                "this is not a regular file"
-            };
-            return Err(io(io::Error::other(what)));
+            NotAFile::refuse(&metadata).map_err(io)?;
+            Some(metadata)
         }
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
         Err(error) => return Err(io(error)),

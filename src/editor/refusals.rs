@@ -8,7 +8,7 @@ use std::io;
 
 use super::state::Editor;
 use super::texts::{Language, fill};
-use crate::document::{Document, Edit};
+use crate::document::{Document, Edit, NotAFile};
 use crate::error::{Error, reason};
 use crate::limits;
 
@@ -127,11 +127,10 @@ pub(super) fn of_system(language: Language, error: &io::Error) -> String {
         io::ErrorKind::FileTooLarge => texts.too_large,
         io::ErrorKind::Interrupted => texts.interrupted,
         io::ErrorKind::OutOfMemory => texts.memory,
-        _ => match error.to_string().as_str() {
-            // What the document's files say of themselves.
-            "this is a directory, not a file" => texts.is_directory,
-            "this is not a regular file" => texts.not_regular,
-            _ => return fill(texts.system, &[&reason(error)]),
+        _ => match NotAFile::of(error) {
+            Some(NotAFile::Directory) => texts.is_directory,
+            Some(NotAFile::Special) => texts.not_regular,
+            None => return fill(texts.system, &[&reason(error)]),
         },
     };
     known.to_owned()
@@ -151,5 +150,31 @@ impl Editor {
             other => reason_of(self.language(), other),
         };
         self.complain(fill(texts.cannot_hand_over, &[&why]));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::document::{save::save, vid::read_text};
+
+    #[test]
+    fn what_is_no_file_is_called_what_it_is() {
+        for language in [Language::German, Language::English] {
+            let texts = &language.texts().errors;
+            for (place, what) in [("/", texts.is_directory), ("/dev/null", texts.not_regular)] {
+                let place = Path::new(place);
+                for refused in [read_text(place, 1).map(drop), save(place, b"")] {
+                    let error = refused.expect_err("no file");
+                    assert_eq!(reason_of(language, &error), what);
+                }
+            }
+            // The same words from elsewhere are somebody else's.
+            let other = io::Error::other("this is not a regular file");
+            let said = of_system(language, &other);
+            assert_eq!(said, fill(texts.system, &[&other]));
+        }
     }
 }

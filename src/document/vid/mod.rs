@@ -42,6 +42,7 @@ use std::io::Read;
 use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
+use super::NotAFile;
 use super::info::Info;
 use crate::error::{Error, Result, message, room, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
@@ -88,14 +89,7 @@ pub(crate) fn read_text(file: &Path, most: u64) -> Result<String> {
         .open(file)
         .map_err(io)?;
     let metadata = opened.metadata().map_err(io)?;
-    if !metadata.is_file() {
-        let what = if metadata.is_dir() {
-            "this is a directory, not a file"
-        } else {
-            "this is not a regular file"
-        };
-        return Err(io(std::io::Error::other(what)));
-    }
+    NotAFile::refuse(&metadata).map_err(io)?;
     if metadata.len() > most {
         return Err(too_large(most).at(place));
     }
