@@ -106,11 +106,15 @@ def shape(player, at, preset):
     """Abbildung 7.5: gives a point a preset of the curve's shape."""
     go_to(player, at)
     player.button(2, 0)
-    picture = player.server.drawn(player.window)
-    circles = boxes(picture, RADIO, PANEL + 20, 34, PANEL + 64, picture.height, least=(9, 9))
-    player.click(circles[preset][0])
+
+    def circles():
+        picture = player.server.drawn(player.window)
+        return boxes(picture, RADIO, PANEL + 20, 34, PANEL + 64, picture.height, least=(9, 9))
+
+    player.click(wait(circles, "the presets")[preset][0])
     if preset == 5:
         player.shot("shape-of-the-curve")
+    picture = player.server.drawn(player.window)
     last = boxes(picture, BUTTON, PANEL, 34, 1100, picture.height - 60)[-1]
     player.click(last[-1])
     player.away()
@@ -122,9 +126,12 @@ def slow_start(player):
     for _ in range(3):
         player.button(4, 1)
     player.button(5, 0)
-    picture = player.server.drawn(player.window)
-    shapes = [row for row in boxes(picture, BUTTON, PANEL, 34, 1100, 700) if len(row) >= 5][0]
-    player.click(shapes[1])
+
+    def shapes():
+        picture = player.server.drawn(player.window)
+        return [row for row in boxes(picture, BUTTON, PANEL, 34, 1100, 700) if len(row) >= 5]
+
+    player.click(wait(shapes, "the shapes")[0][1])
     player.shot("speed-curve")
     player.server.xdotool("key", "Escape")
     player.away()
