@@ -34,6 +34,9 @@ atom_manager! {
         NULL,
         TEXT_PLAIN: b"text/plain",
         TEXT_PLAIN_UTF8: b"text/plain;charset=utf-8",
+        // The desktop's settings.
+        _XSETTINGS_S0,
+        _XSETTINGS_SETTINGS,
         // Our own.
         _VIDES_SELECTION,
         _VIDES_SHOWN,

@@ -67,6 +67,7 @@ impl Window {
             Event::DestroyNotify(event) if event.window == ours => {
                 return Err(Error::Display("the window was closed from outside".into()));
             }
+            Event::PropertyNotify(event) if self.settings.note(&self.connection, event) => {}
             Event::PropertyNotify(event) => {
                 let resources = u32::from(x11rb::protocol::xproto::AtomEnum::RESOURCE_MANAGER);
                 let root = scale::root(&self.connection);

@@ -29,6 +29,7 @@ mod pixels;
 mod pointer;
 mod present;
 mod scale;
+mod settings;
 mod shared;
 mod stream;
 mod visual;
@@ -44,6 +45,8 @@ mod input_tests;
 mod keyboard_tests;
 #[cfg(test)]
 mod server_tests;
+#[cfg(test)]
+mod settings_tests;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]
@@ -66,6 +69,7 @@ use keyboard::Keyboard;
 use pixels::Layout;
 use pointer::Pointer;
 use present::Surface;
+use settings::Settings;
 use window::Frame;
 
 /// The largest texture that the painter is given, pixels a side.
@@ -116,8 +120,10 @@ pub(crate) struct Window {
     keyboard: Keyboard,
     clipboard: Clipboard,
     cursors: Cursors,
-    /// The desktop's settings.
+    /// The desktop's settings: the server's resources.
     resources: Database,
+    /// Those of its settings manager.
+    settings: Settings,
     /// When and where the middle button was pressed, until egui has said whether
     /// there is a text.
     middle: Option<(u32, Pos2)>,
@@ -171,6 +177,7 @@ impl Window {
         connection.maximum_request_bytes(); // asked for long ago; now it is known
         let resources = scale::ask(&connection)?;
         let scale = scale::of(&resources);
+        let settings = Settings::ask(&connection)?;
         let frame = window::create(&connection, &visual, options, scale)?;
         let mut surface = Surface::new(frame.window, frame.context, visual.depth, layout);
         surface.try_sharing(&connection)?;
@@ -185,6 +192,7 @@ impl Window {
             clipboard: Clipboard::new(),
             cursors: Cursors::new(),
             resources,
+            settings,
             middle: None,
             pos: Pos2::ZERO,
             scale,
@@ -247,6 +255,7 @@ impl Window {
             if let Some(time) = self.keyboard.take_paste() {
                 self.paste(Selection::Clipboard, time, None)?;
             }
+            self.news.input |= self.settings.renew(&self.connection)?;
             if self.mapped && self.surface.is_free() && self.surface.size() != self.size {
                 self.surface.resize(&self.connection, self.size)?;
                 self.news.new_buffer = true;
@@ -284,6 +293,10 @@ impl Window {
             max_texture_side: Some(TEXTURE_SIDE),
             time: Some(self.opened.elapsed().as_secs_f64()),
             focused: self.focus.told,
+            system_theme: self.settings.dark().map(|dark| match dark {
+                true => egui::Theme::Dark,
+                false => egui::Theme::Light,
+            }),
             events,
             ..egui::RawInput::default()
         }

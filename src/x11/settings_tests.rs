@@ -1,0 +1,159 @@
+//! The desktop's settings manager: there, gone, changing its mind, or writing
+//! what it likes.
+
+use std::os::fd::AsFd as _;
+use std::time::Duration;
+
+use x11rb::connection::Connection as _;
+use x11rb::protocol::xproto::{
+    AtomEnum, ConnectionExt as _, CreateWindowAux, PropMode, WindowClass,
+};
+use x11rb::rust_connection::RustConnection;
+use x11rb::wrapper::ConnectionExt as _;
+
+use super::settings::tests::settings;
+use super::stream::wait;
+use super::testing::{Server, until};
+use super::{Options, Window};
+
+/// A client that owns the settings.
+struct Manager {
+    connection: RustConnection,
+    window: u32,
+    property: u32,
+}
+
+impl Manager {
+    fn new(server: &Server) -> Self {
+        let (connection, screen) = x11rb::connect(Some(server.display())).unwrap();
+        let root = connection.setup().roots[screen].root;
+        let window = connection.generate_id().unwrap();
+        let looks = CreateWindowAux::new();
+        connection
+            .create_window(
+                0,
+                window,
+                root,
+                -9,
+                -9,
+                1,
+                1,
+                0,
+                WindowClass::INPUT_ONLY,
+                0,
+                &looks,
+            )
+            .unwrap();
+        let atom = |name: &[u8]| {
+            let asked = connection.intern_atom(false, name).unwrap();
+            asked.reply().unwrap().atom
+        };
+        let (selection, property) = (atom(b"_XSETTINGS_S0"), atom(b"_XSETTINGS_SETTINGS"));
+        connection
+            .set_selection_owner(window, selection, x11rb::CURRENT_TIME)
+            .unwrap();
+        connection.sync().unwrap();
+        Self {
+            connection,
+            window,
+            property,
+        }
+    }
+
+    fn write(&self, kind: u32, bytes: &[u8]) {
+        let connection = &self.connection;
+        let asked =
+            connection.change_property8(PropMode::REPLACE, self.window, self.property, kind, bytes);
+        asked.unwrap();
+        connection.sync().unwrap();
+    }
+
+    fn theme(&self, name: &str) {
+        self.write(self.property, &settings(cfg!(target_endian = "big"), name));
+    }
+}
+
+fn open(server: &Server) -> Window {
+    Window::open(&Options {
+        display: Some(server.display().to_owned()),
+        title: "VIDES".to_owned(),
+        size: [300.0, 200.0],
+        smallest: [100.0, 80.0],
+    })
+    .unwrap()
+}
+
+/// Waits until egui is told this.
+fn hears(window: &mut Window, wanted: Option<egui::Theme>) {
+    until("the desktop's theme", || {
+        wait(window.as_fd(), libc::POLLIN, Duration::from_millis(5)).unwrap();
+        window.poll().unwrap();
+        (window.take_input().system_theme == wanted).then_some(())
+    });
+}
+
+#[test]
+fn the_desktops_theme_is_told_and_followed() {
+    let server = Server::start();
+    assert_eq!(open(&server).take_input().system_theme, None);
+    let manager = Manager::new(&server);
+    manager.theme("Adwaita-dark");
+    let mut window = open(&server);
+    assert_eq!(window.take_input().system_theme, Some(egui::Theme::Dark));
+    manager.theme("Adwaita");
+    hears(&mut window, Some(egui::Theme::Light));
+    // A change is input: the window is drawn anew without a hand in it.
+    manager.theme("Breeze-Dark");
+    until("input", || window.poll().unwrap().input.then_some(()));
+    assert_eq!(window.take_input().system_theme, Some(egui::Theme::Dark));
+    // The manager ends: it stays as it was.
+    drop(manager);
+    window
+        .connection
+        .answer(window.connection.get_input_focus())
+        .unwrap();
+    window.poll().unwrap();
+    assert_eq!(window.take_input().system_theme, Some(egui::Theme::Dark));
+    until("the server to notice", || {
+        let told = open(&server).take_input().system_theme;
+        told.is_none().then_some(())
+    });
+}
+
+#[test]
+fn a_manager_that_writes_rubbish_is_not_listened_to() {
+    let server = Server::start();
+    let manager = Manager::new(&server);
+    let kind = manager.property;
+    // No settings at all.
+    let mut window = open(&server);
+    assert_eq!(window.take_input().system_theme, None);
+    let good = settings(false, "Adwaita-dark");
+    let mut long = good.clone();
+    long.resize(1 << 20, 0xff);
+    let huge_count = [&[0; 8][..], &[0xff; 4], &[1; 400]].concat();
+    for (kind, bytes) in [
+        (kind, &good[..good.len() - 1]),
+        (kind, &[][..]),
+        (kind, &[0xff; 4096]),
+        (kind, &huge_count),
+        (u32::from(AtomEnum::STRING), &good),
+    ] {
+        manager.theme("Adwaita-dark");
+        hears(&mut window, Some(egui::Theme::Dark));
+        manager.write(kind, bytes);
+        hears(&mut window, None);
+        assert_eq!(open(&server).take_input().system_theme, None);
+    }
+    // Very much behind what is asked for does not matter.
+    manager.write(kind, &long);
+    hears(&mut window, Some(egui::Theme::Dark));
+    // Of numbers of another size nothing is read.
+    let connection = &manager.connection;
+    let words = [0_u32; 64];
+    connection
+        .change_property32(PropMode::REPLACE, manager.window, kind, kind, &words)
+        .unwrap();
+    connection.sync().unwrap();
+    hears(&mut window, None);
+}
