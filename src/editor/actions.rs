@@ -8,6 +8,7 @@ use super::windows::{
     self, ColourWindow, CurveWindow, DisplayWindow, HelpWindow, PointsWindow, SpeedWindow,
 };
 use crate::document::{Edit, Selection};
+use crate::path::{Orientation, Target};
 
 /// Something that a menu entry, a key or a button stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +53,10 @@ pub(super) enum Action {
     NextOrientation,
     /// `Abs.` (true) or `Rel.` (false).
     SetAbsolute(bool),
+    /// `Abs.` if it is `Rel.`, and the other way round.
+    SwitchAbsolute,
+    /// Let every orientation of the path look where the current one does.
+    AimAll,
     /// Keep the current orientation for pasting.
     CopyOrientation,
     /// Put the one that was copied in place of the current one.
@@ -74,8 +79,12 @@ pub(super) enum Action {
     Recent(usize),
     /// Ask for a name and save the setup.
     SaveSetup,
-    /// Dark or light.
-    Theme(Theme),
+    /// Dark, light, or as the desktop is.
+    Theme(Option<Theme>),
+    /// Show the camera's picture, or show it no more.
+    SwitchCameraView,
+    /// Play the flight, or stop.
+    PlayOrPause,
     /// Show the keys.
     Keys,
 }
@@ -136,6 +145,12 @@ impl Editor {
                     absolute,
                 });
             }
+            Action::SwitchAbsolute => {
+                let target = self.orientation().map(|current| current.target);
+                let absolute = matches!(target, Some(Target::Absolute(_)));
+                self.act(Action::SetAbsolute(!absolute), context);
+            }
+            Action::AimAll => self.aim_all(),
             Action::CopyOrientation => {
                 self.copied = self.orientation().cloned();
                 self.say(self.texts().output.copied);
@@ -155,6 +170,8 @@ impl Editor {
             Action::LoadSetup => self.choose_file(Purpose::LoadSetup),
             Action::SaveSetup => self.choose_file(Purpose::SaveSetup),
             Action::Theme(theme) => self.setup.theme = theme,
+            Action::SwitchCameraView => self.setup.camera_view = !self.setup.camera_view,
+            Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),
         }
     }
@@ -174,6 +191,49 @@ impl Editor {
     fn add_points(&mut self, points: usize) {
         let segment = self.document.selection().point;
         self.edit(Edit::DivideSegment { segment, points });
+    }
+
+    /// Lets every orientation look at the place that the current one looks at,
+    /// as one step. A point on that place makes it impossible.
+    fn aim_all(&mut self) {
+        let Some((position, current)) = self
+            .point()
+            .zip(self.orientation())
+            .map(|(point, current)| (point.position, current.target))
+        else {
+            return;
+        };
+        let place = match current {
+            Target::Absolute(place) => place,
+            Target::Relative(offset) => position + offset,
+        };
+        let aimed: Vec<Edit> = self
+            .document
+            .path()
+            .points
+            .iter()
+            .enumerate()
+            .flat_map(|(point, of_point)| {
+                let orientations = of_point.orientations.iter().enumerate();
+                orientations.map(move |(at, orientation)| Edit::SetOrientation {
+                    point,
+                    at,
+                    orientation: Orientation {
+                        target: Target::Absolute(place),
+                        ..orientation.clone()
+                    },
+                })
+            })
+            .collect();
+        self.document.begin_step();
+        for edit in aimed {
+            if !self.edit(edit) {
+                self.document.cancel_step();
+                return;
+            }
+        }
+        self.document.end_step();
+        self.say(self.texts().orientation.all_aimed);
     }
 
     /// Whether a segment begins at the current point.

@@ -29,7 +29,7 @@ pub(super) fn show(editor: &mut Editor, context: &Context, room: Rect) {
     if !editor.setup.camera_view {
         return;
     }
-    let palette = editor.setup.theme.palette();
+    let palette = editor.setup.theme().palette();
     let ground = editor.setup.colours().of(Element::Background);
     let frame = egui::Frame::new()
         .fill(ground)

@@ -5,6 +5,7 @@ use egui::{
     Color32, Context, CornerRadius, Id, Key, Rect, Stroke, StrokeKind, Ui, UiBuilder, vec2,
 };
 
+use super::setup::Theme;
 use super::state::Editor;
 use super::{keys, menu, output, panels, space, theme, windows};
 
@@ -20,20 +21,23 @@ const MARGIN: f32 = 12.0;
 /// Shows everything, and does what was asked for.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let context = ui.ctx().clone();
-    context.set_theme(editor.setup.theme.of_egui());
+    if let Some(theme) = context.system_theme() {
+        editor.setup.desktop = Theme::of_system(theme);
+    }
+    context.set_theme(editor.setup.theme().of_egui());
     let dragging = context.input(|input| input.pointer.any_down() || input.pointer.any_released());
     if !dragging && !editor.space.keeps_step_open() {
         // A drag whose end nobody saw: its control vanished meanwhile.
         editor.document.end_step();
     }
-    let mut action = editor.waiting.take();
+    let mut actions = Vec::from_iter(editor.waiting.take());
     if !editor.windows.ask() {
-        action = action.or_else(|| keys::pressed(&context));
+        actions.extend(keys::pressed(&context));
     }
-    if action.is_some() {
+    if !actions.is_empty() {
         keys::release(&context);
     }
-    let palette = editor.setup.theme.palette();
+    let palette = editor.setup.theme().palette();
     let whole = ui.max_rect();
     let (bar, below) = whole.split_top_bottom_at_y(whole.top() + BAR);
     let (left, middle) = below.split_left_right_at_x(below.left() + PANELS);
@@ -68,7 +72,11 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.painter()
         .vline(left.right() - 0.5, below.y_range(), line);
     windows::show(editor, &context);
-    if let Some(action) = action.or(picked) {
+    for (number, action) in actions.into_iter().chain(picked).enumerate() {
+        // The first may have brought up a question: the rest was typed blindly.
+        if number > 0 && editor.windows.ask() {
+            break;
+        }
         editor.act(action, &context);
     }
     show_focus(&context);

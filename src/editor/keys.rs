@@ -26,7 +26,15 @@ pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (CTRL, Key::Z, Action::Undo),
     (CTRL_SHIFT, Key::Z, Action::Redo),
     (CTRL, Key::Y, Action::Redo),
+    (NONE, Key::Insert, Action::AddPoint),
+    (CTRL, Key::I, Action::AskPoints),
     (NONE, Key::Delete, Action::RemovePoint),
+    (CTRL, Key::PageDown, Action::NextPoint),
+    (CTRL, Key::PageUp, Action::PreviousPoint),
+    (ALT, Key::Insert, Action::AddOrientation),
+    (ALT, Key::Delete, Action::RemoveOrientation),
+    (CTRL_SHIFT, Key::PageDown, Action::NextOrientation),
+    (CTRL_SHIFT, Key::PageUp, Action::PreviousOrientation),
     (CTRL, Key::C, Action::CopyOrientation),
     (CTRL, Key::V, Action::PasteOrientation),
     (ALT, Key::U, Action::HandOver),
@@ -35,6 +43,22 @@ pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (ALT, Key::T, Action::LoadSetup),
     (ALT, Key::P, Action::SaveSetup),
     (NONE, Key::F1, Action::Keys),
+    (NONE, Key::F2, Action::Curve),
+    (NONE, Key::F3, Action::SpeedCurve),
+    (NONE, Key::F4, Action::SwitchCameraView),
+    (NONE, Key::F5, Action::PlayOrPause),
+    (NONE, Key::F6, Action::SwitchAbsolute),
+    (NONE, Key::F7, Action::AimAll),
+];
+
+/// What is done again and again while the key stays down.
+const REPEATED: &[Action] = &[
+    Action::Undo,
+    Action::Redo,
+    Action::NextPoint,
+    Action::PreviousPoint,
+    Action::NextOrientation,
+    Action::PreviousOrientation,
 ];
 
 /// What a text that is being typed needs itself.
@@ -42,15 +66,17 @@ const OF_TEXTS: &[Action] = &[
     Action::Undo,
     Action::Redo,
     Action::RemovePoint,
+    Action::RemoveOrientation,
     Action::CopyOrientation,
     Action::PasteOrientation,
 ];
 
-/// The action whose keys were pressed. Nobody else sees them then.
-pub(super) fn pressed(context: &Context) -> Option<Action> {
+/// The actions whose keys were pressed, in their order. Nobody else sees them
+/// then.
+pub(super) fn pressed(context: &Context) -> Vec<Action> {
     let typing = context.text_edit_focused();
     context.input_mut(|input| {
-        let mut found = None;
+        let mut found = Vec::new();
         input.events.retain(|event| {
             let action = match event {
                 Event::Key {
@@ -60,15 +86,13 @@ pub(super) fn pressed(context: &Context) -> Option<Action> {
                     modifiers,
                     ..
                 } => action_of(*modifiers, *key)
-                    .filter(|action| !repeat || matches!(action, Action::Undo | Action::Redo)),
+                    .filter(|action| !repeat || REPEATED.contains(action)),
                 Event::Copy => Some(Action::CopyOrientation),
                 Event::Paste(_) => Some(Action::PasteOrientation),
                 _ => None,
             };
             let action = action.filter(|action| !(typing && OF_TEXTS.contains(action)));
-            if action.is_some() {
-                found = action;
-            }
+            found.extend(action);
             action.is_none()
         });
         found
@@ -103,7 +127,10 @@ pub(super) fn combination(language: Language, modifiers: Modifiers, key: Key) ->
         }
     }
     words.push_str(match key {
+        Key::Insert => texts.insert,
         Key::Delete => texts.delete,
+        Key::PageUp => texts.page_up,
+        Key::PageDown => texts.page_down,
         other => other.name(),
     });
     words
@@ -169,6 +196,6 @@ mod tests {
         assert_eq!(german(Action::RemovePoint).as_deref(), Some("Entf"));
         let english = |action| words(Language::English, action);
         assert_eq!(english(Action::Quit).as_deref(), Some("Alt+F4"));
-        assert_eq!(english(Action::NextPoint), None);
+        assert_eq!(english(Action::AppendPoint), None);
     }
 }

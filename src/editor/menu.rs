@@ -1,23 +1,26 @@
-//! The menu bar (thesis A.5): opened by the pointer or by Alt and a letter,
-//! walked through by the arrow keys; in an open menu an entry's letter picks it.
+//! The menu bar (thesis A.5): opened by the pointer, by Alt and a letter or by
+//! F10, walked through by the arrow keys; in an open menu an entry's letter
+//! picks it.
 
 use std::borrow::Cow;
 
 use egui::{
     Align2, Button, Color32, Context, CornerRadius, FocusDirection, Id, Key, Modifiers, Popup,
-    Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Response, Role, Sense, SetOpenCommand, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
 use super::actions::Action;
 use super::keys;
 use super::setup::Theme;
 use super::state::Editor;
-use super::texts::fill;
+use super::texts::{Texts, fill};
 use super::theme;
 use crate::limits::MIN_POINTS;
 
 /// Room for a mark before an entry's text.
 const MARK: f32 = 28.0;
+/// Beside a menu's title.
+const TITLE_MARGIN: f32 = 6.0;
 /// Between the texts and their keys.
 const APART: f32 = 32.0;
 
@@ -78,24 +81,30 @@ impl Entry {
 struct Menu {
     title: &'static str,
     /// With Alt it opens the menu.
-    letter: Option<Key>,
+    letter: Key,
     entries: Vec<Entry>,
 }
 
+/// The letters that open the menus with Alt, and the menus' titles.
+pub(super) fn letters(texts: &Texts) -> [(Key, &'static str); 5] {
+    let menu = &texts.menu;
+    [
+        (Key::D, menu.file),
+        (Key::B, menu.edit),
+        (Key::A, menu.output),
+        (Key::E, menu.settings),
+        (Key::H, menu.help),
+    ]
+}
+
 fn menus(editor: &Editor) -> [Menu; 5] {
-    let texts = &editor.texts().menu;
-    let menu = |title, letter, entries| Menu {
+    let entries = [file, edit, output, settings, help];
+    let mut entries = entries.into_iter().map(|entries| entries(editor));
+    letters(editor.texts()).map(|(letter, title)| Menu {
         title,
         letter,
-        entries,
-    };
-    [
-        menu(texts.file, Some(Key::D), file(editor)),
-        menu(texts.edit, None, edit(editor)),
-        menu(texts.output, Some(Key::A), output(editor)),
-        menu(texts.settings, Some(Key::E), settings(editor)),
-        menu(texts.help, None, help(editor)),
-    ]
+        entries: entries.next().unwrap_or_default(),
+    })
 }
 
 fn file(editor: &Editor) -> Vec<Entry> {
@@ -119,6 +128,8 @@ fn file(editor: &Editor) -> Vec<Entry> {
 fn edit(editor: &Editor) -> Vec<Entry> {
     let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
     let (position, output) = (&editor.texts().position, &editor.texts().output);
+    let orientation = &editor.texts().orientation;
+    let orientations = editor.point().map_or(1, |point| point.orientations.len());
     let path = editor.document.path();
     let closed = path.closed;
     let close_hint = if closed { hints.open } else { hints.close };
@@ -130,6 +141,8 @@ fn edit(editor: &Editor) -> Vec<Entry> {
         Entry::new(texts.add_point, position.add_hint, Action::AddPoint)
             .only_if(editor.has_segment(), position.last_point)
             .apart(),
+        Entry::new(texts.add_points, position.add_many_hint, Action::AskPoints)
+            .only_if(editor.has_segment(), position.last_point),
         Entry::new(
             texts.remove_point,
             position.remove_hint,
@@ -142,17 +155,29 @@ fn edit(editor: &Editor) -> Vec<Entry> {
             .only_if(!closed, position.closed_has_no_ends),
         Entry::new(texts.close, close_hint, Action::SetClosed(!closed)).on(closed),
         Entry::new(
+            texts.add_orientation,
+            orientation.add_hint,
+            Action::AddOrientation,
+        )
+        .apart(),
+        Entry::new(
+            texts.remove_orientation,
+            orientation.remove_hint,
+            Action::RemoveOrientation,
+        )
+        .only_if(orientations > 1, orientation.one_remains),
+        Entry::new(
             texts.copy_orientation,
             hints.copy_orientation,
             Action::CopyOrientation,
-        )
-        .apart(),
+        ),
         Entry::new(
             texts.paste_orientation,
             hints.paste_orientation,
             Action::PasteOrientation,
         )
         .only_if(editor.copied.is_some(), output.nothing_copied),
+        Entry::new(texts.aim_all, hints.aim_all, Action::AimAll),
     ]
 }
 
@@ -168,14 +193,15 @@ fn output(editor: &Editor) -> Vec<Entry> {
 
 fn settings(editor: &Editor) -> Vec<Entry> {
     let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
-    let theme = editor.setup.theme;
+    let look = |text, hint, theme| {
+        Entry::new(text, hint, Action::Theme(theme)).on(editor.setup.theme == theme)
+    };
     vec![
         Entry::new(texts.colours, hints.colours, Action::Colours).letter(Key::F),
         Entry::new(texts.display, hints.display, Action::Display).letter(Key::Z),
-        Entry::new(texts.dark, hints.dark, Action::Theme(Theme::Dark))
-            .on(theme == Theme::Dark)
-            .apart(),
-        Entry::new(texts.light, hints.light, Action::Theme(Theme::Light)).on(theme == Theme::Light),
+        look(texts.as_system, hints.as_system, None).apart(),
+        look(texts.dark, hints.dark, Some(Theme::Dark)),
+        look(texts.light, hints.light, Some(Theme::Light)),
         Entry::new(texts.load_setup, hints.load_setup, Action::LoadSetup)
             .letter(Key::T)
             .apart(),
@@ -199,19 +225,41 @@ struct Bar {
     wants_first: bool,
 }
 
+impl Bar {
+    /// The menu that is open.
+    fn open(&self, context: &Context) -> Option<usize> {
+        let is_open = |&popup: &Id| Popup::is_id_open(context, popup);
+        self.popups.iter().position(is_open)
+    }
+}
+
 /// Shows the menus. The action whose entry was picked.
 pub(super) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
     let memory = Id::unique("menu bar");
     let mut bar: Bar = ui.data(|data| data.get_temp(memory)).unwrap_or_default();
     let menus = menus(editor);
     let mut picked = walk(ui.ctx(), &mut bar, &menus);
+    let open = bar.open(ui.ctx());
     bar.popups.clear();
     bar.entries.clear();
-    for menu in &menus {
-        let button = Button::new(menu.title).frame_when_inactive(false);
-        let (response, inner) = egui::containers::menu::MenuButton::from_button(button)
-            .ui(ui, |ui| show_entries(editor, ui, menu, &mut bar));
-        bar.popups.push(Popup::default_response_id(&response));
+    ui.spacing_mut().button_padding = vec2(TITLE_MARGIN, 0.0);
+    ui.spacing_mut().item_spacing.x = 0.0;
+    for (index, menu) in menus.iter().enumerate() {
+        let mut title = Button::new(menu.title).frame_when_inactive(false);
+        if open == Some(index) {
+            let fill = theme::palette(ui).hovered;
+            title = title.frame_when_inactive(true).fill(fill);
+        }
+        let response = ui.add(title);
+        let mut popup = Popup::menu(&response);
+        bar.popups.push(popup.get_id());
+        // An open menu gives way to the one that the pointer comes to. One that
+        // only rests there leaves the choice to the keyboard.
+        let came = response.hovered() && ui.input(|input| input.pointer.delta() != Vec2::ZERO);
+        if came && open.is_some_and(|open| open != index) {
+            popup = popup.open_memory(Some(SetOpenCommand::Bool(true)));
+        }
+        let inner = popup.show(|ui| show_entries(editor, ui, menu, &mut bar));
         picked = picked.or(inner.and_then(|inner| inner.inner));
     }
     ui.data_mut(|data| data.insert_temp(memory, bar));
@@ -304,19 +352,22 @@ fn show_entry(ui: &mut Ui, entry: &Entry, keys: &str, size: Vec2) -> Response {
 
 /// The keyboard in the menus.
 fn walk(context: &Context, bar: &mut Bar, menus: &[Menu]) -> Option<Action> {
-    let open = bar
-        .popups
-        .iter()
-        .position(|&popup| Popup::is_id_open(context, popup));
+    let open = bar.open(context);
     if let Some(open) = open
         && let Some(action) = pick_by_letter(context, &menus[open])
     {
         Popup::close_all(context);
         return Some(action);
     }
-    for (index, menu) in menus.iter().enumerate() {
-        if let (Some(letter), Some(&popup)) = (menu.letter, bar.popups.get(index))
-            && context.input_mut(|input| input.consume_key(Modifiers::ALT, letter))
+    // F10 opens the first one, as in many programs.
+    let keys = menus.iter().map(|menu| (Modifiers::ALT, menu.letter));
+    let keys = keys.chain([(Modifiers::NONE, Key::F10)]);
+    for (index, (modifiers, key)) in keys.enumerate() {
+        if let Some(&popup) = bar.popups.get(index % menus.len())
+            && context.input_mut(|input| {
+                // Shift and F10 is another key.
+                !input.modifiers.shift && input.consume_key(modifiers, key)
+            })
         {
             keys::release(context);
             Popup::open_id(context, popup);

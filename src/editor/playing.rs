@@ -105,6 +105,13 @@ impl Marks {
     }
 }
 
+impl Playing {
+    /// Whether it plays.
+    pub(super) fn is_playing(&self) -> bool {
+        self.since.is_some()
+    }
+}
+
 impl Editor {
     /// The camera that is shown: the one at the frame that is played, else the
     /// current one. With it whether it is that of a frame.
@@ -242,7 +249,7 @@ fn button(ui: &mut Ui, name: &str, tip: &str, on: bool) -> (egui::Response, Pain
 
 fn play_button(editor: &mut Editor, ui: &mut Ui) {
     let texts = &editor.texts().space;
-    let plays = editor.playing.since.is_some();
+    let plays = editor.playing.is_playing();
     let name = if plays { texts.pause } else { texts.play };
     let (response, painter) = button(ui, name, texts.play_tip, false);
     let color = ui.style().interact(&response).fg_stroke.color;

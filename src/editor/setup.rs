@@ -232,8 +232,10 @@ impl View {
 /// Everything that the setup file keeps.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Setup {
-    /// Light or dark.
-    pub(super) theme: Theme,
+    /// Light or dark, as it was chosen; as the desktop is if it was not.
+    pub(super) theme: Option<Theme>,
+    /// What the desktop is. No file keeps that.
+    pub(super) desktop: Theme,
     /// The colours on a dark ground.
     pub(super) dark: Colours,
     /// The colours on a light ground.
@@ -251,7 +253,8 @@ pub(super) struct Setup {
 impl Default for Setup {
     fn default() -> Self {
         Self {
-            theme: Theme::default(),
+            theme: None,
+            desktop: Theme::default(),
             dark: Colours::DARK,
             light: Colours::LIGHT,
             shown: Shown::default(),
@@ -263,17 +266,22 @@ impl Default for Setup {
 }
 
 impl Setup {
+    /// The theme in force.
+    pub(super) fn theme(&self) -> Theme {
+        self.theme.unwrap_or(self.desktop)
+    }
+
     /// The colours of the present theme.
-    pub(super) const fn colours(&self) -> &Colours {
-        match self.theme {
+    pub(super) fn colours(&self) -> &Colours {
+        match self.theme() {
             Theme::Dark => &self.dark,
             Theme::Light => &self.light,
         }
     }
 
     /// The colours of the present theme, to be changed.
-    pub(super) const fn colours_mut(&mut self) -> &mut Colours {
-        match self.theme {
+    pub(super) fn colours_mut(&mut self) -> &mut Colours {
+        match self.theme() {
             Theme::Dark => &mut self.dark,
             Theme::Light => &mut self.light,
         }

@@ -73,8 +73,9 @@ fn to_toml(setup: &Setup) -> String {
 
 fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
     let theme = match setup.theme {
-        Theme::Dark => "dark",
-        Theme::Light => "light",
+        None => "system",
+        Some(Theme::Dark) => "dark",
+        Some(Theme::Light) => "light",
     };
     writeln!(out, "version = {VERSION}")?;
     writeln!(out, "theme = \"{theme}\"")?;
@@ -127,9 +128,14 @@ fn from_toml(text: &str) -> Result<Setup> {
             "version" => {}
             "theme" => {
                 setup.theme = match field.text()? {
-                    "dark" => Theme::Dark,
-                    "light" => Theme::Light,
-                    _ => return Err(field.error(message!("must be \"dark\" or \"light\""))),
+                    "system" => None,
+                    "dark" => Some(Theme::Dark),
+                    "light" => Some(Theme::Light),
+                    _ => {
+                        return Err(
+                            field.error(message!("must be \"system\", \"dark\" or \"light\""))
+                        );
+                    }
                 }
             }
             "language" => {
@@ -221,7 +227,7 @@ impl Editor {
             return;
         };
         match load(&file) {
-            Ok(setup) => self.setup = setup,
+            Ok(setup) => self.take_setup(setup),
             Err(Error::Io { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {}
             Err(error) => {
                 let texts = &self.texts().setup;
@@ -229,6 +235,14 @@ impl Editor {
                 self.complain(fill(texts.ignored, &[&name, &why]));
             }
         }
+    }
+
+    /// What the desktop is stays.
+    fn take_setup(&mut self, setup: Setup) {
+        self.setup = Setup {
+            desktop: self.setup.desktop,
+            ..setup
+        };
     }
 
     /// Loads a setup.
@@ -239,7 +253,7 @@ impl Editor {
         let texts = &self.texts().setup;
         match load(file) {
             Ok(setup) => {
-                self.setup = setup;
+                self.take_setup(setup);
                 self.say(fill(texts.loaded, &[&file.display()]));
                 Ok(())
             }
@@ -275,7 +289,7 @@ mod tests {
 
     fn odd_setup() -> Setup {
         let mut setup = Setup {
-            theme: Theme::Light,
+            theme: Some(Theme::Light),
             language: Some(Language::German),
             camera_view: false,
             view: View {

@@ -134,7 +134,7 @@ impl Editor {
     /// To be called once for a new egui context: fonts, style, no blinking
     /// caret, so that an idle window wakes nobody.
     pub(crate) fn prepare(&self, context: &egui::Context) {
-        theme::apply(context, self.setup.theme);
+        theme::apply(context, self.setup.theme());
     }
 
     /// One pass: shows everything and takes the input.
@@ -245,7 +245,7 @@ impl Editor {
             self.document.state_number(),
             self.document.selection(),
             message,
-            self.setup.theme,
+            self.setup.theme(),
         )
     }
 

@@ -90,6 +90,14 @@ impl Theme {
         }
     }
 
+    /// What egui calls so.
+    pub(super) fn of_system(theme: egui::Theme) -> Self {
+        match theme {
+            egui::Theme::Dark => Self::Dark,
+            egui::Theme::Light => Self::Light,
+        }
+    }
+
     /// egui's name for it.
     pub(super) fn of_egui(self) -> egui::Theme {
         match self {

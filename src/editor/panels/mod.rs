@@ -8,6 +8,7 @@ mod zoom;
 use egui::{Button, Color32, Response, RichText, ScrollArea, Sense, Stroke, Ui, WidgetInfo, vec2};
 
 use super::actions::Action;
+use super::keys;
 use super::state::Editor;
 use super::theme;
 
@@ -51,9 +52,14 @@ fn apart(ui: &mut Ui) {
 
 /// A panel's heading, with a remark at the right.
 fn heading(ui: &mut Ui, text: &str, remark: &str) -> Response {
+    heading_with_room(ui, text, remark, 0.0)
+}
+
+/// The same with room for something at the right of the remark.
+fn heading_with_room(ui: &mut Ui, text: &str, remark: &str, room: f32) -> Response {
     let palette = theme::palette(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
-    let (left, right) = (rect.left_center(), rect.right_center());
+    let (left, right) = (rect.left_center(), rect.right_center() - vec2(room, 0.0));
     let painter = ui.painter();
     painter.text(
         left,
@@ -118,7 +124,11 @@ impl<'a> Key<'a> {
             None => button,
         };
         let response = ui.add_sized([width, theme::ROW], button);
-        if response.on_hover_text(self.hint).clicked() {
+        let hint = match keys::words(editor.language(), self.action) {
+            Some(keys) => format!("{} ({keys})", self.hint),
+            None => self.hint.to_owned(),
+        };
+        if response.on_hover_text(hint).clicked() {
             editor.act(self.action, ui.ctx());
         }
     }

@@ -1,22 +1,27 @@
 //! Position and curve (thesis A.4.1): points come, go and become current; the
 //! shape of the curve at this point and the next is shown.
 
+use egui::{Button, Color32, Popup, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2};
 use glam::DVec3;
 
-use super::{Key, heading, keys, round, share};
+use super::{Key, heading_with_room, keys, round, share};
 use crate::document::Edit;
 use crate::editor::actions::Action;
 use crate::editor::number::{Entry, Number};
 use crate::editor::state::Editor;
 use crate::editor::texts::fill;
-use crate::limits::MAX_COORDINATE;
+use crate::editor::theme;
+use crate::limits::{MAX_COORDINATE, PRESETS};
 use crate::path::CurveParameters;
 
-pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
+/// Room for the arrow beside the preset's name.
+const ARROW: f32 = 14.0;
+
+pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let texts = &editor.texts().position;
     let selection = editor.document.selection();
     let count = editor.document.path().points.len();
-    heading(ui, texts.heading, &preset(editor));
+    presets(editor, ui);
     keys(
         editor,
         ui,
@@ -40,6 +45,47 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
     keys(editor, ui, &[change]);
 }
 
+/// The heading, and at its right the choice of a preset for the current point:
+/// the way to one that needs no window.
+fn presets(editor: &mut Editor, ui: &mut Ui) {
+    let texts = &editor.texts().position;
+    let name = preset(editor);
+    let row = heading_with_room(ui, texts.heading, &name, ARROW).rect;
+    let wide = ui.fonts_mut(|fonts| {
+        let galley = fonts.layout_no_wrap(name.clone(), theme::text(), Color32::PLACEHOLDER);
+        galley.size().x
+    });
+    let place = row.with_min_x(row.right() - ARROW - wide - 4.0);
+    let response = ui.interact(place, ui.scope_id().with("preset"), Sense::click());
+    response.widget_info(|| WidgetInfo {
+        current_text_value: Some(name.clone()),
+        ..WidgetInfo::labeled(Role::ComboBox, true, texts.choice)
+    });
+    let palette = theme::palette(ui);
+    let colour = if response.hovered() {
+        palette.text
+    } else {
+        palette.weak
+    };
+    let at = |x: f32, y: f32| pos2(row.right() - 5.0 + x, row.center().y + 1.0 + y);
+    let arrow = vec![at(-3.5, -2.0), at(0.0, 2.0), at(3.5, -2.0)];
+    ui.painter()
+        .add(Shape::line(arrow, Stroke::new(1.5, colour)));
+    let now = editor.point().map(|point| point.curve);
+    Popup::menu(&response).show(|ui| {
+        for preset in (0_u8..).take(PRESETS) {
+            let chosen = now == Some(CurveParameters::Preset(preset));
+            let button = Button::selectable(chosen, fill(texts.preset, &[&preset]));
+            if ui.add(button).clicked() {
+                let at = editor.document.selection().point;
+                let preset = preset.into();
+                editor.edit(Edit::UsePreset { at, preset });
+            }
+        }
+    });
+    response.on_hover_text(texts.choice_hint);
+}
+
 /// Where the current point takes its shape from.
 fn preset(editor: &Editor) -> String {
     let texts = &editor.texts().position;
@@ -50,7 +96,7 @@ fn preset(editor: &Editor) -> String {
     }
 }
 
-fn coordinates(editor: &mut Editor, ui: &mut egui::Ui) {
+fn coordinates(editor: &mut Editor, ui: &mut Ui) {
     let texts = &editor.texts().position;
     let at = editor.document.selection().point;
     let Some(position) = editor.point().map(|point| point.position) else {
@@ -75,7 +121,7 @@ fn coordinates(editor: &mut Editor, ui: &mut egui::Ui) {
 /// in its place.
 pub(super) fn three_numbers(
     editor: &mut Editor,
-    ui: &mut egui::Ui,
+    ui: &mut Ui,
     (id, name, hint): (&str, &str, &str),
     vector: DVec3,
     enter: impl Fn(&mut Editor, Entry, &dyn Fn(f64) -> DVec3),
@@ -99,7 +145,7 @@ pub(super) fn three_numbers(
 
 /// Bias, continuity and tension at the current point (1) or the next (2);
 /// dashes where there is no next.
-fn shape(editor: &mut Editor, ui: &mut egui::Ui, which: usize) {
+fn shape(editor: &mut Editor, ui: &mut Ui, which: usize) {
     let hint = editor.texts().position.shape_hint;
     let path = editor.document.path();
     let at = editor.document.selection().point;

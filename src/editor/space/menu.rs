@@ -61,7 +61,7 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, room: Rect) {
 /// What can be done with the current point.
 fn entries(editor: &mut Editor, ui: &mut Ui) {
     let texts = editor.texts();
-    let (space, hints) = (&texts.space, &texts.menu_hints);
+    let (space, menu, hints) = (&texts.space, &texts.menu, &texts.menu_hints);
     let (position, output) = (&texts.position, &texts.output);
     let closed = editor.document.path().closed;
     let count = editor.document.path().points.len();
@@ -73,10 +73,10 @@ fn entries(editor: &mut Editor, ui: &mut Ui) {
             .clicked()
     };
     let no_ends = closed.then_some(position.closed_has_no_ends);
-    if entry(ui, space.append, hints.append, no_ends) {
+    if entry(ui, menu.append, hints.append, no_ends) {
         do_edit(editor, Edit::AppendAfterLast);
     }
-    if entry(ui, space.prepend, hints.prepend, no_ends) {
+    if entry(ui, menu.prepend, hints.prepend, no_ends) {
         do_edit(editor, Edit::PrependBeforeFirst);
     }
     let (text, hint) = if closed {
@@ -88,21 +88,16 @@ fn entries(editor: &mut Editor, ui: &mut Ui) {
         do_edit(editor, Edit::SetClosed(!closed));
     }
     ui.separator();
-    if entry(ui, space.copy_orientation, hints.copy_orientation, None) {
+    if entry(ui, menu.copy_orientation, hints.copy_orientation, None) {
         editor.act(Action::CopyOrientation, ui.ctx());
     }
     let nothing = editor.copied.is_none().then_some(output.nothing_copied);
-    if entry(
-        ui,
-        space.paste_orientation,
-        hints.paste_orientation,
-        nothing,
-    ) {
+    if entry(ui, menu.paste_orientation, hints.paste_orientation, nothing) {
         editor.act(Action::PasteOrientation, ui.ctx());
     }
     ui.separator();
     let two = (count <= crate::limits::MIN_POINTS).then_some(position.two_remain);
-    if entry(ui, space.remove, position.remove_hint, two) {
+    if entry(ui, menu.remove_point, position.remove_hint, two) {
         editor.act(Action::RemovePoint, ui.ctx());
     }
 }

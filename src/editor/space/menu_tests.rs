@@ -26,14 +26,14 @@ fn a_points_menu_appends_prepends_closes_removes() {
     choose(&mut harness, 2, "Append after the last point");
     assert_eq!(count(&harness), 7);
     assert_eq!(harness.state().document.selection().point, 6);
-    choose(&mut harness, 2, "Insert before the first point");
+    choose(&mut harness, 2, "Put before the first point");
     assert_eq!(count(&harness), 8);
     assert_eq!(harness.state().document.selection().point, 0);
     choose(&mut harness, 2, "Close the path");
     assert!(harness.state().document.path().closed);
     choose(&mut harness, 2, "Open the path");
     assert!(!harness.state().document.path().closed);
-    choose(&mut harness, 2, "Remove point");
+    choose(&mut harness, 2, "Remove this point");
     assert_eq!(count(&harness), 7);
     assert_eq!(harness.state().document.selection().point, 1);
     // Each was one step.
@@ -89,7 +89,7 @@ fn a_right_press_with_motion_opens_no_menu() {
         place + vec2(9.0, 3.0),
         PointerButton::Secondary,
     );
-    assert!(harness.query_by_label("Remove point").is_none());
+    assert!(harness.query_by_label("Remove this point").is_none());
 }
 
 #[test]
@@ -97,10 +97,10 @@ fn the_menu_comes_by_keyboard_and_goes_by_escape() {
     let mut harness = pyramid_window();
     tap(&mut harness, Key::F10, Modifiers::SHIFT);
     harness.run();
-    assert!(harness.query_by_label("Remove point").is_some());
+    assert!(harness.query_by_label("Remove this point").is_some());
     tap(&mut harness, Key::Escape, Modifiers::NONE);
     harness.run();
-    assert!(harness.query_by_label("Remove point").is_none());
+    assert!(harness.query_by_label("Remove this point").is_none());
 }
 
 #[test]

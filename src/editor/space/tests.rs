@@ -99,7 +99,7 @@ fn pictures() {
         ("space-dark-2x.png", Theme::Dark, Language::English, 2.0),
     ] {
         let mut editor = editor(pyramid(), language);
-        editor.setup.theme = theme;
+        editor.setup.theme = Some(theme);
         editor.document.select(3, 0).unwrap();
         let mut harness = window(editor, vec2(1200.0, 800.0), scale);
         screenshot(&mut harness, name);

@@ -290,3 +290,24 @@ fn pictures() {
         screenshot(&mut window, &format!("curve-{name}-pending.png"));
     }
 }
+
+/// Choosing goes from preset to preset under a pointer that stays.
+#[test]
+fn the_window_keeps_its_size_whatever_is_chosen() {
+    for language in BOTH {
+        let texts = &language.texts().curve;
+        let mut window = opened_with(language, language.texts().position.change);
+        let area = |window: &Window| {
+            let area = |memory: &egui::Memory| memory.area_rect(egui::Id::unique("curve"));
+            window.ctx.memory(area).expect("an open window")
+        };
+        let first = area(&window);
+        for choice in [fill(texts.preset, &[&6]), texts.own.to_owned()] {
+            window
+                .get_by_role_and_label(Role::RadioButton, &choice)
+                .click();
+            window.run();
+            assert_eq!(area(&window), first, "{choice}");
+        }
+    }
+}

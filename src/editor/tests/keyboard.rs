@@ -134,6 +134,99 @@ fn a_text_that_is_typed_keeps_its_keys() {
     assert_eq!(window.state().point().expect("there").position.x, 0.5);
 }
 
+/// Presses keys that come in one pass, as after a host that was busy.
+fn press_together(window: &mut Window, keys: &[(Modifiers, Key)]) {
+    let all = keys.iter().flat_map(|&(modifiers, key)| {
+        [true, false].map(|pressed| egui::Event::Key {
+            key,
+            physical_key: None,
+            pressed,
+            repeat: false,
+            modifiers,
+        })
+    });
+    window.input_mut().events.extend(all);
+    window.run();
+}
+
+#[test]
+fn shortcuts_that_come_together_are_all_done_in_their_order() {
+    let mut window = window(Language::German);
+    let points = |window: &Window| window.state().document.path().points.len();
+    let insert = (Modifiers::NONE, Key::Insert);
+    press_together(&mut window, &[insert, insert, insert]);
+    assert_eq!(points(&window), 5);
+    let undo = (Modifiers::CTRL, Key::Z);
+    press_together(&mut window, &[undo, undo, (Modifiers::CTRL, Key::Y)]);
+    assert_eq!(points(&window), 4);
+    // A question stops the rest: nobody has seen it.
+    press_together(&mut window, &[(Modifiers::ALT, Key::L), undo]);
+    assert!(window.state().windows.ask());
+    assert_eq!(points(&window), 4);
+}
+
+#[test]
+fn the_panels_buttons_have_keys() {
+    let mut window = window(Language::English);
+    let state = |window: &Window| {
+        let document = window.state().document();
+        let at = document.selection();
+        let orientations = &document.path().points[at.point].orientations;
+        let absolute = matches!(orientations[at.orientation].target, Target::Absolute(_));
+        (
+            (document.path().points.len(), orientations.len()),
+            (at.point, at.orientation),
+            absolute,
+        )
+    };
+    let ctrl_shift = Modifiers::CTRL | Modifiers::SHIFT;
+    for (modifiers, key, expected) in [
+        (Modifiers::NONE, Key::Insert, ((3, 1), (1, 0), false)),
+        (Modifiers::CTRL, Key::PageDown, ((3, 1), (2, 0), false)),
+        (Modifiers::CTRL, Key::PageDown, ((3, 1), (0, 0), false)),
+        (Modifiers::CTRL, Key::PageUp, ((3, 1), (2, 0), false)),
+        (Modifiers::ALT, Key::Insert, ((3, 2), (2, 1), false)),
+        (Modifiers::NONE, Key::F6, ((3, 2), (2, 1), true)),
+        (ctrl_shift, Key::PageDown, ((3, 2), (2, 0), false)),
+        (ctrl_shift, Key::PageUp, ((3, 2), (2, 1), true)),
+        (Modifiers::NONE, Key::F6, ((3, 2), (2, 1), false)),
+        (Modifiers::ALT, Key::Delete, ((3, 1), (2, 0), false)),
+        (Modifiers::NONE, Key::Delete, ((2, 1), (1, 0), false)),
+    ] {
+        press(&mut window, modifiers, key);
+        assert_eq!(state(&window), expected, "{modifiers:?} {key:?}");
+    }
+    press(&mut window, Modifiers::NONE, Key::F4);
+    assert!(!window.state().setup.camera_view);
+    press(&mut window, Modifiers::CTRL, Key::PageUp);
+    press(&mut window, Modifiers::CTRL, Key::I);
+    assert!(window.state().windows.points.is_some());
+    press(&mut window, Modifiers::NONE, Key::F2);
+    assert!(window.state().windows.curve.is_some());
+    press(&mut window, Modifiers::NONE, Key::F3);
+    assert!(window.state().windows.speed.is_some());
+    // The tooltips say so.
+    let texts = &Language::English.texts().position;
+    let at = window.get_by_label(texts.remove).rect().center();
+    window.hover_at(at);
+    for _ in 0..4 {
+        window.step();
+    }
+    let hint = format!("{} (Del)", texts.remove_hint);
+    assert!(window.query_by_label(&hint).is_some());
+}
+
+#[test]
+fn the_flight_is_played_and_stopped_from_anywhere() {
+    let mut window = window(Language::English);
+    window.key_press_modifiers(Modifiers::NONE, Key::F5);
+    window.step();
+    assert!(window.state().playing.is_playing());
+    window.key_press_modifiers(Modifiers::NONE, Key::F5);
+    window.step();
+    assert!(!window.state().playing.is_playing());
+}
+
 #[test]
 fn undo_and_redo_say_when_there_is_nothing() {
     for language in BOTH {

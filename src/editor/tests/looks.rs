@@ -290,3 +290,17 @@ fn columns_do_not_jump() {
         }
     }
 }
+
+/// What stands in a column ends where the column ends.
+#[test]
+fn the_buttons_of_a_file_window_end_where_its_fields_end() {
+    for language in BOTH {
+        let texts = &language.texts().files;
+        let mut window = window(language);
+        press(&mut window, Modifiers::ALT, Key::S);
+        let save = window.get_by_role_and_label(Role::Button, texts.save);
+        let name = window.get_by_role_and_label(Role::TextInput, texts.name);
+        let (button, field) = (save.rect().right(), name.rect().right());
+        assert!((button - field).abs() < 1.0, "{button} {field}");
+    }
+}

@@ -37,6 +37,7 @@ fn alt_and_a_letter_open_the_menus() {
                 Key::D,
                 vec![texts.load, texts.save, texts.save_as, texts.quit],
             ),
+            (Key::B, vec![texts.undo, texts.add_points, texts.aim_all]),
             (Key::A, vec![texts.export, texts.hand_over]),
             (
                 Key::E,
@@ -47,6 +48,7 @@ fn alt_and_a_letter_open_the_menus() {
                     texts.save_setup,
                 ],
             ),
+            (Key::H, vec![texts.keys]),
         ] {
             assert!(window.query_by_label(entries[0]).is_none());
             press(&mut window, Modifiers::ALT, key);
@@ -81,6 +83,99 @@ fn the_menus_are_walked_through_by_the_arrow_keys() {
     assert!(window.state().windows.help.is_some());
     let entry = window.query_by_role_and_label(egui::accesskit::Role::MenuItem, texts.quit);
     assert!(entry.is_none());
+}
+
+#[test]
+fn f10_opens_the_first_menu_and_shift_f10_does_not() {
+    let texts = &Language::English.texts().menu;
+    let mut window = window(Language::English);
+    press(&mut window, Modifiers::NONE, Key::F10);
+    assert!(window.get_by_label(texts.load).is_focused());
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    press(&mut window, Modifiers::SHIFT, Key::F10);
+    assert!(window.query_by_label(texts.load).is_none());
+    assert!(window.query_by_label(texts.copy_orientation).is_some());
+}
+
+#[test]
+fn a_pointer_at_rest_leaves_the_menus_to_the_keyboard() {
+    let texts = &Language::German.texts().menu;
+    let mut window = window(Language::German);
+    let place = |window: &Window, title: &str| window.get_by_label(title).rect().center();
+    click(&mut window, texts.file);
+    let on_file = place(&window, texts.file);
+    window.hover_at(on_file);
+    window.run();
+    assert!(window.query_by_label(texts.load).is_some());
+    press(&mut window, Modifiers::NONE, Key::ArrowRight);
+    assert!(window.query_by_label(texts.load).is_none());
+    assert!(window.get_by_label(texts.add_point).is_focused());
+    // One that moves chooses.
+    let on_output = place(&window, texts.output);
+    window.hover_at(on_output);
+    window.run();
+    assert!(window.query_by_label(texts.export).is_some());
+    assert!(window.query_by_label(texts.undo).is_none());
+}
+
+#[test]
+fn all_cameras_are_aimed_at_one_target_in_one_step() {
+    for language in BOTH {
+        let texts = language.texts();
+        let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+        let before = window.state().document.path().clone();
+        // The third point looks to the summit from one place, and elsewhere.
+        let place = DVec3::new(0.1, 0.5, -0.1);
+        window.state_mut().edit(Edit::SetAbsolute {
+            point: 2,
+            at: 0,
+            absolute: false,
+        });
+        window.state_mut().set_orientation(|current| {
+            current.target = Target::Relative(place - before.points[2].position);
+            current.zoom = 35.0;
+        });
+        window.run();
+        press(&mut window, Modifiers::NONE, Key::F7);
+        let told = said(&window);
+        assert_eq!(told.as_deref(), Some(texts.orientation.all_aimed));
+        for (point, was) in window
+            .state()
+            .document
+            .path()
+            .points
+            .iter()
+            .zip(&before.points)
+        {
+            assert_eq!(point.orientations.len(), was.orientations.len());
+            for (orientation, was) in point.orientations.iter().zip(&was.orientations) {
+                let Target::Absolute(found) = orientation.target else {
+                    panic!("{:?}", orientation.target);
+                };
+                assert!((found - place).length() < 1e-15, "{found}");
+                assert_eq!(orientation.speeds, was.speeds);
+            }
+        }
+        assert_eq!(window.state().orientation().expect("there").zoom, 35.0);
+        // Of a point that lies there nothing is changed.
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        let aimed = |window: &Window| {
+            let path = window.state().document.path();
+            let all = path.points.iter().flat_map(|point| &point.orientations);
+            all.filter(|one| one.target == Target::Absolute(before.points[4].position))
+                .count()
+        };
+        window.state_mut().set_orientation(|current| {
+            current.target = Target::Absolute(before.points[4].position);
+        });
+        window.run();
+        press(&mut window, Modifiers::NONE, Key::F7);
+        assert_eq!(
+            said(&window).as_deref(),
+            Some(texts.orientation.on_position)
+        );
+        assert_eq!(aimed(&window), 1);
+    }
 }
 
 #[test]
@@ -173,12 +268,16 @@ fn every_entry_has_a_tooltip() {
                     (menu.undo, texts.output.nothing_to_undo),
                     (menu.redo, texts.output.nothing_to_redo),
                     (menu.add_point, position.add_hint),
+                    (menu.add_points, position.add_many_hint),
                     (menu.remove_point, position.two_remain),
                     (menu.append, hints.append),
                     (menu.prepend, hints.prepend),
                     (menu.close, hints.close),
+                    (menu.add_orientation, texts.orientation.add_hint),
+                    (menu.remove_orientation, texts.orientation.one_remains),
                     (menu.copy_orientation, hints.copy_orientation),
                     (menu.paste_orientation, texts.output.nothing_copied),
+                    (menu.aim_all, hints.aim_all),
                 ],
             ),
             (
@@ -193,6 +292,7 @@ fn every_entry_has_a_tooltip() {
                 vec![
                     (menu.colours, hints.colours),
                     (menu.display, hints.display),
+                    (menu.as_system, hints.as_system),
                     (menu.dark, hints.dark),
                     (menu.light, hints.light),
                     (menu.load_setup, hints.load_setup),

@@ -43,7 +43,7 @@ pub(super) fn options(language: Language) -> Options {
 /// A window of this size and scale.
 pub(super) fn window_of(options: Options, size: [f32; 2], scale: f32, theme: Theme) -> Window {
     let mut editor = Editor::new(options).expect("an editor");
-    editor.setup.theme = theme;
+    editor.setup.theme = Some(theme);
     let mut prepared = false;
     let mut window = Harness::builder()
         .with_size(vec2(size[0], size[1]))

@@ -3,6 +3,7 @@
 use super::*;
 use crate::document::Selection;
 use crate::limits;
+use crate::path::CurveParameters;
 
 fn selection(window: &Window) -> Selection {
     window.state().document.selection()
@@ -424,4 +425,30 @@ fn holding_takes_whole_frames() {
     );
     enter(&mut window, "Hold", "-1");
     assert_eq!(window.state().orientation().expect("there").hold, 12);
+}
+
+#[test]
+fn a_preset_is_chosen_in_the_panel() {
+    for language in BOTH {
+        let texts = &language.texts().position;
+        let mut window = large(language);
+        let curve = |window: &Window| window.state().point().expect("there").curve;
+        let before = curve(&window);
+        click(&mut window, texts.choice);
+        click(&mut window, &fill(texts.preset, &[&6]));
+        assert_eq!(curve(&window), CurveParameters::Preset(6));
+        let heading = format!("{}: {}", texts.heading, fill(texts.preset, &[&6]));
+        assert!(window.query_by_label(&heading).is_some());
+        assert!(window.query_by_label(&fill(texts.preset, &[&7])).is_none());
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert_eq!(curve(&window), before);
+        // By the keyboard, too.
+        window.get_by_label(texts.choice).focus();
+        window.run();
+        press(&mut window, Modifiers::NONE, Key::Enter);
+        press(&mut window, Modifiers::NONE, Key::ArrowDown);
+        press(&mut window, Modifiers::NONE, Key::ArrowDown);
+        press(&mut window, Modifiers::NONE, Key::Enter);
+        assert_eq!(curve(&window), CurveParameters::Preset(1));
+    }
 }

@@ -11,6 +11,7 @@ fn an_element_is_chosen_and_three_sliders_mix_its_colour() {
     for language in BOTH {
         let texts = &language.texts().colours;
         let mut window = window(language);
+        let as_new = window.state().setup.clone();
         press(&mut window, Modifiers::ALT, Key::F);
         click(&mut window, language.texts().display.curve);
         let first = window.state().setup.colours().of(Element::Curve);
@@ -30,7 +31,7 @@ fn an_element_is_chosen_and_three_sliders_mix_its_colour() {
         press(&mut window, Modifiers::NONE, Key::ArrowRight);
         assert_eq!(window.state().setup.colours().of(Element::Curve).r(), 11);
         click(&mut window, texts.reset);
-        assert_eq!(window.state().setup, Setup::default());
+        assert_eq!(window.state().setup, as_new);
         // No change of the path: nothing to be saved with it.
         assert!(!window.state().document.is_modified());
     }
@@ -41,6 +42,7 @@ fn each_element_is_switched_off_and_on() {
     for language in BOTH {
         let texts = &language.texts().display;
         let mut window = window(language);
+        let as_new = window.state().setup.clone();
         press(&mut window, Modifiers::ALT, Key::Z);
         for element in Element::ALL.into_iter().filter(|e| e.has_switch()) {
             for on in [false, true] {
@@ -56,12 +58,12 @@ fn each_element_is_switched_off_and_on() {
             .click();
         window.run();
         click(&mut window, texts.all);
-        assert_eq!(window.state().setup, Setup::default());
+        assert_eq!(window.state().setup, as_new);
         window
             .get_by_role_and_label(Role::RadioButton, language.texts().menu.light)
             .click();
         window.run();
-        assert_eq!(window.state().setup.theme, Theme::Light);
+        assert_eq!(window.state().setup.theme, Some(Theme::Light));
     }
 }
 
@@ -131,7 +133,7 @@ fn the_setup_is_read_at_start() {
     // None there: nothing to be said.
     let mut editor = start(Language::German);
     assert!(editor.message.is_none());
-    editor.setup.theme = Theme::Light;
+    editor.setup.theme = Some(Theme::Light);
     editor.setup.view.tilt = 33.0;
     editor.setup.shown.set(Element::Cube, false);
     editor
@@ -184,7 +186,7 @@ fn a_setup_is_saved_and_loaded_by_the_menu() {
             .get_by_role_and_label(Role::Button, language.texts().files.load)
             .click();
         window.run();
-        assert_eq!(window.state().setup.theme, Theme::Light);
+        assert_eq!(window.state().setup.theme, Some(Theme::Light));
     }
 }
 
@@ -197,4 +199,41 @@ fn pictures() {
             screenshot(&mut window, &format!("{which}-{name}.png"));
         }
     }
+}
+
+#[test]
+fn light_and_dark_are_the_desktops_unless_chosen() {
+    let mut window = window(Language::English);
+    let dark = |window: &Window| {
+        let visuals = window.ctx.global_style().visuals.dark_mode;
+        let ground = window.state().background();
+        assert_eq!(ground.r() < 128, visuals);
+        visuals
+    };
+    let desktop = |window: &mut Window, theme| {
+        window.input_mut().system_theme = Some(theme);
+        window.run();
+    };
+    window.state_mut().setup.theme = None;
+    desktop(&mut window, egui::Theme::Light);
+    assert!(!dark(&window));
+    desktop(&mut window, egui::Theme::Dark);
+    assert!(dark(&window));
+    press(&mut window, Modifiers::ALT, Key::E);
+    click(&mut window, "Light");
+    assert!(!dark(&window));
+    desktop(&mut window, egui::Theme::Light);
+    press(&mut window, Modifiers::ALT, Key::E);
+    click(&mut window, "Dark");
+    assert!(dark(&window));
+    // A setup that chooses nothing leaves it to the desktop, which is known.
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("setup.toml");
+    std::fs::write(&file, "theme = \"system\"\n").unwrap();
+    window.state_mut().load_setup(&file).unwrap();
+    window.run();
+    assert!(!dark(&window));
+    press(&mut window, Modifiers::ALT, Key::E);
+    click(&mut window, "As the system");
+    assert!(!dark(&window));
 }

@@ -9,10 +9,10 @@ texts! {
         of: "Point {0} · Orientation {1}", "Punkt {0} · Orientierung {1}";
         waiting: "not applied yet", "noch nicht übernommen";
 
-        preset: "Standard {0}", "Standard {0}";
-        own: "Own", "Eigendef.";
+        preset: "Preset {0}", "Standard {0}";
+        own: "Own values", "Eigendef.";
         used: "Used by {0} points", "Gilt für {0} Punkte";
-        used_once: "Used by this point only", "Gilt nur für diesen Punkt";
+        used_once: "Only this point", "Nur dieser Punkt";
 
         tension: "Tension", "Tension";
         tension_hint: "Tension: above 0 the curve runs tighter, below 0 rounder",
@@ -21,7 +21,7 @@ texts! {
         continuity_hint: "Continuity: other than 0 the curve has a corner in the point",
             "Continuity: abweichend von 0 hat die Kurve im Punkt eine Ecke";
         bias: "Bias", "Bias";
-        bias_hint: "Bias: above 0 the curve turns behind the point (overshoot), below 0 before it",
+        bias_hint: "Bias: above 0 the curve turns after the point (overshoot), below 0 before it",
             "Bias: über 0 dreht die Kurve erst hinter dem Punkt (Overshot), unter 0 schon davor";
 
         picture: "Curve around this point", "Kurve um diesen Punkt";

@@ -29,14 +29,15 @@ texts! {
 
         shortcuts: "Shortcuts", "Tastenkürzel";
 
+        absolute: "Switch between Abs. and Rel.", "Zwischen Abs. und Rel. wechseln";
+
         menus: "Menus", "Menüs";
-        open_file: "Open the File menu", "Menü Datei öffnen";
-        open_output: "Open the Output menu", "Menü Ausgabe öffnen";
-        open_settings: "Open the Settings menu", "Menü Einstellungen öffnen";
+        open_menu: "Open the menu {0}", "Menü {0} öffnen";
+        first_menu: "Open the first menu", "Das erste Menü öffnen";
         arrows: "Arrow keys, Enter", "Pfeiltasten, Enter";
         arrows_meaning: "Walk through the menus, pick an entry",
             "Durch die Menüs gehen, Eintrag wählen";
-        d_meaning: "In the open Output menu: write to a file",
+        d_meaning: "In the open menu Output: write to a file",
             "Im offenen Menü Ausgabe: in Datei ausgeben";
 
         fields: "Numbers", "Zahlen";

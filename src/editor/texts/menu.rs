@@ -18,13 +18,17 @@ texts! {
 
         undo: "Undo", "Rückgängig";
         redo: "Redo", "Wiederholen";
-        add_point: "Insert a point behind this one", "Punkt dahinter einfügen";
+        add_point: "Insert a point after this one", "Punkt dahinter einfügen";
+        add_points: "Insert several points …", "Mehrere Punkte einfügen …";
         remove_point: "Remove this point", "Punkt löschen";
-        append: "Append behind the last point", "Hinter dem letzten Punkt anfügen";
-        prepend: "Put before the first point", "Vor dem ersten Punkt anfügen";
+        append: "Append after the last point", "Hinter dem letzten Punkt anfügen";
+        prepend: "Put before the first point", "Vor dem ersten Punkt einfügen";
         close: "Closed path", "Geschlossene Bahn";
+        add_orientation: "New orientation", "Neue Orientierung";
+        remove_orientation: "Remove this orientation", "Orientierung löschen";
         copy_orientation: "Copy orientation", "Orientierung kopieren";
         paste_orientation: "Paste orientation", "Orientierung einfügen";
+        aim_all: "Aim all cameras at this target", "Alle Kameras auf dieses Ziel richten";
 
         export: "Write to a file …", "In Datei ausgeben …";
         hand_over: "Hand over directly", "Direkt übergeben";
@@ -35,6 +39,7 @@ texts! {
         display: "Display …", "Anzeige …";
         load_setup: "Load setup …", "Lade Setup …";
         save_setup: "Save setup …", "Speicher Setup …";
+        as_system: "As the system", "Wie das System";
         dark: "Dark", "Dunkel";
         light: "Light", "Hell";
 
@@ -44,6 +49,9 @@ texts! {
 
         control: "Ctrl", "Strg";
         shift: "Shift", "Umschalt";
+        insert: "Ins", "Einfg";
         delete: "Del", "Entf";
+        page_up: "Page Up", "Bild auf";
+        page_down: "Page Down", "Bild ab";
     }
 }

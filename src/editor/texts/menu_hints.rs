@@ -26,6 +26,8 @@ texts! {
             "Diese Orientierung merken, um sie anderswo einzufügen";
         paste_orientation: "Put the copied orientation in place of this one",
             "Die kopierte Orientierung an die Stelle dieser setzen";
+        aim_all: "Every orientation of the path becomes absolute and looks where this one does",
+            "Jede Orientierung der Bahn wird absolut und blickt dorthin, wohin diese blickt";
 
         export: "Compute all camera settings and write them to a file, ten numbers a line",
             "Alle Kameraeinstellungen berechnen und in eine Datei schreiben, zehn Zahlen je Zeile";
@@ -36,6 +38,7 @@ texts! {
             "Die Farbe jedes Elements im Bewegungsfenster wählen";
         display: "Choose what is shown, light or dark, and the language",
             "Wählen, was zu sehen ist, hell oder dunkel, und die Sprache";
+        as_system: "Light or dark as the desktop is", "Hell oder dunkel, wie es die Arbeitsfläche ist";
         dark: "Light letters on a dark ground", "Helle Schrift auf dunklem Grund";
         light: "Dark letters on a light ground", "Dunkle Schrift auf hellem Grund";
         load_setup: "Take colours, view and what is shown from a file",

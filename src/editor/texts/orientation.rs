@@ -7,7 +7,7 @@ texts! {
     Orientation {
         heading: "Orientation", "Orientierung";
         add: "Ori.+", "Ori.+";
-        add_hint: "Insert a copy of this orientation behind it",
+        add_hint: "Insert a copy of this orientation after it",
             "Eine Kopie dieser Orientierung dahinter einfügen";
         remove: "Ori.-", "Ori.-";
         remove_hint: "Remove this orientation", "Diese Orientierung löschen";
@@ -43,6 +43,7 @@ texts! {
         one_remains: "One orientation always remains: this one cannot be removed",
             "Eine Orientierung bleibt immer: Diese lässt sich nicht löschen";
         only_one: "This point has only one orientation", "Dieser Punkt hat nur eine Orientierung";
+        all_aimed: "All cameras look at this target", "Alle Kameras blicken auf dieses Ziel";
         on_position: "The camera must not look at its own position",
             "Die Kamera darf nicht auf ihren eigenen Ort blicken";
     }

@@ -26,15 +26,17 @@ texts! {
             "Bias, Continuity und Tension an diesem Punkt (1) und am nächsten (2)";
         preset: "Preset {0}", "Standard {0}";
         own: "Own values", "Eigendef.";
+        choice: "Shape of the curve", "Form der Kurve";
+        choice_hint: "Choose a preset for this point", "Einen Standard für diesen Punkt wählen";
         change: "Change …", "Ändern …";
         change_hint: "Open the window with presets and numbers",
             "Das Fenster mit Standardwerten und Zahlen öffnen";
 
         how_many: "How many points?", "Wie viele Punkte?";
-        how_many_hint: "Insert so many points behind point {0}",
-            "So viele Punkte hinter Punkt {0} einfügen";
+        how_many_hint: "Number of points to insert after point {0}",
+            "Anzahl der Punkte, die hinter Punkt {0} kommen";
 
-        last_point: "No point can be inserted behind the last one: the path ends there",
+        last_point: "No point can be inserted after the last one: the path ends there",
             "Hinter dem letzten Punkt lässt sich keiner einfügen: Dort endet die Bahn";
         two_remain: "Two points always remain: this one cannot be removed",
             "Zwei Punkte bleiben immer: Dieser lässt sich nicht löschen";

@@ -84,8 +84,8 @@ const SENTENCES: &[Pair] = &[
         "muss \"smooth\" oder \"linear\" sein",
     ),
     (
-        "must be \"dark\" or \"light\"",
-        "muss \"dark\" oder \"light\" sein",
+        "must be \"system\", \"dark\" or \"light\"",
+        "muss \"system\", \"dark\" oder \"light\" sein",
     ),
     (
         "must be \"system\", \"en\" or \"de\"",

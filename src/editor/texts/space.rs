@@ -8,7 +8,7 @@ texts! {
         name: "Movement window", "Bewegungsfenster";
         size: "Size", "Größe";
         size_tip: "Size of the movement space (mouse wheel, + and −)",
-            "Größe des Bewegungsraums (Mausrad, + und −)";
+            "Größe des Bewegungsraumes (Mausrad, + und −)";
         rotate: "Rotate", "Drehen";
         rotate_tip: "Turns the movement space about its upright axis (drag in the empty space)",
             "Dreht den Bewegungsraum um seine senkrechte Achse (im leeren Raum ziehen)";
@@ -23,13 +23,8 @@ texts! {
         target_at: "Target  x {0}  y {1}  z {2}", "Ziel  x {0}  y {1}  z {2}";
         offset_at: "Direction  x {0}  y {1}  z {2}", "Richtung  x {0}  y {1}  z {2}";
         roll_at: "Roll {0}°", "Winkel {0}°";
-        append: "Append after the last point", "Hinter dem letzten Punkt anfügen";
-        prepend: "Insert before the first point", "Vor dem ersten Punkt einfügen";
-        make_closed: "Close the path", "Kurve schließen";
-        make_open: "Open the path", "Kurve öffnen";
-        copy_orientation: "Copy orientation", "Orientierung kopieren";
-        paste_orientation: "Paste orientation", "Orientierung einfügen";
-        remove: "Remove point", "Punkt löschen";
+        make_closed: "Close the path", "Bahn schließen";
+        make_open: "Open the path", "Bahn öffnen";
         play: "Play", "Abspielen";
         pause: "Pause", "Anhalten";
         play_tip: "Plays the flight (space bar)", "Spielt den Flug ab (Leertaste)";
@@ -62,7 +57,7 @@ texts! {
         turn_meaning: "Rotate and tilt the space", "Raum drehen und kippen";
         size_keys: "+, −, Home", "+, −, Pos1";
         size_meaning: "Size of the space; Home: as at first",
-            "Größe des Raums; Pos1: wie am Anfang";
+            "Größe des Raumes; Pos1: wie am Anfang";
         next_keys: "N, O", "N, O";
         next_meaning: "Next point, next orientation; Shift: previous",
             "Nächster Punkt, nächste Orientierung; Umschalt: vorige";

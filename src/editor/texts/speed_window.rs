@@ -35,7 +35,7 @@ texts! {
         reset: "Reset", "Zurücksetzen";
         reset_hint: "Speed 50 all the way", "Überall Geschwindigkeit 50";
 
-        hold: "Hold (frames)", "Verweilen (Bilder)";
+        hold: "Hold (frames)", "Halt (Bilder)";
         hold_hint: "Frames that the camera rests before it goes on",
             "Bilder, die die Kamera ruht, bevor es weitergeht";
         fps: "Frames per second", "Bilder pro Sekunde";

@@ -136,7 +136,7 @@ impl ColourWindow {
                 }
             });
         ui.add_space(theme::GAP * 2.0);
-        let original = match editor.setup.theme {
+        let original = match editor.setup.theme() {
             Theme::Dark => Colours::DARK,
             Theme::Light => Colours::LIGHT,
         };
@@ -156,7 +156,7 @@ impl ColourWindow {
         });
         ui.add_space(theme::GAP);
         let menu = &editor.texts().menu;
-        let theme = match editor.setup.theme {
+        let theme = match editor.setup.theme() {
             Theme::Dark => menu.dark,
             Theme::Light => menu.light,
         };

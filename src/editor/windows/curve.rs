@@ -186,15 +186,16 @@ impl CurveWindow {
             self.pending.choose(&editor.document, choice);
         }
         ui.add_space(theme::GAP);
-        if let Choice::Preset(preset) = self.pending.choice(&editor.document) {
-            let users = users(editor, preset);
-            let text = if users == 1 {
-                texts.used_once.to_owned()
-            } else {
-                fill(texts.used, &[&users])
-            };
-            ui.colored_label(theme::palette(ui).weak, text);
-        }
+        let users = match self.pending.choice(&editor.document) {
+            Choice::Preset(preset) => users(editor, preset),
+            Choice::Own => 1,
+        };
+        let text = if users == 1 {
+            texts.used_once.to_owned()
+        } else {
+            fill(texts.used, &[&users])
+        };
+        ui.colored_label(theme::palette(ui).weak, text);
     }
 
     /// The three sliders with their numbers. True: what was typed is no number.
@@ -217,6 +218,8 @@ impl CurveWindow {
                     ui.spacing_mut().slider_width = 2.0 * number(ui) + theme::GAP;
                     let slider = Slider::new(&mut slid, -1.0..=1.0)
                         .show_value(false)
+                        // It runs both ways from the middle.
+                        .trailing_fill(false)
                         .step_by(0.01);
                     let response = ui.add(slider).labelled_by(label.id).on_hover_text(hint);
                     // egui rounds to steps even where nobody touches it.
@@ -266,7 +269,7 @@ impl CurveWindow {
             return;
         }
         let texts = &editor.texts().curve;
-        let palette = editor.setup.theme.palette();
+        let palette = editor.setup.theme().palette();
         let font = theme::small();
         let mut at = rect.left_bottom() + vec2(8.0, -6.0);
         for (text, colour) in [(texts.before, palette.weak), (texts.after, palette.accent)] {

@@ -4,7 +4,7 @@
 //! The points around are projected onto the plane in which they spread most,
 //! so that the curve is seen as flat as it can be.
 
-use egui::{Pos2, Rect, Stroke, pos2, vec2};
+use egui::{Pos2, Rect, Stroke, Vec2, pos2, vec2};
 use glam::DVec3;
 
 use super::pending::{Choice, Pending};
@@ -235,9 +235,11 @@ pub(super) fn paint(
     };
     let shown: Vec<DVec3> = drawn.iter().map(|&k| points[k]).collect();
     let flat = Flat::new(&shown, [&old, &new], rect.shrink2(vec2(24.0, 20.0)));
-    let line = |curve: &[Vec<DVec3>], stroke: Stroke| {
+    let mut lines = Vec::new();
+    let mut line = |curve: &[Vec<DVec3>], stroke: Stroke| {
         for segment in curve {
             let line: Vec<Pos2> = segment.iter().map(|&point| flat.at(point)).collect();
+            lines.extend_from_slice(&line);
             painter.line(line, stroke);
         }
     };
@@ -257,18 +259,27 @@ pub(super) fn paint(
         let stroke = Stroke::new(1.5, colour);
         painter.line_segment([at - vec2(arm, 0.0), at + vec2(arm, 0.0)], stroke);
         painter.line_segment([at - vec2(0.0, arm), at + vec2(0.0, arm)], stroke);
-        painter.text(
-            pos2(at.x + 5.0, at.y - 3.0),
-            egui::Align2::LEFT_BOTTOM,
-            around.numbers[k] + 1,
-            theme::small(),
-            if current {
-                palette.accent
-            } else {
-                palette.weak
-            },
-        );
+        let colour = if current {
+            palette.accent
+        } else {
+            palette.weak
+        };
+        let number = (around.numbers[k] + 1).to_string();
+        let galley = painter.layout_no_wrap(number, theme::small(), colour);
+        let place = beside(at, galley.size(), &lines);
+        painter.galley(place.min, galley, colour);
     }
+}
+
+/// A place of this size beside a point, where the lines cross it least: at the
+/// upper right if nothing speaks against that.
+fn beside(at: Pos2, size: Vec2, lines: &[Pos2]) -> Rect {
+    let (right, left) = (at.x + 5.0, at.x - 5.0 - size.x);
+    let (above, below) = (at.y - 3.0 - size.y, at.y + 3.0);
+    let places = [(right, above), (left, above), (right, below), (left, below)]
+        .map(|(x, y)| Rect::from_min_size(pos2(x, y), size));
+    let crossed = |place: &Rect| lines.iter().filter(|&&on| place.contains(on)).count();
+    places.into_iter().min_by_key(crossed).unwrap_or(places[0])
 }
 
 #[cfg(test)]
@@ -355,6 +366,31 @@ mod tests {
         // In order from left to right, up is up.
         assert!(flat.at(points[0]).x < flat.at(points[3]).x);
         assert!(flat.at(points[1]).y < flat.at(points[2]).y);
+    }
+
+    #[test]
+    fn a_number_stands_where_the_curve_does_not_run() {
+        let (at, size) = (pos2(50.0, 50.0), vec2(7.0, 11.0));
+        let rising = |k: i16| pos2(50.0 + f32::from(k), 50.0 - f32::from(k));
+        let falling = |k: i16| pos2(50.0 + f32::from(k), 50.0 + f32::from(k));
+        let free = |lines: &[Pos2]| {
+            let place = beside(at, size, lines);
+            assert!(!place.contains(at) && place.distance_to_pos(at) < 8.0);
+            assert!(!lines.iter().any(|&on| place.contains(on)));
+            (place.center() - at).angle().to_degrees()
+        };
+        let upper_right = free(&[]);
+        assert!((-90.0..0.0).contains(&upper_right));
+        assert_eq!(free(&(0..30).map(falling).collect::<Vec<_>>()), upper_right);
+        let upper_left = free(&(0..30).map(rising).collect::<Vec<_>>());
+        assert!((-180.0..-90.0).contains(&upper_left));
+        let below = free(
+            &(-30..0)
+                .map(falling)
+                .chain((0..30).map(rising))
+                .collect::<Vec<_>>(),
+        );
+        assert!((0.0..90.0).contains(&below));
     }
 
     #[test]

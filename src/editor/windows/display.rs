@@ -74,8 +74,9 @@ impl SubWindow for DisplayWindow {
                 ui.spacing_mut().item_spacing.x = APART;
                 named(ui, texts.theme);
                 for (theme, name, hint) in [
-                    (Theme::Dark, menu.dark, hints.dark),
-                    (Theme::Light, menu.light, hints.light),
+                    (None, menu.as_system, hints.as_system),
+                    (Some(Theme::Dark), menu.dark, hints.dark),
+                    (Some(Theme::Light), menu.light, hints.light),
                 ] {
                     ui.radio_value(&mut editor.setup.theme, theme, name)
                         .on_hover_text(hint);

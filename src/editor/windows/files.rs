@@ -538,7 +538,7 @@ fn buttons(ui: &mut Ui, texts: [&str; 2]) -> [egui::Response; 2] {
     let size = vec2(112.0, 28.0);
     ui.horizontal(|ui| {
         let used = 2.0 * size.x + ui.spacing().item_spacing.x;
-        ui.add_space(ui.available_width() - used - ui.spacing().item_spacing.x);
+        ui.add_space(ui.available_width() - used);
         texts.map(|text| ui.add(Button::new(text).min_size(size)))
     })
     .inner

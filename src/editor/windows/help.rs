@@ -1,14 +1,20 @@
 //! All keys and what the mouse does (F1).
 
+use std::borrow::Cow;
+
 use egui::{Grid, Key, Modifiers, ScrollArea};
 
 use super::{SubWindow, Windows, sub_window};
 use crate::editor::actions::Action;
 use crate::editor::keys::{SHORTCUTS, combination};
+use crate::editor::menu;
 use crate::editor::space;
 use crate::editor::state::Editor;
-use crate::editor::texts::Language;
+use crate::editor::texts::{Language, fill};
 use crate::editor::theme;
+
+/// Width of the first column, the same in all sections.
+const KEYS: f32 = 232.0;
 
 /// The window.
 #[derive(Debug)]
@@ -37,11 +43,11 @@ impl SubWindow for HelpWindow {
                     Grid::new(heading)
                         .num_columns(2)
                         .spacing([16.0, 4.0])
-                        .min_col_width(168.0)
+                        .min_col_width(KEYS)
                         .show(ui, |ui| {
                             for (keys, meaning) in rows {
                                 ui.label(keys);
-                                ui.colored_label(palette.weak, meaning);
+                                ui.colored_label(palette.weak, &*meaning);
                                 ui.end_row();
                             }
                         });
@@ -52,11 +58,13 @@ impl SubWindow for HelpWindow {
     }
 }
 
-/// The headings, each with its rows of keys and meanings.
-fn sections(language: Language) -> [(&'static str, Vec<(String, &'static str)>); 4] {
+/// Keys or what a hand does, and the meaning.
+type Row = (String, Cow<'static, str>);
+
+/// The headings, each with its rows.
+fn sections(language: Language) -> [(&'static str, Vec<Row>); 4] {
     let texts = &language.texts().help;
-    let row = |keys: &str, meaning| (keys.to_owned(), meaning);
-    let alt = |key| combination(language, Modifiers::ALT, key);
+    let row = |keys: &str, meaning: &'static str| (keys.to_owned(), meaning.into());
     let plain = |key| combination(language, Modifiers::NONE, key);
     let mut mouse = vec![
         row(texts.left_button, texts.left_meaning),
@@ -75,17 +83,20 @@ fn sections(language: Language) -> [(&'static str, Vec<(String, &'static str)>);
         .map(|&(modifiers, key, action)| {
             (
                 combination(language, modifiers, key),
-                meaning(language, action),
+                meaning(language, action).into(),
             )
         })
         .collect();
-    let menus = vec![
-        (alt(Key::D), texts.open_file),
-        (alt(Key::A), texts.open_output),
-        (alt(Key::E), texts.open_settings),
+    let mut menus = vec![
+        (plain(Key::F10), texts.first_menu.into()),
         row(texts.arrows, texts.arrows_meaning),
-        (plain(Key::D), texts.d_meaning),
+        (plain(Key::D), texts.d_meaning.into()),
     ];
+    let opened = menu::letters(language.texts()).map(|(letter, title)| {
+        let keys = combination(language, Modifiers::ALT, letter);
+        (keys, fill(texts.open_menu, &[&title]).into())
+    });
+    menus.splice(0..0, opened);
     let fields = vec![
         row(texts.drag, texts.drag_meaning),
         row(texts.click, texts.click_meaning),
@@ -104,7 +115,8 @@ fn sections(language: Language) -> [(&'static str, Vec<(String, &'static str)>);
 
 /// What an action does: the words of its menu entry.
 fn meaning(language: Language, action: Action) -> &'static str {
-    let (menu, help) = (&language.texts().menu, &language.texts().help);
+    let texts = language.texts();
+    let (menu, help, space) = (&texts.menu, &texts.help, &texts.space);
     match action {
         Action::Load => menu.load,
         Action::Save => menu.save,
@@ -112,7 +124,21 @@ fn meaning(language: Language, action: Action) -> &'static str {
         Action::Quit => menu.quit,
         Action::Undo => menu.undo,
         Action::Redo => menu.redo,
+        Action::AddPoint => menu.add_point,
+        Action::AskPoints => menu.add_points,
         Action::RemovePoint => menu.remove_point,
+        Action::NextPoint => texts.position.next_hint,
+        Action::PreviousPoint => texts.position.previous_hint,
+        Action::AddOrientation => menu.add_orientation,
+        Action::RemoveOrientation => menu.remove_orientation,
+        Action::NextOrientation => texts.orientation.next_hint,
+        Action::PreviousOrientation => texts.orientation.previous_hint,
+        Action::SwitchAbsolute => help.absolute,
+        Action::AimAll => menu.aim_all,
+        Action::Curve => texts.curve.title,
+        Action::SpeedCurve => texts.speed_window.title,
+        Action::SwitchCameraView => space.camera_meaning,
+        Action::PlayOrPause => space.play_meaning,
         Action::CopyOrientation => menu.copy_orientation,
         Action::PasteOrientation => menu.paste_orientation,
         Action::HandOver => menu.hand_over,
