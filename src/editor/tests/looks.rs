@@ -304,3 +304,20 @@ fn the_buttons_of_a_file_window_end_where_its_fields_end() {
         assert!((button - field).abs() < 1.0, "{button} {field}");
     }
 }
+
+#[test]
+fn the_colours_numbers_end_where_the_window_does() {
+    for language in BOTH {
+        let mut window = window(language);
+        press(&mut window, Modifiers::ALT, Key::F);
+        let id = Id::unique("colours");
+        let area = window.ctx.memory(|memory| memory.area_rect(id));
+        let margin = window.ctx.global_style().spacing.window_margin.rightf();
+        let end = area.expect("an open window").right() - margin;
+        let texts = &language.texts().colours;
+        for name in [texts.red, texts.green, texts.blue] {
+            let number = number(&window, name).rect().right();
+            assert!((end - number).abs() < 2.0, "{name}: {number} {end}");
+        }
+    }
+}

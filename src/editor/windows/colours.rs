@@ -15,6 +15,10 @@ use crate::editor::theme;
 
 const LIST: f32 = 190.0;
 const REST: f32 = 280.0;
+/// Of the rest: a name, a number, and between the columns.
+const NAME: f32 = 44.0;
+const NUMBER: f32 = 56.0;
+const APART: f32 = 8.0;
 
 /// The colour window.
 #[derive(Debug)]
@@ -102,12 +106,16 @@ impl ColourWindow {
         let names = [texts.red, texts.green, texts.blue];
         Grid::new("mix")
             .num_columns(3)
-            .spacing(vec2(8.0, theme::GAP))
+            .spacing(vec2(APART, theme::GAP))
             .show(ui, |ui| {
                 for (part, (name, value)) in names.into_iter().zip([r, g, b]).enumerate() {
-                    let label = ui.label(name);
+                    let label = ui.horizontal(|ui| {
+                        ui.set_min_width(NAME);
+                        ui.label(name)
+                    });
+                    let label = label.inner;
                     let mut slid = value;
-                    ui.spacing_mut().slider_width = 150.0;
+                    ui.spacing_mut().slider_width = REST - NAME - NUMBER - 2.0 * APART;
                     let slider = Slider::new(&mut slid, 0..=255).show_value(false);
                     if ui.add(slider).labelled_by(label.id).changed() {
                         set(&mut editor.setup, element, part, slid);
@@ -117,7 +125,8 @@ impl ColourWindow {
                         .whole()
                         .range(0.0..=255.0)
                         .steps(1.0, 1.0);
-                    let entry = number.show(ui, editor.language(), &format!("colour.{part}"), 56.0);
+                    let id = format!("colour.{part}");
+                    let entry = number.show(ui, editor.language(), &id, NUMBER);
                     match entry {
                         Entry::Begin => self.before = Some(colour),
                         // In range: the number saw to that.
