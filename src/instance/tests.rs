@@ -358,25 +358,40 @@ fn a_motion_of_a_drag_costs_one_pass() {
     remote.hand(button(true));
     dispatch();
     // What the press asked for.
+    let mut begun = Instant::now();
     remote.hand(egui::Event::PointerMoved(egui::pos2(31.0, 30.0)));
     dispatch();
-    let before = remote.passes.get();
-    for step in 0..20u8 {
+    // On a machine that is busy a motion may come so late that it settles first:
+    // that tells nothing.
+    let mut in_time = 0;
+    for step in (0..20_u8).cycle() {
+        let before = remote.passes.get();
+        let last = std::mem::replace(&mut begun, Instant::now());
         let at = egui::pos2(32.0 + f32::from(step), 30.0);
         remote.hand(egui::Event::PointerMoved(at));
         dispatch();
-        assert_ne!(wait(), Some(Duration::ZERO));
+        let (passes, next) = (remote.passes.get() - before, wait());
+        if last.elapsed() < super::window::SETTLING_DRAG {
+            assert_eq!(passes, 1);
+            assert_ne!(next, Some(Duration::ZERO));
+            in_time += 1;
+        }
+        if in_time == 20 {
+            break;
+        }
     }
-    assert_eq!(remote.passes.get() - before, 20);
     // When the hand rests it settles all the same.
+    let before = remote.passes.get();
     remote.send(News {
         shown: true,
         ..News::default()
     });
     dispatch();
-    std::thread::sleep(wait().expect("a pass to come"));
-    dispatch();
-    assert_eq!(remote.passes.get() - before, 21);
+    while remote.passes.get() == before {
+        std::thread::sleep(wait().expect("a pass to come"));
+        dispatch();
+    }
+    assert_eq!(remote.passes.get() - before, 1);
     remote.hand(button(false));
     settle(&[&remote]);
     assert_eq!(wait(), None);

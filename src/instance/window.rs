@@ -25,7 +25,7 @@ const SETTLING_PASSES: u32 = 3;
 
 /// egui wants to run again after every event. In a drag the next motion does
 /// as well; only when none comes for so long it runs by itself.
-const SETTLING_DRAG: Duration = Duration::from_millis(40);
+pub(super) const SETTLING_DRAG: Duration = Duration::from_millis(40);
 
 /// From picture to picture of an animation.
 const ANIMATION_STEP: Duration = Duration::from_nanos(1_000_000_000 / 60);
