@@ -62,6 +62,7 @@ fn the_plane_and_the_three_axes_are_shown_while_a_button_is_held() {
         PointerButton::Secondary,
     ] {
         let mut harness = pyramid_window();
+        harness.state_mut().setup.camera_view = false;
         let at = image(&harness, position(&harness, 4));
         harness.event(egui::Event::PointerMoved(at));
         harness.run();
@@ -76,6 +77,17 @@ fn the_plane_and_the_three_axes_are_shown_while_a_button_is_held() {
         for element in [Element::Plane, Element::Axes] {
             let count = pixels_of(&mut harness, element).len();
             assert!(count > 100, "{which:?} {element:?} {count}");
+        }
+        // All three axes, both ways, nearly to the faces.
+        let pixels = pixels_of(&mut harness, Element::Axes);
+        for axis in 0..3 {
+            for end in [-0.97, 0.97] {
+                let mut place = position(&harness, 4);
+                place[axis] = end;
+                let place = image(&harness, place);
+                let near = pixels.iter().any(|pixel| pixel.distance(place) < 2.0);
+                assert!(near, "{which:?}: axis {axis} to {end}");
+            }
         }
         release(&mut harness, at + vec2(12.0, 8.0), which);
         harness.run();

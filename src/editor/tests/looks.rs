@@ -179,6 +179,29 @@ fn painted(shapes: &[egui::epaint::ClippedShape]) -> Vec<String> {
     found
 }
 
+/// Whether a text is this one with values in its places, of which there are some.
+fn is_filled(text: &str, template: &str) -> bool {
+    let mut parts = template.split('{');
+    let first = parts.next().unwrap_or_default();
+    let Some(mut rest) = text.strip_prefix(first) else {
+        return false;
+    };
+    let mut places = 0;
+    for part in parts {
+        let literal = part.split_once('}').map_or(part, |(_, literal)| literal);
+        let Some(at) = rest.find(literal) else {
+            return false;
+        };
+        rest = if literal.is_empty() {
+            ""
+        } else {
+            &rest[at + literal.len()..]
+        };
+        places += 1;
+    }
+    places > 0 && rest.is_empty()
+}
+
 /// Whatever is open, a window of one language shows no text of the other, and
 /// egui adds none of its own.
 #[test]
@@ -205,6 +228,23 @@ fn no_text_is_in_the_other_language() {
                 })
             })
             .collect();
+        // Those with places for values, and words that tell them.
+        let filled_in = |language: Language, text: &str| {
+            let all = Texts::ALL.iter().copied().flatten();
+            let mut all = all.filter(|(_, english, german)| english != german);
+            all.any(|(_, english, german)| {
+                let template = match language {
+                    Language::English => english,
+                    Language::German => german,
+                };
+                let letters = template.chars().filter(|letter| letter.is_alphabetic());
+                letters.count() > 3 && is_filled(text, template)
+            })
+        };
+        let [own, other] = match language {
+            Language::English => [Language::English, Language::German],
+            Language::German => [Language::German, Language::English],
+        };
         let check = |window: &Window, when: &str| {
             let labels = window
                 .query_all(by().predicate(|node| node.label().is_some()))
@@ -212,6 +252,8 @@ fn no_text_is_in_the_other_language() {
             let mut count = 0;
             for text in painted(&window.output().shapes).into_iter().chain(labels) {
                 assert!(!foreign.contains(&text.trim()), "{when}: {text}");
+                let filled = filled_in(other, &text) && !filled_in(own, &text);
+                assert!(!filled, "{when}: {text}");
                 count += 1;
             }
             assert!(count > 30, "{when}: {count}");

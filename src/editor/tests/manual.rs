@@ -141,16 +141,16 @@ fn the_closing_cross_has_a_name_in_the_windows_language() {
     }
 }
 
-/// What the pointer is told that rests on this, besides what stood there.
-fn tip(window: &mut Window, label: &str) -> bool {
+/// Whether the pointer is told this that rests on what has this label.
+fn tip(window: &mut Window, label: &str, hint: &str) -> bool {
     let node = window.get_all_by_label(label).last().expect("a label");
     let at = node.rect().center();
-    let before = window.query_all_by_role(Role::Tooltip).count();
+    assert!(window.query_by_label(hint).is_none(), "{hint}");
     window.hover_at(at);
     for _ in 0..80 {
         window.step();
     }
-    let shown = window.query_all_by_role(Role::Tooltip).count() > before;
+    let shown = window.query_by_label(hint).is_some();
     window.hover_at(egui::pos2(1.0, 799.0));
     window.run();
     shown
@@ -162,21 +162,26 @@ fn buttons_of_questions_and_files_and_menu_entries_tell_what_they_do() {
         let texts = language.texts();
         let mut window = window(language);
         press(&mut window, Modifiers::ALT, Key::L);
-        for label in [
-            texts.files.name,
-            texts.files.hidden,
-            texts.files.cancel,
-            texts.files.load,
+        let files = &texts.files;
+        for (label, hint) in [
+            (files.name, files.name_hint),
+            (files.hidden, files.hidden_hint),
+            (files.cancel, files.cancel_hint),
+            (files.load, files.take_hint),
         ] {
-            assert!(tip(&mut window, label), "{label}");
+            assert!(tip(&mut window, label, hint), "{label}");
         }
         press(&mut window, Modifiers::NONE, Key::Escape);
         click(&mut window, "Pos.+");
         window.state_mut().ask_to_close();
         window.run();
         let texts = &texts.questions;
-        for label in [texts.save, texts.discard, texts.cancel] {
-            assert!(tip(&mut window, label), "{label}");
+        for (label, hint) in [
+            (texts.save, texts.save_hint),
+            (texts.discard, texts.discard_hint),
+            (texts.cancel, texts.cancel_hint),
+        ] {
+            assert!(tip(&mut window, label, hint), "{label}");
         }
     }
 }

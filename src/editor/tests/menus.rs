@@ -95,6 +95,11 @@ fn f10_opens_the_first_menu_and_shift_f10_does_not() {
     press(&mut window, Modifiers::SHIFT, Key::F10);
     assert!(window.query_by_label(texts.load).is_none());
     assert!(window.query_by_label(texts.copy_orientation).is_some());
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    // Nor does it while another menu is open.
+    press(&mut window, Modifiers::ALT, Key::A);
+    press(&mut window, Modifiers::SHIFT, Key::F10);
+    assert!(window.query_by_label(texts.load).is_none());
 }
 
 #[test]

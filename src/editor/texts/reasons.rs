@@ -519,7 +519,9 @@ mod tests {
             let Err(error) = Document::load(&file) else {
                 continue;
             };
-            let said = Language::German.reason(&error.into_message());
+            let message = error.into_message();
+            let said = Language::German.reason(&message);
+            assert_ne!(said, Language::English.reason(&message));
             assert!(
                 !said.contains(Errors::GERMAN.not_here),
                 "{}: {said}",
