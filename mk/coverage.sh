@@ -59,7 +59,7 @@ done
 # And with windows.
 mkdir "$place/library"
 ln -s "$archive" "$place/library/libvides.a"
-KINDS=archive WAYS=plain tests/calls/run.sh "$place/library" hostile reentry
+KINDS=archive WAYS=plain tests/calls/run.sh "$place/library" hostile reentry odd_hosts
 
 "$tools/llvm-profdata" merge -sparse "$place"/profiles/*.profraw -o "$place/all.profdata"
 "$tools/llvm-cov" export -skip-functions -instr-profile "$place/all.profdata" \

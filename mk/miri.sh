@@ -8,8 +8,9 @@
 set -eu
 cd "$(dirname "$0")/.."
 command -v rustup >/dev/null || { echo 'miri: rustup is needed' >&2; exit 1; }
-rustup toolchain install nightly --profile minimal --component miri,rust-src \
-    --no-self-update >/dev/null 2>&1
+# The nightly toolchain that there is, if it has it: none is brought up to date.
+cargo +nightly miri --version >/dev/null 2>&1 ||
+    rustup toolchain install nightly --profile minimal --component miri,rust-src --no-self-update
 place=$(realpath -m "${CARGO_TARGET_DIR:-target}")/miri
 export MIRIFLAGS=-Zmiri-disable-isolation PROPTEST_CASES=1
 

@@ -365,12 +365,10 @@ type OnClose = unsafe extern "C" fn(*mut V_EDITOR, *mut c_void) -> c_int;
 
 impl Host for Callbacks {
     fn prepare(&self, _: Id, sampler: &Sampler) -> Result<()> {
-        if self.on_poses.is_some() {
-            let mut poses = vec_with_room(sampler.frame_count())?;
-            poses.resize(sampler.frame_count(), Pose::default());
-            sampler.sample(1, &mut poses)?;
-            self.poses.replace(poses);
-        }
+        let mut poses = vec_with_room(sampler.frame_count())?;
+        poses.resize(sampler.frame_count(), Pose::default());
+        sampler.sample(1, &mut poses)?;
+        self.poses.replace(poses);
         Ok(())
     }
 

@@ -145,13 +145,10 @@ impl Host for Contract {
         self.count.set(count);
         if !self.list.is_null() {
             // SAFETY: the host's element, which outlives the window.
-            unsafe { list::build(frames, self.list, |n, poses| sampler.sample(n, poses)) }
-        } else if self.rueck.is_some() {
-            self.own.replace(Some(OwnList::new(sampler)?));
-            Ok(())
-        } else {
-            Ok(())
+            return unsafe { list::build(frames, self.list, |n, poses| sampler.sample(n, poses)) };
         }
+        self.own.replace(Some(OwnList::new(sampler)?));
+        Ok(())
     }
 
     fn hand_over(&self, _: Id) {

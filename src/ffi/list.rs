@@ -17,6 +17,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::types::{V_KAMERAPAR, V_POS};
 use crate::error::{Error, Result};
+use crate::limits::MAX_FRAMES;
 use crate::path::Pose;
 
 /// Poses taken from the engine at a time: 20 KB, which stay in the
@@ -167,8 +168,7 @@ fn rounded(zoom: f64) -> c_int {
 /// the poses number n, n + 1, … (counted from 1).
 ///
 /// # Errors
-/// Those of `fill`, [`Error::Memory`], [`Error::Limit`]; the old list is then
-/// as it was.
+/// Those of `fill`, [`Error::Memory`]; the old list is then as it was.
 ///
 /// # Safety
 /// `first` points to an element of the host's. If its number is not negative,
@@ -179,9 +179,8 @@ pub(super) unsafe fn build(
     first: *mut V_KAMERAPAR,
     mut fill: impl FnMut(usize, &mut [Pose]) -> Result<()>,
 ) -> Result<()> {
-    if c_int::try_from(frames).is_err() {
-        return Err(Error::Limit("a list cannot number so many poses".into()));
-    }
+    // `count` below numbers them all.
+    const { assert!(MAX_FRAMES <= c_int::MAX as usize) };
     let mut scratch = [Pose::default(); BLOCK];
     let mut chain = Chain::new();
     let mut head = None;

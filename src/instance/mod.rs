@@ -38,8 +38,8 @@ pub(crate) use xt::Refusal;
 /// What a window's owner does. Its methods run on the window's thread; those
 /// that call host code run while nothing of ours is borrowed.
 pub(crate) trait Host {
-    /// Makes the poses ready for the host while the window is at work. Calls no
-    /// host code.
+    /// Makes the poses ready for a host that takes some, while the window is at
+    /// work. Calls no host code.
     ///
     /// # Errors
     /// Shown in the window; what the host has is as it was.

@@ -1,9 +1,10 @@
 #!/bin/bash
 # Calls as no host should make them, and faults of our own:
-# run.sh LIBRARY_FOLDER [hostile|reentry|inject|hand_over]...
+# run.sh LIBRARY_FOLDER [hostile|reentry|odd_hosts|inject|hand_over]...
 #
 #     hostile    every function with unfit arguments, in any order
 #     reentry    every function from within every callback
+#     odd_hosts  what hosts seldom do with windows
 #     inject     panics, with a library that is built for them
 #     hand_over  memory that runs out while a window hands over, with the same library
 #
@@ -95,11 +96,15 @@ inject() { # NAME PROGRAM
     result "$1" with_server "$2" FOLDER
 }
 
+odd_hosts() { # NAME PROGRAM
+    result "$1" with_server "$2" FOLDER
+}
+
 hand_over() { # NAME PROGRAM
     result "$1" with_server "$2" FOLDER
 }
 
-[ $# -gt 0 ] || set -- hostile reentry
+[ $# -gt 0 ] || set -- hostile reentry odd_hosts
 for test; do
     for kind in ${KINDS:-archive shared}; do
         library=$libraries/libvides.a
