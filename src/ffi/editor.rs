@@ -6,7 +6,6 @@ use std::path::PathBuf;
 use std::ptr;
 use std::rc::Rc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread::{self, ThreadId};
 
 use super::border::border;
 use super::counted::Counted;
@@ -31,7 +30,8 @@ static EDITORS: Handles<Opened, V_EDITOR> = Handles::new(KIND_EDITOR);
 /// What a handle names.
 struct Opened {
     window: Id,
-    thread: ThreadId,
+    /// Its number: [`instance::own_thread`].
+    thread: usize,
     /// The host's base speeds stand.
     fixed_speeds: bool,
     /// The user has closed it, or its X server went away.
@@ -51,7 +51,7 @@ fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
     if found.closed.load(Ordering::Acquire) {
         return Err(CLOSED);
     }
-    if found.thread != thread::current().id() {
+    if found.thread != instance::own_thread() {
         return Err(OTHER_THREAD);
     }
     if !instance::is_open(found.window) {
@@ -255,7 +255,7 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
     })?;
     let handle = EDITORS.insert(Opened {
         window,
-        thread: thread::current().id(),
+        thread: instance::own_thread(),
         fixed_speeds,
         closed: AtomicBool::new(false),
     });

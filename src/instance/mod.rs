@@ -33,7 +33,7 @@ use crate::x11;
 
 pub(crate) use pump::{dispatch, main_loop};
 pub(crate) use registry::{Lost, is_open, within_a_call};
-pub(crate) use xt::Refusal;
+pub(crate) use xt::{Refusal, own_thread};
 
 /// What a window's owner does. Its methods run on the window's thread; those
 /// that call host code run while nothing of ours is borrowed.

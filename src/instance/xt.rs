@@ -82,7 +82,6 @@ static WATCHED: Mutex<Vec<Watched>> = Mutex::new(Vec::new());
 static THREADS: AtomicUsize = AtomicUsize::new(1);
 
 thread_local! {
-    /// This thread's number, never another's.
     static THREAD: usize = THREADS.fetch_add(1, Ordering::Relaxed);
 }
 
@@ -90,14 +89,15 @@ fn watched() -> MutexGuard<'static, Vec<Watched>> {
     WATCHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn thread() -> usize {
-    // 0 is nobody: the thread is ending.
+/// This thread's number, never another's; 0 is nobody: the thread is ending. (The
+/// standard library's takes memory, and cannot say that there is none.)
+pub(crate) fn own_thread() -> usize {
     THREAD.try_with(|number| *number).unwrap_or(0)
 }
 
 /// Whether some context watches this thread's descriptor.
 pub(super) fn thread_is_watched() -> bool {
-    let thread = thread();
+    let thread = own_thread();
     watched().iter().any(|entry| entry.thread == thread)
 }
 
@@ -206,7 +206,7 @@ impl Xt {
     fn watch(&self, context: Context, descriptor: RawFd) {
         let entry = Watched {
             context: context.addr(),
-            thread: thread(),
+            thread: own_thread(),
         };
         {
             let mut all = watched();
@@ -247,7 +247,7 @@ fn named(name: &CStr) -> Option<*mut c_void> {
 
 /// Xt calls this when the descriptor is readable.
 unsafe extern "C" fn on_input(closure: *mut c_void, _: *mut c_int, id: *mut c_ulong) {
-    if closure.addr() == thread() {
+    if closure.addr() == own_thread() {
         super::host_called();
         return;
     }

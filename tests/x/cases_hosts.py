@@ -135,6 +135,8 @@ def a_flight_in_opengl(place):
     hand_over(server, window)
     first = wait(lambda: (lambda p: p.colours() > 1 and p)(server.picture(host)), "the pyramid")
     wait(lambda: server.picture(host).differs(first), "the flight to go on")
+    server.press(window, "ctrl+q")
+    server.gone(window)
     server.press(host, "Escape")
     check(program.ends() == 0, "its exit status")
 
