@@ -51,14 +51,23 @@ class Player:
         picture = self.server.drawn(self.window)
         return boxes(picture, colour, 0, 34, PANEL, picture.height)
 
+    def found(self, colour, row, column):
+        """One of them, as soon as it is there: under the pointer it has another
+        colour, until the window has seen the pointer go."""
+        def there():
+            rows = self.rows(colour)
+            return len(rows) > row and len(rows[row]) > column and rows[row][column]
+
+        return wait(there, f"row {row}, column {column} of the panels")
+
     def button(self, row, column):
         """Clicks a button in the panels, counted as they stand there."""
-        self.click(self.rows(BUTTON)[row][column])
+        self.click(self.found(BUTTON, row, column))
         self.away()
 
     def number(self, row, column, value):
         """Types a number into a field in the panels."""
-        self.click(self.rows(FIELD)[row][column])
+        self.click(self.found(FIELD, row, column))
         self.server.xdotool("key", "--delay", "20", "ctrl+a")
         self.server.type(f"{value:g}")
         self.server.xdotool("key", "Return")
