@@ -427,6 +427,12 @@ impl Layer {
         }
     }
 
+    /// Gives memory back that it does not need.
+    pub(super) fn rest(&mut self) {
+        self.cells.shrink_to_fit();
+        self.links.shrink_to_fit();
+    }
+
     /// Whether it may put something into a row of tiles.
     pub(super) fn reaches(&self, y: usize) -> bool {
         (self.tiles.y0..self.tiles.y1).contains(&y)

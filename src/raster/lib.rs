@@ -119,6 +119,8 @@ impl Raster {
     /// Nothing moves any more: gives memory back that made it fast.
     pub fn rest(&mut self) {
         self.under.iter_mut().for_each(Under::rest);
+        self.layers.iter_mut().for_each(Layer::rest);
+        self.sums = Vec::new();
     }
 
     /// Takes over new and changed textures, and drops those that egui frees.
