@@ -71,19 +71,19 @@ mod on_demand {
     /// Watches a place from now on: it panics once, after it was passed so many
     /// times; never, if `after` is negative.
     #[unsafe(no_mangle)]
-    pub extern "C" fn v_test_panic(place: c_int, after: c_int) {
+    pub(super) extern "C" fn v_test_panic(place: c_int, after: c_int) {
         WATCHED.set((place, after.max(-1), 0));
     }
 
     /// Has a function called at every place that is passed; NULL: no more.
     #[unsafe(no_mangle)]
-    pub extern "C" fn v_test_tell(tell: Option<extern "C" fn(c_int)>) {
+    pub(super) extern "C" fn v_test_tell(tell: Option<extern "C" fn(c_int)>) {
         TOLD.set(tell);
     }
 
     /// How often the place that is watched was passed.
     #[unsafe(no_mangle)]
-    pub extern "C" fn v_test_passed() -> c_int {
+    pub(super) extern "C" fn v_test_passed() -> c_int {
         WATCHED.get().2
     }
 }
