@@ -161,13 +161,14 @@ check-install: all
 check-docs:
 	RUSTDOCFLAGS='$(LINT)' $(CARGO) doc --locked --workspace --no-deps --document-private-items
 
-# Licences, sources and duplicates. Known weaknesses of dependencies are asked
+# Licences, sources and duplicates; that the fuzzer's own lock file fits. Known weaknesses of dependencies are asked
 # for apart (`cargo deny check advisories`): they come from the network and
 # change without a change here.
 check-dependencies:
 	@command -v cargo-deny >/dev/null || [ -x $(TOOLS)/bin/cargo-deny ] || \
 	    $(CARGO) install --locked --root $(TOOLS) --target-dir $(TOOLS)/build cargo-deny
 	PATH="$$PATH:$(abspath $(TOOLS))/bin" $(CARGO) deny --locked check bans licenses sources
+	$(CARGO) metadata --locked --format-version 1 --manifest-path fuzz/Cargo.toml >/dev/null
 
 bench: libs
 	@mk/need.sh python3=python3 python3:ensurepip=python3-venv
