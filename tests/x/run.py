@@ -1,8 +1,8 @@
 """Runs the tests under X servers of their own: run.py HOSTS_FOLDER [NAME...]
 
-Several at once, since most of their time is waiting. One line for each; the
-exit status is 1 if one failed. A failed test leaves its folder, with a picture
-of the screen, in HOSTS_FOLDER/failed.
+Several at once, since most of their time is waiting. One line for each, those
+that failed once more at the end; the exit status is 1 if one failed. A failed
+test leaves its folder, with a picture of the screen, in HOSTS_FOLDER/failed.
 """
 
 import concurrent.futures
@@ -90,6 +90,7 @@ class Place:
 
 
 def _run(function, kind, hosts):
+    """Gives what is to be said of a failure, or nothing."""
     name = f"{function.__name__.replace('_', ' ')}, {kind}"
     folder = tempfile.mkdtemp(prefix="vides-x-")
     place = Place(hosts, kind, folder)
@@ -113,20 +114,19 @@ def _run(function, kind, hosts):
         if error is None:
             print(f"x: ok: {name} ({seconds:.1f} s)", flush=True)
             shutil.rmtree(folder, ignore_errors=True)
-            return True
+            return None
         kept = os.path.join(hosts, "failed", name.replace(", ", "-").replace(" ", "-"))
         shutil.rmtree(kept, ignore_errors=True)
         shutil.copytree(folder, kept, ignore_dangling_symlinks=True,
                         ignore=shutil.ignore_patterns("*.sock"))
         shutil.rmtree(folder, ignore_errors=True)
-        print(f"x: FAILED: {name} ({seconds:.1f} s)", flush=True)
         message = str(error) if isinstance(error, harness.Failure) else repr(error)
-        print(f"    {' '.join(lines[1:])}: {message}", flush=True)
-        for program in place.programs:
-            for line in program.complained[-5:]:
-                print(f"    its standard error: {line}", flush=True)
-        print(f"    kept: {kept}", flush=True)
-        return False
+        said = [f"x: FAILED: {name} ({seconds:.1f} s)", f"    {' '.join(lines[1:])}: {message}"]
+        said += [f"    its standard error: {line}"
+                 for program in place.programs for line in program.complained[-5:]]
+        said = "\n".join([*said, f"    kept: {kept}"])
+        print(said, flush=True)
+        return said
 
 
 def main():
@@ -141,8 +141,11 @@ def main():
               if not words or any(word in f"{function.__name__},_{kind}" for word in words)]
     with concurrent.futures.ThreadPoolExecutor(SIDE_BY_SIDE) as pool:
         results = list(pool.map(lambda one: _run(*one, hosts), chosen))
-    print(f"x: {sum(results)} passed, {len(results) - sum(results)} failed")
-    return 0 if chosen and all(results) else 1
+    failures = [said for said in results if said]
+    if failures:  # once more, where one looks first
+        print("", *failures, sep="\n")
+    print(f"x: {len(results) - len(failures)} passed, {len(failures)} failed")
+    return 0 if chosen and not failures else 1
 
 
 if __name__ == "__main__":
