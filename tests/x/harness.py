@@ -15,8 +15,9 @@ import time
 
 from picture import Picture
 
-LIMIT = 60.0
-"""Seconds after which waiting has failed. Long, since machines may be busy."""
+LIMIT = 180.0
+"""Seconds after which waiting has failed. Long, since machines may be busy, and
+valgrind makes a program fifty times as slow."""
 
 
 class Failure(Exception):
@@ -381,6 +382,7 @@ class Told(Program):
 
     def __init__(self, folder, command, env):
         super().__init__(folder, command, env)
+        self._asked = 0
 
     def send(self, line):
         """Tells it something."""
@@ -395,6 +397,11 @@ class Told(Program):
         """Tells it something, and waits for the answer."""
         self.send(line)
         return self.expect(answer or line.split()[0], seconds)
+
+    def turns(self):
+        """How often the loop of loop_poll.c has been woken, but for asking that."""
+        self._asked += 1
+        return int(self.tell("turns").split()[1]) - self._asked
 
     def live(self, seconds=LIMIT):
         """It answers."""

@@ -10,10 +10,16 @@
 
 #include "host.h"
 
+/* How often the loop has been woken. */
+static long turns;
+
 int loop_command(const char *name, char *rest)
 {
-    (void)name, (void)rest;
-    return 0;
+    (void)rest;
+    if (strcmp(name, "turns") != 0)
+        return 0;
+    say("turns %ld", turns);
+    return 1;
 }
 
 int main(int argc, char **argv)
@@ -31,5 +37,6 @@ int main(int argc, char **argv)
         watch[0].revents = 0;
         if (poll(watch, 2, serve ? v_timeout() : -1) > 0 && watch[0].revents != 0)
             commands();
+        turns++;
     }
 }
