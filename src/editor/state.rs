@@ -1,5 +1,6 @@
 //! The state of one window: what is edited and what is to be seen of it.
 
+use std::ops::Range;
 use std::path::PathBuf;
 
 use super::actions::Action;
@@ -142,6 +143,24 @@ impl Editor {
         self.closing = false;
         super::frame::show(self, ui);
         self.keep_work(ui.ctx());
+    }
+
+    /// Which of the shapes of the last pass, so many in all, are those that
+    /// [`Editor::follow`] makes anew.
+    pub(crate) fn shapes_of_space(&self, all: usize) -> Range<usize> {
+        let shapes = self.space.shapes();
+        shapes.start.min(all)..shapes.end.min(all)
+    }
+
+    /// In the place of a pass, where the space alone can follow what the hand
+    /// does: gives the space as it is then. The next pass must be given this
+    /// input, too.
+    pub(crate) fn follow(
+        &mut self,
+        context: &egui::Context,
+        input: &egui::RawInput,
+    ) -> Option<Vec<egui::epaint::ClippedShape>> {
+        space::follow(self, context, input)
     }
 
     /// The oldest request that was not seen to.

@@ -35,6 +35,11 @@ struct Remote {
     /// What the hand did since the last pass, and how many passes there were.
     events: RefCell<Vec<egui::Event>>,
     passes: Cell<usize>,
+    /// How often egui ran.
+    runs: Cell<usize>,
+    /// Pixels across and down, and those that were shown last.
+    size: Cell<[u32; 2]>,
+    shown: RefCell<Vec<u32>>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -113,28 +118,35 @@ impl Screen for Fake {
 
     fn take_input(&mut self) -> RawInput {
         self.remote.passes.set(self.remote.passes.get() + 1);
+        let [width, height] = self.remote.size.get().map(|side| side as f32);
+        let screen = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(width, height));
         RawInput {
+            screen_rect: (width > 64.0).then_some(screen),
             events: self.remote.events.take(),
             ..RawInput::default()
         }
     }
 
     fn target(&mut self) -> Option<Target<'_>> {
+        let [width, height] = self.remote.size.get();
+        self.pixels.resize((width * height) as usize, 0);
         Some(Target {
             pixels: &mut self.pixels,
-            stride: 64,
-            width: 64,
-            height: 64,
+            stride: width as usize,
+            width,
+            height,
         })
     }
 
     fn present(&mut self, areas: &[Area]) -> Result<()> {
         assert!(!areas.is_empty());
         self.remote.presents.set(self.remote.presents.get() + 1);
+        self.remote.shown.borrow_mut().clone_from(&self.pixels);
         Ok(())
     }
 
     fn take_output(&mut self, _: PlatformOutput) -> Result<()> {
+        self.remote.runs.set(self.remote.runs.get() + 1);
         Ok(())
     }
 
@@ -212,6 +224,9 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         deadline: Cell::new(None),
         events: RefCell::default(),
         passes: Cell::new(0),
+        runs: Cell::new(0),
+        size: Cell::new([64, 64]),
+        shown: RefCell::default(),
     });
     let calls = Rc::new(Calls::default());
     let editor = Editor::new(Options {
@@ -227,7 +242,7 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
     let screen = Fake {
         ours,
         remote: Rc::clone(&remote),
-        pixels: vec![0; 64 * 64],
+        pixels: Vec::new(),
     };
     let window = Window::new(Box::new(screen), editor, String::new());
     let host: Rc<dyn Host> = Rc::<Calls>::clone(&calls);
@@ -341,6 +356,73 @@ fn a_callback_may_serve_the_others_and_close_them_and_itself() {
     assert!(!is_open(first) && is_open(second));
     assert_eq!(others.asked.get(), 0);
     close(second);
+}
+
+/// In a drag the space follows each motion, and egui runs now and then.
+#[test]
+fn egui_does_not_run_for_each_motion_of_a_drag() {
+    let (id, remote, _) = open();
+    remote.size.set([900, 700]);
+    settle(&[&remote]);
+    // In the empty part of the space, which turns.
+    let at = |x: f32| egui::pos2(300.0 + x, 560.0);
+    let button = |pressed| egui::Event::PointerButton {
+        pos: at(0.0),
+        button: egui::PointerButton::Primary,
+        pressed,
+        modifiers: egui::Modifiers::NONE,
+    };
+    let hand = |event| {
+        remote.hand(event);
+        dispatch();
+    };
+    hand(egui::Event::PointerMoved(at(0.0)));
+    hand(button(true));
+    hand(egui::Event::PointerMoved(at(20.0)));
+    // On a machine that is busy a motion may come so late that egui runs.
+    let (mut followed, mut ran) = (0, 0);
+    for step in (0..100_u8).cycle().take(100_000) {
+        let (runs, presents) = (remote.runs.get(), remote.presents.get());
+        hand(egui::Event::PointerMoved(at(30.0 + f32::from(step))));
+        assert_eq!(remote.presents.get() - presents, 1, "step {step}");
+        match remote.runs.get() - runs {
+            0 => followed += 1,
+            _ => ran += 1,
+        }
+        if followed >= 50 && ran >= 2 {
+            break;
+        }
+    }
+    assert!(followed >= 50 && ran >= 2, "{followed} followed, {ran} ran");
+    // The whole is shown by itself when the hand rests. In the space it shows
+    // nothing else.
+    let space = |pixels: &[u32]| -> Vec<u32> {
+        let rows = pixels.chunks(900).take(560).skip(120);
+        rows.flat_map(|row| row[300..560].to_vec()).collect()
+    };
+    while followed > 0 {
+        let before = remote.runs.get();
+        hand(egui::Event::PointerMoved(at(10.0)));
+        if remote.runs.get() > before {
+            continue;
+        }
+        let followed_to = space(&remote.shown.borrow());
+        remote.send(News {
+            shown: true,
+            ..News::default()
+        });
+        dispatch();
+        while remote.runs.get() == before {
+            std::thread::sleep(wait().expect("a pass to come"));
+            dispatch();
+        }
+        assert!(followed_to == space(&remote.shown.borrow()));
+        followed = 0;
+    }
+    remote.hand(button(false));
+    settle(&[&remote]);
+    assert_eq!(wait(), None);
+    close(id);
 }
 
 /// egui wants a second pass after every event; in a drag the next motion comes

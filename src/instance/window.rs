@@ -6,10 +6,12 @@
 //! it as a [`Wish`], one at a time, for the host may change everything before
 //! the next.
 
+use std::ops::Range;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use egui::{ClippedPrimitive, Context, FullOutput, ViewportId};
+use egui::epaint::ClippedShape;
+use egui::{ClippedPrimitive, Context, FullOutput, RawInput, ViewportId};
 
 use super::screen::Screen;
 use super::{Host, Id};
@@ -26,6 +28,10 @@ const SETTLING_PASSES: u32 = 3;
 /// egui wants to run again after every event. In a drag the next motion does
 /// as well; only when none comes for so long it runs by itself.
 pub(super) const SETTLING_DRAG: Duration = Duration::from_millis(40);
+
+/// In a drag the space follows each motion, everything else is shown anew when
+/// so long has passed: often enough for numbers that nobody can read as fast.
+pub(super) const WHOLE: Duration = Duration::from_millis(30);
 
 /// From picture to picture of an animation.
 const ANIMATION_STEP: Duration = Duration::from_nanos(1_000_000_000 / 60);
@@ -45,12 +51,26 @@ pub(super) struct Window {
     due: Option<Instant>,
     /// Passes since the last input.
     passes: u32,
-    /// What is to be painted, and the pixels for one point.
-    picture: Option<(Vec<ClippedPrimitive>, f32)>,
+    /// What was shown last or is to be shown, as long as it is needed.
+    picture: Option<Picture>,
+    /// It waits to be painted.
+    unpainted: bool,
+    /// What the space has followed since egui ran last.
+    followed: Option<RawInput>,
+    /// When egui ran last.
+    ran: Option<Instant>,
     /// A picture is on its way to the screen.
     in_flight: bool,
     /// What stands in the title bar.
     title: String,
+}
+
+/// What is to be painted, from below.
+struct Picture {
+    primitives: Vec<ClippedPrimitive>,
+    /// Those of the movement window's space.
+    space: Range<usize>,
+    pixels_per_point: f32,
 }
 
 /// What a turn ended with.
@@ -83,6 +103,9 @@ impl Window {
             due: None,
             passes: 0,
             picture: None,
+            unpainted: false,
+            followed: None,
+            ran: None,
             in_flight: false,
             title,
         }
@@ -158,16 +181,56 @@ impl Window {
         Ok(turn)
     }
 
-    /// Runs egui once.
+    /// Makes a picture of what there is now.
     fn pass(&mut self, now: Instant) -> Result<()> {
         self.fresh = false;
         let input = self.screen.take_input();
+        let follows = self.ran.is_some_and(|ran| now < ran + WHOLE) && self.follow(&input);
+        let input = match self.followed.take() {
+            Some(mut earlier) => {
+                // Of a row of motions only where it leads to counts.
+                if follows {
+                    earlier.events.clear();
+                }
+                earlier.append(input);
+                earlier
+            }
+            None => input,
+        };
+        if follows {
+            self.followed = Some(input);
+            return Ok(());
+        }
+        self.ran = Some(now);
+        self.run(input, now)
+    }
+
+    /// Lets the space alone follow the hand, if that is enough.
+    fn follow(&mut self, input: &RawInput) -> bool {
+        let (Some(context), Some(picture)) = (&self.context, &mut self.picture) else {
+            return false;
+        };
+        inject::point(Place::Layout);
+        let Some(shapes) = self.editor.follow(context, input) else {
+            return false;
+        };
+        let primitives = meshes(context, shapes, picture.pixels_per_point);
+        let end = picture.space.start + primitives.len();
+        picture.primitives.splice(picture.space.clone(), primitives);
+        picture.space.end = end;
+        self.unpainted = true;
+        true
+    }
+
+    /// Runs egui once.
+    fn run(&mut self, input: RawInput, now: Instant) -> Result<()> {
         let editor = &mut self.editor;
         let context = self.context.get_or_insert_with(|| {
             let context = Context::default();
             editor.prepare(&context);
             context
         });
+        self.picture = None;
         let output = context.run_ui(input, |ui| {
             inject::point(Place::Layout);
             editor.show(ui);
@@ -181,9 +244,21 @@ impl Window {
         } = output;
         self.raster.update_textures(textures_delta);
         self.raster.set_background(editor.background());
-        in_pieces(&mut shapes);
-        let primitives = context.tessellate(shapes, pixels_per_point);
-        self.picture = Some((primitives, pixels_per_point));
+        // In three parts, so that that in the middle can be exchanged.
+        let space = editor.shapes_of_space(shapes.len());
+        let above = shapes.split_off(space.end);
+        let within = shapes.split_off(space.start);
+        let mut primitives = meshes(context, shapes, pixels_per_point);
+        let start = primitives.len();
+        primitives.extend(meshes(context, within, pixels_per_point));
+        let end = primitives.len();
+        primitives.extend(meshes(context, above, pixels_per_point));
+        self.picture = Some(Picture {
+            primitives,
+            space: start..end,
+            pixels_per_point,
+        });
+        self.unpainted = true;
         self.screen.take_output(platform_output)?;
         let delay = viewport_output
             .remove(&ViewportId::ROOT)
@@ -210,19 +285,21 @@ impl Window {
 
     /// Paints what waits to be painted; whether something was shown.
     fn paint(&mut self) -> Result<bool> {
-        if self.in_flight {
+        if self.in_flight || !self.unpainted {
             return Ok(false);
         }
-        let Some((primitives, scale)) = &self.picture else {
+        let Some(picture) = &self.picture else {
             return Ok(false);
         };
         let Some(mut target) = self.screen.target() else {
             return Ok(false);
         };
         inject::point(Place::Paint);
-        let areas = self.raster.paint(primitives, *scale, &mut target);
-        self.picture = None;
+        let (primitives, scale) = (&picture.primitives, picture.pixels_per_point);
+        let areas = self.raster.paint(primitives, scale, &mut target);
+        self.unpainted = false;
         if self.resting {
+            self.picture = None;
             self.raster.rest();
         }
         if areas.is_empty() {
@@ -255,4 +332,14 @@ impl Window {
             }
         }
     }
+}
+
+/// Triangles of shapes.
+fn meshes(
+    context: &Context,
+    mut shapes: Vec<ClippedShape>,
+    pixels_per_point: f32,
+) -> Vec<ClippedPrimitive> {
+    in_pieces(&mut shapes);
+    context.tessellate(shapes, pixels_per_point)
 }

@@ -73,6 +73,11 @@ impl Hand {
         Some((hold.what?, hold.fixed))
     }
 
+    /// Something is on its way: a handle, or the view.
+    pub(super) fn moves(&self) -> bool {
+        self.hold.is_some_and(|hold| hold.moved)
+    }
+
     /// Takes the events of a pass.
     pub(super) fn work(editor: &mut Editor, desk: &Desk<'_>) {
         let events = desk.context.input(|input| input.events.clone());
@@ -150,10 +155,10 @@ fn take(editor: &mut Editor, desk: &Desk<'_>, event: Event) {
             .hold
             .is_some_and(|hold| hold.button == button) =>
         {
-            motion(editor, desk, pos);
+            motion(editor, desk.room, pos);
             release(editor);
         }
-        Event::PointerMoved(pos) => motion(editor, desk, pos),
+        Event::PointerMoved(pos) => motion(editor, desk.room, pos),
         Event::MouseWheel { unit, delta, .. } => {
             let at = desk.context.input(|input| input.pointer.latest_pos());
             if let Some(at) = at.filter(|&at| (desk.mine)(at)) {
@@ -192,7 +197,7 @@ fn take(editor: &mut Editor, desk: &Desk<'_>, event: Event) {
             {
                 hold.fixed = fixed;
                 let now = hold.now;
-                motion(editor, desk, now);
+                motion(editor, desk.room, now);
             } else if desk.keyboard && editor.space.hand.hold.is_none() {
                 keyboard::press(editor, desk, key, modifiers);
             }
@@ -265,7 +270,7 @@ pub(super) fn make_current(editor: &mut Editor, at: usize) {
     }
 }
 
-fn motion(editor: &mut Editor, desk: &Desk<'_>, pos: Pos2) {
+pub(super) fn motion(editor: &mut Editor, room: Rect, pos: Pos2) {
     let Some(mut hold) = editor.space.hand.hold else {
         return;
     };
@@ -283,20 +288,20 @@ fn motion(editor: &mut Editor, desk: &Desk<'_>, pos: Pos2) {
     }
     editor.space.hand.hold = Some(hold);
     match hold.what {
-        Some(what) => pull(editor, desk, what, hold.fixed, pos),
-        None => turn(&mut editor.setup.view, desk.room, &hold),
+        Some(what) => pull(editor, room, what, hold.fixed, pos),
+        None => turn(&mut editor.setup.view, room, &hold),
     }
 }
 
 /// Brings what is held under the pointer.
-fn pull(editor: &mut Editor, desk: &Desk<'_>, what: Handle, fixed: Axis, pos: Pos2) {
+fn pull(editor: &mut Editor, room: Rect, what: Handle, fixed: Axis, pos: Pos2) {
     // Somebody else ended the step (an undo while the button is down): what
     // follows would not belong to it.
     if !editor.document.in_step() {
         editor.space.hand.hold = None;
         return;
     }
-    let projection = Projection::new(&editor.setup.view, desk.room);
+    let projection = Projection::new(&editor.setup.view, room);
     let texts = &editor.texts().space;
     match drag::outcome(&editor.document, &projection, what, fixed, from_pos(pos)) {
         Outcome::Edit(edit) => {

@@ -9,6 +9,7 @@
 
 mod cameras;
 mod drag;
+mod follow;
 mod hand;
 mod keyboard;
 mod menu;
@@ -20,14 +21,17 @@ mod scene;
 mod sliders;
 mod strokes;
 
+use std::ops::Range;
 use std::sync::Arc;
 
-use egui::{EventFilter, Rect, Sense, Ui};
+use egui::{Context, EventFilter, Painter, Rect, Sense, Ui};
 use glam::DVec3;
 
 pub(super) use self::cameras::Camera;
 use self::cameras::Keys;
 use self::drag::Handle;
+use self::follow::Canvas;
+pub(super) use self::follow::follow;
 use self::hand::{Desk, Hand};
 use self::projection::Projection;
 use self::ribbon::Ribbon;
@@ -47,6 +51,7 @@ pub(super) struct Space {
     keys: Keys,
     ribbon: Ribbon,
     menu: menu::PointMenu,
+    canvas: Option<Canvas>,
     /// The view before a number of it is dragged.
     view_before: Option<super::setup::View>,
 }
@@ -55,6 +60,12 @@ impl Space {
     /// A step of the document is open for keys that are held down.
     pub(super) fn keeps_step_open(&self) -> bool {
         self.hand.nudging
+    }
+
+    /// Which shapes of the last pass are those of the space.
+    pub(super) fn shapes(&self) -> Range<usize> {
+        let canvas = self.canvas.as_ref();
+        canvas.map_or(0..0, |canvas| canvas.shapes.clone())
     }
 }
 
@@ -134,19 +145,28 @@ fn view(editor: &mut Editor, ui: &mut Ui, room: Rect) {
         context.set_cursor_icon(editor.space.hand.cursor());
     }
     menu::show(editor, ui, room);
-    draw(editor, ui, room);
+    let shapes = |context: &Context| {
+        context.graphics(|graphics| graphics.get(layer).map_or(0, |list| list.next_idx().0))
+    };
+    let start = shapes(&context);
+    draw(editor, &ui.painter_at(room), room);
+    editor.space.canvas = Some(Canvas {
+        layer,
+        room,
+        shapes: start..shapes(&context),
+    });
 }
 
-fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
+/// Paints what stands in the space.
+fn draw(editor: &mut Editor, painter: &Painter, room: Rect) {
     let projection = Projection::new(&editor.setup.view, room);
     let look = Look {
         projection: &projection,
         room,
-        pixels_per_point: f64::from(ui.ctx().pixels_per_point()),
+        pixels_per_point: f64::from(painter.pixels_per_point()),
         colours: editor.setup.colours(),
         shown: &editor.setup.shown,
     };
-    let painter = ui.painter_at(room);
     painter.rect_filled(room, 0.0, look.colours.of(Element::Background));
     let add_shared = |lines: &Arc<Lines>| {
         if !lines.lines.is_empty() {
@@ -162,12 +182,12 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
         Some((place, fixed))
     });
     if let Some((through, fixed)) = through {
-        overlay::plane(&painter, &look, through, fixed);
+        overlay::plane(painter, &look, through, fixed);
     }
     let trouble = editor.space.scene.update(document, &look).err();
-    editor.space.scene.paint(&painter, room);
+    editor.space.scene.paint(painter, room);
     if editor.setup.shown.has(Element::Ribbon) && editor.space.ribbon.update(document).is_ok() {
-        editor.space.ribbon.paint(&painter, &look);
+        editor.space.ribbon.paint(painter, &look);
     }
     add_shared(editor.space.keys.update(document, &look));
     add(cameras::current_key(document, &look));
@@ -183,7 +203,7 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
     };
     if let Some(tips) = picking::tips(document) {
         add(overlay::circle(&look, &tips));
-        overlay::arrows(&painter, &look, &tips);
+        overlay::arrows(painter, &look, &tips);
         let held = dragged.map(|(what, _)| what);
         if let Some(handle) = held.or(hand.hover)
             && let Some((at, color)) = overlay::place_of(document, &look, &tips, handle)
@@ -202,8 +222,8 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
         Some(Handle::Point(at)) => Some(at),
         _ => None,
     };
-    overlay::numbers(&painter, document, &look, pointed);
-    overlay::directions(&painter, &look);
+    overlay::numbers(painter, document, &look, pointed);
+    overlay::directions(painter, &look);
     if let Some(error) = trouble {
         editor.complain_of(&error);
     }
@@ -211,6 +231,8 @@ fn draw(editor: &mut Editor, ui: &Ui, room: Rect) {
 
 #[cfg(test)]
 mod cameras_tests;
+#[cfg(test)]
+mod follow_tests;
 #[cfg(test)]
 mod manual_tests;
 #[cfg(test)]
