@@ -214,7 +214,8 @@ fn one_deed_at_a_time_and_writing_at_once() {
     let (down, let_go) = (button(true), button(false));
     let moved = PointerMoved(pos2(3.0, 4.0));
     let parts = [
-        vec![a.clone(), written.clone(), a.clone(), written, f1.clone()],
+        vec![a.clone(), written.clone(), a.clone(), written.clone()],
+        vec![f1.clone()],
         vec![up.clone(), f1],
         vec![
             up,
@@ -223,7 +224,10 @@ fn one_deed_at_a_time_and_writing_at_once() {
             moved.clone(),
             let_go.clone(),
         ],
+        vec![down.clone(), let_go.clone()],
+        vec![a.clone(), written.clone(), moved.clone()],
         vec![down, let_go],
+        vec![a.clone(), written],
         vec![Copy],
         vec![moved],
     ];

@@ -429,25 +429,45 @@ impl Window {
 
 /// Takes the events up to the first thing that the user has done with them, a
 /// key or a click: a pass sees one of each only, and of two that come together
-/// after a rest the first would be lost. Takes all where there are very many.
+/// after a rest the first would be lost. What is written before goes into a pass
+/// of its own: a Tab or a click gives the keyboard to another field, and that
+/// would get the text too. Takes all where there are very many.
 fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
     use egui::Event::{Copy, Cut, Key, Paste, PointerButton, Text};
-    let is_deed = |place: usize| match &events[place] {
-        // A key that writes is one of many, and every one is written.
-        Key {
-            pressed, repeat, ..
-        } => *pressed && !repeat && !matches!(events.get(place + 1), Some(Text(_))),
-        PointerButton { pressed, .. } => !pressed,
-        Copy | Cut | Paste(_) => true,
-        _ => false,
-    };
-    match (0..events.len()).find(|&place| is_deed(place)) {
-        Some(place) if events.len() <= MOST_EVENTS => {
-            let rest = events.split_off(place + 1);
-            std::mem::replace(events, rest)
-        }
-        _ => std::mem::take(events),
+    if events.len() > MOST_EVENTS {
+        return std::mem::take(events);
     }
+    let mut written = false;
+    let mut end = events.len();
+    for (place, event) in events.iter().enumerate() {
+        let (begins, ends) = match event {
+            Text(_) => {
+                written = true;
+                (false, false)
+            }
+            // A key that writes is one of many, and every one is written.
+            Key {
+                pressed, repeat, ..
+            } => {
+                let writes = matches!(events.get(place + 1), Some(Text(_)));
+                let deed = *pressed && !writes;
+                (deed, deed && !repeat)
+            }
+            PointerButton { pressed, .. } => (*pressed, !pressed),
+            Copy | Cut | Paste(_) => (true, true),
+            _ => (false, false),
+        };
+        if begins && written {
+            end = place;
+            break;
+        }
+        if ends {
+            end = place + 1;
+            break;
+        }
+    }
+    let rest = events.split_off(end);
+    std::mem::replace(events, rest)
 }
 
 impl Drop for Window {

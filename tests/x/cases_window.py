@@ -114,6 +114,23 @@ def keys_pressed_while_nobody_serves(place):
     host.leave()
 
 
+@test()
+def numbers_typed_while_nobody_serves(place):
+    """Three numbers, with Tab from one to the next: each is in its field when the host is
+    back, and what a click on another field follows is in the first."""
+    server, host, window = opened(place)
+    fields = boxes(server.drawn(window), FIELD, 0, 34, 262, 700)[0]
+    server.focus(window)
+    host.send("sleep 1500")
+    server.click(window, *middle(fields[0]))
+    server.xdotool("key", "0", "period", "1", "Tab", "0", "period", "3", "Tab", "0", "period", "5")
+    server.click(window, *middle(fields[1]))
+    server.xdotool("key", "0", "period", "2", "Return")
+    host.expect("slept")
+    wait(lambda: host.path()[0] == (0.1, 0.2, 0.5), f"three numbers: {host.path()[0]}")
+    host.leave()
+
+
 # ---- Files, by the keyboard only ----------------------------------------------------
 
 def file_window(server, window, keys):
