@@ -35,6 +35,7 @@ atom_manager! {
         TEXT_PLAIN: b"text/plain",
         TEXT_PLAIN_UTF8: b"text/plain;charset=utf-8",
         // The desktop's settings.
+        MANAGER,
         _XSETTINGS_S0,
         _XSETTINGS_SETTINGS,
         // Our own.

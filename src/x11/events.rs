@@ -79,6 +79,7 @@ impl Window {
                 }
             }
             Event::ClientMessage(event) if event.window == ours => self.message(event)?,
+            Event::ClientMessage(event) => self.settings.announced(&self.connection, event),
             Event::ShmCompletion(event) => {
                 self.news.shown |= self.surface.completed(event);
             }

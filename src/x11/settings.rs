@@ -7,10 +7,12 @@
 //! for granted, and what is not understood says nothing.
 
 use x11rb::protocol::xproto::{
-    ChangeWindowAttributesAux, ConnectionExt as _, EventMask, PropertyNotifyEvent,
+    ChangeWindowAttributesAux, ClientMessageEvent, ConnectionExt as _, EventMask,
+    PropertyNotifyEvent,
 };
 
 use super::connection::Connection;
+use super::scale;
 use crate::error::Result;
 
 /// Words of four bytes of the settings that are read. Real ones take a few
@@ -27,6 +29,8 @@ pub(super) struct Settings {
     manager: u32,
     /// Something in it has changed.
     stale: bool,
+    /// Another one has begun.
+    replaced: bool,
     /// Whether the desktop is dark, if it says so.
     dark: Option<bool>,
 }
@@ -38,18 +42,28 @@ impl Settings {
     /// # Errors
     /// The server is gone.
     pub(super) fn ask(connection: &Connection) -> Result<Self> {
+        let mut settings = Self::default();
+        settings.find(connection)?;
+        Ok(settings)
+    }
+
+    /// Turns to the manager that there is now. One that has not written anything
+    /// yet changes nothing: it will, and tells then.
+    fn find(&mut self, connection: &Connection) -> Result<()> {
         let selection = connection.atoms()._XSETTINGS_S0;
         let owner = connection.answer(connection.get_selection_owner(selection))?;
-        let mut settings = Self {
-            manager: owner.map_or(0, |answer| answer.owner),
-            ..Self::default()
-        };
-        if settings.manager != 0 {
-            let wanted = ChangeWindowAttributesAux::new().event_mask(EventMask::PROPERTY_CHANGE);
-            connection.done(connection.change_window_attributes(settings.manager, &wanted))?;
-            settings.read(connection)?;
+        let owner = owner.map_or(0, |answer| answer.owner);
+        if owner == 0 {
+            return Ok(());
         }
-        Ok(settings)
+        self.manager = owner;
+        let wanted = ChangeWindowAttributesAux::new().event_mask(EventMask::PROPERTY_CHANGE);
+        connection.done(connection.change_window_attributes(owner, &wanted))?;
+        let before = self.dark;
+        if !self.read(connection)? {
+            self.dark = before;
+        }
+        Ok(())
     }
 
     /// Whether the desktop is dark, if it says so.
@@ -65,21 +79,33 @@ impl Settings {
         ours
     }
 
+    /// Notes a manager that begins, which tells the root window so.
+    pub(super) fn announced(&mut self, connection: &Connection, event: &ClientMessageEvent) {
+        let atoms = connection.atoms();
+        self.replaced |= event.window == scale::root(connection)
+            && event.type_ == atoms.MANAGER
+            && event.format == 32
+            && event.data.as_data32()[1] == atoms._XSETTINGS_S0;
+    }
+
     /// Reads what has changed; true if that makes a difference. Once for all
     /// changes that were noted, so that a flood of them costs little.
     ///
     /// # Errors
     /// The server is gone.
     pub(super) fn renew(&mut self, connection: &Connection) -> Result<bool> {
-        if !std::mem::take(&mut self.stale) {
-            return Ok(false);
-        }
         let before = self.dark;
-        self.read(connection)?;
+        let stale = std::mem::take(&mut self.stale);
+        if std::mem::take(&mut self.replaced) {
+            self.find(connection)?;
+        } else if stale {
+            self.read(connection)?;
+        }
         Ok(self.dark != before)
     }
 
-    fn read(&mut self, connection: &Connection) -> Result<()> {
+    /// Reads the settings; whether there are any.
+    fn read(&mut self, connection: &Connection) -> Result<bool> {
         let property = connection.atoms()._XSETTINGS_SETTINGS;
         let answer = connection.answer(connection.get_property(
             false,
@@ -89,9 +115,10 @@ impl Settings {
             0,
             MOST_WORDS,
         ))?;
+        let there = answer.as_ref().is_some_and(|answer| answer.type_ != 0);
         let bytes = answer.filter(|answer| answer.format == 8);
         self.dark = bytes.and_then(|answer| is_dark(&answer.value));
-        Ok(())
+        Ok(there)
     }
 }
 

@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use x11rb::connection::Connection as _;
 use x11rb::protocol::xproto::{
-    AtomEnum, ConnectionExt as _, CreateWindowAux, PropMode, WindowClass,
+    AtomEnum, ClientMessageEvent, ConnectionExt as _, CreateWindowAux, EventMask, PropMode,
+    WindowClass,
 };
 use x11rb::rust_connection::RustConnection;
 use x11rb::wrapper::ConnectionExt as _;
@@ -68,6 +69,29 @@ impl Manager {
         connection.sync().unwrap();
     }
 
+    /// Tells the root window that it has begun, or something like that.
+    fn announce(&self, change: impl FnOnce(&mut [u32; 5])) {
+        let connection = &self.connection;
+        let atom = |name: &[u8]| {
+            let asked = connection.intern_atom(false, name).unwrap();
+            asked.reply().unwrap().atom
+        };
+        let root = connection.setup().roots[0].root;
+        let mut data = [
+            x11rb::CURRENT_TIME,
+            atom(b"_XSETTINGS_S0"),
+            self.window,
+            0,
+            0,
+        ];
+        change(&mut data);
+        let message = ClientMessageEvent::new(32, root, atom(b"MANAGER"), data);
+        connection
+            .send_event(false, root, EventMask::STRUCTURE_NOTIFY, message)
+            .unwrap();
+        connection.sync().unwrap();
+    }
+
     fn theme(&self, name: &str) {
         self.write(self.property, &settings(cfg!(target_endian = "big"), name));
     }
@@ -92,6 +116,13 @@ fn hears(window: &mut Window, wanted: Option<egui::Theme>) {
     });
 }
 
+/// Hears all that was sent until now.
+fn settle(window: &mut Window) {
+    let asked = window.connection.get_input_focus();
+    window.connection.answer(asked).unwrap();
+    window.poll().unwrap();
+}
+
 #[test]
 fn the_desktops_theme_is_told_and_followed() {
     let server = Server::start();
@@ -108,16 +139,67 @@ fn the_desktops_theme_is_told_and_followed() {
     assert_eq!(window.take_input().system_theme, Some(egui::Theme::Dark));
     // The manager ends: it stays as it was.
     drop(manager);
-    window
-        .connection
-        .answer(window.connection.get_input_focus())
-        .unwrap();
-    window.poll().unwrap();
+    settle(&mut window);
     assert_eq!(window.take_input().system_theme, Some(egui::Theme::Dark));
     until("the server to notice", || {
         let told = open(&server).take_input().system_theme;
         told.is_none().then_some(())
     });
+}
+
+/// A desktop may start, or start anew, what manages its settings while our window
+/// is open.
+#[test]
+fn a_manager_that_begins_later_is_heard() {
+    let server = Server::start();
+    let mut window = open(&server);
+    assert_eq!(window.take_input().system_theme, None);
+    let first = Manager::new(&server);
+    first.theme("Adwaita-dark");
+    first.announce(|_| ());
+    hears(&mut window, Some(egui::Theme::Dark));
+    // Its changes too.
+    first.theme("Adwaita");
+    hears(&mut window, Some(egui::Theme::Light));
+    first.theme("Adwaita-dark");
+    hears(&mut window, Some(egui::Theme::Dark));
+    // Another takes its place, writes nothing at first, and what the one before
+    // still writes counts no more.
+    let second = Manager::new(&server);
+    second.announce(|_| ());
+    settle(&mut window);
+    assert_eq!(window.take_input().system_theme, Some(egui::Theme::Dark));
+    second.theme("Adwaita");
+    hears(&mut window, Some(egui::Theme::Light));
+    first.theme("Adwaita-dark");
+    settle(&mut window);
+    assert_eq!(window.take_input().system_theme, Some(egui::Theme::Light));
+}
+
+/// Other managers begin as well, and anybody may say so.
+#[test]
+fn who_begins_something_else_is_not_asked() {
+    let server = Server::start();
+    let mut window = open(&server);
+    let manager = Manager::new(&server);
+    manager.theme("Adwaita-dark");
+    manager.announce(|data| data[1] += 1);
+    settle(&mut window);
+    assert_eq!(window.take_input().system_theme, None);
+    // Whom the message names does not matter, only whom the server knows.
+    manager.announce(|data| data[2] = 0xffff_ffff);
+    hears(&mut window, Some(egui::Theme::Dark));
+    // One that has gone again leaves all as it was.
+    let gone = Manager::new(&server);
+    gone.theme("Adwaita");
+    drop(gone);
+    until("the server to notice", || {
+        let told = open(&server).take_input().system_theme;
+        told.is_none().then_some(())
+    });
+    manager.announce(|_| ());
+    settle(&mut window);
+    assert_eq!(window.take_input().system_theme, Some(egui::Theme::Dark));
 }
 
 #[test]

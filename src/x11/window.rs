@@ -43,6 +43,18 @@ pub(super) struct Frame {
     pub(super) size: (u32, u32),
 }
 
+/// Asks to be told of another resolution, and of a manager of settings that begins.
+/// Before they are looked at, so that nothing is missed in between.
+///
+/// # Errors
+/// The server is gone.
+pub(super) fn watch_desktop(connection: &Connection) -> Result<()> {
+    let mask = EventMask::PROPERTY_CHANGE | EventMask::STRUCTURE_NOTIFY;
+    let watch = ChangeWindowAttributesAux::new().event_mask(mask);
+    let asked = connection.change_window_attributes(scale::root(connection), &watch);
+    asked.map(drop).map_err(|error| connection.lost(error))
+}
+
 /// Makes a window and shows it.
 ///
 /// # Errors
@@ -57,12 +69,6 @@ pub(super) fn create(
     let lost = |error| connection.lost(error);
     describe(connection, frame, options, scale).map_err(lost)?;
     set_title(connection, frame.window, &options.title)?;
-    // To be told of another resolution.
-    let watch = ChangeWindowAttributesAux::new().event_mask(EventMask::PROPERTY_CHANGE);
-    let root = scale::root(connection);
-    connection
-        .change_window_attributes(root, &watch)
-        .map_err(lost)?;
     connection.map_window(frame.window).map_err(lost)?;
     Ok(frame)
 }

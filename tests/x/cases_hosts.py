@@ -1,6 +1,9 @@
 """Kinds of hosts and of event loops: each opens windows, lives on, gets poses."""
 
-from harness import check, run, wait
+import os
+import time
+
+from harness import Program, check, run, wait
 from run import test
 
 POSES = 121  # of a new path at speed 100: its length is 1.2, and the first pose
@@ -411,7 +414,6 @@ def nobody_is_woken_while_idle(place):
     server.xdotool("mousemove", "--window", window, 500, 400)
     host.idle()
     before = host.turns()
-    import time
     time.sleep(3)
     woken = host.turns() - before
     check(woken == 0, f"{woken} wake-ups in 3 s")
@@ -446,4 +448,36 @@ def the_desktop_wakes_a_window_once_a_change(place):
     woken = host.turns() - before
     check(woken <= 40, f"{woken} wake-ups for 40 changes")
     check(not server.picture(window).differs(picture), "another picture")
+    host.leave()
+
+
+@test()
+def a_settings_manager_that_begins_later(place):
+    """What manages the desktop's settings may start after the window: it turns light with
+    the desktop. That another manager begins wakes it once, and paints nothing."""
+    server = place.server()
+    host = place.told(server)
+    host.open()
+    window = server.new_window()
+    server.xdotool("mousemove", "--window", window, 500, 400)
+    host.idle()
+    picture = server.drawn(window)
+    corner = (6, 6)
+    check(max(picture.pixel(*corner)) < 0x40, f"not dark at first: {picture.pixel(*corner)}")
+    manager = os.path.join(place.hosts, "manager")
+    before = host.turns()
+    for selection in ("WM_S0", "_NET_SYSTEM_TRAY_S0"):
+        run(manager, "-", selection, env=server.env)
+    host.idle()
+    woken = host.turns() - before
+    check(woken <= 2, f"{woken} wake-ups for 2 other managers")
+    check(not server.picture(window).differs(picture), "another picture")
+    one = Program(place.folder, [manager, "Adwaita"], server.env)
+    place.programs.append(one)
+    one.expect("begun")
+    wait(lambda: min(server.picture(window).pixel(*corner)) > 0xC0, "the window to turn light")
+    host.idle()
+    before = host.turns()
+    time.sleep(2)
+    check(host.turns() == before, f"{host.turns() - before} wake-ups in 2 s of rest")
     host.leave()
