@@ -109,6 +109,7 @@ impl Around {
 }
 
 /// Where something is seen in the picture.
+#[derive(Debug)]
 struct Flat {
     centre: DVec3,
     across: DVec3,
@@ -194,17 +195,23 @@ fn axes(points: &[DVec3], centre: DVec3) -> (DVec3, DVec3) {
         .map(flat)
         .find(|v| v.length() > 0.3)
         .unwrap_or(DVec3::Y);
-    let mut up = upright.normalize();
-    for _ in 0..60 {
-        let next = flat(spread(up));
-        if next.length() <= 1e-9 * spread(across).length() {
-            // All on one line: any side will do.
-            up = upright.normalize();
-            break;
-        }
-        up = next.normalize();
+    let upright = upright.normalize();
+    // Beside it, so that what lies flat is seen from above.
+    let beside = upright.cross(across);
+    let [mut high, mut both, mut wide] = [0.0; 3];
+    for way in points.iter().map(|&point| point - centre) {
+        let (x, y) = (way.dot(beside), way.dot(upright));
+        high += y * y;
+        both += x * y;
+        wide += x * x;
     }
-    if up.dot(upright) < 0.0 {
+    // All on one line: any side will do.
+    if high + wide <= 1e-18 * spread(across).length() {
+        return (across, upright);
+    }
+    let (sin, cos) = ((2.0 * both).atan2(high - wide) / 2.0).sin_cos();
+    let mut up = upright * cos + beside * sin;
+    if cos < 0.2 && sin < 0.0 {
         up = -up;
     }
     (across, up)
@@ -366,6 +373,30 @@ mod tests {
         // In order from left to right, up is up.
         assert!(flat.at(points[0]).x < flat.at(points[3]).x);
         assert!(flat.at(points[1]).y < flat.at(points[2]).y);
+    }
+
+    /// At one height, as many flights are, they are seen from above.
+    #[test]
+    fn a_level_curve_is_seen_from_above() {
+        let around = [
+            (-0.6, 0.8),
+            (0.0, 0.85),
+            (0.75, 0.6),
+            (0.7, -0.55),
+            (0.0, -0.8),
+        ];
+        for tilt in [0.0, 1e-3, -1e-3] {
+            let points = around.map(|(x, z)| DVec3::new(x, 0.2 + tilt * x, z));
+            let rect = Rect::from_min_size(Pos2::ZERO, vec2(200.0, 100.0));
+            let flat = Flat::new(&points, [&[], &[]], rect);
+            assert!(flat.across.cross(flat.up).y > 0.9, "{flat:?}");
+            for p in &points {
+                for q in &points {
+                    let seen = f64::from((flat.at(*p) - flat.at(*q)).length());
+                    assert!((seen - flat.scale * (*p - *q).length()).abs() < 0.01);
+                }
+            }
+        }
     }
 
     #[test]
