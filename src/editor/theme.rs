@@ -2,13 +2,15 @@
 //!
 //! Distances are multiples of four points. Every pair of a text's colour and
 //! the colours that it may stand on has the contrast that WCAG 2 asks of text
-//! (AA, 4.5:1); a test holds all of them against it. Nothing moves by itself,
-//! so that an idle window wakes nobody.
+//! (AA, 4.5:1), and what shows where a control is has the 3:1 that it asks of
+//! those (1.4.11); a test holds all of them against it. A button is told by its
+//! text, so its ground may be calm. Nothing moves by itself, so that an idle window
+//! wakes nobody.
 
 use egui::style::{ScrollAnimation, ScrollStyle, Selection, TextCursorStyle, WidgetVisuals};
 use egui::{
-    Color32, CornerRadius, FontFamily, FontId, Margin, Mesh, Rect, Shadow, Shape, Stroke, Style,
-    TextStyle, Visuals, vec2,
+    Color32, CornerRadius, FontFamily, FontId, Margin, Mesh, Rect, Response, RichText, Shadow,
+    Shape, Stroke, Style, TextStyle, Ui, Visuals, vec2,
 };
 
 use super::setup::Theme;
@@ -28,7 +30,9 @@ pub(super) struct Palette {
     pub(super) pressed: Color32,
     /// Borders and separators.
     pub(super) line: Color32,
-    /// The border of a field, and rails.
+    /// The border of a window.
+    pub(super) rim: Color32,
+    /// The border of a field, a box or a circle, and rails.
     pub(super) edge: Color32,
     /// Text.
     pub(super) text: Color32,
@@ -56,7 +60,8 @@ static DARK: Palette = Palette {
     hovered: rgb(0x37_3d49),
     pressed: rgb(0x43_4b59),
     line: rgb(0x2f_353f),
-    edge: rgb(0x3f_4753),
+    rim: rgb(0x3f_4753),
+    edge: rgb(0x69_7382),
     text: rgb(0xe6_e9ee),
     weak: rgb(0xa3_adba),
     accent: rgb(0x58_aeff),
@@ -72,7 +77,8 @@ static LIGHT: Palette = Palette {
     hovered: rgb(0xdd_e2e9),
     pressed: rgb(0xcf_d6df),
     line: rgb(0xd8_dde4),
-    edge: rgb(0xbf_c7d1),
+    rim: rgb(0xbf_c7d1),
+    edge: rgb(0x7f_8a98),
     text: rgb(0x18_1d25),
     weak: rgb(0x50_5a67),
     accent: rgb(0x0b_63c4),
@@ -132,6 +138,63 @@ pub(super) fn field(ui: &egui::Ui) -> egui::Frame {
         .stroke(Stroke::new(1.0, palette.edge))
         .corner_radius(4)
         .inner_margin(Margin::symmetric(6, 0))
+}
+
+/// A box to be ticked.
+pub(super) fn tick(ui: &mut Ui, on: &mut bool, text: &str) -> Response {
+    ui.scope(|ui| {
+        let palette = palette(ui);
+        let (ground, mark, border) = if *on {
+            (palette.accent, palette.on_accent, palette.accent)
+        } else {
+            (palette.field, palette.text, palette.edge)
+        };
+        let widgets = &mut ui.visuals_mut().widgets;
+        for widget in [
+            &mut widgets.inactive,
+            &mut widgets.hovered,
+            &mut widgets.active,
+        ] {
+            widget.bg_fill = ground;
+            widget.bg_stroke.color = border;
+            widget.fg_stroke = Stroke::new(1.5, mark);
+        }
+        widgets.hovered.bg_stroke.color = palette.accent;
+        widgets.active.bg_stroke = focus(palette);
+        ui.checkbox(on, RichText::new(text).color(palette.text))
+    })
+    .inner
+}
+
+/// The circle of one of several choices.
+pub(super) fn choice(ui: &mut Ui, chosen: bool, text: &str) -> Response {
+    ui.scope(|ui| {
+        let palette = palette(ui);
+        let (ground, border) = if chosen {
+            (palette.accent, palette.accent)
+        } else {
+            (palette.field, palette.edge)
+        };
+        let widgets = &mut ui.visuals_mut().widgets;
+        for widget in [
+            &mut widgets.inactive,
+            &mut widgets.hovered,
+            &mut widgets.active,
+        ] {
+            widget.bg_fill = ground;
+            widget.bg_stroke.color = border;
+            widget.fg_stroke.color = palette.on_accent;
+        }
+        widgets.hovered.bg_stroke.color = palette.accent;
+        widgets.active.bg_stroke = focus(palette);
+        ui.radio(chosen, RichText::new(text).color(palette.text))
+    })
+    .inner
+}
+
+/// The border of what has the keyboard, to be seen on the accent too.
+pub(super) fn focus(palette: &Palette) -> Stroke {
+    Stroke::new(2.0, palette.text)
 }
 
 /// The font of all text; its digits are of equal width, so that numbers stand
@@ -210,7 +273,7 @@ fn visuals(theme: Theme, palette: &Palette) -> Visuals {
         bg_fill: palette.edge,
         ..widget(palette.button, palette.button, palette.text)
     };
-    visuals.widgets.hovered = widget(palette.hovered, palette.edge, palette.text);
+    visuals.widgets.hovered = widget(palette.hovered, palette.rim, palette.text);
     visuals.widgets.active = widget(palette.pressed, palette.focus, palette.text);
     visuals.widgets.open = widget(palette.hovered, palette.hovered, palette.text);
     visuals.selection = Selection {
@@ -226,7 +289,7 @@ fn visuals(theme: Theme, palette: &Palette) -> Visuals {
     visuals.error_fg_color = palette.error;
     visuals.panel_fill = palette.panel;
     visuals.window_fill = palette.panel;
-    visuals.window_stroke = Stroke::new(1.0, palette.edge);
+    visuals.window_stroke = Stroke::new(1.0, palette.rim);
     visuals.window_corner_radius = CornerRadius::same(6);
     visuals.menu_corner_radius = CornerRadius::same(6);
     visuals.window_shadow = shadow(theme);
@@ -314,6 +377,14 @@ mod tests {
             for ground in [p.panel, space, p.field] {
                 assert!(contrast(p.accent, ground) >= 3.0, "accent on {ground:?}");
                 assert!(contrast(p.focus, ground) >= 3.0, "focus on {ground:?}");
+                // Where controls are, on either side of their border.
+                assert!(contrast(p.edge, ground) >= 3.0, "edge on {ground:?}");
+            }
+            // A tick, the part of a rail up to its handle, the keyboard on a button
+            // that is chosen.
+            assert!(contrast(p.on_accent, p.accent) >= 3.0);
+            for ground in [p.panel, space, p.field, p.button] {
+                assert!(contrast(p.text, ground) >= 3.0, "handle on {ground:?}");
             }
         }
     }

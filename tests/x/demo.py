@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 from harness import Failure, Program, Server, check, wait
-from panel import BUTTON, FIELD, RADIO, boxes, middle
+from panel import BUTTON, FIELD, boxes, circles, middle
 from space import first_look
 
 PANEL = 262
@@ -116,11 +116,12 @@ def shape(player, at, preset):
     go_to(player, at)
     player.button(2, 0)
 
-    def circles():
+    def choices():
         picture = player.server.drawn(player.window)
-        return boxes(picture, RADIO, PANEL + 20, 34, PANEL + 64, picture.height, least=(9, 9))
+        found = circles(picture, PANEL + 20, 34, PANEL + 64, picture.height)
+        return len(found) > 10 and found
 
-    player.click(wait(circles, "the presets")[preset][0])
+    player.click(wait(choices, "the presets")[preset])
     if preset == 5:
         player.shot("shape-of-the-curve")
     picture = player.server.drawn(player.window)

@@ -5,11 +5,11 @@ their colour and their place, not by numbers of pixels written down once.
 BUTTON = (0x2B, 0x30, 0x3A)
 """A button at rest, in the dark theme."""
 
-RADIO = (0x3F, 0x47, 0x53)
-"""The circle of a choice, taken or not."""
-
 FIELD = (0x12, 0x15, 0x1A)
-"""What can be typed into."""
+"""What can be typed into, and the circle of a choice."""
+
+CHOSEN = (0x58, 0xAE, 0xFF)
+"""The circle of the choice that is taken."""
 
 
 def boxes(picture, colour, left, top, right, bottom, least=(14, 14), tolerance=3):
@@ -68,6 +68,25 @@ def _runs(row, wanted, left, right, tolerance):
     if start is not None and last - start >= 4:
         runs.append((start, last + 1))
     return runs
+
+
+def circles(picture, left, top, right, bottom):
+    """The circles of choices within an area, from the top. The dot in the one that is
+    taken may part it."""
+    found = []
+    for colour in (FIELD, CHOSEN):
+        for row in boxes(picture, colour, left, top, right, bottom, least=(4, 3)):
+            found += [box for box in row if box[2] <= 18 and box[3] <= 18]
+    rows = []
+    for box in sorted(found, key=lambda box: box[1]):
+        if rows and box[1] < rows[-1][1] + 16:
+            x, y, width, height = rows[-1]
+            end = max(x + width, box[0] + box[2]), max(y + height, box[1] + box[3])
+            x = min(x, box[0])
+            rows[-1] = (x, y, end[0] - x, end[1] - y)
+        else:
+            rows.append(box)
+    return [box for box in rows if box[2] >= 9 and box[3] >= 9]
 
 
 def middle(box):

@@ -58,9 +58,9 @@ class Space:
 def first_look(picture):
     """The space, to a pixel or so, from where the edges of the cube are seen.
 
-    The edges along y are upright. The leftmost and the rightmost of them are
-    never hidden; the leftmost runs through (-1, 0, -1), the rightmost through
-    (1, 0, 1). Something may lie over the ends of the right one.
+    The edges along y are upright, and thinner than the rail of the slider beside
+    the space. The leftmost and the rightmost of them are never hidden; the leftmost
+    runs through (-1, 0, -1), the rightmost through (1, 0, 1). Something may lie over the ends of the right one.
     """
     columns = {}
     for x, y in picture.find(CUBE, 45):
@@ -74,6 +74,9 @@ def first_look(picture):
                     upright.append((x, start, last))
                 start = y
             last = y
+    seen = {x for x, _, _ in upright}
+    wide = {x + k for x in seen if {x + 1, x + 2, x + 3} <= seen for k in range(4)}
+    upright = [run for run in upright if run[0] not in wide]
     left, right = min(upright), max(upright)
     return Space(1.0, (0.0, 0.0)).fitted([
         ((-1, 1, -1), (left[0], left[1])), ((-1, -1, -1), (left[0], left[2])),

@@ -74,7 +74,7 @@ impl ColourWindow {
         for element in Element::ALL {
             let name = editor.texts().display.name(element);
             let chosen = element == self.element;
-            let row = Button::selectable(chosen, format!("       {name}"))
+            let row = Button::selectable(chosen, format!("        {name}"))
                 .min_size(vec2(LIST, theme::ROW))
                 .wrap_mode(egui::TextWrapMode::Truncate);
             let response = ui.add(row);
@@ -175,7 +175,7 @@ impl ColourWindow {
 }
 
 fn swatch(ui: &Ui, rect: Rect, colour: Color32) {
-    let edge = Stroke::new(1.0, theme::palette(ui).edge);
+    let edge = Stroke::new(1.0, theme::palette(ui).rim);
     ui.painter().rect(
         rect,
         CornerRadius::same(3),

@@ -37,25 +37,26 @@ impl SubWindow for DisplayWindow {
                 .min_col_width(202.0)
                 .spacing(vec2(16.0, 0.0))
                 .show(ui, |ui| {
-                    let with_switch: Vec<Element> = Element::ALL
+                    // The picture of the camera is the last one.
+                    let elements = Element::ALL
                         .into_iter()
-                        .filter(|element| element.has_switch())
-                        .collect();
+                        .filter(|element| element.has_switch());
+                    let with_switch: Vec<_> = elements.map(Some).chain([None]).collect();
                     let half = with_switch.len().div_ceil(2);
                     for row in 0..half {
                         for &element in with_switch.iter().skip(row).step_by(half) {
+                            let Some(element) = element else {
+                                theme::tick(ui, &mut editor.setup.camera_view, texts.camera_view);
+                                continue;
+                            };
                             let mut on = editor.setup.shown.has(element);
-                            if ui.checkbox(&mut on, texts.name(element)).changed() {
+                            if theme::tick(ui, &mut on, texts.name(element)).changed() {
                                 editor.setup.shown.set(element, on);
                             }
                         }
                         ui.end_row();
                     }
                 });
-            let mut camera = editor.setup.camera_view;
-            if ui.checkbox(&mut camera, texts.camera_view).changed() {
-                editor.setup.camera_view = camera;
-            }
             ui.add_space(theme::GAP);
             ui.horizontal(|ui| {
                 let all = editor.setup.shown == Shown::default();
@@ -70,31 +71,37 @@ impl SubWindow for DisplayWindow {
                 }
             });
             ui.separator();
-            ui.horizontal(|ui| {
-                ui.spacing_mut().item_spacing.x = APART;
-                named(ui, texts.theme);
-                for (theme, name, hint) in [
-                    (None, menu.as_system, hints.as_system),
-                    (Some(Theme::Dark), menu.dark, hints.dark),
-                    (Some(Theme::Light), menu.light, hints.light),
-                ] {
-                    ui.radio_value(&mut editor.setup.theme, theme, name)
-                        .on_hover_text(hint);
-                }
-            });
-            ui.horizontal(|ui| {
-                ui.spacing_mut().item_spacing.x = APART;
-                named(ui, texts.language);
-                // Each language by its own name, to be found by who speaks it.
-                for (language, name) in [
-                    (None, texts.automatic),
-                    (Some(Language::German), texts.german),
-                    (Some(Language::English), texts.english),
-                ] {
-                    ui.radio_value(&mut editor.setup.language, language, name)
-                        .on_hover_text(texts.language_hint);
-                }
-            });
+            // The choices stand in columns.
+            Grid::new("choices")
+                .num_columns(4)
+                .spacing(vec2(APART, theme::GAP))
+                .show(ui, |ui| {
+                    ui.label(texts.theme);
+                    for (theme, name, hint) in [
+                        (None, menu.as_system, hints.as_system),
+                        (Some(Theme::Dark), menu.dark, hints.dark),
+                        (Some(Theme::Light), menu.light, hints.light),
+                    ] {
+                        let choice = theme::choice(ui, editor.setup.theme == theme, name);
+                        if choice.on_hover_text(hint).clicked() {
+                            editor.setup.theme = theme;
+                        }
+                    }
+                    ui.end_row();
+                    ui.label(texts.language);
+                    // Each language by its own name, to be found by who speaks it.
+                    for (language, name) in [
+                        (None, texts.automatic),
+                        (Some(Language::German), texts.german),
+                        (Some(Language::English), texts.english),
+                    ] {
+                        let choice = theme::choice(ui, editor.setup.language == language, name);
+                        if choice.on_hover_text(texts.language_hint).clicked() {
+                            editor.setup.language = language;
+                        }
+                    }
+                    ui.end_row();
+                });
         });
         if editor.setup != before {
             // The movement window has been drawn already.
@@ -102,13 +109,4 @@ impl SubWindow for DisplayWindow {
         }
         stays
     }
-}
-
-/// What the choices beside it are about, in a column.
-fn named(ui: &mut egui::Ui, name: &str) {
-    let size = vec2(112.0, theme::ROW);
-    ui.allocate_ui_with_layout(size, *ui.layout(), |ui| {
-        ui.set_min_width(size.x);
-        ui.label(name);
-    });
 }

@@ -9,8 +9,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use egui::{
-    Button, Checkbox, Context, Id, Key, Label, Modifiers, RichText, ScrollArea, Sense, TextEdit,
-    Ui, vec2,
+    Button, Context, Id, Key, Label, Modifiers, RichText, ScrollArea, Sense, TextEdit, Ui, vec2,
 };
 
 use super::folder::{Folder, MAX_ENTRIES, fits, is_hidden};
@@ -295,8 +294,7 @@ impl FileWindow {
             ui.ctx()
                 .accesskit_node_builder(response.id, |node| node.set_label(texts.filter));
             ui.add_space(8.0);
-            ui.add(Checkbox::new(&mut self.hidden, texts.hidden))
-                .on_hover_text(texts.hidden_hint);
+            theme::tick(ui, &mut self.hidden, texts.hidden).on_hover_text(texts.hidden_hint);
         });
         let palette = theme::palette(ui);
         let trouble = self.trouble.as_deref().unwrap_or_default();

@@ -360,7 +360,7 @@ impl Frame {
         for speed in [MIN_SPEED, 25.0, BASE_SPEED, 75.0, MAX_SPEED] {
             let y = self.y(speed);
             let stroke = if speed == BASE_SPEED {
-                Stroke::new(1.0, palette.edge)
+                Stroke::new(1.0, palette.rim)
             } else {
                 border
             };
