@@ -1,5 +1,7 @@
 //! What menus, shortcuts and buttons do, each under one name.
 
+use glam::DVec3;
+
 use super::filing::{Purpose, Then};
 use super::setup::Theme;
 use super::state::{Editor, Request};
@@ -207,6 +209,11 @@ impl Editor {
             Target::Absolute(place) => place,
             Target::Relative(offset) => position + offset,
         };
+        self.aim_all_at(place);
+    }
+
+    /// Every camera looks at a place.
+    pub(super) fn aim_all_at(&mut self, place: DVec3) {
         let aimed: Vec<Edit> = self
             .document
             .path()

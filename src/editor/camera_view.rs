@@ -33,20 +33,62 @@ pub(super) fn show(editor: &mut Editor, context: &Context, room: Rect) {
     let ground = editor.setup.colours().of(Element::Background);
     let frame = egui::Frame::new()
         .fill(ground)
-        .stroke(egui::Stroke::new(1.0, palette.edge))
+        .stroke(egui::Stroke::new(1.0, palette.rim))
         .corner_radius(4)
         .inner_margin(1);
-    egui::Window::new(editor.texts().space.camera_view)
-        .id(egui::Id::unique("camera view"))
+    let id = egui::Id::unique("camera view");
+    let width = first_width(room);
+    let mut pane = egui::Window::new(editor.texts().space.camera_view)
+        .id(id)
         .title_bar(false)
         .frame(frame)
         .resizable([true, false])
         .constrain_to(room)
         .pivot(Align2::RIGHT_TOP)
-        .default_pos(room.right_top() + vec2(-12.0, 12.0))
-        .default_width(WIDTH.min(room.width() * 0.27).max(WIDTH / 2.0))
-        .min_width(WIDTH / 2.0)
-        .show(context, |ui| contents(editor, ui));
+        .default_pos(corner(room))
+        .default_width(width)
+        .min_width(WIDTH / 2.0);
+    // Where no hand has moved it, it goes along with the window's size.
+    let known: Option<Placed> = context.data(|data| data.get_temp(id));
+    if known.is_some_and(|known| !known.by_hand && known.room != room) {
+        pane = pane
+            .current_pos(corner(room))
+            .min_width(width)
+            .max_width(width);
+    }
+    let Some(shown) = pane.show(context, |ui| contents(editor, ui)) else {
+        return;
+    };
+    let rect = shown.response.rect;
+    let held = context.input(|input| input.pointer.any_down());
+    let by_hand = known
+        .is_some_and(|known| known.by_hand || (held && known.room == room && known.rect != rect));
+    let placed = Placed {
+        room,
+        rect,
+        by_hand,
+    };
+    context.data_mut(|data| data.insert_temp(id, placed));
+}
+
+/// Where the pane is.
+#[derive(Clone, Copy, Debug)]
+struct Placed {
+    /// The movement window.
+    room: Rect,
+    rect: Rect,
+    /// Somebody has put it there.
+    by_hand: bool,
+}
+
+/// Where its upper right corner is at first.
+fn corner(room: Rect) -> Pos2 {
+    room.right_top() + vec2(-12.0, 12.0)
+}
+
+/// How wide its picture is at first.
+fn first_width(room: Rect) -> f32 {
+    WIDTH.min(room.width() * 0.27).max(WIDTH / 2.0)
 }
 
 fn contents(editor: &mut Editor, ui: &mut Ui) {

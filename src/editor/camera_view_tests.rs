@@ -1,5 +1,6 @@
 //! Tests of [`super`].
 
+use egui_kittest::kittest::Queryable as _;
 use proptest::prelude::*;
 
 use super::*;
@@ -98,4 +99,47 @@ fn the_picture_is_upright_and_not_mirrored() {
         seen(&matrix, FRONT / 20.0, DVec3::Z * 3.5, DVec3::Z * 9.0),
         None
     );
+}
+
+/// In a window that becomes small it becomes small too, and stays in its corner;
+/// where somebody has put it, it stays as large as it is.
+#[test]
+fn the_pane_goes_along_with_the_window() {
+    use crate::editor::Language;
+    use crate::editor::tests::{LARGE, SMALL, window};
+    let pane = |window: &crate::editor::tests::Window| {
+        let id = egui::Id::unique("camera view");
+        let rect = window.ctx.memory(|memory| memory.area_rect(id));
+        (rect.unwrap(), window.get_by_label("Movement window").rect())
+    };
+    let mut window = window(Language::English);
+    let (large, _) = pane(&window);
+    assert!((large.width() - WIDTH).abs() < 4.0, "{large:?}");
+    let resize = |window: &mut crate::editor::tests::Window, size: [f32; 2]| {
+        window.set_size(vec2(size[0], size[1]));
+        window.run();
+        window.run();
+    };
+    for size in [SMALL, LARGE, SMALL] {
+        resize(&mut window, size);
+        let (rect, room) = pane(&window);
+        assert!((rect.width() - first_width(room)).abs() < 4.0, "{rect:?}");
+        let away = rect.right_top() - corner(room);
+        assert!(away.length() < 4.0, "{rect:?} in {room:?}");
+    }
+    let (small, _) = pane(&window);
+    let from = small.center();
+    window.hover_at(from);
+    window.run();
+    window.drag_at(from);
+    window.step();
+    window.hover_at(from + vec2(-60.0, 90.0));
+    window.step();
+    window.drop_at(from + vec2(-60.0, 90.0));
+    window.run();
+    let (moved, _) = pane(&window);
+    assert!((moved.min - small.min - vec2(-60.0, 90.0)).length() < 2.0);
+    resize(&mut window, LARGE);
+    let (after, _) = pane(&window);
+    assert!((after.min - moved.min).length() < 2.0 && (after.width() - moved.width()).abs() < 2.0);
 }

@@ -17,7 +17,12 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
         return;
     };
     let absolute = matches!(current.target, Target::Absolute(_));
-    heading(ui, texts.heading, "");
+    let how = if absolute {
+        texts.at_place
+    } else {
+        texts.in_direction
+    };
+    heading(ui, texts.heading, how);
     keys(
         editor,
         ui,

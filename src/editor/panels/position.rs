@@ -1,7 +1,7 @@
 //! Position and curve (thesis A.4.1): points come, go and become current; the
 //! shape of the curve at this point and the next is shown.
 
-use egui::{Button, Color32, Popup, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2};
+use egui::{Button, Color32, Popup, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2};
 use glam::DVec3;
 
 use super::{Key, heading_with_room, keys, round, share};
@@ -75,7 +75,15 @@ fn presets(editor: &mut Editor, ui: &mut Ui) {
     Popup::menu(&response).show(|ui| {
         for preset in (0_u8..).take(PRESETS) {
             let chosen = now == Some(CurveParameters::Preset(preset));
-            let button = Button::selectable(chosen, fill(texts.preset, &[&preset]));
+            let tcb = editor.document.path().presets[usize::from(preset)];
+            let shape = editor.texts().curve.shape(editor.language(), tcb);
+            let shape = RichText::new(shape).color(if chosen {
+                palette.on_accent
+            } else {
+                palette.weak
+            });
+            let button =
+                Button::selectable(chosen, fill(texts.preset, &[&preset])).right_text(shape);
             if ui.add(button).clicked() {
                 let at = editor.document.selection().point;
                 let preset = preset.into();

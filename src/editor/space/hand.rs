@@ -67,6 +67,11 @@ pub(super) struct Desk<'a> {
 }
 
 impl Hand {
+    /// A button is down.
+    pub(super) fn is_busy(&self) -> bool {
+        self.hold.is_some()
+    }
+
     /// What is dragged: what it is, and the axis across its plane.
     pub(super) fn dragged(&self) -> Option<(Handle, Axis)> {
         let hold = self.hold.filter(|hold| hold.moved)?;

@@ -3,19 +3,25 @@
 
 use egui::containers::menu::menu_style;
 use egui::{Align, Button, Key, Layout, Popup, PopupKind, Pos2, Rect, SetOpenCommand, Ui};
+use glam::DVec3;
 
 use super::drag::Handle;
-use crate::document::Edit;
+use super::picking::REACH;
+use super::projection::from_pos;
+use crate::document::{Edit, Selection};
 use crate::editor::actions::Action;
-use crate::editor::setup::View;
+use crate::editor::setup::{Element, View};
 use crate::editor::state::Editor;
+use crate::path::Target;
 
 /// Where the menu is, and for what.
-#[derive(Debug, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PointMenu {
     at: Pos2,
     /// It is about the current point; else about the view.
     of_point: bool,
+    /// A corner of the object that lies there.
+    corner: Option<DVec3>,
 }
 
 /// Shows the menu if it is open, and opens it if the hand asks for it.
@@ -23,12 +29,12 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, room: Rect) {
     let mut asked = editor.space.hand.menu.take();
     let id = ui.scope_id().with("point menu");
     let context = ui.ctx();
+    let projection = super::Projection::new(&editor.setup.view, room);
     // Shift-F10 stands for the menu key everywhere.
     if asked.is_none()
         && !Popup::is_any_open(context)
         && context.input_mut(|input| input.consume_key(egui::Modifiers::SHIFT, Key::F10))
     {
-        let projection = super::Projection::new(&editor.setup.view, room);
         let at = editor.document.selection().point;
         if let Some(point) = editor.document.path().points.get(at) {
             let place = projection.pos(point.position);
@@ -39,10 +45,15 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, room: Rect) {
         editor.space.menu = PointMenu {
             at,
             of_point: what.is_some(),
+            corner: corner_at(editor, &projection, at),
         };
         SetOpenCommand::Bool(true)
     });
-    let (at, of_point) = (editor.space.menu.at, editor.space.menu.of_point);
+    let PointMenu {
+        at,
+        of_point,
+        corner,
+    } = editor.space.menu;
     Popup::new(id, context.clone(), at, ui.layer_id())
         .kind(PopupKind::Menu)
         .layout(Layout::top_down_justified(Align::Min))
@@ -50,12 +61,61 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, room: Rect) {
         .open_memory(open)
         .show(|ui| {
             ui.set_min_width(200.0);
+            if let Some(corner) = corner {
+                aims(editor, ui, corner);
+                ui.separator();
+            }
             if of_point {
                 entries(editor, ui);
             } else {
                 views(editor, ui);
             }
         });
+}
+
+/// The corner of the object at a place on the screen, of several in a row the
+/// one in front.
+fn corner_at(editor: &Editor, projection: &super::Projection, at: Pos2) -> Option<DVec3> {
+    if !editor.setup.shown.has(Element::Object) {
+        return None;
+    }
+    let away = |corner: DVec3| projection.image(corner).distance(from_pos(at));
+    let corners = editor.document.info().object.iter();
+    let near = corners.map(|point| point.position).filter(|&corner| {
+        // Written so that what is not a number is not near.
+        away(corner) <= 1.5 * REACH
+    });
+    let depth = |corner: DVec3| corner.dot(projection.toward());
+    near.max_by(|&a, &b| depth(a).total_cmp(&depth(b)))
+}
+
+/// Cameras that are to look at a corner of the object.
+fn aims(editor: &mut Editor, ui: &mut Ui, corner: DVec3) {
+    let (texts, hints) = (&editor.texts().space, &editor.texts().menu_hints);
+    let button = ui.button(texts.aim_here).on_hover_text(hints.aim_here);
+    if button.clicked() {
+        let Some(mut orientation) = editor.orientation().cloned() else {
+            return;
+        };
+        orientation.target = Target::Absolute(corner);
+        let Selection {
+            point,
+            orientation: at,
+        } = editor.document.selection();
+        do_edit(
+            editor,
+            Edit::SetOrientation {
+                point,
+                at,
+                orientation,
+            },
+        );
+    }
+    let button = ui.button(texts.aim_all_here);
+    if button.on_hover_text(hints.aim_all_here).clicked() {
+        editor.message = None;
+        editor.aim_all_at(corner);
+    }
 }
 
 /// What can be done with the current point.
@@ -94,6 +154,9 @@ fn entries(editor: &mut Editor, ui: &mut Ui) {
     let nothing = editor.copied.is_none().then_some(output.nothing_copied);
     if entry(ui, menu.paste_orientation, hints.paste_orientation, nothing) {
         editor.act(Action::PasteOrientation, ui.ctx());
+    }
+    if entry(ui, menu.aim_all, hints.aim_all, None) {
+        editor.act(Action::AimAll, ui.ctx());
     }
     ui.separator();
     let two = (count <= crate::limits::MIN_POINTS).then_some(position.two_remain);

@@ -3,11 +3,14 @@
 use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use glam::DVec3;
 
 use super::projection::Axis;
 use super::tests::*;
-use crate::editor::setup::View;
+use crate::document::Edit;
+use crate::editor::setup::{Element, View};
 use crate::editor::state::Editor;
+use crate::path::{Orientation, Target};
 
 /// Opens the menu of a point, and chooses an entry.
 fn choose(harness: &mut Harness<'_, Editor>, at: usize, entry: &str) {
@@ -101,6 +104,94 @@ fn the_menu_comes_by_keyboard_and_goes_by_escape() {
     tap(&mut harness, Key::Escape, Modifiers::NONE);
     harness.run();
     assert!(harness.query_by_label("Remove this point").is_none());
+}
+
+/// What the cameras are to look at needs no numbers: a corner of the object is
+/// there to be pointed at. The summit lies in front of nothing.
+#[test]
+fn cameras_are_aimed_at_a_corner_of_the_object() {
+    let summit = DVec3::new(0.0, 0.5, 0.0);
+    let mut harness = pyramid_window();
+    let targets = |harness: &Harness<'_, Editor>| -> Vec<Target> {
+        let points = harness.state().document.path().points.iter();
+        let orientations = points.flat_map(|point| &point.orientations);
+        orientations.map(|orientation| orientation.target).collect()
+    };
+    // Turned so that no camera's arrow ends there on the screen.
+    harness.state_mut().document.select(1, 0).unwrap();
+    harness.state_mut().edit(Edit::SetOrientation {
+        point: 1,
+        at: 0,
+        orientation: Orientation::default(),
+    });
+    harness.run();
+    let before = targets(&harness);
+    let pick = |harness: &mut Harness<'_, Editor>, entry: &str| {
+        let place = image(harness, summit) + vec2(3.0, -2.0);
+        press(harness, place, PointerButton::Secondary);
+        release(harness, place, PointerButton::Secondary);
+        harness.get_by_label(entry).click();
+        harness.run();
+    };
+    pick(&mut harness, "Aim the camera here");
+    assert_eq!(target(&harness, 1), Target::Absolute(summit));
+    let after = targets(&harness);
+    let changed = before.iter().zip(&after).filter(|(a, b)| a != b);
+    assert_eq!(changed.count(), 1);
+    assert!(harness.state_mut().document.undo());
+    harness.run();
+    assert_eq!(targets(&harness), before);
+    pick(&mut harness, "Aim all cameras here");
+    let all = targets(&harness);
+    assert!(all.iter().all(|&target| target == Target::Absolute(summit)));
+    // Elsewhere, and where the object is not shown, nothing of the kind is offered.
+    let offers = |harness: &mut Harness<'_, Editor>, place| {
+        press(harness, place, PointerButton::Secondary);
+        release(harness, place, PointerButton::Secondary);
+        let offers = harness.query_by_label("Aim all cameras here").is_some();
+        tap(harness, Key::Escape, Modifiers::NONE);
+        harness.run();
+        offers
+    };
+    let place = image(&harness, summit);
+    assert!(offers(&mut harness, place));
+    let elsewhere = empty(&harness);
+    assert!(!offers(&mut harness, elsewhere));
+    harness.state_mut().setup.shown.set(Element::Object, false);
+    assert!(!offers(&mut harness, place));
+}
+
+/// Whoever comes near something that can be dragged is told what the buttons do.
+#[test]
+fn the_buttons_are_told_where_they_work() {
+    let mut harness = pyramid_window();
+    let told = |harness: &Harness<'_, Editor>, text: &str| {
+        let shapes = &harness.output().shapes;
+        shapes.iter().any(|shape| match &shape.shape {
+            egui::Shape::Text(shown) => shown.galley.text() == text,
+            _ => false,
+        })
+    };
+    let (drag, roll) = (
+        "Drag: left keeps x, middle y, right z",
+        "Drag: roll the camera",
+    );
+    let point = image(&harness, position(&harness, 3));
+    motion(&mut harness, point);
+    harness.step();
+    assert!(told(&harness, drag) && !told(&harness, roll));
+    press(&mut harness, point, PointerButton::Middle);
+    harness.step();
+    assert!(!told(&harness, drag));
+    release(&mut harness, point, PointerButton::Middle);
+    let tip = image(&harness, tips(&harness).up_tip);
+    motion(&mut harness, tip);
+    harness.step();
+    assert!(told(&harness, roll) && !told(&harness, drag));
+    let elsewhere = empty(&harness);
+    motion(&mut harness, elsewhere);
+    harness.step();
+    assert!(!told(&harness, roll) && !told(&harness, drag));
 }
 
 #[test]

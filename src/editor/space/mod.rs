@@ -78,10 +78,11 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do here beside what the thesis names: hand, meaning.
-pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 12] {
+pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 13] {
     let texts = &texts.space;
     [
         (texts.shift_mouse, texts.shift_meaning),
+        (texts.corner_mouse, texts.corner_meaning),
         (texts.whole_mouse, texts.whole_meaning),
         (texts.escape_keys, texts.escape_meaning),
         (texts.move_keys, texts.move_meaning),
@@ -224,6 +225,15 @@ fn draw(editor: &mut Editor, painter: &Painter, room: Rect) {
     };
     overlay::numbers(painter, document, &look, pointed);
     overlay::directions(painter, &look);
+    // What the buttons do with it, until one is down.
+    if let Some(handle) = hand.hover.filter(|_| !hand.is_busy()) {
+        let texts = &editor.texts().space;
+        let hint = match handle {
+            Handle::Vup => texts.roll_hint,
+            Handle::Vpn | Handle::Point(_) => texts.drag_hint,
+        };
+        overlay::hint(painter, &look, hint, editor.setup.theme().palette().weak);
+    }
     if let Some(error) = trouble {
         editor.complain_of(&error);
     }

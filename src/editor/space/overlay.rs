@@ -318,6 +318,13 @@ fn label(
     painter.galley(rect.min, galley, color);
 }
 
+/// A hint in the upper left corner, where it covers least.
+pub(super) fn hint(painter: &Painter, look: &Look<'_>, text: &str, color: Color32) {
+    let pos = look.room.left_top() + vec2(12.0, 10.0);
+    let text = text.to_owned();
+    label(painter, pos, Align2::LEFT_TOP, text, 11.0, color, look);
+}
+
 /// The three directions, small, in a corner of the room.
 pub(super) fn directions(painter: &Painter, look: &Look<'_>) {
     let Some(color) = look.of(Element::Numbers) else {

@@ -3,7 +3,7 @@
 use super::*;
 use crate::document::Selection;
 use crate::limits;
-use crate::path::CurveParameters;
+use crate::path::{CurveParameters, Tcb};
 
 fn selection(window: &Window) -> Selection {
     window.state().document.selection()
@@ -435,11 +435,14 @@ fn a_preset_is_chosen_in_the_panel() {
         let curve = |window: &Window| window.state().point().expect("there").curve;
         let before = curve(&window);
         click(&mut window, texts.choice);
-        click(&mut window, &fill(texts.preset, &[&6]));
+        let word = language.texts().curve.corner_outwards;
+        let value = language.number(0.5, 2);
+        let entry = format!("{} {word}  c {value}", fill(texts.preset, &[&6]));
+        click(&mut window, &entry);
         assert_eq!(curve(&window), CurveParameters::Preset(6));
         let heading = format!("{}: {}", texts.heading, fill(texts.preset, &[&6]));
         assert!(window.query_by_label(&heading).is_some());
-        assert!(window.query_by_label(&fill(texts.preset, &[&7])).is_none());
+        assert!(window.query_by_label(&entry).is_none());
         press(&mut window, Modifiers::CTRL, Key::Z);
         assert_eq!(curve(&window), before);
         // By the keyboard, too.
@@ -450,5 +453,65 @@ fn a_preset_is_chosen_in_the_panel() {
         press(&mut window, Modifiers::NONE, Key::ArrowDown);
         press(&mut window, Modifiers::NONE, Key::Enter);
         assert_eq!(curve(&window), CurveParameters::Preset(1));
+    }
+}
+
+/// Beside each preset stands what it makes of the curve, as it is at the moment.
+#[test]
+fn a_presets_shape_is_told_in_words() {
+    for (language, words) in [
+        (
+            Language::German,
+            [
+                "straffer  t 0,30",
+                "Ecke  c −0,50",
+                "biegt später  b 0,50",
+                "glatt",
+            ],
+        ),
+        (
+            Language::English,
+            [
+                "tighter  t 0.30",
+                "corner  c −0.50",
+                "turns late  b 0.50",
+                "smooth",
+            ],
+        ),
+    ] {
+        let mut window = large(language);
+        let texts = language.texts();
+        let edit = Edit::SetPreset {
+            preset: 2,
+            tcb: Tcb::new(-0.25, 0.0, -1.0),
+        };
+        window.state_mut().edit(edit);
+        click(&mut window, texts.position.choice);
+        for (preset, words) in [1, 5, 7, 9].into_iter().zip(words) {
+            let entry = format!("{} {words}", fill(texts.position.preset, &[&preset]));
+            assert!(window.query_by_label(&entry).is_some(), "{entry}");
+        }
+        let changed = match language {
+            Language::German => "Standard 2 runder  t −0,25, biegt früher  b −1,00",
+            Language::English => "Preset 2 rounder  t −0.25, turns early  b −1.00",
+        };
+        assert!(window.query_by_label(changed).is_some(), "{changed}");
+    }
+}
+
+/// The three numbers below say what they are: a place, or a direction.
+#[test]
+fn the_orientations_heading_says_how_it_looks() {
+    for language in BOTH {
+        let texts = &language.texts().orientation;
+        let mut window = large(language);
+        let says = |window: &Window, how: &str| {
+            let heading = format!("{}: {how}", texts.heading);
+            window.query_by_label(&heading).is_some()
+        };
+        click(&mut window, texts.absolute);
+        assert!(says(&window, texts.at_place) && !says(&window, texts.in_direction));
+        click(&mut window, texts.relative);
+        assert!(says(&window, texts.in_direction) && !says(&window, texts.at_place));
     }
 }

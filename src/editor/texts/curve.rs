@@ -1,6 +1,7 @@
 //! Texts of the curve window.
 
-use super::texts;
+use super::{Language, texts};
+use crate::path::Tcb;
 
 texts! {
     /// Texts of the curve window.
@@ -11,6 +12,15 @@ texts! {
 
         preset: "Preset {0}", "Standard {0}";
         own: "Own values", "Eigendef.";
+        own_hint: "Values of this point alone", "Werte nur für diesen Punkt";
+        smooth: "smooth", "glatt";
+        tighter: "tighter", "straffer";
+        rounder: "rounder", "runder";
+        corner: "corner", "Ecke";
+        corner_outwards: "corner, outwards", "Ecke nach außen";
+        late: "turns late", "biegt später";
+        early: "turns early", "biegt früher";
+
         used: "Used by {0} points", "Gilt für {0} Punkte";
         used_once: "Only this point", "Nur dieser Punkt";
 
@@ -47,5 +57,28 @@ texts! {
             "Ein anderer Punkt oder eine andere Orientierung ist aktuell: Die Eingaben sind verworfen";
         given_up_changed: "The path has changed: what was entered has been discarded",
             "Die Bahn hat sich geändert: Die Eingaben sind verworfen";
+    }
+}
+
+impl Curve {
+    /// What these parameters make of a curve: "tighter  t 0.30".
+    pub(in crate::editor) fn shape(&self, language: Language, tcb: Tcb) -> String {
+        let parts = [
+            (tcb.tension, "t", [self.rounder, self.tighter]),
+            (tcb.continuity, "c", [self.corner, self.corner_outwards]),
+            (tcb.bias, "b", [self.early, self.late]),
+        ];
+        let words: Vec<String> = parts
+            .into_iter()
+            .filter(|(value, ..)| *value != 0.0)
+            .map(|(value, letter, [below, above])| {
+                let word = if value < 0.0 { below } else { above };
+                format!("{word}  {letter} {}", language.number(value, 2))
+            })
+            .collect();
+        if words.is_empty() {
+            return self.smooth.to_owned();
+        }
+        words.join(", ")
     }
 }

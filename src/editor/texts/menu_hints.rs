@@ -26,6 +26,10 @@ texts! {
             "Diese Orientierung merken, um sie anderswo einzufügen";
         paste_orientation: "Put the copied orientation in place of this one",
             "Die kopierte Orientierung an die Stelle dieser setzen";
+        aim_here: "The current orientation becomes absolute and looks at this corner of the object",
+            "Die aktuelle Orientierung wird absolut und blickt auf diese Ecke des Objekts";
+        aim_all_here: "Every orientation of the path becomes absolute and looks at this corner of the object",
+            "Jede Orientierung der Bahn wird absolut und blickt auf diese Ecke des Objekts";
         aim_all: "Every orientation of the path becomes absolute and looks where this one does",
             "Jede Orientierung der Bahn wird absolut und blickt dorthin, wohin diese blickt";
 

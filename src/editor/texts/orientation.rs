@@ -6,6 +6,8 @@ texts! {
     /// Texts of the orientation panel.
     Orientation {
         heading: "Orientation", "Orientierung";
+        at_place: "looks at a place", "blickt auf einen Ort";
+        in_direction: "looks in a direction", "blickt in eine Richtung";
         add: "Ori.+", "Ori.+";
         add_hint: "Insert a copy of this orientation after it",
             "Eine Kopie dieser Orientierung dahinter einfügen";

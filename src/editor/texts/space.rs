@@ -23,6 +23,13 @@ texts! {
         target_at: "Target  x {0}  y {1}  z {2}", "Ziel  x {0}  y {1}  z {2}";
         offset_at: "Direction  x {0}  y {1}  z {2}", "Richtung  x {0}  y {1}  z {2}";
         roll_at: "Roll {0}°", "Winkel {0}°";
+        aim_here: "Aim the camera here", "Kamera hierauf richten";
+        aim_all_here: "Aim all cameras here", "Alle Kameras hierauf richten";
+        corner_mouse: "Right click on a corner of the object", "Rechtsklick auf eine Ecke des Objekts";
+        corner_meaning: "Aim one camera or all at it", "Eine Kamera oder alle darauf richten";
+        drag_hint: "Drag: left keeps x, middle y, right z",
+            "Ziehen: links bleibt x fest, Mitte y, rechts z";
+        roll_hint: "Drag: roll the camera", "Ziehen: Kamera um die Blickrichtung drehen";
         make_closed: "Close the path", "Bahn schließen";
         make_open: "Open the path", "Bahn öffnen";
         play: "Play", "Abspielen";

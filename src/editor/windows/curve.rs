@@ -165,8 +165,8 @@ impl CurveWindow {
         let texts = &editor.texts().curve;
         let now = self.pending.choice(&editor.document);
         let mut choose = None;
-        let mut radio = |ui: &mut Ui, choice, name: String| {
-            let response = ui.radio(now == choice, name);
+        let mut radio = |ui: &mut Ui, choice, name: String, shape: String| {
+            let response = theme::choice(ui, now == choice, &name).on_hover_text(shape);
             if response.clicked() && now != choice {
                 choose = Some(choice);
             }
@@ -179,9 +179,12 @@ impl CurveWindow {
                 .is_some_and(Option::is_some);
             let mark = if changed { " *" } else { "" };
             let name = format!("{}{mark}", fill(texts.preset, &[&preset]));
-            radio(ui, Choice::Preset(preset), name);
+            let tcb = self.pending.preset(&editor.document, preset);
+            let shape = texts.shape(editor.language(), tcb);
+            radio(ui, Choice::Preset(preset), name, shape);
         }
-        radio(ui, Choice::Own, texts.own.to_owned());
+        let own = texts.own.to_owned();
+        radio(ui, Choice::Own, own, texts.own_hint.to_owned());
         if let Some(choice) = choose {
             self.pending.choose(&editor.document, choice);
         }

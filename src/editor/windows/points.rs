@@ -49,11 +49,14 @@ impl SubWindow for PointsWindow {
             let point = editor.document.selection().point + 1;
             let hint = fill(texts.how_many_hint, &[&point]);
             ui.colored_label(theme::palette(ui).weak, &hint);
+            let gaps = (MAX_DIVISION / 2 - 1) as f32 * ui.spacing().item_spacing.x;
+            let share = (ui.min_rect().width() - gaps) / (MAX_DIVISION / 2) as f32;
+            let size = vec2(share.floor().max(48.0), 28.0);
             for row in 0..2 {
                 ui.horizontal(|ui| {
                     for column in 1..=MAX_DIVISION / 2 {
                         let count = row * MAX_DIVISION / 2 + column;
-                        let button = Button::new(count.to_string()).min_size(vec2(48.0, 28.0));
+                        let button = Button::new(count.to_string()).min_size(size);
                         let response = ui.add(button);
                         if self.fresh {
                             self.fresh = false;
