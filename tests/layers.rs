@@ -3,7 +3,8 @@
 //!
 //! The source is read as tokens, without comments and texts, so that a
 //! mention in the documentation is no arrow. Paths count that begin with
-//! `crate::` or climb to the root by `super::`.
+//! `crate::` or climb to the root by `super::`. And where `unsafe` code may
+//! be, as SECURITY.md lists it.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -288,6 +289,41 @@ fn arrows_run_one_way() {
         "arrows against ARCHITECTURE.md:\n{}",
         wrong.join("\n")
     );
+}
+
+/// The files and folders of the source that a list names, `src/…` in backticks.
+fn listed(list: &str) -> BTreeSet<&str> {
+    let quoted = list.split('`').skip(1).step_by(2);
+    quoted.filter(|name| name.starts_with("src/")).collect()
+}
+
+#[test]
+fn unsafe_code_is_where_security_md_says() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let text = fs::read_to_string(root.join("SECURITY.md")).expect("SECURITY.md");
+    let (_, list) = (text.split_once("`unsafe` code is confined to")).expect("the list");
+    let (list, _) = list.split_once("Every block").expect("the list's end");
+    let mut unseen = listed(list);
+    let mut files = Vec::new();
+    rust_files(&root.join("src"), &mut files);
+    let mut wrong = Vec::new();
+    for file in &files {
+        let source = fs::read_to_string(file).expect("a source in UTF-8");
+        if !tokens(&source).iter().any(|word| word == "unsafe") {
+            continue;
+        }
+        let shown = file.strip_prefix(root).expect("a file of the source");
+        let named = listed(list)
+            .into_iter()
+            .find(|name| shown.starts_with(name));
+        match named {
+            Some(name) => drop(unseen.remove(name)),
+            None if shown.to_string_lossy().ends_with("tests.rs") => {}
+            None => wrong.push(format!("{}: not in SECURITY.md", shown.display())),
+        }
+    }
+    wrong.extend(unseen.iter().map(|name| format!("{name}: no unsafe code")));
+    assert!(wrong.is_empty(), "unsafe code:\n{}", wrong.join("\n"));
 }
 
 #[test]
