@@ -173,7 +173,10 @@ impl Window {
 
     /// The desktop's resources have changed: the resolution, too?
     fn rescale(&mut self) -> Result<()> {
-        self.resources = scale::ask(&self.connection)?;
+        let Some(resources) = scale::ask(&self.connection)? else {
+            return Ok(());
+        };
+        self.resources = resources;
         let scale = scale::of(&self.resources);
         if scale != self.scale {
             let pixels = self.pos * self.scale;

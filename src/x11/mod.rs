@@ -176,7 +176,7 @@ impl Window {
         let layout = Layout::new(&visual, setup.image_byte_order == ImageOrder::MSB_FIRST);
         connection.maximum_request_bytes(); // asked for long ago; now it is known
         window::watch_desktop(&connection)?;
-        let resources = scale::ask(&connection)?;
+        let resources = scale::ask(&connection)?.unwrap_or_default();
         let scale = scale::of(&resources);
         let settings = Settings::ask(&connection)?;
         let frame = window::create(&connection, &visual, options, scale)?;

@@ -6,12 +6,12 @@ use x11rb::resource_manager::Database;
 use super::connection::Connection;
 use crate::error::Result;
 
-/// Asks for the desktop's settings, the resources of the root window. None if
-/// there are none, or nobody answers.
+/// Asks for the desktop's settings, the resources of the root window; `None` if
+/// nobody answers.
 ///
 /// # Errors
 /// The server is gone.
-pub(super) fn ask(connection: &Connection) -> Result<Database> {
+pub(super) fn ask(connection: &Connection) -> Result<Option<Database>> {
     let mut question = Database::GET_RESOURCE_DATABASE;
     question.window = root(connection);
     let answer = connection.answer(connection.get_property(
@@ -22,10 +22,7 @@ pub(super) fn ask(connection: &Connection) -> Result<Database> {
         0,
         question.long_length,
     ))?;
-    let resources = answer
-        .as_ref()
-        .and_then(Database::new_from_get_property_reply);
-    Ok(resources.unwrap_or_default())
+    Ok(answer.map(|answer| Database::new_from_get_property_reply(&answer).unwrap_or_default()))
 }
 
 /// The window with the resources: the first screen's root, also for others.

@@ -115,9 +115,13 @@ impl Settings {
             0,
             MOST_WORDS,
         ))?;
-        let there = answer.as_ref().is_some_and(|answer| answer.type_ != 0);
-        let bytes = answer.filter(|answer| answer.format == 8);
-        self.dark = bytes.and_then(|answer| is_dark(&answer.value));
+        // Without an answer it stays as it was.
+        let Some(answer) = answer else {
+            return Ok(false);
+        };
+        let there = answer.type_ != 0;
+        let bytes = Some(answer.value).filter(|_| answer.format == 8);
+        self.dark = bytes.and_then(|bytes| is_dark(&bytes));
         Ok(there)
     }
 }
@@ -273,6 +277,26 @@ pub(super) mod tests {
         endless[at - 2..at].fill(0xff);
         assert_eq!(is_dark(&endless), None);
         assert_eq!(is_dark(&[2; 64]), None);
+    }
+
+    #[test]
+    fn what_means_something_else_says_nothing() {
+        let good = settings(false, "Adwaita-dark");
+        let with = |at: usize, byte: u8| {
+            let mut changed = good.clone();
+            changed[at] = byte;
+            is_dark(&changed)
+        };
+        assert_eq!(with(0, 0), Some(true));
+        assert_eq!(with(0, 2), None, "an order of bytes that is none");
+        assert_eq!(with(8, 3), None, "behind the last of them");
+        // Behind a kind that is none, be it without a value.
+        let colour = good.windows(4).position(|four| four == b"Some").unwrap();
+        let mut other = good.clone();
+        other[colour - 4] = 3;
+        assert_eq!(is_dark(&other), None);
+        other.drain(colour + 16..colour + 24);
+        assert_eq!(is_dark(&other), None);
     }
 
     proptest! {

@@ -2,7 +2,7 @@
 //! what it likes.
 
 use std::os::fd::AsFd as _;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use x11rb::connection::Connection as _;
 use x11rb::protocol::xproto::{
@@ -13,7 +13,7 @@ use x11rb::rust_connection::RustConnection;
 use x11rb::wrapper::ConnectionExt as _;
 
 use super::settings::tests::settings;
-use super::stream::wait;
+use super::stream::{PATIENCE, wait};
 use super::testing::{Server, until};
 use super::{Options, Window};
 
@@ -230,12 +230,57 @@ fn a_manager_that_writes_rubbish_is_not_listened_to() {
     // Very much behind what is asked for does not matter.
     manager.write(kind, &long);
     hears(&mut window, Some(egui::Theme::Dark));
-    // Of numbers of another size nothing is read.
+    // Of numbers of another size nothing is read, whatever they are.
     let connection = &manager.connection;
-    let words = [0_u32; 64];
+    let (fours, _) = good.as_chunks::<4>();
+    let words: Vec<u32> = fours.iter().map(|&four| u32::from_ne_bytes(four)).collect();
     connection
         .change_property32(PropMode::REPLACE, manager.window, kind, kind, &words)
         .unwrap();
     connection.sync().unwrap();
     hears(&mut window, None);
+}
+
+#[test]
+fn what_is_not_answered_changes_nothing() {
+    let server = Server::start();
+    let manager = Manager::new(&server);
+    let (connection, root) = (
+        &manager.connection,
+        manager.connection.setup().roots[0].root,
+    );
+    let resources = |dots: &str| {
+        let (kind, bytes) = (AtomEnum::STRING, format!("Xft.dpi:\t{dots}\n"));
+        let property = AtomEnum::RESOURCE_MANAGER;
+        connection
+            .change_property8(PropMode::REPLACE, root, property, kind, bytes.as_bytes())
+            .unwrap();
+        connection.sync().unwrap();
+    };
+    resources("192");
+    manager.theme("Adwaita-dark");
+    let mut window = open(&server);
+    window.poll().unwrap();
+    let said = |window: &mut Window| (window.take_input().system_theme, window.scale);
+    assert_eq!(said(&mut window), (Some(egui::Theme::Dark), 2.0));
+    // The manager has the server for itself: changes are told, no question is heard.
+    connection.grab_server().unwrap();
+    resources("96");
+    manager.theme("Adwaita");
+    let start = Instant::now();
+    for _ in 0..20 {
+        wait(window.as_fd(), libc::POLLIN, Duration::from_millis(5)).unwrap();
+        window.poll().unwrap();
+        assert_eq!(said(&mut window), (Some(egui::Theme::Dark), 2.0));
+    }
+    let time = start.elapsed();
+    assert!(
+        time >= PATIENCE && time < 2 * PATIENCE,
+        "it was asked once: {time:?}"
+    );
+    connection.ungrab_server().unwrap();
+    resources("96");
+    manager.theme("Adwaita");
+    hears(&mut window, Some(egui::Theme::Light));
+    assert_eq!(window.scale, 1.0);
 }

@@ -19,9 +19,19 @@ use std::time::{Duration, Instant};
 use x11rb::rust_connection::PollMode;
 use x11rb::utils::RawFdContainer;
 
-/// How long an answer of the server is waited for when the window stands. Once
-/// this was too short, nothing is waited for until the server speaks again.
+/// How long an answer of the server is waited for when the window stands, whatever
+/// else comes meanwhile. Once this was too short, nothing is waited for until the
+/// server speaks again.
 pub(super) const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How long nothing is waited for after the server spoke, but did not answer. Another
+/// client may have it for itself, while the mouse still moves. So the host is held for
+/// a second of six at most.
+const REST: Duration = Duration::from_secs(5);
+
+/// How much is taken on the way to an answer, bytes. Of events, each of which is kept,
+/// that is 130,000, and in memory six times as much; answers are far smaller.
+const MOST_BEFORE_ANSWER: usize = 4 << 20;
 
 /// How much may wait to be sent, bytes. Images are sent in pieces, each after
 /// the one before it has arrived, so that this much means that something is
@@ -44,10 +54,24 @@ pub(super) struct Stream {
     waiting: RefCell<Waiting>,
     /// Until when answers are waited for; [`PATIENCE`] for each if none.
     deadline: Cell<Option<Instant>>,
+    /// The answer that is waited for.
+    awaited: Cell<Option<Awaited>>,
     /// An answer did not come in time, and nothing has come since.
     silent: Cell<bool>,
+    /// Until when nothing is waited for, since something came but no answer.
+    rest: Cell<Option<Instant>>,
     /// Read since there was last said to be nothing more.
     taken: Cell<usize>,
+}
+
+/// An answer that was asked for: from the first look for it until something else
+/// is asked.
+#[derive(Clone, Copy, Debug)]
+struct Awaited {
+    /// It is given up then.
+    end: Instant,
+    /// What came instead, bytes.
+    taken: usize,
 }
 
 /// What the socket did not take yet.
@@ -73,7 +97,9 @@ impl Stream {
             watch,
             waiting: RefCell::default(),
             deadline: Cell::new(Some(deadline)),
+            awaited: Cell::new(None),
             silent: Cell::new(false),
+            rest: Cell::new(None),
             taken: Cell::new(0),
         };
         stream.set_watch(libc::EPOLL_CTL_ADD, libc::EPOLLIN)?;
@@ -146,6 +172,7 @@ impl Stream {
     /// Takes all of `slices`: sends it, and keeps what the socket does not take.
     fn take(&self, slices: &[IoSlice<'_>], fds: &mut Vec<RawFdContainer>) -> Result<usize> {
         let length = slices.iter().map(|slice| slice.len()).sum::<usize>();
+        self.awaited.set(None);
         self.push()?;
         let mut waiting = self.waiting.borrow_mut();
         waiting.descriptors.append(fds);
@@ -177,34 +204,59 @@ impl Stream {
     fn patience(&self) -> Duration {
         match self.deadline.get() {
             Some(deadline) => deadline.saturating_duration_since(Instant::now()),
-            None if self.silent.get() => Duration::ZERO,
+            None if self.silent.get() || self.rests() => Duration::ZERO,
             None => PATIENCE,
         }
+    }
+
+    fn rests(&self) -> bool {
+        (self.rest.get()).is_some_and(|end| Instant::now() < end)
+    }
+
+    /// The answer does not come.
+    fn give_up(&self, awaited: Awaited) -> Error {
+        self.awaited.set(None);
+        if self.rests() {
+            // It was not waited for: that says nothing.
+        } else if awaited.taken == 0 {
+            self.silent.set(true);
+        } else {
+            self.rest.set(Some(Instant::now() + REST));
+        }
+        ErrorKind::TimedOut.into()
     }
 }
 
 impl x11rb::rust_connection::Stream for Stream {
     /// There is always room to write. To read is waited for as long as patience
-    /// lasts.
+    /// lasts: until the answer has come, not for each of the events before it.
     fn poll(&self, mode: PollMode) -> Result<()> {
         if mode.writable() {
             return Ok(());
         }
-        let end = Instant::now() + self.patience();
+        let awaited = self.awaited.get().unwrap_or_else(|| Awaited {
+            end: Instant::now() + self.patience(),
+            taken: 0,
+        });
+        self.awaited.set(Some(awaited));
+        let late = || Instant::now() >= awaited.end;
+        // What lies there already is looked at once, however late it is.
+        if awaited.taken >= MOST_BEFORE_ANSWER || awaited.taken > 0 && late() {
+            return Err(self.give_up(awaited));
+        }
         loop {
             self.push()?;
             let mut events = libc::POLLIN;
             if self.waiting() > 0 {
                 events |= libc::POLLOUT;
             }
-            let left = end.saturating_duration_since(Instant::now());
+            let left = awaited.end.saturating_duration_since(Instant::now());
             let ready = wait(self.socket.as_fd(), events, left)?;
             if ready & !libc::POLLOUT != 0 {
                 return Ok(()); // what it was is told by reading
             }
-            if ready == 0 && Instant::now() >= end {
-                self.silent.set(true);
-                return Err(ErrorKind::TimedOut.into());
+            if ready == 0 && late() {
+                return Err(self.give_up(awaited));
             }
         }
     }
@@ -229,7 +281,13 @@ impl x11rb::rust_connection::Stream for Stream {
                 )
             }
         })?;
-        self.silent.set(false);
+        // What speaks after a silence is waited for again, from now on.
+        let spoken = self.silent.replace(false);
+        let awaited = self.awaited.get().filter(|_| !spoken);
+        self.awaited.set(awaited.map(|awaited| Awaited {
+            taken: awaited.taken + count,
+            ..awaited
+        }));
         self.taken.set(taken + count);
         Ok(count)
     }
@@ -404,6 +462,93 @@ mod tests {
         assert_eq!(stream.patience(), PATIENCE);
         assert_eq!(late(&stream), ErrorKind::TimedOut);
         assert_eq!(stream.patience(), Duration::ZERO);
+    }
+
+    /// Asks and waits as x11rb does, until `enough` has come; how much did.
+    fn ask(stream: &Stream, enough: usize) -> Result<usize> {
+        let mut buffer = [0; 4096];
+        let mut got = 0;
+        stream.write(b"?", &mut Vec::new())?;
+        while got < enough {
+            stream.poll(PollMode::Readable)?;
+            loop {
+                match stream.read(&mut buffer, &mut Vec::new()) {
+                    Ok(count) => got += count,
+                    Err(error) if error.kind() == ErrorKind::WouldBlock => break,
+                    Err(error) => return Err(error),
+                }
+            }
+        }
+        Ok(got)
+    }
+
+    /// Runs `check` while somebody sends so much after each rest, for ever.
+    fn while_sent(bytes: &[u8], rest: Duration, check: impl FnOnce(&Stream)) {
+        let (stream, theirs) = pair();
+        stream.settle();
+        thread::scope(|scope| {
+            scope.spawn(|| {
+                while (&theirs).write_all(bytes).is_ok() {
+                    thread::sleep(rest);
+                }
+            });
+            check(&stream);
+            drop(stream);
+        });
+    }
+
+    #[test]
+    fn who_speaks_but_does_not_answer_is_waited_for_once_and_after_a_rest() {
+        while_sent(&[7; 32], Duration::from_millis(10), |stream| {
+            let waited = |enough| {
+                let start = Instant::now();
+                let result = ask(stream, enough).map_err(|error| error.kind());
+                (result, start.elapsed())
+            };
+            for _ in 0..2 {
+                let (result, time) = waited(usize::MAX);
+                assert_eq!(result, Err(ErrorKind::TimedOut));
+                assert!(time >= PATIENCE && time < 2 * PATIENCE, "{time:?}");
+                // Whatever comes, and however often it is asked.
+                let start = Instant::now();
+                for _ in 0..100 {
+                    thread::sleep(Duration::from_millis(2));
+                    assert_eq!(waited(usize::MAX).0, Err(ErrorKind::TimedOut));
+                }
+                assert!(start.elapsed() < PATIENCE, "{:?}", start.elapsed());
+                let end = stream.rest.get().unwrap();
+                assert!(end <= start + REST, "a rest grows");
+                stream.rest.set(Some(Instant::now())); // as if it were over
+            }
+            // What is answered at last, in time, is waited for.
+            for _ in 0..3 {
+                assert!(waited(320).0.is_ok());
+            }
+        });
+    }
+
+    #[test]
+    fn an_answer_behind_many_events_is_reached_but_not_behind_any_number() {
+        while_sent(&[7; 1 << 16], Duration::ZERO, |stream| {
+            for _ in 0..3 {
+                assert!(ask(stream, 1 << 20).is_ok());
+            }
+            let before = stream.awaited.get().unwrap();
+            assert!(before.taken >= 1 << 20);
+            let error = ask(stream, 10 * MOST_BEFORE_ANSWER).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::TimedOut);
+        });
+        // However much time there is.
+        let (stream, _theirs) = pair();
+        let awaited = |taken| {
+            let end = Instant::now() + PATIENCE;
+            stream.awaited.set(Some(Awaited { end, taken }));
+        };
+        stream.settle();
+        awaited(MOST_BEFORE_ANSWER);
+        let start = Instant::now();
+        assert!(stream.poll(PollMode::Readable).is_err());
+        assert!(start.elapsed() < PATIENCE / 2);
     }
 
     #[test]

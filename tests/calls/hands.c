@@ -143,6 +143,18 @@ void hands_kill(unsigned long window)
     hands_finish();
 }
 
+void hands_take_all(void)
+{
+    XGrabServer(display);
+    hands_finish();
+}
+
+void hands_let_go(void)
+{
+    XUngrabServer(display);
+    hands_finish();
+}
+
 void hands_finish(void)
 {
     if (display != NULL)

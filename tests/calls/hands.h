@@ -30,6 +30,9 @@ void hands_kill(unsigned long window);
 int hands_kinds(void);
 /* Sends an event of this kind, its contents made of `noise`. */
 void hands_send(unsigned long window, int kind, unsigned long long noise);
+/* Nobody but us is served, until hands_let_go(); what we send arrives all the same. */
+void hands_take_all(void);
+void hands_let_go(void);
 /* All that was sent has reached the server, and what it answers has come. */
 void hands_finish(void);
 

@@ -107,6 +107,18 @@ def flood(place, server, *words):
     return program
 
 
+def another_is_as_usual(server, host, window):
+    """Whatever events did in a window that is still there."""
+    check(window in server.windows(visible=False), "the window is gone")
+    host.edit(1)
+    wait(lambda: len(server.windows(visible=False)) > 1, "another window")
+    other = [one for one in server.windows(visible=False) if one != window][0]
+    server.drawn(other)
+    hand_over(server, other)
+    host.expect(f"poses 1 {POSES}")
+    host.tell("close 1", "closed 0")
+
+
 def lives_through(place, rate, seconds):
     """Events of every kind; the host answers meanwhile, and its other windows
     are served. Gives the host and how many events there were."""
@@ -123,15 +135,7 @@ def lives_through(place, rate, seconds):
         time.sleep(0.02)
     sent = int(sender.expect("done", 120).split()[1])
     host.live()
-    check(window in server.windows(visible=False), "the window is gone")
-    # Whatever the events did in that window, another one is as usual.
-    host.edit(1)
-    wait(lambda: len(server.windows(visible=False)) > 1, "another window")
-    other = [one for one in server.windows(visible=False) if one != window][0]
-    server.drawn(other)
-    hand_over(server, other)
-    host.expect(f"poses 1 {POSES}")
-    host.tell("close 1", "closed 0")
+    another_is_as_usual(server, host, window)
     return host, sent, before
 
 
@@ -146,14 +150,59 @@ def a_thousand_events_a_second(place):
     host.leave()
 
 
+def most(pid):
+    """The most memory that a process ever had, in kB."""
+    with open(f"/proc/{pid}/status", encoding="ascii") as status:
+        return [int(line.split()[1]) for line in status if line.startswith("VmHWM:")][0]
+
+
 @test(first=True)
 def as_many_events_as_go(place):
-    """Hundreds of thousands a second: the host's turns stay short, and what waits to be
-    looked at waits with the server."""
+    """Hundreds of thousands a second of every kind: the host's turns stay short."""
     host, sent, _ = lives_through(place, 0, 2)
-    with open(f"/proc/{host.pid}/status", encoding="ascii") as status:
-        most = [int(line.split()[1]) for line in status if line.startswith("VmHWM:")][0]
-    check(most < 150_000, f"{sent} events took up to {most} kB")
+    check(most(host.pid) < 150_000, f"{sent} events took up to {most(host.pid)} kB")
+    host.leave()
+
+
+@test(first=True)
+def many_events_that_wait(place):
+    """They come while nobody serves the window, and wait with the server, not in memory."""
+    server, host, _ = opened(place)
+    host.idle(0.3)
+    before = most(host.pid)
+    host.send("sleep 3000")
+    sent = int(flood(place, server, "moves", 2.5, 0).expect("done").split()[1])
+    host.expect("slept")
+    for _ in range(10):
+        host.live()
+    host.idle(0.3)
+    grown = most(host.pid) - before
+    check(sent > 100_000, f"only {sent} events were sent")
+    # On the way to an answer, for another shape of the pointer say, 4 MB are taken.
+    check(grown < 60_000, f"{sent} events, {sent // 32} kB, took {grown} kB")
+    host.leave()
+
+
+@test(first=True)
+def events_but_no_answers(place):
+    """A client has the server for itself, and sends: what the window asks is not answered.
+    That holds the host for a second, now and then; afterwards all is as before."""
+    server, host, window = opened(place)
+    host.tell("closing 0")  # some of the keys would close it
+    sender = flood(place, server, "alone", 9, 1000)
+    end = time.monotonic() + 9
+    times = []
+    while time.monotonic() < end:
+        start = time.monotonic()
+        host.live()
+        times.append(time.monotonic() - start)
+        time.sleep(0.02)
+    sender.expect("done")
+    # Each time again after a rest of five seconds; a busy machine adds to it.
+    check(max(times) < 2, f"the host did not answer for {max(times):.1f} s")
+    check(sum(took > 0.5 for took in times) <= 2, f"held: {sorted(times)[-4:]}")
+    host.live()
+    another_is_as_usual(server, host, window)
     host.leave()
 
 

@@ -4,6 +4,9 @@
  *
  *     flood events SECONDS RATE   events of every kind, RATE a second; 0: as
  *                                 many as go
+ *     flood moves SECONDS RATE    of the pointer only
+ *     flood alone SECONDS RATE    of every kind, and the server serves nobody
+ *                                 else meanwhile
  *     flood silent                owns the clipboard and answers nobody
  *     flood endless               owns the clipboard and hands over pieces
  *                                 without an end
@@ -39,7 +42,8 @@ static double now(void)
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-static void events(double seconds, double rate)
+/* Of one kind, or of every if that is negative. */
+static void events(int kind, double seconds, double rate)
 {
     double start = now();
     unsigned long window = hands_window(0);
@@ -51,7 +55,7 @@ static void events(double seconds, double rate)
             usleep(1000);
             continue;
         }
-        hands_send(window, (int)(sent % hands_kinds()), noise());
+        hands_send(window, kind < 0 ? (int)(sent % hands_kinds()) : kind, noise());
         sent++;
         if (sent % 1000 == 0)
             hands_finish();
@@ -124,11 +128,17 @@ static void own_the_clipboard(int endless)
 int main(int argc, char **argv)
 {
     setvbuf(stdout, NULL, _IOLBF, 0);
-    if (argc > 3 && strcmp(argv[1], "events") == 0) {
+    if (argc > 3) {
+        int alone = strcmp(argv[1], "alone") == 0;
+
         if (!hands_connect() || hands_count() == 0)
             return 1;
         puts("ready");
-        events(atof(argv[2]), atof(argv[3]));
+        if (alone)
+            hands_take_all();
+        events(strcmp(argv[1], "moves") == 0 ? MotionNotify : -1, atof(argv[2]), atof(argv[3]));
+        if (alone)
+            hands_let_go();
         hands_leave();
         return 0;
     }
