@@ -61,10 +61,14 @@ fn structs_and_arrays_are_the_hosts_from_end_to_end() {
     let frames = unsafe { count.assume_init() };
     assert_eq!(frames, 11);
     let first = poses.as_mut_ptr().cast();
+    // Into room for one less nothing is written.
+    let marks = [7.0_f64; 10 * 10];
+    let mut few = Box::new(marks);
     call!(
         V_ERR_SIZE,
-        v_path_sample(path, first, frames - 1, &raw mut *count.as_mut_ptr())
+        v_path_sample(path, few.as_mut_ptr().cast(), 10, count.as_mut_ptr())
     );
+    assert_eq!(*few, marks);
     call!(V_OK, v_path_sample(path, first, frames, count.as_mut_ptr()));
     // SAFETY: all were written.
     let last = unsafe { poses[frames - 1].assume_init() };
@@ -93,6 +97,7 @@ fn pointers_that_are_none_are_not_followed() {
     call!(V_ERR_NULL, v_path_clone(null(), &raw mut other));
     let stale = path;
     free(path);
+    let path = self::path(); // perhaps where the other was
     for handle in [
         stale,
         odd.cast(),
@@ -103,6 +108,7 @@ fn pointers_that_are_none_are_not_followed() {
         free(handle);
     }
     assert!(other.is_null());
+    free(path);
 }
 
 /// An element with this number, and nothing else in it.

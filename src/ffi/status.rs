@@ -316,7 +316,9 @@ mod tests {
 
     #[test]
     fn of_a_long_message_the_middle_is_left_out() {
-        for length in 0..4 * MESSAGE_BYTES {
+        // Each step of it takes Miri long: there some of those that fit and that do not.
+        let step = if cfg!(miri) { 401 } else { 1 };
+        for length in (0..4 * MESSAGE_BYTES).step_by(step) {
             let long = format!(
                 "{}€{}: why",
                 "a/".repeat(length / 3),
