@@ -39,8 +39,9 @@ for target; do
         echo "fuzz: FAILED: $target: see $place/artifacts/$target" >&2
         exit 1
     }
-    printf 'fuzz: ok: %s: %s runs, %s, %s files kept\n' "$target" \
+    printf 'fuzz: ok: %s: %s runs, %s, %s files kept, at most %s MB with the sanitizer\n' "$target" \
         "$(sed -n 's/^stat::number_of_executed_units: *//p' "$place/$target.log")" \
         "$(grep -ao 'cov: [0-9]* ft: [0-9]*' "$place/$target.log" | tail -n 1)" \
-        "$(find "$corpus" -type f | wc -l)"
+        "$(find "$corpus" -type f | wc -l)" \
+        "$(sed -n 's/^stat::peak_rss_mb: *//p' "$place/$target.log")"
 done
