@@ -165,25 +165,6 @@ def as_many_events_as_go(place):
 
 
 @test(first=True)
-def many_events_that_wait(place):
-    """They come while nobody serves the window, and wait with the server, not in memory."""
-    server, host, _ = opened(place)
-    host.idle(0.3)
-    before = most(host.pid)
-    host.send("sleep 3000")
-    sent = int(flood(place, server, "moves", 2.5, 0).expect("done").split()[1])
-    host.expect("slept")
-    for _ in range(10):
-        host.live()
-    host.idle(0.3)
-    grown = most(host.pid) - before
-    check(sent > 100_000, f"only {sent} events were sent")
-    # On the way to an answer, for another shape of the pointer say, 4 MB are taken.
-    check(grown < 60_000, f"{sent} events, {sent // 32} kB, took {grown} kB")
-    host.leave()
-
-
-@test(first=True)
 def events_but_no_answers(place):
     """A client has the server for itself, and sends: what the window asks is not answered.
     That holds the host for a second, now and then; afterwards all is as before."""

@@ -4,7 +4,6 @@
  *
  *     flood events SECONDS RATE   events of every kind, RATE a second; 0: as
  *                                 many as go
- *     flood moves SECONDS RATE    of the pointer only
  *     flood alone SECONDS RATE    of every kind, and the server serves nobody
  *                                 else meanwhile
  *     flood silent                owns the clipboard and answers nobody
@@ -42,8 +41,7 @@ static double now(void)
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/* Of one kind, or of every if that is negative. */
-static void events(int kind, double seconds, double rate)
+static void events(double seconds, double rate)
 {
     double start = now();
     unsigned long window = hands_window(0);
@@ -55,7 +53,7 @@ static void events(int kind, double seconds, double rate)
             usleep(1000);
             continue;
         }
-        hands_send(window, kind < 0 ? (int)(sent % hands_kinds()) : kind, noise());
+        hands_send(window, (int)(sent % hands_kinds()), noise());
         sent++;
         if (sent % 1000 == 0)
             hands_finish();
@@ -136,7 +134,7 @@ int main(int argc, char **argv)
         puts("ready");
         if (alone)
             hands_take_all();
-        events(strcmp(argv[1], "moves") == 0 ? MotionNotify : -1, atof(argv[2]), atof(argv[3]));
+        events(atof(argv[2]), atof(argv[3]));
         if (alone)
             hands_let_go();
         hands_leave();
