@@ -25,13 +25,9 @@ use crate::raster::{Raster, in_pieces};
 /// asks for them where a size settles. More are an animation.
 const SETTLING_PASSES: u32 = 3;
 
-/// egui wants to run again after every event. In a drag the next motion does
-/// as well; only when none comes for so long it runs by itself.
-pub(super) const SETTLING_DRAG: Duration = Duration::from_millis(40);
-
-/// In a drag the space follows each motion, everything else is shown anew when
-/// so long has passed: often enough for numbers that nobody can read as fast.
-pub(super) const WHOLE: Duration = Duration::from_millis(30);
+/// egui wants to run again after every event. In a drag it runs so often, as a
+/// film has frames, with motions or without; between, the space alone follows.
+pub(super) const DRAG_STEP: Duration = Duration::from_millis(40);
 
 /// From picture to picture of an animation.
 const ANIMATION_STEP: Duration = Duration::from_nanos(1_000_000_000 / 60);
@@ -185,7 +181,7 @@ impl Window {
     fn pass(&mut self, now: Instant) -> Result<()> {
         self.fresh = false;
         let input = self.screen.take_input();
-        let follows = self.ran.is_some_and(|ran| now < ran + WHOLE) && self.follow(&input);
+        let follows = self.ran.is_some_and(|ran| now < ran + DRAG_STEP) && self.follow(&input);
         let input = match self.followed.take() {
             Some(mut earlier) => {
                 // Of a row of motions only where it leads to counts.
@@ -268,7 +264,7 @@ impl Window {
             context.input(|input| (input.pointer.any_down(), input.pointer.any_pressed()));
         self.resting = !held && delay == Duration::MAX;
         let delay = if held && !pressed {
-            delay.max(SETTLING_DRAG)
+            delay.max(DRAG_STEP)
         } else if self.passes <= SETTLING_PASSES {
             delay
         } else {
