@@ -67,6 +67,8 @@ struct Picture {
     /// Those of the movement window's space.
     space: Range<usize>,
     pixels_per_point: f32,
+    /// It has been painted; since then nothing but the space has changed.
+    painted: bool,
 }
 
 /// What a turn ended with.
@@ -253,6 +255,7 @@ impl Window {
             primitives,
             space: start..end,
             pixels_per_point,
+            painted: false,
         });
         self.unpainted = true;
         self.screen.take_output(platform_output)?;
@@ -284,7 +287,7 @@ impl Window {
         if self.in_flight || !self.unpainted {
             return Ok(false);
         }
-        let Some(picture) = &self.picture else {
+        let Some(picture) = &mut self.picture else {
             return Ok(false);
         };
         let Some(mut target) = self.screen.target() else {
@@ -292,7 +295,14 @@ impl Window {
         };
         inject::point(Place::Paint);
         let (primitives, scale) = (&picture.primitives, picture.pixels_per_point);
-        let areas = self.raster.paint(primitives, scale, &mut target);
+        let changed = if picture.painted {
+            picture.space.clone()
+        } else {
+            0..primitives.len()
+        };
+        let raster = &mut self.raster;
+        let areas = raster.paint_among(primitives, changed, scale, &mut target);
+        picture.painted = true;
         self.unpainted = false;
         if self.resting {
             self.picture = None;

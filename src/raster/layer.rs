@@ -171,15 +171,13 @@ pub(super) struct Layer {
     links: Vec<Link>,
 }
 
-/// What is known of a tile before it is painted.
+/// What a primitive puts into a tile.
 #[derive(Clone, Copy)]
-pub(super) struct Sum {
-    /// The fingerprint of all that it shows.
+pub(super) struct Part {
+    /// The fingerprint of it.
     pub(super) hash: u64,
-    /// The colour that hides all further below.
-    pub(super) ground: u32,
-    /// The first layer above that.
-    pub(super) first: u32,
+    /// The colour by which it hides all further below.
+    pub(super) ground: Option<u32>,
 }
 
 /// What a primitive is for us.
@@ -402,26 +400,16 @@ impl Layer {
         cell.hash = mix(cell.hash, hash);
     }
 
-    /// Continues what is known of the target's tiles by this layer, the
-    /// `number`th from below.
-    pub(super) fn sum(&self, number: u32, all: Tiles, sums: &mut [Sum]) {
+    /// Notes the target's tiles into which it puts something.
+    pub(super) fn note(&self, all: Tiles, touched: &mut [bool]) {
         let mut cells = self.cells.iter();
         for y in self.tiles.y0..self.tiles.y1 {
             for x in self.tiles.x0..self.tiles.x1 {
-                let (Some(cell), Some(index)) = (cells.next(), all.index(x, y)) else {
-                    continue;
-                };
-                let Some(sum) = sums.get_mut(index) else {
-                    continue;
-                };
-                if let Some(ground) = cell.ground {
-                    *sum = Sum {
-                        hash: cell.hash,
-                        ground,
-                        first: number,
-                    };
-                } else if cell.first != END {
-                    sum.hash = mix(sum.hash, cell.hash);
+                if let Some(cell) = cells.next()
+                    && (cell.first != END || cell.ground.is_some())
+                    && let Some(touched) = all.index(x, y).and_then(|at| touched.get_mut(at))
+                {
+                    *touched = true;
                 }
             }
         }
@@ -438,14 +426,14 @@ impl Layer {
         (self.tiles.y0..self.tiles.y1).contains(&y)
     }
 
-    /// A tile's fingerprint continued by this layer, if it puts something there.
-    pub(super) fn continued(&self, hash: u64, (x, y): (usize, usize)) -> Option<u64> {
+    /// What it puts into a tile, if it does.
+    #[inline]
+    pub(super) fn part(&self, (x, y): (usize, usize)) -> Option<Part> {
         let cell = self.cells.get(self.tiles.index(x, y)?)?;
-        if cell.ground.is_some() {
-            Some(cell.hash)
-        } else {
-            (cell.first != END).then(|| mix(hash, cell.hash))
-        }
+        (cell.first != END || cell.ground.is_some()).then_some(Part {
+            hash: cell.hash,
+            ground: cell.ground,
+        })
     }
 
     /// Paints what the primitive puts into the tile at (x, y).

@@ -25,10 +25,13 @@ pub use lines::{Line, Lines};
 pub use pieces::in_pieces;
 
 use grid::{Areas, Tiles, pixels_of};
-use layer::{Key, Layer, Sum};
+use hash::mix;
+use layer::{Key, Layer};
 use texture::Textures;
 use tile::{Cut, Tile};
 use under::{Step, Under};
+
+use std::ops::Range;
 
 use egui::{ClippedPrimitive, Color32, TexturesDelta};
 
@@ -73,8 +76,10 @@ pub struct Raster {
     sorted_for: Option<(u32, u32, f32)>,
     /// The primitives of the last call, sorted into tiles.
     layers: Vec<Layer>,
-    /// For each tile; kept for its memory.
-    sums: Vec<Sum>,
+    /// The textures have changed since: any primitive may be another one.
+    other_textures: bool,
+    /// Whether a tile may have changed; kept for its memory.
+    touched: Vec<bool>,
     /// What is kept of each tile; as `shown`.
     under: Vec<Under>,
     /// The layers in the row of tiles that is painted, and those in the tile;
@@ -94,7 +99,8 @@ impl Raster {
             shown_for: None,
             sorted_for: None,
             layers: Vec::new(),
-            sums: Vec::new(),
+            other_textures: false,
+            touched: Vec::new(),
             under: Vec::new(),
             row: Vec::new(),
             steps: Vec::new(),
@@ -120,12 +126,12 @@ impl Raster {
     pub fn rest(&mut self) {
         self.under.iter_mut().for_each(Under::rest);
         self.layers.iter_mut().for_each(Layer::rest);
-        self.sums = Vec::new();
     }
 
     /// Takes over new and changed textures, and drops those that egui frees.
     /// To be called with every output of egui, before [`Raster::paint`].
     pub fn update_textures(&mut self, delta: TexturesDelta) {
+        self.other_textures |= !delta.is_empty();
         self.textures.update(delta);
     }
 
@@ -138,6 +144,20 @@ impl Raster {
         pixels_per_point: f32,
         target: &mut Target<'_>,
     ) -> Vec<Area> {
+        self.paint_among(primitives, 0..primitives.len(), pixels_per_point, target)
+    }
+
+    /// The same where only primitives among `changed` may be others than in the
+    /// last call: those before and behind are as they were, and not looked at.
+    pub fn paint_among(
+        &mut self,
+        primitives: &[ClippedPrimitive],
+        changed: Range<usize>,
+        pixels_per_point: f32,
+        target: &mut Target<'_>,
+    ) -> Vec<Area> {
+        // Should nothing be painted, the next call looks at all primitives.
+        let sorted_for = self.sorted_for.take();
         let (Ok(x1), Ok(y1)) = (i32::try_from(target.width), i32::try_from(target.height)) else {
             return Vec::new();
         };
@@ -155,10 +175,13 @@ impl Raster {
             return Vec::new();
         }
         let tiles = Tiles::of(whole);
+        self.sorted_for = sorted_for;
         let now = Some((target.width, target.height, pixels_per_point));
         let anew = self.shown_for != now;
         self.shown_for = now;
-        if !self.sort(primitives, pixels_per_point, whole) && !anew {
+        self.touched.clear();
+        self.touched.resize(tiles.count(), false);
+        if !self.sort(primitives, changed, pixels_per_point, whole) && !anew {
             return Vec::new();
         }
         self.shown.resize(tiles.count(), 0);
@@ -166,37 +189,36 @@ impl Raster {
             self.under.clear();
         }
         self.under.resize_with(tiles.count(), Under::default);
-        self.sums.clear();
-        let nothing = Sum {
-            hash: 0,
-            ground: tile::pixel(self.background),
-            first: 0,
-        };
-        self.sums.resize(tiles.count(), nothing);
-        for (number, layer) in self.layers.iter().enumerate() {
-            layer.sum(number as u32, tiles, &mut self.sums);
-        }
         let mut areas = Areas::default();
-        let mut each = self.shown.iter_mut().zip(&self.sums).zip(&mut self.under);
+        let mut each = self
+            .shown
+            .iter_mut()
+            .zip(&self.touched)
+            .zip(&mut self.under);
         for y in tiles.y0..tiles.y1 {
             self.row.clear();
             for x in tiles.x0..tiles.x1 {
-                let Some(((shown, sum), under)) = each.next() else {
+                let Some(((shown, touched), under)) = each.next() else {
                     continue;
                 };
-                if *shown == sum.hash && !anew {
+                if !touched && !anew {
                     continue;
                 }
-                *shown = sum.hash;
-                let cut = pixels_of(x, y).and(whole);
-                (self.tile.x, self.tile.y) = (cut.x0, cut.y0);
                 if self.row.is_empty() {
                     let numbered = (0..).zip(&self.layers);
                     let reach = numbered.filter(|(_, layer)| layer.reaches(y));
                     self.row.extend(reach.map(|(number, _)| number));
                 }
-                steps(&self.layers, &self.row, sum.first, (x, y), &mut self.steps);
-                let (painted, keep) = under.begin(&self.steps, sum.ground, &mut self.tile);
+                let ground = steps(&self.layers, &self.row, (x, y), &mut self.steps);
+                let hash = self.steps.last().map_or(0, |step| step.hash);
+                if *shown == hash && !anew {
+                    continue;
+                }
+                *shown = hash;
+                let cut = pixels_of(x, y).and(whole);
+                (self.tile.x, self.tile.y) = (cut.x0, cut.y0);
+                let ground = ground.unwrap_or_else(|| tile::pixel(self.background));
+                let (painted, keep) = under.begin(&self.steps, ground, &mut self.tile);
                 for (at, step) in self.steps.iter().enumerate().skip(painted) {
                     let number = step.layer as usize;
                     let textures = &self.textures;
@@ -224,11 +246,13 @@ impl Raster {
         areas.into_areas()
     }
 
-    /// Makes `layers` those of the primitives, and says whether they are
-    /// others than before.
+    /// Makes `layers` those of the primitives, of which only those among
+    /// `changed` may be others than before, and says whether one is. The tiles
+    /// that those have touched and touch are noted.
     fn sort(
         &mut self,
         primitives: &[ClippedPrimitive],
+        changed: Range<usize>,
         pixels_per_point: f32,
         target: Cut,
     ) -> bool {
@@ -237,16 +261,29 @@ impl Raster {
             self.layers.clear();
             self.sorted_for = now;
         }
+        let behind = primitives.len().saturating_sub(changed.end);
+        let kept = changed.start.saturating_add(behind);
+        let (before, primitives) = match primitives.get(changed.clone()) {
+            Some(among) if kept <= self.layers.len() && !self.other_textures => {
+                let end = self.layers.len() - behind;
+                (changed.start..end, among)
+            }
+            _ => (0..self.layers.len(), primitives),
+        };
+        self.other_textures = false;
         let keys: Vec<Key> = primitives
             .iter()
             .map(|primitive| Key::new(primitive, &self.textures, pixels_per_point, target))
             .collect();
         let same = |(layer, key): (&Layer, &Key)| layer.key == *key;
-        if keys.len() == self.layers.len() && self.layers.iter().zip(&keys).all(same) {
+        let layers = &self.layers[before.clone()];
+        if keys.len() == layers.len() && layers.iter().zip(&keys).all(same) {
             return false;
         }
+        let tiles = Tiles::of(target);
         // A layer that was there before, if it is found near its old place.
-        let mut old: Vec<Option<Layer>> = self.layers.drain(..).map(Some).collect();
+        let start_of_all = before.start;
+        let mut old: Vec<Option<Layer>> = self.layers.drain(before).map(Some).collect();
         let mut start = 0;
         let found: Vec<Option<Layer>> = keys
             .iter()
@@ -258,28 +295,44 @@ impl Raster {
                 old[at].take()
             })
             .collect();
-        let mut unused = old.into_iter().flatten();
-        for ((key, found), primitive) in keys.into_iter().zip(found).zip(primitives) {
-            let layer = found.unwrap_or_else(|| {
-                let memory = unused.next();
-                let textures = &self.textures;
-                Layer::new(key, primitive, textures, pixels_per_point, target, memory)
-            });
-            self.layers.push(layer);
+        for layer in old.iter().flatten() {
+            layer.note(tiles, &mut self.touched);
         }
+        let mut unused = old.into_iter().flatten();
+        let (textures, touched) = (&self.textures, &mut self.touched);
+        let sorted = keys.into_iter().zip(found).zip(primitives);
+        let sorted = sorted.map(|((key, found), primitive)| {
+            found.unwrap_or_else(|| {
+                let memory = unused.next();
+                let layer = Layer::new(key, primitive, textures, pixels_per_point, target, memory);
+                layer.note(tiles, touched);
+                layer
+            })
+        });
+        let sorted: Vec<Layer> = sorted.collect();
+        self.layers.splice(start_of_all..start_of_all, sorted);
         true
     }
 }
 
-/// What lies in a tile, layer by layer, from the one that hides all below. The
-/// row is of the layers that reach the tile's.
-fn steps(layers: &[Layer], row: &[u32], first: u32, at: (usize, usize), steps: &mut Vec<Step>) {
+/// What lies in a tile, layer by layer, from the one that hides all below; the
+/// colour that it does that with. The row is of the layers that reach the
+/// tile's.
+fn steps(layers: &[Layer], row: &[u32], at: (usize, usize), steps: &mut Vec<Step>) -> Option<u32> {
     steps.clear();
     let mut hash = 0;
-    for &layer in &row[row.partition_point(|&number| number < first)..] {
-        if let Some(continued) = layers[layer as usize].continued(hash, at) {
-            hash = continued;
-            steps.push(Step { hash, layer });
+    let mut ground = None;
+    for &layer in row {
+        let Some(part) = layers[layer as usize].part(at) else {
+            continue;
+        };
+        if part.ground.is_some() {
+            steps.clear();
+            (hash, ground) = (part.hash, part.ground);
+        } else {
+            hash = mix(hash, part.hash);
         }
+        steps.push(Step { hash, layer });
     }
+    ground
 }

@@ -7,6 +7,8 @@ mod lines;
 mod pieces;
 mod triangles;
 
+use std::ops::Range;
+
 use egui::epaint::textures::TextureOptions;
 use egui::epaint::{ImageDelta, Primitive, Vertex};
 use egui::{ClippedPrimitive, Color32, ColorImage, Mesh, Rect, TextureId, TexturesDelta, pos2};
@@ -71,13 +73,19 @@ impl Screen {
     }
 
     fn paint(&mut self, primitives: &[ClippedPrimitive]) -> Vec<Area> {
+        self.paint_among(primitives, 0..primitives.len())
+    }
+
+    fn paint_among(&mut self, primitives: &[ClippedPrimitive], changed: Range<usize>) -> Vec<Area> {
         let mut target = Target {
             pixels: &mut self.pixels,
             stride: self.width as usize,
             width: self.width,
             height: self.height,
         };
-        self.raster.paint(primitives, self.scale, &mut target)
+        let scale = self.scale;
+        self.raster
+            .paint_among(primitives, changed, scale, &mut target)
     }
 
     /// Red, green and blue of a pixel.
