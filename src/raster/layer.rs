@@ -353,7 +353,7 @@ impl Layer {
 
     fn sort_lines(&mut self, lines: &Lines, pixels_per_point: f32) {
         for (item, line) in lines.lines.iter().enumerate() {
-            let Some(stroke) = Stroke::new(line, pixels_per_point) else {
+            let Some(stroke) = Stroke::among(&lines.lines, item, pixels_per_point) else {
                 continue;
             };
             let bounds = self.key.clip.and(stroke.bounds());
@@ -364,6 +364,11 @@ impl Layer {
                 mix(pair(line.from.x, line.from.y), pair(line.to.x, line.to.y)),
                 u64::from(line.width.to_bits()) << 32 | u64::from(bits(line.color)),
             );
+            // Its ends are painted otherwise where it is joined.
+            let hash = match stroke.joints() {
+                [false, false] => hash,
+                [a, b] => mix(hash, u64::from(a) << 1 | u64::from(b)),
+            };
             let tiles = Tiles::of(bounds);
             if tiles.count() == 1 {
                 self.add(tiles.x0, tiles.y0, item as u32, hash);
@@ -484,8 +489,8 @@ impl Layer {
             }
             Some(Kind::Lines(lines)) => {
                 for item in items {
-                    let line = lines.lines.get(item as usize);
-                    if let Some(stroke) = line.and_then(|l| Stroke::new(l, pixels_per_point)) {
+                    let lines = &lines.lines;
+                    if let Some(stroke) = Stroke::among(lines, item as usize, pixels_per_point) {
                         stroke.paint(tile, within);
                     }
                 }

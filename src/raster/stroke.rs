@@ -6,6 +6,10 @@
 //! its slices. A border climbs by at most one pixel for a pixel along, so that
 //! four slices are off by at most 1/128 where it enters another pixel. The
 //! round ends climb more and take eight.
+//!
+//! Where a curve's piece goes on in the next one, neither has an end: the pixel
+//! of the joint is the one's, with its borders as straight as before. Two round
+//! ends would cost more than all between them, and lie twice over their rims.
 
 use egui::Color32;
 use glam::Vec4;
@@ -28,6 +32,15 @@ const THICKEST: f32 = 1e6;
 /// Up to so many pixels from the tile, numbers of 32 bits are exact enough.
 const NEAR: f32 = 2048.0;
 
+/// Two lines are joined if from one to the other the slope differs by no more:
+/// so far the border may be off, in pixels, at the end of the joint's pixel.
+const BEND: f32 = 0.2;
+
+/// What is joined is not thicker and not longer, in pixels: the outer side of a
+/// thick joint is round, and of a long line only a part may be looked at.
+const JOINED_WIDTH: f32 = 4.0;
+const JOINED_LENGTH: f32 = 1000.0;
+
 /// A line in the target.
 #[derive(Clone, Copy)]
 pub(super) struct Stroke {
@@ -36,12 +49,54 @@ pub(super) struct Stroke {
     y: [f32; 2],
     radius: f32,
     color: Color32,
+    /// Whether another line goes on there.
+    joined: [bool; 2],
+}
+
+/// Whether the second line goes on where the first one ends, so little bent
+/// that both are one.
+fn joined(first: &Line, second: &Line, pixels_per_point: f32) -> bool {
+    // Numbers, since egui will not compare places that are none.
+    let [end, start] = [first.to, second.from].map(|at| (at.x, at.y));
+    if end != start || first.width != second.width || first.color != second.color {
+        return false;
+    }
+    let [a, b] = [first, second].map(|line| (line.to - line.from) * pixels_per_point);
+    // Along the axis and across.
+    let flat = a.y.abs() <= a.x.abs();
+    if flat != (b.y.abs() <= b.x.abs()) {
+        return false;
+    }
+    let [a, b] = [a, b].map(|way| if flat { (way.x, way.y) } else { (way.y, way.x) });
+    first.width * pixels_per_point <= JOINED_WIDTH
+        && a.0 * b.0 > 0.0
+        && a.0.abs().max(b.0.abs()) < JOINED_LENGTH
+        && (a.1 / a.0 - b.1 / b.0).abs() <= BEND
 }
 
 impl Stroke {
+    /// One of some lines that are painted one after the other.
+    #[inline]
+    pub(super) fn among(lines: &[Line], at: usize, pixels_per_point: f32) -> Option<Self> {
+        let line = lines.get(at)?;
+        let mut stroke = Self::new(line, pixels_per_point)?;
+        let before = at.checked_sub(1).and_then(|at| lines.get(at));
+        let behind = lines.get(at + 1);
+        stroke.joined = [
+            before.is_some_and(|before| joined(before, line, pixels_per_point)),
+            behind.is_some_and(|behind| joined(line, behind, pixels_per_point)),
+        ];
+        Some(stroke)
+    }
+
+    /// Whether other lines go on at its ends.
+    pub(super) fn joints(&self) -> [bool; 2] {
+        self.joined
+    }
+
     /// `None` if nothing is to be seen.
     #[inline]
-    pub(super) fn new(line: &Line, pixels_per_point: f32) -> Option<Self> {
+    fn new(line: &Line, pixels_per_point: f32) -> Option<Self> {
         let scale = pixels_per_point;
         let (x0, y0) = (line.from.x * scale, line.from.y * scale);
         let (x1, y1) = (line.to.x * scale, line.to.y * scale);
@@ -65,6 +120,7 @@ impl Stroke {
             y: [y0, y1],
             radius: 0.5 * width.clamp(1.0, THICKEST),
             color,
+            joined: [false; 2],
         })
     }
 
@@ -74,8 +130,10 @@ impl Stroke {
         // Toward the outside, by up to one pixel more than needed. The sums
         // stay far inside of the numbers.
         let far = (1 << 30) as f32;
-        let low = |a: f32, b: f32| ((a.min(b) - self.radius).max(-far) as i32) - 1;
-        let high = |a: f32, b: f32| ((a.max(b) + self.radius).min(far) as i32) + 1;
+        // To the end of a joint's pixel it goes on by less than one.
+        let reach = self.radius + f32::from(u8::from(self.joined != [false; 2]));
+        let low = |a: f32, b: f32| ((a.min(b) - reach).max(-far) as i32) - 1;
+        let high = |a: f32, b: f32| ((a.max(b) + reach).min(far) as i32) + 1;
         Cut {
             x0: low(self.x[0], self.x[1]),
             y0: low(self.y[0], self.y[1]),
@@ -120,10 +178,10 @@ impl Stroke {
                 x1: cut.y1,
                 y1: cut.x1,
             };
-            let band = Band::new([y0, y1], [x0, x1], self.radius);
+            let band = Band::new([y0, y1], [x0, x1], self.radius, self.joined);
             with_ink!(ink, |over| band.paint::<SIDE, 1>(pixels, turned, over));
         } else {
-            let band = Band::new([x0, x1], [y0, y1], self.radius);
+            let band = Band::new([x0, x1], [y0, y1], self.radius, self.joined);
             with_ink!(ink, |over| band.paint::<1, SIDE>(pixels, cut, over));
         }
     }
@@ -166,15 +224,17 @@ struct Band {
     /// How far along the axis the place where a disc touches the upper border
     /// is from the disc's middle.
     lean: f32,
+    /// Whether it goes on before p0 and behind p1.
+    joined: [bool; 2],
 }
 
 impl Band {
     #[inline]
-    fn new(p: [f32; 2], q: [f32; 2], radius: f32) -> Self {
-        let ([p0, p1], [q0, q1]) = if p[0] <= p[1] {
-            (p, q)
+    fn new(p: [f32; 2], q: [f32; 2], radius: f32, joined: [bool; 2]) -> Self {
+        let ([p0, p1], [q0, q1], joined) = if p[0] <= p[1] {
+            (p, q, joined)
         } else {
-            ([p[1], p[0]], [q[1], q[0]])
+            ([p[1], p[0]], [q[1], q[0]], [joined[1], joined[0]])
         };
         let along = p1 - p0;
         let slope = if along > 0.0 { (q1 - q0) / along } else { 0.0 };
@@ -185,6 +245,7 @@ impl Band {
             radius,
             slope,
             lean: radius * slope / (1.0 + slope * slope).sqrt(),
+            joined,
         }
     }
 
@@ -220,22 +281,29 @@ impl Band {
         cut: Cut,
         over: impl Fn(u32, u32) -> u32,
     ) {
-        // From here to there both borders are straight.
+        // From here to there both borders are straight. A joint's pixel is the
+        // line's that ends there.
         let bend = self.lean.abs();
-        let first = up(self.p0 + bend, cut.x0, cut.x1);
-        let last = up(self.p1 - bend - 1.0, first, cut.x1);
+        let first = self.p0 + if self.joined[0] { 0.0 } else { bend };
+        let last = self.p1 - if self.joined[1] { 0.0 } else { bend + 1.0 };
+        let first = up(first, cut.x0, cut.x1);
+        let last = up(last, first, cut.x1);
         let half = Vec4::splat(self.radius * (1.0 + self.slope * self.slope).sqrt());
         let middles = MIDDLES * self.slope + self.q0;
-        for step in cut.x0..first {
-            self.end::<P, Q>(pixels, cut, step, &over);
+        if !self.joined[0] {
+            for step in cut.x0..first {
+                self.end::<P, Q>(pixels, cut, step, &over);
+            }
         }
         for step in first..last {
             let middle = middles + (step as f32 - self.p0) * self.slope;
             let borders = [(middle - half, middle + half)];
             lay::<1, P, Q>(pixels, cut, step, borders, 1.0, &over);
         }
-        for step in last..cut.x1 {
-            self.end::<P, Q>(pixels, cut, step, &over);
+        if !self.joined[1] {
+            for step in last..cut.x1 {
+                self.end::<P, Q>(pixels, cut, step, &over);
+            }
         }
     }
 

@@ -21,12 +21,50 @@ fn line(random: &mut Random) -> Line {
     }
 }
 
+/// Pieces of a curve, one going on in the next.
+fn curve(random: &mut Random) -> Vec<Line> {
+    let first = line(random);
+    let width = random.between(0.5, 4.0);
+    let mut angle = random.between(0.0, 6.3);
+    let mut from = first.from;
+    let piece = |_| {
+        angle += random.between(-0.15, 0.15);
+        let to = from + random.between(3.0, 30.0) * vec2(angle.cos(), angle.sin());
+        let line = Line {
+            from,
+            to,
+            width,
+            ..first
+        };
+        from = to;
+        line
+    };
+    (0..12).map(piece).collect()
+}
+
+/// The same with one of its lines in another colour.
+fn with_another_line(part: &ClippedPrimitive, random: &mut Random) -> Option<ClippedPrimitive> {
+    let Primitive::Callback(callback) = &part.primitive else {
+        return None;
+    };
+    let mut lines = Lines::of(callback)?.clone();
+    let count = lines.lines.len();
+    lines.lines.get_mut(random.below(count.max(1)))?.color = random.color();
+    let mut other = primitive(&Arc::new(lines));
+    other.clip_rect = part.clip_rect;
+    Some(other)
+}
+
 /// Rectangles, letters, triangles and lines, cut at random.
 fn thing(random: &mut Random) -> ClippedPrimitive {
     let place = pos2(random.between(-50.0, 250.0), random.between(-50.0, 200.0)).round();
     let mut part = match random.below(5) {
         0 => {
-            let lines = (0..random.below(20)).map(|_| line(random)).collect();
+            let lines = if random.below(2) == 0 {
+                curve(random)
+            } else {
+                (0..random.below(20)).map(|_| line(random)).collect()
+            };
             primitive(&Arc::new(Lines { lines }))
         }
         1 => {
@@ -82,7 +120,14 @@ fn a_sequence_of_frames_is_as_if_each_were_painted_whole() {
         let mut spared = 0;
         for round in 0..300 {
             let mut changed = 0..0;
-            match random.below(10) {
+            match random.below(12) {
+                7 | 8 if !things.is_empty() => {
+                    let at = random.below(things.len());
+                    changed = at..at + 1;
+                    if let Some(other) = with_another_line(&things[at], &mut random) {
+                        things[at] = other;
+                    }
+                }
                 0 => {
                     changed = things.len()..things.len() + 1;
                     things.push(thing(&mut random));

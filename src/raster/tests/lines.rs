@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use egui::{ClippedPrimitive, Color32, Rect, Shape, pos2, vec2};
+use egui::{ClippedPrimitive, Color32, Pos2, Rect, Shape, pos2, vec2};
 
 use super::{Random, Screen, everywhere};
 use crate::{Line, Lines};
@@ -99,6 +99,84 @@ fn lines_cover_what_they_cover() {
         let width = random.between(0.3, 6.0);
         check(white(from, to.into(), width));
     }
+}
+
+/// How much of each pixel of a square lies within half a width of one of some
+/// pieces, by many samples.
+fn coverage_of_all(lines: &[Line], side: usize) -> Vec<f64> {
+    const SAMPLES: usize = 12;
+    let radius = lines[0].width / 2.0;
+    let covered = |at: Pos2| {
+        lines.iter().any(|line| {
+            let way = line.to - line.from;
+            let part = (at - line.from).dot(way) / way.length_sq().max(1e-12);
+            at.distance(line.from + way * part.clamp(0.0, 1.0)) <= radius
+        })
+    };
+    let pixel = |i: usize| {
+        let samples = (0..SAMPLES * SAMPLES).map(|k| {
+            let part = |k: usize| (k as f32 + 0.5) / SAMPLES as f32;
+            pos2(
+                (i % side) as f32 + part(k % SAMPLES),
+                (i / side) as f32 + part(k / SAMPLES),
+            )
+        });
+        samples.filter(|&at| covered(at)).count() as f64 / (SAMPLES * SAMPLES) as f64
+    };
+    (0..side * side).map(pixel).collect()
+}
+
+/// The pieces of a curve are one line, without thick spots where they meet.
+#[test]
+fn pieces_of_a_curve_are_one() {
+    const SIDE: usize = 48;
+    let mut random = Random(3);
+    let mut sums = (0.0, 0.0);
+    for round in 0..40 {
+        let radius = random.between(30.0, 300.0);
+        let start = random.between(0.0, 6.3);
+        let turn = if round % 2 == 0 { 1.0 } else { -1.0 };
+        // As far as they may stray from the arc, a quarter of a pixel.
+        let step = (8.0 * 0.25 / radius).sqrt() * turn;
+        let middle = pos2(24.0, 24.0) - radius * vec2(start.cos(), start.sin());
+        let at = |i: f32| {
+            let angle = start + step * i;
+            middle + radius * vec2(angle.cos(), angle.sin())
+        };
+        let width = random.between(1.0, 3.0);
+        let piece = |i: i16| {
+            white(
+                at(f32::from(i)).into(),
+                at(f32::from(i) + 1.0).into(),
+                width,
+            )
+        };
+        let lines: Vec<Line> = (-1..2).map(piece).collect();
+        let exact = coverage_of_all(&lines, SIDE);
+        let off = |primitives: &[ClippedPrimitive]| {
+            let mut screen = Screen::new(SIDE as u32, SIDE as u32, Color32::BLACK);
+            screen.paint(primitives);
+            let offs = exact.iter().enumerate().map(|(i, exact)| {
+                let found = f64::from(screen.rgb(i % SIDE, i / SIDE)[1]);
+                (found / 255.0 - exact).abs()
+            });
+            offs.collect::<Vec<f64>>()
+        };
+        let joined = off(&[primitive(&Arc::new(Lines {
+            lines: lines.clone(),
+        }))]);
+        let apart: Vec<_> = lines.iter().map(|&line| one(line)).collect();
+        let apart = off(&apart);
+        let most = |offs: &[f64]| offs.iter().copied().fold(0.0, f64::max);
+        let sum = |offs: &[f64]| offs.iter().sum::<f64>();
+        // A border is off by no more than the bend of a joint.
+        let bound = most(&apart).max(0.2);
+        assert!(most(&joined) <= bound, "round {round}: {}", most(&joined));
+        assert!(sum(&joined) <= sum(&apart), "round {round}");
+        sums = (sums.0 + sum(&joined), sums.1 + sum(&apart));
+    }
+    // About the diagonal, where the axis changes, pieces stay apart.
+    assert!(sums.0 < 0.7 * sums.1, "{sums:?}");
 }
 
 #[test]
