@@ -22,7 +22,9 @@ impl Server {
     /// Starts one with more arguments.
     pub(super) fn with(arguments: &[&str]) -> Self {
         let mut process = Command::new("Xvfb")
-            .args(["-displayfd", "1", "-nolisten", "tcp", "-noreset"])
+            // Without repetition: on a busy machine a key that xdotool presses
+            // may stay down for long.
+            .args(["-displayfd", "1", "-nolisten", "tcp", "-noreset", "-r"])
             .args(arguments)
             .stdout(Stdio::piped())
             .stderr(Stdio::null())

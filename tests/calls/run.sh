@@ -51,7 +51,7 @@ in_folder() {
 with_server() {
     local status server name
     name=$(mktemp "$work/display.XXXX")
-    Xvfb -displayfd 3 -screen 0 1280x900x24 -nolisten tcp -noreset 3>"$name" 2>/dev/null &
+    Xvfb -displayfd 3 -screen 0 1280x900x24 -nolisten tcp -noreset -r 3>"$name" 2>/dev/null &
     server=$!
     until [ -s "$name" ]; do
         kill -0 "$server" || return 98

@@ -53,7 +53,8 @@ def run(*command, env=None, stdin=None, fail=True, seconds=LIMIT):
 
 
 class Server:
-    """An X server of its own, with a cookie that clients must show."""
+    """An X server of its own, with a cookie that clients must show. Keys do not
+    repeat: on a busy machine one that xdotool presses may stay down for long."""
 
     def __init__(self, folder, screen="1920x1200x24", options=(), cookie=True):
         self.folder = folder
@@ -65,7 +66,8 @@ class Server:
         with open(os.path.join(folder, "server.log"), "wb") as log:
             self.process = subprocess.Popen(
                 ["Xvfb", "-displayfd", str(its), "-auth", secret, "-screen", "0", screen,
-                 *(() if "-listen" in options else ("-nolisten", "tcp")), "-noreset", *options],
+                 *(() if "-listen" in options else ("-nolisten", "tcp")), "-noreset", "-r",
+                 *options],
                 pass_fds=[its], stdout=log, stderr=log, start_new_session=True)
         os.close(its)
         with os.fdopen(ours) as number:

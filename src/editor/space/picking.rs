@@ -46,7 +46,8 @@ pub(super) fn tips(document: &Document) -> Option<Tips> {
 
 /// What is taken hold of at `pointer`: the tip of VUP if `with_vup`, the tip of
 /// VPN, the current point, the nearest other point, the first of these that is
-/// within reach. A tip that is not shown is not taken.
+/// within reach. A tip that is not shown is not taken, nor is that of an arrow
+/// which points at the viewer: it lies on its point, which is what is meant.
 pub(super) fn pick(
     document: &Document,
     projection: &Projection,
@@ -57,10 +58,13 @@ pub(super) fn pick(
     let away = |point: DVec3| projection.image(point).distance_squared(pointer);
     let near = |point: DVec3| away(point) <= REACH * REACH;
     if let Some(tips) = tips(document) {
-        if with_vup && shown.has(Element::Vup) && near(tips.up_tip) {
+        let foot = projection.image(tips.position);
+        let apart = |tip: DVec3| projection.image(tip).distance(foot) > REACH;
+        let free = |tip: DVec3| near(tip) && apart(tip);
+        if with_vup && shown.has(Element::Vup) && free(tips.up_tip) {
             return Some(Handle::Vup);
         }
-        if shown.has(Element::Vpn) && near(tips.target) {
+        if shown.has(Element::Vpn) && free(tips.target) {
             return Some(Handle::Vpn);
         }
         if near(tips.position) {
@@ -136,6 +140,25 @@ mod tests {
         };
         document.apply(edit).unwrap();
         assert_eq!(at(&document, target, true), Some(Handle::Vpn));
+    }
+
+    #[test]
+    fn a_point_seen_along_its_arrow_is_taken_itself() {
+        let (document, _) = scene();
+        let tips = tips(&document).unwrap();
+        // From above VUP points at the viewer, from the front VPN away from him.
+        for (tilt, tip) in [(90.0, tips.up_tip), (0.0, tips.target)] {
+            let view = View {
+                rotation: 0.0,
+                tilt,
+                ..View::default()
+            };
+            let projection = Projection::new(&view, room());
+            let image = projection.image(tip);
+            assert!(image.distance(projection.image(tips.position)) < 1e-6);
+            let found = pick(&document, &projection, &Shown::default(), image, true);
+            assert_eq!(found, Some(Handle::Point(0)), "tilt {tilt}");
+        }
     }
 
     #[test]
