@@ -10,15 +10,18 @@ import os
 import statistics
 import sys
 import tempfile
+import time
 
 from harness import Failure, Program, Server, Told, check, wait
 from space import first_look
 
 WINDOWS = 32
 TIMES = 30
-MOTIONS = 200
-# A mouse tells 125 times a second where it is.
-BETWEEN = "0.008"
+MOTIONS = 300
+# Seconds between motions: a usual mouse tells about a hundred times a second
+# where it is, others several times as often. In long pauses the processor's
+# caches go to others.
+BETWEEN = ("0.008", "0.001")
 # Setup files, and what is to be seen then.
 SHOWN = {
     "version = 1\n": "everything shown",
@@ -119,18 +122,22 @@ def drags(folder, hosts, kind, shown):
             start = first_look(server.drawn(window)).image((0.9, 0.6, 0.5))
             words = server.drag_words(window, start, (start[0] - 20, start[1] - 20), 2, 5, False)
             server.xdotool(*words)
-            host.idle()
-            before, spent = host.path()[0], processor(host.pid)
-            words = []
-            for step in range(MOTIONS):
-                words += ["mousemove", "--window", window, round(start[0]) - 21 - step % 50,
-                          round(start[1]) - 21 - step % 37, "sleep", BETWEEN]
-            server.xdotool(*words)
-            host.idle()
-            spent = processor(host.pid) - spent
-            check(host.path()[0] != before, "the point stayed where it was")
-            print(f"{kind}: dragging one of {count} points, {SHOWN[shown]}: "
-                  f"{spent / MOTIONS:.2f} ms a motion")
+            before = host.path()[0]
+            for between in BETWEEN:
+                words = []
+                for step in range(MOTIONS):
+                    words += ["mousemove", "--window", window, round(start[0]) - 21 - step % 50,
+                              round(start[1]) - 21 - step % 37, "sleep", between]
+                host.idle()
+                spent = processor(host.pid)
+                begun = time.monotonic()
+                server.xdotool(*words)
+                rate = MOTIONS / (time.monotonic() - begun)
+                host.idle()
+                spent = processor(host.pid) - spent
+                check(host.path()[0] != before, "the point stayed where it was")
+                print(f"{kind}: dragging one of {count} points, {SHOWN[shown]}, "
+                      f"{rate:.0f} motions a second: {spent / MOTIONS:.2f} ms a motion")
         finally:
             host.kill()
             server.end()
