@@ -182,8 +182,8 @@ def events_but_no_answers(place):
         time.sleep(0.02)
     sender.expect("done")
     # Each time again after a rest of five seconds; a busy machine adds to it.
-    check(max(times) < 2, f"the host did not answer for {max(times):.1f} s")
-    check(sum(took > 0.5 for took in times) <= 2, f"held: {sorted(times)[-4:]}")
+    check(max(times) < 4, f"the host did not answer for {max(times):.1f} s")
+    check(sum(took > 0.9 for took in times) <= 2, f"held: {sorted(times)[-4:]}")
     host.live()
     another_is_as_usual(server, host, window)
     host.leave()
