@@ -89,7 +89,7 @@ demo: all
 	$(RELEASE)/vides sample examples/pyramid.vid -o $(DEMO)/pyramid.txt
 	$(CC) -std=c89 -pedantic -Wall -Wextra -Iinclude -o $(DEMO)/headless \
 	    c_examples/headless.c -L$(LIB) -lvides -lm
-	LD_LIBRARY_PATH=$(LIB) $(DEMO)/headless examples/pyramid.vid >$(DEMO)/list.txt
+	LD_LIBRARY_PATH=$(abspath $(LIB)) $(DEMO)/headless examples/pyramid.vid >$(DEMO)/list.txt
 	$(CARGO) run --quiet --locked --profile test --example picture -- \
 	    examples/pyramid.vid $(DEMO)/pyramid.svg
 	$(CC) -Iinclude -o $(DEMO)/pyramid_motif c_examples/pyramid_motif.c \
@@ -101,11 +101,11 @@ demo: all
 	@echo '  list.txt      the same as a C program meets them in its list, forwards and back'
 	@if [ -n "$$DISPLAY" ]; then \
 	    echo 'A Motif program of 1994: press "Edit Kurve", plan a flight, hand it over with Alt-U.'; \
-	    LD_LIBRARY_PATH=$(LIB) $(DEMO)/pyramid_motif; \
+	    LD_LIBRARY_PATH=$(abspath $(LIB)) $(DEMO)/pyramid_motif; \
 	else \
 	    mk/need.sh $(X_TOOLS) && \
 	    echo 'No display: mouse and keyboard play it by themselves. Screens and poses:' && \
-	    LD_LIBRARY_PATH=$(LIB) PYTHONDONTWRITEBYTECODE=1 \
+	    LD_LIBRARY_PATH=$(abspath $(LIB)) PYTHONDONTWRITEBYTECODE=1 \
 	        python3 tests/x/demo.py $(DEMO)/pyramid_motif $(DEMO); \
 	fi
 
@@ -188,7 +188,7 @@ soak-calls: libs
 soak-x: all
 	@mk/need.sh $(X_TOOLS) valgrind=valgrind
 	VIDES_FLOOD=60 tests/x/run.sh $(LIB) events
-	LD_LIBRARY_PATH=$(LIB) python3 tests/x/measure.py $(CARGO_TARGET_DIR)/x soak
+	LD_LIBRARY_PATH=$(abspath $(LIB)) python3 tests/x/measure.py $(CARGO_TARGET_DIR)/x soak
 
 coverage: toolchain
 	@mk/need.sh python3=python3 Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev
