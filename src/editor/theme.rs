@@ -142,35 +142,24 @@ pub(super) fn field(ui: &egui::Ui) -> egui::Frame {
 
 /// A box to be ticked.
 pub(super) fn tick(ui: &mut Ui, on: &mut bool, text: &str) -> Response {
-    ui.scope(|ui| {
-        let palette = palette(ui);
-        let (ground, mark, border) = if *on {
-            (palette.accent, palette.on_accent, palette.accent)
-        } else {
-            (palette.field, palette.text, palette.edge)
-        };
-        let widgets = &mut ui.visuals_mut().widgets;
-        for widget in [
-            &mut widgets.inactive,
-            &mut widgets.hovered,
-            &mut widgets.active,
-        ] {
-            widget.bg_fill = ground;
-            widget.bg_stroke.color = border;
-            widget.fg_stroke = Stroke::new(1.5, mark);
-        }
-        widgets.hovered.bg_stroke.color = palette.accent;
-        widgets.active.bg_stroke = focus(palette);
-        ui.checkbox(on, RichText::new(text).color(palette.text))
-    })
-    .inner
+    marked(ui, *on, text, |ui, text| ui.checkbox(on, text))
 }
 
 /// The circle of one of several choices.
 pub(super) fn choice(ui: &mut Ui, chosen: bool, text: &str) -> Response {
+    marked(ui, chosen, text, |ui, text| ui.radio(chosen, text))
+}
+
+/// A box or a circle with its text: empty, or filled with the accent.
+fn marked(
+    ui: &mut Ui,
+    on: bool,
+    text: &str,
+    add: impl FnOnce(&mut Ui, RichText) -> Response,
+) -> Response {
     ui.scope(|ui| {
         let palette = palette(ui);
-        let (ground, border) = if chosen {
+        let (ground, border) = if on {
             (palette.accent, palette.accent)
         } else {
             (palette.field, palette.edge)
@@ -183,11 +172,12 @@ pub(super) fn choice(ui: &mut Ui, chosen: bool, text: &str) -> Response {
         ] {
             widget.bg_fill = ground;
             widget.bg_stroke.color = border;
-            widget.fg_stroke.color = palette.on_accent;
+            // Seen where it is on only.
+            widget.fg_stroke = Stroke::new(1.5, palette.on_accent);
         }
         widgets.hovered.bg_stroke.color = palette.accent;
         widgets.active.bg_stroke = focus(palette);
-        ui.radio(chosen, RichText::new(text).color(palette.text))
+        add(ui, RichText::new(text).color(palette.text))
     })
     .inner
 }

@@ -358,6 +358,21 @@ fn a_callback_may_serve_the_others_and_close_them_and_itself() {
     close(second);
 }
 
+/// The picture is shown, and nothing else comes: waits until `counted` goes up by
+/// itself.
+fn until_it_settles(remote: &Remote, counted: &Cell<usize>) {
+    let before = counted.get();
+    remote.send(News {
+        shown: true,
+        ..News::default()
+    });
+    dispatch();
+    while counted.get() == before {
+        std::thread::sleep(wait().expect("a pass to come"));
+        dispatch();
+    }
+}
+
 /// In a drag the space follows each motion, and egui runs now and then.
 #[test]
 fn egui_does_not_run_for_each_motion_of_a_drag() {
@@ -400,24 +415,16 @@ fn egui_does_not_run_for_each_motion_of_a_drag() {
         let rows = pixels.chunks(900).take(560).skip(120);
         rows.flat_map(|row| row[300..560].to_vec()).collect()
     };
-    while followed > 0 {
+    loop {
         let before = remote.runs.get();
         hand(egui::Event::PointerMoved(at(10.0)));
         if remote.runs.get() > before {
             continue;
         }
         let followed_to = space(&remote.shown.borrow());
-        remote.send(News {
-            shown: true,
-            ..News::default()
-        });
-        dispatch();
-        while remote.runs.get() == before {
-            std::thread::sleep(wait().expect("a pass to come"));
-            dispatch();
-        }
+        until_it_settles(&remote, &remote.runs);
         assert!(followed_to == space(&remote.shown.borrow()));
-        followed = 0;
+        break;
     }
     remote.hand(button(false));
     settle(&[&remote]);
@@ -464,15 +471,7 @@ fn a_motion_of_a_drag_costs_one_pass() {
     }
     // When the hand rests it settles all the same.
     let before = remote.passes.get();
-    remote.send(News {
-        shown: true,
-        ..News::default()
-    });
-    dispatch();
-    while remote.passes.get() == before {
-        std::thread::sleep(wait().expect("a pass to come"));
-        dispatch();
-    }
+    until_it_settles(&remote, &remote.passes);
     assert_eq!(remote.passes.get() - before, 1);
     remote.hand(button(false));
     settle(&[&remote]);

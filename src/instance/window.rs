@@ -183,22 +183,18 @@ impl Window {
     fn pass(&mut self, now: Instant) -> Result<()> {
         self.fresh = false;
         let input = self.screen.take_input();
-        let follows = self.ran.is_some_and(|ran| now < ran + DRAG_STEP) && self.follow(&input);
+        if self.ran.is_some_and(|ran| now < ran + DRAG_STEP) && self.follow(&input) {
+            // Of a row of motions only where it leads to counts.
+            self.followed = Some(input);
+            return Ok(());
+        }
         let input = match self.followed.take() {
             Some(mut earlier) => {
-                // Of a row of motions only where it leads to counts.
-                if follows {
-                    earlier.events.clear();
-                }
                 earlier.append(input);
                 earlier
             }
             None => input,
         };
-        if follows {
-            self.followed = Some(input);
-            return Ok(());
-        }
         self.ran = Some(now);
         self.run(input, now)
     }

@@ -156,17 +156,15 @@ def most(pid):
         return [int(line.split()[1]) for line in status if line.startswith("VmHWM:")][0]
 
 
-@test(first=True)
+@test(alone=True)
 def as_many_events_as_go(place):
     """Hundreds of thousands a second of every kind: the host's turns stay short."""
     host, sent, _ = lives_through(place, 0, 2)
-    # A fast machine sends more of them while the window waits for an answer.
-    limit = max(150_000, sent / 5)
-    check(most(host.pid) < limit, f"{sent} events took up to {most(host.pid)} kB")
+    check(most(host.pid) < 150_000, f"{sent} events took up to {most(host.pid)} kB")
     host.leave()
 
 
-@test(first=True)
+@test(alone=True)
 def events_but_no_answers(place):
     """A client has the server for itself, and sends: what the window asks is not answered.
     That holds the host for a second, now and then; afterwards all is as before."""
@@ -181,9 +179,9 @@ def events_but_no_answers(place):
         times.append(time.monotonic() - start)
         time.sleep(0.02)
     sender.expect("done")
-    # Each time again after a rest of five seconds; a busy machine adds to it.
-    check(max(times) < 4, f"the host did not answer for {max(times):.1f} s")
-    check(sum(took > 0.9 for took in times) <= 2, f"held: {sorted(times)[-4:]}")
+    # Each time again after a rest of five seconds.
+    check(max(times) < 2, f"the host did not answer for {max(times):.1f} s")
+    check(sum(took > 0.5 for took in times) <= 2, f"held: {sorted(times)[-4:]}")
     host.live()
     another_is_as_usual(server, host, window)
     host.leave()

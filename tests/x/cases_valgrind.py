@@ -9,7 +9,7 @@ import os
 import re
 
 import cases_hosts
-from harness import check
+from harness import check, patience
 from run import test
 
 FRAME = re.compile(r"(?:at|by) 0x[0-9A-F]+: (.*)")
@@ -38,7 +38,8 @@ def under_valgrind(place, story, all_of_them):
     logs = place.path("valgrind.%p")
     place.wrapper = ("valgrind", "-q", "--fair-sched=yes", f"--log-file={logs}",
                      "--leak-check=full", "--errors-for-leak-kinds=definite,possible")
-    story(place)
+    with patience(180):
+        story(place)
     logged = [name for name in os.listdir(place.folder) if name.startswith("valgrind.")]
     check(logged, "valgrind did not run")
     found = [error for error in errors(place.folder) if all_of_them or is_ours(error)]

@@ -3,7 +3,7 @@
  * environment (../calls/hands.h):
  *
  *     flood events SECONDS RATE   events of every kind, RATE a second; 0: as
- *                                 many as go
+ *                                 many as go, a million at most
  *     flood alone SECONDS RATE    of every kind, and the server serves nobody
  *                                 else meanwhile
  *     flood silent                owns the clipboard and answers nobody
@@ -22,6 +22,9 @@
 #include <X11/Xlib.h>
 
 #include "../calls/hands.h"
+
+/* Events that are sent, however fast the machine is. */
+#define MOST 1000000
 
 static unsigned long long state = 1;
 
@@ -47,7 +50,7 @@ static void events(double seconds, double rate)
     unsigned long window = hands_window(0);
     long sent = 0;
 
-    while (now() < start + seconds) {
+    while (now() < start + seconds && sent < MOST) {
         if (rate > 0 && (double)sent > rate * (now() - start)) {
             hands_finish();
             usleep(1000);

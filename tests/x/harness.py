@@ -5,6 +5,7 @@ side. Nothing here sleeps and hopes: `wait` asks until something is true, and
 fails when it does not become true in time.
 """
 
+import contextlib
 import os
 import queue
 import secrets
@@ -15,9 +16,25 @@ import time
 
 from picture import Picture
 
-LIMIT = 180.0
-"""Seconds after which waiting has failed. Long, since machines may be busy, and
-valgrind makes a program fifty times as slow."""
+LIMIT = 60.0
+"""Seconds after which waiting has failed. Long, since machines may be busy."""
+
+_patience = threading.local()
+
+
+@contextlib.contextmanager
+def patience(seconds):
+    """This thread waits so long, for programs that are made slow on purpose."""
+    _patience.seconds = seconds
+    try:
+        yield
+    finally:
+        del _patience.seconds
+
+
+def _limit(seconds):
+    """Seconds to wait, if none are given."""
+    return getattr(_patience, "seconds", LIMIT) if seconds is None else seconds
 
 
 class Failure(Exception):
@@ -30,8 +47,9 @@ def check(truth, what):
         raise Failure(what)
 
 
-def wait(condition, what, seconds=LIMIT):
+def wait(condition, what, seconds=None):
     """Asks again and again until `condition` gives something true, and gives that back."""
+    seconds = _limit(seconds)
     end = time.monotonic() + seconds
     pause = 0.005
     while True:
@@ -44,9 +62,10 @@ def wait(condition, what, seconds=LIMIT):
         pause = min(0.1, pause * 1.5)
 
 
-def run(*command, env=None, stdin=None, fail=True, seconds=LIMIT):
+def run(*command, env=None, stdin=None, fail=True):
     """Runs a command to its end and gives back what it wrote."""
-    done = subprocess.run(command, env=env, input=stdin, capture_output=True, timeout=seconds)
+    done = subprocess.run(command, env=env, input=stdin, capture_output=True,
+                          timeout=_limit(None))
     if fail and done.returncode != 0:
         raise Failure(f"{' '.join(command)}: {done.stderr.decode(errors='replace').strip()}")
     return done.stdout
@@ -148,7 +167,7 @@ class Server:
     def copy(self, text, selection="clipboard"):
         """Another program owns the clipboard from now on; it goes on in the background."""
         subprocess.run(["xclip", "-selection", selection, "-i"], env=self.env, input=text.encode(),
-                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=LIMIT,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=_limit(None),
                        check=True)
 
     def copied(self, selection="clipboard"):
@@ -337,8 +356,9 @@ class Program:
         """Its process."""
         return self.process.pid
 
-    def expect(self, beginning, seconds=LIMIT):
+    def expect(self, beginning, seconds=None):
         """The next line that begins so; those before it are passed over."""
+        seconds = _limit(seconds)
         end = time.monotonic() + seconds
         while True:
             try:
@@ -356,8 +376,9 @@ class Program:
         """It still runs."""
         return self.process.poll() is None
 
-    def ends(self, seconds=LIMIT):
+    def ends(self, seconds=None):
         """Waits for its end; gives its exit status, as a shell would."""
+        seconds = _limit(seconds)
         try:
             status = self.process.wait(seconds)
         except subprocess.TimeoutExpired:
@@ -395,7 +416,7 @@ class Told(Program):
             raise Failure(f"the host has ended with {self.ends()}, "
                           f"complained: {self.complained[-4:]}") from None
 
-    def tell(self, line, answer=None, seconds=LIMIT):
+    def tell(self, line, answer=None, seconds=None):
         """Tells it something, and waits for the answer."""
         self.send(line)
         return self.expect(answer or line.split()[0], seconds)
@@ -405,7 +426,7 @@ class Told(Program):
         self._asked += 1
         return int(self.tell("turns").split()[1]) - self._asked
 
-    def live(self, seconds=LIMIT):
+    def live(self, seconds=None):
         """It answers."""
         self.tell("ping", "pong", seconds)
 

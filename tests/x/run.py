@@ -18,17 +18,20 @@ import harness
 
 SIDE_BY_SIDE = 4
 TESTS = []
+ALONE = []
 _printing = threading.Lock()
 
 
-def test(kinds=("archive", "shared"), first=False):
+def test(kinds=("archive", "shared"), first=False, alone=False):
     """Marks a test: it is run for each of these kinds of library.
 
     Those that take long say `first`, so that nothing waits for them at the end.
+    Those that hold something against the clock run `alone`, after all others.
     """
     def mark(function):
         for kind in kinds:
-            TESTS.insert(0, (function, kind)) if first else TESTS.append((function, kind))
+            where = ALONE if alone else TESTS
+            where.insert(0 if first else len(where), (function, kind))
         return function
     return mark
 
@@ -137,15 +140,19 @@ def main():
         if name.startswith("cases_") and name.endswith(".py"):
             __import__(name[:-3])
     words = [word.replace(" ", "_") for word in sys.argv[2:]]
-    chosen = [(function, kind) for function, kind in TESTS
-              if not words or any(word in f"{function.__name__},_{kind}" for word in words)]
-    with concurrent.futures.ThreadPoolExecutor(SIDE_BY_SIDE) as pool:
-        results = list(pool.map(lambda one: _run(*one, hosts), chosen))
+
+    def run(tests, side_by_side):
+        chosen = [(function, kind) for function, kind in tests
+                  if not words or any(word in f"{function.__name__},_{kind}" for word in words)]
+        with concurrent.futures.ThreadPoolExecutor(side_by_side) as pool:
+            return list(pool.map(lambda one: _run(*one, hosts), chosen))
+
+    results = run(TESTS, SIDE_BY_SIDE) + run(ALONE, 1)
     failures = [said for said in results if said]
     if failures:  # once more, where one looks first
         print("", *failures, sep="\n")
     print(f"x: {len(results) - len(failures)} passed, {len(failures)} failed")
-    return 0 if chosen and not failures else 1
+    return 0 if results and not failures else 1
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::drag::Handle;
 use super::picking::REACH;
 use super::projection::from_pos;
-use crate::document::{Edit, Selection};
+use crate::document::Edit;
 use crate::editor::actions::Action;
 use crate::editor::setup::{Element, View};
 use crate::editor::state::Editor;
@@ -94,22 +94,8 @@ fn aims(editor: &mut Editor, ui: &mut Ui, corner: DVec3) {
     let (texts, hints) = (&editor.texts().space, &editor.texts().menu_hints);
     let button = ui.button(texts.aim_here).on_hover_text(hints.aim_here);
     if button.clicked() {
-        let Some(mut orientation) = editor.orientation().cloned() else {
-            return;
-        };
-        orientation.target = Target::Absolute(corner);
-        let Selection {
-            point,
-            orientation: at,
-        } = editor.document.selection();
-        do_edit(
-            editor,
-            Edit::SetOrientation {
-                point,
-                at,
-                orientation,
-            },
-        );
+        editor.message = None;
+        editor.set_orientation(|orientation| orientation.target = Target::Absolute(corner));
     }
     let button = ui.button(texts.aim_all_here);
     if button.on_hover_text(hints.aim_all_here).clicked() {
