@@ -127,7 +127,11 @@ impl Connection {
         &self,
         question: Result<Cookie<'_, Raw, R>, ConnectionError>,
     ) -> Result<Option<R>> {
-        let answer = question.map_err(ReplyError::from).and_then(Cookie::reply);
+        let answer = question.map_err(ReplyError::from).and_then(|asked| {
+            let bytes = asked.raw_reply()?;
+            self.stream().looked_at(bytes.len());
+            Ok(R::try_parse(&bytes)?.0)
+        });
         self.excuse(answer.map_err(ReplyOrIdError::from))
     }
 

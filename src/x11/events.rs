@@ -16,6 +16,9 @@ use crate::error::{Error, Result};
 use crate::inject;
 use crate::raster::Area;
 
+/// The least that an event takes, bytes.
+const EVENT: usize = 32;
+
 /// Set in an event's kind when another client sent it.
 const SENT: u8 = 0x80;
 
@@ -230,7 +233,11 @@ impl Window {
         loop {
             let next = self.connection.poll_for_event();
             match next {
-                Ok(event) => return Ok(event),
+                Ok(event) => {
+                    let looked_at = if event.is_some() { EVENT } else { usize::MAX };
+                    self.connection.stream().looked_at(looked_at);
+                    return Ok(event);
+                }
                 Err(x11rb::errors::ConnectionError::ParseError(_)) => {}
                 Err(error) => return Err(self.connection.lost(error)),
             }

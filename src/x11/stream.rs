@@ -29,8 +29,9 @@ pub(super) const PATIENCE: Duration = Duration::from_secs(1);
 /// a second of six at most.
 const REST: Duration = Duration::from_secs(5);
 
-/// How much is taken on the way to an answer, bytes. Of events, each of which is kept,
-/// that is 130,000, and in memory six times as much; answers are far smaller.
+/// How much is taken on the way to answers before what came instead is looked at,
+/// bytes. Of events, each of which is kept, that is 130,000, and in memory six times as
+/// much; answers are far smaller.
 const MOST_BEFORE_ANSWER: usize = 4 << 20;
 
 /// How much may wait to be sent, bytes. Images are sent in pieces, each after
@@ -62,6 +63,8 @@ pub(super) struct Stream {
     rest: Cell<Option<Instant>>,
     /// Read since there was last said to be nothing more.
     taken: Cell<usize>,
+    /// Read, and not looked at yet, bytes.
+    ahead: Cell<usize>,
 }
 
 /// An answer that was asked for: from the first look for it until something else
@@ -101,6 +104,7 @@ impl Stream {
             silent: Cell::new(false),
             rest: Cell::new(None),
             taken: Cell::new(0),
+            ahead: Cell::new(0),
         };
         stream.set_watch(libc::EPOLL_CTL_ADD, libc::EPOLLIN)?;
         Ok(stream)
@@ -115,6 +119,11 @@ impl Stream {
     /// sent.
     pub(super) fn watch(&self) -> BorrowedFd<'_> {
         self.watch.as_fd()
+    }
+
+    /// So much of what was read has been looked at, bytes.
+    pub(super) fn looked_at(&self, bytes: usize) {
+        self.ahead.set(self.ahead.get().saturating_sub(bytes));
     }
 
     /// Sends what waits, as far as it goes now.
@@ -240,9 +249,13 @@ impl x11rb::rust_connection::Stream for Stream {
         });
         self.awaited.set(Some(awaited));
         let late = || Instant::now() >= awaited.end;
+        let much = self.ahead.get() >= MOST_BEFORE_ANSWER;
         // What lies there already is looked at once, however late it is.
-        if awaited.taken >= MOST_BEFORE_ANSWER || awaited.taken > 0 && late() {
+        if awaited.taken > 0 && (much || late()) {
             return Err(self.give_up(awaited));
+        }
+        if much {
+            return Err(ErrorKind::TimedOut.into());
         }
         loop {
             self.push()?;
@@ -289,6 +302,7 @@ impl x11rb::rust_connection::Stream for Stream {
             ..awaited
         }));
         self.taken.set(taken + count);
+        self.ahead.set(self.ahead.get() + count);
         Ok(count)
     }
 
@@ -540,15 +554,39 @@ mod tests {
         });
         // However much time there is.
         let (stream, _theirs) = pair();
-        let awaited = |taken| {
-            let end = Instant::now() + PATIENCE;
-            stream.awaited.set(Some(Awaited { end, taken }));
-        };
         stream.settle();
-        awaited(MOST_BEFORE_ANSWER);
+        stream.ahead.set(MOST_BEFORE_ANSWER);
         let start = Instant::now();
         assert!(stream.poll(PollMode::Readable).is_err());
         assert!(start.elapsed() < PATIENCE / 2);
+    }
+
+    /// What is read for answers and not looked at lies in memory.
+    #[test]
+    fn however_often_is_asked_not_more_is_read_until_all_was_looked_at() {
+        while_sent(&[7; 1 << 16], Duration::ZERO, |stream| {
+            let mut buffer = [0; 4096];
+            let mut read = || {
+                let mut got = 0;
+                while let Ok(count) = stream.read(&mut buffer, &mut Vec::new()) {
+                    got += count;
+                }
+                got
+            };
+            for _ in 0..3 {
+                let mut got = 0;
+                for _ in 0..1000 {
+                    stream.write(b"?", &mut Vec::new()).unwrap();
+                    while stream.poll(PollMode::Readable).is_ok() {
+                        got += read();
+                    }
+                    stream.rest.set(None); // as if it were over
+                }
+                let most = MOST_BEFORE_ANSWER..MOST_BEFORE_ANSWER + 2 * MOST_AT_ONCE;
+                assert!(most.contains(&got), "{got} bytes");
+                stream.looked_at(got);
+            }
+        });
     }
 
     #[test]
