@@ -13,6 +13,7 @@ mod lines;
 mod pieces;
 mod plane;
 mod quad;
+mod spans;
 mod stroke;
 #[cfg(test)]
 mod tests;

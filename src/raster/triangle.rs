@@ -1,15 +1,13 @@
 //! Triangles of a mesh.
 //!
 //! Corners are brought to 1/256 of a pixel, and from there on all decisions
-//! about which pixel is inside are made in whole numbers, so that along an edge
-//! that two triangles share every pixel belongs to exactly one of them: a pixel
-//! belongs to a triangle if its middle does; a middle on an edge, if the edge is
-//! a left or an upper one.
+//! about which pixel is inside are made in whole numbers ([`super::spans`]).
 
 use egui::epaint::Vertex;
 use egui::{Color32, Mesh};
 
 use super::plane::{self, Plane};
+use super::spans::Spans;
 use super::texture::Texture;
 use super::tile::{self, Cut, FULL, Ink, Tile};
 
@@ -137,72 +135,6 @@ pub(super) fn twice_area([a, b, c]: &[Corner; 3]) -> i64 {
     x(b) * y(c) - x(c) * y(b)
 }
 
-/// The edges on the way from row to row.
-struct Rows {
-    edges: [Edge; 3],
-    /// One pixel further is so many pixels' worth.
-    inverse: [f64; 3],
-    /// The values at the first pixel of the row.
-    at: [i64; 3],
-    x0: i32,
-    width: i64,
-}
-
-impl Rows {
-    fn new(edges: [Edge; 3], cut: Cut) -> Self {
-        Self {
-            inverse: edges.map(|edge| -1.0 / edge.dx as f64),
-            at: edges.map(|edge| edge.at(cut.x0, cut.y0)),
-            edges,
-            x0: cut.x0,
-            width: i64::from(cut.x1 - cut.x0),
-        }
-    }
-
-    /// The pixels of the next row that are inside: from, up to without.
-    #[inline]
-    fn next(&mut self) -> (i32, i32) {
-        let (mut from, mut to) = (0, self.width);
-        for (i, edge) in self.edges.iter().enumerate() {
-            let start = self.at[i];
-            self.at[i] += edge.dy;
-            if start < 0 {
-                if edge.dx <= 0 {
-                    to = 0;
-                    continue;
-                }
-                // The number of steps to the place where the sign changes.
-                // The product is off by one at most.
-                let mut steps = (start as f64 * self.inverse[i]) as i64;
-                if steps >= to {
-                    to = 0;
-                    continue;
-                }
-                while start + steps * edge.dx < 0 {
-                    steps += 1;
-                }
-                while start + (steps - 1) * edge.dx >= 0 {
-                    steps -= 1;
-                }
-                from = from.max(steps);
-            } else if edge.dx < 0 {
-                let mut steps = (start as f64 * self.inverse[i]) as i64;
-                if steps > to {
-                    continue;
-                }
-                while start + steps * edge.dx < 0 {
-                    steps -= 1;
-                }
-                while start + (steps + 1) * edge.dx >= 0 {
-                    steps += 1;
-                }
-                to = to.min(steps + 1);
-            }
-        }
-        (self.x0 + from as i32, self.x0 + to.max(from) as i32)
-    }
-}
-
 /// What a triangle's pixels get.
 enum Paint {
     /// One colour.
@@ -246,24 +178,26 @@ impl Paint {
 /// Paints the pixels of a triangle within a rectangle that lies in the tile.
 pub(super) fn paint(tile: &mut Tile, corners: &[Corner; 3], texture: &Texture, cut: Cut) {
     let cut = cut.and(bounds(corners));
-    if cut.is_empty() {
+    let area = twice_area(corners);
+    if cut.is_empty() || area == 0 {
         return;
     }
-    let Some(edges) = edges(corners) else { return };
-    let mut rows = Rows::new(edges, cut);
-    let area = twice_area(corners) as f64;
+    let area = area as f64;
+    let mut spans = Spans::new(cut);
+    let [a, b, c] = corners.map(|corner| (corner.x, corner.y));
+    spans.add(a, b);
+    spans.add(b, c);
+    spans.add(c, a);
     match Paint::of(corners, texture) {
         Paint::Plain(ink) => {
-            for y in cut.y0..cut.y1 {
-                let (x0, x1) = rows.next();
+            for (y, x0, x1) in spans.rows() {
                 ink.fill(tile.span(y, x0, x1));
             }
         }
         Paint::Faded(ink, weights) => {
             let weight = Plane::new(corners, area, weights);
             let step = weight.x as f32;
-            for y in cut.y0..cut.y1 {
-                let (x0, x1) = rows.next();
+            for (y, x0, x1) in spans.rows() {
                 let start = weight.value(x0, y) as f32 + 0.5;
                 let weights = (0..).map(|i: i32| {
                     let weight = (start + step * i as f32) as i32;
@@ -277,8 +211,7 @@ pub(super) fn paint(tile: &mut Tile, corners: &[Corner; 3], texture: &Texture, c
             let plane = |i: usize| Plane::new(corners, area, channels.map(|c| f64::from(c[i])));
             let planes: [Plane; 4] = std::array::from_fn(plane);
             let steps: [f32; 4] = std::array::from_fn(|i| planes[i].x as f32);
-            for y in cut.y0..cut.y1 {
-                let (x0, x1) = rows.next();
+            for (y, x0, x1) in spans.rows() {
                 let start: [f32; 4] = std::array::from_fn(|i| planes[i].value(x0, y) as f32);
                 for (i, pixel) in tile.span(y, x0, x1).iter_mut().enumerate() {
                     let color: [f32; 4] =
@@ -289,8 +222,7 @@ pub(super) fn paint(tile: &mut Tile, corners: &[Corner; 3], texture: &Texture, c
         }
         Paint::Textured => {
             let surface = plane::Surface::new(corners, area, texture);
-            for y in cut.y0..cut.y1 {
-                let (x0, x1) = rows.next();
+            for (y, x0, x1) in spans.rows() {
                 for (x, pixel) in (x0..x1).zip(tile.span(y, x0, x1)) {
                     *pixel = tile::over_exact(*pixel, surface.color(x, y));
                 }
