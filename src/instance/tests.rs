@@ -173,14 +173,22 @@ struct Calls {
     closed: Cell<usize>,
     lost: RefCell<Vec<String>>,
     on_close: RefCell<Option<OnClose>>,
+    /// It has no room for poses.
+    refuses: Cell<bool>,
+    handed_over: Cell<usize>,
 }
 
 impl Host for Calls {
     fn prepare(&self, _: Id, _: &Sampler) -> Result<()> {
+        if self.refuses.get() {
+            return Err(Error::Memory);
+        }
         Ok(())
     }
 
-    fn hand_over(&self, _: Id) {}
+    fn hand_over(&self, _: Id) {
+        self.handed_over.set(self.handed_over.get() + 1);
+    }
 
     fn may_close(&self, window: Id) -> bool {
         self.asked.set(self.asked.get() + 1);
@@ -356,6 +364,37 @@ fn a_callback_may_serve_the_others_and_close_them_and_itself() {
     assert!(!is_open(first) && is_open(second));
     assert_eq!(others.asked.get(), 0);
     close(second);
+}
+
+/// The host is called for poses that are there; that there are none is told in the
+/// window.
+#[test]
+fn a_hand_over_that_fails_is_told() {
+    let (id, remote, calls) = open();
+    remote.size.set([900, 700]);
+    settle(&[&remote]);
+    let hand_over = |refuses| {
+        calls.refuses.set(refuses);
+        for pressed in [true, false] {
+            remote.hand(egui::Event::Key {
+                key: egui::Key::U,
+                physical_key: None,
+                pressed,
+                repeat: false,
+                modifiers: egui::Modifiers::ALT,
+            });
+            settle(&[&remote]);
+        }
+        (calls.handed_over.get(), remote.shown.borrow().clone())
+    };
+    let nothing_told = remote.shown.borrow().clone();
+    let (none, failure) = hand_over(true);
+    let (one, success) = hand_over(false);
+    let (still_one, failure_again) = hand_over(true);
+    assert_eq!([none, one, still_one], [0, 1, 1]);
+    assert!(failure != nothing_told && failure != success);
+    assert!(failure == failure_again);
+    close(id);
 }
 
 /// The picture is shown, and nothing else comes: waits until `counted` goes up by
