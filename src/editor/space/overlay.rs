@@ -8,6 +8,7 @@ use std::sync::Arc;
 use egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, pos2, vec2};
 use glam::{DVec2, DVec3};
 
+use super::cameras::Camera;
 use super::drag::{Handle, VUP_LENGTH};
 use super::picking::Tips;
 use super::projection::{Axis, from_pos, to_pos};
@@ -252,8 +253,8 @@ pub(super) fn numbers(
 }
 
 /// Beside a point, the corner that is farthest from where its curve runs and
-/// its camera looks: the way there, and which corner of the text comes to lie
-/// in it.
+/// from its camera's view and up directions: the way there, and which corner of
+/// the text comes to lie in it.
 fn free_corner(
     document: &Document,
     look: &Look<'_>,
@@ -265,16 +266,20 @@ fn free_corner(
         let point = at.and_then(|at| points.get(at))?;
         Some(look.projection.image(point.position) - image)
     };
-    let point = points.get(at);
-    let camera = point.and_then(|point| {
-        let view = point.orientations.first()?.view(point.position);
-        Some(look.projection.image_of_way(view))
-    });
+    let selection = document.selection();
+    let number = if at == selection.point {
+        selection.orientation
+    } else {
+        0
+    };
+    let camera = Camera::at(document, at, number);
+    let seen = |way: DVec3| look.projection.image_of_way(way);
     // Up is where the ribbon leans, and the arrow of the current camera.
     let taken = [
         neighbour(at.checked_sub(1)),
         neighbour(Some(at + 1)),
-        camera,
+        camera.map(|camera| seen(camera.view)),
+        camera.map(|camera| seen(camera.up)),
     ];
     let taken = taken.map(|way| way.map_or(DVec2::ZERO, DVec2::normalize_or_zero));
     let corners = [
@@ -359,5 +364,46 @@ pub(super) fn directions(painter: &Painter, look: &Look<'_>) {
             FontId::proportional(11.0),
             color,
         );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::scene::tests::Eye;
+    use super::*;
+    use crate::document::Info;
+    use crate::editor::setup::View;
+    use crate::path::{CameraPath, SupportPoint, Target};
+
+    /// A number stands neither on the arrow that shows what is up nor on the curve.
+    #[test]
+    fn the_number_leaves_the_arrows_free() {
+        let eye = Eye::new(&View {
+            rotation: 0.0,
+            tilt: 0.0,
+            ..View::default()
+        });
+        let look = eye.look();
+        let mut met = 0;
+        for roll in (-175..=180).step_by(5) {
+            // The camera looks nearly at us, and the curve runs to the left.
+            let mut points = [0.0, -0.5].map(|x| SupportPoint::new(DVec3::new(x, 0.0, 0.0)));
+            let orientation = &mut points[0].orientations[0];
+            orientation.target = Target::Relative(DVec3::new(-0.05, 0.0, 0.4));
+            orientation.roll = f64::from(roll);
+            let path = CameraPath {
+                points: points.to_vec(),
+                ..CameraPath::default()
+            };
+            let document = Document::from_parts(path, Info::default()).unwrap();
+            let camera = Camera::at(&document, 0, 0).unwrap();
+            let up = look.projection.image_of_way(camera.up).normalize();
+            let (way, _) = free_corner(&document, &look, 0, look.projection.image(DVec3::ZERO));
+            let number = DVec2::new(way.x.into(), way.y.into()).normalize();
+            assert!(number.dot(up) < 0.9, "roll {roll}");
+            assert!(number.x > 0.0 || up.x > 0.5, "roll {roll}: on the curve");
+            met += usize::from(up.dot(DVec2::new(1.0, -1.0).normalize()) > 0.9);
+        }
+        assert!(met > 5, "the arrow was never where numbers stand as a rule");
     }
 }
