@@ -50,7 +50,7 @@ LINT = -D warnings
 
 .PHONY: all libs demo test bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header clean FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
-	check-calls check-x check-install check-docs check-dependencies
+	check-calls check-x check-demo check-install check-docs check-dependencies
 
 all: libs $(RELEASE)/vides
 
@@ -112,7 +112,7 @@ demo: all
 # ---- Checks, the cheap ones first -----------------------------------------------
 
 test: toolchain check-format check-lints check-rust check-c check-linking \
-	check-calls check-x check-install check-docs check-dependencies
+	check-calls check-x check-demo check-install check-docs check-dependencies
 	@echo 'make test: every check passed'
 
 check-format:
@@ -153,6 +153,10 @@ check-x: all
 	    setxkbmap=x11-xkb-utils xdpyinfo=x11-utils \
 	    xrdb=x11-xserver-utils /usr/include/GL/freeglut.h=freeglut3-dev
 	tests/x/run.sh $(LIB)
+
+# What a new user types first, where there is no display.
+check-demo:
+	env -u DISPLAY $(MAKE) demo
 
 check-install: all
 	@mk/need.sh pkg-config=pkg-config groff=groff-base
