@@ -144,9 +144,8 @@ def a_thousand_events_a_second(place):
     """Of every kind, from another client."""
     host, sent, before = lives_through(place, 1000, FLOOD)
     check(sent > 500 * FLOOD, f"only {sent} events were sent")
-    host.idle(0.3)
-    grown = private(host.pid) - before
-    check(grown < 20_000, f"{sent} events took {grown} kB")
+    # The keys among them may have begun to play a flight, so that it need not come to rest.
+    wait(lambda: private(host.pid) < before + 20_000, "the memory to be given back")
     host.leave()
 
 

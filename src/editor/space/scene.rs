@@ -6,6 +6,7 @@
 //! when these are other ones, whoever changed them. The curve's straight
 //! pieces are kept in space, so that turning the view costs a projection only.
 
+use std::ops::Range;
 use std::ptr;
 use std::sync::Arc;
 
@@ -22,8 +23,11 @@ use crate::path::tessellation::tessellate;
 use crate::path::{CameraPath, Tcb, kochanek_bartels};
 use crate::raster::Lines;
 
-/// Segments in a chunk.
-const CHUNK: usize = 64;
+/// Segments in a chunk; of a path with more points than [`FEW`] more of them, since
+/// each chunk is looked at in every picture.
+const CHUNK: usize = 16;
+const LARGE_CHUNK: usize = 64;
+const FEW: usize = 1024;
 
 /// How far the drawn curve may stray from the true one, in pixels.
 const STRAY: f64 = 0.25;
@@ -139,7 +143,7 @@ impl Scene {
         self.made = 0;
         let path = document.path();
         // The last point of an open path begins no segment, yet has a cross.
-        let count = path.points.len().div_ceil(CHUNK);
+        let count = path.points.len().div_ceil(chunk(path));
         self.chunks.truncate(count);
         self.chunks.resize_with(count, Chunk::default);
         for (index, chunk) in self.chunks.iter_mut().enumerate() {
@@ -177,11 +181,25 @@ impl Scene {
     }
 }
 
+/// Segments in each chunk of a path.
+fn chunk(path: &CameraPath) -> usize {
+    if path.points.len() <= FEW {
+        CHUNK
+    } else {
+        LARGE_CHUNK
+    }
+}
+
+/// The points of a chunk, at which its segments begin.
+fn segments(path: &CameraPath, index: usize) -> Range<usize> {
+    let first = index * chunk(path);
+    first..(first + chunk(path)).min(path.points.len())
+}
+
 /// The knots of a chunk.
 fn knots(path: &CameraPath, index: usize) -> impl Iterator<Item = Option<Knot>> {
     let count = path.points.len();
-    let first = index * CHUNK;
-    let end = (first + CHUNK).min(count);
+    let Range { start: first, end } = segments(path, index);
     // One earlier and one later than the points: shifted by one to stay ≥ 0.
     (first..end + 3).map(move |shifted| {
         let at = match shifted.checked_sub(1) {
@@ -211,8 +229,7 @@ impl Chunk {
         look: &Look<'_>,
     ) -> Result<()> {
         let stray = look.stray();
-        let first = index * CHUNK;
-        let end = (first + CHUNK).min(path.points.len());
+        let Range { start: first, end } = segments(path, index);
         if other_knots || self.stray != stray {
             self.knots.clear();
             self.pieces.clear();

@@ -130,15 +130,22 @@ proptest! {
 
 #[test]
 fn a_moved_point_makes_only_what_lies_around_it() {
-    let mut document = document(1000);
+    for (count, size) in [(1000, 16), (5000, 64)] {
+        moved_points_make_only_what_lies_around_them(count, size);
+    }
+}
+
+fn moved_points_make_only_what_lies_around_them(count: usize, size: usize) {
+    let mut document = document(count);
     let eye = Eye::new(&View::default());
     let mut scene = Scene::default();
     scene.update(&document, &eye.look()).unwrap();
-    assert_eq!(scene.made, 16);
+    assert_eq!(scene.made, count.div_ceil(size));
     scene.update(&document, &eye.look()).unwrap();
     assert_eq!(scene.made, 0);
     // In the middle of a chunk one, at the border of two both.
-    for (at, chunks) in [(32, 1), (64, 2), (127, 2), (0, 1), (999, 1)] {
+    let middle = size / 2;
+    for (at, chunks) in [(middle, 1), (64, 2), (127, 2), (0, 1), (count - 1, 1)] {
         let position = DVec3::splat(0.3);
         document.apply(Edit::SetPosition { at, position }).unwrap();
         scene.update(&document, &eye.look()).unwrap();
