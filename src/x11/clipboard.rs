@@ -282,8 +282,7 @@ impl Clipboard {
             connection.flush().map_err(|error| connection.lost(error))?;
             let pushed = connection.stream().push();
             pushed.map_err(|error| connection.lost(ConnectionError::from(error)))?;
-            let event = connection.poll_for_event();
-            match event.map_err(|error| connection.lost(error))? {
+            match connection.next()? {
                 Some(Event::SelectionNotify(event))
                     if event.requestor == owner && event.target == atoms.SAVE_TARGETS =>
                 {

@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 use x11rb::connection::{Connection as _, RequestConnection as _};
 use x11rb::cookie::{Cookie, VoidCookie};
 use x11rb::errors::{ConnectError, ConnectionError, ReplyError, ReplyOrIdError};
-use x11rb::protocol::{shm, xkb, xproto};
+use x11rb::protocol::{Event, shm, xkb, xproto};
 use x11rb::rust_connection::RustConnection;
 use x11rb::x11_utils::TryParse;
 
@@ -26,6 +26,9 @@ use crate::error::{Error, Message, Result, reason, sentence};
 
 /// What x11rb makes of our stream.
 pub(super) type Raw = RustConnection<Stream>;
+
+/// The least that an event takes, bytes.
+const EVENT: usize = 32;
 
 /// How long opening a window may take in all.
 const OPENING: Duration = Duration::from_secs(2);
@@ -116,6 +119,25 @@ impl Connection {
     /// The stream beneath.
     pub(super) fn stream(&self) -> &Stream {
         self.raw.stream()
+    }
+
+    /// The next event that is there, without waiting. One that cannot be read is
+    /// left out.
+    ///
+    /// # Errors
+    /// [`Error::Display`] if the server is gone.
+    pub(super) fn next(&self) -> Result<Option<Event>> {
+        loop {
+            match self.raw.poll_for_event() {
+                Ok(event) => {
+                    let looked_at = if event.is_some() { EVENT } else { usize::MAX };
+                    self.stream().looked_at(looked_at);
+                    return Ok(event);
+                }
+                Err(ConnectionError::ParseError(_)) => {}
+                Err(error) => return Err(self.lost(error)),
+            }
+        }
     }
 
     /// Waits for the answer to a question. `None` if the server answers with an

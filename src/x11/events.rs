@@ -1,7 +1,6 @@
 //! What the server tells, and what becomes of it.
 
 use egui::{Pos2, pos2};
-use x11rb::connection::Connection as _;
 use x11rb::protocol::ErrorKind;
 use x11rb::protocol::Event;
 use x11rb::protocol::xproto::{
@@ -15,9 +14,6 @@ use super::{Window, scale, window};
 use crate::error::{Error, Result};
 use crate::inject;
 use crate::raster::Area;
-
-/// The least that an event takes, bytes.
-const EVENT: usize = 32;
 
 /// Set in an event's kind when another client sent it.
 const SENT: u8 = 0x80;
@@ -225,22 +221,5 @@ impl Window {
         }
         self.news.shown |= self.surface.failed(&self.connection, error)?;
         Ok(())
-    }
-
-    /// The next event that is there, without waiting. One that cannot be read is
-    /// left out.
-    pub(super) fn next(&self) -> Result<Option<Event>> {
-        loop {
-            let next = self.connection.poll_for_event();
-            match next {
-                Ok(event) => {
-                    let looked_at = if event.is_some() { EVENT } else { usize::MAX };
-                    self.connection.stream().looked_at(looked_at);
-                    return Ok(event);
-                }
-                Err(x11rb::errors::ConnectionError::ParseError(_)) => {}
-                Err(error) => return Err(self.connection.lost(error)),
-            }
-        }
     }
 }

@@ -246,7 +246,7 @@ impl Window {
         loop {
             let mut any = false;
             while left > 0
-                && let Some(event) = self.next()?
+                && let Some(event) = self.connection.next()?
             {
                 left -= 1;
                 any = true;
