@@ -137,7 +137,8 @@ fn show_focus(context: &Context) {
     painter.rect_stroke(
         response.rect,
         CornerRadius::same(4),
-        Stroke::new(1.5, palette.focus),
-        StrokeKind::Inside,
+        Stroke::new(2.0, palette.focus),
+        // Not inside: what is chosen has the same colour.
+        StrokeKind::Outside,
     );
 }

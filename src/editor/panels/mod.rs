@@ -124,11 +124,6 @@ impl<'a> Key<'a> {
             None => button,
         };
         let response = ui.add_sized([width, theme::ROW], button);
-        if chosen && response.has_focus() {
-            let painter = ui.painter();
-            let inside = egui::StrokeKind::Inside;
-            painter.rect_stroke(response.rect, 4, theme::focus(palette), inside);
-        }
         let hint = match keys::words(editor.language(), self.action) {
             Some(keys) => format!("{} ({keys})", self.hint),
             None => self.hint.to_owned(),

@@ -363,3 +363,29 @@ fn the_colours_numbers_end_where_the_window_does() {
         }
     }
 }
+
+/// Also around a button that has the colour of the border.
+#[test]
+fn what_has_the_keyboard_has_a_border() {
+    for theme in [Theme::Dark, Theme::Light] {
+        let mut window = window_of(options(Language::English), LARGE, 1.0, theme);
+        let label = Language::English.texts().orientation.absolute;
+        window.get_by_label(label).focus();
+        window.run();
+        // By a key.
+        press(&mut window, Modifiers::NONE, Key::Tab);
+        press(&mut window, Modifiers::SHIFT, Key::Tab);
+        assert!(window.get_by_label(label).is_focused());
+        let button = window.get_by_label(label).rect();
+        let picture = window.render().expect("a picture");
+        let colours = theme.palette();
+        for at in [
+            button.center_top() - vec2(0.0, 1.0),
+            button.left_center() - vec2(1.0, 0.0),
+        ] {
+            let seen = picture.get_pixel(at.x as u32, at.y as u32).0;
+            assert_eq!(seen, colours.focus.to_array(), "{theme:?}");
+            assert!(theme::contrast(colours.focus, colours.panel) >= 3.0);
+        }
+    }
+}
