@@ -26,6 +26,10 @@ const HEIGHT: f32 = 56.0;
 /// Width of a button.
 const BUTTON: f32 = 32.0;
 
+/// So often, in seconds, the marks move along with something that is dragged in the
+/// space: every one does with the first section's frames.
+const MARKS_STEP: f64 = 0.25;
+
 /// What is played, and where.
 #[derive(Debug, Default)]
 pub(super) struct Playing {
@@ -36,6 +40,8 @@ pub(super) struct Playing {
     /// What was current in the last pass.
     selection: Selection,
     marks: Marks,
+    /// When they were brought up to date, in egui's time.
+    marked: f64,
 }
 
 /// The keys of the path on the scale of its frames.
@@ -163,10 +169,17 @@ impl Editor {
 
     /// Keeps the state in step with time, path and selection.
     fn advance(&mut self, context: &Context) {
-        if let Err(error) = self.playing.marks.update(&self.document)
-            && self.playing.frame.is_some()
-        {
-            self.complain_of(&error);
+        let now = context.input(|input| input.time);
+        let rest = self.playing.marked + MARKS_STEP - now;
+        if rest > 0.0 && self.space.moves() && self.playing.frame.is_none() {
+            context.request_repaint_after(Duration::from_secs_f64(rest.min(MARKS_STEP)));
+        } else {
+            self.playing.marked = now;
+            if let Err(error) = self.playing.marks.update(&self.document)
+                && self.playing.frame.is_some()
+            {
+                self.complain_of(&error);
+            }
         }
         let playing = &mut self.playing;
         let selection = self.document.selection();
@@ -184,7 +197,7 @@ impl Editor {
             return;
         };
         let fps = self.document.info().fps;
-        let gone = (context.input(|input| input.time) - start).max(0.0) * fps;
+        let gone = (now - start).max(0.0) * fps;
         let frame = (from + gone).floor().min(last);
         playing.frame = Some(frame);
         if frame >= last {

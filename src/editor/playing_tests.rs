@@ -2,12 +2,14 @@
 
 use std::time::Duration;
 
-use egui::{Modifiers, vec2};
+use egui::{Modifiers, PointerButton, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 use super::*;
-use crate::editor::space::tests::{editor, pyramid, pyramid_window, tap, window};
+use crate::editor::space::tests::{
+    editor, image, motion, press, pyramid, pyramid_window, release, tap, window,
+};
 use crate::editor::texts::Language;
 use crate::path::Pose;
 
@@ -160,4 +162,40 @@ fn a_shorter_path_keeps_the_frame_in_range() {
             .frame
             .is_none_or(|frame| frame <= as_frame(frames))
     );
+}
+
+/// While a point is dragged they follow now and then, and at its end.
+#[test]
+fn the_marks_follow_what_is_dragged() {
+    let mut harness = pyramid_window();
+    let from = image(&harness, harness.state().document.path().points[0].position);
+    let marks = |harness: &Harness<'_, Editor>| harness.state().playing.marks.keys.clone();
+    let right = |harness: &Harness<'_, Editor>| {
+        let mut right = Marks::default();
+        right.update(&harness.state().document).unwrap();
+        right.keys
+    };
+    press(&mut harness, from, PointerButton::Middle);
+    motion(&mut harness, from + vec2(10.0, 0.0));
+    let mut changes = 0;
+    for step in 0..60_u8 {
+        let before = marks(&harness);
+        motion(&mut harness, from + vec2(10.0, f32::from(step)));
+        changes += usize::from(marks(&harness) != before);
+    }
+    assert!((3..=5).contains(&changes), "{changes} in a second");
+    for step in 0..6_u8 {
+        motion(&mut harness, from + vec2(10.0, f32::from(step)));
+    }
+    // The hand rests.
+    assert_ne!(marks(&harness), right(&harness));
+    assert!(wait(&harness) <= Duration::from_millis(250));
+    harness.run_steps(16);
+    assert_eq!(marks(&harness), right(&harness));
+    // It lets go.
+    motion(&mut harness, from + vec2(40.0, 10.0));
+    release(&mut harness, from + vec2(40.0, 10.0), PointerButton::Middle);
+    harness.run();
+    assert_eq!(marks(&harness), right(&harness));
+    assert_eq!(wait(&harness), Duration::MAX);
 }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use super::actions::Action;
 use super::filing::Then;
@@ -11,10 +12,11 @@ use super::recovery::Keeper;
 use super::setup::{Element, Setup};
 use super::texts::{Language, Texts, fill};
 use super::theme;
-use super::{playing, space, windows};
+use super::{camera_view, playing, space, windows};
 use crate::document::{Document, Edit};
 use crate::error::{self, Error, Result};
 use crate::path::{Orientation, SupportPoint};
+use crate::raster::Lines;
 
 /// How a window begins.
 #[derive(Debug)]
@@ -77,6 +79,8 @@ pub(crate) struct Editor {
     pub(super) space: space::Space,
     /// The bar below it.
     pub(super) playing: playing::Playing,
+    /// What the camera sees, where that is shown.
+    pub(super) camera_picture: Option<camera_view::Picture>,
     /// The sub-windows.
     pub(super) windows: windows::Windows,
     /// Files that were open last.
@@ -118,6 +122,7 @@ impl Editor {
             setup: Setup::default(),
             space: space::Space::default(),
             playing: playing::Playing::default(),
+            camera_picture: None,
             windows: windows::Windows::default(),
             recent: Vec::new(),
             keeper: None,
@@ -161,6 +166,17 @@ impl Editor {
         input: &egui::RawInput,
     ) -> Option<Vec<egui::epaint::ClippedShape>> {
         space::follow(self, context, input)
+    }
+
+    /// The lines of the camera's picture as shown last, if it is shown.
+    pub(crate) fn camera_lines(&self) -> Option<&Arc<Lines>> {
+        self.camera_picture.as_ref().map(|picture| &picture.lines)
+    }
+
+    /// The same as they are now: what [`Editor::follow`] did is seen by the camera,
+    /// too.
+    pub(crate) fn follow_by_camera(&mut self) -> Option<Arc<Lines>> {
+        camera_view::follow(self)
     }
 
     /// The oldest request that was not seen to.

@@ -9,12 +9,15 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use egui::{PlatformOutput, RawInput};
+use glam::DVec3;
 
 use super::pump::Served;
 use super::screen::Screen;
 use super::window::Window;
-use super::{Host, Id, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
-use crate::document::Document;
+use super::{
+    Host, Id, change, close, dispatch, is_open, main_loop, read, registry, wait, within_a_call,
+};
+use crate::document::{Document, Edit};
 use crate::editor::{Editor, Folders, Language, Options};
 use crate::error::{Error, Result};
 use crate::path::Sampler;
@@ -468,6 +471,69 @@ fn egui_does_not_run_for_each_motion_of_a_drag() {
     remote.hand(button(false));
     settle(&[&remote]);
     assert_eq!(wait(), None);
+    close(id);
+}
+
+/// Between two runs of egui the camera follows what is dragged, too.
+#[test]
+fn what_the_camera_sees_is_a_film() {
+    let (id, remote, _) = open();
+    remote.size.set([900, 700]);
+    let first = |document: &Document| document.path().points[0].position;
+    let position = DVec3::new(0.1, 0.2, 0.1);
+    change(id, |document| {
+        let edit = Edit::SetPosition { at: 0, position };
+        document.apply(edit).expect("a place");
+        document.select(0, 0).expect("the first");
+    });
+    settle(&[&remote]);
+    let hand = |event| {
+        remote.hand(event);
+        dispatch();
+    };
+    let moved = |id| read(id, |document| first(document) != position) == Some(true);
+    let button = |pos, pressed| egui::Event::PointerButton {
+        pos,
+        button: egui::PointerButton::Middle,
+        pressed,
+        modifiers: egui::Modifiers::NONE,
+    };
+    // It stands in the middle of the room, wherever that is exactly.
+    let places = (0..30_u8).flat_map(|y| (0..30_u8).map(move |x| (x, y)));
+    let mut places =
+        places.map(|(x, y)| egui::pos2(400.0, 200.0) + 8.0 * egui::vec2(x.into(), y.into()));
+    let at = places.find(|&at| {
+        hand(egui::Event::PointerMoved(at));
+        hand(button(at, true));
+        hand(egui::Event::PointerMoved(at + egui::vec2(10.0, 10.0)));
+        let held = moved(id);
+        if !held {
+            hand(button(at, false));
+        }
+        held
+    });
+    let at = at.expect("the point");
+    // In the upper right corner.
+    let pane = |pixels: &[u32]| -> Vec<u32> {
+        let rows = pixels.chunks(900).take(180).skip(100);
+        rows.flat_map(|row| row[660..800].to_vec()).collect()
+    };
+    let mut filmed = 0;
+    for step in (0..50_u8).cycle().take(100_000) {
+        let (runs, before) = (remote.runs.get(), pane(&remote.shown.borrow()));
+        hand(egui::Event::PointerMoved(
+            at + egui::vec2(20.0 + f32::from(step), 20.0),
+        ));
+        if remote.runs.get() == runs && before != pane(&remote.shown.borrow()) {
+            filmed += 1;
+        }
+        if filmed == 3 {
+            break;
+        }
+    }
+    assert_eq!(filmed, 3);
+    hand(button(at, false));
+    settle(&[&remote]);
     close(id);
 }
 

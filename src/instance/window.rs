@@ -25,9 +25,12 @@ use crate::raster::{Raster, in_pieces};
 /// asks for them where a size settles. More are an animation.
 const SETTLING_PASSES: u32 = 3;
 
-/// egui wants to run again after every event. In a drag it runs so often, as a
-/// film has frames, with motions or without; between, the space alone follows.
-pub(super) const DRAG_STEP: Duration = Duration::from_millis(40);
+/// egui wants to run again after every event. In a drag it runs so often, with
+/// motions or without: nobody reads numbers faster. Between, the space alone follows.
+pub(super) const DRAG_STEP: Duration = Duration::from_millis(80);
+
+/// The camera's picture follows in a drag as a film has frames.
+const FILM_STEP: Duration = Duration::from_millis(40);
 
 /// From picture to picture of an animation.
 const ANIMATION_STEP: Duration = Duration::from_nanos(1_000_000_000 / 60);
@@ -55,6 +58,8 @@ pub(super) struct Window {
     followed: Option<RawInput>,
     /// When egui ran last.
     ran: Option<Instant>,
+    /// When the camera's picture was made last.
+    filmed: Option<Instant>,
     /// A picture is on its way to the screen.
     in_flight: bool,
     /// What stands in the title bar.
@@ -67,7 +72,10 @@ struct Picture {
     /// Those of the movement window's space.
     space: Range<usize>,
     pixels_per_point: f32,
-    /// It has been painted; since then nothing but the space has changed.
+    /// What the camera sees, if that is shown.
+    camera: Option<usize>,
+    /// It has been painted; since then nothing but the space and what the camera
+    /// sees has changed.
     painted: bool,
 }
 
@@ -104,6 +112,7 @@ impl Window {
             unpainted: false,
             followed: None,
             ran: None,
+            filmed: None,
             in_flight: false,
             title,
         }
@@ -183,7 +192,7 @@ impl Window {
     fn pass(&mut self, now: Instant) -> Result<()> {
         self.fresh = false;
         let input = self.screen.take_input();
-        if self.ran.is_some_and(|ran| now < ran + DRAG_STEP) && self.follow(&input) {
+        if self.ran.is_some_and(|ran| now < ran + DRAG_STEP) && self.follow(&input, now) {
             // Of a row of motions only where it leads to counts.
             self.followed = Some(input);
             return Ok(());
@@ -196,11 +205,13 @@ impl Window {
             None => input,
         };
         self.ran = Some(now);
+        self.filmed = self.ran;
         self.run(input, now)
     }
 
-    /// Lets the space alone follow the hand, if that is enough.
-    fn follow(&mut self, input: &RawInput) -> bool {
+    /// Lets the space alone follow the hand, if that is enough, and the camera as a
+    /// film does.
+    fn follow(&mut self, input: &RawInput, now: Instant) -> bool {
         let (Some(context), Some(picture)) = (&self.context, &mut self.picture) else {
             return false;
         };
@@ -209,9 +220,18 @@ impl Window {
             return false;
         };
         let primitives = meshes(context, shapes, picture.pixels_per_point);
-        let end = picture.space.start + primitives.len();
+        let (before, end) = (picture.space.end, picture.space.start + primitives.len());
         picture.primitives.splice(picture.space.clone(), primitives);
         picture.space.end = end;
+        picture.camera = picture.camera.map(|camera| camera - before + end);
+        let due = self.filmed.is_none_or(|filmed| now >= filmed + FILM_STEP);
+        if let Some(camera) = picture.camera
+            && due
+            && let Some(lines) = self.editor.follow_by_camera()
+        {
+            lines.put_into(&mut picture.primitives[camera]);
+            self.filmed = Some(now);
+        }
         self.unpainted = true;
         true
     }
@@ -247,9 +267,15 @@ impl Window {
         primitives.extend(meshes(context, within, pixels_per_point));
         let end = primitives.len();
         primitives.extend(meshes(context, above, pixels_per_point));
+        let camera = editor.camera_lines().and_then(|lines| {
+            let among = &primitives[end..];
+            let at = among.iter().position(|primitive| lines.are_in(primitive))?;
+            Some(end + at)
+        });
         self.picture = Some(Picture {
             primitives,
             space: start..end,
+            camera,
             pixels_per_point,
             painted: false,
         });
@@ -291,13 +317,14 @@ impl Window {
         };
         inject::point(Place::Paint);
         let (primitives, scale) = (&picture.primitives, picture.pixels_per_point);
-        let changed = if picture.painted {
-            picture.space.clone()
-        } else {
-            0..primitives.len()
-        };
         let raster = &mut self.raster;
-        let areas = raster.paint_among(primitives, changed, scale, &mut target);
+        let areas = if picture.painted {
+            let camera = picture.camera.map_or(0..0, |camera| camera..camera + 1);
+            let changed = [picture.space.clone(), camera];
+            raster.paint_among(primitives, &changed, scale, &mut target)
+        } else {
+            raster.paint(primitives, scale, &mut target)
+        };
         picture.painted = true;
         self.unpainted = false;
         if self.resting {

@@ -145,15 +145,18 @@ impl Raster {
         pixels_per_point: f32,
         target: &mut Target<'_>,
     ) -> Vec<Area> {
-        self.paint_among(primitives, 0..primitives.len(), pixels_per_point, target)
+        let all = 0..primitives.len();
+        self.paint_among(primitives, &[all], pixels_per_point, target)
     }
 
-    /// The same where only primitives among `changed` may be others than in the
-    /// last call: those before and behind are as they were, and not looked at.
+    /// The same where only primitives in one of the ranges `changed`, from below to
+    /// above, may be others than in the last call: all others are as they were, and
+    /// not looked at. The number of primitives may be another one in the first range
+    /// only.
     pub fn paint_among(
         &mut self,
         primitives: &[ClippedPrimitive],
-        changed: Range<usize>,
+        changed: &[Range<usize>],
         pixels_per_point: f32,
         target: &mut Target<'_>,
     ) -> Vec<Area> {
@@ -182,7 +185,11 @@ impl Raster {
         self.shown_for = now;
         self.touched.clear();
         self.touched.resize(tiles.count(), false);
-        if !self.sort(primitives, changed, pixels_per_point, whole) && !anew {
+        let mut other = false;
+        for changed in changed {
+            other |= self.sort(primitives, changed.clone(), pixels_per_point, whole);
+        }
+        if !other && !anew {
             return Vec::new();
         }
         self.shown.resize(tiles.count(), 0);

@@ -1,10 +1,10 @@
 //! The space follows the hand between two passes of egui.
 //!
-//! A mouse tells a hundred times a second and more where it is. Panels, bars,
-//! output field and the camera's picture need not be made anew each time: nobody
-//! reads numbers so fast, and films have fewer frames. So while something is
-//! dragged most motions change the path and what the movement window shows, and
-//! a pass of the whole follows now and then.
+//! A mouse tells a hundred times a second and more where it is. Panels, bars and
+//! output field need not be made anew each time: nobody reads numbers so fast. So
+//! while something is dragged most motions change the path and what the movement
+//! window shows, and a pass of the whole follows now and then. The camera's picture
+//! ([`crate::editor::Editor::follow_by_camera`]) lies between.
 
 use std::ops::Range;
 

@@ -2,8 +2,8 @@
 
 use egui::epaint::{ClippedShape, ImageDelta};
 use egui::{
-    Color32, Event, Modifiers, PointerButton, Pos2, RawInput, TextureId, TextureOptions,
-    TexturesDelta, Vec2, vec2,
+    ClippedPrimitive, Color32, Event, Modifiers, PointerButton, Pos2, RawInput, TextureId,
+    TextureOptions, TexturesDelta, Vec2, vec2,
 };
 use egui_kittest::Harness;
 
@@ -18,15 +18,19 @@ fn motions(harness: &Harness<'_, Editor>, to: Pos2) -> RawInput {
     input
 }
 
-/// The pixels of some shapes, at one for a point.
+/// Triangles of shapes, at one pixel for a point.
+fn meshes(harness: &Harness<'_, Editor>, shapes: &[ClippedShape]) -> Vec<ClippedPrimitive> {
+    harness.ctx.tessellate(shapes.to_vec(), 1.0)
+}
+
+/// The pixels that become of them.
 fn pixels(
-    harness: &mut Harness<'_, Editor>,
+    harness: &Harness<'_, Editor>,
     raster: &mut Raster,
-    shapes: &[ClippedShape],
+    primitives: &[ClippedPrimitive],
 ) -> Vec<u32> {
     let size = harness.ctx.content_rect().size();
     let (width, height) = (size.x as u32, size.y as u32);
-    let primitives = harness.ctx.tessellate(shapes.to_vec(), 1.0);
     let mut pixels = vec![0; (width * height) as usize];
     let font = harness.ctx.fonts(|fonts| fonts.image());
     let font = ImageDelta::full(font, TextureOptions::LINEAR);
@@ -40,7 +44,7 @@ fn pixels(
         width,
         height,
     };
-    raster.paint(&primitives, 1.0, &mut target);
+    raster.paint(primitives, 1.0, &mut target);
     pixels
 }
 
@@ -48,8 +52,6 @@ fn pixels(
 fn follows_as_a_pass_shows(button: PointerButton, place: impl Fn(&Harness<'_, Editor>) -> Pos2) {
     let mut harness = pyramid_window();
     harness.state_mut().document.select(1, 0).unwrap();
-    // It lies above the space, and is made by passes only.
-    harness.state_mut().setup.camera_view = false;
     harness.run();
     let from = place(&harness);
     let mut raster = Raster::new(Color32::BLACK);
@@ -72,11 +74,18 @@ fn follows_as_a_pass_shows(button: PointerButton, place: impl Fn(&Harness<'_, Ed
         let range = harness.state().shapes_of_space(before.len());
         let mut exchanged = before.clone();
         exchanged.splice(range, followed);
-        let exchanged = pixels(&mut harness, &mut raster, &exchanged);
-        let before = pixels(&mut harness, &mut raster, &before);
+        let mut exchanged = meshes(&harness, &exchanged);
+        let picture = harness.state().camera_lines().cloned().expect("a picture");
+        let mut places = exchanged.iter_mut().filter(|some| picture.are_in(some));
+        let place = places.next().expect("its place");
+        let seen = harness.state_mut().follow_by_camera().expect("a camera");
+        seen.put_into(place);
+        let exchanged = pixels(&harness, &mut raster, &exchanged);
+        let before = meshes(&harness, &before);
+        let before = pixels(&harness, &mut raster, &before);
         motion(&mut harness, from + way);
-        let shapes = harness.output().shapes.clone();
-        let shown = pixels(&mut harness, &mut raster, &shapes);
+        let shown = meshes(&harness, &harness.output().shapes);
+        let shown = pixels(&harness, &mut raster, &shown);
         let room = room(&harness);
         for y in 0..800 {
             for x in 0..1200 {

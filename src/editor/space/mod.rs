@@ -62,6 +62,11 @@ impl Space {
         self.hand.nudging
     }
 
+    /// A handle or the view is dragged.
+    pub(super) fn moves(&self) -> bool {
+        self.hand.moves()
+    }
+
     /// Which shapes of the last pass are those of the space.
     pub(super) fn shapes(&self) -> Range<usize> {
         let canvas = self.canvas.as_ref();

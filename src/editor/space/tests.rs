@@ -61,11 +61,11 @@ pub(super) fn room(harness: &Harness<'_, Editor>) -> Rect {
 }
 
 /// Where a point of the movement space is seen.
-pub(super) fn image(harness: &Harness<'_, Editor>, at: DVec3) -> Pos2 {
+pub(in crate::editor) fn image(harness: &Harness<'_, Editor>, at: DVec3) -> Pos2 {
     Projection::new(&harness.state().setup.view, room(harness)).pos(at)
 }
 
-pub(super) fn motion(harness: &mut Harness<'_, Editor>, to: Pos2) {
+pub(in crate::editor) fn motion(harness: &mut Harness<'_, Editor>, to: Pos2) {
     harness.event(Event::PointerMoved(to));
     harness.step();
 }
@@ -81,12 +81,16 @@ fn button(harness: &mut Harness<'_, Editor>, pos: Pos2, button: PointerButton, p
     harness.step();
 }
 
-pub(super) fn press(harness: &mut Harness<'_, Editor>, pos: Pos2, which: PointerButton) {
+pub(in crate::editor) fn press(harness: &mut Harness<'_, Editor>, pos: Pos2, which: PointerButton) {
     motion(harness, pos);
     button(harness, pos, which, true);
 }
 
-pub(super) fn release(harness: &mut Harness<'_, Editor>, pos: Pos2, which: PointerButton) {
+pub(in crate::editor) fn release(
+    harness: &mut Harness<'_, Editor>,
+    pos: Pos2,
+    which: PointerButton,
+) {
     button(harness, pos, which, false);
     harness.step();
 }

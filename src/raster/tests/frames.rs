@@ -172,12 +172,19 @@ fn a_sequence_of_frames_is_as_if_each_were_painted_whole() {
                 }
                 _ => {}
             }
+            // Another one above.
+            let mut above = 0..0;
+            if changed.end < things.len() && random.below(2) == 0 {
+                let at = changed.end + random.below(things.len() - changed.end);
+                above = at..at + 1;
+                things[at] = thing(&mut random);
+            }
             let before = screen.pixels.clone();
             let areas = screen.paint(&things);
             whole.raster.forget();
             whole.paint(&things);
             assert!(screen.pixels == whole.pixels, "round {round}");
-            told.paint_among(&things, changed);
+            told.paint_among(&things, &[changed, above]);
             assert!(told.pixels == whole.pixels, "round {round}: told where");
             let mut painted = 0;
             for (i, (now, before)) in screen.pixels.iter().zip(&before).enumerate() {

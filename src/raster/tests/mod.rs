@@ -73,10 +73,15 @@ impl Screen {
     }
 
     fn paint(&mut self, primitives: &[ClippedPrimitive]) -> Vec<Area> {
-        self.paint_among(primitives, 0..primitives.len())
+        let all = 0..primitives.len();
+        self.paint_among(primitives, &[all])
     }
 
-    fn paint_among(&mut self, primitives: &[ClippedPrimitive], changed: Range<usize>) -> Vec<Area> {
+    fn paint_among(
+        &mut self,
+        primitives: &[ClippedPrimitive],
+        changed: &[Range<usize>],
+    ) -> Vec<Area> {
         let mut target = Target {
             pixels: &mut self.pixels,
             stride: self.width as usize,
