@@ -38,7 +38,7 @@ pub(super) struct Palette {
     pub(super) text: Color32,
     /// Headings, units, what matters less.
     pub(super) weak: Color32,
-    /// What is chosen, the handle of a slider, the curve of a picture.
+    /// What is chosen, the handle of the play bar, the curve of a picture.
     pub(super) accent: Color32,
     /// Text on the accent.
     pub(super) on_accent: Color32,

@@ -27,7 +27,7 @@ const SETTLING_PASSES: u32 = 3;
 
 /// egui wants to run again after every event. In a drag it runs so often, with
 /// motions or without: nobody reads numbers faster. Between, the space alone follows.
-pub(super) const DRAG_STEP: Duration = Duration::from_millis(80);
+pub(super) const DRAG_STEP: Duration = Duration::from_millis(125);
 
 /// The camera's picture follows in a drag as a film has frames.
 const FILM_STEP: Duration = Duration::from_millis(40);

@@ -191,11 +191,14 @@ fn draw(editor: &mut Editor, painter: &Painter, room: Rect) {
         overlay::plane(painter, &look, through, fixed);
     }
     let trouble = editor.space.scene.update(document, &look).err();
-    editor.space.scene.paint(painter, room);
+    add_shared(editor.space.scene.still());
+    // Cameras and ribbon below the curve, at which people look more; and what lies
+    // below all that changes in a drag need not be painted again.
+    add_shared(editor.space.keys.update(document, &look));
     if editor.setup.shown.has(Element::Ribbon) && editor.space.ribbon.update(document).is_ok() {
         editor.space.ribbon.paint(painter, &look);
     }
-    add_shared(editor.space.keys.update(document, &look));
+    editor.space.scene.paint(painter, room);
     add(cameras::current_key(document, &look));
     if let Some((through, fixed)) = through {
         add(overlay::guides(&look, through, Some(fixed)));

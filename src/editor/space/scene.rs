@@ -157,14 +157,18 @@ impl Scene {
         Ok(())
     }
 
-    /// Paints cube, object, curve and crosses.
+    /// Cube and object.
+    pub(super) fn still(&self) -> &Arc<Lines> {
+        &self.still
+    }
+
+    /// Paints curve and crosses.
     pub(super) fn paint(&self, painter: &Painter, room: Rect) {
         let add = |lines: &Arc<Lines>| {
             if !lines.lines.is_empty() {
                 painter.add(Lines::shape(lines, room));
             }
         };
-        add(&self.still);
         self.chunks.iter().for_each(|chunk| add(&chunk.curve));
         self.chunks.iter().for_each(|chunk| add(&chunk.crosses));
     }
