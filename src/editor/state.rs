@@ -168,6 +168,11 @@ impl Editor {
         space::follow(self, context, input)
     }
 
+    /// A handle or the view is dragged: [`Editor::follow`] shows what becomes of it.
+    pub(crate) fn drags_in_space(&self) -> bool {
+        self.space.moves()
+    }
+
     /// The lines of the camera's picture as shown last, if it is shown.
     pub(crate) fn camera_lines(&self) -> Option<&Arc<Lines>> {
         self.camera_picture.as_ref().map(|picture| &picture.lines)

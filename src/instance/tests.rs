@@ -565,7 +565,7 @@ fn a_motion_of_a_drag_costs_one_pass() {
         remote.hand(egui::Event::PointerMoved(at));
         dispatch();
         let (passes, next) = (remote.passes.get() - before, wait());
-        if last.elapsed() < super::window::DRAG_STEP {
+        if last.elapsed() < super::window::FILM_STEP {
             assert_eq!(passes, 1);
             assert_ne!(next, Some(Duration::ZERO));
             in_time += 1;

@@ -25,12 +25,14 @@ use crate::raster::{Raster, in_pieces};
 /// asks for them where a size settles. More are an animation.
 const SETTLING_PASSES: u32 = 3;
 
-/// egui wants to run again after every event. In a drag it runs so often, with
-/// motions or without: nobody reads numbers faster. Between, the space alone follows.
-pub(super) const DRAG_STEP: Duration = Duration::from_millis(125);
+/// egui wants to run again after every event. In a drag in the space it runs so often,
+/// with motions or without: nobody reads numbers faster. Between, the space alone
+/// follows.
+const DRAG_STEP: Duration = Duration::from_millis(125);
 
-/// The camera's picture follows in a drag as a film has frames.
-const FILM_STEP: Duration = Duration::from_millis(40);
+/// The camera's picture follows then as a film has frames. In a drag elsewhere all
+/// does, as soon as no motion comes.
+pub(super) const FILM_STEP: Duration = Duration::from_millis(40);
 
 /// From picture to picture of an animation.
 const ANIMATION_STEP: Duration = Duration::from_nanos(1_000_000_000 / 60);
@@ -289,7 +291,11 @@ impl Window {
             context.input(|input| (input.pointer.any_down(), input.pointer.any_pressed()));
         self.resting = !held && delay == Duration::MAX;
         let delay = if held && !pressed {
-            delay.max(DRAG_STEP)
+            delay.max(if self.editor.drags_in_space() {
+                DRAG_STEP
+            } else {
+                FILM_STEP
+            })
         } else if self.passes <= SETTLING_PASSES {
             delay
         } else {
