@@ -290,12 +290,13 @@ impl Window {
         let (held, pressed) =
             context.input(|input| (input.pointer.any_down(), input.pointer.any_pressed()));
         self.resting = !held && delay == Duration::MAX;
+        let drag_step = if self.editor.drags_in_space() {
+            DRAG_STEP
+        } else {
+            FILM_STEP
+        };
         let delay = if held && !pressed {
-            delay.max(if self.editor.drags_in_space() {
-                DRAG_STEP
-            } else {
-                FILM_STEP
-            })
+            delay.max(drag_step)
         } else if self.passes <= SETTLING_PASSES {
             delay
         } else {

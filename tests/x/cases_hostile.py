@@ -5,18 +5,12 @@ import time
 
 from cases_hosts import POSES, hand_over
 from cases_window import opened
-from harness import Program, check, run, wait
+from harness import Program, check, private, run, wait
 from proxy import Proxy
 from run import test
 
 FLOOD = float(os.environ.get("VIDES_FLOOD", "4"))
 """Seconds for which events are sent. `make soak` takes a minute."""
-
-
-def private(pid):
-    """Memory that only this process has, in kB."""
-    with open(f"/proc/{pid}/smaps_rollup", encoding="ascii") as file:
-        return sum(int(line.split()[1]) for line in file if line.startswith("Private_"))
 
 
 # ---- Ways to a server ------------------------------------------------------------------

@@ -293,6 +293,18 @@ def switches(pid):
     return total
 
 
+def private(pid, kind="Private_"):
+    """Memory that only this process has, in kB: all of it, or of one kind."""
+    with open(f"/proc/{pid}/smaps_rollup", encoding="ascii") as file:
+        return sum(int(line.split()[1]) for line in file if line.startswith(kind))
+
+
+def written(pid):
+    """The part of it that the process has written into. Pages of a library's file are
+    anybody's: they count as private when the last other process that has them ends."""
+    return private(pid, "Private_Dirty")
+
+
 def wait_for_rest(pid, seconds):
     """Waits until a process has not moved for so long."""
     last = [-1]

@@ -12,7 +12,8 @@ import sys
 import tempfile
 import time
 
-from harness import Failure, Program, Server, Told, check, wait, wait_for_rest
+from harness import (Failure, Program, Server, Told, check, private, wait, wait_for_rest,
+                     written)
 from space import first_look
 
 WINDOWS = 32
@@ -33,20 +34,6 @@ SHOWN = {
 def spread(values, unit):
     """The smallest and the middle one."""
     return f"min {min(values):.1f}, median {statistics.median(values):.1f} {unit}"
-
-
-def private(pid):
-    """Memory that only this process has, in kB."""
-    with open(f"/proc/{pid}/smaps_rollup", encoding="ascii") as file:
-        return sum(int(line.split()[1]) for line in file if line.startswith("Private_"))
-
-
-def written(pid):
-    """Memory that only this process has and that it has written into, in kB. Pages of a
-    library's file are anybody's: they count as private when the last other process that
-    has them ends."""
-    with open(f"/proc/{pid}/smaps_rollup", encoding="ascii") as file:
-        return sum(int(line.split()[1]) for line in file if line.startswith("Private_Dirty"))
 
 
 def times(folder, hosts, kind):
