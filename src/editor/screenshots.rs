@@ -6,7 +6,7 @@ use egui::{Color32, TexturesDelta};
 use egui_kittest::{Harness, TestRenderer};
 use image::RgbaImage;
 
-use crate::raster::{Raster, Target};
+use crate::raster::{self, Raster, Target};
 
 /// Names the folder into which [`screenshot`] writes.
 const FOLDER: &str = "VIDES_SCREENSHOTS";
@@ -32,7 +32,9 @@ impl TestRenderer for Renderer {
         let scale = output.pixels_per_point;
         let size = context.content_rect().size() * scale;
         let (width, height) = (size.x.round() as u32, size.y.round() as u32);
-        let primitives = context.tessellate(output.shapes.clone(), scale);
+        let mut shapes = output.shapes.clone();
+        raster::prepare(&mut shapes, scale);
+        let primitives = context.tessellate(shapes, scale);
         let mut pixels = vec![0; width as usize * height as usize];
         self.0.forget();
         self.0.paint(

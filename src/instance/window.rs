@@ -19,7 +19,7 @@ use crate::document::Document;
 use crate::editor::{Editor, Request};
 use crate::error::Result;
 use crate::inject::{self, Place};
-use crate::raster::{Raster, in_pieces};
+use crate::raster::{self, Raster};
 
 /// Passes in a row that may follow one another at once without input: egui
 /// asks for them where a size settles. More are an animation.
@@ -376,6 +376,6 @@ fn meshes(
     mut shapes: Vec<ClippedShape>,
     pixels_per_point: f32,
 ) -> Vec<ClippedPrimitive> {
-    in_pieces(&mut shapes);
+    raster::prepare(&mut shapes, pixels_per_point);
     context.tessellate(shapes, pixels_per_point)
 }

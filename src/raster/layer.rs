@@ -4,15 +4,17 @@ use std::any::Any;
 use std::sync::Arc;
 
 use egui::epaint::Primitive;
-use egui::{ClippedPrimitive, Color32, Mesh, Rect};
+use egui::{ClippedPrimitive, Color32, Mesh, Rect, TextureId};
 
 use super::grid::{Tiles, pixels_of};
 use super::hash::{mix, mix_two, pair};
 use super::lines::{Line, Lines};
+use super::plate::Plate;
 use super::quad::Quad;
+use super::rounded::Sheet;
 use super::stroke::Stroke;
 use super::texture::{Texture, Textures};
-use super::tile::{Cut, Tile};
+use super::tile::{Cut, Ink, Tile};
 use super::triangle::{self, Corner};
 
 /// Begins the fingerprint of a tile that one colour hides.
@@ -56,18 +58,23 @@ struct Link {
 pub(super) struct Key {
     clip: Cut,
     content: Content,
+    /// What its texture shows there has changed.
+    changed: bool,
 }
 
 enum Content {
     Nothing,
-    /// The fingerprint of a mesh and of the texture that it shows.
+    /// The fingerprint of a mesh, and which texture it shows.
     Mesh(u64),
-    /// The lines themselves.
-    Lines(Arc<dyn Any + Send + Sync>),
+    /// Lines or a plate, themselves.
+    Ours(Arc<dyn Any + Send + Sync>),
 }
 
-/// Whether two contents are lines, and the same to the last bit.
-fn same_lines(a: &Arc<dyn Any + Send + Sync>, b: &Arc<dyn Any + Send + Sync>) -> bool {
+/// Whether two contents are the same plate, or lines that are the same to the last bit.
+fn same(a: &Arc<dyn Any + Send + Sync>, b: &Arc<dyn Any + Send + Sync>) -> bool {
+    if let (Some(a), Some(b)) = (a.downcast_ref::<Plate>(), b.downcast_ref::<Plate>()) {
+        return a == b;
+    }
     let bits_of = |line: &Line| {
         let Line {
             from, to, width, ..
@@ -85,13 +92,12 @@ fn same_lines(a: &Arc<dyn Any + Send + Sync>, b: &Arc<dyn Any + Send + Sync>) ->
 impl PartialEq for Key {
     fn eq(&self, other: &Self) -> bool {
         self.clip == other.clip
+            && self.changed == other.changed
             && match (&self.content, &other.content) {
                 (Content::Nothing, Content::Nothing) => true,
                 (Content::Mesh(a), Content::Mesh(b)) => a == b,
-                (Content::Lines(a), Content::Lines(b)) => {
-                    // Made again, they may still be the same.
-                    Arc::ptr_eq(a, b) || same_lines(a, b)
-                }
+                // Made again, they may still be the same.
+                (Content::Ours(a), Content::Ours(b)) => Arc::ptr_eq(a, b) || same(a, b),
                 _ => false,
             }
     }
@@ -107,22 +113,41 @@ impl Key {
         let mut clip = cut(primitive.clip_rect, pixels_per_point, target);
         let content = match &primitive.primitive {
             Primitive::Mesh(mesh) => match textures.get(mesh.texture_id) {
-                Some(texture) => Content::Mesh(fingerprint(mesh, texture.generation)),
+                Some(_) => Content::Mesh(fingerprint(mesh)),
                 None => Content::Nothing,
             },
             Primitive::Callback(callback) => {
                 clip = clip.and(cut(callback.rect, pixels_per_point, target));
-                Content::Lines(Arc::clone(&callback.callback))
+                Content::Ours(Arc::clone(&callback.callback))
             }
         };
-        Self { clip, content }
+        Self {
+            clip,
+            content,
+            changed: false,
+        }
+    }
+
+    /// A key that no layer has, if what the primitive's texture shows has changed.
+    pub(super) fn with_changes_of(self, primitive: &ClippedPrimitive, textures: &Textures) -> Self {
+        let changed = match &primitive.primitive {
+            Primitive::Mesh(mesh) => textures
+                .get(mesh.texture_id)
+                .is_some_and(|texture| texture.is_changed_for(mesh)),
+            Primitive::Callback(_) => false,
+        };
+        Self { changed, ..self }
     }
 }
 
 /// The fingerprint of a whole mesh.
-fn fingerprint(mesh: &Mesh, generation: u64) -> u64 {
+fn fingerprint(mesh: &Mesh) -> u64 {
     // Side by side, since each waits for its last result.
-    let mut state = [generation, 1, 2, 3, 4];
+    let texture = match mesh.texture_id {
+        TextureId::Managed(number) => mix(0, number),
+        TextureId::User(number) => mix(1, number),
+    };
+    let mut state = [texture, 1, 2, 3, 4];
     let mut vertices = mesh.vertices.chunks_exact(2);
     for two in &mut vertices {
         for (state, vertex) in state.iter_mut().zip(two) {
@@ -178,19 +203,25 @@ pub(super) struct Part {
     pub(super) hash: u64,
     /// The colour by which it hides all further below.
     pub(super) ground: Option<u32>,
+    /// There is something on top of that.
+    pub(super) items: bool,
 }
 
 /// What a primitive is for us.
 pub(super) enum Kind<'a> {
     Mesh(&'a Mesh),
     Lines(&'a Lines),
+    Plate(&'a Plate),
 }
 
 impl<'a> Kind<'a> {
     pub(super) fn of(primitive: &'a ClippedPrimitive) -> Option<Self> {
         match &primitive.primitive {
             Primitive::Mesh(mesh) => Some(Self::Mesh(mesh)),
-            Primitive::Callback(callback) => Some(Self::Lines(Lines::of(callback)?)),
+            Primitive::Callback(callback) => {
+                let lines = Lines::of(callback).map(Self::Lines);
+                lines.or_else(|| callback.callback.downcast_ref().map(Self::Plate))
+            }
         }
     }
 }
@@ -236,6 +267,7 @@ fn extent(primitive: &ClippedPrimitive, pixels_per_point: f32, target: Cut) -> C
             }
             extent = extent.expand(0.5 * widest);
         }
+        Some(Kind::Plate(plate)) => extent = plate.rect,
     }
     // A line is a pixel wide at least, and its bounds are rounded outwards.
     cut(
@@ -263,7 +295,10 @@ impl Layer {
         let tiles = Tiles::of(key.clip.and(extent(primitive, pixels_per_point, target)));
         cells.resize(tiles.count(), Cell::EMPTY);
         let mut layer = Self {
-            key,
+            key: Key {
+                changed: false,
+                ..key
+            },
             tiles,
             cells,
             links,
@@ -276,6 +311,7 @@ impl Layer {
                 }
             }
             Some(Kind::Lines(lines)) => layer.sort_lines(lines, pixels_per_point),
+            Some(Kind::Plate(plate)) => layer.sort_plate(plate, pixels_per_point, target),
         }
         layer
     }
@@ -337,17 +373,46 @@ impl Layer {
             for x in tiles.x0..tiles.x1 {
                 match ground {
                     Some(color) if bounds.holds(pixels_of(x, y).and(target)) => {
-                        if let Some(index) = self.tiles.index(x, y) {
-                            self.cells[index] = Cell {
-                                ground: Some(color),
-                                hash: mix(GROUND, u64::from(color)),
-                                ..Cell::EMPTY
-                            };
-                        }
+                        self.hide(x, y, color);
                     }
                     _ => self.add(x, y, item, hash),
                 }
             }
+        }
+    }
+
+    fn sort_plate(&mut self, plate: &Plate, pixels_per_point: f32, target: Cut) {
+        let Some(sheet) = Sheet::new(plate, pixels_per_point) else {
+            return;
+        };
+        let bounds = self.key.clip.and(sheet.bounds());
+        let hash = sheet.hash();
+        let ground = Ink::new(sheet.fill()).opaque();
+        let tiles = Tiles::of(bounds);
+        for y in tiles.y0..tiles.y1 {
+            for x in tiles.x0..tiles.x1 {
+                let within = bounds.and(pixels_of(x, y));
+                if !sheet.fills(within) {
+                    self.add(x, y, 0, hash);
+                } else if let Some(color) = ground
+                    && within == pixels_of(x, y).and(target)
+                {
+                    self.hide(x, y, color);
+                } else if sheet.fill() != Color32::TRANSPARENT {
+                    self.add(x, y, 0, hash);
+                }
+            }
+        }
+    }
+
+    /// All of a tile is of one colour, whatever was there.
+    fn hide(&mut self, x: usize, y: usize, color: u32) {
+        if let Some(index) = self.tiles.index(x, y) {
+            self.cells[index] = Cell {
+                ground: Some(color),
+                hash: mix(GROUND, u64::from(color)),
+                ..Cell::EMPTY
+            };
         }
     }
 
@@ -435,9 +500,11 @@ impl Layer {
     #[inline]
     pub(super) fn part(&self, (x, y): (usize, usize)) -> Option<Part> {
         let cell = self.cells.get(self.tiles.index(x, y)?)?;
-        (cell.first != END || cell.ground.is_some()).then_some(Part {
+        let items = cell.first != END;
+        (items || cell.ground.is_some()).then_some(Part {
             hash: cell.hash,
             ground: cell.ground,
+            items,
         })
     }
 
@@ -493,6 +560,13 @@ impl Layer {
                     if let Some(stroke) = Stroke::among(lines, item as usize, pixels_per_point) {
                         stroke.paint(tile, within);
                     }
+                }
+            }
+            Some(Kind::Plate(plate)) => {
+                if next != END
+                    && let Some(sheet) = Sheet::new(plate, pixels_per_point)
+                {
+                    sheet.paint(tile, within);
                 }
             }
         }

@@ -12,7 +12,9 @@ mod layer;
 mod lines;
 mod pieces;
 mod plane;
+mod plate;
 mod quad;
+mod rounded;
 mod spans;
 mod stroke;
 #[cfg(test)]
@@ -23,17 +25,17 @@ mod triangle;
 mod under;
 
 pub use lines::{Line, Lines};
-pub use pieces::in_pieces;
 
 use grid::{Areas, Tiles, pixels_of};
 use hash::mix;
 use layer::{Key, Layer};
 use texture::Textures;
-use tile::{Cut, Tile};
+use tile::{Cut, SIDE, Tile};
 use under::{Step, Under};
 
 use std::ops::Range;
 
+use egui::epaint::ClippedShape;
 use egui::{ClippedPrimitive, Color32, TexturesDelta};
 
 /// A rectangle of whole pixels.
@@ -61,6 +63,13 @@ pub struct Target<'a> {
     pub height: u32,
 }
 
+/// Makes shapes ready for egui to make triangles of them: some the raster paints by
+/// itself, the others become many small meshes.
+pub fn prepare(shapes: &mut [ClippedShape], pixels_per_point: f32) {
+    plate::exchange(shapes, pixels_per_point);
+    pieces::in_pieces(shapes);
+}
+
 /// Among so many layers of the last call one is looked for.
 const LOOK_AHEAD: usize = 32;
 
@@ -77,7 +86,7 @@ pub struct Raster {
     sorted_for: Option<(u32, u32, f32)>,
     /// The primitives of the last call, sorted into tiles.
     layers: Vec<Layer>,
-    /// The textures have changed since: any primitive may be another one.
+    /// The textures have changed since: any primitive may show something else.
     other_textures: bool,
     /// Whether a tile may have changed; kept for its memory.
     touched: Vec<bool>,
@@ -137,8 +146,9 @@ impl Raster {
     }
 
     /// Paints what changed since the last call, and says which areas that were.
-    /// A paint callback must carry [`Lines`]; any other is left out. A target
-    /// that is smaller than it says is left alone.
+    /// A paint callback must be one of ours, as [`prepare`] and [`Lines::shape`] make
+    /// them; any other is left out. A target that is smaller than it says is left
+    /// alone.
     pub fn paint(
         &mut self,
         primitives: &[ClippedPrimitive],
@@ -194,7 +204,7 @@ impl Raster {
         }
         self.shown.resize(tiles.count(), 0);
         if anew {
-            self.under.clear();
+            self.under.iter_mut().for_each(Under::forget);
         }
         self.under.resize_with(tiles.count(), Under::default);
         let mut areas = Areas::default();
@@ -217,15 +227,21 @@ impl Raster {
                     let reach = numbered.filter(|(_, layer)| layer.reaches(y));
                     self.row.extend(reach.map(|(number, _)| number));
                 }
-                let ground = steps(&self.layers, &self.row, (x, y), &mut self.steps);
+                let (ground, bare) = steps(&self.layers, &self.row, (x, y), &mut self.steps);
                 let hash = self.steps.last().map_or(0, |step| step.hash);
                 if *shown == hash && !anew {
                     continue;
                 }
                 *shown = hash;
                 let cut = pixels_of(x, y).and(whole);
-                (self.tile.x, self.tile.y) = (cut.x0, cut.y0);
+                areas.add(cut);
                 let ground = ground.unwrap_or_else(|| tile::pixel(self.background));
+                if bare {
+                    under.pass_over();
+                    target.fill(cut, ground);
+                    continue;
+                }
+                (self.tile.x, self.tile.y) = (cut.x0, cut.y0);
                 let (painted, keep) = under.begin(&self.steps, ground, &mut self.tile);
                 for (at, step) in self.steps.iter().enumerate().skip(painted) {
                     let number = step.layer as usize;
@@ -241,13 +257,7 @@ impl Raster {
                         under.keep(step.hash, &mut self.tile);
                     }
                 }
-                let width = (cut.x1 - cut.x0) as usize;
-                for (row, y) in (cut.y0..cut.y1).enumerate() {
-                    let start = y as usize * target.stride + cut.x0 as usize;
-                    target.pixels[start..start + width]
-                        .copy_from_slice(&self.tile.row(row)[..width]);
-                }
-                areas.add(cut);
+                target.put(cut, &self.tile);
             }
             areas.end_row();
         }
@@ -278,11 +288,17 @@ impl Raster {
             }
             _ => (0..self.layers.len(), primitives),
         };
-        self.other_textures = false;
-        let keys: Vec<Key> = primitives
-            .iter()
-            .map(|primitive| Key::new(primitive, &self.textures, pixels_per_point, target))
-            .collect();
+        let textures = &self.textures;
+        let key = |primitive| Key::new(primitive, textures, pixels_per_point, target);
+        let keys: Vec<Key> = if self.other_textures {
+            let changed = |primitive| key(primitive).with_changes_of(primitive, textures);
+            primitives.iter().map(changed).collect()
+        } else {
+            primitives.iter().map(key).collect()
+        };
+        if std::mem::take(&mut self.other_textures) {
+            self.textures.all_seen();
+        }
         let same = |(layer, key): (&Layer, &Key)| layer.key == *key;
         let layers = &self.layers[before.clone()];
         if keys.len() == layers.len() && layers.iter().zip(&keys).all(same) {
@@ -324,12 +340,18 @@ impl Raster {
 }
 
 /// What lies in a tile, layer by layer, from the one that hides all below; the
-/// colour that it does that with. The row is of the layers that reach the
-/// tile's.
-fn steps(layers: &[Layer], row: &[u32], at: (usize, usize), steps: &mut Vec<Step>) -> Option<u32> {
+/// colour that it does that with, and whether nothing else is there. The row is of
+/// the layers that reach the tile's.
+fn steps(
+    layers: &[Layer],
+    row: &[u32],
+    at: (usize, usize),
+    steps: &mut Vec<Step>,
+) -> (Option<u32>, bool) {
     steps.clear();
     let mut hash = 0;
     let mut ground = None;
+    let mut bare = true;
     for &layer in row {
         let Some(part) = layers[layer as usize].part(at) else {
             continue;
@@ -337,10 +359,38 @@ fn steps(layers: &[Layer], row: &[u32], at: (usize, usize), steps: &mut Vec<Step
         if part.ground.is_some() {
             steps.clear();
             (hash, ground) = (part.hash, part.ground);
+            bare = !part.items;
         } else {
             hash = mix(hash, part.hash);
+            bare = false;
         }
         steps.push(Step { hash, layer });
     }
-    ground
+    (ground, bare)
+}
+
+impl Target<'_> {
+    /// Its rows within a rectangle.
+    fn rows(&mut self, cut: Cut) -> impl Iterator<Item = &mut [u32]> {
+        let rows = self.pixels.chunks_mut(self.stride).skip(cut.y0 as usize);
+        let rows = rows.take((cut.y1 - cut.y0) as usize);
+        rows.map(move |row| &mut row[cut.x0 as usize..cut.x1 as usize])
+    }
+
+    fn fill(&mut self, cut: Cut, color: u32) {
+        for row in self.rows(cut) {
+            row.fill(color);
+        }
+    }
+
+    /// Puts a tile where it belongs.
+    fn put(&mut self, cut: Cut, tile: &Tile) {
+        for (y, row) in self.rows(cut).enumerate() {
+            match <&mut [u32; SIDE]>::try_from(&mut *row) {
+                // A copy of known length needs no call.
+                Ok(row) => *row = *tile.row(y),
+                Err(_) => row.copy_from_slice(&tile.row(y)[..row.len()]),
+            }
+        }
+    }
 }

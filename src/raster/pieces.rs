@@ -12,7 +12,7 @@ const PIECE: usize = 4;
 /// Sees that egui makes meshes of a few shapes each: of two pieces in a row one
 /// is cut a hundred-thousandth of a pixel farther out, which nobody sees. To be
 /// called before egui makes triangles of the shapes.
-pub fn in_pieces(shapes: &mut [ClippedShape]) {
+pub(super) fn in_pieces(shapes: &mut [ClippedShape]) {
     let mut rest = shapes;
     while let Some(first) = rest.first() {
         let clip = first.clip_rect;

@@ -7,7 +7,7 @@ use std::collections::{HashMap, HashSet};
 
 use egui::epaint::ImageDelta;
 use egui::epaint::textures::{TextureFilter, TextureOptions, TextureWrapMode};
-use egui::{Color32, ImageData, TextureId, TexturesDelta};
+use egui::{Color32, ImageData, Mesh, Pos2, Rect, TextureId, TexturesDelta, pos2};
 
 /// The texels of a texture, row by row.
 pub(super) enum Texels {
@@ -25,7 +25,20 @@ pub(super) struct Texture {
     options: TextureOptions,
     /// Another number for every other content.
     pub(super) generation: u64,
+    changed: Changed,
 }
+
+/// Which texels are others since [`Textures::all_seen`].
+#[derive(PartialEq)]
+enum Changed {
+    None,
+    /// Those in some of the blocks, row by row.
+    In(Vec<bool>),
+    All,
+}
+
+/// Texels along a side of a block.
+const BLOCK: usize = 8;
 
 /// All textures of one window.
 #[derive(Default)]
@@ -65,6 +78,13 @@ impl Textures {
         }
         self.released.extend(delta.free.drain());
     }
+
+    /// All that shows texels that have changed is known by now.
+    pub(super) fn all_seen(&mut self) {
+        for texture in self.textures.values_mut() {
+            texture.changed = Changed::None;
+        }
+    }
 }
 
 /// Its alpha, if the colour is white with an alpha.
@@ -90,7 +110,52 @@ impl Texture {
             height,
             options: delta.options,
             generation,
+            changed: Changed::All,
         })
+    }
+
+    /// Whether a mesh that shows this texture shows texels that have changed. A new
+    /// letter in egui's picture of all letters changes none that is shown already.
+    pub(super) fn is_changed_for(&self, mesh: &Mesh) -> bool {
+        let marks = match &self.changed {
+            Changed::None => return false,
+            Changed::All => return true,
+            Changed::In(marks) => marks,
+        };
+        let across = self.width.div_ceil(BLOCK);
+        mesh.indices.chunks(3).any(|corners| {
+            let corners = corners
+                .iter()
+                .filter_map(|&at| mesh.vertices.get(at as usize));
+            let mut bounds = Rect::NOTHING;
+            for corner in corners {
+                bounds.extend_with(corner.uv);
+            }
+            // Up to the next ones beside, since neighbours are mixed.
+            let blocks = |low: f32, high: f32, count: usize| {
+                let at = |v: f32| (v * count as f32) as usize / BLOCK;
+                let beside = 1.0 / count as f32;
+                at(low - beside)..=at(high + beside).min((count - 1) / BLOCK)
+            };
+            // Anything else is repeated, or is no place.
+            let within = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
+            !within.contains_rect(bounds)
+                || blocks(bounds.min.y, bounds.max.y, self.height).any(|y| {
+                    blocks(bounds.min.x, bounds.max.x, self.width).any(|x| marks[y * across + x])
+                })
+        })
+    }
+
+    /// Notes a texel that is another one now.
+    fn mark(&mut self, x: usize, y: usize) {
+        let across = self.width.div_ceil(BLOCK);
+        if self.changed == Changed::None {
+            let count = across * self.height.div_ceil(BLOCK);
+            self.changed = Changed::In(vec![false; count]);
+        }
+        if let Changed::In(marks) = &mut self.changed {
+            marks[y / BLOCK * across + x / BLOCK] = true;
+        }
     }
 
     /// Replaces a part; what would lie outside is left out.
@@ -101,27 +166,30 @@ impl Texture {
             return;
         }
         self.generation = generation;
-        self.options = delta.options;
+        if self.options != delta.options {
+            (self.options, self.changed) = (delta.options, Changed::All);
+        }
         if let Texels::Coverage(alphas) = &self.texels
             && image.pixels.iter().any(|&color| coverage(color).is_none())
         {
             let colors = alphas
                 .iter()
                 .map(|&a| Color32::from_rgba_premultiplied(a, a, a, a));
-            self.texels = Texels::Color(colors.collect());
+            (self.texels, self.changed) = (Texels::Color(colors.collect()), Changed::All);
         }
         let across = width.min(self.width.saturating_sub(left));
         let down = height.min(self.height.saturating_sub(top));
         for y in 0..down {
             let from = &image.pixels[y * width..][..across];
             let start = (top + y) * self.width + left;
-            match &mut self.texels {
-                Texels::Coverage(alphas) => {
-                    for (to, from) in alphas[start..][..across].iter_mut().zip(from) {
-                        *to = from.a();
-                    }
+            for (x, &color) in from.iter().enumerate() {
+                let other = match &mut self.texels {
+                    Texels::Coverage(alphas) => replaced(&mut alphas[start + x], color.a()),
+                    Texels::Color(colors) => replaced(&mut colors[start + x], color),
+                };
+                if other {
+                    self.mark(left + x, top + y);
                 }
-                Texels::Color(colors) => colors[start..][..across].copy_from_slice(from),
             }
         }
     }
@@ -185,6 +253,13 @@ impl Texture {
             }
         }
     }
+}
+
+/// Puts a value in the place of another one, and says whether it is not the same.
+fn replaced<T: PartialEq>(old: &mut T, new: T) -> bool {
+    let other = *old != new;
+    *old = new;
+    other
 }
 
 /// The next lower whole number. (The processor's own is not in every x86-64,

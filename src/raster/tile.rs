@@ -68,8 +68,9 @@ impl Tile {
     }
 
     /// One row, by its number within the tile.
-    pub(super) fn row(&self, y: usize) -> &[u32] {
-        &self.pixels[y * SIDE..][..SIDE]
+    pub(super) fn row(&self, y: usize) -> &[u32; SIDE] {
+        let (rows, _) = self.pixels.as_chunks();
+        &rows[y]
     }
 
     /// All pixels.
@@ -224,6 +225,18 @@ impl Ink {
             pixels.fill(color);
         } else {
             self.lay(pixels, std::iter::repeat(FULL));
+        }
+    }
+
+    /// Laid over pixels, each with the same weight up to [`FULL`].
+    #[inline]
+    pub(super) fn lay_evenly(&self, pixels: &mut [u32], weight: u32) {
+        if self.color == 0 && self.alpha == 0 {
+            // Nothing to be seen.
+        } else if weight == FULL {
+            self.fill(pixels);
+        } else if weight > 0 {
+            self.lay(pixels, std::iter::repeat(weight));
         }
     }
 

@@ -59,6 +59,17 @@ impl Under {
         pixels.copy_from_slice(tile.pixels());
     }
 
+    /// Nothing but its ground is in the tile.
+    pub(super) fn pass_over(&mut self) {
+        self.hashes.clear();
+    }
+
+    /// Nothing that was painted is there any more.
+    pub(super) fn forget(&mut self) {
+        self.hashes.clear();
+        self.pixels = None;
+    }
+
     /// Gives the pixels' memory back.
     pub(super) fn rest(&mut self) {
         self.pixels = None;

@@ -4,10 +4,12 @@ use std::sync::Arc;
 
 use egui::epaint::Primitive;
 use egui::epaint::textures::TextureOptions;
-use egui::{ClippedPrimitive, Color32, Rect, TextureId, TexturesDelta, pos2, vec2};
+use egui::{ClippedPrimitive, Color32, Pos2, Rect, TextureId, TexturesDelta, pos2, vec2};
 
 use super::lines::primitive;
+use super::plates;
 use super::{Random, Screen, letters, mesh, texture, vertex};
+use crate::plate::Plate;
 use crate::{Area, Line, Lines};
 
 fn line(random: &mut Random) -> Line {
@@ -55,10 +57,28 @@ fn with_another_line(part: &ClippedPrimitive, random: &mut Random) -> Option<Cli
     Some(other)
 }
 
-/// Rectangles, letters, triangles and lines, cut at random.
+/// A plate, often at whole pixels.
+fn plate(place: Pos2, random: &mut Random) -> Plate {
+    let size = vec2(random.between(1.0, 200.0), random.between(1.0, 150.0));
+    let size = if random.below(2) == 0 {
+        size.round()
+    } else {
+        size
+    };
+    Plate {
+        rect: Rect::from_min_size(place, size),
+        radii: [(); 4].map(|()| random.between(-5.0, 0.5 * size.min_elem()).max(0.0)),
+        fill: random.color(),
+        border: random.between(-2.0, 3.0).max(0.0),
+        border_color: random.color(),
+    }
+}
+
+/// Rectangles, letters, triangles, plates and lines, cut at random.
 fn thing(random: &mut Random) -> ClippedPrimitive {
     let place = pos2(random.between(-50.0, 250.0), random.between(-50.0, 200.0)).round();
-    let mut part = match random.below(5) {
+    let mut part = match random.below(6) {
+        5 => plates::primitive(plate(place, random)),
         0 => {
             let lines = if random.below(2) == 0 {
                 curve(random)
@@ -276,6 +296,44 @@ fn a_texture_is_kept_for_the_frame_that_comes_with_its_release() {
 }
 
 /// A new letter in the atlas comes as a patch, and may be a coloured one.
+/// A letter that comes into the picture of all letters changes nothing that is shown,
+/// only what was to show that letter.
+#[test]
+fn what_a_patch_of_a_texture_does_not_touch_stays() {
+    let mut screen = Screen::new(128, 32, Color32::BLACK);
+    let letter = |left: f32, [u, v]: [f32; 2]| {
+        let mut corners = Vec::new();
+        for (x, y) in [(0.0, 0.0), (9.0, 0.0), (0.0, 12.0), (9.0, 12.0)] {
+            let mut corner = vertex(left + x, 10.0 + y, Color32::WHITE);
+            corner.uv = pos2((u + x) / 64.0, (v + y) / 32.0);
+            corners.push(corner);
+        }
+        mesh(corners, vec![0, 1, 2, 2, 1, 3])
+    };
+    // In tiles of their own.
+    let shown = [letter(10.0, [3.0, 5.0]), letter(74.0, [40.0, 16.0])];
+    screen.paint(&shown);
+    let image = egui::ColorImage::filled([4, 2], Color32::from_white_alpha(200));
+    let mut patched = |at| {
+        let patch = egui::epaint::ImageDelta::partial(at, image.clone(), TextureOptions::LINEAR);
+        let mut delta = TexturesDelta::default();
+        delta.push(TextureId::default(), patch);
+        screen.raster.update_textures(delta);
+        let areas = screen.paint(&shown);
+        let pixels = screen.pixels.clone();
+        screen.raster.forget();
+        screen.paint(&shown);
+        assert!(pixels == screen.pixels, "{at:?}");
+        areas.iter().map(|area| area.x / 32).collect::<Vec<_>>()
+    };
+    assert_eq!(patched([26, 24]), []);
+    assert_eq!(patched([8, 10]), [0]);
+    // The same again.
+    assert_eq!(patched([8, 10]), []);
+    assert_eq!(patched([44, 24]), [2]);
+    assert_eq!(patched([11, 16]), [0]);
+}
+
 #[test]
 fn a_patch_of_a_texture_is_seen() {
     let id = TextureId::default();

@@ -7,7 +7,9 @@ use egui::epaint::{PaintCallback, Primitive};
 use egui::{ClippedPrimitive, Color32, ColorImage, Pos2, Rect, TextureId, pos2, vec2};
 
 use super::lines::primitive;
+use super::plates;
 use super::{Random, Screen, everywhere, mesh, texture, vertex};
+use crate::plate::Plate;
 use crate::{Line, Lines, Target};
 
 const ODD: [f32; 16] = [
@@ -68,6 +70,13 @@ fn odd_numbers_do_no_harm() {
         things.push(primitive(&Arc::new(Lines {
             lines: lines.collect(),
         })));
+        things.push(plates::primitive(Plate {
+            rect: Rect::from_min_max(odd_place(&mut random), odd_place(&mut random)),
+            radii: [(); 4].map(|()| odd(&mut random)),
+            fill: random.color(),
+            border: odd(&mut random),
+            border_color: random.color(),
+        }));
         let vertices = (0..20).map(|_| {
             let at = odd_place(&mut random);
             let mut vertex = vertex(at.x, at.y, random.color());

@@ -5,6 +5,7 @@ mod frames;
 mod harmless;
 mod lines;
 mod pieces;
+mod plates;
 mod triangles;
 
 use std::ops::Range;

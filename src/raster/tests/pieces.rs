@@ -4,7 +4,7 @@ use egui::epaint::{ClippedShape, TessellationOptions, Tessellator};
 use egui::{ClippedPrimitive, Color32, Rect, Shape, pos2, vec2};
 
 use super::{Random, Screen};
-use crate::in_pieces;
+use crate::pieces::in_pieces;
 
 /// Rounded rectangles, in rows that are cut alike.
 fn at_random(count: usize) -> Vec<ClippedShape> {

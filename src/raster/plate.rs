@@ -1,0 +1,128 @@
+//! Rectangles with round corners, with a border inside, and circles.
+//!
+//! egui makes dozens of triangles of each, most of them for rims that are a pixel
+//! wide. Here each is one thing, and every pixel of it is known by how much is
+//! covered.
+
+use std::sync::Arc;
+
+use egui::emath::GuiRounding as _;
+use egui::epaint::{CircleShape, ClippedShape, RectShape, StrokeKind};
+use egui::{Color32, PaintCallback, Rect, Shape, Vec2};
+
+/// A rectangle, maybe with round corners, of one colour, and a border of another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Plate {
+    /// Outer edges, in points.
+    pub(super) rect: Rect,
+    /// Radii of the outer edge's corners, in points: left and right above, left
+    /// and right below.
+    pub(super) radii: [f32; 4],
+    /// Within the border.
+    pub(super) fill: Color32,
+    /// How wide the border is, in points.
+    pub(super) border: f32,
+    pub(super) border_color: Color32,
+}
+
+/// Puts plates in the place of rectangles and circles, as far as they can show
+/// the same. The number of shapes stays.
+pub(super) fn exchange(shapes: &mut [ClippedShape], pixels_per_point: f32) {
+    for shape in shapes {
+        // What is moved after it has become triangles is not at pixels here.
+        if shape.transform_after_tessellation == egui::emath::TSTransform::IDENTITY {
+            exchange_one(&mut shape.shape, pixels_per_point);
+        }
+    }
+}
+
+fn exchange_one(shape: &mut Shape, pixels_per_point: f32) {
+    let plate = match shape {
+        Shape::Vec(shapes) => {
+            for shape in shapes {
+                exchange_one(shape, pixels_per_point);
+            }
+            return;
+        }
+        Shape::Rect(rect) => Plate::of_rect(rect, pixels_per_point),
+        Shape::Circle(circle) => Plate::of_circle(circle),
+        _ => return,
+    };
+    if let Some(plate) = plate {
+        *shape = Shape::Callback(PaintCallback {
+            rect: plate.rect.expand(1.0 / pixels_per_point),
+            callback: Arc::new(plate),
+        });
+    }
+}
+
+impl Plate {
+    /// `None` for what egui shows in another way: images, shadows, what is turned
+    /// or so thin that it is a line.
+    fn of_rect(shape: &RectShape, pixels_per_point: f32) -> Option<Self> {
+        let mut stroke = shape.stroke;
+        if stroke.is_empty() {
+            stroke = egui::Stroke::NONE;
+        }
+        let plain = shape.brush.is_none() && shape.blur_width <= 0.0 && shape.angle == 0.0;
+        if !plain || (shape.fill == Color32::TRANSPARENT && stroke.is_empty()) {
+            return None;
+        }
+        let outside = match shape.stroke_kind {
+            StrokeKind::Inside => 0.0,
+            StrokeKind::Middle => 0.5 * stroke.width,
+            StrokeKind::Outside => stroke.width,
+        };
+        let mut rect = shape.rect;
+        if shape.round_to_pixels.unwrap_or(true) {
+            if shape.stroke_kind == StrokeKind::Middle && !stroke.is_empty() {
+                for at in [
+                    &mut rect.min.x,
+                    &mut rect.min.y,
+                    &mut rect.max.x,
+                    &mut rect.max.y,
+                ] {
+                    stroke.round_center_to_pixel(pixels_per_point, at);
+                }
+            } else {
+                rect = rect.round_to_pixels(pixels_per_point);
+            }
+        }
+        let rect = rect.expand(outside);
+        // Thinner ones egui moves to where they look best.
+        let thin = 2.0 * stroke.width.max(1.0 / pixels_per_point);
+        let size = rect.size().min_elem();
+        if !rect.is_finite() || !(size > thin + 0.5 / pixels_per_point) {
+            return None;
+        }
+        let radius = shape.corner_radius;
+        let radii = [radius.nw, radius.ne, radius.sw, radius.se].map(|radius| match radius {
+            0 => 0.0,
+            _ => (f32::from(radius) + outside).min(0.5 * size),
+        });
+        Some(Self {
+            rect,
+            radii,
+            fill: shape.fill,
+            border: stroke.width,
+            border_color: stroke.color,
+        })
+    }
+
+    fn of_circle(shape: &CircleShape) -> Option<Self> {
+        let mut stroke = shape.stroke;
+        if stroke.is_empty() {
+            stroke = egui::Stroke::NONE;
+        }
+        let radius = shape.radius + stroke.width;
+        let rect = Rect::from_center_size(shape.center, Vec2::splat(2.0 * radius));
+        let seen = shape.radius > 0.0 && rect.is_finite();
+        seen.then_some(Self {
+            rect,
+            radii: [radius; 4],
+            fill: shape.fill,
+            border: stroke.width,
+            border_color: stroke.color,
+        })
+    }
+}
