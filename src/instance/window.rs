@@ -10,7 +10,7 @@ use std::ops::Range;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use egui::epaint::ClippedShape;
+use egui::epaint::{ClippedShape, Tessellator};
 use egui::{ClippedPrimitive, Context, FullOutput, RawInput, ViewportId};
 
 use super::screen::Screen;
@@ -370,12 +370,15 @@ impl Window {
     }
 }
 
-/// Triangles of shapes.
+/// Triangles of shapes. As [`Context::tessellate`], which counts all of them besides.
 fn meshes(
     context: &Context,
     mut shapes: Vec<ClippedShape>,
     pixels_per_point: f32,
 ) -> Vec<ClippedPrimitive> {
     raster::prepare(&mut shapes, pixels_per_point);
-    context.tessellate(shapes, pixels_per_point)
+    let options = context.options(|options| options.tessellation_options);
+    let letters = context.fonts(|fonts| fonts.font_image_size());
+    // Discs that are drawn beforehand are for circles, which the raster paints.
+    Tessellator::new(pixels_per_point, options, letters, Vec::new()).tessellate_shapes(shapes)
 }

@@ -12,7 +12,7 @@ use super::lines::{Line, Lines};
 use super::plate::Plate;
 use super::quad::Quad;
 use super::rounded::Sheet;
-use super::stroke::Stroke;
+use super::stroke::{self, Stroke};
 use super::texture::{Texture, Textures};
 use super::tile::{Cut, Ink, Tile};
 use super::triangle::{self, Corner};
@@ -22,6 +22,9 @@ const GROUND: u64 = 1;
 
 /// In an item: this triangle and the next one make a [`Quad`].
 const QUAD: u32 = 1 << 31;
+
+/// In an item that is a line: it goes on at its beginning, at its end.
+const JOINED: [u32; 2] = [1 << 31, 1 << 30];
 
 /// No further item.
 const END: u32 = u32::MAX;
@@ -417,8 +420,14 @@ impl Layer {
     }
 
     fn sort_lines(&mut self, lines: &Lines, pixels_per_point: f32) {
-        for (item, line) in lines.lines.iter().enumerate() {
-            let Some(stroke) = Stroke::among(&lines.lines, item, pixels_per_point) else {
+        let lines = &lines.lines;
+        let mut goes_on = false;
+        for (item, line) in lines.iter().enumerate() {
+            let next = lines.get(item + 1);
+            let before = goes_on;
+            goes_on = next.is_some_and(|next| stroke::joined(line, next, pixels_per_point));
+            let joints = [before, goes_on];
+            let Some(stroke) = Stroke::new(line, joints, pixels_per_point) else {
                 continue;
             };
             let bounds = self.key.clip.and(stroke.bounds());
@@ -430,19 +439,21 @@ impl Layer {
                 u64::from(line.width.to_bits()) << 32 | u64::from(bits(line.color)),
             );
             // Its ends are painted otherwise where it is joined.
-            let hash = match stroke.joints() {
+            let hash = match joints {
                 [false, false] => hash,
                 [a, b] => mix(hash, u64::from(a) << 1 | u64::from(b)),
             };
+            let bits = [0, 1].map(|end| if joints[end] { JOINED[end] } else { 0 });
+            let item = item as u32 | bits[0] | bits[1];
             let tiles = Tiles::of(bounds);
             if tiles.count() == 1 {
-                self.add(tiles.x0, tiles.y0, item as u32, hash);
+                self.add(tiles.x0, tiles.y0, item, hash);
                 continue;
             }
             for y in tiles.y0..tiles.y1 {
                 for x in tiles.x0..tiles.x1 {
                     if stroke.touches(bounds.and(pixels_of(x, y))) {
-                        self.add(x, y, item as u32, hash);
+                        self.add(x, y, item, hash);
                     }
                 }
             }
@@ -556,8 +567,11 @@ impl Layer {
             }
             Some(Kind::Lines(lines)) => {
                 for item in items {
-                    let lines = &lines.lines;
-                    if let Some(stroke) = Stroke::among(lines, item as usize, pixels_per_point) {
+                    let joints = JOINED.map(|end| item & end != 0);
+                    let number = (item & !(JOINED[0] | JOINED[1])) as usize;
+                    if let Some(line) = lines.lines.get(number)
+                        && let Some(stroke) = Stroke::new(line, joints, pixels_per_point)
+                    {
                         stroke.paint(tile, within);
                     }
                 }

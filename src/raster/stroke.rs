@@ -55,7 +55,7 @@ pub(super) struct Stroke {
 
 /// Whether the second line goes on where the first one ends, so little bent
 /// that both are one.
-fn joined(first: &Line, second: &Line, pixels_per_point: f32) -> bool {
+pub(super) fn joined(first: &Line, second: &Line, pixels_per_point: f32) -> bool {
     // Numbers, since egui will not compare places that are none.
     let [end, start] = [first.to, second.from].map(|at| (at.x, at.y));
     if end != start || first.width != second.width || first.color != second.color {
@@ -75,28 +75,10 @@ fn joined(first: &Line, second: &Line, pixels_per_point: f32) -> bool {
 }
 
 impl Stroke {
-    /// One of some lines that are painted one after the other.
+    /// One that goes on before its beginning or behind its end; `None` if nothing is to
+    /// be seen.
     #[inline]
-    pub(super) fn among(lines: &[Line], at: usize, pixels_per_point: f32) -> Option<Self> {
-        let line = lines.get(at)?;
-        let mut stroke = Self::new(line, pixels_per_point)?;
-        let before = at.checked_sub(1).and_then(|at| lines.get(at));
-        let behind = lines.get(at + 1);
-        stroke.joined = [
-            before.is_some_and(|before| joined(before, line, pixels_per_point)),
-            behind.is_some_and(|behind| joined(line, behind, pixels_per_point)),
-        ];
-        Some(stroke)
-    }
-
-    /// Whether other lines go on at its ends.
-    pub(super) fn joints(&self) -> [bool; 2] {
-        self.joined
-    }
-
-    /// `None` if nothing is to be seen.
-    #[inline]
-    fn new(line: &Line, pixels_per_point: f32) -> Option<Self> {
+    pub(super) fn new(line: &Line, joined: [bool; 2], pixels_per_point: f32) -> Option<Self> {
         let scale = pixels_per_point;
         let (x0, y0) = (line.from.x * scale, line.from.y * scale);
         let (x1, y1) = (line.to.x * scale, line.to.y * scale);
@@ -120,7 +102,7 @@ impl Stroke {
             y: [y0, y1],
             radius: 0.5 * width.clamp(1.0, THICKEST),
             color,
-            joined: [false; 2],
+            joined,
         })
     }
 

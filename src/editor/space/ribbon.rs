@@ -82,7 +82,20 @@ pub(super) struct Ribbon {
     seen: Option<Seen>,
     /// Those of the path before; kept for their memory.
     before: Vec<Rib>,
-    frames: Frames,
+    /// The sections that `ribs` come from, and every which frame of theirs.
+    sections: Vec<Section>,
+    stride: usize,
+    /// Kept for their memory.
+    poses: Vec<Pose>,
+}
+
+/// A section in which something changes.
+#[derive(Debug)]
+struct Section {
+    /// See [`Sampler::marks`].
+    mark: u64,
+    /// Its poses between its two keys.
+    ribs: Range<usize>,
 }
 
 impl Ribbon {
@@ -98,55 +111,105 @@ impl Ribbon {
         }
         std::mem::swap(&mut self.ribs, &mut self.before);
         self.ribs.clear();
-        let old = std::mem::take(&mut self.pieces);
+        let (old, sections) = (
+            std::mem::take(&mut self.pieces),
+            std::mem::take(&mut self.sections),
+        );
         if document.in_step() && document.path().points.len() > MANY_POINTS {
             self.revision = None;
             return Ok(());
         }
         self.revision = Some(revision);
         let sampler = document.sampler()?;
-        document.timeline(|timeline| self.collect(timeline, sampler))??;
+        document.timeline(|timeline| self.collect(timeline, sampler, sections))??;
         self.divide(old);
         Ok(())
     }
 
-    fn collect(&mut self, timeline: &Timeline, sampler: &Sampler) -> Result<()> {
+    /// Makes `ribs`; what is the same as in one of the `old` sections comes from
+    /// `before`.
+    fn collect(
+        &mut self,
+        timeline: &Timeline,
+        sampler: &Sampler,
+        mut old: Vec<Section>,
+    ) -> Result<()> {
         let last = sampler.frame_count();
         // A power of two, so that one frame more does not shift all others.
         let stride = last.div_ceil(POSES).next_power_of_two();
+        let moving = (0..timeline.section_count())
+            .map(|section| (timeline.section(section), sampler.first_frame(section)))
+            .filter(|(section, _)| section.change != Change::Nothing);
         let sections = if timeline.section_count() < POSES {
             timeline.section_count()
         } else {
             0
         };
+        if self.stride != stride {
+            (self.stride, old) = (stride, Vec::new());
+        }
         self.ribs.try_reserve(last / stride + sections + 2)?;
-        self.frames.poses.clear();
-        let (ribs, frames) = (&mut self.ribs, &mut self.frames);
-        let mut add = |frame: usize, begins: bool| -> Result<()> {
-            let camera = frames.pose(sampler, frame)?.into();
-            ribs.push(Rib { camera, begins });
-            Ok(())
+        self.sections.try_reserve(sections)?;
+        #[allow(clippy::cast_precision_loss)]
+        let rib = |frame: usize, begins: bool| -> Result<Rib> {
+            let camera = sampler.pose(frame as f64)?.into();
+            Ok(Rib { camera, begins })
         };
-        add(1, true)?;
+        self.ribs.push(rib(1, true)?);
         let mut end = 1;
-        for section in 0..sections {
-            let count = timeline.section(section).frames;
-            if timeline.section(section).change == Change::Nothing {
-                continue;
+        let mut old = old.into_iter();
+        for ((section, first), mark) in moving.zip(sampler.marks()).take(sections) {
+            end = first + section.frames - 1;
+            let start = self.ribs.len();
+            match old.next().filter(|old| old.mark == mark) {
+                Some(old) => self.ribs.extend_from_slice(&self.before[old.ribs]),
+                None => {
+                    let frames = (first - 1 + stride..end).step_by(stride);
+                    self.between(sampler, frames, end)?;
+                }
             }
-            let first = sampler.first_frame(section);
-            end = first + count - 1;
-            for frame in (first - 1 + stride..end).step_by(stride) {
-                add(frame, false)?;
-            }
-            add(end, true)?;
+            let ribs = start..self.ribs.len();
+            self.sections.push(Section { mark, ribs });
+            self.ribs.push(rib(end, true)?);
         }
         // Of very many sections one sees nothing; and the last key may rest.
         for frame in (end + stride..last).step_by(stride) {
-            add(frame, false)?;
+            self.ribs.push(rib(frame, false)?);
         }
         if end < last {
-            add(last, true)?;
+            self.ribs.push(rib(last, true)?);
+        }
+        Ok(())
+    }
+
+    /// Adds poses within a section that ends with a frame. In a short path poses
+    /// cost less when many are computed together.
+    fn between(
+        &mut self,
+        sampler: &Sampler,
+        frames: impl Iterator<Item = usize>,
+        end: usize,
+    ) -> Result<()> {
+        let together = sampler.frame_count() <= ALL_AT_ONCE;
+        let poses = &mut self.poses;
+        let (mut from, mut to) = (0, 0);
+        for frame in frames {
+            #[allow(clippy::cast_precision_loss)]
+            let pose = if together {
+                if frame >= to {
+                    (from, to) = (frame, end.min(frame + TOGETHER));
+                    poses.try_reserve(to - from)?;
+                    poses.resize(to - from, Pose::default());
+                    sampler.sample(from, poses)?;
+                }
+                poses[frame - from]
+            } else {
+                sampler.pose(frame as f64)?
+            };
+            self.ribs.push(Rib {
+                camera: pose.into(),
+                begins: false,
+            });
         }
         Ok(())
     }
@@ -200,32 +263,6 @@ impl Ribbon {
             &*piece.made.get_or_insert_with(|| make(ribs, look, color))
         });
         made.collect()
-    }
-}
-
-/// Poses of a sampler. They are asked for in their order, and cost less when
-/// many are computed together.
-#[derive(Debug, Default)]
-struct Frames {
-    first: usize,
-    poses: Vec<Pose>,
-}
-
-impl Frames {
-    fn pose(&mut self, sampler: &Sampler, frame: usize) -> Result<Pose> {
-        let count = sampler.frame_count();
-        if count > ALL_AT_ONCE {
-            #[allow(clippy::cast_precision_loss)]
-            return sampler.pose(frame as f64);
-        }
-        if frame >= self.first + self.poses.len() || self.poses.is_empty() {
-            let together = TOGETHER.min(count + 1 - frame);
-            self.poses.try_reserve(together)?;
-            self.poses.resize(together, Pose::default());
-            self.first = frame;
-            sampler.sample(frame, &mut self.poses)?;
-        }
-        Ok(self.poses[frame - self.first])
     }
 }
 

@@ -4,7 +4,7 @@
 
 use std::sync::OnceLock;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::arc_length::ArcLength;
 use super::hermite::Cubic;
@@ -41,6 +41,54 @@ pub(super) struct Leg {
 }
 
 impl Leg {
+    /// The same number for all that has the same poses of its own, wherever in the
+    /// path it lies.
+    pub(super) fn mark(&self) -> u64 {
+        let mut mark = Mark::default();
+        mark.add([self.frames as f64]);
+        if let Some(speed) = &self.speed {
+            speed[0].coefficients().for_each(|speed| mark.add(*speed));
+        }
+        match &self.way {
+            None => mark.add(self.position.to_array()),
+            Some(Way { curve, length }) => {
+                mark.add([*length]);
+                let all = [curve.a, curve.b, curve.c, curve.d, curve.end];
+                all.into_iter().for_each(|v| mark.add(v.to_array()));
+            }
+        }
+        let quaternions = |mark: &mut Mark, all: &[DQuat]| {
+            all.iter().for_each(|q| mark.add(q.to_array()));
+        };
+        match &self.turning {
+            Turning::Bezier(control) => {
+                mark.add([1.0]);
+                quaternions(&mut mark, control);
+            }
+            Turning::Arc(ends) => {
+                mark.add([2.0]);
+                quaternions(&mut mark, ends);
+            }
+            Turning::BarryGoldman(keys, knots) => {
+                mark.add([3.0]);
+                quaternions(&mut mark, keys);
+                mark.add(*knots);
+            }
+            Turning::Kept(view, up) => {
+                mark.add([4.0]);
+                mark.add(view.to_array());
+                mark.add(up.to_array());
+            }
+            Turning::Tracked(target, roll) => {
+                mark.add([5.0]);
+                mark.add(target.to_array());
+                mark.add(*roll);
+            }
+        }
+        mark.add(self.zoom);
+        mark.0
+    }
+
     /// φ at `u` = frame / frames: share of the way and of the curve time.
     pub(super) fn phi(&self, u: f64) -> f64 {
         self.speed.as_ref().map_or(u, |speed| speed[0].fraction(u))
@@ -64,5 +112,21 @@ impl Leg {
             vup: up.to_array(),
             zoom: ((c[3] * phi + c[2]) * phi + c[1]) * phi + c[0],
         })
+    }
+}
+
+/// A fingerprint of numbers, by their bits and their order.
+#[derive(Default)]
+struct Mark(u64);
+
+impl Mark {
+    fn add<const N: usize>(&mut self, numbers: [f64; N]) {
+        for number in numbers {
+            // Both halves of the product: every bit reaches every other one. The
+            // constants are digits of π.
+            let word = self.0.rotate_left(29) ^ number.to_bits() ^ 0x2438_6A88_85A3_08D3;
+            let product = u128::from(word) * 0x1319_8A2E_0370_7345;
+            self.0 = (product as u64) ^ ((product >> 64) as u64);
+        }
     }
 }

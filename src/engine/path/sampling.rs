@@ -131,6 +131,13 @@ impl Sampler {
         self.first_frames[section]
     }
 
+    /// A number for each section in which something changes, in their order: the same
+    /// where all poses between its two keys are the same, in this path or in another
+    /// one. Others have the same by a chance of about 2⁻⁶⁴.
+    pub fn marks(&self) -> impl Iterator<Item = u64> {
+        self.legs.iter().map(Leg::mark)
+    }
+
     /// Fills `poses` with the frames `first`, `first + 1`, … (numbered from 1).
     ///
     /// # Errors

@@ -153,3 +153,51 @@ fn the_path_has_every_kind_of_section() {
     }
     assert!(tracked > 0 && kept > 0 && free > 0 && short > 0 && fitted > 0);
 }
+
+/// What has the same mark has the same poses; what a change does not reach keeps both.
+#[test]
+fn a_mark_tells_whether_a_section_has_other_poses() {
+    let changes: [(&str, fn(&mut CameraPath)); 8] = [
+        ("a place", |path| path.points[4].position.y += 0.01),
+        ("the last target", |path| {
+            path.points[5].orientations[1].target = Target::Relative(DVec3::X);
+        }),
+        ("a roll", |path| path.points[1].orientations[0].roll = 0.5),
+        ("a zoom", |path| path.points[5].orientations[1].zoom = 25.5),
+        ("a speed", |path| {
+            path.points[0].orientations[1].speeds[4] = 6.0
+        }),
+        ("a tension", |path| {
+            path.points[0].orientations[1].turning = Tcb::new(0.9, 0.0, 0.0);
+        }),
+        ("a rest", |path| path.points[2].orientations[0].hold = 7),
+        ("nothing", |_| {}),
+    ];
+    let seen = |path: &CameraPath| -> Vec<(u64, Vec<Pose>)> {
+        let sampler = prepared(path);
+        let own = sampler.legs.iter().zip(sampler.marks()).map(|(leg, mark)| {
+            let few = if cfg!(miri) { 2 } else { usize::MAX };
+            let mut poses = vec![Pose::default(); (leg.frames - 1).min(few)];
+            sampler.sample(leg.start + 1, &mut poses).expect("memory");
+            (mark, poses)
+        });
+        own.collect()
+    };
+    let base = path(OrientationMode::Tcb, false);
+    let before = seen(&base);
+    for (name, change) in changes {
+        let mut changed = base.clone();
+        change(&mut changed);
+        let after = seen(&changed);
+        assert_eq!(before.len(), after.len(), "{name}");
+        let (mut kept, mut others) = (0, 0);
+        for (index, (before, after)) in before.iter().zip(&after).enumerate() {
+            let same = before.0 == after.0;
+            kept += usize::from(same);
+            others += usize::from(!same);
+            assert!(!same || before.1 == after.1, "{name}, section {index}");
+        }
+        assert!(kept > 0, "{name}");
+        assert_eq!(others == 0, name == "nothing" || name == "a rest", "{name}");
+    }
+}

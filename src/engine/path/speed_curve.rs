@@ -18,6 +18,11 @@ pub struct SpeedCurve {
 }
 
 impl SpeedCurve {
+    /// All that makes it what it is.
+    pub(super) fn coefficients(&self) -> impl Iterator<Item = &[f64; 4]> {
+        self.speed.iter()
+    }
+
     /// The curve through `speeds`, each in [1, 100]. `before` and `after` are
     /// the facing values of the neighbouring sections, one step of 1/9 outside;
     /// without one the end has the slope of the parabola through three speeds.

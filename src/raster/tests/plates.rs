@@ -210,7 +210,7 @@ fn plates_are_where_egui_shows_the_shapes() {
                 kind[random.below(3)],
             ))
         };
-        let plates = exchanged(&[one.clone()], scale).expect("a plate");
+        let plates = exchanged(std::slice::from_ref(&one), scale).expect("a plate");
         let [theirs, ours] =
             [vec![one.clone()], plates].map(|shapes| painted(&triangles(shapes, scale), scale));
         let mut sum = 0.0;
