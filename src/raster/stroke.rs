@@ -15,7 +15,7 @@ use egui::Color32;
 use glam::Vec4;
 
 use super::lines::Line;
-use super::tile::{Cut, FULL, Ink, SIDE, Tile, with_ink};
+use super::tile::{Cut, FULL, Ink, Kind, SIDE, Tile};
 
 /// Slices for each pixel.
 const SLICES: usize = 4;
@@ -151,8 +151,7 @@ impl Stroke {
             x1: cut.x1 - tile.x,
             y1: cut.y1 - tile.y,
         };
-        let ink = Ink::new(self.color);
-        let pixels = tile.pixels();
+        let (x, y) = ([x0, x1], [y0, y1]);
         if (y1 - y0).abs() > (x1 - x0).abs() {
             let turned = Cut {
                 x0: cut.y0,
@@ -160,11 +159,24 @@ impl Stroke {
                 x1: cut.y1,
                 y1: cut.x1,
             };
-            let band = Band::new([y0, y1], [x0, x1], self.radius, self.joined);
-            with_ink!(ink, |over| band.paint::<SIDE, 1>(pixels, turned, over));
+            let along = Along { p: SIDE, q: 1 };
+            let band = Band::new(y, x, self.radius, self.joined);
+            self.paint_band(&band, tile, turned, along);
         } else {
-            let band = Band::new([x0, x1], [y0, y1], self.radius, self.joined);
-            with_ink!(ink, |over| band.paint::<1, SIDE>(pixels, cut, over));
+            let along = Along { p: 1, q: SIDE };
+            let band = Band::new(x, y, self.radius, self.joined);
+            self.paint_band(&band, tile, cut, along);
+        }
+    }
+
+    #[inline(always)]
+    fn paint_band(&self, band: &Band, tile: &mut Tile, cut: Cut, along: Along) {
+        let ink = Ink::new(self.color);
+        let pixels = tile.pixels();
+        match ink.kind() {
+            Kind::Opaque => band.paint(pixels, cut, along, |a, b| ink.over_opaque(a, b)),
+            Kind::Clear => band.paint(pixels, cut, along, |a, b| ink.over_clear(a, b)),
+            Kind::Glowing => band.paint_glowing(pixels, cut, along, &ink),
         }
     }
 
@@ -193,6 +205,13 @@ impl Stroke {
         let end = end.max(start);
         [x, y].map(|v| [start, end].map(|t| (v[0] + t * (v[1] - v[0])) as f32))
     }
+}
+
+/// From one pixel to the next along the axes of a [`Band`].
+#[derive(Clone, Copy)]
+struct Along {
+    p: usize,
+    q: usize,
 }
 
 /// A line along an axis `p`, flatter than the diagonal: from (p0, q0) to
@@ -253,14 +272,14 @@ impl Band {
         (upper - up, lower + down)
     }
 
-    /// Paints; `cut` has p as x and q as y, `P` and `Q` are the ways from one
-    /// pixel to the next along them. `over` lays the colour over a pixel by a
+    /// Paints; `cut` has p as x and q as y. `over` lays the colour over a pixel by a
     /// weight.
     #[inline(always)]
-    fn paint<const P: usize, const Q: usize>(
+    fn paint(
         &self,
         pixels: &mut [u32; SIDE * SIDE],
         cut: Cut,
+        along: Along,
         over: impl Fn(u32, u32) -> u32,
     ) {
         // From here to there both borders are straight. A joint's pixel is the
@@ -272,31 +291,33 @@ impl Band {
         let last = up(last, first, cut.x1);
         let half = Vec4::splat(self.radius * (1.0 + self.slope * self.slope).sqrt());
         let middles = MIDDLES * self.slope + self.q0;
-        if !self.joined[0] {
-            for step in cut.x0..first {
-                self.end::<P, Q>(pixels, cut, step, &over);
-            }
-        }
         for step in first..last {
             let middle = middles + (step as f32 - self.p0) * self.slope;
             let borders = [(middle - half, middle + half)];
-            lay::<1, P, Q>(pixels, cut, step, borders, 1.0, &over);
+            lay(pixels, cut, step, borders, 1.0, along, &over);
         }
-        if !self.joined[1] {
-            for step in last..cut.x1 {
-                self.end::<P, Q>(pixels, cut, step, &over);
-            }
+        let before = if self.joined[0] { first } else { cut.x0 };
+        let behind = if self.joined[1] { last } else { cut.x1 };
+        for step in (before..first).chain(last..behind) {
+            self.end(pixels, cut, step, along, &over);
         }
+    }
+
+    /// Light is rarely added: one function for both directions.
+    #[inline(never)]
+    fn paint_glowing(&self, pixels: &mut [u32; SIDE * SIDE], cut: Cut, along: Along, ink: &Ink) {
+        self.paint(pixels, cut, along, |a, b| ink.over_glowing(a, b));
     }
 
     /// Paints the pixels of one step where the line is round, in twice as
     /// many slices.
     #[inline(always)]
-    fn end<const P: usize, const Q: usize>(
+    fn end(
         &self,
         pixels: &mut [u32; SIDE * SIDE],
         cut: Cut,
         step: i32,
+        along: Along,
         over: &impl Fn(u32, u32) -> u32,
     ) {
         // The slices lie in the part of the pixel that the line is in.
@@ -308,19 +329,20 @@ impl Band {
         }
         let near = MIDDLES * (0.5 * width) + start;
         let borders = [self.borders(near), self.borders(near + 0.5 * width)];
-        lay::<2, P, Q>(pixels, cut, step, borders, width, over);
+        lay(pixels, cut, step, borders, width, along, over);
     }
 }
 
 /// Paints the pixels of one step. `share` is the part of the step that the
 /// slices stand for.
 #[inline(always)]
-fn lay<const N: usize, const P: usize, const Q: usize>(
+fn lay<const N: usize>(
     pixels: &mut [u32; SIDE * SIDE],
     cut: Cut,
     step: i32,
     borders: [(Vec4, Vec4); N],
     share: f32,
+    along: Along,
     over: &impl Fn(u32, u32) -> u32,
 ) {
     let (top, bottom) = (Vec4::splat(cut.y0 as f32), Vec4::splat(cut.y1 as f32));
@@ -331,7 +353,7 @@ fn lay<const N: usize, const P: usize, const Q: usize>(
     }
     let (lowest, highest) = (low.min_element(), high.max_element());
     let share = share * (FULL as f32 / (SLICES * N) as f32);
-    let mut at = step as usize * P + below(lowest) as usize * Q;
+    let mut at = step as usize * along.p + below(lowest) as usize * along.q;
     let mut q = below(lowest) as f32;
     while q < highest {
         // Without a look whether there is anything to do: a guess that fails
@@ -340,7 +362,7 @@ fn lay<const N: usize, const P: usize, const Q: usize>(
         for weight in weights(&borders, q, share) {
             let pixel = &mut pixels[at % (SIDE * SIDE)];
             *pixel = over(*pixel, weight);
-            at += Q;
+            at += along.q;
         }
         q += RUN as f32;
     }

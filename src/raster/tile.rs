@@ -120,27 +120,6 @@ pub(super) enum Kind {
     Glowing,
 }
 
-/// Does the same with the function that fits the ink.
-macro_rules! with_ink {
-    ($ink:expr, |$over:ident| $body:expr) => {
-        match $ink.kind() {
-            $crate::tile::Kind::Opaque => {
-                let $over = |below, weight| $ink.over_opaque(below, weight);
-                $body
-            }
-            $crate::tile::Kind::Clear => {
-                let $over = |below, weight| $ink.over_clear(below, weight);
-                $body
-            }
-            $crate::tile::Kind::Glowing => {
-                let $over = |below, weight| $ink.over_glowing(below, weight);
-                $body
-            }
-        }
-    };
-}
-pub(super) use with_ink;
-
 /// A half in each channel of a product, for rounding.
 const HALVES: u64 = 0x0080_0080_0080;
 
@@ -244,9 +223,11 @@ impl Ink {
     #[inline(always)]
     pub(super) fn lay(&self, pixels: &mut [u32], weights: impl Iterator<Item = u32>) {
         let pairs = pixels.iter_mut().zip(weights);
-        with_ink!(self, |over| for (pixel, weight) in pairs {
-            *pixel = over(*pixel, weight);
-        });
+        match self.kind() {
+            Kind::Opaque => pairs.for_each(|(p, weight)| *p = self.over_opaque(*p, weight)),
+            Kind::Clear => pairs.for_each(|(p, weight)| *p = self.over_clear(*p, weight)),
+            Kind::Glowing => pairs.for_each(|(p, weight)| *p = self.over_glowing(*p, weight)),
+        }
     }
 }
 

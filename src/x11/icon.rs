@@ -17,45 +17,79 @@ const PATH: [[f32; 2]; 4] = [[0.14, 0.76], [0.30, 0.05], [0.62, 1.02], [0.84, 0.
 /// each size.
 pub(super) fn icon() -> Vec<u32> {
     let mut data = Vec::new();
-    let curve: Vec<[f32; 2]> = (0..=24).map(|i| on_path(i as f32 / 24.0)).collect();
+    let parts = Parts::new();
     for size in SIZES {
         data.extend([size, size]);
         for y in 0..size {
             for x in 0..size {
                 let place = [x, y].map(|i| (i as f32 + 0.5) / size as f32);
-                data.push(pixel(place, 1.0 / size as f32, &curve));
+                data.push(parts.pixel(place, size as f32));
             }
         }
     }
     data
 }
 
-/// One pixel; `unit` is its width.
-fn pixel(place: [f32; 2], unit: f32, curve: &[[f32; 2]]) -> u32 {
-    let cover = |distance: f32| (0.5 - distance / unit).clamp(0.0, 1.0);
-    let mut colour = GROUND;
-    let mut paint = |paint: [f32; 3], share: f32| {
-        for (colour, paint) in colour.iter_mut().zip(paint) {
-            *colour += (paint - *colour) * share;
+/// Half the curve's width.
+const CURVE_RADIUS: f32 = 0.035;
+
+/// What is seen on the icon.
+struct Parts {
+    /// Straight pieces of the curve, from left to right.
+    curve: [[f32; 2]; PIECES + 1],
+    /// The border of what a camera at the second point sees: the way outward from
+    /// each side, and how far along it the side lies.
+    view: [([f32; 2], f32); 3],
+    points: [[f32; 2]; 3],
+}
+
+const PIECES: usize = 24;
+
+impl Parts {
+    fn new() -> Self {
+        let points = [0.0, 0.5, 1.0].map(on_path);
+        let view = [points[1], [0.74, 0.93], [0.95, 0.66]];
+        Self {
+            curve: std::array::from_fn(|i| on_path(i as f32 / PIECES as f32)),
+            view: std::array::from_fn(|i| side(view[i], view[(i + 1) % 3])),
+            points,
         }
-    };
-    // A square with round corners.
-    let corner = place.map(|c| ((c - 0.5).abs() - 0.28).max(0.0));
-    let ground = cover(corner[0].hypot(corner[1]) - 0.22);
-    // What a camera at the second point sees.
-    let view = [on_path(0.5), [0.74, 0.93], [0.95, 0.66]];
-    let outside = (0..3).map(|i| beside(place, view[i], view[(i + 1) % 3]));
-    paint(VIEW, cover(outside.fold(f32::MIN, f32::max)) * 0.85);
-    let far = (curve.iter().zip(curve.iter().skip(1)))
-        .map(|(&a, &b)| distance(place, a, b))
-        .fold(f32::MAX, f32::min);
-    paint(CURVE, cover(far - 0.035));
-    for at in [0.0, 0.5, 1.0] {
-        let point = on_path(at);
-        paint(POINT, cover(distance(place, point, point) - 0.075));
     }
-    let [red, green, blue] = colour.map(|value| value.round() as u32);
-    ((ground * 255.0).round() as u32) << 24 | red << 16 | green << 8 | blue
+
+    /// One pixel of so many in a row.
+    fn pixel(&self, place: [f32; 2], size: f32) -> u32 {
+        let cover = |distance: f32| (0.5 - distance * size).clamp(0.0, 1.0);
+        let mut colour = GROUND;
+        let mut paint = |paint: [f32; 3], share: f32| {
+            for (colour, paint) in colour.iter_mut().zip(paint) {
+                *colour += (paint - *colour) * share;
+            }
+        };
+        // A square with round corners.
+        let corner = place.map(|c| ((c - 0.5).abs() - 0.28).max(0.0));
+        let ground = cover(length(corner) - 0.22);
+        let outside = self.view.map(|(way, at)| dot(way, place) - at);
+        paint(
+            VIEW,
+            cover(outside.into_iter().fold(f32::MIN, f32::max)) * 0.85,
+        );
+        // Every window of every program waits for its icon: only pieces that are
+        // near are looked at.
+        let near = CURVE_RADIUS + 1.0 / size;
+        let first = self.curve[1..].partition_point(|end| end[0] + near < place[0]);
+        let pieces = self.curve[first..].windows(2);
+        let far = pieces
+            .take_while(|ends| ends[0][0] - near <= place[0])
+            .map(|ends| square_distance(place, ends[0], ends[1]))
+            .fold(f32::MAX, f32::min);
+        paint(CURVE, cover(far.sqrt() - CURVE_RADIUS));
+        for at in self.points {
+            let way = [place[0] - at[0], place[1] - at[1]];
+            paint(POINT, cover(length(way) - 0.075));
+        }
+        let [red, green, blue] = colour.map(|value| (value + 0.5) as u32);
+        ((ground * 255.0 + 0.5) as u32) << 24 | red << 16 | green << 8 | blue
+    }
 }
 
 fn on_path(t: f32) -> [f32; 2] {
@@ -64,24 +98,29 @@ fn on_path(t: f32) -> [f32; 2] {
     std::array::from_fn(|axis| (0..4).map(|i| weights[i] * PATH[i][axis]).sum())
 }
 
-/// How far `p` is from the line from `a` to `b`.
-fn distance(p: [f32; 2], a: [f32; 2], b: [f32; 2]) -> f32 {
-    let (along, from) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-    let length = along[0] * along[0] + along[1] * along[1];
-    let dot = along[0] * from[0] + along[1] * from[1];
-    let t = if length > 0.0 {
-        (dot / length).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    (from[0] - t * along[0]).hypot(from[1] - t * along[1])
+/// Of a way that is neither very long nor very short.
+fn length(way: [f32; 2]) -> f32 {
+    dot(way, way).sqrt()
 }
 
-/// How far `p` lies to the outer side of the straight line through `a` and `b`.
-fn beside(p: [f32; 2], a: [f32; 2], b: [f32; 2]) -> f32 {
+/// How far `p` is from the line from `a` to `b`, squared.
+fn square_distance(p: [f32; 2], a: [f32; 2], b: [f32; 2]) -> f32 {
+    let (along, from) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+    let t = (dot(along, from) / dot(along, along)).clamp(0.0, 1.0);
+    let way = [from[0] - t * along[0], from[1] - t * along[1]];
+    dot(way, way)
+}
+
+fn dot(a: [f32; 2], b: [f32; 2]) -> f32 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// The way to the outer side of the straight line through `a` and `b`, and how far
+/// along it the line lies.
+fn side(a: [f32; 2], b: [f32; 2]) -> ([f32; 2], f32) {
     let along = [b[0] - a[0], b[1] - a[1]];
-    let cross = along[0] * (p[1] - a[1]) - along[1] * (p[0] - a[0]);
-    cross / along[0].hypot(along[1])
+    let way = [-along[1], along[0]].map(|part| part / length(along));
+    (way, dot(way, a))
 }
 
 #[cfg(test)]
