@@ -1,4 +1,5 @@
-//! Rectangles with round corners, with a border inside, and circles.
+//! Rectangles with round corners, with a border inside, circles, and upright and level
+//! lines.
 //!
 //! egui makes dozens of triangles of each, most of them for rims that are a pixel
 //! wide. Here each is one thing, and every pixel of it is known by how much is
@@ -7,8 +8,10 @@
 use std::sync::Arc;
 
 use egui::emath::GuiRounding as _;
-use egui::epaint::{CircleShape, ClippedShape, RectShape, StrokeKind};
-use egui::{Color32, PaintCallback, Rect, Shape, Vec2};
+use egui::epaint::{CircleShape, ClippedShape, ColorMode, PathStroke, RectShape, StrokeKind};
+use egui::{Color32, PaintCallback, Pos2, Rect, Shape, Stroke, Vec2};
+
+use super::lines::{Line, Lines};
 
 /// A rectangle, maybe with round corners, of one colour, and a border of another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,8 +28,8 @@ pub(super) struct Plate {
     pub(super) border_color: Color32,
 }
 
-/// Puts plates in the place of rectangles and circles, as far as they can show
-/// the same. The number of shapes stays.
+/// Puts plates in the place of rectangles and circles, and [`Lines`] in that of other
+/// lines, as far as they can show the same. The number of shapes stays.
 pub(super) fn exchange(shapes: &mut [ClippedShape], pixels_per_point: f32) {
     for shape in shapes {
         // What is moved after it has become triangles is not at pixels here.
@@ -37,15 +40,30 @@ pub(super) fn exchange(shapes: &mut [ClippedShape], pixels_per_point: f32) {
 }
 
 fn exchange_one(shape: &mut Shape, pixels_per_point: f32) {
-    let plate = match shape {
+    let (plate, lines) = match shape {
         Shape::Vec(shapes) => {
             for shape in shapes {
                 exchange_one(shape, pixels_per_point);
             }
             return;
         }
-        Shape::Rect(rect) => Plate::of_rect(rect, pixels_per_point),
-        Shape::Circle(circle) => Plate::of_circle(circle),
+        Shape::Rect(rect) => (Plate::of_rect(rect, pixels_per_point), None),
+        Shape::Circle(circle) => (Plate::of_circle(circle), None),
+        Shape::LineSegment { points, stroke } => {
+            let plate = Plate::of_line(*points, *stroke, pixels_per_point);
+            let line = || lines(&*points, stroke.width, stroke.color);
+            (plate, plate.is_none().then(line))
+        }
+        Shape::Path(path) => match path.stroke {
+            PathStroke {
+                width,
+                color: ColorMode::Solid(color),
+                kind: StrokeKind::Middle,
+            } if path.fill == Color32::TRANSPARENT && !path.closed => {
+                (None, Some(lines(&path.points, width, color)))
+            }
+            _ => return,
+        },
         _ => return,
     };
     if let Some(plate) = plate {
@@ -53,6 +71,21 @@ fn exchange_one(shape: &mut Shape, pixels_per_point: f32) {
             rect: plate.rect.expand(1.0 / pixels_per_point),
             callback: Arc::new(plate),
         });
+    } else if let Some(lines) = lines {
+        *shape = Lines::shape(&Arc::new(lines), Rect::EVERYTHING);
+    }
+}
+
+/// Straight lines from place to place.
+fn lines(points: &[Pos2], width: f32, color: Color32) -> Lines {
+    let lines = points.windows(2).map(|ends| Line {
+        from: ends[0],
+        to: ends[1],
+        width,
+        color,
+    });
+    Lines {
+        lines: lines.collect(),
     }
 }
 
@@ -62,7 +95,7 @@ impl Plate {
     fn of_rect(shape: &RectShape, pixels_per_point: f32) -> Option<Self> {
         let mut stroke = shape.stroke;
         if stroke.is_empty() {
-            stroke = egui::Stroke::NONE;
+            stroke = Stroke::NONE;
         }
         let plain = shape.brush.is_none() && shape.blur_width <= 0.0 && shape.angle == 0.0;
         if !plain || (shape.fill == Color32::TRANSPARENT && stroke.is_empty()) {
@@ -109,10 +142,44 @@ impl Plate {
         })
     }
 
+    /// An upright or level line, moved to where it looks best.
+    fn of_line([a, b]: [Pos2; 2], stroke: Stroke, pixels_per_point: f32) -> Option<Self> {
+        if (a.x != b.x && a.y != b.y) || stroke.is_empty() {
+            return None;
+        }
+        let pixel = 1.0 / pixels_per_point;
+        let mut rect = Rect::from_two_pos(a, b);
+        // A little less than from end to end, so that an end between two pixels is
+        // not rounded outward on either side; then whole pixels.
+        let along = |low: &mut f32, high: &mut f32| {
+            *low = (*low + 0.25 * pixel).round_to_pixel_center(pixels_per_point) - 0.5 * pixel;
+            *high = (*high - 0.25 * pixel).round_to_pixel_center(pixels_per_point) + 0.5 * pixel;
+        };
+        let across = |low: &mut f32, high: &mut f32| {
+            stroke.round_center_to_pixel(pixels_per_point, low);
+            (*low, *high) = (*low - 0.5 * stroke.width, *low + 0.5 * stroke.width);
+        };
+        let Rect { min, max } = &mut rect;
+        if a.x == b.x {
+            across(&mut min.x, &mut max.x);
+            along(&mut min.y, &mut max.y);
+        } else {
+            along(&mut min.x, &mut max.x);
+            across(&mut min.y, &mut max.y);
+        }
+        rect.is_finite().then_some(Self {
+            rect,
+            radii: [0.0; 4],
+            fill: stroke.color,
+            border: 0.0,
+            border_color: Color32::TRANSPARENT,
+        })
+    }
+
     fn of_circle(shape: &CircleShape) -> Option<Self> {
         let mut stroke = shape.stroke;
         if stroke.is_empty() {
-            stroke = egui::Stroke::NONE;
+            stroke = Stroke::NONE;
         }
         let radius = shape.radius + stroke.width;
         let rect = Rect::from_center_size(shape.center, Vec2::splat(2.0 * radius));

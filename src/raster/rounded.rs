@@ -216,9 +216,17 @@ impl Sheet {
         if start == end {
             return;
         }
-        for y in cut.y0..cut.y1 {
+        // Between the border's upper and lower part all is fill.
+        let from = up(self.inner.y[0]).clamp(cut.y0, cut.y1);
+        let to = down(self.inner.y[1]).clamp(from, cut.y1);
+        for y in (cut.y0..from).chain(to..cut.y1) {
             let parts = (self.outer.below(y), self.inner.below(y));
             inks.lay(tile.span(y, start, end), parts);
+        }
+        if self.fill != Color32::TRANSPARENT {
+            for y in from..to {
+                inks.fill.fill(tile.span(y, start, end));
+            }
         }
     }
 

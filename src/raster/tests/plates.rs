@@ -229,6 +229,47 @@ fn plates_are_where_egui_shows_the_shapes() {
     }
 }
 
+/// Lines are where egui shows them: upright and level ones on whole pixels, others to
+/// within the ends, which are round here.
+#[test]
+fn lines_are_where_egui_shows_them() {
+    let mut random = Random(44);
+    for round in 0..400 {
+        let scale = [1.0, 1.25, 1.5, 2.0][round % 4];
+        let mut place = || pos2(random.between(3.0, 55.0), random.between(3.0, 55.0));
+        let (a, mut b) = (place(), place());
+        let stroke = Stroke::new([1.0, 1.5, 2.0][round % 3], Color32::WHITE);
+        let upright = round % 5;
+        match upright {
+            0 => b.x = a.x,
+            1 => b.y = a.y,
+            _ => {}
+        }
+        let one = if upright == 2 {
+            let middle = a.lerp(b, 0.4);
+            shape(Shape::line(vec![a, middle, b], stroke))
+        } else {
+            shape(Shape::line_segment([a, b], stroke))
+        };
+        let ours = exchanged(std::slice::from_ref(&one), scale).expect("a line");
+        let [theirs, ours] =
+            [vec![one.clone()], ours].map(|shapes| painted(&triangles(shapes, scale), scale));
+        let pairs = theirs.pixels.iter().zip(&ours.pixels);
+        let off = |(a, b): (&u32, &u32)| f64::from((a & 255).abs_diff(b & 255));
+        let sum: f64 = pairs.map(off).sum();
+        let length = f64::from(a.distance(b) * scale) + 1.0;
+        // All of it in another place were twice 205 for each pixel of width.
+        // All of it in another place were 410 for each pixel of its area.
+        let width = f64::from(stroke.width * scale);
+        let ends = 205.0 * width * width;
+        assert!(
+            sum <= 10.0 * length + ends,
+            "{sum} of {length} at {scale}: {:?}",
+            one.shape
+        );
+    }
+}
+
 #[test]
 fn what_egui_shows_in_another_way_stays() {
     let rect = Rect::from_min_size(pos2(5.0, 5.0), vec2(30.0, 20.0));
