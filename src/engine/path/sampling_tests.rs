@@ -185,7 +185,8 @@ fn a_mark_tells_whether_a_section_has_other_poses() {
     };
     let base = path(OrientationMode::Tcb, false);
     let before = seen(&base);
-    for (name, change) in changes {
+    let some = if cfg!(miri) { 1 } else { changes.len() };
+    for (name, change) in changes.into_iter().take(some) {
         let mut changed = base.clone();
         change(&mut changed);
         let after = seen(&changed);
