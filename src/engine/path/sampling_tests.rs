@@ -154,10 +154,13 @@ fn the_path_has_every_kind_of_section() {
     assert!(tracked > 0 && kept > 0 && free > 0 && short > 0 && fitted > 0);
 }
 
+/// Something done to a path, and what it is called.
+type Done = (&'static str, fn(&mut CameraPath));
+
 /// What has the same mark has the same poses; what a change does not reach keeps both.
 #[test]
 fn a_mark_tells_whether_a_section_has_other_poses() {
-    let changes: [(&str, fn(&mut CameraPath)); 8] = [
+    let changes: [Done; 8] = [
         ("a place", |path| path.points[4].position.y += 0.01),
         ("the last target", |path| {
             path.points[5].orientations[1].target = Target::Relative(DVec3::X);
