@@ -76,7 +76,7 @@ enum Content {
 /// Whether two contents are the same plate, or lines that are the same to the last bit.
 fn same(a: &Arc<dyn Any + Send + Sync>, b: &Arc<dyn Any + Send + Sync>) -> bool {
     if let (Some(a), Some(b)) = (a.downcast_ref::<Plate>(), b.downcast_ref::<Plate>()) {
-        return a == b;
+        return a.is(b);
     }
     let bits_of = |line: &Line| {
         let Line {

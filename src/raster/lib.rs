@@ -170,8 +170,9 @@ impl Raster {
         pixels_per_point: f32,
         target: &mut Target<'_>,
     ) -> Vec<Area> {
-        // Should nothing be painted, the next call looks at all primitives.
-        let sorted_for = self.sorted_for.take();
+        // Should nothing be painted, the next call looks at all primitives, and nothing
+        // is known any more of what the target shows.
+        let (sorted_for, shown_for) = (self.sorted_for.take(), self.shown_for.take());
         let (Ok(x1), Ok(y1)) = (i32::try_from(target.width), i32::try_from(target.height)) else {
             return Vec::new();
         };
@@ -191,7 +192,7 @@ impl Raster {
         let tiles = Tiles::of(whole);
         self.sorted_for = sorted_for;
         let now = Some((target.width, target.height, pixels_per_point));
-        let anew = self.shown_for != now;
+        let anew = shown_for != now;
         self.shown_for = now;
         self.touched.clear();
         self.touched.resize(tiles.count(), false);

@@ -14,7 +14,7 @@ use egui::{Color32, PaintCallback, Pos2, Rect, Shape, Stroke, Vec2};
 use super::lines::{Line, Lines};
 
 /// A rectangle, maybe with round corners, of one colour, and a border of another.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Plate {
     /// Outer edges, in points.
     pub(super) rect: Rect,
@@ -90,6 +90,18 @@ fn lines(points: &[Pos2], width: f32, color: Color32) -> Lines {
 }
 
 impl Plate {
+    /// Whether another one is the same to the last bit.
+    pub(super) fn is(&self, other: &Self) -> bool {
+        // egui will not compare places that are none.
+        let bits = |plate: &Self| {
+            let Rect { min, max } = plate.rect;
+            let [a, b, c, d] = plate.radii;
+            [min.x, min.y, max.x, max.y, a, b, c, d, plate.border].map(f32::to_bits)
+        };
+        let colors = |plate: &Self| [plate.fill, plate.border_color];
+        bits(self) == bits(other) && colors(self) == colors(other)
+    }
+
     /// `None` for what egui shows in another way: images, shadows, what is turned
     /// or so thin that it is a line.
     fn of_rect(shape: &RectShape, pixels_per_point: f32) -> Option<Self> {

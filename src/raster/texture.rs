@@ -119,8 +119,9 @@ impl Texture {
     pub(super) fn is_changed_for(&self, mesh: &Mesh) -> bool {
         let marks = match &self.changed {
             Changed::None => return false,
-            Changed::All => return true,
-            Changed::In(marks) => marks,
+            Changed::In(marks) if self.options.wrap_mode == TextureWrapMode::ClampToEdge => marks,
+            // Where it is repeated, one edge is mixed with the other.
+            _ => return true,
         };
         let across = self.width.div_ceil(BLOCK);
         mesh.indices.chunks(3).any(|corners| {

@@ -10,7 +10,7 @@ use super::lines::primitive;
 use super::plates;
 use super::{Random, Screen, letters, mesh, texture, vertex};
 use crate::plate::Plate;
-use crate::{Area, Line, Lines};
+use crate::{Area, Line, Lines, Target};
 
 fn line(random: &mut Random) -> Line {
     let from = pos2(random.between(-20.0, 270.0), random.between(-20.0, 220.0));
@@ -296,6 +296,33 @@ fn a_texture_is_kept_for_the_frame_that_comes_with_its_release() {
 }
 
 /// A new letter in the atlas comes as a patch, and may be a coloured one.
+/// What moved while a target was too small leaves nothing behind.
+#[test]
+fn a_target_that_was_refused_hides_no_change() {
+    let at = |x: f32| {
+        [plates::primitive(plate(
+            pos2(x, 5.0),
+            &mut Random(x as u64),
+        ))]
+    };
+    for refused in [(0, 0), (120, 40)] {
+        let mut screen = Screen::new(120, 40, Color32::BLACK);
+        screen.paint(&at(2.0));
+        let mut small = [7; 3];
+        let mut target = Target {
+            pixels: &mut small,
+            stride: 120,
+            width: refused.0,
+            height: refused.1,
+        };
+        assert!(screen.raster.paint(&at(90.0), 1.0, &mut target).is_empty());
+        screen.paint(&at(90.0));
+        let mut anew = Screen::new(120, 40, Color32::BLACK);
+        anew.paint(&at(90.0));
+        assert!(screen.pixels == anew.pixels, "{refused:?}");
+    }
+}
+
 /// A letter that comes into the picture of all letters changes nothing that is shown,
 /// only what was to show that letter.
 #[test]
