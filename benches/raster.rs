@@ -8,7 +8,7 @@ use std::sync::Arc;
 use criterion::{Criterion, criterion_group, criterion_main};
 use egui::{ClippedPrimitive, Color32, Rect, TexturesDelta, pos2, vec2};
 
-use vides_raster::{Line, Lines, Raster, Target, prepare};
+use vides_raster::{Line, Lines, Raster, Target, primitives};
 
 const WIDTH: u32 = 1200;
 const HEIGHT: u32 = 800;
@@ -104,9 +104,8 @@ impl Window {
     }
 
     fn primitives(&mut self, lines: &[Arc<Lines>], pointer: egui::Pos2) -> Vec<ClippedPrimitive> {
-        let mut output = self.run(lines, pointer);
-        prepare(&mut output.shapes, 1.0);
-        self.context.tessellate(output.shapes, 1.0)
+        let output = self.run(lines, pointer);
+        primitives(&self.context, output.shapes, 1.0)
     }
 }
 

@@ -32,9 +32,7 @@ impl TestRenderer for Renderer {
         let scale = output.pixels_per_point;
         let size = context.content_rect().size() * scale;
         let (width, height) = (size.x.round() as u32, size.y.round() as u32);
-        let mut shapes = output.shapes.clone();
-        raster::prepare(&mut shapes, scale);
-        let primitives = context.tessellate(shapes, scale);
+        let primitives = raster::primitives(context, output.shapes.clone(), scale);
         let mut pixels = vec![0; width as usize * height as usize];
         self.0.forget();
         self.0.paint(

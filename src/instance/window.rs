@@ -10,7 +10,6 @@ use std::ops::Range;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use egui::epaint::{ClippedShape, Tessellator};
 use egui::{ClippedPrimitive, Context, FullOutput, RawInput, ViewportId};
 
 use super::screen::Screen;
@@ -221,7 +220,7 @@ impl Window {
         let Some(shapes) = self.editor.follow(context, input) else {
             return false;
         };
-        let primitives = meshes(context, shapes, picture.pixels_per_point);
+        let primitives = raster::primitives(context, shapes, picture.pixels_per_point);
         let (before, end) = (picture.space.end, picture.space.start + primitives.len());
         picture.primitives.splice(picture.space.clone(), primitives);
         picture.space.end = end;
@@ -264,11 +263,11 @@ impl Window {
         let space = editor.shapes_of_space(shapes.len());
         let above = shapes.split_off(space.end);
         let within = shapes.split_off(space.start);
-        let mut primitives = meshes(context, shapes, pixels_per_point);
+        let mut primitives = raster::primitives(context, shapes, pixels_per_point);
         let start = primitives.len();
-        primitives.extend(meshes(context, within, pixels_per_point));
+        primitives.extend(raster::primitives(context, within, pixels_per_point));
         let end = primitives.len();
-        primitives.extend(meshes(context, above, pixels_per_point));
+        primitives.extend(raster::primitives(context, above, pixels_per_point));
         let camera = editor.camera_lines().and_then(|lines| {
             let among = &primitives[end..];
             let at = among.iter().position(|primitive| lines.are_in(primitive))?;
@@ -368,17 +367,4 @@ impl Window {
             }
         }
     }
-}
-
-/// Triangles of shapes. As [`Context::tessellate`], which counts all of them besides.
-fn meshes(
-    context: &Context,
-    mut shapes: Vec<ClippedShape>,
-    pixels_per_point: f32,
-) -> Vec<ClippedPrimitive> {
-    raster::prepare(&mut shapes, pixels_per_point);
-    let options = context.options(|options| options.tessellation_options);
-    let letters = context.fonts(|fonts| fonts.font_image_size());
-    // Discs that are drawn beforehand are for circles, which the raster paints.
-    Tessellator::new(pixels_per_point, options, letters, Vec::new()).tessellate_shapes(shapes)
 }

@@ -3,6 +3,8 @@
 //! They are compared within one process only and met by no adversary: two
 //! different pictures share one with a chance of about 2⁻⁶⁴.
 
+use egui::Color32;
+
 /// `state` continued by one word. The order of the words counts.
 #[inline(always)]
 pub(super) fn mix(state: u64, word: u64) -> u64 {
@@ -25,4 +27,10 @@ pub(super) fn mix_two(state: u64, a: u64, b: u64) -> u64 {
 #[inline(always)]
 pub(super) fn pair(a: f32, b: f32) -> u64 {
     u64::from(a.to_bits()) << 32 | u64::from(b.to_bits())
+}
+
+/// A colour as a number, by its bits.
+#[inline(always)]
+pub(super) fn bits(color: Color32) -> u32 {
+    u32::from_ne_bytes(color.to_array())
 }

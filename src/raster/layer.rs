@@ -1,14 +1,12 @@
 //! One primitive, sorted into the tiles that it touches.
 
-use std::any::Any;
-use std::sync::Arc;
-
 use egui::epaint::Primitive;
-use egui::{ClippedPrimitive, Color32, Mesh, Rect, TextureId};
+use egui::{ClippedPrimitive, Color32, Mesh, Rect};
 
 use super::grid::{Tiles, pixels_of};
-use super::hash::{mix, mix_two, pair};
-use super::lines::{Line, Lines};
+use super::hash::{bits, mix, pair};
+use super::key::{Key, cut};
+use super::lines::Lines;
 use super::plate::Plate;
 use super::quad::Quad;
 use super::rounded::Sheet;
@@ -55,134 +53,6 @@ impl Cell {
 struct Link {
     item: u32,
     next: u32,
-}
-
-/// What a primitive is known by.
-pub(super) struct Key {
-    clip: Cut,
-    content: Content,
-    /// What its texture shows there has changed.
-    changed: bool,
-}
-
-enum Content {
-    Nothing,
-    /// The fingerprint of a mesh, and which texture it shows.
-    Mesh(u64),
-    /// Lines or a plate, themselves.
-    Ours(Arc<dyn Any + Send + Sync>),
-}
-
-/// Whether two contents are the same plate, or lines that are the same to the last bit.
-fn same(a: &Arc<dyn Any + Send + Sync>, b: &Arc<dyn Any + Send + Sync>) -> bool {
-    if let (Some(a), Some(b)) = (a.downcast_ref::<Plate>(), b.downcast_ref::<Plate>()) {
-        return a.is(b);
-    }
-    let bits_of = |line: &Line| {
-        let Line {
-            from, to, width, ..
-        } = line;
-        let numbers = [from.x, from.y, to.x, to.y, *width].map(f32::to_bits);
-        (numbers, bits(line.color))
-    };
-    let (Some(a), Some(b)) = (a.downcast_ref::<Lines>(), b.downcast_ref::<Lines>()) else {
-        return false;
-    };
-    let (a, b) = (&a.lines, &b.lines);
-    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| bits_of(a) == bits_of(b))
-}
-
-impl PartialEq for Key {
-    fn eq(&self, other: &Self) -> bool {
-        self.clip == other.clip
-            && self.changed == other.changed
-            && match (&self.content, &other.content) {
-                (Content::Nothing, Content::Nothing) => true,
-                (Content::Mesh(a), Content::Mesh(b)) => a == b,
-                // Made again, they may still be the same.
-                (Content::Ours(a), Content::Ours(b)) => Arc::ptr_eq(a, b) || same(a, b),
-                _ => false,
-            }
-    }
-}
-
-impl Key {
-    pub(super) fn new(
-        primitive: &ClippedPrimitive,
-        textures: &Textures,
-        pixels_per_point: f32,
-        target: Cut,
-    ) -> Self {
-        let mut clip = cut(primitive.clip_rect, pixels_per_point, target);
-        let content = match &primitive.primitive {
-            Primitive::Mesh(mesh) => match textures.get(mesh.texture_id) {
-                Some(_) => Content::Mesh(fingerprint(mesh)),
-                None => Content::Nothing,
-            },
-            Primitive::Callback(callback) => {
-                clip = clip.and(cut(callback.rect, pixels_per_point, target));
-                Content::Ours(Arc::clone(&callback.callback))
-            }
-        };
-        Self {
-            clip,
-            content,
-            changed: false,
-        }
-    }
-
-    /// A key that no layer has, if what the primitive's texture shows has changed.
-    pub(super) fn with_changes_of(self, primitive: &ClippedPrimitive, textures: &Textures) -> Self {
-        let changed = match &primitive.primitive {
-            Primitive::Mesh(mesh) => textures
-                .get(mesh.texture_id)
-                .is_some_and(|texture| texture.is_changed_for(mesh)),
-            Primitive::Callback(_) => false,
-        };
-        Self { changed, ..self }
-    }
-}
-
-/// The fingerprint of a whole mesh.
-fn fingerprint(mesh: &Mesh) -> u64 {
-    // Side by side, since each waits for its last result.
-    let texture = match mesh.texture_id {
-        TextureId::Managed(number) => mix(0, number),
-        TextureId::User(number) => mix(1, number),
-    };
-    let mut state = [texture, 1, 2, 3, 4];
-    let mut vertices = mesh.vertices.chunks_exact(2);
-    for two in &mut vertices {
-        for (state, vertex) in state.iter_mut().zip(two) {
-            let place = pair(vertex.pos.x, vertex.pos.y);
-            *state = mix_two(*state, place, pair(vertex.uv.x, vertex.uv.y));
-        }
-        let colors = [bits(two[0].color), bits(two[1].color)];
-        state[2] = mix(state[2], u64::from(colors[0]) << 32 | u64::from(colors[1]));
-    }
-    for vertex in vertices.remainder() {
-        let place = pair(vertex.pos.x, vertex.pos.y);
-        state[0] = mix_two(state[0], place, pair(vertex.uv.x, vertex.uv.y));
-        state[2] = mix(state[2], u64::from(bits(vertex.color)));
-    }
-    let mut indices = mesh.indices.chunks_exact(4);
-    for four in &mut indices {
-        state[3] = mix_two(
-            state[3],
-            u64::from(four[0]) << 32 | u64::from(four[1]),
-            u64::from(four[2]) << 32 | u64::from(four[3]),
-        );
-    }
-    for &index in indices.remainder() {
-        state[4] = mix(state[4], u64::from(index));
-    }
-    let counts = mix(mesh.vertices.len() as u64, mesh.indices.len() as u64);
-    state.into_iter().fold(counts, mix)
-}
-
-#[inline(always)]
-fn bits(color: Color32) -> u32 {
-    u32::from_ne_bytes(color.to_array())
 }
 
 /// Two whole numbers as one word.
@@ -239,18 +109,6 @@ fn hash_of(hash: u64, corner: &Corner) -> u64 {
     )
 }
 
-/// A rectangle in points as whole pixels of the target.
-fn cut(rect: Rect, pixels_per_point: f32, target: Cut) -> Cut {
-    let pixel = |at: f32| (at * pixels_per_point).round();
-    let within = |at: f32, end: i32| at.clamp(0.0, end as f32) as i32;
-    Cut {
-        x0: within(pixel(rect.min.x), target.x1),
-        y0: within(pixel(rect.min.y), target.y1),
-        x1: within(pixel(rect.max.x), target.x1),
-        y1: within(pixel(rect.max.y), target.y1),
-    }
-}
-
 /// Whole pixels of the target among which all of a primitive's are.
 fn extent(primitive: &ClippedPrimitive, pixels_per_point: f32, target: Cut) -> Cut {
     let mut extent = Rect::NOTHING;
@@ -295,13 +153,10 @@ impl Layer {
         cells.clear();
         // Cells are kept where the primitive is, not wherever it might be: most
         // layers fill a small part of their clip.
-        let tiles = Tiles::of(key.clip.and(extent(primitive, pixels_per_point, target)));
+        let tiles = Tiles::of(key.clip().and(extent(primitive, pixels_per_point, target)));
         cells.resize(tiles.count(), Cell::EMPTY);
         let mut layer = Self {
-            key: Key {
-                changed: false,
-                ..key
-            },
+            key: key.settled(),
             tiles,
             cells,
             links,
@@ -346,7 +201,7 @@ impl Layer {
                 continue;
             }
             known = Some(following);
-            let bounds = self.key.clip.and(triangle::bounds(&this));
+            let bounds = self.key.clip().and(triangle::bounds(&this));
             if bounds.is_empty() {
                 continue;
             }
@@ -368,7 +223,7 @@ impl Layer {
     }
 
     fn add_quad(&mut self, item: u32, quad: &Quad, texture: &Texture, target: Cut) {
-        let bounds = self.key.clip.and(quad.bounds());
+        let bounds = self.key.clip().and(quad.bounds());
         let hash = hash_of(hash_of(texture.generation ^ 1, &quad.low), &quad.high);
         let tiles = Tiles::of(bounds);
         let ground = quad.ink(texture).and_then(|ink| ink.opaque());
@@ -388,7 +243,7 @@ impl Layer {
         let Some(sheet) = Sheet::new(plate, pixels_per_point) else {
             return;
         };
-        let bounds = self.key.clip.and(sheet.bounds());
+        let bounds = self.key.clip().and(sheet.bounds());
         let hash = sheet.hash();
         let ground = Ink::new(sheet.fill()).opaque();
         let tiles = Tiles::of(bounds);
@@ -430,7 +285,7 @@ impl Layer {
             let Some(stroke) = Stroke::new(line, joints, pixels_per_point) else {
                 continue;
             };
-            let bounds = self.key.clip.and(stroke.bounds());
+            let bounds = self.key.clip().and(stroke.bounds());
             if bounds.is_empty() {
                 continue;
             }
@@ -470,7 +325,7 @@ impl Layer {
         let cell = &mut self.cells[index];
         if cell.first == END {
             // How the clip cuts this tile is part of what is seen.
-            let within = self.key.clip.and(pixels_of(x, y));
+            let within = self.key.clip().and(pixels_of(x, y));
             cell.hash = mix(cell.hash, word(within.x0, within.y0));
             cell.hash = mix(cell.hash, word(within.x1, within.y1));
             cell.first = link;
@@ -531,7 +386,7 @@ impl Layer {
         let Some(index) = self.tiles.index(x, y) else {
             return;
         };
-        let within = self.key.clip.and(pixels_of(x, y));
+        let within = self.key.clip().and(pixels_of(x, y));
         let mut next = self.cells[index].first;
         let items = std::iter::from_fn(|| {
             let link = self.links.get(next as usize)?;

@@ -8,6 +8,7 @@
 
 mod grid;
 mod hash;
+mod key;
 mod layer;
 mod lines;
 mod pieces;
@@ -28,15 +29,16 @@ pub use lines::{Line, Lines};
 
 use grid::{Areas, Tiles, pixels_of};
 use hash::mix;
-use layer::{Key, Layer};
+use key::Key;
+use layer::Layer;
 use texture::Textures;
 use tile::{Cut, SIDE, Tile};
 use under::{Step, Under};
 
 use std::ops::Range;
 
-use egui::epaint::ClippedShape;
-use egui::{ClippedPrimitive, Color32, TexturesDelta};
+use egui::epaint::{ClippedShape, Tessellator};
+use egui::{ClippedPrimitive, Color32, Context, TexturesDelta};
 
 /// A rectangle of whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,11 +65,20 @@ pub struct Target<'a> {
     pub height: u32,
 }
 
-/// Makes shapes ready for egui to make triangles of them: some the raster paints by
-/// itself, the others become many small meshes.
-pub fn prepare(shapes: &mut [ClippedShape], pixels_per_point: f32) {
-    plate::exchange(shapes, pixels_per_point);
-    pieces::in_pieces(shapes);
+/// What is to be painted where egui shows some shapes: many small meshes, and beside
+/// them what the raster paints by itself. (As [`Context::tessellate`], which makes
+/// triangles of everything, and counts them.)
+pub fn primitives(
+    context: &Context,
+    mut shapes: Vec<ClippedShape>,
+    pixels_per_point: f32,
+) -> Vec<ClippedPrimitive> {
+    plate::exchange(&mut shapes, pixels_per_point);
+    pieces::in_pieces(&mut shapes);
+    let options = context.options(|options| options.tessellation_options);
+    let letters = context.fonts(|fonts| fonts.font_image_size());
+    // Discs that are drawn beforehand are for circles, which are plates here.
+    Tessellator::new(pixels_per_point, options, letters, Vec::new()).tessellate_shapes(shapes)
 }
 
 /// Among so many layers of the last call one is looked for.
@@ -146,7 +157,7 @@ impl Raster {
     }
 
     /// Paints what changed since the last call, and says which areas that were.
-    /// A paint callback must be one of ours, as [`prepare`] and [`Lines::shape`] make
+    /// A paint callback must be one of ours, as [`primitives`] and [`Lines::shape`] make
     /// them; any other is left out. A target that is smaller than it says is left
     /// alone.
     pub fn paint(

@@ -56,6 +56,18 @@ impl Lines {
         }
     }
 
+    /// Whether others are the same to the last bit.
+    pub(super) fn are(&self, others: &Self) -> bool {
+        // egui will not compare places that are none.
+        let bits_of = |line: &Line| {
+            let Line { from, to, .. } = line;
+            let numbers = [from.x, from.y, to.x, to.y, line.width].map(f32::to_bits);
+            (numbers, line.color)
+        };
+        let (ours, theirs) = (self.lines.iter(), others.lines.iter());
+        ours.map(bits_of).eq(theirs.map(bits_of))
+    }
+
     /// The lines that a paint callback carries, if it carries any.
     pub(super) fn of(callback: &PaintCallback) -> Option<&Self> {
         callback.callback.downcast_ref()

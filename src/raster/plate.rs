@@ -89,6 +89,15 @@ fn lines(points: &[Pos2], width: f32, color: Color32) -> Lines {
     }
 }
 
+/// What is seen of a stroke: one without a colour has no width either.
+fn seen(stroke: Stroke) -> Stroke {
+    if stroke.is_empty() {
+        Stroke::NONE
+    } else {
+        stroke
+    }
+}
+
 impl Plate {
     /// Whether another one is the same to the last bit.
     pub(super) fn is(&self, other: &Self) -> bool {
@@ -105,10 +114,7 @@ impl Plate {
     /// `None` for what egui shows in another way: images, shadows, what is turned
     /// or so thin that it is a line.
     fn of_rect(shape: &RectShape, pixels_per_point: f32) -> Option<Self> {
-        let mut stroke = shape.stroke;
-        if stroke.is_empty() {
-            stroke = Stroke::NONE;
-        }
+        let stroke = seen(shape.stroke);
         let plain = shape.brush.is_none() && shape.blur_width <= 0.0 && shape.angle == 0.0;
         if !plain || (shape.fill == Color32::TRANSPARENT && stroke.is_empty()) {
             return None;
@@ -189,14 +195,10 @@ impl Plate {
     }
 
     fn of_circle(shape: &CircleShape) -> Option<Self> {
-        let mut stroke = shape.stroke;
-        if stroke.is_empty() {
-            stroke = Stroke::NONE;
-        }
+        let stroke = seen(shape.stroke);
         let radius = shape.radius + stroke.width;
         let rect = Rect::from_center_size(shape.center, Vec2::splat(2.0 * radius));
-        let seen = shape.radius > 0.0 && rect.is_finite();
-        seen.then_some(Self {
+        (shape.radius > 0.0 && rect.is_finite()).then_some(Self {
             rect,
             radii: [radius; 4],
             fill: shape.fill,

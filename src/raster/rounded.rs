@@ -9,7 +9,7 @@
 use egui::Color32;
 use glam::Vec4;
 
-use super::hash::{mix, pair};
+use super::hash::{bits, mix, pair};
 use super::plate::Plate;
 use super::tile::{self, Cut, FULL, Ink, SIDE, Tile};
 
@@ -38,9 +38,9 @@ pub(super) struct Sheet {
     inner: Rounded,
     fill: Color32,
     border: Color32,
-    /// Whole columns and rows of pixels that no corner and no upright part of the
-    /// border comes into, or no level one.
+    /// The columns of pixels between the corners and the upright parts of the border.
     across: Range,
+    /// The rows between the corners and its level parts.
     down: Range,
 }
 
@@ -140,7 +140,7 @@ impl Sheet {
             y: [scaled(min.y), scaled(max.y)],
             radii: plate.radii.map(|radius| scaled(radius).max(0.0)),
         };
-        // Neither are numbers that are none.
+        // What is not a number is not seen either.
         let real = outer.x[0] < outer.x[1] && outer.y[0] < outer.y[1];
         if !real || !outer.radii.iter().all(|radius| radius.is_finite()) {
             return None;
@@ -182,7 +182,7 @@ impl Sheet {
             mix(place, pair(radii[0], radii[1])),
             pair(radii[2], radii[3]),
         );
-        let colors = [self.fill, self.border].map(|c| u32::from_ne_bytes(c.to_array()));
+        let colors = [self.fill, self.border].map(bits);
         let word = u64::from(colors[0]) << 32 | u64::from(colors[1]);
         mix(mix(round, word), u64::from(self.inner.x[0].to_bits()))
     }

@@ -9,7 +9,7 @@ use egui_kittest::Harness;
 
 use super::tests::{image, motion, press, pyramid_window, release, room, tips};
 use super::*;
-use crate::raster::{Raster, Target};
+use crate::raster::{self, Raster, Target};
 
 /// The input of the last pass with nothing but a motion in it.
 fn motions(harness: &Harness<'_, Editor>, to: Pos2) -> RawInput {
@@ -18,9 +18,9 @@ fn motions(harness: &Harness<'_, Editor>, to: Pos2) -> RawInput {
     input
 }
 
-/// Triangles of shapes, at one pixel for a point.
+/// What is painted of shapes, at one pixel for a point.
 fn meshes(harness: &Harness<'_, Editor>, shapes: &[ClippedShape]) -> Vec<ClippedPrimitive> {
-    harness.ctx.tessellate(shapes.to_vec(), 1.0)
+    raster::primitives(&harness.ctx, shapes.to_vec(), 1.0)
 }
 
 /// The pixels that become of them.

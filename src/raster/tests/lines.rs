@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{ClippedPrimitive, Color32, Pos2, Rect, Shape, pos2, vec2};
 
-use super::{Random, Screen, everywhere};
+use super::{Random, Screen, covered, everywhere};
 use crate::{Line, Lines};
 
 pub(super) fn primitive(lines: &Arc<Lines>) -> ClippedPrimitive {
@@ -18,16 +18,12 @@ fn one(line: Line) -> ClippedPrimitive {
     primitive(&Arc::new(Lines { lines: vec![line] }))
 }
 
-/// How much of each pixel of a square lies within half a width of a piece:
-/// many rows, in each of which the covered part is known exactly.
+/// How much of each pixel of a square lies within half a width of a piece.
 fn coverage(line: Line, side: usize) -> Vec<f64> {
-    const ROWS: usize = 200;
     let [x0, y0, x1, y1] = [line.from.x, line.from.y, line.to.x, line.to.y].map(f64::from);
     let radius = f64::from(line.width).max(1.0) / 2.0;
     let length = (x1 - x0).hypot(y1 - y0);
-    let mut covered = vec![0.0; side * side];
-    for row in 0..side * ROWS {
-        let y = (row as f64 + 0.5) / ROWS as f64;
+    covered(side, |y| {
         let mut ends = Vec::new();
         for (cx, cy) in [(x0, y0), (x1, y1)] {
             let square = radius * radius - (y - cy) * (y - cy);
@@ -52,12 +48,8 @@ fn coverage(line: Line, side: usize) -> Vec<f64> {
         }
         let from = ends.iter().copied().fold(f64::MAX, f64::min);
         let to = ends.iter().copied().fold(f64::MIN, f64::max);
-        for x in 0..side {
-            let part = to.min(x as f64 + 1.0) - from.max(x as f64);
-            covered[row / ROWS * side + x] += part.max(0.0) / ROWS as f64;
-        }
-    }
-    covered
+        Some((from, to))
+    })
 }
 
 fn check(line: Line) {

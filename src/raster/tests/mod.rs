@@ -133,3 +133,20 @@ fn mesh(vertices: Vec<Vertex>, indices: Vec<u32>) -> ClippedPrimitive {
         texture_id: TextureId::default(),
     }))
 }
+
+/// How much of each pixel of a square is covered: many rows, in each of which is known
+/// exactly from where to where it is.
+fn covered(side: usize, row: impl Fn(f64) -> Option<(f64, f64)>) -> Vec<f64> {
+    const ROWS: usize = 200;
+    let mut covered = vec![0.0; side * side];
+    for number in 0..side * ROWS {
+        let Some((from, to)) = row((number as f64 + 0.5) / ROWS as f64) else {
+            continue;
+        };
+        for x in 0..side {
+            let part = to.min(x as f64 + 1.0) - from.max(x as f64);
+            covered[number / ROWS * side + x] += part.max(0.0) / ROWS as f64;
+        }
+    }
+    covered
+}

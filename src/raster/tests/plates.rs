@@ -10,7 +10,7 @@ use egui::epaint::{
 };
 use egui::{ClippedPrimitive, Color32, Rect, Shape, Stroke, StrokeKind, TextureId, pos2, vec2};
 
-use super::{Random, Screen, everywhere};
+use super::{Random, Screen, covered, everywhere};
 use crate::plate::{Plate, exchange};
 
 pub(super) fn primitive(plate: Plate) -> ClippedPrimitive {
@@ -21,19 +21,13 @@ pub(super) fn primitive(plate: Plate) -> ClippedPrimitive {
 }
 
 /// How much of each pixel of a square lies within a plate's edge, brought in by
-/// something: many rows, in each of which the covered part is known exactly.
+/// something.
 fn coverage(plate: &Plate, by: f32, side: usize) -> Vec<f64> {
-    const ROWS: usize = 200;
     let rect = plate.rect.shrink(by);
     let [left, top, right, bottom] =
         [rect.min.x, rect.min.y, rect.max.x, rect.max.y].map(f64::from);
     let radii = plate.radii.map(|radius| f64::from((radius - by).max(0.0)));
-    let mut covered = vec![0.0; side * side];
-    for row in 0..side * ROWS {
-        let y = (row as f64 + 0.5) / ROWS as f64;
-        if y < top || y > bottom {
-            continue;
-        }
+    covered(side, |y| {
         let inset = |above: f64, below: f64| {
             let within = |radius: f64, way: f64| {
                 let into = (radius - way).max(0.0);
@@ -41,14 +35,11 @@ fn coverage(plate: &Plate, by: f32, side: usize) -> Vec<f64> {
             };
             within(above, y - top).max(within(below, bottom - y))
         };
-        let from = left + inset(radii[0], radii[2]);
-        let to = right - inset(radii[1], radii[3]);
-        for x in 0..side {
-            let part = to.min(x as f64 + 1.0) - from.max(x as f64);
-            covered[row / ROWS * side + x] += part.max(0.0) / ROWS as f64;
-        }
-    }
-    covered
+        let (from, to) = (inset(radii[0], radii[2]), inset(radii[1], radii[3]));
+        (top..=bottom)
+            .contains(&y)
+            .then_some((left + from, right - to))
+    })
 }
 
 /// The fill is red and the border green.
@@ -258,7 +249,6 @@ fn lines_are_where_egui_shows_them() {
         let off = |(a, b): (&u32, &u32)| f64::from((a & 255).abs_diff(b & 255));
         let sum: f64 = pairs.map(off).sum();
         let length = f64::from(a.distance(b) * scale) + 1.0;
-        // All of it in another place were twice 205 for each pixel of width.
         // All of it in another place were 410 for each pixel of its area.
         let width = f64::from(stroke.width * scale);
         let ends = 205.0 * width * width;

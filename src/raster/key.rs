@@ -1,0 +1,154 @@
+//! How a primitive is known again in the next frame.
+
+use std::any::Any;
+use std::sync::Arc;
+
+use egui::epaint::Primitive;
+use egui::{ClippedPrimitive, Mesh, Rect, TextureId};
+
+use super::hash::{bits, mix, mix_two, pair};
+use super::lines::Lines;
+use super::plate::Plate;
+use super::texture::Textures;
+use super::tile::Cut;
+
+/// What a primitive is known by.
+pub(super) struct Key {
+    clip: Cut,
+    content: Content,
+    /// What its texture shows there has changed.
+    changed: bool,
+}
+
+enum Content {
+    Nothing,
+    /// The fingerprint of a mesh, and which texture it shows.
+    Mesh(u64),
+    /// Lines or a plate, themselves.
+    Ours(Arc<dyn Any + Send + Sync>),
+}
+
+/// Whether two contents show the same plate, or the same lines.
+fn same(a: &Arc<dyn Any + Send + Sync>, b: &Arc<dyn Any + Send + Sync>) -> bool {
+    if let (Some(a), Some(b)) = (a.downcast_ref::<Plate>(), b.downcast_ref::<Plate>()) {
+        return a.is(b);
+    }
+    let (Some(a), Some(b)) = (a.downcast_ref::<Lines>(), b.downcast_ref::<Lines>()) else {
+        return false;
+    };
+    a.are(b)
+}
+
+impl PartialEq for Key {
+    fn eq(&self, other: &Self) -> bool {
+        self.clip == other.clip
+            && self.changed == other.changed
+            && match (&self.content, &other.content) {
+                (Content::Nothing, Content::Nothing) => true,
+                (Content::Mesh(a), Content::Mesh(b)) => a == b,
+                // Made again, they may still be the same.
+                (Content::Ours(a), Content::Ours(b)) => Arc::ptr_eq(a, b) || same(a, b),
+                _ => false,
+            }
+    }
+}
+
+impl Key {
+    pub(super) fn new(
+        primitive: &ClippedPrimitive,
+        textures: &Textures,
+        pixels_per_point: f32,
+        target: Cut,
+    ) -> Self {
+        let mut clip = cut(primitive.clip_rect, pixels_per_point, target);
+        let content = match &primitive.primitive {
+            Primitive::Mesh(mesh) => match textures.get(mesh.texture_id) {
+                Some(_) => Content::Mesh(fingerprint(mesh)),
+                None => Content::Nothing,
+            },
+            Primitive::Callback(callback) => {
+                clip = clip.and(cut(callback.rect, pixels_per_point, target));
+                Content::Ours(Arc::clone(&callback.callback))
+            }
+        };
+        Self {
+            clip,
+            content,
+            changed: false,
+        }
+    }
+
+    /// Where the primitive is cut, in pixels.
+    #[inline]
+    pub(super) fn clip(&self) -> Cut {
+        self.clip
+    }
+
+    /// The same for a layer that shows what there is now.
+    pub(super) fn settled(self) -> Self {
+        Self {
+            changed: false,
+            ..self
+        }
+    }
+
+    /// A key that no layer has, if what the primitive's texture shows has changed.
+    pub(super) fn with_changes_of(self, primitive: &ClippedPrimitive, textures: &Textures) -> Self {
+        let changed = match &primitive.primitive {
+            Primitive::Mesh(mesh) => textures
+                .get(mesh.texture_id)
+                .is_some_and(|texture| texture.is_changed_for(mesh)),
+            Primitive::Callback(_) => false,
+        };
+        Self { changed, ..self }
+    }
+}
+
+/// The fingerprint of a whole mesh.
+fn fingerprint(mesh: &Mesh) -> u64 {
+    // Side by side, since each waits for its last result.
+    let texture = match mesh.texture_id {
+        TextureId::Managed(number) => mix(0, number),
+        TextureId::User(number) => mix(1, number),
+    };
+    let mut state = [texture, 1, 2, 3, 4];
+    let mut vertices = mesh.vertices.chunks_exact(2);
+    for two in &mut vertices {
+        for (state, vertex) in state.iter_mut().zip(two) {
+            let place = pair(vertex.pos.x, vertex.pos.y);
+            *state = mix_two(*state, place, pair(vertex.uv.x, vertex.uv.y));
+        }
+        let colors = [bits(two[0].color), bits(two[1].color)];
+        state[2] = mix(state[2], u64::from(colors[0]) << 32 | u64::from(colors[1]));
+    }
+    for vertex in vertices.remainder() {
+        let place = pair(vertex.pos.x, vertex.pos.y);
+        state[0] = mix_two(state[0], place, pair(vertex.uv.x, vertex.uv.y));
+        state[2] = mix(state[2], u64::from(bits(vertex.color)));
+    }
+    let mut indices = mesh.indices.chunks_exact(4);
+    for four in &mut indices {
+        state[3] = mix_two(
+            state[3],
+            u64::from(four[0]) << 32 | u64::from(four[1]),
+            u64::from(four[2]) << 32 | u64::from(four[3]),
+        );
+    }
+    for &index in indices.remainder() {
+        state[4] = mix(state[4], u64::from(index));
+    }
+    let counts = mix(mesh.vertices.len() as u64, mesh.indices.len() as u64);
+    state.into_iter().fold(counts, mix)
+}
+
+/// A rectangle in points as whole pixels of the target.
+pub(super) fn cut(rect: Rect, pixels_per_point: f32, target: Cut) -> Cut {
+    let pixel = |at: f32| (at * pixels_per_point).round();
+    let within = |at: f32, end: i32| at.clamp(0.0, end as f32) as i32;
+    Cut {
+        x0: within(pixel(rect.min.x), target.x1),
+        y0: within(pixel(rect.min.y), target.y1),
+        x1: within(pixel(rect.max.x), target.x1),
+        y1: within(pixel(rect.max.y), target.y1),
+    }
+}
