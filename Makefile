@@ -67,16 +67,16 @@ libs: toolchain $(LIB)/libvides.a
 # A crate type per call: with several in Cargo.toml, link-time optimisation is
 # off without a word.
 $(RELEASE)/libvides.a: FORCE
-	$(CARGO) rustc --release --locked --lib --crate-type staticlib
+	$(CARGO) rustc --release --locked --features capi --lib --crate-type staticlib
 
 $(LIB)/libvides.a: $(RELEASE)/libvides.a $(wildcard mk/*)
 	mk/libraries.sh $(RELEASE)/libvides.a $(LIB) $(VERSION)
 
 $(RELEASE)/vides: FORCE
-	$(CARGO) build --release --locked --bin vides
+	$(CARGO) build --release --locked --features cli --bin vides
 
 header: toolchain
-	UPDATE_HEADER=1 $(CARGO) test --locked --test header
+	UPDATE_HEADER=1 $(CARGO) test --locked --all-features --test header
 
 # ---- Seeing it ------------------------------------------------------------------
 
@@ -90,7 +90,7 @@ demo: all
 	$(CC) -std=c89 -pedantic -Wall -Wextra -Iinclude -o $(DEMO)/headless \
 	    c_examples/headless.c -L$(LIB) -lvides -lm
 	LD_LIBRARY_PATH=$(abspath $(LIB)) $(DEMO)/headless examples/pyramid.vid >$(DEMO)/list.txt
-	$(CARGO) run --quiet --locked --profile test --example picture -- \
+	$(CARGO) run --quiet --locked --profile test --all-features --example picture -- \
 	    examples/pyramid.vid $(DEMO)/pyramid.svg
 	$(CC) -Iinclude -o $(DEMO)/pyramid_motif c_examples/pyramid_motif.c \
 	    -L$(LIB) -lvides -lm -lXm -lXt -lX11
@@ -122,13 +122,13 @@ check-format:
 
 check-lints:
 	@command -v cargo-clippy >/dev/null || mk/component.sh clippy
-	$(CARGO) clippy --locked --workspace --all-targets -- $(LINT)
+	$(CARGO) clippy --locked --workspace --all-features --all-targets -- $(LINT)
 
 check-rust:
 	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip \
 	    setxkbmap=x11-xkb-utils /usr/share/X11/locale/compose.dir=libx11-data
 	@mk/locale.sh
-	$(CARGO) test --locked --workspace
+	$(CARGO) test --locked --workspace --all-features
 
 check-c: libs
 	@mk/need.sh c++=g++ valgrind=valgrind
@@ -142,7 +142,7 @@ check-linking: libs
 # to, and says where it is. That one is not optimised, and nobody installs it.
 check-calls: libs
 	@mk/need.sh Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev
-	$(CARGO) rustc --locked --lib --crate-type staticlib -- --cfg vides_inject
+	$(CARGO) rustc --locked --features capi,inject --lib --crate-type staticlib
 	mk/libraries.sh $(CARGO_TARGET_DIR)/debug/libvides.a $(CARGO_TARGET_DIR)/inject $(VERSION)
 	tests/calls/run.sh $(LIB)
 	tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
@@ -163,7 +163,7 @@ check-install: all
 	tests/install/run.sh
 
 check-docs:
-	RUSTDOCFLAGS='$(LINT)' $(CARGO) doc --locked --workspace --no-deps --document-private-items
+	RUSTDOCFLAGS='$(LINT)' $(CARGO) doc --locked --workspace --all-features --no-deps --document-private-items
 
 # Licences, sources and duplicates; that the fuzzer's own lock file fits. Known weaknesses of dependencies are asked
 # for apart (`cargo deny check advisories`): they come from the network and
@@ -179,7 +179,7 @@ bench: libs
 	python3 benches/table.py
 
 soak: toolchain libs fuzz
-	VIDES_KILLS=200 VIDES_DRAGS=10000 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked --workspace
+	VIDES_KILLS=200 VIDES_DRAGS=10000 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked --workspace --all-features
 	VIDES_SAVE_KILLS=1000 tests/c/run.sh $(LIB) saving
 	$(MAKE) soak-calls soak-x
 

@@ -1,23 +1,25 @@
-//! Packs the window's fonts, which are half as large then.
+//! Refuses to build a library whose header names another version.
 //!
-//! Nothing else is made at build time: the C header is checked in (`make
-//! header`) and the C libraries are made by the Makefile, which needs more than
-//! cargo offers.
+//! Nothing is generated: the header is checked in (`make header`), and the C
+//! libraries are made by the Makefile, which needs more than cargo offers.
 
-use std::path::PathBuf;
-use std::{env, fs};
+use std::fs;
 
-/// As hard as it tries.
-const LEVEL: u8 = 10;
+const HEADER: &str = "include/libvides.h";
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
-    let folder = PathBuf::from(env::var_os("OUT_DIR").expect("cargo names a folder"));
-    for (name, font) in [
-        ("text", epaint_default_fonts::UBUNTU_LIGHT),
-        ("signs", epaint_default_fonts::EGUI_ICONS),
+    println!("cargo::rerun-if-changed={HEADER}");
+    let header = fs::read_to_string(HEADER).expect("the C header");
+    for (part, number) in [
+        ("MAJOR", env!("CARGO_PKG_VERSION_MAJOR")),
+        ("MINOR", env!("CARGO_PKG_VERSION_MINOR")),
+        ("PATCH", env!("CARGO_PKG_VERSION_PATCH")),
     ] {
-        let packed = miniz_oxide::deflate::compress_to_vec(font, LEVEL);
-        fs::write(folder.join(name), packed).expect("a file in cargo's folder");
+        let line = format!("#define V_VERSION_{part} {number}");
+        assert!(
+            header.lines().any(|l| l == line),
+            "{HEADER} does not say `{line}`: run `make header`"
+        );
     }
 }

@@ -10,7 +10,7 @@ import os
 import sys
 from collections import defaultdict
 
-FOLDERS = ["src/engine/math", "src/engine/path", "src/document", "src/ffi"]
+FOLDERS = ["crates/engine/src/math", "crates/engine/src/path", "crates/document/src", "src/ffi"]
 
 
 def first_line_of_tests(name):

@@ -414,7 +414,7 @@ fn what_is_no_file_is_refused_and_never_waits() {
 
 /// The file that the module's own description shows.
 fn example() -> String {
-    let description = include_str!("../src/document/vid/mod.rs");
+    let description = include_str!("../crates/document/src/vid/mod.rs");
     let example = description.split("//! ```toml\n").nth(1).unwrap();
     let example = example.split("//! ```").next().unwrap();
     let lines = example.lines().map(|line| line.trim_start_matches("//!"));

@@ -1,6 +1,6 @@
 //! Files that the fuzzer in `fuzz/` begins with, or that it found to do harm:
 //! each is refused with a sentence, or is a document in order. Those of setup
-//! and recovery are replayed beside their readers (`src/editor/hostile.rs`).
+//! and recovery are replayed beside their readers (`crates/editor/src/hostile.rs`).
 
 #[path = "hostile/vid.rs"]
 mod vid;

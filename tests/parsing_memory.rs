@@ -1,10 +1,10 @@
 //! What parsing takes, counted, against what is told from the text beforehand
-//! (`src/document/vid/weight.rs`, compiled here as a module of its own, since
+//! (`crates/document/src/vid/weight.rs`, compiled here as a module of its own, since
 //! it is no part of the crate's interface).
 
 #[path = "common/counting.rs"]
 mod counting;
-#[path = "../src/document/vid/weight.rs"]
+#[path = "../crates/document/src/vid/weight.rs"]
 mod weight;
 
 use counting::cost;

@@ -1,0 +1,36 @@
+//! The path being edited (thesis 7.3, A.4 to A.6): every edit as a command
+//! that can be taken back, and the files that paths and poses are kept in.
+//!
+//! Why commands: the window, the C interface and a script change a path in the
+//! same few ways, each must leave a path that can be saved and sampled, and
+//! each must be undone to the last bit. So there is one [`Edit`] per way. It
+//! is checked first, as a whole, and turned into a small record of the values
+//! that it exchanges; applying a record gives the record that takes it back.
+//!
+//! It stands on [`vides_engine::path`] and knows nothing of windows or of C.
+
+#![forbid(unsafe_code)]
+
+pub mod ascii;
+mod blocks;
+mod change;
+mod edit;
+mod editing;
+pub mod export;
+mod history;
+mod info;
+mod not_a_file;
+mod place;
+mod prepare;
+pub mod save;
+mod target;
+#[doc(hidden)]
+pub mod vid;
+
+pub use edit::Edit;
+pub use editing::{Document, Selection};
+pub use info::{Info, Object, ObjectPoint, Space};
+#[doc(hidden)]
+pub use not_a_file::NotAFile;
+
+use vides_engine::{error, limits, math, path};

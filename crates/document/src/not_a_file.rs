@@ -1,0 +1,45 @@
+//! What stands where a file was expected.
+
+use std::fmt;
+use std::fs::Metadata;
+use std::io;
+
+/// A path leads to something that is no regular file. Within an [`io::Error`]
+/// it can be told from what the system says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotAFile {
+    /// A directory.
+    Directory,
+    /// A pipe, a device, a socket.
+    Special,
+}
+
+impl NotAFile {
+    /// Fails if it is no regular file.
+    pub(super) fn refuse(metadata: &Metadata) -> io::Result<()> {
+        let what = if metadata.is_file() {
+            return Ok(());
+        } else if metadata.is_dir() {
+            Self::Directory
+        } else {
+            Self::Special
+        };
+        Err(io::Error::other(what))
+    }
+
+    /// What an error says of it, if it comes from here.
+    pub fn of(error: &io::Error) -> Option<Self> {
+        error.get_ref()?.downcast_ref().copied()
+    }
+}
+
+impl fmt::Display for NotAFile {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(match self {
+            Self::Directory => "this is a directory, not a file",
+            Self::Special => "this is not a regular file",
+        })
+    }
+}
+
+impl std::error::Error for NotAFile {}

@@ -1,0 +1,134 @@
+//! `.vid` files: a whole document as TOML, meant to be read and written by
+//! people too.
+//!
+//! Reading walks over the parsed tree by hand, so that every complaint names
+//! its line and speaks of cameras; an unknown key is refused, since a typo
+//! that vanishes costs more than one that is told. Values that are not given
+//! have the defaults of a new path. Numbers are written with as few digits as
+//! give the same bits back.
+//!
+//! ```toml
+//! version = 1
+//! title = "Two looks"
+//!
+//! [[point]]
+//! name = "start"
+//! position = [-0.6, 0.2, 0.8]
+//! preset = 5
+//!
+//! [[point.orientation]]
+//! target = [0.0, 0.0, 0.0]        # looks at this place, wherever the point is
+//! roll_degrees = 15.0
+//!
+//! [[point]]
+//! position = [0.6, 0.2, 0.8]
+//! own = { tension = 0.2, continuity = 0.0, bias = 0.5 }
+//!
+//! [[point.orientation]]
+//! offset = [0.0, 0.0, -0.4]       # looks in this direction
+//! zoom_mm = 50.0
+//! hold_frames = 12
+//! speed_curve = [1.0, 20.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0]
+//! ```
+
+pub mod field;
+mod pieces;
+mod read;
+mod weight;
+mod write;
+
+use std::fs::OpenOptions;
+use std::io::Read;
+use std::os::unix::fs::OpenOptionsExt;
+use std::path::Path;
+
+use super::NotAFile;
+use super::info::Info;
+use crate::error::{Error, Result, message, room, vec_with_room};
+use crate::limits::MAX_FILE_BYTES;
+use crate::path::CameraPath;
+
+pub(super) use read::from_toml;
+pub(super) use write::to_toml;
+
+/// The version of the format that is written, and the newest that is read.
+const VERSION: i64 = 1;
+
+/// Bytes for names, messages and what else the standard library allocates by the
+/// way without being able to give up.
+const ROOM: usize = 32 << 10;
+
+/// Reads a file.
+pub(super) fn load(file: &Path) -> Result<(CameraPath, Info)> {
+    let text = read_text(file, MAX_FILE_BYTES)?;
+    from_toml(&text).map_err(|error| error.at(file.display().to_string()))
+}
+
+/// Reads what a reader gives, to its end.
+pub(super) fn load_from(reader: &mut dyn Read, name: &str) -> Result<(CameraPath, Info)> {
+    let text = read_all(reader, name, 0, MAX_FILE_BYTES)?;
+    from_toml(&text).map_err(|error| error.at(name))
+}
+
+/// The text of a regular file of at most `most` bytes.
+///
+/// # Errors
+/// [`Error::Io`], [`Error::Limit`], [`Error::Memory`]; [`Error::Format`] if it
+/// is no UTF-8. Each names the file.
+pub fn read_text(file: &Path, most: u64) -> Result<String> {
+    room(ROOM)?;
+    let place = file.display().to_string();
+    let io = |source| Error::Io {
+        place: file.display().to_string(),
+        source,
+    };
+    // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
+    let mut opened = OpenOptions::new()
+        .read(true)
+        .custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY)
+        .open(file)
+        .map_err(io)?;
+    let metadata = opened.metadata().map_err(io)?;
+    NotAFile::refuse(&metadata).map_err(io)?;
+    if metadata.len() > most {
+        return Err(too_large(most).at(place));
+    }
+    // One byte more, so that the end is seen without growing.
+    let room = usize::try_from(metadata.len()).map_err(|_| Error::Memory)? + 1;
+    read_all(&mut opened, &place, room, most)
+}
+
+fn read_all(reader: &mut dyn Read, place: &str, room: usize, most: u64) -> Result<String> {
+    let mut bytes = vec_with_room(room)?;
+    // Both the file and the claim of its size may change while it is read.
+    reader
+        .take(most + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|source| match source.kind() {
+            std::io::ErrorKind::OutOfMemory => Error::Memory,
+            _ => Error::Io {
+                place: place.to_owned(),
+                source,
+            },
+        })?;
+    if bytes.len() as u64 > most {
+        return Err(too_large(most).at(place));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        Error::Format(message!(
+            "line {0}: {1}",
+            line,
+            message!("this is not UTF-8 text")
+        ))
+        .at(place)
+    })
+}
+
+fn too_large(most: u64) -> Error {
+    Error::Limit(message!(
+        "the file is larger than the {0} MiB that are read",
+        most >> 20
+    ))
+}

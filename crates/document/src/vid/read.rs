@@ -1,0 +1,397 @@
+//! From the text of a `.vid` file to its document.
+
+use glam::DVec3;
+use toml::de::DeTable;
+
+use super::VERSION;
+use super::field::{Field, Source, fields};
+use super::pieces;
+use crate::error::{Result, message, vec_with_room};
+use crate::info::{self, Info, ObjectPoint, Space};
+use crate::limits;
+use crate::math::orientation::wrap_degrees;
+use crate::path::camera_path::{
+    check_base_speed, check_hold, check_name, check_shape, check_speed, check_zoom,
+};
+use crate::path::{
+    BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, SupportPoint, Target,
+    Tcb, ZoomMode,
+};
+
+const KEYS: [&str; 13] = [
+    "version",
+    "title",
+    "comment",
+    "fps",
+    "first_frame",
+    "closed",
+    "orientation_mode",
+    "zoom_mode",
+    "base_speeds",
+    "presets",
+    "space",
+    "object",
+    "point",
+];
+
+/// The path and what the file says besides.
+pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
+    let mut reader = Reader {
+        path: CameraPath {
+            points: Vec::new(),
+            ..CameraPath::default()
+        },
+        info: Info::default(),
+        orientations: 0,
+        seen: [false; KEYS.len()],
+    };
+    let mut source = Source { text, start: 0 };
+    loop {
+        let (root, end) = pieces::parse(source)?;
+        reader.read(source, &root)?;
+        if end == text.len() {
+            break;
+        }
+        source.start = end;
+    }
+    let count = reader.path.points.len();
+    if count < limits::MIN_POINTS {
+        let reason = message!(
+            "a path needs at least two points, each with its [[point]], found {0}",
+            count
+        );
+        return Err(source.complain(text.len(), reason));
+    }
+    Ok((reader.path, reader.info))
+}
+
+/// What has been read so far.
+struct Reader {
+    path: CameraPath,
+    info: Info,
+    /// Orientations of all points so far.
+    orientations: usize,
+    /// Which of [`KEYS`] have been met.
+    seen: [bool; KEYS.len()],
+}
+
+impl Reader {
+    /// Reads the next piece of the file.
+    fn read(&mut self, source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
+        if source.start == 0 {
+            check_version(source, root)?;
+        }
+        let (info, path) = (&mut self.info, &mut self.path);
+        for field in fields(source, root) {
+            let Some(key) = KEYS.iter().position(|&key| key == field.key) else {
+                return Err(field.unknown(&KEYS));
+            };
+            // Within one piece the parser has seen to that.
+            if std::mem::replace(&mut self.seen[key], true) && field.key != "point" {
+                return Err(field.error(message!("this was given further up already")));
+            }
+            match field.key {
+                "title" => info.title = one_line(field)?,
+                "comment" => {
+                    let comment = field.text()?;
+                    field.checked(info::check_comment(comment))?;
+                    info.comment = comment.to_owned();
+                }
+                "fps" => {
+                    info.fps = field.number()?;
+                    field.checked(info::check_fps(info.fps))?;
+                }
+                "first_frame" => {
+                    let first = field.integer_in(i32::MIN.into(), i32::MAX.into())?;
+                    info.first_frame = first as i32;
+                }
+                "closed" => path.closed = field.boolean()?,
+                "orientation_mode" => path.orientation_mode = orientation_mode(field)?,
+                "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
+                "base_speeds" => path.speeds = base_speeds(field)?,
+                "presets" => presets(field, &mut path.presets)?,
+                "space" => info.space = space(field)?,
+                "object" => info.object = object(field)?.into(),
+                "point" => points(field, &mut path.points, &mut self.orientations)?,
+                // The version has been looked at.
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A newer file may have keys that are unknown here: its version is looked at
+/// before anything else.
+fn check_version(source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
+    let Some(field) = fields(source, root).find(|field| field.key == "version") else {
+        return Err(source.complain(0, message!("a .vid file begins with version = 1")));
+    };
+    let version = field.integer()?;
+    if version > VERSION {
+        return Err(field.error(message!(
+            "this file is of version {0}, newer than this program, which knows up to version {1}",
+            version,
+            VERSION
+        )));
+    }
+    if version < 1 {
+        return Err(field.error(message!("there is no such version")));
+    }
+    Ok(())
+}
+
+fn one_line(field: Field<'_>) -> Result<String> {
+    let line = field.text()?;
+    field.checked(check_name(line))?;
+    Ok(line.to_owned())
+}
+
+fn orientation_mode(field: Field<'_>) -> Result<OrientationMode> {
+    match field.text()? {
+        "tcb" => Ok(OrientationMode::Tcb),
+        "barry-goldman" => Ok(OrientationMode::BarryGoldman),
+        "slerp" => Ok(OrientationMode::Slerp),
+        _ => Err(field.error(message!("must be \"tcb\", \"barry-goldman\" or \"slerp\""))),
+    }
+}
+
+fn zoom_mode(field: Field<'_>) -> Result<ZoomMode> {
+    match field.text()? {
+        "smooth" => Ok(ZoomMode::Smooth),
+        "linear" => Ok(ZoomMode::Linear),
+        _ => Err(field.error(message!("must be \"smooth\" or \"linear\""))),
+    }
+}
+
+fn base_speeds(table: Field<'_>) -> Result<BaseSpeeds> {
+    let mut speeds = BaseSpeeds::default();
+    for field in table.fields()? {
+        let speed = match field.key {
+            "move_frames" => &mut speeds.movement,
+            "orient_frames" => &mut speeds.turning,
+            "zoom_frames" => &mut speeds.zoom,
+            "roll_frames" => &mut speeds.rolling,
+            _ => {
+                return Err(field.unknown(&[
+                    "move_frames",
+                    "orient_frames",
+                    "zoom_frames",
+                    "roll_frames",
+                ]));
+            }
+        };
+        *speed = field.number()?;
+        field.checked(check_base_speed(*speed))?;
+    }
+    Ok(speeds)
+}
+
+fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) -> Result<()> {
+    for field in table.fields()? {
+        // Exactly one digit: neither 01 nor +1 is a second name of 1.
+        let preset = match field.key.as_bytes() {
+            [digit @ b'0'..=b'9'] => &mut presets[usize::from(digit - b'0')],
+            _ => return Err(field.error(message!("the presets are numbered 0 to 9"))),
+        };
+        *preset = tcb(field)?;
+    }
+    Ok(())
+}
+
+fn tcb(table: Field<'_>) -> Result<Tcb> {
+    let mut tcb = Tcb::default();
+    for field in table.fields()? {
+        let value = match field.key {
+            "tension" => &mut tcb.tension,
+            "continuity" => &mut tcb.continuity,
+            "bias" => &mut tcb.bias,
+            _ => return Err(field.unknown(&["tension", "continuity", "bias"])),
+        };
+        *value = field.number()?;
+        field.checked(check_shape(*value, field.key))?;
+    }
+    Ok(tcb)
+}
+
+fn space(table: Field<'_>) -> Result<Space> {
+    let mut space = Space::default();
+    for field in table.fields()? {
+        match field.key {
+            "scale" => {
+                space.scale = field.number()?;
+                field.checked(info::check_scale(space.scale))?;
+            }
+            "origin" => space.origin = field.vector()?,
+            "unit" => space.unit = one_line(field)?,
+            _ => return Err(field.unknown(&["scale", "origin", "unit"])),
+        }
+    }
+    Ok(space)
+}
+
+fn object(table: Field<'_>) -> Result<Vec<ObjectPoint>> {
+    let mut object = Vec::new();
+    for field in table.fields()? {
+        if field.key != "polylines" {
+            return Err(field.unknown(&["polylines"]));
+        }
+        for polyline in field.elements()? {
+            let points = polyline.elements()?;
+            if points.len() > limits::MAX_OBJECT_POINTS - object.len() {
+                return Err(polyline.error(message!(
+                    "an object has at most {0} points",
+                    limits::MAX_OBJECT_POINTS
+                )));
+            }
+            object.try_reserve(points.len())?;
+            for (index, point) in points.enumerate() {
+                object.push(ObjectPoint {
+                    position: point.vector()?,
+                    draw: index > 0,
+                });
+            }
+        }
+    }
+    Ok(object)
+}
+
+fn points(
+    array: Field<'_>,
+    points: &mut Vec<SupportPoint>,
+    orientations: &mut usize,
+) -> Result<()> {
+    let elements = array.elements()?;
+    points.try_reserve(elements.len().min(limits::MAX_POINTS))?;
+    for element in elements {
+        if points.len() == limits::MAX_POINTS {
+            return Err(element.error(message!(
+                "a path has at most {0} points",
+                limits::MAX_POINTS
+            )));
+        }
+        let point = point(element)?;
+        *orientations += point.orientations.len();
+        if *orientations > limits::MAX_ALL_ORIENTATIONS {
+            return Err(element.error(message!(
+                "the points of a path have at most {0} orientations together",
+                limits::MAX_ALL_ORIENTATIONS
+            )));
+        }
+        points.push(point);
+    }
+    Ok(())
+}
+
+fn point(table: Field<'_>) -> Result<SupportPoint> {
+    // The position first: targets are checked against it.
+    let Some(position) = table.fields()?.find(|field| field.key == "position") else {
+        return Err(table.error(message!("this point has no position")));
+    };
+    let mut point = SupportPoint {
+        position: position.vector()?,
+        name: None,
+        curve: CurveParameters::Preset(0),
+        orientations: Vec::new(),
+    };
+    let mut curve_given = false;
+    for field in table.fields()? {
+        match field.key {
+            "position" => {}
+            "name" => point.name = Some(one_line(field)?),
+            "preset" | "own" => {
+                if curve_given {
+                    return Err(
+                        field.error(message!("a point has either a preset or its own values"))
+                    );
+                }
+                curve_given = true;
+                point.curve = if field.key == "own" {
+                    CurveParameters::Own(tcb(field)?)
+                } else {
+                    let last = limits::PRESETS as i64 - 1;
+                    CurveParameters::Preset(field.integer_in(0, last)? as u8)
+                };
+            }
+            "orientation" => point.orientations = orientations(field, point.position)?,
+            _ => {
+                return Err(field.unknown(&["name", "position", "preset", "own", "orientation"]));
+            }
+        }
+    }
+    if point.orientations.is_empty() {
+        point.orientations = orientations_of_new_point()?;
+    }
+    Ok(point)
+}
+
+fn orientations_of_new_point() -> Result<Vec<Orientation>> {
+    let mut orientations = vec_with_room(1)?;
+    orientations.push(Orientation::default());
+    Ok(orientations)
+}
+
+fn orientations(array: Field<'_>, position: DVec3) -> Result<Vec<Orientation>> {
+    let elements = array.elements()?;
+    let mut orientations = vec_with_room(elements.len().min(limits::MAX_ORIENTATIONS))?;
+    for element in elements {
+        if orientations.len() == limits::MAX_ORIENTATIONS {
+            return Err(element.error(message!("a point has at most 10 orientations")));
+        }
+        orientations.push(orientation(element, position)?);
+    }
+    Ok(orientations)
+}
+
+fn orientation(table: Field<'_>, position: DVec3) -> Result<Orientation> {
+    let mut orientation = Orientation::default();
+    let mut target_given = false;
+    for field in table.fields()? {
+        match field.key {
+            "target" | "offset" => {
+                if target_given {
+                    return Err(
+                        field.error(message!("an orientation has either a target or an offset"))
+                    );
+                }
+                target_given = true;
+                let vector = field.vector()?;
+                orientation.target = if field.key == "target" {
+                    Target::Absolute(vector)
+                } else {
+                    Target::Relative(vector)
+                };
+                field.checked(orientation.target.check(position))?;
+            }
+            "roll_degrees" => orientation.roll = wrap_degrees(field.number()?),
+            "zoom_mm" => {
+                orientation.zoom = field.number()?;
+                field.checked(check_zoom(orientation.zoom))?;
+            }
+            "turning" => orientation.turning = tcb(field)?,
+            "speed_curve" => {
+                orientation.speeds = field.numbers()?;
+                for speed in orientation.speeds {
+                    field.checked(check_speed(speed))?;
+                }
+            }
+            "hold_frames" => {
+                let hold = u32::try_from(field.integer()?).unwrap_or(u32::MAX);
+                field.checked(check_hold(hold))?;
+                orientation.hold = hold;
+            }
+            _ => {
+                return Err(field.unknown(&[
+                    "target",
+                    "offset",
+                    "roll_degrees",
+                    "zoom_mm",
+                    "turning",
+                    "speed_curve",
+                    "hold_frames",
+                ]));
+            }
+        }
+    }
+    Ok(orientation)
+}

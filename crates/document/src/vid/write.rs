@@ -1,0 +1,287 @@
+//! From a document to the text of its `.vid` file.
+
+use std::fmt::{self, Write};
+
+use glam::DVec3;
+
+use super::VERSION;
+use crate::error::{Error, Result};
+use crate::info::{Info, ObjectPoint};
+use crate::limits::BASE_SPEED;
+use crate::path::{
+    CameraPath, CurveParameters, Orientation, OrientationMode, SupportPoint, Target, Tcb, ZoomMode,
+};
+
+/// The text of a document. Values with the default of a new path are left
+/// out where a file has many of them: in points and orientations.
+pub(crate) fn to_toml(path: &CameraPath, info: &Info) -> Result<String> {
+    let mut out = Text(String::new());
+    // Nothing here fails but for want of memory.
+    document(&mut out, path, info).map_err(|_| Error::Memory)?;
+    Ok(out.0)
+}
+
+/// A text that grows without aborting when memory runs out.
+struct Text(String);
+
+impl Write for Text {
+    fn write_str(&mut self, more: &str) -> fmt::Result {
+        self.0.try_reserve(more.len()).map_err(|_| fmt::Error)?;
+        self.0.push_str(more);
+        Ok(())
+    }
+}
+
+fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
+    writeln!(out, "version = {VERSION}")?;
+    if !info.title.is_empty() {
+        writeln!(out, "title = {}", Quoted(&info.title))?;
+    }
+    if !info.comment.is_empty() {
+        writeln!(out, "comment = {}", Quoted(&info.comment))?;
+    }
+    writeln!(out, "fps = {:?}", info.fps)?;
+    writeln!(out, "first_frame = {}", info.first_frame)?;
+    writeln!(out, "closed = {}", path.closed)?;
+    let mode = match path.orientation_mode {
+        OrientationMode::Tcb => "tcb",
+        OrientationMode::BarryGoldman => "barry-goldman",
+        OrientationMode::Slerp => "slerp",
+    };
+    writeln!(out, "orientation_mode = \"{mode}\"")?;
+    let mode = match path.zoom_mode {
+        ZoomMode::Smooth => "smooth",
+        ZoomMode::Linear => "linear",
+    };
+    writeln!(out, "zoom_mode = \"{mode}\"")?;
+
+    let speeds = path.speeds;
+    writeln!(
+        out,
+        "\n# Frames at speed 50 for a way of length 1, a turn of 180 degrees,\n\
+         # a zoom from 1 to 100, a roll of 90 degrees.\n\
+         [base_speeds]"
+    )?;
+    writeln!(out, "move_frames = {:?}", speeds.movement)?;
+    writeln!(out, "orient_frames = {:?}", speeds.turning)?;
+    writeln!(out, "zoom_frames = {:?}", speeds.zoom)?;
+    writeln!(out, "roll_frames = {:?}", speeds.rolling)?;
+
+    writeln!(out, "\n[presets]")?;
+    for (number, preset) in path.presets.iter().enumerate() {
+        writeln!(out, "{number} = {}", Shape(*preset))?;
+    }
+
+    writeln!(out, "\n# world = origin + scale * position\n[space]")?;
+    writeln!(out, "scale = {:?}", info.space.scale)?;
+    writeln!(out, "origin = {}", Vector(info.space.origin))?;
+    writeln!(out, "unit = {}", Quoted(&info.space.unit))?;
+
+    object(out, &info.object)?;
+    path.points
+        .iter()
+        .try_for_each(|point| self::point(out, point))
+}
+
+fn object(out: &mut Text, points: &[ObjectPoint]) -> fmt::Result {
+    if points.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\n[object]\npolylines = [")?;
+    for (index, point) in points.iter().enumerate() {
+        // The first point of all begins a line, whatever its flag says.
+        if index == 0 {
+            write!(out, "  [")?;
+        } else if point.draw {
+            write!(out, ", ")?;
+        } else {
+            write!(out, "],\n  [")?;
+        }
+        write!(out, "{}", Vector(point.position))?;
+    }
+    writeln!(out, "],\n]")
+}
+
+fn point(out: &mut Text, point: &SupportPoint) -> fmt::Result {
+    writeln!(out, "\n[[point]]")?;
+    if let Some(name) = &point.name {
+        writeln!(out, "name = {}", Quoted(name))?;
+    }
+    writeln!(out, "position = {}", Vector(point.position))?;
+    match point.curve {
+        CurveParameters::Preset(preset) => writeln!(out, "preset = {preset}")?,
+        CurveParameters::Own(tcb) => writeln!(out, "own = {}", Shape(tcb))?,
+    }
+    point
+        .orientations
+        .iter()
+        .try_for_each(|orientation| self::orientation(out, orientation))
+}
+
+fn orientation(out: &mut Text, orientation: &Orientation) -> fmt::Result {
+    writeln!(out, "\n[[point.orientation]]")?;
+    match orientation.target {
+        Target::Absolute(target) => writeln!(out, "target = {}", Vector(target))?,
+        Target::Relative(offset) => writeln!(out, "offset = {}", Vector(offset))?,
+    }
+    writeln!(out, "roll_degrees = {:?}", orientation.roll)?;
+    writeln!(out, "zoom_mm = {:?}", orientation.zoom)?;
+    let Tcb {
+        tension,
+        continuity,
+        bias,
+    } = orientation.turning;
+    // Bits, not `==`: −0 must come back as −0.
+    if [tension, continuity, bias]
+        .iter()
+        .any(|value| value.to_bits() != 0)
+    {
+        writeln!(out, "turning = {}", Shape(orientation.turning))?;
+    }
+    if orientation.hold != 0 {
+        writeln!(out, "hold_frames = {}", orientation.hold)?;
+    }
+    if orientation.speeds.iter().any(|&speed| speed != BASE_SPEED) {
+        write!(out, "speed_curve = ")?;
+        list(out, &orientation.speeds)?;
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+fn list(out: &mut impl Write, numbers: &[f64]) -> fmt::Result {
+    let mut separator = "[";
+    for number in numbers {
+        // `{:?}` gives the fewest digits that lead back to the same bits.
+        write!(out, "{separator}{number:?}")?;
+        separator = ", ";
+    }
+    out.write_str("]")
+}
+
+struct Vector(DVec3);
+
+impl fmt::Display for Vector {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        list(out, &self.0.to_array())
+    }
+}
+
+struct Shape(Tcb);
+
+impl fmt::Display for Shape {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            out,
+            "{{ tension = {:?}, continuity = {:?}, bias = {:?} }}",
+            self.0.tension, self.0.continuity, self.0.bias
+        )
+    }
+}
+
+/// A text as TOML writes it: over several lines where it has several.
+struct Quoted<'a>(&'a str);
+
+impl fmt::Display for Quoted<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines = self.0.contains('\n');
+        // The line break after the opening quotes does not belong to the text.
+        out.write_str(if lines { "\"\"\"\n" } else { "\"" })?;
+        let mut characters = self.0.chars().peekable();
+        while let Some(character) = characters.next() {
+            match character {
+                '\\' => out.write_str("\\\\")?,
+                // Between several lines a single quote can stand as it is.
+                '"' if lines && characters.peek().is_some_and(|&next| next != '"') => {
+                    out.write_char('"')?;
+                }
+                '"' => out.write_str("\\\"")?,
+                '\n' => out.write_char('\n')?,
+                '\t' => out.write_char('\t')?,
+                // An editor may change the ends of lines: this one is meant.
+                '\r' => out.write_str("\\r")?,
+                control if control.is_control() => {
+                    write!(out, "\\u{:04X}", u32::from(control))?;
+                }
+                other => out.write_char(other)?,
+            }
+        }
+        out.write_str(if lines { "\"\"\"" } else { "\"" })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::info::{Object, Space};
+    use crate::limits;
+
+    /// The most characters that a number takes.
+    const LONGEST: f64 = -1.234_567_890_123_456_7e-300;
+
+    fn size(path: &CameraPath, info: &Info) -> usize {
+        to_toml(path, info).unwrap().len()
+    }
+
+    /// Sizes of one point, one orientation, one object point and the rest at
+    /// their largest, times how many there may be.
+    #[test]
+    fn the_largest_document_fits_into_a_file() {
+        assert_eq!(format!("{LONGEST:?}").len(), 24);
+        let tcb = Tcb::new(LONGEST, LONGEST, LONGEST);
+        let orientation = Orientation {
+            target: Target::Absolute(DVec3::splat(LONGEST)),
+            roll: LONGEST,
+            zoom: 12.345_678_901_234_567,
+            turning: tcb,
+            speeds: [12.345_678_901_234_567; limits::SPEEDS],
+            hold: limits::MAX_HOLD,
+        };
+        let point = SupportPoint {
+            position: DVec3::splat(LONGEST),
+            name: Some("\"".repeat(limits::MAX_NAME_BYTES)),
+            curve: CurveParameters::Own(tcb),
+            orientations: Vec::new(),
+        };
+        let mut path = CameraPath {
+            points: Vec::new(),
+            presets: [tcb; limits::PRESETS],
+            ..CameraPath::default()
+        };
+        let mut info = Info {
+            title: "\"".repeat(limits::MAX_NAME_BYTES),
+            comment: "\u{7f}".repeat(limits::MAX_COMMENT_BYTES),
+            fps: LONGEST,
+            first_frame: i32::MIN,
+            space: Space {
+                scale: LONGEST,
+                origin: DVec3::splat(LONGEST),
+                unit: "\"".repeat(limits::MAX_NAME_BYTES),
+            },
+            object: Object::default(),
+        };
+        let rest = size(&path, &info);
+        path.points.push(point);
+        let point = size(&path, &info) - rest;
+        path.points[0].orientations.push(orientation);
+        let orientation = size(&path, &info) - rest - point;
+        path.points.clear();
+        let draw = ObjectPoint {
+            position: DVec3::splat(LONGEST),
+            draw: false,
+        };
+        info.object = vec![draw].into();
+        let one = size(&path, &info);
+        info.object = vec![draw; 2].into();
+        let object = size(&path, &info) - one;
+
+        let all = one
+            + limits::MAX_POINTS * point
+            + limits::MAX_ALL_ORIENTATIONS * orientation
+            + limits::MAX_OBJECT_POINTS * object;
+        assert!(
+            all as u64 <= limits::MAX_FILE_BYTES,
+            "{all} bytes: {point} a point, {orientation} an orientation, {object} an object point"
+        );
+    }
+}

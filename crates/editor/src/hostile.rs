@@ -1,0 +1,117 @@
+//! What any bytes at all may do as a setup or a recovery file: checks for the
+//! tests and for the fuzzer in `fuzz/`.
+//!
+//! The readers are the editor's own business and no part of the crate's
+//! interface. So what the fuzzer gets is not the readers but these two checks,
+//! and only in a build of its own (`cfg(fuzzing)`): no other build has a door.
+
+use std::fs;
+use std::path::Path;
+
+use super::recovery::{self, Keeper};
+use super::setup_file;
+use crate::error::Error;
+
+/// Loads bytes as a setup. They are refused with one sentence that names file
+/// and line, or they give a setup that is saved and loaded without a bit
+/// changing. `folder` is for this alone.
+///
+/// # Panics
+/// If that does not hold.
+pub fn setup(folder: &Path, bytes: &[u8]) {
+    let file = folder.join("setup.toml");
+    fs::write(&file, bytes).expect("a file to read");
+    let setup = match setup_file::load(&file) {
+        Ok(setup) => setup,
+        Err(error) => {
+            let sentence = error.to_string();
+            assert!(!sentence.chars().any(char::is_control), "{sentence:?}");
+            assert!(sentence.contains("setup.toml: line "), "{sentence}");
+            return;
+        }
+    };
+    assert_eq!(setup.view, setup.view.in_range());
+    setup_file::write(&file, &setup).expect("a setup to be saved");
+    let text = fs::read(&file).expect("what was saved");
+    let again = setup_file::load(&file).expect("what was saved loads");
+    assert_eq!(format!("{again:?}"), format!("{setup:?}"));
+    setup_file::write(&file, &again).expect("a setup to be saved");
+    assert_eq!(fs::read(&file).expect("what was saved"), text);
+}
+
+/// Finds bytes as work that was left behind. It is offered or left alone; if
+/// it holds a document, that and the name of its file are kept anew without a
+/// bit changing. `folder` is for this alone, and empty afterwards.
+///
+/// # Panics
+/// If that does not hold.
+pub fn recovery(folder: &Path, bytes: &[u8]) {
+    fs::write(folder.join("unsaved-1-2-3.vid"), bytes).expect("a file to find");
+    for found in recovery::find(folder) {
+        let document = match found.document() {
+            Ok(document) => document,
+            Err(Error::Format(sentence) | Error::Limit(sentence)) => {
+                assert!(
+                    !sentence.to_string().chars().any(char::is_control),
+                    "{sentence:?}"
+                );
+                found.discard();
+                continue;
+            }
+            Err(error) => panic!("neither a document nor broken: {error}"),
+        };
+        assert!(document.is_modified());
+        let original = found.original.clone();
+        found.discard();
+        let mut keeper = Keeper::new(folder, &document);
+        keeper
+            .write(&document, original.as_deref())
+            .expect("work to be kept");
+        drop(keeper);
+        let mut again = recovery::find(folder);
+        let kept = again.pop().expect("what was kept is found");
+        assert!(again.is_empty());
+        // A name without a folder is kept with the folder it was in.
+        let whole = original.map(|file| std::path::absolute(&file).unwrap_or(file));
+        assert_eq!(kept.original, whole);
+        let came_back = kept.document().expect("what was kept loads");
+        assert_eq!(
+            came_back.to_toml().expect("a text"),
+            document.to_toml().expect("a text")
+        );
+        kept.discard();
+    }
+    // What is no text is left alone by the window, not by us.
+    for entry in fs::read_dir(folder).expect("the folder").flatten() {
+        fs::remove_file(entry.path()).expect("a file to remove");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every file of a folder of the corpus.
+    fn replay(name: &str, check: fn(&Path, &[u8])) {
+        let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/corpus");
+        let folder = tempfile::tempdir().unwrap();
+        let mut count = 0;
+        for entry in fs::read_dir(corpus.join(name)).unwrap() {
+            let file = entry.unwrap().path();
+            println!("{}", file.display());
+            check(folder.path(), &fs::read(&file).unwrap());
+            count += 1;
+        }
+        assert!(count > 0, "no files");
+    }
+
+    #[test]
+    fn setup_files_of_the_corpus_are_refused_or_kept() {
+        replay("setup", setup);
+    }
+
+    #[test]
+    fn recovery_files_of_the_corpus_are_refused_or_kept() {
+        replay("recovery", recovery);
+    }
+}

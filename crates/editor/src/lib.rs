@@ -1,0 +1,52 @@
+//! What the window shows and what a hand does in it (thesis chapters 6 and 7.3,
+//! Anhang A), drawn by egui.
+//!
+//! Every change of the path is an edit of [`vides_document`], so that it can
+//! be taken back, and every word comes from [`texts`]. One file per panel and
+//! per sub-window. What leaves the window (poses for the host, closing) is a
+//! [`Request`]; whoever runs the editor sees to it.
+//!
+//! It knows no X, no C and no host, and has no unsafe code, so that all of it
+//! runs in tests without a screen.
+
+#![forbid(unsafe_code)]
+
+mod actions;
+mod camera_view;
+mod doubts;
+mod filing;
+mod folders;
+mod fonts;
+mod frame;
+#[cfg(any(test, fuzzing))]
+pub mod hostile;
+mod keys;
+mod menu;
+mod number;
+mod output;
+mod panels;
+mod playing;
+mod recent;
+mod recovery;
+mod refusals;
+mod rescue;
+mod setup;
+mod setup_file;
+mod space;
+mod state;
+mod texts;
+mod theme;
+mod windows;
+
+#[cfg(test)]
+mod screenshots;
+#[cfg(test)]
+mod tests;
+
+use vides_document as document;
+use vides_engine::{Error, Result, error, limits, math, path};
+use vides_raster as raster;
+
+pub use folders::Folders;
+pub use state::{Editor, Options, Request};
+pub use texts::Language;

@@ -1,0 +1,120 @@
+//! The orientations of the current point (thesis A.4.2).
+
+use super::position::three_numbers;
+use super::{Key, heading, keys, round, share};
+use crate::actions::Action;
+use crate::document::{Edit, Selection};
+use crate::limits::MAX_HOLD;
+use crate::number::Number;
+use crate::path::{Orientation, Target};
+use crate::state::Editor;
+
+pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
+    let texts = &editor.texts().orientation;
+    let selection = editor.document.selection();
+    let count = editor.point().map_or(1, |point| point.orientations.len());
+    let Some(current) = editor.orientation().cloned() else {
+        return;
+    };
+    let absolute = matches!(current.target, Target::Absolute(_));
+    let how = if absolute {
+        texts.at_place
+    } else {
+        texts.in_direction
+    };
+    heading(ui, texts.heading, how);
+    keys(
+        editor,
+        ui,
+        &[
+            Key::new(texts.add, texts.add_hint, Action::AddOrientation),
+            Key::new(texts.remove, texts.remove_hint, Action::RemoveOrientation),
+            Key::new(
+                texts.absolute,
+                texts.absolute_hint,
+                Action::SetAbsolute(true),
+            )
+            .chosen(absolute),
+            Key::new(
+                texts.relative,
+                texts.relative_hint,
+                Action::SetAbsolute(false),
+            )
+            .chosen(!absolute),
+        ],
+    );
+    round(
+        editor,
+        ui,
+        &Key::new(
+            texts.previous,
+            texts.previous_hint,
+            Action::PreviousOrientation,
+        ),
+        &Editor::number_of(texts.count, selection.orientation, count),
+        &Key::new(texts.next, texts.next_hint, Action::NextOrientation),
+    );
+    target(editor, ui, &current);
+    let language = editor.language();
+    let width = share(ui, 2);
+    ui.horizontal(|ui| {
+        let roll = Number::new(texts.roll, current.roll)
+            .label(texts.roll)
+            .hint(texts.roll_hint)
+            .unit("°")
+            .decimals(1)
+            .steps(1.0, 0.5)
+            .show(ui, language, "roll", width);
+        editor.enter(roll, |roll| {
+            with(selection, &current, |new| new.roll = roll)
+        });
+        let hold = Number::new(texts.hold, f64::from(current.hold))
+            .label(texts.hold)
+            .hint(texts.hold_hint)
+            .unit(texts.hold_unit)
+            .whole()
+            .range(0.0..=f64::from(MAX_HOLD))
+            .steps(1.0, 0.2)
+            .show(ui, language, "hold", width);
+        // Whole, and within an u32.
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        editor.enter(hold, |hold| {
+            with(selection, &current, |new| new.hold = hold as u32)
+        });
+    });
+}
+
+/// What the camera looks at: a place or a direction.
+fn target(editor: &mut Editor, ui: &mut egui::Ui, current: &Orientation) {
+    let texts = &editor.texts().orientation;
+    let selection = editor.document.selection();
+    let (words, vector) = match current.target {
+        Target::Absolute(place) => (("target", texts.target, texts.target_hint), place),
+        Target::Relative(way) => (("direction", texts.direction, texts.direction_hint), way),
+    };
+    three_numbers(editor, ui, words, vector, |editor, entry, put| {
+        editor.enter(entry, |value| {
+            with(selection, current, |new| {
+                new.target = match new.target {
+                    Target::Absolute(_) => Target::Absolute(put(value)),
+                    Target::Relative(_) => Target::Relative(put(value)),
+                };
+            })
+        });
+    });
+}
+
+/// The edit that changes the current orientation.
+pub(super) fn with(
+    at: Selection,
+    current: &Orientation,
+    change: impl FnOnce(&mut Orientation),
+) -> Edit {
+    let mut orientation = current.clone();
+    change(&mut orientation);
+    Edit::SetOrientation {
+        point: at.point,
+        at: at.orientation,
+        orientation,
+    }
+}

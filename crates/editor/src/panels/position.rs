@@ -1,0 +1,183 @@
+//! Position and curve (thesis A.4.1): points come, go and become current; the
+//! shape of the curve at this point and the next is shown.
+
+use egui::{Button, Color32, Popup, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2};
+use glam::DVec3;
+
+use super::{Key, heading_with_room, keys, round, share};
+use crate::actions::Action;
+use crate::document::Edit;
+use crate::limits::{MAX_COORDINATE, PRESETS};
+use crate::number::{Entry, Number};
+use crate::path::CurveParameters;
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
+
+/// Room for the arrow beside the preset's name.
+const ARROW: f32 = 14.0;
+
+pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+    let texts = &editor.texts().position;
+    let selection = editor.document.selection();
+    let count = editor.document.path().points.len();
+    presets(editor, ui);
+    keys(
+        editor,
+        ui,
+        &[
+            Key::new(texts.add, texts.add_hint, Action::AddPoint),
+            Key::new(texts.add_many, texts.add_many_hint, Action::AskPoints),
+            Key::new(texts.remove, texts.remove_hint, Action::RemovePoint),
+        ],
+    );
+    round(
+        editor,
+        ui,
+        &Key::new(texts.previous, texts.previous_hint, Action::PreviousPoint),
+        &Editor::number_of(texts.count, selection.point, count),
+        &Key::new(texts.next, texts.next_hint, Action::NextPoint),
+    );
+    coordinates(editor, ui);
+    shape(editor, ui, 1);
+    shape(editor, ui, 2);
+    let change = Key::new(texts.change, texts.change_hint, Action::Curve);
+    keys(editor, ui, &[change]);
+}
+
+/// The heading, and at its right the choice of a preset for the current point:
+/// the way to one that needs no window.
+fn presets(editor: &mut Editor, ui: &mut Ui) {
+    let texts = &editor.texts().position;
+    let name = preset(editor);
+    let row = heading_with_room(ui, texts.heading, &name, ARROW).rect;
+    let wide = ui.fonts_mut(|fonts| {
+        let galley = fonts.layout_no_wrap(name.clone(), theme::text(), Color32::PLACEHOLDER);
+        galley.size().x
+    });
+    let place = row.with_min_x(row.right() - ARROW - wide - 4.0);
+    let response = ui.interact(place, ui.scope_id().with("preset"), Sense::click());
+    response.widget_info(|| WidgetInfo {
+        current_text_value: Some(name.clone()),
+        ..WidgetInfo::labeled(Role::ComboBox, true, texts.choice)
+    });
+    let palette = theme::palette(ui);
+    let colour = if response.hovered() {
+        palette.text
+    } else {
+        palette.weak
+    };
+    let at = |x: f32, y: f32| pos2(row.right() - 5.0 + x, row.center().y + 1.0 + y);
+    let arrow = vec![at(-3.5, -2.0), at(0.0, 2.0), at(3.5, -2.0)];
+    ui.painter()
+        .add(Shape::line(arrow, Stroke::new(1.5, colour)));
+    let now = editor.point().map(|point| point.curve);
+    Popup::menu(&response).show(|ui| {
+        for preset in (0_u8..).take(PRESETS) {
+            let chosen = now == Some(CurveParameters::Preset(preset));
+            let tcb = editor.document.path().presets[usize::from(preset)];
+            let shape = editor.texts().curve.shape(editor.language(), tcb);
+            let shape = RichText::new(shape).color(if chosen {
+                palette.on_accent
+            } else {
+                palette.weak
+            });
+            let button =
+                Button::selectable(chosen, fill(texts.preset, &[&preset])).right_text(shape);
+            if ui.add(button).clicked() {
+                let at = editor.document.selection().point;
+                let preset = preset.into();
+                editor.edit(Edit::UsePreset { at, preset });
+            }
+        }
+    });
+    response.on_hover_text(texts.choice_hint);
+}
+
+/// Where the current point takes its shape from.
+fn preset(editor: &Editor) -> String {
+    let texts = &editor.texts().position;
+    match editor.point().map(|point| point.curve) {
+        Some(CurveParameters::Preset(preset)) => fill(texts.preset, &[&preset]),
+        Some(CurveParameters::Own(_)) => texts.own.to_owned(),
+        None => String::new(),
+    }
+}
+
+fn coordinates(editor: &mut Editor, ui: &mut Ui) {
+    let texts = &editor.texts().position;
+    let at = editor.document.selection().point;
+    let Some(position) = editor.point().map(|point| point.position) else {
+        return;
+    };
+    three_numbers(
+        editor,
+        ui,
+        ("position", texts.coordinate, texts.coordinate_hint),
+        position,
+        |editor, entry, put| {
+            editor.enter(entry, |value| Edit::SetPosition {
+                at,
+                position: put(value),
+            })
+        },
+    );
+}
+
+/// A place or a direction: three numbers. `id`, `name` and `hint` are theirs;
+/// `enter` gets what was done to one of them, and the vector with a new value
+/// in its place.
+pub(super) fn three_numbers(
+    editor: &mut Editor,
+    ui: &mut Ui,
+    (id, name, hint): (&str, &str, &str),
+    vector: DVec3,
+    enter: impl Fn(&mut Editor, Entry, &dyn Fn(f64) -> DVec3),
+) {
+    let width = share(ui, 3);
+    ui.horizontal(|ui| {
+        for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+            let entry = Number::new(&fill(name, &[&letter]), vector[axis])
+                .label(letter)
+                .hint(hint)
+                .range(-MAX_COORDINATE..=MAX_COORDINATE)
+                .show(ui, editor.language(), &format!("{id}.{letter}"), width);
+            enter(editor, entry, &|value| {
+                let mut new = vector;
+                new[axis] = value;
+                new
+            });
+        }
+    });
+}
+
+/// Bias, continuity and tension at the current point (1) or the next (2);
+/// dashes where there is no next.
+fn shape(editor: &mut Editor, ui: &mut Ui, which: usize) {
+    let hint = editor.texts().position.shape_hint;
+    let path = editor.document.path();
+    let at = editor.document.selection().point;
+    let point = match which {
+        1 => Some(at),
+        _ if at + 1 < path.points.len() => Some(at + 1),
+        _ => path.closed.then_some(0),
+    };
+    let tcb = point.map(|point| path.tcb(point));
+    let width = share(ui, 3);
+    let language = editor.language();
+    ui.horizontal(|ui| {
+        for (name, value) in [
+            ("b", tcb.map(|tcb| tcb.bias)),
+            ("c", tcb.map(|tcb| tcb.continuity)),
+            ("t", tcb.map(|tcb| tcb.tension)),
+        ] {
+            let name = format!("{name}{which}");
+            Number::new(&name, value)
+                .label(&name)
+                .hint(hint)
+                .decimals(2)
+                .fixed()
+                .show(ui, language, &name, width);
+        }
+    });
+}

@@ -1,0 +1,180 @@
+//! The speed curve of the current section, small (thesis A.4.3), as it really
+//! runs, with the frames and seconds that the section takes.
+
+use egui::{
+    Align2, CornerRadius, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+
+use super::{Key, heading, keys};
+use crate::actions::Action;
+use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
+use crate::path::speed_curve::{INTERVALS, SpeedCurve};
+use crate::path::{Change, Section};
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
+
+/// Height of all panels but this picture.
+const OTHERS: f32 = 460.0;
+/// The picture's least and greatest height.
+const HEIGHTS: (f32, f32) = (36.0, 112.0);
+
+pub(super) fn show(editor: &mut Editor, ui: &mut Ui, height: f32) {
+    let texts = &editor.texts().speed;
+    let (curve, section) = current(editor);
+    let words = section.map_or_else(|| texts.end.to_owned(), |section| frames(editor, section));
+    heading(ui, texts.heading, &words);
+    let height = (height - OTHERS).clamp(HEIGHTS.0, HEIGHTS.1);
+    let speeds = editor.orientation().map(|current| current.speeds);
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width(), height.floor()), Sense::click());
+    paint(ui, rect, &response, curve.as_ref(), speeds.as_ref());
+    if let Some(section) = section {
+        let (place, align) = if speeds.is_some_and(begins_low) {
+            (rect.left_top() + vec2(6.0, 4.0), Align2::LEFT_TOP)
+        } else {
+            (rect.left_bottom() + vec2(6.0, -4.0), Align2::LEFT_BOTTOM)
+        };
+        let color = theme::palette(ui).weak;
+        let words = ends(editor, section);
+        ui.painter()
+            .text(place, align, words, theme::small(), color);
+    }
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, texts.picture));
+    if response.on_hover_text(texts.picture_hint).clicked() {
+        editor.act(Action::SpeedCurve, ui.ctx());
+    }
+    let change = Key::new(texts.change, texts.change_hint, Action::SpeedCurve);
+    keys(editor, ui, &[change]);
+}
+
+/// Whether there is more room above the first speeds than below them.
+fn begins_low(speeds: [f64; SPEEDS]) -> bool {
+    let first = &speeds[..SPEEDS / 3 + 1];
+    let highest = first.iter().copied().fold(MIN_SPEED, f64::max);
+    let lowest = first.iter().copied().fold(MAX_SPEED, f64::min);
+    MAX_SPEED - highest > lowest - MIN_SPEED
+}
+
+/// The speed curve that belongs to the current orientation, and its section;
+/// the last orientation of an open path begins none.
+fn current(editor: &Editor) -> (Option<SpeedCurve>, Option<Section>) {
+    let selection = editor.document.selection();
+    let path = editor.document.path();
+    let found = editor.document.timeline(|timeline| {
+        let section = timeline.section_from(selection.point, selection.orientation)?;
+        Some((
+            timeline.speed_curve(path, section),
+            timeline.section(section),
+        ))
+    });
+    match found {
+        Ok(Some((curve, section))) => (Some(curve), Some(section)),
+        _ => {
+            let speeds = editor.orientation().map(|current| current.speeds);
+            (
+                speeds.map(|speeds| SpeedCurve::new(&speeds, None, None)),
+                None,
+            )
+        }
+    }
+}
+
+/// From where to where a section leads: points, with their orientation where
+/// there are several.
+fn ends(editor: &Editor, section: Section) -> String {
+    let points = &editor.document.path().points;
+    let several = |point: usize| {
+        points
+            .get(point)
+            .is_some_and(|point| point.orientations.len() > 1)
+    };
+    let name = |point: usize, orientation: usize| {
+        if several(point) {
+            format!("{}.{}", point + 1, orientation + 1)
+        } else {
+            (point + 1).to_string()
+        }
+    };
+    let here = points
+        .get(section.point)
+        .map_or(0, |point| point.orientations.len());
+    let (to, orientation) = if section.orientation + 1 < here {
+        (section.point, section.orientation + 1)
+    } else {
+        ((section.point + 1) % points.len().max(1), 0)
+    };
+    let from = name(section.point, section.orientation);
+    fill(
+        editor.texts().speed.section,
+        &[&from, &name(to, orientation)],
+    )
+}
+
+/// Frames and seconds of a section.
+fn frames(editor: &Editor, section: Section) -> String {
+    let texts = &editor.texts().speed;
+    if section.change == Change::Nothing {
+        return texts.no_frames.to_owned();
+    }
+    let fps = editor.document.info().fps;
+    let seconds = editor.language().number(section.frames as f64 / fps, 2);
+    let text = if section.frames == 1 {
+        texts.one_frame
+    } else {
+        texts.frames
+    };
+    fill(text, &[&section.frames, &seconds])
+}
+
+fn paint(
+    ui: &Ui,
+    rect: Rect,
+    response: &Response,
+    curve: Option<&SpeedCurve>,
+    speeds: Option<&[f64; SPEEDS]>,
+) {
+    let palette = theme::palette(ui);
+    let border = if response.hovered() {
+        palette.accent
+    } else {
+        palette.edge
+    };
+    let painter = ui.painter().with_clip_rect(rect);
+    painter.rect(
+        rect,
+        CornerRadius::same(4),
+        palette.field,
+        Stroke::new(1.0, border),
+        egui::StrokeKind::Inside,
+    );
+    let inner = rect.shrink2(vec2(6.0, 6.0));
+    #[allow(clippy::cast_possible_truncation)]
+    let place = |u: f64, speed: f64| -> Pos2 {
+        let share = (speed - MIN_SPEED) / (MAX_SPEED - MIN_SPEED);
+        pos2(
+            egui::lerp(inner.x_range(), u as f32),
+            egui::lerp(inner.bottom()..=inner.top(), share as f32),
+        )
+    };
+    let (left, right) = (place(0.0, BASE_SPEED), place(1.0, BASE_SPEED));
+    painter.line_segment([left, right], Stroke::new(1.0, palette.line));
+    if let Some(curve) = curve {
+        let pieces = INTERVALS * 8;
+        let line = (0..=pieces).map(|piece| {
+            let u = piece as f64 / pieces as f64;
+            place(u, curve.speed(u))
+        });
+        painter.add(Shape::line(
+            line.collect(),
+            Stroke::new(1.5, palette.accent),
+        ));
+    }
+    for (index, &speed) in speeds.into_iter().flatten().enumerate() {
+        let square = Rect::from_center_size(
+            place(index as f64 / INTERVALS as f64, speed),
+            vec2(5.0, 5.0),
+        );
+        painter.rect_filled(square, CornerRadius::ZERO, palette.accent);
+    }
+}

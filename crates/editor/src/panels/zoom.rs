@@ -1,0 +1,64 @@
+//! Zoom and field of view of the current orientation (thesis A.4.4).
+
+use egui::{Slider, SliderClamping};
+
+use super::heading;
+use super::orientation::with;
+use crate::limits::{MAX_ZOOM, MIN_ZOOM};
+use crate::number::{Entry, Number};
+use crate::state::Editor;
+
+/// Width of the field beside the slider.
+const FIELD: f32 = 56.0;
+
+/// Half the height of the picture in mm: of a 36×24 mm camera.
+const HALF_HEIGHT: f64 = 12.0;
+
+pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
+    let texts = &editor.texts().zoom;
+    let language = editor.language();
+    let selection = editor.document.selection();
+    let Some(current) = editor.orientation().cloned() else {
+        return;
+    };
+    let angle = 2.0 * (HALF_HEIGHT / current.zoom).atan().to_degrees();
+    let words = format!("{}°", language.number(angle, 1));
+    heading(ui, texts.heading, &words).on_hover_text(texts.angle_hint);
+    ui.horizontal(|ui| {
+        let gap = ui.spacing().item_spacing.x;
+        ui.spacing_mut().slider_width = super::WIDTH - FIELD - gap;
+        let mut zoom = current.zoom;
+        let slider = Slider::new(&mut zoom, MIN_ZOOM..=MAX_ZOOM)
+            .clamping(SliderClamping::Never)
+            .show_value(false)
+            .step_by(0.5);
+        let response = ui.add(slider).on_hover_text(texts.hint);
+        ui.ctx().accesskit_node_builder(response.id, |node| {
+            node.set_label(texts.slider);
+        });
+        if response.drag_started() {
+            editor.enter(Entry::Begin, |zoom| {
+                with(selection, &current, |new| new.zoom = zoom)
+            });
+        }
+        if response.changed() {
+            editor.enter(Entry::Drag(zoom), |zoom| {
+                with(selection, &current, |new| new.zoom = zoom)
+            });
+        }
+        if response.drag_stopped() {
+            editor.enter(Entry::End, |zoom| {
+                with(selection, &current, |new| new.zoom = zoom)
+            });
+        }
+        let entry = Number::new(texts.value, current.zoom)
+            .hint(texts.hint)
+            .decimals(1)
+            .range(MIN_ZOOM..=MAX_ZOOM)
+            .steps(1.0, 0.2)
+            .show(ui, language, "zoom", FIELD);
+        editor.enter(entry, |zoom| {
+            with(selection, &current, |new| new.zoom = zoom)
+        });
+    });
+}

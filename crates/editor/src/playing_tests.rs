@@ -1,0 +1,201 @@
+//! Tests of [`super`].
+
+use std::time::Duration;
+
+use egui::{Modifiers, PointerButton, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+
+use super::*;
+use crate::path::Pose;
+use crate::space::tests::{
+    editor, image, motion, press, pyramid, pyramid_window, release, tap, window,
+};
+use crate::texts::Language;
+
+/// When the window wants to be shown again.
+fn wait(harness: &Harness<'_, Editor>) -> Duration {
+    let output = harness.output().viewport_output.values();
+    output.map(|output| output.repaint_delay).min().unwrap()
+}
+
+#[test]
+fn marks_lie_where_the_sampler_puts_the_keys() {
+    for closed in [false, true] {
+        let mut document = pyramid();
+        document
+            .apply(crate::document::Edit::SetClosed(closed))
+            .unwrap();
+        let mut marks = Marks::default();
+        marks.update(&document).unwrap();
+        let sampler = document.sampler().unwrap();
+        assert_eq!(marks.frames, sampler.frame_count());
+        let keys: usize = document
+            .path()
+            .points
+            .iter()
+            .map(|p| p.orientations.len())
+            .sum();
+        assert_eq!(marks.keys.len(), keys);
+        for mark in &marks.keys {
+            let pose = sampler.pose(as_frame(mark.frame)).unwrap();
+            let key = Camera::at(&document, mark.point, mark.orientation).unwrap();
+            let at: Camera = pose.into();
+            assert!(at.position.abs_diff_eq(key.position, 1e-12), "{mark:?}");
+            assert!(at.view.abs_diff_eq(key.view, 1e-9), "{mark:?}");
+            // It is the first frame of its kind: a hold comes after it.
+            if mark.frame > 1 {
+                let before = sampler.pose(as_frame(mark.frame - 1)).unwrap();
+                assert_ne!(before, Pose::default());
+                assert_ne!(before, pose, "{mark:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn at_rest_it_wakes_nobody_and_playing_it_wakes_for_each_frame() {
+    let mut harness = pyramid_window();
+    assert_eq!(wait(&harness), Duration::MAX);
+    harness.get_by_label("Play").click();
+    harness.step();
+    harness.step();
+    assert!(harness.state().playing.is_playing());
+    let wanted = wait(&harness);
+    assert!(wanted <= Duration::from_millis(40), "{wanted:?}");
+    // 25 frames a second, shown at 60.
+    let first = harness.state().playing.frame.unwrap();
+    for _ in 0..60 {
+        harness.step();
+    }
+    let gone = harness.state().playing.frame.unwrap() - first;
+    assert!((24.0..=26.0).contains(&gone), "{gone}");
+    harness.get_by_label("Pause").click();
+    harness.run();
+    assert!(!harness.state().playing.is_playing());
+    assert_eq!(wait(&harness), Duration::MAX);
+}
+
+#[test]
+fn it_stops_at_the_end_and_begins_anew() {
+    let mut harness = pyramid_window();
+    let last = harness.state().playing.marks.frames;
+    harness.state_mut().scrub(as_frame(last) - 3.0);
+    harness.get_by_label("Play").click();
+    for _ in 0..30 {
+        harness.step();
+    }
+    assert_eq!(harness.state().playing.frame, Some(as_frame(last)));
+    assert!(!harness.state().playing.is_playing());
+    assert_eq!(wait(&harness), Duration::MAX);
+    harness.get_by_label("Play").click();
+    harness.step();
+    harness.step();
+    assert!(harness.state().playing.frame.unwrap() < 5.0);
+}
+
+#[test]
+fn another_current_point_is_shown_instead_of_the_frame() {
+    let mut harness = pyramid_window();
+    harness.state_mut().scrub(100.0);
+    harness.step();
+    assert!(harness.state().camera().unwrap().1);
+    assert_eq!(harness.state().shown_frame(), Some(100));
+    harness.state_mut().document.select(2, 0).unwrap();
+    harness.step();
+    let (camera, of_frame) = harness.state().camera().unwrap();
+    assert!(!of_frame);
+    assert_eq!(
+        camera.position,
+        harness.state().document.path().points[2].position
+    );
+    let mark = harness.state().playing.marks.keys[2];
+    assert_eq!(harness.state().position_on_bar(), as_frame(mark.frame));
+}
+
+#[test]
+fn the_bar_is_used_by_mouse_and_by_keys() {
+    let mut harness = pyramid_window();
+    let last = as_frame(harness.state().playing.marks.frames);
+    let bar = harness.get_by_label("Frame").rect();
+    let place = pos2(
+        bar.left() + 8.0 + (bar.width() - 16.0) * 0.5,
+        bar.center().y,
+    );
+    harness.hover_at(place);
+    harness.step();
+    harness.drag_at(place);
+    harness.step();
+    let middle = harness.state().playing.frame.unwrap();
+    assert!((middle - (1.0 + last) / 2.0).abs() < 1.0, "{middle}");
+    harness.drop_at(pos2(bar.right() + 50.0, bar.center().y));
+    harness.run();
+    tap(&mut harness, Key::Home, Modifiers::NONE);
+    assert_eq!(harness.state().playing.frame, Some(1.0));
+    tap(&mut harness, Key::ArrowRight, Modifiers::NONE);
+    tap(&mut harness, Key::ArrowRight, Modifiers::SHIFT);
+    assert_eq!(harness.state().playing.frame, Some(12.0));
+    tap(&mut harness, Key::End, Modifiers::NONE);
+    assert_eq!(harness.state().playing.frame, Some(last));
+    tap(&mut harness, Key::ArrowRight, Modifiers::NONE);
+    assert_eq!(harness.state().playing.frame, Some(last));
+    tap(&mut harness, Key::Space, Modifiers::NONE);
+    assert!(harness.state().playing.is_playing());
+}
+
+#[test]
+fn a_shorter_path_keeps_the_frame_in_range() {
+    let mut harness = window(editor(pyramid(), Language::German), vec2(900.0, 600.0), 1.0);
+    harness.state_mut().scrub(700.0);
+    harness.step();
+    while harness.state().document.path().points.len() > 2 {
+        let edit = crate::document::Edit::RemovePoint { at: 2 };
+        harness.state_mut().document.apply(edit).unwrap();
+    }
+    harness.step();
+    let frames = harness.state().playing.marks.frames;
+    assert!(frames < 700);
+    assert!(
+        harness
+            .state()
+            .playing
+            .frame
+            .is_none_or(|frame| frame <= as_frame(frames))
+    );
+}
+
+/// While a point is dragged they follow now and then, and at its end.
+#[test]
+fn the_marks_follow_what_is_dragged() {
+    let mut harness = pyramid_window();
+    let from = image(&harness, harness.state().document.path().points[0].position);
+    let marks = |harness: &Harness<'_, Editor>| harness.state().playing.marks.keys.clone();
+    let right = |harness: &Harness<'_, Editor>| {
+        let mut right = Marks::default();
+        right.update(&harness.state().document).unwrap();
+        right.keys
+    };
+    press(&mut harness, from, PointerButton::Middle);
+    motion(&mut harness, from + vec2(10.0, 0.0));
+    let mut changes = 0;
+    for step in 0..60_u8 {
+        let before = marks(&harness);
+        motion(&mut harness, from + vec2(10.0, f32::from(step)));
+        changes += usize::from(marks(&harness) != before);
+    }
+    assert!((3..=5).contains(&changes), "{changes} in a second");
+    for step in 0..6_u8 {
+        motion(&mut harness, from + vec2(10.0, f32::from(step)));
+    }
+    // The hand rests.
+    assert_ne!(marks(&harness), right(&harness));
+    assert!(wait(&harness) <= Duration::from_millis(250));
+    harness.run_steps(16);
+    assert_eq!(marks(&harness), right(&harness));
+    // It lets go.
+    motion(&mut harness, from + vec2(40.0, 10.0));
+    release(&mut harness, from + vec2(40.0, 10.0), PointerButton::Middle);
+    harness.run();
+    assert_eq!(marks(&harness), right(&harness));
+    assert_eq!(wait(&harness), Duration::MAX);
+}

@@ -1,0 +1,168 @@
+//! The orientations of the whole path at a glance, which the thesis wishes for
+//! (chapter 8): each of them as a small camera, with [`super::ribbon`] between
+//! them.
+
+use std::sync::Arc;
+
+use egui::Color32;
+use glam::{DVec2, DVec3};
+
+use super::projection::to_pos;
+use super::scene::{Look, Seen, THIN};
+use super::strokes::Strokes;
+use crate::document::Document;
+use crate::math::orientation;
+use crate::path::Pose;
+use crate::raster::Lines;
+use crate::setup::Element;
+
+/// Length of a camera's edges on the screen, in points, and at most in units
+/// of the movement space.
+const CAMERA: [f64; 2] = [26.0, 0.16];
+
+/// Cameras nearer to each other than this on the screen are left out, in
+/// points.
+const APART: f64 = 14.0;
+
+/// Half the height of the film in mm, and width by height.
+const FILM: [f64; 2] = [12.0, 1.5];
+
+/// A camera: where it is, along what it looks, what is up, its zoom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Camera {
+    pub(crate) position: DVec3,
+    pub(crate) view: DVec3,
+    pub(crate) up: DVec3,
+    pub(crate) zoom: f64,
+}
+
+impl From<Pose> for Camera {
+    fn from(pose: Pose) -> Self {
+        Self {
+            position: DVec3::from_array(pose.vrp),
+            view: DVec3::from_array(pose.vpn),
+            up: DVec3::from_array(pose.vup),
+            zoom: pose.zoom,
+        }
+    }
+}
+
+impl Camera {
+    /// The camera of an orientation.
+    pub(crate) fn at(document: &Document, point: usize, number: usize) -> Option<Self> {
+        let point = document.path().points.get(point)?;
+        let orientation = point.orientations.get(number)?;
+        let view = orientation.view(point.position);
+        Some(Self {
+            position: point.position,
+            view,
+            up: orientation::up_from_roll(view, orientation.roll.to_radians()),
+            zoom: orientation.zoom,
+        })
+    }
+
+    /// The corners of its picture, each so far from it: to the right above,
+    /// and on the way round. The wider it sees, the wider and flatter it is.
+    fn corners(&self, length: f64) -> [DVec3; 4] {
+        let high = FILM[0] / self.zoom;
+        let right = self.view.cross(self.up);
+        [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[x, y]| {
+            let ray = self.view + right * (x * high * FILM[1]) + self.up * (y * high);
+            self.position + orientation::unit(ray) * length
+        })
+    }
+}
+
+/// Draws a camera with edges of so many points: its pyramid, and a small roof
+/// that shows what is up.
+pub(super) fn camera(
+    strokes: &mut Strokes<'_>,
+    look: &Look<'_>,
+    camera: &Camera,
+    points: f64,
+    width: f32,
+    color: Color32,
+) {
+    let length = (points / look.projection.scale()).min(CAMERA[1] * points / CAMERA[0]);
+    let corners = camera.corners(length);
+    for k in 0..4 {
+        strokes.line(camera.position, corners[k], width, color);
+        strokes.line(corners[k], corners[(k + 1) % 4], width, color);
+    }
+    // The roof stands a little above the picture, so that the two are told apart.
+    let [right, left] = [corners[0], corners[1]];
+    let wide = left.distance(right);
+    let roof = |share: f64, up: f64| left.lerp(right, share) + camera.up * (wide * up);
+    let [left, ridge, right] = [roof(0.28, 0.08), roof(0.5, 0.3), roof(0.72, 0.08)];
+    strokes.line(left, ridge, width, color);
+    strokes.line(ridge, right, width, color);
+    strokes.line(right, left, width, color);
+}
+
+/// Every orientation of the path but the current one as a small camera; made
+/// again only when others are seen.
+#[derive(Debug, Default)]
+pub(super) struct Keys {
+    seen: Option<Seen>,
+    cameras: Vec<Camera>,
+    /// Those of this pass, kept for its memory.
+    now: Vec<Camera>,
+    lines: Arc<Lines>,
+}
+
+impl Keys {
+    /// Brings the lines up to date.
+    pub(super) fn update(&mut self, document: &Document, look: &Look<'_>) -> &Arc<Lines> {
+        self.now.clear();
+        if look.shown.has(Element::Cameras) {
+            collect(document, look, &mut self.now);
+        }
+        let seen = Some(look.seen());
+        if self.now != self.cameras || self.seen != seen {
+            let mut strokes = Strokes::new(look.projection, look.room);
+            let color = look.colours.of(Element::Cameras).gamma_multiply(0.8);
+            for seen in &self.now {
+                camera(&mut strokes, look, seen, CAMERA[0], THIN, color);
+            }
+            self.lines = Arc::new(strokes.finish());
+            std::mem::swap(&mut self.cameras, &mut self.now);
+            self.seen = seen;
+        }
+        &self.lines
+    }
+}
+
+/// The cameras that [`Keys`] shows: those that are in sight and not too near to
+/// each other.
+fn collect(document: &Document, look: &Look<'_>, cameras: &mut Vec<Camera>) {
+    let selection = document.selection();
+    let room = look.room.expand(40.0);
+    let mut last: Option<DVec2> = None;
+    for (index, point) in document.path().points.iter().enumerate() {
+        let image = look.projection.image(point.position);
+        let current = index == selection.point;
+        if !current && last.is_some_and(|last| last.distance(image) < APART) {
+            continue;
+        }
+        if !room.contains(to_pos(image)) {
+            continue;
+        }
+        last = Some(image);
+        let others = (0..point.orientations.len())
+            .filter(|&number| !current || number != selection.orientation);
+        cameras.extend(others.filter_map(|number| Camera::at(document, index, number)));
+    }
+}
+
+/// The current orientation as a small camera that stands out.
+pub(super) fn current_key(document: &Document, look: &Look<'_>) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.room);
+    let selection = document.selection();
+    if look.shown.has(Element::Cameras)
+        && let Some(seen) = Camera::at(document, selection.point, selection.orientation)
+    {
+        let color = look.colours.of(Element::Segment);
+        camera(&mut strokes, look, &seen, CAMERA[0] * 1.15, 1.4, color);
+    }
+    strokes.finish()
+}

@@ -1,0 +1,53 @@
+//! Tests of [`super::cameras`].
+
+use egui::{Rect, pos2, vec2};
+
+use super::tests::pyramid;
+use super::*;
+use crate::setup::View;
+
+/// Every orientation is there as a camera, and the ribbon is the flight.
+#[test]
+fn all_orientations_of_the_path_are_shown() {
+    let document = pyramid();
+    let projection = Projection::new(
+        &View::default(),
+        Rect::from_min_size(pos2(0.0, 0.0), vec2(900.0, 700.0)),
+    );
+    let shown = crate::setup::Shown::default();
+    let mut hidden = shown;
+    hidden.set(Element::Cameras, false);
+    let colours = crate::setup::Colours::DARK;
+    let look = |shown| Look {
+        projection: &projection,
+        room: Rect::from_min_size(pos2(0.0, 0.0), vec2(900.0, 700.0)),
+        pixels_per_point: 1.0,
+        colours: &colours,
+        shown,
+    };
+    // Nine orientations at six points, eleven lines each.
+    let count = |look: &Look<'_>| {
+        let others = cameras::Keys::default().update(&document, look).lines.len();
+        others + cameras::current_key(&document, look).lines.len()
+    };
+    assert_eq!(count(&look(&shown)), 9 * 11);
+    let mut ribbon = Ribbon::default();
+    ribbon.update(&document).unwrap();
+    let sampler = document.sampler().unwrap();
+    // Frames in which the camera rests are one and the same to be seen.
+    let mut poses = ribbon.poses();
+    let mut last: Option<Camera> = None;
+    for frame in 1..=sampler.frame_count() {
+        #[allow(clippy::cast_precision_loss)]
+        let pose: Camera = sampler.pose(frame as f64).unwrap().into();
+        if last.replace(pose) == Some(pose) {
+            continue;
+        }
+        let found = poses.next().expect("a pose for each frame");
+        assert!(found.position.abs_diff_eq(pose.position, 1e-9));
+        assert!(found.up.abs_diff_eq(pose.up, 1e-9));
+        assert!(found.view.abs_diff_eq(pose.view, 1e-9));
+    }
+    assert!(poses.next().is_none());
+    assert_eq!(count(&look(&hidden)), 0);
+}

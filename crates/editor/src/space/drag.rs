@@ -1,0 +1,352 @@
+//! What a drag makes of a point, a target or a roll. The way from the pointer
+//! to the edit; nothing here looks at the mouse.
+
+use glam::{DVec2, DVec3};
+
+use super::projection::{Axis, EDGE_ON, Projection};
+use crate::document::{Document, Edit};
+use crate::math::orientation;
+use crate::path::Target;
+
+/// Length of the VUP arrow, in the units of the movement space.
+pub(super) const VUP_LENGTH: f64 = 0.25;
+
+/// Something that can be taken hold of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Handle {
+    /// The tip of the current VUP arrow.
+    Vup,
+    /// The tip of the current VPN arrow: what the camera looks at.
+    Vpn,
+    /// A support point.
+    Point(usize),
+}
+
+/// What a motion of the mouse leads to.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Outcome {
+    /// This edit.
+    Edit(Edit),
+    /// The plane is seen edge-on: nothing moves.
+    PlaneEdgeOn(Axis),
+    /// The circle of VUP is seen edge-on: nothing moves.
+    CircleEdgeOn,
+    /// The pointer says nothing: it lies on the centre of the circle, or what
+    /// was held is no longer there.
+    Nothing,
+}
+
+/// The point under the pointer in the plane through `point`: each coordinate
+/// that moves ends at the faces of the cube. None if the plane is seen edge-on.
+fn follow(projection: &Projection, point: DVec3, fixed: Axis, pointer: DVec2) -> Option<DVec3> {
+    let mut found = projection.point_in_plane(point, fixed, pointer)?;
+    for axis in fixed.others() {
+        let coordinate = &mut found[axis.index()];
+        // Zero without a sign: it is shown.
+        *coordinate = coordinate.clamp(-1.0, 1.0) + 0.0;
+    }
+    Some(found)
+}
+
+/// The edit that brings what is held under the pointer.
+pub(super) fn outcome(
+    document: &Document,
+    projection: &Projection,
+    held: Handle,
+    fixed: Axis,
+    pointer: DVec2,
+) -> Outcome {
+    let edit = match held {
+        Handle::Vup => return roll(document, projection, pointer),
+        Handle::Vpn => {
+            let Some(tip) = current_tip(document) else {
+                return Outcome::Nothing;
+            };
+            follow(projection, tip, fixed, pointer).map(|to| move_target(document, to))
+        }
+        Handle::Point(at) => {
+            let Some(point) = document.path().points.get(at) else {
+                return Outcome::Nothing;
+            };
+            follow(projection, point.position, fixed, pointer)
+                .map(|position| Some(Edit::SetPosition { at, position }))
+        }
+    };
+    match edit {
+        None => Outcome::PlaneEdgeOn(fixed),
+        Some(None) => Outcome::Nothing,
+        Some(Some(edit)) => Outcome::Edit(edit),
+    }
+}
+
+/// Where the target of the current orientation lies.
+pub(super) fn current_tip(document: &Document) -> Option<DVec3> {
+    let selection = document.selection();
+    let point = document.path().points.get(selection.point)?;
+    let orientation = point.orientations.get(selection.orientation)?;
+    Some(tip_of(orientation.target, point.position))
+}
+
+/// The edit that moves the target of the current orientation to `to`.
+/// Coordinates that stay keep every bit, also those of an offset.
+pub(super) fn move_target(document: &Document, to: DVec3) -> Option<Edit> {
+    let selection = document.selection();
+    let (point, at) = (selection.point, selection.orientation);
+    let support = document.path().points.get(point)?;
+    let mut orientation = support.orientations.get(at)?.clone();
+    let position = support.position;
+    let tip = tip_of(orientation.target, position);
+    match &mut orientation.target {
+        Target::Absolute(target) => *target = to,
+        Target::Relative(offset) => {
+            for axis in Axis::ALL.map(Axis::index) {
+                if to[axis].to_bits() != tip[axis].to_bits() {
+                    offset[axis] = to[axis] - position[axis];
+                }
+            }
+        }
+    }
+    Some(Edit::SetOrientation {
+        point,
+        at,
+        orientation,
+    })
+}
+
+/// Where a target lies, seen from a point.
+pub(super) fn tip_of(target: Target, position: DVec3) -> DVec3 {
+    match target {
+        Target::Absolute(target) => target,
+        Target::Relative(offset) => position + offset,
+    }
+}
+
+/// The edit that turns the current VUP to the pointer.
+fn roll(document: &Document, projection: &Projection, pointer: DVec2) -> Outcome {
+    let selection = document.selection();
+    let Some(support) = document.path().points.get(selection.point) else {
+        return Outcome::Nothing;
+    };
+    let Some(orientation) = support.orientations.get(selection.orientation) else {
+        return Outcome::Nothing;
+    };
+    let view = orientation.view(support.position);
+    if circle_share(projection, view) < EDGE_ON {
+        return Outcome::CircleEdgeOn;
+    }
+    let way = pointer - projection.image(support.position);
+    let Some(roll) = roll_towards(projection, view, way) else {
+        return Outcome::Nothing;
+    };
+    Outcome::Edit(Edit::SetOrientation {
+        point: selection.point,
+        at: selection.orientation,
+        orientation: crate::path::Orientation {
+            roll,
+            ..orientation.clone()
+        },
+    })
+}
+
+/// The share of the VUP circle's area that is seen.
+pub(super) fn circle_share(projection: &Projection, view: DVec3) -> f64 {
+    projection.toward().dot(view).abs()
+}
+
+/// The roll in degrees with which the image of VUP points along `way`; none if
+/// that has no direction.
+///
+/// VUP is V₀·cos φ − U₀·sin φ. With the images a and b of V₀ and U₀ the angle
+/// follows from way × (a·cos φ − b·sin φ) = 0 at once, where the thesis halves
+/// an interval (6.2.3).
+pub(super) fn roll_towards(projection: &Projection, view: DVec3, way: DVec2) -> Option<f64> {
+    let (u, v) = orientation::level_axes(view);
+    let (a, b) = (projection.image_of_way(v), projection.image_of_way(u));
+    let (sin, cos) = (way.perp_dot(a), way.perp_dot(b));
+    if !(sin != 0.0 || cos != 0.0) {
+        return None;
+    }
+    let angle = sin.atan2(cos);
+    let image = a * angle.cos() - b * angle.sin();
+    let turned = if image.dot(way) < 0.0 {
+        angle + std::f64::consts::PI
+    } else {
+        angle
+    };
+    Some(orientation::wrap_degrees(turned.to_degrees()))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::super::projection::tests::{in_cube, room, view};
+    use super::*;
+    use crate::path::Orientation;
+
+    fn document(positions: &[DVec3], target: Target) -> Document {
+        let mut document = Document::new();
+        for (at, &position) in positions.iter().enumerate() {
+            if at >= 2 {
+                document.apply(Edit::InsertPoint { at, position }).unwrap();
+            } else {
+                document.apply(Edit::SetPosition { at, position }).unwrap();
+            }
+        }
+        document.select(0, 0).unwrap();
+        let orientation = Orientation {
+            target,
+            ..Orientation::default()
+        };
+        let edit = Edit::SetOrientation {
+            point: 0,
+            at: 0,
+            orientation,
+        };
+        document.apply(edit).unwrap();
+        document
+    }
+
+    fn pointer() -> impl Strategy<Value = DVec2> {
+        (200.0..1200.0f64, 50.0..700.0f64).prop_map(|(x, y)| DVec2::new(x, y))
+    }
+
+    /// Where clamping leads, coordinate by coordinate.
+    fn clamped(projection: &Projection, from: DVec3, fixed: Axis, pointer: DVec2) -> (DVec3, bool) {
+        let free = projection.point_in_plane(from, fixed, pointer).unwrap();
+        let mut kept = free;
+        for axis in fixed.others() {
+            kept[axis.index()] = kept[axis.index()].clamp(-1.0, 1.0);
+        }
+        (kept, kept == free)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1000))]
+
+        #[test]
+        fn a_point_follows_the_pointer(
+            view in view(), from in in_cube(), axis in 0..3usize, pointer in pointer(),
+        ) {
+            let projection = Projection::new(&view, room());
+            let fixed = Axis::ALL[axis];
+            let mut document = document(&[from, -from], Target::Relative(DVec3::X));
+            match outcome(&document, &projection, Handle::Point(0), fixed, pointer) {
+                Outcome::Edit(edit) => {
+                    document.apply(edit).unwrap();
+                    let moved = document.path().points[0].position;
+                    prop_assert_eq!(moved[axis].to_bits(), from[axis].to_bits());
+                    prop_assert!(moved.abs().max_element() <= 1.0);
+                    let (expected, inside) = clamped(&projection, from, fixed, pointer);
+                    prop_assert_eq!(moved, expected);
+                    if inside {
+                        prop_assert!((projection.image(moved) - pointer).length() < 1e-6);
+                    }
+                }
+                other => {
+                    prop_assert_eq!(other, Outcome::PlaneEdgeOn(fixed));
+                    prop_assert!(projection.share_seen(fixed) < EDGE_ON);
+                }
+            }
+        }
+
+        #[test]
+        fn a_target_follows_the_pointer(
+            view in view(), at in in_cube(), target in in_cube(), axis in 0..3usize,
+            absolute: bool, pointer in pointer(),
+        ) {
+            let projection = Projection::new(&view, room());
+            let fixed = Axis::ALL[axis];
+            let target = if absolute { Target::Absolute(target) } else { Target::Relative(target) };
+            let mut document = document(&[at, -at], target);
+            let Outcome::Edit(edit) =
+                outcome(&document, &projection, Handle::Vpn, fixed, pointer) else { return Ok(()) };
+            document.apply(edit).unwrap();
+            let moved = document.path().points[0].orientations[0].target;
+            let (from, to) = match (target, moved) {
+                (Target::Absolute(a), Target::Absolute(b))
+                | (Target::Relative(a), Target::Relative(b)) => (a, b),
+                _ => panic!("it stays what it is"),
+            };
+            prop_assert_eq!(from[axis].to_bits(), to[axis].to_bits());
+            let tip = tip_of(moved, at);
+            let (expected, inside) = clamped(&projection, tip_of(target, at), fixed, pointer);
+            prop_assert!((tip - expected).length() < 1e-12);
+            if inside {
+                prop_assert!((projection.image(tip) - pointer).length() < 1e-6);
+            }
+        }
+
+        #[test]
+        fn vup_points_to_the_pointer(
+            view in view(), at in in_cube(), target in in_cube(), pointer in pointer(),
+        ) {
+            let projection = Projection::new(&view, room());
+            let mut document = document(&[at, -at], Target::Relative(target));
+            let direction = orientation::unit(target);
+            match outcome(&document, &projection, Handle::Vup, Axis::X, pointer) {
+                Outcome::Edit(edit) => {
+                    document.apply(edit).unwrap();
+                    let roll = document.path().points[0].orientations[0].roll;
+                    let up = orientation::up_from_roll(direction, roll.to_radians());
+                    let image = projection.image_of_way(up);
+                    let wanted = pointer - projection.image(at);
+                    let angle = image.perp_dot(wanted).atan2(image.dot(wanted)).to_degrees();
+                    prop_assert!(angle.abs() < 0.1);
+                    prop_assert!(angle.abs() < 1e-6);
+                    prop_assert!(roll > -180.0 && roll <= 180.0);
+                }
+                other => {
+                    prop_assert_eq!(other, Outcome::CircleEdgeOn);
+                    prop_assert!(direction.dot(projection.toward()).abs() < EDGE_ON);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_thesiss_bisection_finds_the_same_roll() {
+        let projection = Projection::new(&crate::setup::View::default(), room());
+        let view = orientation::unit(DVec3::new(0.3, -0.2, -0.8));
+        let image =
+            |roll: f64| projection.image_of_way(orientation::up_from_roll(view, roll.to_radians()));
+        for step in 0..360 {
+            let way = DVec2::from_angle(f64::from(step).to_radians()) * 80.0;
+            // 6.2.3: which half, then halve. The images go round one way.
+            let turn = image(0.0).perp_dot(image(90.0)).signum();
+            let side = |roll: f64| image(roll).perp_dot(way) * turn >= 0.0;
+            let (mut low, mut high) = if side(0.0) {
+                (0.0, 180.0)
+            } else {
+                (180.0, 360.0)
+            };
+            for _ in 0..40 {
+                let middle = (low + high) / 2.0;
+                if side(middle) {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            let found = roll_towards(&projection, view, way).unwrap();
+            let difference = orientation::wrap_degrees(found - low);
+            assert!(difference.abs() < 1e-6, "{found} and {low}");
+        }
+    }
+
+    #[test]
+    fn at_the_centre_of_the_circle_nothing_turns() {
+        let projection = Projection::new(&crate::setup::View::default(), room());
+        let view = orientation::unit(DVec3::new(0.3, -0.2, -0.8));
+        assert_eq!(roll_towards(&projection, view, DVec2::ZERO), None);
+    }
+
+    #[test]
+    fn what_is_gone_is_not_moved() {
+        let document = document(&[DVec3::X, DVec3::Y], Target::Relative(DVec3::X));
+        let projection = Projection::new(&crate::setup::View::default(), room());
+        let held = Handle::Point(7);
+        let found = outcome(&document, &projection, held, Axis::X, DVec2::ZERO);
+        assert_eq!(found, Outcome::Nothing);
+    }
+}

@@ -1,0 +1,420 @@
+//! The mouse in the movement window: from egui's events, in their order, to
+//! edits of the document and changes of the view. Keys go on to [`keyboard`].
+
+use egui::{Context, CursorIcon, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect};
+use glam::DVec3;
+
+use super::drag::{self, Handle, Outcome};
+use super::keyboard::{self, NUDGES};
+use super::picking;
+use super::projection::{Axis, Projection, from_pos};
+use crate::path::Target;
+use crate::setup::View;
+use crate::state::Editor;
+use crate::texts::fill;
+
+/// A press that moves no farther than this is a press and no drag, in points:
+/// hands tremble.
+const STILL: f32 = 2.0;
+
+/// Degrees for a point on the screen.
+const TURN: f64 = 0.35;
+
+/// What a step of the wheel makes of the size.
+pub(super) const WHEEL: f64 = 1.1;
+
+/// What the hand is at.
+#[derive(Debug, Default)]
+pub(super) struct Hand {
+    /// A button is down.
+    hold: Option<Hold>,
+    /// Keys that move something are down; a step of the document is open.
+    pub(super) nudging: bool,
+    /// What lies under the pointer.
+    pub(super) hover: Option<Handle>,
+    /// Where the last press without motion of the right button asks for a menu.
+    pub(super) menu: Option<(Pos2, Option<Handle>)>,
+}
+
+/// A button that is down.
+#[derive(Clone, Copy, Debug)]
+struct Hold {
+    button: PointerButton,
+    /// Where it was pressed.
+    pressed: Pos2,
+    /// Where the pointer is.
+    now: Pos2,
+    /// On what.
+    what: Option<Handle>,
+    /// The axis across the plane in which it moves.
+    fixed: Axis,
+    /// The view as it was.
+    view: View,
+    /// Empty space is shifted instead of turned.
+    shifts: bool,
+    /// It has moved.
+    moved: bool,
+}
+
+/// Where the hand works.
+pub(super) struct Desk<'a> {
+    pub(super) context: &'a Context,
+    pub(super) room: Rect,
+    /// Whether the pointer at a place means the movement window.
+    pub(super) mine: &'a dyn Fn(Pos2) -> bool,
+    /// Whether the keyboard does.
+    pub(super) keyboard: bool,
+}
+
+impl Hand {
+    /// A button is down.
+    pub(super) fn is_busy(&self) -> bool {
+        self.hold.is_some()
+    }
+
+    /// What is dragged: what it is, and the axis across its plane.
+    pub(super) fn dragged(&self) -> Option<(Handle, Axis)> {
+        let hold = self.hold.filter(|hold| hold.moved)?;
+        Some((hold.what?, hold.fixed))
+    }
+
+    /// Something is on its way: a handle, or the view.
+    pub(super) fn moves(&self) -> bool {
+        self.hold.is_some_and(|hold| hold.moved)
+    }
+
+    /// Takes the events of a pass.
+    pub(super) fn work(editor: &mut Editor, desk: &Desk<'_>) {
+        let events = desk.context.input(|input| input.events.clone());
+        let mut events = events.into_iter().peekable();
+        while let Some(event) = events.next() {
+            // Of a row of motions only where it leads to counts.
+            let more = matches!(
+                (&event, events.peek()),
+                (Event::PointerMoved(_), Some(Event::PointerMoved(_)))
+            );
+            if !more {
+                take(editor, desk, event);
+            }
+        }
+        // The release may have been lost with the window's focus.
+        let (down, nudged) = desk.context.input(|input| {
+            let hold = editor.space.hand.hold;
+            let down = hold.is_none_or(|hold| input.pointer.button_down(hold.button));
+            let nudged = NUDGES.iter().any(|&key| input.key_down(key));
+            (down, nudged)
+        });
+        if !down {
+            release(editor);
+        }
+        if !nudged {
+            keyboard::end_nudge(editor);
+        }
+        let projection = Projection::new(&editor.setup.view, desk.room);
+        let hand = &editor.space.hand;
+        let pointer = desk.context.input(|input| input.pointer.latest_pos());
+        let hover = match (&hand.hold, pointer) {
+            (Some(hold), _) => hold.what,
+            (None, Some(at)) if (desk.mine)(at) => picking::pick(
+                &editor.document,
+                &projection,
+                &editor.setup.shown,
+                from_pos(at),
+                true,
+            ),
+            _ => None,
+        };
+        editor.space.hand.hover = hover;
+    }
+
+    /// The shape of the pointer.
+    pub(super) fn cursor(&self) -> CursorIcon {
+        match (&self.hold, self.hover) {
+            (Some(hold), _) if hold.moved && hold.what.is_some() => CursorIcon::Crosshair,
+            (Some(hold), _) if hold.shifts => CursorIcon::Move,
+            (Some(_), _) => CursorIcon::Grabbing,
+            (None, Some(_)) => CursorIcon::Grab,
+            (None, None) => CursorIcon::Default,
+        }
+    }
+}
+
+fn take(editor: &mut Editor, desk: &Desk<'_>, event: Event) {
+    match event {
+        Event::PointerButton {
+            pos,
+            button,
+            pressed: true,
+            modifiers,
+        } if editor.space.hand.hold.is_none() && (desk.mine)(pos) => {
+            press(editor, desk, pos, button, modifiers);
+        }
+        Event::PointerButton {
+            pos,
+            button,
+            pressed: false,
+            ..
+        } if editor
+            .space
+            .hand
+            .hold
+            .is_some_and(|hold| hold.button == button) =>
+        {
+            motion(editor, desk.room, pos);
+            release(editor);
+        }
+        Event::PointerMoved(pos) => motion(editor, desk.room, pos),
+        Event::MouseWheel { unit, delta, .. } => {
+            let at = desk.context.input(|input| input.pointer.latest_pos());
+            if let Some(at) = at.filter(|&at| (desk.mine)(at)) {
+                let steps = match unit {
+                    MouseWheelUnit::Line => f64::from(delta.y),
+                    MouseWheelUnit::Point => f64::from(delta.y) / 50.0,
+                    MouseWheelUnit::Page => f64::from(delta.y) * 5.0,
+                };
+                resize(
+                    &mut editor.setup.view,
+                    desk.room,
+                    Some(at),
+                    WHEEL.powf(steps),
+                );
+            }
+        }
+        Event::Key {
+            key: Key::Escape,
+            pressed: true,
+            ..
+        } if editor.space.hand.hold.is_some() => {
+            cancel(editor);
+            desk.context
+                .input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+        }
+        Event::Key {
+            key,
+            pressed: true,
+            modifiers,
+            ..
+        } => {
+            if let Some(fixed) = plane_of(key)
+                && let Some(hold) = &mut editor.space.hand.hold
+                && hold.button == PointerButton::Primary
+                && matches!(hold.what, Some(Handle::Point(_) | Handle::Vpn))
+            {
+                hold.fixed = fixed;
+                let now = hold.now;
+                motion(editor, desk.room, now);
+            } else if desk.keyboard && editor.space.hand.hold.is_none() {
+                keyboard::press(editor, desk, key, modifiers);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The plane that a key stands for.
+fn plane_of(key: Key) -> Option<Axis> {
+    match key {
+        Key::X => Some(Axis::X),
+        Key::Y => Some(Axis::Y),
+        Key::Z => Some(Axis::Z),
+        _ => None,
+    }
+}
+
+fn press(
+    editor: &mut Editor,
+    desk: &Desk<'_>,
+    pos: Pos2,
+    button: PointerButton,
+    modifiers: Modifiers,
+) {
+    let held = desk.context.input(|input| {
+        [Key::X, Key::Y, Key::Z]
+            .into_iter()
+            .find(|&key| input.key_down(key))
+            .and_then(plane_of)
+    });
+    let fixed = match button {
+        PointerButton::Primary => held.unwrap_or(Axis::X),
+        PointerButton::Middle => Axis::Y,
+        PointerButton::Secondary => Axis::Z,
+        _ => return,
+    };
+    keyboard::end_nudge(editor);
+    let left = button == PointerButton::Primary;
+    let projection = Projection::new(&editor.setup.view, desk.room);
+    let what = picking::pick(
+        &editor.document,
+        &projection,
+        &editor.setup.shown,
+        from_pos(pos),
+        left && held.is_none(),
+    );
+    editor.message = None;
+    if let Some(Handle::Point(at)) = what {
+        make_current(editor, at);
+    }
+    editor.space.hand.hold = Some(Hold {
+        button,
+        pressed: pos,
+        now: pos,
+        what,
+        fixed,
+        view: editor.setup.view,
+        shifts: what.is_none() && (button == PointerButton::Middle || modifiers.shift),
+        moved: false,
+    });
+}
+
+/// Makes another point current.
+pub(super) fn make_current(editor: &mut Editor, at: usize) {
+    if at != editor.document.selection().point
+        && let Err(error) = editor.document.select(at, 0)
+    {
+        editor.complain_of(&error);
+    }
+}
+
+pub(super) fn motion(editor: &mut Editor, room: Rect, pos: Pos2) {
+    let Some(mut hold) = editor.space.hand.hold else {
+        return;
+    };
+    hold.now = pos;
+    if !hold.moved {
+        let way = pos - hold.pressed;
+        if way.x.abs().max(way.y.abs()) <= STILL {
+            editor.space.hand.hold = Some(hold);
+            return;
+        }
+        hold.moved = true;
+        if hold.what.is_some() {
+            editor.document.begin_step();
+        }
+    }
+    editor.space.hand.hold = Some(hold);
+    match hold.what {
+        Some(what) => pull(editor, room, what, hold.fixed, pos),
+        None => turn(&mut editor.setup.view, room, &hold),
+    }
+}
+
+/// Brings what is held under the pointer.
+fn pull(editor: &mut Editor, room: Rect, what: Handle, fixed: Axis, pos: Pos2) {
+    // Somebody else ended the step (an undo while the button is down): what
+    // follows would not belong to it.
+    if !editor.document.in_step() {
+        editor.space.hand.hold = None;
+        return;
+    }
+    let projection = Projection::new(&editor.setup.view, room);
+    let texts = &editor.texts().space;
+    match drag::outcome(&editor.document, &projection, what, fixed, from_pos(pos)) {
+        Outcome::Edit(edit) => {
+            if editor.edit(edit) {
+                tell_place(editor, what);
+            }
+        }
+        Outcome::PlaneEdgeOn(_) => editor.complain(texts.edge_on),
+        Outcome::CircleEdgeOn => editor.complain(texts.circle_edge_on),
+        Outcome::Nothing => {}
+    }
+}
+
+/// Shows in the output field where what is held has come to.
+pub(super) fn tell_place(editor: &mut Editor, what: Handle) {
+    let selection = editor.document.selection();
+    let Some(point) = editor.document.path().points.get(selection.point) else {
+        return;
+    };
+    let Some(orientation) = point.orientations.get(selection.orientation) else {
+        return;
+    };
+    let texts = &editor.texts().space;
+    let number = |value: f64| editor.language().number(value, 3);
+    let place = |text: &str, v: DVec3| fill(text, &[&number(v.x), &number(v.y), &number(v.z)]);
+    let text = match what {
+        Handle::Point(_) => place(texts.position_at, point.position),
+        Handle::Vpn => match orientation.target {
+            Target::Absolute(target) => place(texts.target_at, target),
+            Target::Relative(offset) => place(texts.offset_at, offset),
+        },
+        Handle::Vup => fill(
+            texts.roll_at,
+            &[&editor.language().number(orientation.roll, 1)],
+        ),
+    };
+    editor.say(text);
+}
+
+/// Turns or shifts the space by a drag in its empty part.
+fn turn(view: &mut View, room: Rect, hold: &Hold) {
+    let way = from_pos(hold.now) - from_pos(hold.pressed);
+    let mut changed = hold.view;
+    if hold.shifts {
+        let scale = Projection::new(&hold.view, room).scale();
+        changed.shift[0] += way.x / scale;
+        changed.shift[1] -= way.y / scale;
+    } else {
+        changed.rotation += way.x * TURN;
+        changed.tilt += way.y * TURN;
+    }
+    *view = changed.in_range();
+}
+
+/// Changes the size. What lies under the pointer stays there; the smaller the
+/// space gets, the more it comes back to the middle.
+pub(super) fn resize(view: &mut View, room: Rect, pointer: Option<Pos2>, factor: f64) {
+    let size = (view.size * factor).clamp(View::MIN_SIZE, View::MAX_SIZE);
+    if let Some(pointer) = pointer.filter(|_| size > view.size) {
+        let away = from_pos(pointer) - from_pos(room.center());
+        let unit = Projection::new(view, room).scale();
+        let grown = unit * size / view.size;
+        view.shift[0] += away.x / grown - away.x / unit;
+        view.shift[1] -= away.y / grown - away.y / unit;
+    } else if size < view.size {
+        let share = ((size - 1.0) / (view.size - 1.0)).clamp(0.0, 1.0);
+        let share = if view.size > 1.0 { share } else { 0.0 };
+        view.shift = view.shift.map(|shift| shift * share);
+    }
+    view.size = size;
+    *view = view.in_range();
+}
+
+fn release(editor: &mut Editor) {
+    let Some(hold) = editor.space.hand.hold.take() else {
+        return;
+    };
+    if hold.moved {
+        if hold.what.is_some() {
+            editor.let_go();
+        }
+    } else if hold.button == PointerButton::Secondary {
+        editor.space.hand.menu = Some((hold.pressed, hold.what));
+    }
+}
+
+/// Takes back what was begun.
+fn cancel(editor: &mut Editor) {
+    let Some(hold) = editor.space.hand.hold.take() else {
+        return;
+    };
+    if hold.moved {
+        match hold.what {
+            Some(_) => editor.document.cancel_step(),
+            None => editor.setup.view = hold.view,
+        }
+        editor.message = None;
+    }
+}
+
+/// The place that a drag's guides lead through.
+pub(super) fn place_held(editor: &Editor, what: Handle) -> Option<DVec3> {
+    match what {
+        Handle::Point(at) => {
+            let points = &editor.document.path().points;
+            points.get(at).map(|point| point.position)
+        }
+        Handle::Vpn => drag::current_tip(&editor.document),
+        Handle::Vup => None,
+    }
+}

@@ -1,0 +1,179 @@
+//! The menu of a point, or of the empty space: a press of the right button
+//! without motion.
+
+use egui::containers::menu::menu_style;
+use egui::{Align, Button, Key, Layout, Popup, PopupKind, Pos2, Rect, SetOpenCommand, Ui};
+use glam::DVec3;
+
+use super::drag::Handle;
+use super::picking::REACH;
+use super::projection::from_pos;
+use crate::actions::Action;
+use crate::document::Edit;
+use crate::path::Target;
+use crate::setup::{Element, View};
+use crate::state::Editor;
+
+/// Where the menu is, and for what.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct PointMenu {
+    at: Pos2,
+    /// It is about the current point; else about the view.
+    of_point: bool,
+    /// A corner of the object that lies there.
+    corner: Option<DVec3>,
+}
+
+/// Shows the menu if it is open, and opens it if the hand asks for it.
+pub(super) fn show(editor: &mut Editor, ui: &Ui, room: Rect) {
+    let mut asked = editor.space.hand.menu.take();
+    let id = ui.scope_id().with("point menu");
+    let context = ui.ctx();
+    let projection = super::Projection::new(&editor.setup.view, room);
+    // Shift-F10 stands for the menu key everywhere.
+    if asked.is_none()
+        && !Popup::is_any_open(context)
+        && context.input_mut(|input| input.consume_key(egui::Modifiers::SHIFT, Key::F10))
+    {
+        let at = editor.document.selection().point;
+        if let Some(point) = editor.document.path().points.get(at) {
+            let place = projection.pos(point.position);
+            asked = Some((room.clamp(place), Some(Handle::Point(at))));
+        }
+    }
+    let open = asked.map(|(at, what)| {
+        editor.space.menu = PointMenu {
+            at,
+            of_point: what.is_some(),
+            corner: corner_at(editor, &projection, at),
+        };
+        SetOpenCommand::Bool(true)
+    });
+    let PointMenu {
+        at,
+        of_point,
+        corner,
+    } = editor.space.menu;
+    Popup::new(id, context.clone(), at, ui.layer_id())
+        .kind(PopupKind::Menu)
+        .layout(Layout::top_down_justified(Align::Min))
+        .style(menu_style)
+        .open_memory(open)
+        .show(|ui| {
+            ui.set_min_width(200.0);
+            if let Some(corner) = corner {
+                aims(editor, ui, corner);
+                ui.separator();
+            }
+            if of_point {
+                entries(editor, ui);
+            } else {
+                views(editor, ui);
+            }
+        });
+}
+
+/// The corner of the object at a place on the screen, of several in a row the
+/// one in front.
+fn corner_at(editor: &Editor, projection: &super::Projection, at: Pos2) -> Option<DVec3> {
+    if !editor.setup.shown.has(Element::Object) {
+        return None;
+    }
+    let away = |corner: DVec3| projection.image(corner).distance(from_pos(at));
+    let corners = editor.document.info().object.iter();
+    let near = corners.map(|point| point.position).filter(|&corner| {
+        // Written so that what is not a number is not near.
+        away(corner) <= 1.5 * REACH
+    });
+    let depth = |corner: DVec3| corner.dot(projection.toward());
+    near.max_by(|&a, &b| depth(a).total_cmp(&depth(b)))
+}
+
+/// Cameras that are to look at a corner of the object.
+fn aims(editor: &mut Editor, ui: &mut Ui, corner: DVec3) {
+    let (texts, hints) = (&editor.texts().space, &editor.texts().menu_hints);
+    let button = ui.button(texts.aim_here).on_hover_text(hints.aim_here);
+    if button.clicked() {
+        editor.message = None;
+        editor.set_orientation(|orientation| orientation.target = Target::Absolute(corner));
+    }
+    let button = ui.button(texts.aim_all_here);
+    if button.on_hover_text(hints.aim_all_here).clicked() {
+        editor.message = None;
+        editor.aim_all_at(corner);
+    }
+}
+
+/// What can be done with the current point.
+fn entries(editor: &mut Editor, ui: &mut Ui) {
+    let texts = editor.texts();
+    let (space, menu, hints) = (&texts.space, &texts.menu, &texts.menu_hints);
+    let (position, output) = (&texts.position, &texts.output);
+    let closed = editor.document.path().closed;
+    let count = editor.document.path().points.len();
+    // Where it is not possible the tooltip says why.
+    let entry = |ui: &mut Ui, text: &str, hint: &str, not: Option<&str>| {
+        ui.add_enabled(not.is_none(), Button::new(text))
+            .on_hover_text(hint)
+            .on_disabled_hover_text(not.unwrap_or_default())
+            .clicked()
+    };
+    let no_ends = closed.then_some(position.closed_has_no_ends);
+    if entry(ui, menu.append, hints.append, no_ends) {
+        do_edit(editor, Edit::AppendAfterLast);
+    }
+    if entry(ui, menu.prepend, hints.prepend, no_ends) {
+        do_edit(editor, Edit::PrependBeforeFirst);
+    }
+    let (text, hint) = if closed {
+        (space.make_open, hints.open)
+    } else {
+        (space.make_closed, hints.close)
+    };
+    if entry(ui, text, hint, None) {
+        do_edit(editor, Edit::SetClosed(!closed));
+    }
+    ui.separator();
+    if entry(ui, menu.copy_orientation, hints.copy_orientation, None) {
+        editor.act(Action::CopyOrientation, ui.ctx());
+    }
+    let nothing = editor.copied.is_none().then_some(output.nothing_copied);
+    if entry(ui, menu.paste_orientation, hints.paste_orientation, nothing) {
+        editor.act(Action::PasteOrientation, ui.ctx());
+    }
+    if entry(ui, menu.aim_all, hints.aim_all, None) {
+        editor.act(Action::AimAll, ui.ctx());
+    }
+    ui.separator();
+    let two = (count <= crate::limits::MIN_POINTS).then_some(position.two_remain);
+    if entry(ui, menu.remove_point, position.remove_hint, two) {
+        editor.act(Action::RemovePoint, ui.ctx());
+    }
+}
+
+/// From where the space can be seen.
+fn views(editor: &mut Editor, ui: &mut Ui) {
+    let (texts, hints) = (&editor.texts().space, &editor.texts().menu_hints);
+    let whole = View::default();
+    let seen_from = |rotation: f64, tilt: f64| View {
+        rotation,
+        tilt,
+        ..whole
+    };
+    let views = [
+        (texts.view_reset, hints.view_reset, whole),
+        (texts.view_front, hints.view_front, seen_from(0.0, 0.0)),
+        (texts.view_right, hints.view_right, seen_from(-90.0, 0.0)),
+        (texts.view_above, hints.view_above, seen_from(0.0, 90.0)),
+    ];
+    for (text, hint, view) in views {
+        if ui.button(text).on_hover_text(hint).clicked() {
+            editor.setup.view = view;
+        }
+    }
+}
+
+fn do_edit(editor: &mut Editor, edit: Edit) {
+    editor.message = None;
+    editor.edit(edit);
+}

@@ -1,0 +1,409 @@
+//! What stands above the curve: the current camera's arrows and circle, the
+//! guides of a drag, numbers, the answer to the pointer. Few shapes, made anew
+//! in each pass.
+
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+use egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, pos2, vec2};
+use glam::{DVec2, DVec3};
+
+use super::cameras::Camera;
+use super::drag::{Handle, VUP_LENGTH};
+use super::picking::Tips;
+use super::projection::{Axis, from_pos, to_pos};
+use super::scene::{Look, THIN};
+use super::strokes::Strokes;
+use crate::document::Document;
+use crate::math::orientation;
+use crate::raster::Lines;
+use crate::setup::Element;
+use crate::theme;
+
+/// How far the straight pieces of a circle may stray from it, in pixels.
+const STRAY: f64 = 0.1;
+
+/// Length and half the width of an arrow's head.
+const HEAD: [f64; 2] = [12.0, 4.2];
+
+/// Radius of the ring around what would be taken hold of and its width, in
+/// points.
+const RING: f64 = 8.0;
+const RING_WIDTH: f32 = 1.5;
+
+/// Width of the arrows.
+const ARROW: f32 = 2.0;
+
+/// A number keeps the others out of the cells around its own, of this size.
+const CELL: [f32; 2] = [18.0, 14.0];
+
+/// More points than this carry no numbers but the current one.
+const MANY: usize = 2000;
+
+/// The straight pieces of a circle whose radius on the screen is so many points:
+/// ways from its middle to both ends, in radii.
+fn corners(look: &Look<'_>, radius: f64) -> impl Iterator<Item = (DVec2, DVec2)> {
+    let rise = STRAY / (radius * look.pixels_per_point).max(1.0);
+    let count = (PI / (1.0 - rise).acos()).ceil();
+    let at = move |step: u32| DVec2::from_angle(TAU * f64::from(step) / count);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    (0..count as u32).map(move |step| (at(step), at(step + 1)))
+}
+
+/// The circle on which the tip of VUP runs.
+pub(super) fn circle(look: &Look<'_>, tips: &Tips) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.room);
+    if let Some(color) = look.of(Element::Circle) {
+        let (u, v) = orientation::level_axes(tips.view);
+        let corners = corners(look, VUP_LENGTH * look.projection.scale());
+        let at = |turn: DVec2| tips.position + (v * turn.x - u * turn.y) * VUP_LENGTH;
+        for (from, to) in corners {
+            strokes.line(at(from), at(to), THIN, color);
+        }
+    }
+    strokes.finish()
+}
+
+/// The arrows of the current camera.
+pub(super) fn arrows(painter: &Painter, look: &Look<'_>, tips: &Tips) {
+    let mut shafts = Strokes::new(look.projection, look.room);
+    let mut heads = Vec::new();
+    for (element, tip) in [(Element::Vpn, tips.target), (Element::Vup, tips.up_tip)] {
+        if let Some(color) = look.of(element) {
+            arrow(&mut shafts, &mut heads, look, [tips.position, tip], color);
+        }
+    }
+    painter.add(Lines::shape(&Arc::new(shafts.finish()), look.room));
+    painter.extend(heads);
+}
+
+/// An arrow whose head ends exactly at its tip. One that points straight at the
+/// viewer is a dot.
+fn arrow(
+    shafts: &mut Strokes<'_>,
+    heads: &mut Vec<Shape>,
+    look: &Look<'_>,
+    ends: [DVec3; 2],
+    color: Color32,
+) {
+    let [from, to] = ends.map(|end| look.projection.image(end));
+    let length = from.distance(to);
+    if !length.is_finite() {
+        return;
+    }
+    let head = HEAD[0].min(length * 0.6);
+    if head < 4.0 {
+        shafts.disc(to, 4.0, color);
+        return;
+    }
+    let way = (to - from) / length;
+    // The shaft ends within the head, so that no gap shows.
+    shafts.flat(from, to - way * (head * 0.8), ARROW, color);
+    if look.room.expand(24.0).contains(to_pos(to)) {
+        let side = way.perp() * HEAD[1];
+        let foot = to - way * head;
+        // A notched head: its two halves, since it is not convex.
+        let notch = foot + way * (head * 0.22);
+        heads.extend([side, -side].map(|side| {
+            let corners = [to, foot + side, notch].map(to_pos).to_vec();
+            Shape::convex_polygon(corners, color, Stroke::NONE)
+        }));
+    }
+}
+
+/// The axes through a point that is dragged, and the border of the plane in
+/// which it moves, out to the faces of the cube.
+pub(super) fn guides(look: &Look<'_>, through: DVec3, fixed: Option<Axis>) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.room);
+    // Of a point that lies outside, as far as the point.
+    let low = through.min(DVec3::NEG_ONE);
+    let high = through.max(DVec3::ONE);
+    if let (Some(color), Some(fixed)) = (look.of(Element::Plane), fixed) {
+        let [a, b] = fixed.others().map(Axis::index);
+        let corner = |at_a: f64, at_b: f64| {
+            let mut corner = through;
+            corner[a] = at_a;
+            corner[b] = at_b;
+            corner
+        };
+        let corners = [
+            corner(low[a], low[b]),
+            corner(high[a], low[b]),
+            corner(high[a], high[b]),
+            corner(low[a], high[b]),
+        ];
+        for k in 0..4 {
+            strokes.line(corners[k], corners[(k + 1) % 4], 1.4, color);
+        }
+    }
+    if let Some(color) = look.of(Element::Axes) {
+        for axis in Axis::ALL.map(Axis::index) {
+            let [mut from, mut to] = [through; 2];
+            from[axis] = low[axis];
+            to[axis] = high[axis];
+            strokes.line(from, to, THIN, color);
+        }
+    }
+    strokes.finish()
+}
+
+/// The plane of a drag as a breath of colour.
+pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, fixed: Axis) {
+    let Some(color) = look.of(Element::Plane) else {
+        return;
+    };
+    let [a, b] = fixed.others().map(Axis::index);
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[at_a, at_b]| {
+        let mut corner = through;
+        corner[a] = at_a;
+        corner[b] = at_b;
+        look.projection.pos(corner)
+    });
+    painter.add(Shape::convex_polygon(
+        corners.to_vec(),
+        color.gamma_multiply(0.08),
+        Stroke::NONE,
+    ));
+}
+
+/// The answer to the pointer: a ring around what would be taken hold of.
+pub(super) fn ring(look: &Look<'_>, at: DVec3, color: Color32, held: bool) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.room);
+    let centre = look.projection.image(at);
+    let fill = color.gamma_multiply(if held { 0.35 } else { 0.2 });
+    strokes.disc(centre, RING, fill);
+    for (from, to) in corners(look, RING) {
+        strokes.flat(centre + from * RING, centre + to * RING, RING_WIDTH, color);
+    }
+    strokes.finish()
+}
+
+/// Where something that can be taken hold of lies, and its colour.
+pub(super) fn place_of(
+    document: &Document,
+    look: &Look<'_>,
+    tips: &Tips,
+    handle: Handle,
+) -> Option<(DVec3, Color32)> {
+    let colour = |element| look.colours.of(element);
+    match handle {
+        Handle::Vup => Some((tips.up_tip, colour(Element::Vup))),
+        Handle::Vpn => Some((tips.target, colour(Element::Vpn))),
+        Handle::Point(at) => {
+            let point = document.path().points.get(at)?;
+            Some((point.position, colour(Element::Segment)))
+        }
+    }
+}
+
+/// The numbers of the points, from 1, as far as there is room for them; the
+/// current one and the one under the pointer always, that one with its name.
+pub(super) fn numbers(
+    painter: &Painter,
+    document: &Document,
+    look: &Look<'_>,
+    hover: Option<usize>,
+) {
+    let Some(color) = look.of(Element::Numbers) else {
+        return;
+    };
+    let current = document.selection().point;
+    let points = &document.path().points;
+    // Whether a number stands in a cell of the room, with a row of cells around.
+    let (wide, high) = (look.room.width() / CELL[0], look.room.height() / CELL[1]);
+    let (wide, high) = (wide as usize + 3, high as usize + 3);
+    let mut taken = vec![false; wide * high];
+    let mut put = |at: usize, always: bool| {
+        let Some(point) = points.get(at) else { return };
+        let image = look.projection.image(point.position);
+        let pos = to_pos(image);
+        if !look.room.contains(pos) {
+            return;
+        }
+        let way = pos - look.room.min;
+        let cell = (way.y / CELL[1]) as usize * wide + (way.x / CELL[0]) as usize;
+        let rows = (0..3).filter_map(|row| taken.get(cell + row * wide..)?.get(..3));
+        if !always && rows.flatten().any(|&taken| taken) {
+            return;
+        }
+        if let Some(taken) = taken.get_mut(cell + wide + 1) {
+            *taken = true;
+        }
+        let (size, color) = if at == current {
+            (13.0, look.colours.of(Element::Segment))
+        } else {
+            (11.0, color)
+        };
+        let text = match &point.name {
+            Some(name) if hover == Some(at) => format!("{}  {name}", at + 1),
+            _ => (at + 1).to_string(),
+        };
+        let (way, align) = free_corner(document, look, at, image);
+        label(painter, pos + way, align, text, size, color, look);
+    };
+    put(current, true);
+    if let Some(hover) = hover.filter(|&hover| hover != current) {
+        put(hover, true);
+    }
+    if points.len() <= MANY {
+        (0..points.len())
+            .filter(|&at| at != current && Some(at) != hover)
+            .for_each(|at| put(at, false));
+    }
+}
+
+/// Beside a point, the corner that is farthest from where its curve runs and
+/// from its camera's view and up directions: the way there, and which corner of
+/// the text comes to lie in it.
+fn free_corner(
+    document: &Document,
+    look: &Look<'_>,
+    at: usize,
+    image: DVec2,
+) -> (egui::Vec2, Align2) {
+    let points = &document.path().points;
+    let neighbour = |at: Option<usize>| {
+        let point = at.and_then(|at| points.get(at))?;
+        Some(look.projection.image(point.position) - image)
+    };
+    let selection = document.selection();
+    let number = if at == selection.point {
+        selection.orientation
+    } else {
+        0
+    };
+    let camera = Camera::at(document, at, number);
+    let seen = |way: DVec3| look.projection.image_of_way(way);
+    // Up is where the ribbon leans, and the arrow of the current camera.
+    let taken = [
+        neighbour(at.checked_sub(1)),
+        neighbour(Some(at + 1)),
+        camera.map(|camera| seen(camera.view)),
+        camera.map(|camera| seen(camera.up)),
+    ];
+    let taken = taken.map(|way| way.map_or(DVec2::ZERO, DVec2::normalize_or_zero));
+    let corners = [
+        (DVec2::new(1.0, -1.0), Align2::LEFT_BOTTOM),
+        (DVec2::new(-1.0, -1.0), Align2::RIGHT_BOTTOM),
+        (DVec2::new(1.0, 1.0), Align2::LEFT_TOP),
+        (DVec2::new(-1.0, 1.0), Align2::RIGHT_TOP),
+    ];
+    let crowd = |corner: DVec2| {
+        let near = taken.iter().map(|way| way.dot(corner.normalize()));
+        near.fold(-1.0, f64::max)
+    };
+    let (mut best, mut least) = (corners[0], crowd(corners[0].0));
+    for corner in &corners[1..] {
+        let found = crowd(corner.0);
+        // The first ones are where one looks for a number.
+        if found < least - 0.1 {
+            (best, least) = (*corner, found);
+        }
+    }
+    let (way, align) = best;
+    #[allow(clippy::cast_possible_truncation)]
+    let way = vec2(way.x as f32 * 6.0, way.y as f32 * 4.0);
+    (way, align)
+}
+
+/// A text with a halo of the ground, so that it can be read above lines.
+fn label(
+    painter: &Painter,
+    pos: Pos2,
+    align: Align2,
+    text: String,
+    size: f32,
+    color: Color32,
+    look: &Look<'_>,
+) {
+    let galley = painter.layout_no_wrap(text, FontId::proportional(size), color);
+    let rect = align.anchor_size(pos, galley.size());
+    let ground = look.colours.of(Element::Background).gamma_multiply(0.7);
+    painter.add(theme::block(rect.expand2(vec2(2.0, -1.0)), ground));
+    painter.galley(rect.min, galley, color);
+}
+
+/// A hint in the upper left corner, where it covers least.
+pub(super) fn hint(painter: &Painter, look: &Look<'_>, text: &str, color: Color32) {
+    let pos = look.room.left_top() + vec2(12.0, 10.0);
+    let text = text.to_owned();
+    label(painter, pos, Align2::LEFT_TOP, text, 11.0, color, look);
+}
+
+/// The three directions, small, in a corner of the room.
+pub(super) fn directions(painter: &Painter, look: &Look<'_>) {
+    let Some(color) = look.of(Element::Numbers) else {
+        return;
+    };
+    let centre = from_pos(look.room.left_bottom()) + DVec2::new(40.0, -40.0);
+    let length = 24.0 / look.projection.scale();
+    // The one that points at the viewer is painted last.
+    let mut axes = Axis::ALL;
+    axes.sort_by(|a, b| {
+        let toward = look.projection.toward();
+        toward[a.index()].total_cmp(&toward[b.index()])
+    });
+    for axis in axes {
+        let mut way = DVec3::ZERO;
+        way[axis.index()] = length;
+        let image = look.projection.image_of_way(way);
+        let color = color.gamma_multiply(0.85);
+        let tip = to_pos(centre + image);
+        painter.line_segment([to_pos(centre), tip], Stroke::new(1.2, color));
+        let letter = ["x", "y", "z"][axis.index()];
+        let beside = if image.length() > 2.0 {
+            image.normalize() * 8.0
+        } else {
+            DVec2::new(-7.0, 7.0)
+        };
+        let pos = to_pos(centre + image + beside);
+        painter.text(
+            pos2(pos.x, pos.y),
+            Align2::CENTER_CENTER,
+            letter,
+            FontId::proportional(11.0),
+            color,
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::scene::tests::Eye;
+    use super::*;
+    use crate::document::Info;
+    use crate::path::{CameraPath, SupportPoint, Target};
+    use crate::setup::View;
+
+    /// A number stands neither on the arrow that shows what is up nor on the curve.
+    #[test]
+    fn the_number_leaves_the_arrows_free() {
+        let eye = Eye::new(&View {
+            rotation: 0.0,
+            tilt: 0.0,
+            ..View::default()
+        });
+        let look = eye.look();
+        let mut met = 0;
+        for roll in (-175..=180).step_by(5) {
+            // The camera looks nearly at us, and the curve runs to the left.
+            let mut points = [0.0, -0.5].map(|x| SupportPoint::new(DVec3::new(x, 0.0, 0.0)));
+            let orientation = &mut points[0].orientations[0];
+            orientation.target = Target::Relative(DVec3::new(-0.05, 0.0, 0.4));
+            orientation.roll = f64::from(roll);
+            let path = CameraPath {
+                points: points.to_vec(),
+                ..CameraPath::default()
+            };
+            let document = Document::from_parts(path, Info::default()).unwrap();
+            let camera = Camera::at(&document, 0, 0).unwrap();
+            let up = look.projection.image_of_way(camera.up).normalize();
+            let (way, _) = free_corner(&document, &look, 0, look.projection.image(DVec3::ZERO));
+            let number = DVec2::new(way.x.into(), way.y.into()).normalize();
+            assert!(number.dot(up) < 0.9, "roll {roll}");
+            assert!(number.x > 0.0 || up.x > 0.5, "roll {roll}: on the curve");
+            met += usize::from(up.dot(DVec2::new(1.0, -1.0).normalize()) > 0.9);
+        }
+        assert!(met > 5, "the arrow was never where numbers stand as a rule");
+    }
+}

@@ -1,0 +1,332 @@
+//! The parallel projection of the movement space, its y axis upright: rotation
+//! about y, then tilt, then size (thesis 6.2).
+//!
+//! Everything in double precision and in points as egui counts them, so that
+//! what is dragged lies under the pointer however far the view is enlarged.
+
+use egui::{Pos2, Rect, pos2};
+use glam::{DVec2, DVec3};
+
+use crate::setup::View;
+
+/// One of the world's axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axis {
+    /// To the right in an unturned view.
+    X,
+    /// Upwards.
+    Y,
+    /// Towards the viewer in an unturned view.
+    Z,
+}
+
+impl Axis {
+    /// All three.
+    pub(super) const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+
+    /// Its place in a vector.
+    pub(super) const fn index(self) -> usize {
+        self as usize
+    }
+
+    /// The two others, in their order.
+    pub(super) const fn others(self) -> [Self; 2] {
+        match self {
+            Self::X => [Self::Y, Self::Z],
+            Self::Y => [Self::X, Self::Z],
+            Self::Z => [Self::X, Self::Y],
+        }
+    }
+}
+
+/// A plane of which less than this share of its area is seen lies edge-on: it
+/// is seen at less than two degrees.
+pub(super) const EDGE_ON: f64 = 0.035;
+
+/// How much of the room is left free around the largest cube.
+const MARGIN: f64 = 0.98;
+
+/// From the movement space to the screen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Projection {
+    /// Where the middle of the movement space is seen.
+    middle: DVec2,
+    /// Points to the right for a unit along each axis.
+    across: DVec3,
+    /// Points downwards for a unit along each axis.
+    down: DVec3,
+    /// Unit vector towards the viewer.
+    toward: DVec3,
+    /// Points for a unit of length across the line of sight.
+    scale: f64,
+}
+
+impl Projection {
+    /// The movement space as it is seen in `room`.
+    pub(super) fn new(view: &View, room: Rect) -> Self {
+        let (sin, cos) = view.rotation.to_radians().sin_cos();
+        let (sin_tilt, cos_tilt) = view.tilt.to_radians().sin_cos();
+        let right = DVec3::new(cos, 0.0, sin);
+        let upright = DVec3::new(sin * sin_tilt, cos_tilt, -cos * sin_tilt);
+        let toward = DVec3::new(-sin * cos_tilt, sin_tilt, cos * cos_tilt);
+        let [width, height] = [room.width(), room.height()].map(|x| f64::from(x.max(1.0)));
+        // The farthest that a corner gets from the middle, however turned.
+        let [wide, high] = [2.0f64.sqrt(), 3.0f64.sqrt()];
+        let fitting = MARGIN * (width / (2.0 * wide)).min(height / (2.0 * high));
+        let scale = view.size * fitting;
+        let centre = room.center();
+        Self {
+            middle: DVec2::new(
+                f64::from(centre.x) + scale * view.shift[0],
+                f64::from(centre.y) - scale * view.shift[1],
+            ),
+            across: right * scale,
+            down: upright * -scale,
+            toward,
+            scale,
+        }
+    }
+
+    /// Where a point is seen.
+    pub(super) fn image(&self, point: DVec3) -> DVec2 {
+        self.middle + self.image_of_way(point)
+    }
+
+    /// How a way is seen: the image of its end less that of its beginning.
+    pub(super) fn image_of_way(&self, way: DVec3) -> DVec2 {
+        DVec2::new(self.across.dot(way), self.down.dot(way))
+    }
+
+    /// As [`Projection::image`], for egui.
+    pub(super) fn pos(&self, point: DVec3) -> Pos2 {
+        to_pos(self.image(point))
+    }
+
+    /// Points on the screen for a unit of length across the line of sight.
+    pub(super) fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// Unit vector towards the viewer.
+    pub(super) fn toward(&self) -> DVec3 {
+        self.toward
+    }
+
+    /// The share of its area that is seen of the plane across an axis, in
+    /// [0, 1].
+    pub(super) fn share_seen(&self, across: Axis) -> f64 {
+        self.toward[across.index()].abs()
+    }
+
+    /// The point that is seen at `image` among those that share with `point`
+    /// the coordinate along `fixed`; that coordinate keeps every bit. None if
+    /// the plane is seen edge-on.
+    ///
+    /// The thesis takes sines and cosines of the axes' images for it (6.2.1);
+    /// these are the same two equations, solved as they stand.
+    pub(super) fn point_in_plane(&self, point: DVec3, fixed: Axis, image: DVec2) -> Option<DVec3> {
+        if self.share_seen(fixed) < EDGE_ON {
+            return None;
+        }
+        let [a, b] = fixed.others().map(Axis::index);
+        let f = fixed.index();
+        let rest = image - self.middle - DVec2::new(self.across[f], self.down[f]) * point[f];
+        let of_a = DVec2::new(self.across[a], self.down[a]);
+        let of_b = DVec2::new(self.across[b], self.down[b]);
+        let area = of_a.perp_dot(of_b);
+        let mut found = point;
+        found[a] = rest.perp_dot(of_b) / area;
+        found[b] = of_a.perp_dot(rest) / area;
+        found.is_finite().then_some(found)
+    }
+
+    /// Whether an edge of the cube is hidden by it. The edge runs along
+    /// `along`; `signs` says at which ends of the two other axes.
+    ///
+    /// A cube is convex: an edge is hidden if both faces that meet in it are
+    /// turned away. In a general view these are the edges at the corner that
+    /// is farthest away.
+    pub(super) fn hides_edge(&self, along: Axis, signs: [f64; 2]) -> bool {
+        along
+            .others()
+            .iter()
+            .zip(signs)
+            .all(|(axis, sign)| self.toward[axis.index()] * sign < -1e-12)
+    }
+}
+
+/// For egui, which counts in single precision.
+pub(super) fn to_pos(image: DVec2) -> Pos2 {
+    #[allow(clippy::cast_possible_truncation)]
+    let [x, y] = image.to_array().map(|x| x as f32);
+    pos2(x, y)
+}
+
+/// From egui; exact.
+pub(super) fn from_pos(pos: Pos2) -> DVec2 {
+    DVec2::new(f64::from(pos.x), f64::from(pos.y))
+}
+
+/// The twelve edges of the cube: along which axis, at which ends of the others.
+pub(super) fn cube_edges() -> impl Iterator<Item = (Axis, [f64; 2])> {
+    Axis::ALL.into_iter().flat_map(|axis| {
+        [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]].map(|signs| (axis, signs))
+    })
+}
+
+/// The ends of an edge of the cube.
+pub(super) fn edge_ends(along: Axis, signs: [f64; 2]) -> [DVec3; 2] {
+    [-1.0, 1.0].map(|end| {
+        let mut corner = DVec3::ZERO;
+        corner[along.index()] = end;
+        for (axis, sign) in along.others().iter().zip(signs) {
+            corner[axis.index()] = sign;
+        }
+        corner
+    })
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use egui::vec2;
+    use glam::DMat4;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::math::transform::{rotation_x, rotation_y};
+
+    pub(in super::super) fn view() -> impl Strategy<Value = View> {
+        (
+            -180.0..180.0f64,
+            -90.0..90.0f64,
+            -1.0..1.0f64,
+            prop::array::uniform2(-0.5..0.5f64),
+        )
+            .prop_map(|(rotation, tilt, size, shift)| View {
+                rotation,
+                tilt,
+                size: 10f64.powf(size),
+                shift,
+            })
+    }
+
+    pub(in super::super) fn in_cube() -> impl Strategy<Value = DVec3> {
+        prop::array::uniform3(-1.0..=1.0f64).prop_map(DVec3::from_array)
+    }
+
+    pub(in super::super) fn room() -> Rect {
+        Rect::from_min_size(pos2(263.0, 71.0), vec2(884.5, 611.0))
+    }
+
+    #[test]
+    fn unturned_it_is_a_front_view() {
+        let view = View {
+            rotation: 0.0,
+            tilt: 0.0,
+            ..View::default()
+        };
+        let p = Projection::new(&view, room());
+        let middle = from_pos(room().center());
+        assert_eq!(p.image(DVec3::ZERO), middle);
+        assert_eq!(p.image(DVec3::Z), middle);
+        assert_eq!(p.image(DVec3::X), middle + DVec2::X * p.scale());
+        assert_eq!(p.image(DVec3::Y), middle - DVec2::Y * p.scale());
+    }
+
+    #[test]
+    fn tilted_one_looks_from_above() {
+        let p = Projection::new(&View::default(), room());
+        assert!(p.toward().y > 0.3);
+        // The near edge of the floor is lower on the screen than the far one.
+        let z = DVec3::new(0.0, 0.0, 1.0);
+        assert!(p.image(z).y > p.image(-z).y);
+    }
+
+    proptest! {
+        #[test]
+        fn it_is_the_product_of_the_matrices(view in view(), point in in_cube()) {
+            let p = Projection::new(&view, room());
+            // Rodrigues-checked rotations of the thesis's chapter 2, then x to
+            // the right and y up, as it stands there. The view turns the world
+            // the other way round than the camera.
+            let turn: DMat4 = rotation_x(view.tilt.to_radians())
+                * rotation_y(-(-view.rotation).to_radians());
+            let eye = turn.transform_point3(point);
+            let expected = from_pos(room().center())
+                + DVec2::new(eye.x + view.shift[0], -(eye.y + view.shift[1])) * p.scale();
+            prop_assert!((p.image(point) - expected).length() < 1e-9);
+            // The viewer stands where z grows.
+            prop_assert!((p.toward().dot(point) - eye.z).abs() < 1e-12);
+        }
+
+        #[test]
+        fn y_stays_upright_and_the_cube_fits(view in view()) {
+            let p = Projection::new(&view, room());
+            prop_assert_eq!(p.image_of_way(DVec3::Y).x, 0.0);
+            prop_assert!(p.image_of_way(DVec3::Y).y <= 0.0);
+            let fitted = View { size: 1.0, shift: [0.0; 2], ..view };
+            let p = Projection::new(&fitted, room());
+            for (axis, signs) in cube_edges() {
+                for corner in edge_ends(axis, signs) {
+                    prop_assert!(room().contains(p.pos(corner)));
+                }
+            }
+        }
+
+        #[test]
+        fn dragging_is_exact(
+            view in view(), point in in_cube(), axis in 0..3usize,
+            way in prop::array::uniform2(-300.0..300.0f64),
+        ) {
+            let p = Projection::new(&view, room());
+            let fixed = Axis::ALL[axis];
+            let image = p.image(point) + DVec2::from_array(way);
+            match p.point_in_plane(point, fixed, image) {
+                None => prop_assert!(p.share_seen(fixed) < EDGE_ON),
+                Some(found) => {
+                    prop_assert!((p.image(found) - image).length() < 1e-9);
+                    prop_assert_eq!(found[axis].to_bits(), point[axis].to_bits());
+                }
+            }
+        }
+
+        #[test]
+        fn hidden_edges_are_those_behind_the_cube(view in view(), along in 0.02..0.98f64) {
+            let p = Projection::new(&view, room());
+            // Near an edge-on face the ray below is too short to tell.
+            prop_assume!(Axis::ALL.iter().all(|&axis| p.share_seen(axis) > 1e-3));
+            let mut hidden = 0;
+            for (axis, signs) in cube_edges() {
+                let [from, to] = edge_ends(axis, signs);
+                // From a point of the edge straight towards the viewer: hidden
+                // if that way leads through the cube's inside.
+                let start = from.lerp(to, along);
+                let behind = (1..2000).any(|step| {
+                    let on_way = start + p.toward() * (f64::from(step) * 1e-5);
+                    on_way.abs().max_element() < 1.0
+                });
+                prop_assert_eq!(p.hides_edge(axis, signs), behind);
+                hidden += usize::from(behind);
+            }
+            prop_assert_eq!(hidden, 3);
+        }
+    }
+
+    #[test]
+    fn edge_on_planes_have_no_point() {
+        let flat = View {
+            rotation: 0.0,
+            tilt: 0.0,
+            ..View::default()
+        };
+        let p = Projection::new(&flat, room());
+        let image = from_pos(pos2(500.0, 400.0));
+        assert_eq!(p.point_in_plane(DVec3::ZERO, Axis::X, image), None);
+        assert_eq!(p.point_in_plane(DVec3::ZERO, Axis::Y, image), None);
+        assert!(p.point_in_plane(DVec3::ZERO, Axis::Z, image).is_some());
+        let above = View { tilt: 90.0, ..flat };
+        let p = Projection::new(&above, room());
+        assert!(p.point_in_plane(DVec3::ZERO, Axis::Y, image).is_some());
+        assert_eq!(p.point_in_plane(DVec3::ZERO, Axis::Z, image), None);
+    }
+}

@@ -1,0 +1,467 @@
+//! What stands in the movement space, as lines: made again only where it
+//! changed.
+//!
+//! A drag changes four segments of perhaps ten thousand. So the curve is kept
+//! in chunks; each remembers the points that it was made of, and is made again
+//! when these are other ones, whoever changed them. The curve's straight
+//! pieces are kept in space, so that turning the view costs a projection only.
+
+use std::ops::Range;
+use std::ptr;
+use std::sync::Arc;
+
+use egui::{Color32, Painter, Rect};
+use glam::{DVec2, DVec3};
+
+use super::projection::{Projection, cube_edges, edge_ends};
+use super::strokes::{Strokes, in_pixel, part_between};
+use crate::document::{Document, Object};
+use crate::error::Result;
+use crate::path::hermite::Cubic;
+use crate::path::tessellation::tessellate;
+use crate::path::{CameraPath, Tcb, kochanek_bartels};
+use crate::raster::Lines;
+use crate::setup::{Colours, Element, Shown};
+
+/// Segments in a chunk; of a path with more points than [`FEW`] more of them, since
+/// each chunk is looked at in every picture.
+const CHUNK: usize = 16;
+const LARGE_CHUNK: usize = 64;
+const FEW: usize = 1024;
+
+/// How far the drawn curve may stray from the true one, in pixels.
+const STRAY: f64 = 0.25;
+
+/// Points of the curve and crosses that are nearer to the last one than this
+/// are not drawn, in pixels: nobody would see them, and a path of ten thousand
+/// points has many.
+const MERGE: f64 = 0.25;
+const MERGE_CROSSES: f64 = 1.5;
+
+/// Half the size of a cross, in points.
+const CROSS: f64 = 4.0;
+
+/// Width of lines that matter little, of the curve, of the current segment.
+pub(super) const THIN: f32 = 1.0;
+const CURVE: f32 = 1.7;
+const SEGMENT: f32 = 2.6;
+
+/// How everything is looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Look<'a> {
+    pub(super) projection: &'a Projection,
+    pub(super) room: Rect,
+    pub(super) pixels_per_point: f64,
+    pub(super) colours: &'a Colours,
+    pub(super) shown: &'a Shown,
+}
+
+/// What [`Look`] was when something was made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Seen {
+    projection: Projection,
+    room: Rect,
+    pixels_per_point: f64,
+    colours: Colours,
+    shown: Shown,
+}
+
+impl Look<'_> {
+    pub(super) fn seen(&self) -> Seen {
+        Seen {
+            projection: *self.projection,
+            room: self.room,
+            pixels_per_point: self.pixels_per_point,
+            colours: *self.colours,
+            shown: *self.shown,
+        }
+    }
+
+    /// The colour of an element that is shown.
+    pub(super) fn of(&self, element: Element) -> Option<Color32> {
+        self.shown.has(element).then(|| self.colours.of(element))
+    }
+
+    /// The error bound for curves in units of the movement space: a power of
+    /// two, so that enlarging the view a little changes no piece.
+    fn stray(&self) -> f64 {
+        let exact = STRAY / (self.projection.scale() * self.pixels_per_point);
+        exact.log2().floor().exp2()
+    }
+}
+
+/// A point as far as the curve depends on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Knot {
+    position: DVec3,
+    tcb: Tcb,
+}
+
+/// Some segments of the curve, with the crosses at the points where they begin.
+#[derive(Debug, Default)]
+struct Chunk {
+    /// The points on which it depends: one before, those of the segments, two
+    /// behind; none where an open path has no more.
+    knots: Vec<Option<Knot>>,
+    /// Straight pieces, segment after segment; a segment's first point is the
+    /// last one of the segment before.
+    pieces: Vec<DVec3>,
+    /// The error bound that they keep.
+    stray: f64,
+    curve: Arc<Lines>,
+    crosses: Arc<Lines>,
+}
+
+/// What has been made so far.
+#[derive(Debug, Default)]
+pub(super) struct Scene {
+    seen: Option<Seen>,
+    still: Arc<Lines>,
+    object: Object,
+    chunks: Vec<Chunk>,
+    /// How many chunks were made in the last pass; for tests and for nothing else.
+    made: usize,
+}
+
+impl Scene {
+    /// Brings everything up to date.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub(super) fn update(&mut self, document: &Document, look: &Look<'_>) -> Result<()> {
+        let seen = look.seen();
+        let other_look = self.seen.as_ref() != Some(&seen);
+        let object = &document.info().object;
+        // The same memory, held meanwhile: the same points.
+        let other_object = !ptr::eq::<[_]>(&**object, &*self.object);
+        if other_look || other_object {
+            self.object = object.clone();
+            self.still = Arc::new(still(object, look));
+        }
+        // Should memory run out below, everything is made again next time.
+        self.seen = None;
+        self.made = 0;
+        let path = document.path();
+        // The last point of an open path begins no segment, yet has a cross.
+        let count = path.points.len().div_ceil(chunk(path));
+        self.chunks.truncate(count);
+        self.chunks.resize_with(count, Chunk::default);
+        for (index, chunk) in self.chunks.iter_mut().enumerate() {
+            let other_knots = !chunk.is_of(path, index);
+            if other_knots || other_look {
+                chunk.make(path, index, other_knots, look)?;
+                self.made += 1;
+            }
+        }
+        self.seen = Some(seen);
+        Ok(())
+    }
+
+    /// Cube and object.
+    pub(super) fn still(&self) -> &Arc<Lines> {
+        &self.still
+    }
+
+    /// Paints curve and crosses.
+    pub(super) fn paint(&self, painter: &Painter, room: Rect) {
+        let add = |lines: &Arc<Lines>| {
+            if !lines.lines.is_empty() {
+                painter.add(Lines::shape(lines, room));
+            }
+        };
+        self.chunks.iter().for_each(|chunk| add(&chunk.curve));
+        self.chunks.iter().for_each(|chunk| add(&chunk.crosses));
+    }
+
+    /// Everything that was made, for comparison.
+    #[cfg(test)]
+    fn all(&self) -> Vec<Vec<crate::raster::Line>> {
+        let chunks = self.chunks.iter();
+        std::iter::once(self.still.lines.clone())
+            .chain(
+                chunks.flat_map(|chunk| [chunk.curve.lines.clone(), chunk.crosses.lines.clone()]),
+            )
+            .collect()
+    }
+}
+
+/// Segments in each chunk of a path.
+fn chunk(path: &CameraPath) -> usize {
+    if path.points.len() <= FEW {
+        CHUNK
+    } else {
+        LARGE_CHUNK
+    }
+}
+
+/// The points of a chunk, at which its segments begin.
+fn segments(path: &CameraPath, index: usize) -> Range<usize> {
+    let first = index * chunk(path);
+    first..(first + chunk(path)).min(path.points.len())
+}
+
+/// The knots of a chunk.
+fn knots(path: &CameraPath, index: usize) -> impl Iterator<Item = Option<Knot>> {
+    let count = path.points.len();
+    let Range { start: first, end } = segments(path, index);
+    // One earlier and one later than the points: shifted by one to stay ≥ 0.
+    (first..end + 3).map(move |shifted| {
+        let at = match shifted.checked_sub(1) {
+            Some(at) if at < count => at,
+            _ if !path.closed => return None,
+            Some(at) => at % count,
+            None => count - 1,
+        };
+        Some(Knot {
+            position: path.points[at].position,
+            tcb: path.tcb(at),
+        })
+    })
+}
+
+impl Chunk {
+    /// Whether it was made of the points that the path has now.
+    fn is_of(&self, path: &CameraPath, index: usize) -> bool {
+        knots(path, index).eq(self.knots.iter().copied())
+    }
+
+    fn make(
+        &mut self,
+        path: &CameraPath,
+        index: usize,
+        other_knots: bool,
+        look: &Look<'_>,
+    ) -> Result<()> {
+        let stray = look.stray();
+        let Range { start: first, end } = segments(path, index);
+        if other_knots || self.stray != stray {
+            self.knots.clear();
+            self.pieces.clear();
+            let mut room = Vec::new();
+            for segment in first..end.min(path.segment_count()) {
+                room.clear();
+                let curve = kochanek_bartels::segment(path, segment);
+                pieces(&curve, stray, &mut room)?;
+                let skip = usize::from(!self.pieces.is_empty());
+                self.pieces.try_reserve(room.len())?;
+                self.pieces.extend(room.iter().skip(skip).map(|&(_, p)| p));
+            }
+            self.stray = stray;
+            self.knots.extend(knots(path, index));
+        }
+        let mut strokes = Strokes::new(look.projection, look.room);
+        let merge = MERGE / look.pixels_per_point;
+        stroke_curve(
+            &mut strokes,
+            thinned(&self.pieces, look.projection, merge),
+            look.of(Element::Curve),
+            look.of(Element::Outside),
+            CURVE,
+        );
+        self.curve = Arc::new(strokes.finish());
+        let mut strokes = Strokes::new(look.projection, look.room);
+        if let Some(color) = look.of(Element::Crosses) {
+            let merge = MERGE_CROSSES / look.pixels_per_point;
+            let mut last = DVec2::INFINITY;
+            for point in &path.points[first..end] {
+                let image = look.projection.image(point.position);
+                if image.distance(last) < merge {
+                    continue;
+                }
+                last = image;
+                cross(&mut strokes, look, point.position, CROSS, THIN, color);
+            }
+        }
+        self.crosses = Arc::new(strokes.finish());
+        Ok(())
+    }
+}
+
+/// The straight pieces of a segment. One that leads far out of the movement
+/// space is drawn as exactly as its size allows.
+fn pieces(curve: &Cubic, stray: f64, room: &mut Vec<(f64, DVec3)>) -> Result<()> {
+    let size = [curve.a, curve.b, curve.c, curve.d]
+        .map(|v| v.abs().max_element())
+        .into_iter()
+        .fold(0.0, f64::max);
+    tessellate(curve, stray.max(size * 1e-6), room)
+}
+
+/// Points without those that are seen nearer than `merge` to the last one kept;
+/// first and last stay.
+fn thinned(points: &[DVec3], projection: &Projection, merge: f64) -> impl Iterator<Item = DVec3> {
+    let end = points.len().saturating_sub(1);
+    let mut last = DVec2::INFINITY;
+    points
+        .iter()
+        .enumerate()
+        .filter_map(move |(index, &point)| {
+            let image = projection.image(point);
+            if index != end && image.distance(last) < merge {
+                return None;
+            }
+            last = image;
+            Some(point)
+        })
+}
+
+/// A curve through points: inside the cube in its own colour, outside dashed in
+/// another one.
+fn stroke_curve(
+    strokes: &mut Strokes<'_>,
+    points: impl Iterator<Item = DVec3>,
+    inside: Option<Color32>,
+    outside: Option<Color32>,
+    width: f32,
+) {
+    let within = |p: DVec3| p.abs().max_element() <= 1.0;
+    // Without a mark of its own it is one curve.
+    let outside = outside.or(inside);
+    let marked = outside != inside;
+    strokes.restart_dashes();
+    let mut last = None;
+    for to in points {
+        let Some(from) = last.replace(to) else {
+            continue;
+        };
+        if !marked || (within(from) && within(to)) {
+            if let Some(color) = inside {
+                strokes.line(from, to, width, color);
+            }
+            strokes.restart_dashes();
+            continue;
+        }
+        let [start, end] = part_between(from, to, DVec3::NEG_ONE, DVec3::ONE)
+            .filter(|[start, end]| start < end)
+            .unwrap_or([1.0, 1.0]);
+        let (enter, leave) = (from.lerp(to, start), from.lerp(to, end));
+        if let Some(color) = outside {
+            strokes.dashed(from, enter, width, color);
+        }
+        if start < end {
+            if let Some(color) = inside {
+                strokes.line(enter, leave, width, color);
+            }
+            strokes.restart_dashes();
+            if let Some(color) = outside {
+                strokes.dashed(leave, to, width, color);
+            }
+        }
+    }
+}
+
+/// A small upright cross on whole pixels.
+fn cross(
+    strokes: &mut Strokes<'_>,
+    look: &Look<'_>,
+    at: DVec3,
+    size: f64,
+    width: f32,
+    color: Color32,
+) {
+    let image = look.projection.image(at);
+    if !image.is_finite() {
+        return;
+    }
+    let centre = DVec2::from_array(image.to_array().map(|x| in_pixel(x, look.pixels_per_point)));
+    strokes.flat(
+        centre - DVec2::X * size,
+        centre + DVec2::X * size,
+        width,
+        color,
+    );
+    strokes.flat(
+        centre - DVec2::Y * size,
+        centre + DVec2::Y * size,
+        width,
+        color,
+    );
+}
+
+/// The segment that begins at the current point and the point's own cross,
+/// above everything else.
+///
+/// # Errors
+/// [`crate::Error::Memory`].
+pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
+    let path = document.path();
+    let at = document.selection().point;
+    let mut strokes = Strokes::new(look.projection, look.room);
+    if at < path.segment_count()
+        && let Some(color) = look.of(Element::Segment)
+    {
+        let mut room = Vec::new();
+        pieces(
+            &kochanek_bartels::segment(path, at),
+            look.stray(),
+            &mut room,
+        )?;
+        let points: Vec<DVec3> = room.into_iter().map(|(_, point)| point).collect();
+        let outside = look.of(Element::Outside);
+        stroke_curve(
+            &mut strokes,
+            points.into_iter(),
+            Some(color),
+            outside,
+            SEGMENT,
+        );
+    }
+    if let Some(point) = path.points.get(at)
+        && let Some(color) = look.of(Element::Crosses)
+    {
+        cross(&mut strokes, look, point.position, CROSS + 2.0, 2.0, color);
+    }
+    Ok(strokes.finish())
+}
+
+/// What does not move by itself: cube and object.
+fn still(object: &Object, look: &Look<'_>) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.room);
+    if let Some(color) = look.of(Element::Cube) {
+        cube(&mut strokes, look, color);
+    }
+    if let Some(color) = look.of(Element::Object) {
+        for pair in object.windows(2) {
+            if pair[1].draw {
+                strokes.line(pair[0].position, pair[1].position, 1.2, color);
+            }
+        }
+    }
+    strokes.finish()
+}
+
+/// Lines on the floor in each direction, so that one sees how it lies.
+const FLOOR: i32 = 8;
+
+fn cube(strokes: &mut Strokes<'_>, look: &Look<'_>, color: Color32) {
+    let floor = color.gamma_multiply(0.16);
+    for step in 1..FLOOR {
+        let at = 2.0 * f64::from(step) / f64::from(FLOOR) - 1.0;
+        let ends = |way: f64| [DVec3::new(at, -1.0, way), DVec3::new(way, -1.0, at)];
+        for (from, to) in ends(-1.0).into_iter().zip(ends(1.0)) {
+            strokes.line(from, to, THIN, floor);
+        }
+    }
+    let hidden = color.gamma_multiply(0.7);
+    // What is in front is painted last.
+    let mut edges: Vec<_> = cube_edges().collect();
+    edges.sort_by_key(|&(axis, signs)| !look.projection.hides_edge(axis, signs));
+    for (axis, signs) in edges {
+        let mut ends = edge_ends(axis, signs).map(|end| look.projection.image(end));
+        // Upright edges are upright on the screen: there they fill whole pixels.
+        if ends[0].x == ends[1].x {
+            let x = in_pixel(ends[0].x, look.pixels_per_point);
+            ends = ends.map(|end| DVec2::new(x, end.y));
+        }
+        if look.projection.hides_edge(axis, signs) {
+            strokes.restart_dashes();
+            strokes.flat_dashed(ends[0], ends[1], THIN, hidden);
+        } else {
+            strokes.flat(ends[0], ends[1], THIN, color);
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "scene_tests.rs"]
+pub(super) mod tests;

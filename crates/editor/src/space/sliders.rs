@@ -1,0 +1,176 @@
+//! The sliders around the movement window: size above, rotation below, tilt at
+//! the right, each with its number (thesis A.2).
+
+use egui::{Align, Layout, Rect, Slider, SliderOrientation, Ui, UiBuilder, pos2};
+
+use super::hand::resize;
+use crate::number::{Entry, Number};
+use crate::setup::View;
+use crate::state::Editor;
+
+/// Height of the rows above and below, width of the column.
+const ROW: f32 = 40.0;
+const COLUMN: f32 = 68.0;
+
+/// Width of a name and of a number.
+const NAME: f32 = 48.0;
+const NUMBER: f32 = 56.0;
+
+/// Distance from the border, and between slider and number.
+const EDGE: f32 = 12.0;
+const GAP: f32 = 8.0;
+
+/// One of the three.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    Size,
+    Rotation,
+    Tilt,
+}
+
+/// Shows the sliders and gives back the room between them.
+pub(super) fn show(editor: &mut Editor, ui: &mut Ui) -> Rect {
+    let all = ui.available_rect_before_wrap();
+    ui.advance_cursor_after_rect(all);
+    let right = (all.right() - COLUMN).max(all.left());
+    let bottom = (all.bottom() - ROW).max(all.top() + ROW);
+    let between = Rect::from_min_max(pos2(all.left(), all.top() + ROW), pos2(right, bottom));
+    let row = |top: f32| {
+        let min = pos2(all.left() + EDGE, top);
+        Rect::from_min_max(min, pos2(all.right() - EDGE, top + ROW))
+    };
+    let level = |top| {
+        let layout = Layout::left_to_right(Align::Center);
+        UiBuilder::new().max_rect(row(top)).layout(layout)
+    };
+    ui.scope_builder(level(all.top()), |ui| {
+        along(editor, ui, Part::Size, between)
+    });
+    ui.scope_builder(level(bottom), |ui| {
+        along(editor, ui, Part::Rotation, between)
+    });
+    let column = Rect::from_min_max(
+        pos2(all.right() - EDGE - NUMBER, between.top()),
+        pos2(all.right() - EDGE, between.bottom()),
+    );
+    let upright = Layout::top_down(Align::Center);
+    let upright = UiBuilder::new().max_rect(column).layout(upright);
+    ui.scope_builder(upright, |ui| {
+        ui.spacing_mut().item_spacing.y = GAP;
+        ui.weak(editor.texts().space.tilt);
+        ui.spacing_mut().slider_width = (ui.available_height() - ROW).max(40.0);
+        slide(editor, ui, Part::Tilt, between);
+        number(editor, ui, Part::Tilt, between);
+    });
+    between
+}
+
+/// A row: name, slider, number.
+fn along(editor: &mut Editor, ui: &mut Ui, part: Part, room: Rect) {
+    let text = match part {
+        Part::Size => editor.texts().space.size,
+        _ => editor.texts().space.rotate,
+    };
+    ui.allocate_ui_with_layout(
+        egui::vec2(NAME, ROW),
+        Layout::left_to_right(Align::Center),
+        |ui| {
+            ui.set_min_width(NAME);
+            ui.weak(text);
+        },
+    );
+    ui.spacing_mut().item_spacing.x = GAP;
+    ui.spacing_mut().slider_width = (ui.available_width() - NUMBER - GAP).max(40.0);
+    slide(editor, ui, part, room);
+    number(editor, ui, part, room);
+}
+
+impl Part {
+    /// What stands in the window for it: the size in percent, degrees.
+    fn of(self, view: &View) -> f64 {
+        match self {
+            Self::Size => view.size * 100.0,
+            Self::Rotation => view.rotation,
+            Self::Tilt => view.tilt,
+        }
+    }
+
+    fn set(self, view: &mut View, room: Rect, value: f64) {
+        match self {
+            Self::Size => resize(view, room, None, value / 100.0 / view.size),
+            Self::Rotation => view.rotation = value,
+            Self::Tilt => view.tilt = value,
+        }
+        *view = view.in_range();
+    }
+
+    fn range(self) -> std::ops::RangeInclusive<f64> {
+        match self {
+            Self::Size => View::MIN_SIZE * 100.0..=View::MAX_SIZE * 100.0,
+            Self::Rotation => -180.0..=180.0,
+            Self::Tilt => -90.0..=90.0,
+        }
+    }
+}
+
+fn slide(editor: &mut Editor, ui: &mut Ui, part: Part, room: Rect) {
+    let texts = &editor.texts().space;
+    let (name, tip) = match part {
+        Part::Size => (texts.size, texts.size_tip),
+        Part::Rotation => (texts.rotate, texts.rotate_tip),
+        Part::Tilt => (texts.tilt, texts.tilt_tip),
+    };
+    let mut value = part.of(&editor.setup.view);
+    let slider = Slider::new(&mut value, part.range())
+        .show_value(false)
+        .logarithmic(part == Part::Size)
+        .trailing_fill(part == Part::Size)
+        .orientation(if part == Part::Tilt {
+            SliderOrientation::Vertical
+        } else {
+            SliderOrientation::Horizontal
+        });
+    let response = ui.add(slider);
+    ui.ctx()
+        .accesskit_node_builder(response.id, |node| node.set_label(name));
+    if response.changed() {
+        part.set(&mut editor.setup.view, room, value);
+    }
+    if response.double_clicked() {
+        part.set(&mut editor.setup.view, room, part.of(&View::default()));
+    }
+    response.on_hover_text(tip);
+}
+
+/// The number beside it, to be dragged or typed.
+fn number(editor: &mut Editor, ui: &mut Ui, part: Part, room: Rect) {
+    let texts = &editor.texts().space;
+    let (name, unit) = match part {
+        Part::Size => (texts.size, " %"),
+        Part::Rotation => (texts.rotate, "°"),
+        Part::Tilt => (texts.tilt, "°"),
+    };
+    let value = part.of(&editor.setup.view);
+    let id = match part {
+        Part::Size => "space size",
+        Part::Rotation => "space rotation",
+        Part::Tilt => "space tilt",
+    };
+    let entry = Number::new(name, value)
+        .unit(unit)
+        .decimals(0)
+        .range(part.range())
+        .steps(1.0, 0.5)
+        .show(ui, editor.language(), id, NUMBER);
+    match entry {
+        Entry::Drag(value) | Entry::Set(value) => part.set(&mut editor.setup.view, room, value),
+        Entry::Begin => editor.space.view_before = Some(editor.setup.view),
+        Entry::Cancel => {
+            if let Some(view) = editor.space.view_before.take() {
+                editor.setup.view = view;
+            }
+        }
+        Entry::Wrong(why) => editor.complain(why),
+        Entry::Idle | Entry::End => {}
+    }
+}

@@ -1,0 +1,325 @@
+//! The state of one window: what is edited and what is to be seen of it.
+
+use std::ops::Range;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::actions::Action;
+use super::filing::Then;
+use super::folders::Folders;
+use super::number::Entry;
+use super::recovery::Keeper;
+use super::setup::{Element, Setup};
+use super::texts::{Language, Texts, fill};
+use super::theme;
+use super::{camera_view, playing, space, windows};
+use crate::document::{Document, Edit};
+use crate::error::{self, Error, Result};
+use crate::path::{Orientation, SupportPoint};
+use crate::raster::Lines;
+
+/// How a window begins.
+#[derive(Debug)]
+pub struct Options {
+    /// The path to be edited; its object is shown.
+    pub document: Document,
+    /// The file that the path came from.
+    pub file: Option<PathBuf>,
+    /// What follows `VIDES` in the title; the file's name if none.
+    pub title: Option<String>,
+    /// The language of the window; the environment's if none. What the user
+    /// has set up counts before it.
+    pub language: Option<Language>,
+    /// Somebody takes poses that are handed over directly.
+    pub hand_over: bool,
+    /// The base speeds are the host's: a loaded file's are ignored.
+    pub fixed_speeds: bool,
+    /// Where setup, unsaved work and recent files are kept: those of the
+    /// environment for a user, none in tests.
+    pub folders: Folders,
+}
+
+/// What only whoever runs the editor can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Request {
+    /// Hand the poses over to the host.
+    HandOver,
+    /// Close the window: unsaved work was asked about, the host may refuse.
+    Close,
+}
+
+/// One window's contents.
+pub struct Editor {
+    /// The path, its history, what is current.
+    pub(super) document: Document,
+    /// Where it is saved.
+    pub(super) file: Option<PathBuf>,
+    /// The host's name for the window.
+    pub(super) title: Option<String>,
+    /// The language that the window has of itself.
+    pub(super) given_language: Language,
+    pub(super) hand_over: bool,
+    pub(super) fixed_speeds: bool,
+    pub(super) folders: Folders,
+    /// An orientation to be pasted.
+    pub(super) copied: Option<Orientation>,
+    /// Where the last file was chosen.
+    pub(super) last_folder: Option<PathBuf>,
+    /// What is to be done when what is typed at present has been applied.
+    pub(super) waiting: Option<Action>,
+    /// A text is being typed.
+    pub(super) typing: bool,
+    /// What stands in the output field instead of the current pose.
+    pub(super) message: Option<Message>,
+    /// What waits to be done outside.
+    pub(super) requests: Vec<Request>,
+    /// Colours, what is shown, from where.
+    pub(super) setup: Setup,
+    /// The movement window.
+    pub(super) space: space::Space,
+    /// The bar below it.
+    pub(super) playing: playing::Playing,
+    /// What the camera sees, where that is shown.
+    pub(super) camera_picture: Option<camera_view::Picture>,
+    /// The sub-windows.
+    pub(super) windows: windows::Windows,
+    /// Files that were open last.
+    pub(super) recent: Vec<PathBuf>,
+    /// Keeps unsaved work, where there is a folder for it.
+    pub(super) keeper: Option<Keeper>,
+    /// Closing was asked for, and nothing has happened since.
+    pub(super) closing: bool,
+}
+
+/// A line for the output field.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Message {
+    pub(super) text: String,
+    /// Something could not be done.
+    pub(super) error: bool,
+}
+
+impl Editor {
+    /// A window's contents as it opens.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn new(options: Options) -> Result<Self> {
+        let mut editor = Self {
+            document: options.document,
+            file: options.file,
+            title: options.title,
+            given_language: options.language.unwrap_or_else(Language::of_environment),
+            hand_over: options.hand_over,
+            fixed_speeds: options.fixed_speeds,
+            folders: options.folders,
+            copied: None,
+            last_folder: None,
+            waiting: None,
+            typing: false,
+            message: None,
+            requests: Vec::new(),
+            setup: Setup::default(),
+            space: space::Space::default(),
+            playing: playing::Playing::default(),
+            camera_picture: None,
+            windows: windows::Windows::default(),
+            recent: Vec::new(),
+            keeper: None,
+            closing: false,
+        };
+        editor.read_first_setup();
+        editor.read_recent();
+        if let Some(file) = editor.file.clone() {
+            editor.note_file(&file);
+        }
+        editor.begin_recovery();
+        Ok(editor)
+    }
+
+    /// To be called once for a new egui context: fonts, style, no blinking
+    /// caret, so that an idle window wakes nobody.
+    pub fn prepare(&self, context: &egui::Context) {
+        theme::apply(context, self.setup.theme());
+    }
+
+    /// One pass: shows everything and takes the input.
+    pub fn show(&mut self, ui: &mut egui::Ui) {
+        self.closing = false;
+        super::frame::show(self, ui);
+        self.keep_work(ui.ctx());
+    }
+
+    /// Which of the shapes of the last pass, so many in all, are those that
+    /// [`Editor::follow`] makes anew.
+    pub fn shapes_of_space(&self, all: usize) -> Range<usize> {
+        let shapes = self.space.shapes();
+        shapes.start.min(all)..shapes.end.min(all)
+    }
+
+    /// In the place of a pass, where the space alone can follow what the hand
+    /// does: gives the space as it is then. The next pass must be given this
+    /// input, too.
+    pub fn follow(
+        &mut self,
+        context: &egui::Context,
+        input: &egui::RawInput,
+    ) -> Option<Vec<egui::epaint::ClippedShape>> {
+        space::follow(self, context, input)
+    }
+
+    /// A handle or the view is dragged: [`Editor::follow`] shows what becomes of it.
+    pub fn drags_in_space(&self) -> bool {
+        self.space.moves()
+    }
+
+    /// The lines of the camera's picture as shown last, if it is shown.
+    pub fn camera_lines(&self) -> Option<&Arc<Lines>> {
+        self.camera_picture.as_ref().map(|picture| &picture.lines)
+    }
+
+    /// The same as they are now: what [`Editor::follow`] did is seen by the camera,
+    /// too.
+    pub fn follow_by_camera(&mut self) -> Option<Arc<Lines>> {
+        camera_view::follow(self)
+    }
+
+    /// The oldest request that was not seen to.
+    pub fn next_request(&mut self) -> Option<Request> {
+        let request = (!self.requests.is_empty()).then(|| self.requests.remove(0));
+        self.closing = request == Some(Request::Close);
+        request
+    }
+
+    /// The window manager wants the window closed: asks about unsaved work if
+    /// there is some, and then makes a [`Request::Close`]. Where a text is being
+    /// typed that happens in the next pass, which applies the text.
+    pub fn ask_to_close(&mut self) {
+        if self.typing {
+            self.waiting = Some(Action::Quit);
+        } else {
+            self.ask_before(Then::Close);
+        }
+    }
+
+    /// Shows a sentence in the output field.
+    pub fn say(&mut self, text: impl Into<String>) {
+        let text = text.into();
+        self.message = Some(Message { text, error: false });
+    }
+
+    /// Shows in the output field what could not be done.
+    pub fn complain(&mut self, text: impl Into<String>) {
+        let text = text.into();
+        self.message = Some(Message { text, error: true });
+    }
+
+    /// Shows in the output field what was wrong with what the host gave.
+    pub fn warn(&mut self, warning: &error::Message) {
+        self.complain(self.language().reason(warning));
+    }
+
+    /// Says how a hand-over went: the number of poses.
+    pub fn handed_over(&mut self, result: Result<usize, Error>) {
+        match result {
+            Ok(count) => self.say(fill(self.texts().output.handed_over, &[&count])),
+            Err(error) => self.complain_of_hand_over(&error),
+        }
+    }
+
+    /// The title of the window: begins with `VIDES`, marks unsaved work.
+    pub fn window_title(&self) -> String {
+        let mark = if self.document.is_modified() { "*" } else { "" };
+        let file = self.file.as_deref().and_then(|file| file.file_name());
+        match (&self.title, file) {
+            (Some(title), _) => format!("VIDES – {mark}{title}"),
+            (None, Some(file)) => format!("VIDES – {mark}{}", file.to_string_lossy()),
+            (None, None) => format!("VIDES{mark}"),
+        }
+    }
+
+    /// What shows where nothing is painted.
+    pub fn background(&self) -> egui::Color32 {
+        self.setup.colours().of(Element::Background)
+    }
+
+    /// The path that is edited.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// For edits from outside: they are undone as those of the user are.
+    pub fn document_mut(&mut self) -> &mut Document {
+        &mut self.document
+    }
+
+    /// Does what was entered into a [`Number`](super::number::Number): one entry
+    /// or one drag is one step to be taken back.
+    pub(super) fn enter(&mut self, entry: Entry, edit: impl FnOnce(f64) -> Edit) {
+        match entry {
+            Entry::Idle => {}
+            Entry::Begin => self.document.begin_step(),
+            Entry::Drag(value) | Entry::Set(value) => {
+                self.edit(edit(value));
+            }
+            Entry::End => self.document.end_step(),
+            Entry::Cancel => self.document.cancel_step(),
+            Entry::Wrong(text) => self.complain(text),
+        }
+    }
+
+    /// Ends the step that a hand in space was at. The running coordinates give
+    /// way to the pose; what could not be done stays to be read.
+    pub(super) fn let_go(&mut self) {
+        self.document.end_step();
+        self.message.take_if(|message| !message.error);
+        if self.message.is_none() {
+            self.tell_doubts();
+        }
+    }
+
+    /// What changes when something is done.
+    pub(super) fn stamp(&self) -> impl PartialEq + use<> {
+        let message = self.message.clone();
+        (
+            self.document.state_number(),
+            self.document.selection(),
+            message,
+            self.setup.theme(),
+        )
+    }
+
+    /// The current point.
+    pub(super) fn point(&self) -> Option<&SupportPoint> {
+        let at = self.document.selection().point;
+        self.document.path().points.get(at)
+    }
+
+    /// The current orientation.
+    pub(super) fn orientation(&self) -> Option<&Orientation> {
+        let at = self.document.selection().orientation;
+        self.point()?.orientations.get(at)
+    }
+
+    /// Changes the current orientation.
+    pub(super) fn set_orientation(&mut self, change: impl FnOnce(&mut Orientation)) {
+        let at = self.document.selection();
+        if let Some(mut orientation) = self.orientation().cloned() {
+            change(&mut orientation);
+            self.edit(Edit::SetOrientation {
+                point: at.point,
+                at: at.orientation,
+                orientation,
+            });
+        }
+    }
+
+    /// The language of the window.
+    pub(super) fn language(&self) -> Language {
+        self.setup.language.unwrap_or(self.given_language)
+    }
+
+    pub(super) fn texts(&self) -> &'static Texts {
+        self.language().texts()
+    }
+}

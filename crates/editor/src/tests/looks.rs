@@ -1,0 +1,391 @@
+//! What can be said of the window's looks without looking: every letter has a
+//! picture, numbers stand in columns, nothing is cut off.
+
+use egui::Id;
+use egui_kittest::kittest::{NodeT, by};
+
+use super::*;
+use crate::texts::Texts;
+use crate::theme;
+
+#[test]
+fn every_letter_of_every_text_can_be_drawn() {
+    let window = window(Language::German);
+    for (name, english, german) in Texts::ALL.iter().copied().flatten() {
+        for text in [english, german] {
+            let drawn = window
+                .ctx
+                .fonts_mut(|fonts| fonts.has_glyphs(&theme::text(), text));
+            assert!(drawn, "{name}: {text}");
+        }
+    }
+}
+
+#[test]
+fn digits_are_of_equal_width() {
+    let window = window(Language::German);
+    let widths: Vec<f32> = ('0'..='9')
+        .map(|digit| {
+            window
+                .ctx
+                .fonts_mut(|fonts| fonts.glyph_width(&theme::text(), digit))
+        })
+        .collect();
+    assert!(widths[0] > 4.0);
+    assert!(widths.iter().all(|&width| width == widths[0]), "{widths:?}");
+}
+
+/// Whatever has a name lies within the window, to a border's width.
+fn check_nothing_is_cut_off(window: &Window, when: &str) {
+    let whole = window.ctx.content_rect();
+    let mut count = 0;
+    for node in window.query_all(by().predicate(|node| node.label().is_some())) {
+        let rect = node.rect();
+        assert!(
+            whole.expand(1.0).contains_rect(rect),
+            "{when}: {:?} {rect:?}",
+            node.accesskit_node().label()
+        );
+        count += 1;
+    }
+    assert!(count > 20, "{when}: {count}");
+}
+
+#[test]
+fn nothing_is_cut_off_in_the_smallest_window() {
+    for language in BOTH {
+        let texts = language.texts();
+        let mut window = window_with_points(language, SMALL, 1.0, Theme::Dark);
+        check_nothing_is_cut_off(&window, "at first");
+        for action in ["far", "roll"] {
+            let (name, text) = match action {
+                "far" => (fill(texts.position.coordinate, &[&"x"]), "-0.999"),
+                _ => (texts.orientation.roll.to_owned(), "-179.9"),
+            };
+            enter(&mut window, &name, text);
+            check_nothing_is_cut_off(&window, action);
+        }
+        for (key, menu) in [(Key::D, "file"), (Key::A, "output"), (Key::E, "settings")] {
+            press(&mut window, Modifiers::ALT, key);
+            check_nothing_is_cut_off(&window, menu);
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+        click(&mut window, texts.menu.edit);
+        check_nothing_is_cut_off(&window, "edit");
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        click(&mut window, texts.position.add_many);
+        check_nothing_is_cut_off(&window, "points");
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        window.state_mut().ask_to_close();
+        window.run();
+        check_nothing_is_cut_off(&window, "question");
+    }
+}
+
+/// In the smallest window the curve window and the speed window leave most of
+/// the movement window to be seen, lie within the window, and can be moved.
+#[test]
+fn sub_windows_leave_the_movement_window_to_be_seen() {
+    for language in BOTH {
+        let texts = language.texts();
+        for (button, id) in [
+            (texts.position.change, "curve"),
+            (texts.speed.change, "speed"),
+        ] {
+            let mut window = window_with_points(language, SMALL, 1.0, Theme::Dark);
+            let space = window.get_by_label(texts.space.name).rect();
+            click(&mut window, button);
+            let area = |window: &Window| {
+                let area = window.ctx.memory(|memory| memory.area_rect(Id::unique(id)));
+                area.expect("an open window")
+            };
+            let at = area(&window);
+            assert!(window.ctx.content_rect().contains_rect(at), "{id}: {at:?}");
+            let hidden = at.intersect(space).area() / space.area();
+            assert!(hidden < 0.5, "{id} hides {hidden} of the movement window");
+            check_nothing_is_cut_off(&window, id);
+            let title = at.center_top() + vec2(0.0, 14.0);
+            window.hover_at(title);
+            window.run();
+            window.drag_at(title);
+            window.run();
+            window.hover_at(title + vec2(120.0, 40.0));
+            window.run();
+            window.drop_at(title + vec2(120.0, 40.0));
+            window.run();
+            let moved = area(&window).min - at.min;
+            assert!(moved.x > 50.0 && moved.y > 10.0, "{id}: {moved:?}");
+            assert!(
+                window.ctx.content_rect().contains_rect(area(&window)),
+                "{id}"
+            );
+        }
+    }
+}
+
+/// In the smallest window the output field still says what each number is.
+#[test]
+fn the_output_field_keeps_its_labels() {
+    for language in BOTH {
+        let texts = &language.texts().output;
+        let window = window_with_points(language, SMALL, 1.0, Theme::Dark);
+        let mut texts_of_bar = Vec::new();
+        for shape in &window.output().shapes {
+            if let egui::Shape::Text(text) = &shape.shape
+                && text.pos.y < 32.0
+            {
+                let rect = egui::Rect::from_min_size(text.pos, text.galley.size());
+                texts_of_bar.push((text.galley.text().to_owned(), rect));
+            }
+        }
+        for label in [
+            texts.point,
+            texts.position,
+            texts.view,
+            texts.roll,
+            texts.zoom,
+        ] {
+            assert!(
+                texts_of_bar.iter().any(|(text, _)| text == label),
+                "{label}"
+            );
+        }
+        for (index, (one, a)) in texts_of_bar.iter().enumerate() {
+            assert!(a.top() >= 0.0 && a.bottom() <= 32.0, "{one}: {a:?}");
+            for (other, b) in &texts_of_bar[index + 1..] {
+                // Lines of text touch; letters do not.
+                let both = a
+                    .shrink2(vec2(0.0, 2.0))
+                    .intersects(b.shrink2(vec2(0.0, 2.0)));
+                assert!(!both, "{one} {a:?} over {other} {b:?}");
+            }
+        }
+    }
+}
+
+/// All texts that are painted.
+fn painted(shapes: &[egui::epaint::ClippedShape]) -> Vec<String> {
+    fn add(shape: &egui::Shape, found: &mut Vec<String>) {
+        match shape {
+            egui::Shape::Text(text) => found.push(text.galley.text().to_owned()),
+            egui::Shape::Vec(shapes) => shapes.iter().for_each(|shape| add(shape, found)),
+            _ => {}
+        }
+    }
+    let mut found = Vec::new();
+    shapes
+        .iter()
+        .for_each(|clipped| add(&clipped.shape, &mut found));
+    found
+}
+
+/// Whether a text is this one with values in its places, of which there are some.
+fn is_filled(text: &str, template: &str) -> bool {
+    let mut parts = template.split('{');
+    let first = parts.next().unwrap_or_default();
+    let Some(mut rest) = text.strip_prefix(first) else {
+        return false;
+    };
+    let mut places = 0;
+    for part in parts {
+        let literal = part.split_once('}').map_or(part, |(_, literal)| literal);
+        let Some(at) = rest.find(literal) else {
+            return false;
+        };
+        rest = if literal.is_empty() {
+            ""
+        } else {
+            &rest[at + literal.len()..]
+        };
+        places += 1;
+    }
+    places > 0 && rest.is_empty()
+}
+
+/// Whatever is open, a window of one language shows no text of the other, and
+/// egui adds none of its own.
+#[test]
+fn no_text_is_in_the_other_language() {
+    for language in BOTH {
+        let texts = language.texts();
+        let foreign: Vec<&str> = Texts::ALL
+            .iter()
+            .copied()
+            .flatten()
+            .filter(|(_, english, german)| english != german)
+            .map(|(_, english, german)| match language {
+                Language::English => *german,
+                Language::German => *english,
+            })
+            // Some words are those of another text in this language.
+            .filter(|foreign| {
+                Texts::ALL.iter().copied().flatten().all(|(_, e, g)| {
+                    foreign
+                        != match language {
+                            Language::English => e,
+                            Language::German => g,
+                        }
+                })
+            })
+            .collect();
+        // Those with places for values, and words that tell them.
+        let filled_in = |language: Language, text: &str| {
+            let all = Texts::ALL.iter().copied().flatten();
+            let mut all = all.filter(|(_, english, german)| english != german);
+            all.any(|(_, english, german)| {
+                let template = match language {
+                    Language::English => english,
+                    Language::German => german,
+                };
+                let letters = template.chars().filter(|letter| letter.is_alphabetic());
+                letters.count() > 3 && is_filled(text, template)
+            })
+        };
+        let [own, other] = match language {
+            Language::English => [Language::English, Language::German],
+            Language::German => [Language::German, Language::English],
+        };
+        let check = |window: &Window, when: &str| {
+            let labels = window
+                .query_all(by().predicate(|node| node.label().is_some()))
+                .filter_map(|node| node.accesskit_node().label());
+            let mut count = 0;
+            for text in painted(&window.output().shapes).into_iter().chain(labels) {
+                assert!(!foreign.contains(&text.trim()), "{when}: {text}");
+                let filled = filled_in(other, &text) && !filled_in(own, &text);
+                assert!(!filled, "{when}: {text}");
+                count += 1;
+            }
+            assert!(count > 30, "{when}: {count}");
+        };
+        let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+        check(&window, "at first");
+        for menu in [
+            texts.menu.file,
+            texts.menu.edit,
+            texts.menu.output,
+            texts.menu.settings,
+            texts.menu.help,
+        ] {
+            click(&mut window, menu);
+            check(&window, menu);
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+        for button in [texts.position.change, texts.speed.change] {
+            click(&mut window, button);
+            check(&window, button);
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+        for (modifiers, key) in [
+            (Modifiers::ALT, Key::F),
+            (Modifiers::ALT, Key::Z),
+            (Modifiers::NONE, Key::F1),
+            (Modifiers::ALT, Key::L),
+            (Modifiers::ALT, Key::P),
+        ] {
+            press(&mut window, modifiers, key);
+            check(&window, key.name());
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+        click(&mut window, texts.position.add_many);
+        check(&window, "how many");
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        click(&mut window, texts.position.remove);
+        window.state_mut().ask_to_close();
+        window.run();
+        check(&window, "question");
+    }
+}
+
+#[test]
+fn columns_do_not_jump() {
+    let mut window = window(Language::German);
+    let places = |window: &Window| -> Vec<f32> {
+        // Where each text of the bar ends.
+        let shapes = &window.output().shapes;
+        let mut ends = Vec::new();
+        for shape in shapes {
+            if let egui::Shape::Text(text) = &shape.shape
+                && text.pos.y < 32.0
+                && text
+                    .galley
+                    .text()
+                    .ends_with(|letter: char| letter.is_ascii_digit() || letter == '°')
+            {
+                ends.push(text.pos.x + text.galley.size().x);
+            }
+        }
+        ends
+    };
+    let before = places(&window);
+    assert_eq!(before.len(), 9, "{before:?}");
+    for (name, text) in [
+        ("Position x", "0,777"),
+        ("Winkel", "-123,4"),
+        ("Zoomwert", "8"),
+    ] {
+        enter(&mut window, name, text);
+        let after = places(&window);
+        assert_eq!(after.len(), before.len());
+        for (before, after) in before.iter().zip(&after) {
+            assert!((before - after).abs() < 0.51, "{name}: {before} {after}");
+        }
+    }
+}
+
+/// What stands in a column ends where the column ends.
+#[test]
+fn the_buttons_of_a_file_window_end_where_its_fields_end() {
+    for language in BOTH {
+        let texts = &language.texts().files;
+        let mut window = window(language);
+        press(&mut window, Modifiers::ALT, Key::S);
+        let save = window.get_by_role_and_label(Role::Button, texts.save);
+        let name = window.get_by_role_and_label(Role::TextInput, texts.name);
+        let (button, field) = (save.rect().right(), name.rect().right());
+        assert!((button - field).abs() < 1.0, "{button} {field}");
+    }
+}
+
+#[test]
+fn the_colours_numbers_end_where_the_window_does() {
+    for language in BOTH {
+        let mut window = window(language);
+        press(&mut window, Modifiers::ALT, Key::F);
+        let id = Id::unique("colours");
+        let area = window.ctx.memory(|memory| memory.area_rect(id));
+        let margin = window.ctx.global_style().spacing.window_margin.rightf();
+        let end = area.expect("an open window").right() - margin;
+        let texts = &language.texts().colours;
+        for name in [texts.red, texts.green, texts.blue] {
+            let number = number(&window, name).rect().right();
+            assert!((end - number).abs() < 2.0, "{name}: {number} {end}");
+        }
+    }
+}
+
+/// Also around a button that has the colour of the border.
+#[test]
+fn what_has_the_keyboard_has_a_border() {
+    for theme in [Theme::Dark, Theme::Light] {
+        let mut window = window_of(options(Language::English), LARGE, 1.0, theme);
+        let label = Language::English.texts().orientation.absolute;
+        window.get_by_label(label).focus();
+        window.run();
+        // By a key.
+        press(&mut window, Modifiers::NONE, Key::Tab);
+        press(&mut window, Modifiers::SHIFT, Key::Tab);
+        assert!(window.get_by_label(label).is_focused());
+        let button = window.get_by_label(label).rect();
+        let picture = window.render().expect("a picture");
+        let colours = theme.palette();
+        for at in [
+            button.center_top() - vec2(0.0, 1.0),
+            button.left_center() - vec2(1.0, 0.0),
+        ] {
+            let seen = picture.get_pixel(at.x as u32, at.y as u32).0;
+            assert_eq!(seen, colours.focus.to_array(), "{theme:?}");
+            assert!(theme::contrast(colours.focus, colours.panel) >= 3.0);
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! The window's contents driven as a hand drives them, without a screen: by
+//! the labels that a person reads, in both languages.
+
+mod curve;
+mod files;
+mod keyboard;
+mod looks;
+mod manual;
+mod menus;
+mod panels;
+mod pictures;
+mod recent;
+mod rescue;
+mod setup;
+mod speed;
+
+use egui::{Key, Modifiers, Role, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use glam::DVec3;
+
+use super::setup::Theme;
+use super::texts::fill;
+use super::{Editor, Folders, Language, Options};
+use crate::document::{Document, Edit};
+use crate::path::{Orientation, Target};
+
+pub(super) type Window = Harness<'static, Editor>;
+
+/// Options of a window in a language.
+pub(super) fn options(language: Language) -> Options {
+    Options {
+        document: Document::new(),
+        file: None,
+        title: None,
+        language: Some(language),
+        hand_over: true,
+        fixed_speeds: false,
+        folders: Folders::default(),
+    }
+}
+
+/// A window of this size and scale.
+pub(super) fn window_of(options: Options, size: [f32; 2], scale: f32, theme: Theme) -> Window {
+    let mut editor = Editor::new(options).expect("an editor");
+    editor.setup.theme = Some(theme);
+    let mut prepared = false;
+    let mut window = Harness::builder()
+        .with_size(vec2(size[0], size[1]))
+        .with_pixels_per_point(scale)
+        .with_max_steps(16)
+        .renderer(crate::screenshots::renderer())
+        .build_ui_state(
+            move |ui, editor: &mut Editor| {
+                if !prepared {
+                    prepared = true;
+                    editor.prepare(ui.ctx());
+                }
+                // The harness leaves a border around what it shows.
+                let whole = egui::UiBuilder::new().max_rect(ui.ctx().content_rect());
+                let mut ui = ui.new_child(whole);
+                ui.set_clip_rect(ui.max_rect());
+                editor.show(&mut ui);
+            },
+            editor,
+        );
+    window.run();
+    window
+}
+
+/// A window as it opens, in a language.
+pub(super) fn window(language: Language) -> Window {
+    window_of(options(language), LARGE, 1.0, Theme::Dark)
+}
+
+/// A window with some points, of this size and look.
+pub(super) fn window_with_points(
+    language: Language,
+    size: [f32; 2],
+    scale: f32,
+    theme: Theme,
+) -> Window {
+    let options = Options {
+        document: some_points(),
+        ..options(language)
+    };
+    window_of(options, size, scale, theme)
+}
+
+/// A window with some points in which what has this label was clicked.
+pub(super) fn opened_with(language: Language, label: &str) -> Window {
+    let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+    click(&mut window, label);
+    window
+}
+
+/// Presses a key with others held.
+pub(super) fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
+    window.key_press_modifiers(modifiers, key);
+    window.run();
+}
+
+/// Clicks what has this label.
+pub(super) fn click(window: &mut Window, label: &str) {
+    window.get_by_label(label).click();
+    window.run();
+}
+
+/// What stands in the output field: a message, or nothing but the setting.
+pub(super) fn said(window: &Window) -> Option<String> {
+    let message = window.state().message.as_ref();
+    message.map(|message| {
+        // It is there for the eye as well.
+        assert!(
+            window.query_all_by_label(&message.text).next().is_some(),
+            "{}",
+            message.text
+        );
+        message.text.clone()
+    })
+}
+
+/// Types into the number of this name and presses Enter.
+pub(super) fn enter(window: &mut Window, name: &str, text: &str) {
+    type_into(window, name, text);
+    press(window, Modifiers::NONE, Key::Enter);
+}
+
+/// Types into the number of this name.
+pub(super) fn type_into(window: &mut Window, name: &str, text: &str) {
+    number(window, name).click();
+    window.run();
+    window.event(egui::Event::Text(text.to_owned()));
+    window.run();
+}
+
+/// The number of this name: that of the sub-window, if a panel has one too.
+pub(super) fn number<'a>(window: &'a Window, name: &'a str) -> egui_kittest::Node<'a> {
+    let all = window.get_all_by_role_and_label(Role::SpinButton, name);
+    all.last().expect("a number")
+}
+
+/// The value that stands in the number of this name.
+pub(super) fn value(window: &Window, name: &str) -> String {
+    number(window, name).value().expect("a value")
+}
+
+/// Both languages.
+pub(super) const BOTH: [Language; 2] = [Language::German, Language::English];
+
+/// A roomy window, and the smallest.
+pub(super) const LARGE: [f32; 2] = [1200.0, 800.0];
+pub(super) const SMALL: [f32; 2] = [800.0, 600.0];
+
+/// Looks of which pictures of sub-windows are taken: language, theme, scale, name.
+pub(super) const LOOKS: [(Language, Theme, f32, &str); 3] = [
+    (Language::German, Theme::Dark, 1.0, "de-dark"),
+    (Language::English, Theme::Light, 1.0, "en-light"),
+    (Language::German, Theme::Light, 2.0, "de-light-2x"),
+];
+
+/// A path with some points, of which the third has three orientations.
+pub(super) fn some_points() -> Document {
+    let mut document = Document::new();
+    let place = |x, y, z| DVec3::new(x, y, z);
+    let all = [
+        place(-0.7, -0.2, 0.7),
+        place(0.0, 0.1, 0.8),
+        place(0.72, 0.25, 0.6),
+        place(0.6, 0.3, -0.5),
+        place(0.0, 0.2, -0.7),
+        place(-0.7, 0.4, -0.5),
+    ];
+    let mut done = |edit| document.apply(edit).expect("possible");
+    done(Edit::DivideSegment {
+        segment: 0,
+        points: 4,
+    });
+    for (at, position) in all.into_iter().enumerate() {
+        done(Edit::SetPosition { at, position });
+        let mut orientation = Orientation {
+            target: Target::Absolute(DVec3::new(0.0, 0.15, 0.0)),
+            ..Orientation::default()
+        };
+        if at == 2 {
+            orientation.speeds = [20.0, 28.0, 43.0, 54.0, 60.0, 60.0, 57.0, 53.0, 50.0, 50.0];
+        }
+        done(Edit::SetOrientation {
+            point: at,
+            at: 0,
+            orientation,
+        });
+    }
+    done(Edit::UsePreset { at: 3, preset: 5 });
+    for x in [0.3, 0.6] {
+        let target = Target::Absolute(DVec3::new(x, 0.0, -0.2));
+        let orientation = Some(Orientation {
+            target,
+            ..Orientation::default()
+        });
+        done(Edit::InsertOrientation {
+            point: 2,
+            at: 1,
+            orientation,
+        });
+    }
+    document.select(2, 0).expect("there");
+    document.mark_saved();
+    document
+}

@@ -1,0 +1,84 @@
+//! Texts of the curve window.
+
+use super::{Language, texts};
+use crate::path::Tcb;
+
+texts! {
+    /// Texts of the curve window.
+    Curve {
+        title: "Curve parameters", "Kurvenparameter";
+        of: "Point {0} · Orientation {1}", "Punkt {0} · Orientierung {1}";
+        waiting: "not applied yet", "noch nicht übernommen";
+
+        preset: "Preset {0}", "Standard {0}";
+        own: "Own values", "Eigendef.";
+        own_hint: "Values of this point alone", "Werte nur für diesen Punkt";
+        smooth: "smooth", "glatt";
+        tighter: "tighter", "straffer";
+        rounder: "rounder", "runder";
+        corner: "corner", "Ecke";
+        corner_outwards: "corner, outwards", "Ecke nach außen";
+        late: "turns late", "biegt später";
+        early: "turns early", "biegt früher";
+
+        used: "Used by {0} points", "Gilt für {0} Punkte";
+        used_once: "Only this point", "Nur dieser Punkt";
+
+        tension: "Tension", "Tension";
+        tension_hint: "Tension: above 0 the curve runs tighter, below 0 rounder",
+            "Tension: über 0 verläuft die Kurve straffer, unter 0 runder";
+        continuity: "Continuity", "Continuity";
+        continuity_hint: "Continuity: other than 0 the curve has a corner in the point",
+            "Continuity: abweichend von 0 hat die Kurve im Punkt eine Ecke";
+        bias: "Bias", "Bias";
+        bias_hint: "Bias: above 0 the curve turns after the point (overshoot), below 0 before it",
+            "Bias: über 0 dreht die Kurve erst hinter dem Punkt (Overshot), unter 0 schon davor";
+
+        picture: "Curve around this point", "Kurve um diesen Punkt";
+        before: "as it is", "bisher";
+        after: "as it will be", "künftig";
+
+        position: "Pos", "Pos";
+        orientation: "Ori", "Ori";
+        target: "target", "Ziel";
+        target_hint: "Absolute: the place that the camera looks at",
+            "Absolut: der Ort, auf den die Kamera blickt";
+        offset: "offset", "relativ";
+        offset_hint: "Relative: the place that the camera looks at, as seen from the point",
+            "Relativ: der Ort, auf den die Kamera blickt, vom Punkt aus";
+        roll: "Roll", "Winkel";
+        roll_hint: "Turns VUP about VPN", "Dreht VUP um VPN";
+
+        show: "Show", "Zeigen";
+        show_hint: "Apply what was entered", "Die Eingaben übernehmen";
+        ok: "ok", "ok";
+        ok_hint: "Apply what was entered and close", "Die Eingaben übernehmen und schließen";
+        given_up: "Another point or orientation is current: what was entered has been discarded",
+            "Ein anderer Punkt oder eine andere Orientierung ist aktuell: Die Eingaben sind verworfen";
+        given_up_changed: "The path has changed: what was entered has been discarded",
+            "Die Bahn hat sich geändert: Die Eingaben sind verworfen";
+    }
+}
+
+impl Curve {
+    /// What these parameters make of a curve: "tighter  t 0.30".
+    pub(crate) fn shape(&self, language: Language, tcb: Tcb) -> String {
+        let parts = [
+            (tcb.tension, "t", [self.rounder, self.tighter]),
+            (tcb.continuity, "c", [self.corner, self.corner_outwards]),
+            (tcb.bias, "b", [self.early, self.late]),
+        ];
+        let words: Vec<String> = parts
+            .into_iter()
+            .filter(|(value, ..)| *value != 0.0)
+            .map(|(value, letter, [below, above])| {
+                let word = if value < 0.0 { below } else { above };
+                format!("{word}  {letter} {}", language.number(value, 2))
+            })
+            .collect();
+        if words.is_empty() {
+            return self.smooth.to_owned();
+        }
+        words.join(", ")
+    }
+}

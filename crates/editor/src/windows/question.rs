@@ -1,0 +1,73 @@
+//! The question before unsaved work is lost.
+
+use egui::{Button, Key, Modifiers, vec2};
+
+use super::modal;
+use crate::filing::{Then, short};
+use crate::state::Editor;
+use crate::texts::fill;
+
+/// The question, and what it stands before.
+#[derive(Debug)]
+pub(crate) struct Question {
+    then: Then,
+    fresh: bool,
+}
+
+/// The answers.
+#[derive(Clone, Copy)]
+enum Answer {
+    Save,
+    Discard,
+    Cancel,
+}
+
+impl Question {
+    pub(crate) fn new(then: Then) -> Self {
+        Self { then, fresh: true }
+    }
+
+    /// Shows it; what was answered is done.
+    pub(super) fn show(mut self, editor: &mut Editor, context: &egui::Context) {
+        let texts = &editor.texts().questions;
+        let text = match self.then {
+            Then::Close => texts.before_close,
+            Then::Load | Then::Recent(_) => texts.before_load,
+        };
+        let name = editor
+            .file
+            .as_deref()
+            .map_or_else(|| texts.this_path.to_owned(), short);
+        let mut answer = None;
+        modal(context, "question", texts.unsaved, 380.0, |ui| {
+            ui.label(fill(text, &[&name]));
+            ui.add_space(8.0);
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                for (text, hint, which) in [
+                    (texts.cancel, texts.cancel_hint, Answer::Cancel),
+                    (texts.discard, texts.discard_hint, Answer::Discard),
+                    (texts.save, texts.save_hint, Answer::Save),
+                ] {
+                    let button = Button::new(text).min_size(vec2(96.0, 28.0));
+                    let response = ui.add(button).on_hover_text(hint);
+                    if self.fresh && matches!(which, Answer::Save) {
+                        self.fresh = false;
+                        response.request_focus();
+                    }
+                    if response.clicked() {
+                        answer = Some(which);
+                    }
+                }
+            });
+        });
+        if context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+            answer = Some(Answer::Cancel);
+        }
+        match answer {
+            None => editor.windows.question = Some(self),
+            Some(Answer::Save) => editor.save(Some(self.then)),
+            Some(Answer::Discard) => editor.go_on(self.then),
+            Some(Answer::Cancel) => {}
+        }
+    }
+}

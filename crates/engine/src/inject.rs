@@ -1,0 +1,89 @@
+//! Faults on demand, for the tests: places where the library can be told to
+//! panic, or that tell when they are passed.
+//!
+//! Only a library that is built for it has them (feature `inject`, see
+//! `tests/calls`), and with them three functions that C finds by name. In any
+//! other, [`point`] is nothing.
+
+/// Where a panic can be had.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(not(feature = "inject"), allow(dead_code))]
+pub enum Place {
+    /// In an export, before its body.
+    Call,
+    /// In an export, while it holds a path.
+    Path,
+    /// Before any window is served.
+    Dispatch,
+    /// With an event of the X server.
+    Event,
+    /// In a window's turn, when the events have been taken.
+    Turn,
+    /// While the editor lays itself out.
+    Layout,
+    /// Before pixels are painted.
+    Paint,
+    /// Before poses are made ready for the host.
+    HandOver,
+    /// When they are, or could not be.
+    Prepared,
+    /// Before host code is called.
+    Callback,
+}
+
+/// Passes a place.
+#[inline(always)]
+pub fn point(place: Place) {
+    #[cfg(feature = "inject")]
+    on_demand::pass(place);
+    #[cfg(not(feature = "inject"))]
+    let _ = place;
+}
+
+#[cfg(feature = "inject")]
+#[allow(unsafe_code)] // names for C
+mod on_demand {
+    use std::cell::Cell;
+    use std::ffi::c_int;
+
+    use super::Place;
+
+    thread_local! {
+        /// The place that is watched, how often it is still passed before it
+        /// panics (never, if negative), and how often it was.
+        static WATCHED: Cell<(c_int, c_int, c_int)> = const { Cell::new((-1, -1, 0)) };
+        /// Is told of every place that is passed.
+        static TOLD: Cell<Option<extern "C" fn(c_int)>> = const { Cell::new(None) };
+    }
+
+    pub(super) fn pass(place: Place) {
+        if let Some(tell) = TOLD.get() {
+            tell(place as c_int);
+        }
+        let (watched, left, passed) = WATCHED.get();
+        if watched != place as c_int {
+            return;
+        }
+        WATCHED.set((watched, (left - 1).max(-1), passed + 1));
+        assert!(left != 0, "wanted by a test");
+    }
+
+    /// Watches a place from now on: it panics once, after it was passed so many
+    /// times; never, if `after` is negative.
+    #[unsafe(no_mangle)]
+    pub(super) extern "C" fn v_test_panic(place: c_int, after: c_int) {
+        WATCHED.set((place, after.max(-1), 0));
+    }
+
+    /// Has a function called at every place that is passed; NULL: no more.
+    #[unsafe(no_mangle)]
+    pub(super) extern "C" fn v_test_tell(tell: Option<extern "C" fn(c_int)>) {
+        TOLD.set(tell);
+    }
+
+    /// How often the place that is watched was passed.
+    #[unsafe(no_mangle)]
+    pub(super) extern "C" fn v_test_passed() -> c_int {
+        WATCHED.get().2
+    }
+}

@@ -1,0 +1,410 @@
+//! What egui asks to be painted, and anti-aliased lines, become pixels.
+//!
+//! Why our own: the window must come up on any X server, also over a network
+//! and without OpenGL, and a second copy of a graphics stack has no place in a
+//! library that a 1994 program links. Only what changed is painted again.
+//!
+//! It knows no X and no camera: triangles, lines and a buffer of pixels.
+
+#![forbid(unsafe_code)]
+
+mod grid;
+mod hash;
+mod key;
+mod layer;
+mod lines;
+mod pieces;
+mod plane;
+mod plate;
+mod quad;
+mod rounded;
+mod spans;
+mod stroke;
+#[cfg(test)]
+mod tests;
+mod texture;
+mod tile;
+mod triangle;
+mod under;
+
+pub use lines::{Line, Lines};
+
+use grid::{Areas, Tiles, pixels_of};
+use hash::mix;
+use key::Key;
+use layer::Layer;
+use texture::Textures;
+use tile::{Cut, SIDE, Tile};
+use under::{Step, Under};
+
+use std::ops::Range;
+
+use egui::epaint::{ClippedShape, Tessellator};
+use egui::{ClippedPrimitive, Color32, Context, TexturesDelta};
+
+/// A rectangle of whole pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Area {
+    /// Left edge.
+    pub x: u32,
+    /// Upper edge.
+    pub y: u32,
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+}
+
+/// Where the pixels go: rows from the top, each pixel `0x00RRGGBB`.
+pub struct Target<'a> {
+    /// At least `stride * height` pixels.
+    pub pixels: &'a mut [u32],
+    /// Pixels from one row to the next, at least `width`.
+    pub stride: usize,
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+}
+
+/// What is to be painted where egui shows some shapes: many small meshes, and beside
+/// them what the raster paints by itself. (As [`Context::tessellate`], which makes
+/// triangles of everything, and counts them.)
+pub fn primitives(
+    context: &Context,
+    mut shapes: Vec<ClippedShape>,
+    pixels_per_point: f32,
+) -> Vec<ClippedPrimitive> {
+    plate::exchange(&mut shapes, pixels_per_point);
+    pieces::in_pieces(&mut shapes);
+    let options = context.options(|options| options.tessellation_options);
+    let letters = context.fonts(|fonts| fonts.font_image_size());
+    // Discs that are drawn beforehand are for circles, which are plates here.
+    Tessellator::new(pixels_per_point, options, letters, Vec::new()).tessellate_shapes(shapes)
+}
+
+/// Among so many layers of the last call one is looked for.
+const LOOK_AHEAD: usize = 32;
+
+/// Paints one window. It remembers what stands in each tile of the target, so
+/// the same target must come again, untouched, until [`Raster::forget`].
+pub struct Raster {
+    background: Color32,
+    textures: Textures,
+    /// The fingerprints of the tiles as they stand in the target, row by row.
+    shown: Vec<u64>,
+    /// What `shown` holds for: width, height, pixels per point.
+    shown_for: Option<(u32, u32, f32)>,
+    /// What `layers` holds for.
+    sorted_for: Option<(u32, u32, f32)>,
+    /// The primitives of the last call, sorted into tiles.
+    layers: Vec<Layer>,
+    /// The textures have changed since: any primitive may show something else.
+    other_textures: bool,
+    /// Whether a tile may have changed; kept for its memory.
+    touched: Vec<bool>,
+    /// What is kept of each tile; as `shown`.
+    under: Vec<Under>,
+    /// The layers in the row of tiles that is painted, and those in the tile;
+    /// kept for their memory.
+    row: Vec<u32>,
+    steps: Vec<Step>,
+    tile: Tile,
+}
+
+impl Raster {
+    /// Nothing painted yet.
+    pub fn new(background: Color32) -> Self {
+        Self {
+            background,
+            textures: Textures::default(),
+            shown: Vec::new(),
+            shown_for: None,
+            sorted_for: None,
+            layers: Vec::new(),
+            other_textures: false,
+            touched: Vec::new(),
+            under: Vec::new(),
+            row: Vec::new(),
+            steps: Vec::new(),
+            tile: Tile::new(),
+        }
+    }
+
+    /// What shows where nothing is painted. Everything is painted anew after
+    /// a change.
+    pub fn set_background(&mut self, background: Color32) {
+        if self.background != background {
+            self.background = background;
+            self.forget();
+        }
+    }
+
+    /// The target's pixels are lost or another target comes: all is painted anew.
+    pub fn forget(&mut self) {
+        self.shown_for = None;
+    }
+
+    /// Nothing moves any more: gives memory back that made it fast.
+    pub fn rest(&mut self) {
+        self.under.iter_mut().for_each(Under::rest);
+        self.layers.iter_mut().for_each(Layer::rest);
+    }
+
+    /// Takes over new and changed textures, and drops those that egui frees.
+    /// To be called with every output of egui, before [`Raster::paint`].
+    pub fn update_textures(&mut self, delta: TexturesDelta) {
+        self.other_textures |= !delta.is_empty();
+        self.textures.update(delta);
+    }
+
+    /// Paints what changed since the last call, and says which areas that were.
+    /// A paint callback must be one of ours, as [`primitives`] and [`Lines::shape`] make
+    /// them; any other is left out. A target that is smaller than it says is left
+    /// alone.
+    pub fn paint(
+        &mut self,
+        primitives: &[ClippedPrimitive],
+        pixels_per_point: f32,
+        target: &mut Target<'_>,
+    ) -> Vec<Area> {
+        let all = 0..primitives.len();
+        self.paint_among(primitives, &[all], pixels_per_point, target)
+    }
+
+    /// The same where only primitives in one of the ranges `changed`, from below to
+    /// above, may be others than in the last call: all others are as they were, and
+    /// not looked at. The number of primitives may be another one in the first range
+    /// only.
+    pub fn paint_among(
+        &mut self,
+        primitives: &[ClippedPrimitive],
+        changed: &[Range<usize>],
+        pixels_per_point: f32,
+        target: &mut Target<'_>,
+    ) -> Vec<Area> {
+        // Should nothing be painted, the next call looks at all primitives, and nothing
+        // is known any more of what the target shows.
+        let (sorted_for, shown_for) = (self.sorted_for.take(), self.shown_for.take());
+        let (Ok(x1), Ok(y1)) = (i32::try_from(target.width), i32::try_from(target.height)) else {
+            return Vec::new();
+        };
+        let whole = Cut {
+            x0: 0,
+            y0: 0,
+            x1,
+            y1,
+        };
+        let rows_above = target
+            .stride
+            .saturating_mul(target.height.max(1) as usize - 1);
+        let room = rows_above.saturating_add(target.width as usize);
+        if whole.is_empty() || target.stride < target.width as usize || target.pixels.len() < room {
+            return Vec::new();
+        }
+        let tiles = Tiles::of(whole);
+        self.sorted_for = sorted_for;
+        let now = Some((target.width, target.height, pixels_per_point));
+        let anew = shown_for != now;
+        self.shown_for = now;
+        self.touched.clear();
+        self.touched.resize(tiles.count(), false);
+        let mut other = false;
+        for changed in changed {
+            other |= self.sort(primitives, changed.clone(), pixels_per_point, whole);
+        }
+        if !other && !anew {
+            return Vec::new();
+        }
+        self.shown.resize(tiles.count(), 0);
+        if anew {
+            self.under.iter_mut().for_each(Under::forget);
+        }
+        self.under.resize_with(tiles.count(), Under::default);
+        let mut areas = Areas::default();
+        let mut each = self
+            .shown
+            .iter_mut()
+            .zip(&self.touched)
+            .zip(&mut self.under);
+        for y in tiles.y0..tiles.y1 {
+            self.row.clear();
+            for x in tiles.x0..tiles.x1 {
+                let Some(((shown, touched), under)) = each.next() else {
+                    continue;
+                };
+                if !touched && !anew {
+                    continue;
+                }
+                if self.row.is_empty() {
+                    let numbered = (0..).zip(&self.layers);
+                    let reach = numbered.filter(|(_, layer)| layer.reaches(y));
+                    self.row.extend(reach.map(|(number, _)| number));
+                }
+                let (ground, bare) = steps(&self.layers, &self.row, (x, y), &mut self.steps);
+                let hash = self.steps.last().map_or(0, |step| step.hash);
+                if *shown == hash && !anew {
+                    continue;
+                }
+                *shown = hash;
+                let cut = pixels_of(x, y).and(whole);
+                areas.add(cut);
+                let ground = ground.unwrap_or_else(|| tile::pixel(self.background));
+                if bare {
+                    under.pass_over();
+                    target.fill(cut, ground);
+                    continue;
+                }
+                (self.tile.x, self.tile.y) = (cut.x0, cut.y0);
+                let (painted, keep) = under.begin(&self.steps, ground, &mut self.tile);
+                for (at, step) in self.steps.iter().enumerate().skip(painted) {
+                    let number = step.layer as usize;
+                    let textures = &self.textures;
+                    self.layers[number].paint(
+                        (x, y),
+                        &primitives[number],
+                        textures,
+                        pixels_per_point,
+                        &mut self.tile,
+                    );
+                    if keep == Some(at + 1) {
+                        under.keep(step.hash, &mut self.tile);
+                    }
+                }
+                target.put(cut, &self.tile);
+            }
+            areas.end_row();
+        }
+        areas.into_areas()
+    }
+
+    /// Makes `layers` those of the primitives, of which only those among
+    /// `changed` may be others than before, and says whether one is. The tiles
+    /// that those have touched and touch are noted.
+    fn sort(
+        &mut self,
+        primitives: &[ClippedPrimitive],
+        changed: Range<usize>,
+        pixels_per_point: f32,
+        target: Cut,
+    ) -> bool {
+        let now = Some((target.x1 as u32, target.y1 as u32, pixels_per_point));
+        if self.sorted_for != now {
+            self.layers.clear();
+            self.sorted_for = now;
+        }
+        let behind = primitives.len().saturating_sub(changed.end);
+        let kept = changed.start.saturating_add(behind);
+        let (before, primitives) = match primitives.get(changed.clone()) {
+            Some(among) if kept <= self.layers.len() && !self.other_textures => {
+                let end = self.layers.len() - behind;
+                (changed.start..end, among)
+            }
+            _ => (0..self.layers.len(), primitives),
+        };
+        let textures = &self.textures;
+        let key = |primitive| Key::new(primitive, textures, pixels_per_point, target);
+        let keys: Vec<Key> = if self.other_textures {
+            let changed = |primitive| key(primitive).with_changes_of(primitive, textures);
+            primitives.iter().map(changed).collect()
+        } else {
+            primitives.iter().map(key).collect()
+        };
+        if std::mem::take(&mut self.other_textures) {
+            self.textures.all_seen();
+        }
+        let same = |(layer, key): (&Layer, &Key)| layer.key == *key;
+        let layers = &self.layers[before.clone()];
+        if keys.len() == layers.len() && layers.iter().zip(&keys).all(same) {
+            return false;
+        }
+        let tiles = Tiles::of(target);
+        // A layer that was there before, if it is found near its old place.
+        let start_of_all = before.start;
+        let mut old: Vec<Option<Layer>> = self.layers.drain(before).map(Some).collect();
+        let mut start = 0;
+        let found: Vec<Option<Layer>> = keys
+            .iter()
+            .map(|key| {
+                let near = old.iter().enumerate().skip(start).take(LOOK_AHEAD);
+                let found = near.filter_map(|(i, layer)| Some((i, layer.as_ref()?)));
+                let at = found.into_iter().find(|(_, layer)| layer.key == *key)?.0;
+                start = at + 1;
+                old[at].take()
+            })
+            .collect();
+        for layer in old.iter().flatten() {
+            layer.note(tiles, &mut self.touched);
+        }
+        let mut unused = old.into_iter().flatten();
+        let (textures, touched) = (&self.textures, &mut self.touched);
+        let sorted = keys.into_iter().zip(found).zip(primitives);
+        let sorted = sorted.map(|((key, found), primitive)| {
+            found.unwrap_or_else(|| {
+                let memory = unused.next();
+                let layer = Layer::new(key, primitive, textures, pixels_per_point, target, memory);
+                layer.note(tiles, touched);
+                layer
+            })
+        });
+        let sorted: Vec<Layer> = sorted.collect();
+        self.layers.splice(start_of_all..start_of_all, sorted);
+        true
+    }
+}
+
+/// What lies in a tile, layer by layer, from the one that hides all below; the
+/// colour that it does that with, and whether nothing else is there. The row is of
+/// the layers that reach the tile's.
+fn steps(
+    layers: &[Layer],
+    row: &[u32],
+    at: (usize, usize),
+    steps: &mut Vec<Step>,
+) -> (Option<u32>, bool) {
+    steps.clear();
+    let mut hash = 0;
+    let mut ground = None;
+    let mut bare = true;
+    for &layer in row {
+        let Some(part) = layers[layer as usize].part(at) else {
+            continue;
+        };
+        if part.ground.is_some() {
+            steps.clear();
+            (hash, ground) = (part.hash, part.ground);
+            bare = !part.items;
+        } else {
+            hash = mix(hash, part.hash);
+            bare = false;
+        }
+        steps.push(Step { hash, layer });
+    }
+    (ground, bare)
+}
+
+impl Target<'_> {
+    /// Its rows within a rectangle.
+    fn rows(&mut self, cut: Cut) -> impl Iterator<Item = &mut [u32]> {
+        let rows = self.pixels.chunks_mut(self.stride).skip(cut.y0 as usize);
+        let rows = rows.take((cut.y1 - cut.y0) as usize);
+        rows.map(move |row| &mut row[cut.x0 as usize..cut.x1 as usize])
+    }
+
+    fn fill(&mut self, cut: Cut, color: u32) {
+        for row in self.rows(cut) {
+            row.fill(color);
+        }
+    }
+
+    /// Puts a tile where it belongs.
+    fn put(&mut self, cut: Cut, tile: &Tile) {
+        for (y, row) in self.rows(cut).enumerate() {
+            match <&mut [u32; SIDE]>::try_from(&mut *row) {
+                // A copy of known length needs no call.
+                Ok(row) => *row = *tile.row(y),
+                Err(_) => row.copy_from_slice(&tile.row(y)[..row.len()]),
+            }
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! The editor window for a Rust program: opened on a file, run until it is
+//! closed. The command `vides edit` is no more than that.
+//!
+//! It knows nothing of how a window is shown or served.
+
+use std::path::Path;
+use std::rc::Rc;
+
+use crate::document::Document;
+use crate::editor::{self, Folders};
+use crate::error::{Error, Result};
+use crate::path::Sampler;
+use crate::{Host, Id, Options, document_of, main_loop, open};
+
+/// Opens the editor in a window of its own and returns when it is closed. What
+/// is saved goes to `file`; one that does not exist yet is a new path of that
+/// name. Other windows of the calling thread are served meanwhile.
+///
+/// # Errors
+/// [`Error::Display`] without an X server or if it goes away; those of
+/// [`Document::load`].
+pub fn edit(file: Option<&Path>) -> Result<()> {
+    let document = match file {
+        Some(file) => document_of(file)?,
+        None => Document::try_new()?,
+    };
+    open(Options {
+        editor: editor::Options {
+            document,
+            file: file.map(Path::to_path_buf),
+            title: None,
+            language: None,
+            hand_over: false,
+            fixed_speeds: false,
+            folders: Folders::of_environment(),
+        },
+        display: None,
+        warning: None,
+        host: Rc::new(Nobody),
+    })?;
+    match main_loop()?.lost {
+        None => Ok(()),
+        Some(lost) => Err(Error::Display(lost.why.into())),
+    }
+}
+
+/// Nobody takes poses, and the user's word is enough to close.
+struct Nobody;
+
+impl Host for Nobody {
+    fn prepare(&self, _: Id, _: &Sampler) -> Result<()> {
+        Ok(())
+    }
+
+    fn hand_over(&self, _: Id) {}
+
+    fn may_close(&self, _: Id) -> bool {
+        true
+    }
+
+    fn lost(&self, _: &str) {}
+
+    fn closed(&self, _: Id) {}
+}

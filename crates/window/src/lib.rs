@@ -1,0 +1,187 @@
+//! One instance for each open window: the editor, its X window and its pixels,
+//! joined and run under whatever event loop the host has.
+//!
+//! The windows belong to the thread that opened them; so do all calls here. A
+//! window is taken out of the table while it works, and host code is called
+//! only when nothing is borrowed: a callback may call anything.
+//!
+//! It knows nothing of C: what the host is told goes through [`Host`].
+
+mod descriptors;
+mod edit;
+mod hint;
+mod pump;
+mod registry;
+mod screen;
+#[cfg(test)]
+mod tests;
+mod window;
+mod xt;
+
+use std::ffi::c_void;
+use std::io;
+use std::os::fd::RawFd;
+use std::path::Path;
+use std::rc::Rc;
+use std::sync::OnceLock;
+use std::time::Duration;
+
+use vides_document as document;
+pub use vides_editor as editor;
+use vides_engine::{error, inject, path};
+use vides_raster as raster;
+use vides_x11 as x11;
+
+use crate::document::Document;
+use crate::editor::Editor;
+use crate::error::{Error, Message, Result};
+use crate::path::Sampler;
+
+pub use edit::edit;
+pub use pump::{dispatch, main_loop};
+pub use registry::{Lost, is_open, within_a_call};
+pub use xt::{Refusal, own_thread};
+
+/// What a window's owner does. Its methods run on the window's thread; those
+/// that call host code run while nothing of ours is borrowed.
+pub trait Host {
+    /// Makes the poses ready for a host that takes some, while the window is at
+    /// work. Calls no host code.
+    ///
+    /// # Errors
+    /// Shown in the window; what the host has is as it was.
+    fn prepare(&self, window: Id, sampler: &Sampler) -> Result<()>;
+
+    /// Calls the host with the poses that were made ready last.
+    fn hand_over(&self, window: Id);
+
+    /// Asks the host whether the window may close.
+    fn may_close(&self, window: Id) -> bool;
+
+    /// A window is about to be gone for this reason, which nobody was told yet.
+    /// Calls no host code.
+    fn lost(&self, why: &str);
+
+    /// The window is gone: closed by the user, or its X server went away. Calls
+    /// no host code.
+    fn closed(&self, window: Id);
+}
+
+/// A window. Never used again for another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Id(u64);
+
+/// How a window is opened.
+pub struct Options {
+    /// What it shows.
+    pub editor: editor::Options,
+    /// The X display's name; the environment's if none.
+    pub display: Option<String>,
+    /// A sentence that stands in the output field at first: what was wrong
+    /// with the host's arguments.
+    pub warning: Option<Message>,
+    /// Its owner.
+    pub host: Rc<dyn Host>,
+}
+
+/// Inner size of a new window in points.
+const SIZE: [f32; 2] = [1200.0, 800.0];
+
+/// The smallest inner size at which everything is to be seen.
+const SMALLEST: [f32; 2] = [800.0, 600.0];
+
+/// Opens a window, and returns before anything is drawn.
+///
+/// # Errors
+/// [`crate::Error::Display`] if there is no X server, [`crate::Error::Memory`],
+/// [`crate::Error::Limit`] without descriptors.
+pub fn open(options: Options) -> Result<Id> {
+    let mut editor = Editor::new(options.editor)?;
+    if let Some(warning) = options.warning {
+        editor.warn(&warning);
+    }
+    let title = editor.window_title();
+    let screen = x11::Window::open(&x11::Options {
+        display: options.display,
+        title: title.clone(),
+        size: SIZE,
+        smallest: SMALLEST,
+    })?;
+    let window = window::Window::new(Box::new(screen), editor, title);
+    let id = registry::insert(Box::new(window), options.host)?;
+    xt::watch_in_all_contexts(registry::descriptor()?);
+    hint::opened();
+    Ok(id)
+}
+
+/// The path in a file to start with; a new one if there is no such file yet.
+///
+/// # Errors
+/// Those of [`Document::load`].
+pub fn document_of(file: &Path) -> Result<Document> {
+    match Document::load(file) {
+        Err(Error::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
+            Document::try_new()
+        }
+        loaded => loaded,
+    }
+}
+
+/// Closes a window without asking anybody; from within a callback of the
+/// window itself, when that has returned. False if there is none.
+pub fn close(id: Id) -> bool {
+    registry::close(id)
+}
+
+/// Looks at the path of a window; `None` if it is not open.
+pub fn read<R>(id: Id, f: impl FnOnce(&Document) -> R) -> Option<R> {
+    registry::look(id, |window| f(window.document()))
+}
+
+/// Changes the path of a window; `None` if it is not open.
+pub fn change<R>(id: Id, f: impl FnOnce(&mut Document) -> R) -> Option<R> {
+    let mut lost = None;
+    let done = registry::work(id, &mut lost, |window, _| {
+        f(window.editor_mut().document_mut())
+    });
+    registry::ring();
+    done
+}
+
+/// The descriptor that is readable when [`dispatch`] has something to do; the
+/// same one as long as the thread lives.
+///
+/// # Errors
+/// [`crate::Error::Limit`] where the system gives no more descriptors.
+pub fn descriptor() -> Result<RawFd> {
+    hint::served();
+    registry::descriptor()
+}
+
+/// How long until [`dispatch`] has something to do of itself.
+pub fn wait() -> Option<Duration> {
+    registry::wait()
+}
+
+/// Serves the windows of this thread in an Xt application context that it
+/// runs. For a host that makes its context after it has opened windows.
+pub fn set_app_context(context: *mut c_void) -> Result<std::result::Result<(), Refusal>> {
+    Ok(xt::watch_in(context, registry::descriptor()?))
+}
+
+/// What is done when an Xt context finds the descriptor readable.
+static ON_INPUT: OnceLock<fn()> = OnceLock::new();
+
+/// Says what is to be done when the host's loop finds the descriptor readable:
+/// [`dispatch`], and what its answer asks for.
+pub fn on_input(serve: fn()) {
+    let _ = ON_INPUT.set(serve);
+}
+
+/// The host's loop found the descriptor readable.
+fn host_called() {
+    match ON_INPUT.get() {
+        Some(serve) => serve(),
+        None => drop(dispatch()),
+    }
+}

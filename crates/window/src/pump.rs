@@ -1,0 +1,101 @@
+//! The loop under the host's loop: every window has its turn, until none has
+//! anything to do.
+//!
+//! Why rounds: an answer that is waited for takes events along from the
+//! connection, and the descriptor is quiet about them. So each window is asked
+//! again until it has done nothing. A window that is flooded must not keep the
+//! host from its own work: after some rounds the call returns, and the timer
+//! brings it back at once.
+
+use super::registry::Lost;
+use super::window::Wish;
+use super::{Id, registry};
+use crate::error::Result;
+use crate::inject;
+
+/// Rounds in one call: a picture, what its answer brings along, and a few more
+/// that come meanwhile.
+const ROUNDS: u32 = 8;
+
+/// What a call that served the windows has to say.
+#[derive(Debug, Default)]
+pub struct Served {
+    /// Windows that are open now.
+    pub open: usize,
+    /// Why the last of those that were lost is gone.
+    pub lost: Option<Lost>,
+}
+
+/// Serves the thread's windows until there is nothing to do at the moment, or
+/// for a fair while; never waits. Calls the host.
+pub fn dispatch() -> Served {
+    super::hint::served();
+    inject::point(inject::Place::Dispatch);
+    let mut served = Served::default();
+    registry::leave_those_that_call();
+    let mut more = true;
+    for _ in 0..ROUNDS {
+        more = round(&mut served.lost);
+        if !more {
+            break;
+        }
+    }
+    registry::set_timer(more);
+    served.open = registry::count();
+    served
+}
+
+/// Gives every window one turn; whether one of them did anything.
+fn round(lost: &mut Option<Lost>) -> bool {
+    let mut busy = false;
+    let mut last = None;
+    while let Some(id) = registry::next_after(last) {
+        last = Some(id);
+        busy |= serve(id, lost);
+    }
+    busy
+}
+
+/// One window's turn, and what it wants of the host.
+fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
+    let Some(turn) = registry::work(id, lost, |window, host| window.turn(id, host)) else {
+        // Gone by a fault: there may be work for those that are left.
+        return true;
+    };
+    let turn = match turn {
+        Ok(turn) => turn,
+        Err(error) => {
+            registry::lose(id, None, Lost::screen(&error), lost);
+            return true;
+        }
+    };
+    match turn.wish {
+        None => return turn.busy,
+        Some(Wish::HandOver) => {
+            registry::call(id, lost, |host| host.hand_over(id));
+        }
+        Some(Wish::Close) => {
+            if registry::call(id, lost, |host| host.may_close(id)) == Some(true) {
+                registry::close_for_the_user(id);
+            }
+        }
+    }
+    true
+}
+
+/// Serves the windows until the last one is closed. Not from within a
+/// callback: see [`registry::within_a_call`].
+///
+/// # Errors
+/// [`crate::Error::Limit`] without descriptors.
+pub fn main_loop() -> Result<Served> {
+    let mut lost = None;
+    loop {
+        let mut served = dispatch();
+        lost = served.lost.take().or(lost);
+        if served.open == 0 {
+            return Ok(Served { lost, ..served });
+        }
+        registry::sleep()?;
+    }
+}

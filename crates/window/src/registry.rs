@@ -1,0 +1,407 @@
+//! The windows of a thread.
+//!
+//! A window is taken out of the table while it works and put back afterwards,
+//! and host code runs with nothing borrowed: so a callback may open windows,
+//! close them, serve the others, or change this one, and whatever the table
+//! looks like then is how it is. While host code runs for a window, that
+//! window is not served, and to close it waits for the end of the call.
+//!
+//! A panic in one window's work spoils that window alone: it is closed and the
+//! others go on.
+//!
+//! After a `fork` the child has no windows. It shares their connections with
+//! the parent, so they are forgotten there without a word to the server.
+
+use std::any::Any;
+use std::cell::RefCell;
+use std::os::fd::RawFd;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::rc::Rc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use super::descriptors::Descriptors;
+use super::window::Window;
+use super::{Host, Id, xt};
+use crate::error::{Error, Result, panic_said};
+use crate::inject;
+
+/// Ids are given out once in the life of the process.
+static NEXT: AtomicU64 = AtomicU64::new(1);
+
+thread_local! {
+    static TABLE: RefCell<Table> = RefCell::new(Table::new());
+}
+
+struct Table {
+    /// Whose table this is: not a child's.
+    process: u32,
+    /// In the order of their ids.
+    slots: Vec<Slot>,
+    /// Made with the first window, or when the host asks for them; kept then,
+    /// for the host may watch them as long as it likes.
+    descriptors: Option<Descriptors>,
+    /// Calls into the host that are under way.
+    calls: usize,
+    /// What was said of the last window that was lost. A server that goes away
+    /// takes many windows with it, and one line tells it all.
+    told: String,
+}
+
+struct Slot {
+    id: Id,
+    host: Rc<dyn Host>,
+    /// None while it works.
+    window: Option<Box<Window>>,
+    /// Host code runs for it.
+    calling: bool,
+    /// To be closed as soon as it neither works nor calls.
+    closing: bool,
+    /// Its connection is among those that are watched.
+    watched: bool,
+}
+
+/// Why a window is gone that nobody has closed.
+#[derive(Clone, Debug)]
+pub struct Lost {
+    /// One sentence.
+    pub why: String,
+    /// The library's own fault, and not the screen's.
+    pub fault: bool,
+}
+
+impl Table {
+    fn new() -> Self {
+        Self {
+            process: std::process::id(),
+            slots: Vec::new(),
+            descriptors: None,
+            calls: 0,
+            told: String::new(),
+        }
+    }
+
+    fn slot(&mut self, id: Id) -> Option<&mut Slot> {
+        let place = self.slots.binary_search_by_key(&id, |slot| slot.id).ok()?;
+        self.slots.get_mut(place)
+    }
+
+    fn remove(&mut self, id: Id) -> Option<Slot> {
+        let place = self.slots.binary_search_by_key(&id, |slot| slot.id).ok()?;
+        let slot = self.slots.remove(place);
+        if let (Some(window), Some(descriptors), true) =
+            (&slot.window, &self.descriptors, slot.watched)
+        {
+            descriptors.leave(window.screen().connection());
+        }
+        Some(slot)
+    }
+
+    fn descriptors(&mut self) -> Result<&mut Descriptors> {
+        if self.descriptors.is_none() {
+            self.descriptors = Some(Descriptors::new()?);
+        }
+        // Just made if it was not there.
+        self.descriptors.as_mut().ok_or(Error::Memory)
+    }
+}
+
+impl Drop for Table {
+    /// The thread ends (or the process, if this is its main thread).
+    fn drop(&mut self) {
+        let slots = std::mem::take(&mut self.slots);
+        if self.process != std::process::id() {
+            std::mem::forget(slots);
+        } else {
+            for slot in slots {
+                discard(slot.window);
+                // No host code.
+                slot.host.closed(slot.id);
+            }
+        }
+        if xt::thread_is_watched()
+            && let Some(descriptors) = self.descriptors.take()
+        {
+            descriptors.leak();
+        }
+    }
+}
+
+/// Looks at the thread's table. `f` runs no host code and no window's.
+fn table<R>(f: impl FnOnce(&mut Table) -> R) -> R {
+    TABLE.with_borrow_mut(|table| {
+        if table.process != std::process::id() {
+            // A child: what is here is the parent's.
+            std::mem::forget(std::mem::replace(table, Table::new()));
+        }
+        f(table)
+    })
+}
+
+/// Drops a window; a panic on the way is told like any other.
+fn discard(window: Option<Box<Window>>) {
+    let _ = catch_unwind(AssertUnwindSafe(|| drop(window)));
+}
+
+/// Discards a window that its owner has closed: its unsaved work is not to be
+/// offered at the next start.
+fn discard_closed(slot: Option<Slot>) {
+    let Some(mut window) = slot.and_then(|slot| slot.window) else {
+        return;
+    };
+    let _ = catch_unwind(AssertUnwindSafe(|| window.editor_mut().forget_unsaved()));
+    discard(Some(window));
+}
+
+/// Takes in a window.
+///
+/// # Errors
+/// [`crate::Error::Memory`], [`crate::Error::Limit`] without descriptors.
+pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
+    let id = Id(NEXT.fetch_add(1, Ordering::Relaxed));
+    table(|table| {
+        table.slots.try_reserve(1)?;
+        let descriptors = table.descriptors()?;
+        descriptors.watch(window.screen().connection())?;
+        descriptors.ring();
+        table.told.clear();
+        table.slots.push(Slot {
+            id,
+            host,
+            window: Some(window),
+            calling: false,
+            closing: false,
+            watched: true,
+        });
+        Ok(id)
+    })
+}
+
+/// How many windows are open.
+pub(super) fn count() -> usize {
+    table(|table| table.slots.iter().filter(|slot| !slot.closing).count())
+}
+
+/// Whether host code runs that one of this thread's windows has called.
+pub fn within_a_call() -> bool {
+    table(|table| table.calls > 0)
+}
+
+/// The descriptor to be watched.
+pub(super) fn descriptor() -> Result<RawFd> {
+    table(|table| Ok(table.descriptors()?.raw()))
+}
+
+/// How long until a timer makes the descriptor readable.
+pub(super) fn wait() -> Option<Duration> {
+    table(|table| table.descriptors.as_ref()?.wait(Instant::now()))
+}
+
+/// Sleeps until the descriptor is readable. A copy of it is asked, so that
+/// nothing is borrowed while a signal's handler may call in.
+pub(super) fn sleep() -> Result<()> {
+    super::descriptors::sleep_on(descriptor()?);
+    Ok(())
+}
+
+/// The next window that may be served, in the order of their ids.
+pub(super) fn next_after(id: Option<Id>) -> Option<Id> {
+    table(|table| {
+        let free = |slot: &&Slot| slot.window.is_some() && !slot.calling && Some(slot.id) > id;
+        table.slots.iter().find(free).map(|slot| slot.id)
+    })
+}
+
+/// Windows for which host code runs are not served meanwhile: their
+/// connections shall not wake anybody who waits inside that code.
+pub(super) fn leave_those_that_call() {
+    table(|table| {
+        let Some(descriptors) = &table.descriptors else {
+            return;
+        };
+        for slot in table.slots.iter_mut().filter(|slot| slot.calling) {
+            if let Some(window) = &slot.window {
+                descriptors.leave(window.screen().connection());
+                slot.watched = false;
+            }
+        }
+    });
+}
+
+/// Sets the timer for the next thing that is due; at once if a window may have
+/// more to do.
+pub(super) fn set_timer(more: bool) {
+    table(|table| {
+        let now = Instant::now();
+        let free = table.slots.iter().filter(|slot| !slot.calling);
+        let due = free
+            .filter_map(|slot| slot.window.as_ref()?.due(now))
+            .chain((more && !table.slots.is_empty()).then_some(now))
+            .min();
+        if let Some(descriptors) = &mut table.descriptors {
+            descriptors.wake_at(due, now);
+        }
+    });
+}
+
+/// A window is to be looked at again soon.
+pub(super) fn ring() {
+    table(|table| {
+        if let Some(descriptors) = &mut table.descriptors {
+            descriptors.ring();
+        }
+    });
+}
+
+/// Looks at a window. `None` if there is none of this id, or if it works.
+pub(super) fn look<R>(id: Id, f: impl FnOnce(&Window) -> R) -> Option<R> {
+    table(|table| table.slot(id)?.window.as_deref().map(f))
+}
+
+/// Takes a window out, lets `f` work with it, and puts it back. `None` if
+/// there is none of this id, or if it works already. After a panic the window
+/// is gone, which `lost` tells.
+pub(super) fn work<R>(
+    id: Id,
+    lost: &mut Option<Lost>,
+    f: impl FnOnce(&mut Window, &Rc<dyn Host>) -> R,
+) -> Option<R> {
+    let (mut window, host) = table(|table| {
+        let slot = table.slot(id)?;
+        Some((slot.window.take()?, Rc::clone(&slot.host)))
+    })?;
+    match catch_unwind(AssertUnwindSafe(|| f(&mut window, &host))) {
+        Ok(done) => {
+            let closed = table(|table| {
+                let slot = table.slot(id)?;
+                slot.window = Some(window);
+                if slot.closing && !slot.calling {
+                    table.remove(id)
+                } else {
+                    None
+                }
+            });
+            discard_closed(closed);
+            Some(done)
+        }
+        Err(panic) => {
+            lose(id, Some(window), Lost::fault(&*panic), lost);
+            None
+        }
+    }
+}
+
+impl Lost {
+    /// The window's screen is gone, or will not have it any more.
+    pub(super) fn screen(error: &Error) -> Self {
+        Self {
+            why: error.to_string(),
+            fault: false,
+        }
+    }
+
+    /// A panic in the window's work.
+    fn fault(panic: &(dyn Any + Send)) -> Self {
+        let said = panic_said(panic);
+        Self {
+            why: format!("a fault inside the library closed the window: {said}"),
+            fault: true,
+        }
+    }
+}
+
+/// Takes a window away that cannot go on.
+pub(super) fn lose(id: Id, window: Option<Box<Window>>, why: Lost, lost: &mut Option<Lost>) {
+    let (slot, new) = table(|table| {
+        // Closing the connection would not end the watch if a child has it, too.
+        if let (Some(window), Some(descriptors)) = (&window, &table.descriptors) {
+            descriptors.leave(window.screen().connection());
+        }
+        let slot = table.remove(id);
+        let new = table.told != why.why;
+        table.told.clone_from(&why.why);
+        (slot, new)
+    });
+    discard(window);
+    if let Some(slot) = slot {
+        discard(slot.window);
+        if new {
+            slot.host.lost(&why.why);
+        }
+        slot.host.closed(id);
+    }
+    *lost = Some(why);
+}
+
+/// Closes a window, if it neither works nor calls at present; else as soon as
+/// that has ended. False if there is none.
+pub(super) fn close(id: Id) -> bool {
+    let (found, closed) = table(|table| {
+        let Some(slot) = table.slot(id) else {
+            return (false, None);
+        };
+        let found = !slot.closing;
+        slot.closing = true;
+        let free = slot.window.is_some() && !slot.calling;
+        (found, if free { table.remove(id) } else { None })
+    });
+    discard_closed(closed);
+    found
+}
+
+/// Closes a window that its user has closed, and tells its owner.
+pub(super) fn close_for_the_user(id: Id) {
+    if let Some(slot) = table(|table| table.remove(id)) {
+        discard(slot.window);
+        slot.host.closed(id);
+    }
+}
+
+/// Runs host code for a window: nothing is borrowed, and the window is not
+/// served meanwhile. `None` if there is no such window, or after a panic.
+pub(super) fn call<R>(
+    id: Id,
+    lost: &mut Option<Lost>,
+    f: impl FnOnce(&dyn Host) -> R,
+) -> Option<R> {
+    let host = table(|table| {
+        let slot = table.slot(id)?;
+        slot.calling = true;
+        let host = Rc::clone(&slot.host);
+        table.calls += 1;
+        Some(host)
+    })?;
+    let done = catch_unwind(AssertUnwindSafe(|| {
+        inject::point(inject::Place::Callback);
+        f(&*host)
+    }));
+    let closed = table(|table| {
+        table.calls = table.calls.saturating_sub(1);
+        let place = table.slots.binary_search_by_key(&id, |slot| slot.id).ok()?;
+        let slot = &mut table.slots[place];
+        slot.calling = false;
+        if slot.closing {
+            return table.remove(id);
+        }
+        if !slot.watched
+            && let (Some(window), Some(descriptors)) = (&slot.window, &table.descriptors)
+        {
+            // What was watched before can be watched again.
+            slot.watched = descriptors.watch(window.screen().connection()).is_ok();
+        }
+        None
+    });
+    discard_closed(closed);
+    match done {
+        Ok(done) => Some(done),
+        Err(panic) => {
+            lose(id, None, Lost::fault(&*panic), lost);
+            None
+        }
+    }
+}
+
+/// Whether a window is open.
+pub fn is_open(id: Id) -> bool {
+    table(|table| table.slot(id).is_some_and(|slot| !slot.closing))
+}

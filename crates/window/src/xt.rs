@@ -1,0 +1,271 @@
+//! Hosts that run Xt: our descriptor becomes one more input of their
+//! application contexts, and nothing in them needs to change.
+//!
+//! Xt is not linked: a host without it shall need no X library. It is looked
+//! for among the names of the running process. Which contexts there are is
+//! told by no public function; `_XtGetProcessContext` gives the process's
+//! record, two pointers (the default context, the list of all), and a context
+//! begins with three: the next one, the record it belongs to, the callbacks for
+//! its end. These have been so since X11R6; the second one is checked before
+//! a context is believed in. Where that function is missing, `XtAddInput`
+//! serves the default context.
+//!
+//! Xt keeps our pointers, so the library is never unloaded, and an input that
+//! was added stays until its context ends: the descriptor is quiet while there
+//! are no windows. A context that ended may be followed by another one at the
+//! same address; so each one that we are in tells us its end.
+
+#![allow(unsafe_code)] // functions of C, found by name
+
+use std::ffi::{CStr, c_char, c_int, c_ulong, c_void};
+use std::mem::transmute;
+use std::os::fd::RawFd;
+use std::ptr;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// An `XtAppContext`.
+type Context = *mut ContextHead;
+type InputCallback = unsafe extern "C" fn(*mut c_void, *mut c_int, *mut c_ulong);
+type AddInput =
+    unsafe extern "C" fn(Context, c_int, *mut c_void, InputCallback, *mut c_void) -> c_ulong;
+type AddDefaultInput =
+    unsafe extern "C" fn(c_int, *mut c_void, InputCallback, *mut c_void) -> c_ulong;
+type RemoveInput = unsafe extern "C" fn(c_ulong);
+type EndCallback = unsafe extern "C" fn(*mut c_void, *mut c_void, *mut c_void);
+type AddEndCallback = unsafe extern "C" fn(*mut *mut c_void, EndCallback, *mut c_void);
+type Lock = unsafe extern "C" fn();
+
+/// `XtInputReadMask`.
+const READ: *mut c_void = ptr::without_provenance_mut(1);
+
+/// More contexts than any program has: the list is taken for damaged.
+const MOST_CONTEXTS: usize = 10_000;
+
+/// How Xt's record of the process begins.
+#[repr(C)]
+struct ProcessHead {
+    default: Context,
+    first: Context,
+}
+
+/// How an application context begins.
+#[repr(C)]
+struct ContextHead {
+    next: Context,
+    process: *mut ProcessHead,
+    ends: *mut c_void,
+}
+
+/// The functions of Xt that are there.
+struct Xt {
+    add_input: AddInput,
+    remove_input: RemoveInput,
+    add_default_input: Option<AddDefaultInput>,
+    process: Option<unsafe extern "C" fn() -> *mut ProcessHead>,
+    add_end_callback: Option<AddEndCallback>,
+    lock: Option<(Lock, Lock)>,
+}
+
+/// A context that has the descriptor of a thread among its inputs. Addresses
+/// are compared, never followed from here.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Watched {
+    context: usize,
+    thread: usize,
+}
+
+/// In place of a context's address: the default context, whatever it is.
+const DEFAULT: usize = 0;
+
+static WATCHED: Mutex<Vec<Watched>> = Mutex::new(Vec::new());
+static THREADS: AtomicUsize = AtomicUsize::new(1);
+
+thread_local! {
+    static THREAD: usize = THREADS.fetch_add(1, Ordering::Relaxed);
+}
+
+fn watched() -> MutexGuard<'static, Vec<Watched>> {
+    WATCHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// This thread's number, never another's; 0 is nobody: the thread is ending. (The
+/// standard library's takes memory, and cannot say that there is none.)
+pub fn own_thread() -> usize {
+    THREAD.try_with(|number| *number).unwrap_or(0)
+}
+
+/// Whether some context watches this thread's descriptor.
+pub(super) fn thread_is_watched() -> bool {
+    let thread = own_thread();
+    watched().iter().any(|entry| entry.thread == thread)
+}
+
+/// Why a context of the host's cannot be used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// There is no Xt in this process.
+    NoXt,
+    /// Xt knows no such context.
+    NoContext,
+}
+
+/// Has the descriptor watched by all application contexts that there are and
+/// that do not watch it yet.
+pub(super) fn watch_in_all_contexts(descriptor: RawFd) {
+    let Some(xt) = Xt::find() else { return };
+    match xt.contexts() {
+        Some(contexts) => {
+            for context in contexts {
+                xt.watch(context, descriptor);
+            }
+        }
+        None => xt.watch(ptr::null_mut(), descriptor),
+    }
+}
+
+/// Has the descriptor watched by this application context.
+pub(super) fn watch_in(context: *mut c_void, descriptor: RawFd) -> Result<(), Refusal> {
+    let xt = Xt::find().ok_or(Refusal::NoXt)?;
+    let context = context.cast::<ContextHead>();
+    if let Some(contexts) = xt.contexts()
+        && !contexts.contains(&context)
+    {
+        return Err(Refusal::NoContext);
+    }
+    xt.watch(context, descriptor);
+    Ok(())
+}
+
+impl Xt {
+    fn find() -> Option<Self> {
+        // SAFETY: each name is that of the function whose type stands here,
+        // as Xt's header declares it (XtAppContext, XtPointer, XtInputId and
+        // the callbacks are pointers and an unsigned long).
+        unsafe {
+            Some(Self {
+                add_input: transmute::<*mut c_void, AddInput>(named(c"XtAppAddInput")?),
+                remove_input: transmute::<*mut c_void, RemoveInput>(named(c"XtRemoveInput")?),
+                add_default_input: named(c"XtAddInput")
+                    .map(|found| transmute::<*mut c_void, AddDefaultInput>(found)),
+                process: named(c"_XtGetProcessContext").map(|found| {
+                    transmute::<*mut c_void, unsafe extern "C" fn() -> *mut ProcessHead>(found)
+                }),
+                add_end_callback: named(c"_XtAddCallback")
+                    .map(|found| transmute::<*mut c_void, AddEndCallback>(found)),
+                lock: named(c"XtProcessLock").zip(named(c"XtProcessUnlock")).map(
+                    |(lock, unlock)| {
+                        (
+                            transmute::<*mut c_void, Lock>(lock),
+                            transmute::<*mut c_void, Lock>(unlock),
+                        )
+                    },
+                ),
+            })
+        }
+    }
+
+    /// All application contexts of the process, the newest first; `None` if
+    /// that cannot be known.
+    fn contexts(&self) -> Option<Vec<Context>> {
+        let process = self.process?;
+        let mut found = Vec::new();
+        // SAFETY: a function without arguments; it gives Xt's own record.
+        let record = unsafe { process() };
+        if record.is_null() || !record.is_aligned() {
+            return None;
+        }
+        if let Some((lock, _)) = self.lock {
+            // SAFETY: a function without arguments; unlocked below.
+            unsafe { lock() };
+        }
+        // SAFETY: Xt's record begins so.
+        let mut context = unsafe { (*record).first };
+        let mut sound = true;
+        while !context.is_null() {
+            // SAFETY: a context of Xt's list, aligned; it begins so.
+            sound = context.is_aligned()
+                && found.len() < MOST_CONTEXTS
+                && unsafe { (*context).process } == record;
+            if !sound {
+                break;
+            }
+            found.push(context);
+            // SAFETY: as above.
+            context = unsafe { (*context).next };
+        }
+        if let Some((_, unlock)) = self.lock {
+            // SAFETY: locked above.
+            unsafe { unlock() };
+        }
+        sound.then_some(found)
+    }
+
+    /// Adds the descriptor to the inputs of a context (null: of the default
+    /// one) unless it is there.
+    fn watch(&self, context: Context, descriptor: RawFd) {
+        let entry = Watched {
+            context: context.addr(),
+            thread: own_thread(),
+        };
+        {
+            let mut all = watched();
+            if all.contains(&entry) || all.try_reserve(1).is_err() {
+                return;
+            }
+            all.push(entry);
+        }
+        let closure = ptr::without_provenance_mut(entry.thread);
+        if entry.context == DEFAULT {
+            if let Some(add) = self.add_default_input {
+                // SAFETY: as Xt's header declares it; the callback and the
+                // descriptor stay.
+                unsafe { add(descriptor, READ, on_input, closure) };
+            }
+            return;
+        }
+        // SAFETY: a context that Xt knows, or of which the host says so; the
+        // callback and the descriptor stay.
+        unsafe { (self.add_input)(context, descriptor, READ, on_input, closure) };
+        if self.process.is_some()
+            && let Some(add) = self.add_end_callback
+        {
+            // SAFETY: the context is one of Xt's list and begins as declared
+            // above; the callback stays.
+            unsafe { add(&raw mut (*context).ends, on_end, closure) };
+        }
+    }
+}
+
+/// The address of a function in this process.
+fn named(name: &CStr) -> Option<*mut c_void> {
+    let name: *const c_char = name.as_ptr();
+    // SAFETY: a text ended by zero.
+    let found = unsafe { libc::dlsym(libc::RTLD_DEFAULT, name) };
+    (!found.is_null()).then_some(found)
+}
+
+/// Xt calls this when the descriptor is readable.
+unsafe extern "C" fn on_input(closure: *mut c_void, _: *mut c_int, id: *mut c_ulong) {
+    if closure.addr() == own_thread() {
+        super::host_called();
+        return;
+    }
+    // Another thread runs this context. Its windows are not there, and the
+    // descriptor would be readable without end.
+    if let Some(xt) = Xt::find()
+        && !id.is_null()
+    {
+        // SAFETY: the input that Xt is calling for; it may be removed here.
+        unsafe { (xt.remove_input)(*id) };
+    }
+}
+
+/// Xt calls this when an application context ends.
+unsafe extern "C" fn on_end(_: *mut c_void, closure: *mut c_void, context: *mut c_void) {
+    let gone = Watched {
+        context: context.addr(),
+        thread: closure.addr(),
+    };
+    watched().retain(|entry| *entry != gone);
+}

@@ -1,0 +1,316 @@
+//! Whether the desktop is dark: what its settings manager says (XSETTINGS of
+//! freedesktop.org, the setting `Net/ThemeName`), which the desktops of today
+//! run under X11 for all toolkits. The themes' names tell it: "Adwaita-dark",
+//! "Mint-Y-Dark-Aqua".
+//!
+//! Any client may own the selection and write anything there: nothing is taken
+//! for granted, and what is not understood says nothing.
+
+use x11rb::protocol::xproto::{
+    ChangeWindowAttributesAux, ClientMessageEvent, ConnectionExt as _, EventMask,
+    PropertyNotifyEvent,
+};
+
+use super::connection::Connection;
+use super::scale;
+use crate::error::Result;
+
+/// Words of four bytes of the settings that are read. Real ones take a few
+/// hundred.
+const MOST_WORDS: u32 = 16 << 10;
+
+/// The setting with the theme's name.
+const THEME: &[u8] = b"Net/ThemeName";
+
+/// What the desktop wants.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Settings {
+    /// The manager's window, 0 if there is none.
+    manager: u32,
+    /// Something in it has changed.
+    stale: bool,
+    /// Another one has begun.
+    replaced: bool,
+    /// Whether the desktop is dark, if it says so.
+    dark: Option<bool>,
+}
+
+impl Settings {
+    /// Asks the settings manager, if there is one; hears of changes from now on.
+    /// The one of the first screen, as the resources are.
+    ///
+    /// # Errors
+    /// The server is gone.
+    pub(super) fn ask(connection: &Connection) -> Result<Self> {
+        let mut settings = Self::default();
+        settings.find(connection)?;
+        Ok(settings)
+    }
+
+    /// Turns to the manager that there is now. One that has not written anything
+    /// yet changes nothing: it will, and tells then.
+    fn find(&mut self, connection: &Connection) -> Result<()> {
+        let selection = connection.atoms()._XSETTINGS_S0;
+        let owner = connection.answer(connection.get_selection_owner(selection))?;
+        let owner = owner.map_or(0, |answer| answer.owner);
+        if owner == 0 {
+            return Ok(());
+        }
+        self.manager = owner;
+        let wanted = ChangeWindowAttributesAux::new().event_mask(EventMask::PROPERTY_CHANGE);
+        connection.done(connection.change_window_attributes(owner, &wanted))?;
+        let before = self.dark;
+        if !self.read(connection)? {
+            self.dark = before;
+        }
+        Ok(())
+    }
+
+    /// Whether the desktop is dark, if it says so.
+    pub(super) fn dark(&self) -> Option<bool> {
+        self.dark
+    }
+
+    /// Notes a change; true if it was the manager's.
+    pub(super) fn note(&mut self, connection: &Connection, event: &PropertyNotifyEvent) -> bool {
+        let ours =
+            event.window == self.manager && event.atom == connection.atoms()._XSETTINGS_SETTINGS;
+        self.stale |= ours;
+        ours
+    }
+
+    /// Notes a manager that begins, which tells the root window so.
+    pub(super) fn announced(&mut self, connection: &Connection, event: &ClientMessageEvent) {
+        let atoms = connection.atoms();
+        self.replaced |= event.window == scale::root(connection)
+            && event.type_ == atoms.MANAGER
+            && event.format == 32
+            && event.data.as_data32()[1] == atoms._XSETTINGS_S0;
+    }
+
+    /// Reads what has changed; true if that makes a difference. Once for all
+    /// changes that were noted, so that a flood of them costs little.
+    ///
+    /// # Errors
+    /// The server is gone.
+    pub(super) fn renew(&mut self, connection: &Connection) -> Result<bool> {
+        let before = self.dark;
+        let stale = std::mem::take(&mut self.stale);
+        if std::mem::take(&mut self.replaced) {
+            self.find(connection)?;
+        } else if stale {
+            self.read(connection)?;
+        }
+        Ok(self.dark != before)
+    }
+
+    /// Reads the settings; whether there are any.
+    fn read(&mut self, connection: &Connection) -> Result<bool> {
+        let property = connection.atoms()._XSETTINGS_SETTINGS;
+        let answer = connection.answer(connection.get_property(
+            false,
+            self.manager,
+            property,
+            property,
+            0,
+            MOST_WORDS,
+        ))?;
+        // Without an answer it stays as it was.
+        let Some(answer) = answer else {
+            return Ok(false);
+        };
+        let there = answer.type_ != 0;
+        let bytes = Some(answer.value).filter(|_| answer.format == 8);
+        self.dark = bytes.and_then(|bytes| is_dark(&bytes));
+        Ok(there)
+    }
+}
+
+/// Whether the theme of these settings is a dark one, if they name one.
+fn is_dark(settings: &[u8]) -> Option<bool> {
+    let name = theme(settings)?.to_ascii_lowercase();
+    let words = name.split(|byte| !byte.is_ascii_alphanumeric());
+    let is_dark = |word: &[u8]| word.ends_with(b"dark") || word.ends_with(b"inverse");
+    (!name.is_empty()).then(|| words.into_iter().any(is_dark))
+}
+
+/// The theme's name.
+fn theme(settings: &[u8]) -> Option<&[u8]> {
+    let mut rest = Reader {
+        bytes: settings,
+        big_endian: match settings.first()? {
+            0 => false,
+            1 => true,
+            _ => return None,
+        },
+    };
+    rest.take(8)?; // byte order, padding, serial
+    let count = rest.long()?;
+    for _ in 0..count {
+        let kind = rest.take(2)?[0];
+        let length = rest.short()?;
+        let name = rest.padded(length.into())?;
+        rest.take(4)?; // serial
+        match kind {
+            0 => drop(rest.take(4)?),
+            1 => {
+                let length = rest.long()?;
+                let text = rest.padded(usize::try_from(length).ok()?)?;
+                if name == THEME {
+                    return Some(text);
+                }
+            }
+            2 => drop(rest.take(8)?),
+            _ => return None,
+        }
+    }
+    None
+}
+
+/// Reads on, as far as there is something.
+struct Reader<'a> {
+    bytes: &'a [u8],
+    big_endian: bool,
+}
+
+impl<'a> Reader<'a> {
+    fn take(&mut self, count: usize) -> Option<&'a [u8]> {
+        let (taken, rest) = self.bytes.split_at_checked(count)?;
+        self.bytes = rest;
+        Some(taken)
+    }
+
+    /// So many bytes, and those that fill up four.
+    fn padded(&mut self, count: usize) -> Option<&'a [u8]> {
+        let taken = self.take(count)?;
+        self.take(count.wrapping_neg() % 4)?;
+        Some(taken)
+    }
+
+    fn short(&mut self) -> Option<u16> {
+        let bytes = self.take(2)?.try_into().ok()?;
+        Some(if self.big_endian {
+            u16::from_be_bytes(bytes)
+        } else {
+            u16::from_le_bytes(bytes)
+        })
+    }
+
+    fn long(&mut self) -> Option<u32> {
+        let bytes = self.take(4)?.try_into().ok()?;
+        Some(if self.big_endian {
+            u32::from_be_bytes(bytes)
+        } else {
+            u32::from_le_bytes(bytes)
+        })
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Settings as a manager writes them, with this theme among others.
+    pub(crate) fn settings(big_endian: bool, theme: &str) -> Vec<u8> {
+        let short = |value: u16| match big_endian {
+            true => value.to_be_bytes(),
+            false => value.to_le_bytes(),
+        };
+        let long = |value: usize| match big_endian {
+            true => (value as u32).to_be_bytes(),
+            false => (value as u32).to_le_bytes(),
+        };
+        let mut out = vec![u8::from(big_endian), 0, 0, 0];
+        out.extend(long(7));
+        out.extend(long(4));
+        let fill = |out: &mut Vec<u8>| out.resize(out.len().next_multiple_of(4), 0);
+        let mut setting = |kind: u8, name: &str, value: &[u8]| {
+            out.extend([kind, 0]);
+            out.extend(short(name.len() as u16));
+            out.extend(name.bytes());
+            fill(&mut out);
+            out.extend(long(3));
+            if kind == 1 {
+                out.extend(long(value.len()));
+            }
+            out.extend(value);
+            fill(&mut out);
+        };
+        setting(0, "Xft/DPI", &[1, 2, 3, 4]);
+        setting(2, "Some/Colour", &[9; 8]);
+        setting(1, "Net/IconThemeName", b"Papirus-Dark");
+        setting(1, "Net/ThemeName", theme.as_bytes());
+        out
+    }
+
+    #[test]
+    fn themes_tell_by_their_names() {
+        for (theme, dark) in [
+            ("Adwaita", Some(false)),
+            ("Adwaita-dark", Some(true)),
+            ("Breeze-Dark", Some(true)),
+            ("Mint-Y-Dark-Aqua", Some(true)),
+            ("Adwaita:dark", Some(true)),
+            ("HighContrastInverse", Some(true)),
+            ("Darkness-light", Some(false)),
+            ("Clearlooks", Some(false)),
+            ("", None),
+        ] {
+            for big_endian in [false, true] {
+                assert_eq!(is_dark(&settings(big_endian, theme)), dark, "{theme}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_cut_off_says_nothing() {
+        let whole = settings(false, "Adwaita-dark");
+        for length in 0..whole.len() {
+            assert_eq!(is_dark(&whole[..length]), None, "{length}");
+        }
+        let mut endless = settings(false, "Adwaita-dark");
+        endless[8..12].fill(0xff);
+        assert_eq!(is_dark(&endless), Some(true));
+        let at = endless.windows(4).position(|four| four == b"Net/").unwrap();
+        endless[at - 2..at].fill(0xff);
+        assert_eq!(is_dark(&endless), None);
+        assert_eq!(is_dark(&[2; 64]), None);
+    }
+
+    #[test]
+    fn what_means_something_else_says_nothing() {
+        let good = settings(false, "Adwaita-dark");
+        let with = |at: usize, byte: u8| {
+            let mut changed = good.clone();
+            changed[at] = byte;
+            is_dark(&changed)
+        };
+        assert_eq!(with(0, 0), Some(true));
+        assert_eq!(with(0, 2), None, "an order of bytes that is none");
+        assert_eq!(with(8, 3), None, "behind the last of them");
+        // Behind a kind that is none, be it without a value.
+        let colour = good.windows(4).position(|four| four == b"Some").unwrap();
+        let mut other = good.clone();
+        other[colour - 4] = 3;
+        assert_eq!(is_dark(&other), None);
+        other.drain(colour + 16..colour + 24);
+        assert_eq!(is_dark(&other), None);
+    }
+
+    proptest! {
+        #[test]
+        fn no_bytes_do_harm(
+            bytes in prop::collection::vec(any::<u8>(), 0..200),
+            place in 0usize..120,
+            byte in any::<u8>(),
+        ) {
+            is_dark(&bytes);
+            let mut nearly = settings(byte % 2 == 1, "Adwaita-dark");
+            let length = nearly.len();
+            nearly[place % length] = byte;
+            is_dark(&nearly);
+        }
+    }
+}
