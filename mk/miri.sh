@@ -4,7 +4,7 @@
 # The sampler's vectors, once as every x86-64 processor has them and once with
 # AVX2, since Miri has only the processor that it is compiled for; and the border's
 # handles, pointers and lists. Miri is a part of nightly toolchains only. (The
-# streaming stores are replaced, see engine/math/vector.rs.)
+# streaming stores are replaced, see crates/engine/src/math/vector.rs.)
 set -eu
 cd "$(dirname "$0")/.."
 command -v rustup >/dev/null || { echo 'miri: rustup is needed' >&2; exit 1; }
@@ -17,7 +17,7 @@ export MIRIFLAGS=-Zmiri-disable-isolation PROPTEST_CASES=1
 miri() { # PACKAGE FILTER...
     package=$1
     shift
-    cargo +nightly miri test --locked --target-dir "$place" -p "$package" --lib -- "$@"
+    cargo +nightly miri test --locked --all-features --target-dir "$place" -p "$package" --lib -- "$@"
 }
 
 miri vides-engine math::vector path::sampling

@@ -15,7 +15,7 @@ machine=$(rustc -vV | sed -n 's/^host: //p')
 runtime=$(echo "$root/lib/rustlib/$machine"/lib/librustc-*_rt.tsan.a)
 [ -e "$runtime" ] || { echo "threads: this toolchain has no ThreadSanitizer" >&2; exit 1; }
 
-RUSTC_BOOTSTRAP=1 RUSTFLAGS=-Zsanitizer=thread cargo rustc --locked --lib \
+RUSTC_BOOTSTRAP=1 RUSTFLAGS=-Zsanitizer=thread cargo rustc --locked --features capi --lib \
     --crate-type staticlib -Zbuild-std --target "$machine" --target-dir "$place"
 # Compiled for it, but linked with rustc's runtime and not with the C compiler's.
 cc=${CC:-cc}

@@ -270,7 +270,7 @@ fn at_work() -> AtWork {
     let process = Command::new(std::env::current_exe().unwrap())
         .args([
             "--exact",
-            "editor::recovery::tests::a_process_at_work",
+            "recovery::tests::a_process_at_work",
             "--nocapture",
         ])
         .env(AT_WORK, folder.path())

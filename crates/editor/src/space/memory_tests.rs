@@ -63,7 +63,7 @@ fn drags_cost_no_memory() {
     let done = Command::new(std::env::current_exe().unwrap())
         .args([
             "--exact",
-            "editor::space::memory_tests::a_process_that_drags",
+            "space::memory_tests::a_process_that_drags",
             "--nocapture",
         ])
         .env(DRAGS, drags.to_string())
