@@ -1,7 +1,7 @@
 //! The tiles of a target: how many there are, and which changed.
 
 use super::Area;
-use super::tile::{Cut, SIDE};
+use super::tile::{PixelRect, SIDE};
 
 /// A rectangle of tiles, the last ones without.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub(super) struct Tiles {
 impl Tiles {
     /// The tiles that pixels lie in; none if there are no pixels. The pixels
     /// are in the target.
-    pub(super) fn of(cut: Cut) -> Self {
+    pub(super) fn of(cut: PixelRect) -> Self {
         if cut.is_empty() {
             return Self::default();
         }
@@ -46,10 +46,10 @@ impl Tiles {
 
 /// The pixels of a tile.
 #[inline]
-pub(super) fn pixels_of(x: usize, y: usize) -> Cut {
+pub(super) fn pixels_of(x: usize, y: usize) -> PixelRect {
     let side = SIDE as i32;
     let (x, y) = (x as i32 * side, y as i32 * side);
-    Cut {
+    PixelRect {
         x0: x,
         y0: y,
         x1: x + side,
@@ -70,7 +70,7 @@ pub(super) struct Areas {
 
 impl Areas {
     /// A tile that changed; they come row by row.
-    pub(super) fn add(&mut self, cut: Cut) {
+    pub(super) fn add(&mut self, cut: PixelRect) {
         let area = Area {
             x: cut.x0 as u32,
             y: cut.y0 as u32,

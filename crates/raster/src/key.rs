@@ -8,13 +8,13 @@ use egui::{ClippedPrimitive, Mesh, Rect, TextureId};
 
 use super::hash::{bits, mix, mix_two, pair};
 use super::lines::Lines;
-use super::plate::Plate;
+use super::rounded_rect::RoundedRect;
 use super::texture::Textures;
-use super::tile::Cut;
+use super::tile::PixelRect;
 
 /// What a primitive is known by.
 pub(super) struct Key {
-    clip: Cut,
+    clip: PixelRect,
     content: Content,
     /// What its texture shows there has changed.
     changed: bool,
@@ -24,13 +24,16 @@ enum Content {
     Nothing,
     /// The fingerprint of a mesh, and which texture it shows.
     Mesh(u64),
-    /// Lines or a plate, themselves.
+    /// Lines or a rounded rectangle, themselves.
     Ours(Arc<dyn Any + Send + Sync>),
 }
 
-/// Whether two contents show the same plate, or the same lines.
+/// Whether two contents show the same rounded rectangle, or the same lines.
 fn same(a: &Arc<dyn Any + Send + Sync>, b: &Arc<dyn Any + Send + Sync>) -> bool {
-    if let (Some(a), Some(b)) = (a.downcast_ref::<Plate>(), b.downcast_ref::<Plate>()) {
+    if let (Some(a), Some(b)) = (
+        a.downcast_ref::<RoundedRect>(),
+        b.downcast_ref::<RoundedRect>(),
+    ) {
         return a.is(b);
     }
     let (Some(a), Some(b)) = (a.downcast_ref::<Lines>(), b.downcast_ref::<Lines>()) else {
@@ -58,7 +61,7 @@ impl Key {
         primitive: &ClippedPrimitive,
         textures: &Textures,
         pixels_per_point: f32,
-        target: Cut,
+        target: PixelRect,
     ) -> Self {
         let mut clip = cut(primitive.clip_rect, pixels_per_point, target);
         let content = match &primitive.primitive {
@@ -80,7 +83,7 @@ impl Key {
 
     /// Where the primitive is cut, in pixels.
     #[inline]
-    pub(super) fn clip(&self) -> Cut {
+    pub(super) fn clip(&self) -> PixelRect {
         self.clip
     }
 
@@ -142,10 +145,10 @@ fn fingerprint(mesh: &Mesh) -> u64 {
 }
 
 /// A rectangle in points as whole pixels of the target.
-pub(super) fn cut(rect: Rect, pixels_per_point: f32, target: Cut) -> Cut {
+pub(super) fn cut(rect: Rect, pixels_per_point: f32, target: PixelRect) -> PixelRect {
     let pixel = |at: f32| (at * pixels_per_point).round();
     let within = |at: f32, end: i32| at.clamp(0.0, end as f32) as i32;
-    Cut {
+    PixelRect {
         x0: within(pixel(rect.min.x), target.x1),
         y0: within(pixel(rect.min.y), target.y1),
         x1: within(pixel(rect.max.x), target.x1),

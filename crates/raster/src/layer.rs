@@ -7,12 +7,12 @@ use super::grid::{Tiles, pixels_of};
 use super::hash::{bits, mix, pair};
 use super::key::{Key, cut};
 use super::lines::Lines;
-use super::plate::Plate;
 use super::quad::Quad;
-use super::rounded::Sheet;
+use super::rounded_rect::RoundedRect;
+use super::rounded_rect_painter::RoundedRectPainter;
 use super::stroke::{self, Stroke};
 use super::texture::{Texture, Textures};
-use super::tile::{Cut, Ink, Tile};
+use super::tile::{Ink, PixelRect, Tile};
 use super::triangle::{self, Corner};
 
 /// Begins the fingerprint of a tile that one colour hides.
@@ -84,7 +84,7 @@ pub(super) struct Part {
 pub(super) enum Kind<'a> {
     Mesh(&'a Mesh),
     Lines(&'a Lines),
-    Plate(&'a Plate),
+    RoundedRect(&'a RoundedRect),
 }
 
 impl<'a> Kind<'a> {
@@ -93,7 +93,7 @@ impl<'a> Kind<'a> {
             Primitive::Mesh(mesh) => Some(Self::Mesh(mesh)),
             Primitive::Callback(callback) => {
                 let lines = Lines::of(callback).map(Self::Lines);
-                lines.or_else(|| callback.callback.downcast_ref().map(Self::Plate))
+                lines.or_else(|| callback.callback.downcast_ref().map(Self::RoundedRect))
             }
         }
     }
@@ -110,7 +110,7 @@ fn hash_of(hash: u64, corner: &Corner) -> u64 {
 }
 
 /// Whole pixels of the target among which all of a primitive's are.
-fn extent(primitive: &ClippedPrimitive, pixels_per_point: f32, target: Cut) -> Cut {
+fn extent(primitive: &ClippedPrimitive, pixels_per_point: f32, target: PixelRect) -> PixelRect {
     let mut extent = Rect::NOTHING;
     match Kind::of(primitive) {
         None => {}
@@ -128,7 +128,7 @@ fn extent(primitive: &ClippedPrimitive, pixels_per_point: f32, target: Cut) -> C
             }
             extent = extent.expand(0.5 * widest);
         }
-        Some(Kind::Plate(plate)) => extent = plate.rect,
+        Some(Kind::RoundedRect(rounded_rect)) => extent = rounded_rect.rect,
     }
     // A line is a pixel wide at least, and its bounds are rounded outwards.
     cut(
@@ -145,7 +145,7 @@ impl Layer {
         primitive: &ClippedPrimitive,
         textures: &Textures,
         pixels_per_point: f32,
-        target: Cut,
+        target: PixelRect,
         memory: Option<Self>,
     ) -> Self {
         let (mut cells, mut links) = memory.map_or_else(Default::default, |l| (l.cells, l.links));
@@ -169,12 +169,20 @@ impl Layer {
                 }
             }
             Some(Kind::Lines(lines)) => layer.sort_lines(lines, pixels_per_point),
-            Some(Kind::Plate(plate)) => layer.sort_plate(plate, pixels_per_point, target),
+            Some(Kind::RoundedRect(rounded_rect)) => {
+                layer.sort_rounded_rect(rounded_rect, pixels_per_point, target)
+            }
         }
         layer
     }
 
-    fn sort_mesh(&mut self, mesh: &Mesh, texture: &Texture, pixels_per_point: f32, target: Cut) {
+    fn sort_mesh(
+        &mut self,
+        mesh: &Mesh,
+        texture: &Texture,
+        pixels_per_point: f32,
+        target: PixelRect,
+    ) {
         let count = mesh.indices.len() / 3;
         let corners = |item: usize| triangle::corners(mesh, item, pixels_per_point);
         // The corners of the next triangle, if they are known already.
@@ -222,7 +230,7 @@ impl Layer {
         }
     }
 
-    fn add_quad(&mut self, item: u32, quad: &Quad, texture: &Texture, target: Cut) {
+    fn add_quad(&mut self, item: u32, quad: &Quad, texture: &Texture, target: PixelRect) {
         let bounds = self.key.clip().and(quad.bounds());
         let hash = hash_of(hash_of(texture.generation ^ 1, &quad.low), &quad.high);
         let tiles = Tiles::of(bounds);
@@ -239,24 +247,29 @@ impl Layer {
         }
     }
 
-    fn sort_plate(&mut self, plate: &Plate, pixels_per_point: f32, target: Cut) {
-        let Some(sheet) = Sheet::new(plate, pixels_per_point) else {
+    fn sort_rounded_rect(
+        &mut self,
+        rounded_rect: &RoundedRect,
+        pixels_per_point: f32,
+        target: PixelRect,
+    ) {
+        let Some(painter) = RoundedRectPainter::new(rounded_rect, pixels_per_point) else {
             return;
         };
-        let bounds = self.key.clip().and(sheet.bounds());
-        let hash = sheet.hash();
-        let ground = Ink::new(sheet.fill()).opaque();
+        let bounds = self.key.clip().and(painter.bounds());
+        let hash = painter.hash();
+        let ground = Ink::new(painter.fill()).opaque();
         let tiles = Tiles::of(bounds);
         for y in tiles.y0..tiles.y1 {
             for x in tiles.x0..tiles.x1 {
                 let within = bounds.and(pixels_of(x, y));
-                if !sheet.fills(within) {
+                if !painter.fills(within) {
                     self.add(x, y, 0, hash);
                 } else if let Some(color) = ground
                     && within == pixels_of(x, y).and(target)
                 {
                     self.hide(x, y, color);
-                } else if sheet.fill() != Color32::TRANSPARENT {
+                } else if painter.fill() != Color32::TRANSPARENT {
                     self.add(x, y, 0, hash);
                 }
             }
@@ -431,11 +444,11 @@ impl Layer {
                     }
                 }
             }
-            Some(Kind::Plate(plate)) => {
+            Some(Kind::RoundedRect(rounded_rect)) => {
                 if next != END
-                    && let Some(sheet) = Sheet::new(plate, pixels_per_point)
+                    && let Some(painter) = RoundedRectPainter::new(rounded_rect, pixels_per_point)
                 {
-                    sheet.paint(tile, within);
+                    painter.paint(tile, within);
                 }
             }
         }

@@ -8,6 +8,7 @@
 
 #![forbid(unsafe_code)]
 
+mod backdrop;
 mod grid;
 mod hash;
 mod key;
@@ -15,9 +16,9 @@ mod layer;
 mod lines;
 mod pieces;
 mod plane;
-mod plate;
 mod quad;
-mod rounded;
+mod rounded_rect;
+mod rounded_rect_painter;
 mod spans;
 mod stroke;
 #[cfg(test)]
@@ -25,17 +26,16 @@ mod tests;
 mod texture;
 mod tile;
 mod triangle;
-mod under;
 
 pub use lines::{Line, Lines};
 
+use backdrop::{Backdrop, Step};
 use grid::{Areas, Tiles, pixels_of};
 use hash::mix;
 use key::Key;
 use layer::Layer;
 use texture::Textures;
-use tile::{Cut, SIDE, Tile};
-use under::{Step, Under};
+use tile::{PixelRect, SIDE, Tile};
 
 use std::ops::Range;
 
@@ -75,11 +75,11 @@ pub fn primitives(
     mut shapes: Vec<ClippedShape>,
     pixels_per_point: f32,
 ) -> Vec<ClippedPrimitive> {
-    plate::exchange(&mut shapes, pixels_per_point);
+    rounded_rect::replace_shapes(&mut shapes, pixels_per_point);
     pieces::in_pieces(&mut shapes);
     let options = context.options(|options| options.tessellation_options);
     let letters = context.fonts(|fonts| fonts.font_image_size());
-    // Discs that are drawn beforehand are for circles, which are plates here.
+    // Discs that are drawn beforehand are for circles, which are rounded rectangles here.
     Tessellator::new(pixels_per_point, options, letters, Vec::new()).tessellate_shapes(shapes)
 }
 
@@ -104,7 +104,7 @@ pub struct Raster {
     /// Whether a tile may have changed; kept for its memory.
     touched: Vec<bool>,
     /// What is kept of each tile; as `shown`.
-    under: Vec<Under>,
+    backdrop: Vec<Backdrop>,
     /// The layers in the row of tiles that is painted, and those in the tile;
     /// kept for their memory.
     row: Vec<u32>,
@@ -124,7 +124,7 @@ impl Raster {
             layers: Vec::new(),
             other_textures: false,
             touched: Vec::new(),
-            under: Vec::new(),
+            backdrop: Vec::new(),
             row: Vec::new(),
             steps: Vec::new(),
             tile: Tile::new(),
@@ -147,7 +147,7 @@ impl Raster {
 
     /// Nothing moves any more: gives memory back that made it fast.
     pub fn rest(&mut self) {
-        self.under.iter_mut().for_each(Under::rest);
+        self.backdrop.iter_mut().for_each(Backdrop::rest);
         self.layers.iter_mut().for_each(Layer::rest);
     }
 
@@ -189,7 +189,7 @@ impl Raster {
         let (Ok(x1), Ok(y1)) = (i32::try_from(target.width), i32::try_from(target.height)) else {
             return Vec::new();
         };
-        let whole = Cut {
+        let whole = PixelRect {
             x0: 0,
             y0: 0,
             x1,
@@ -218,19 +218,19 @@ impl Raster {
         }
         self.shown.resize(tiles.count(), 0);
         if anew {
-            self.under.iter_mut().for_each(Under::forget);
+            self.backdrop.iter_mut().for_each(Backdrop::forget);
         }
-        self.under.resize_with(tiles.count(), Under::default);
+        self.backdrop.resize_with(tiles.count(), Backdrop::default);
         let mut areas = Areas::default();
         let mut each = self
             .shown
             .iter_mut()
             .zip(&self.touched)
-            .zip(&mut self.under);
+            .zip(&mut self.backdrop);
         for y in tiles.y0..tiles.y1 {
             self.row.clear();
             for x in tiles.x0..tiles.x1 {
-                let Some(((shown, touched), under)) = each.next() else {
+                let Some(((shown, touched), backdrop)) = each.next() else {
                     continue;
                 };
                 if !touched && !anew {
@@ -251,12 +251,12 @@ impl Raster {
                 areas.add(cut);
                 let ground = ground.unwrap_or_else(|| tile::pixel(self.background));
                 if bare {
-                    under.pass_over();
+                    backdrop.pass_over();
                     target.fill(cut, ground);
                     continue;
                 }
                 (self.tile.x, self.tile.y) = (cut.x0, cut.y0);
-                let (painted, keep) = under.begin(&self.steps, ground, &mut self.tile);
+                let (painted, keep) = backdrop.begin(&self.steps, ground, &mut self.tile);
                 for (at, step) in self.steps.iter().enumerate().skip(painted) {
                     let number = step.layer as usize;
                     let textures = &self.textures;
@@ -268,7 +268,7 @@ impl Raster {
                         &mut self.tile,
                     );
                     if keep == Some(at + 1) {
-                        under.keep(step.hash, &mut self.tile);
+                        backdrop.keep(step.hash, &mut self.tile);
                     }
                 }
                 target.put(cut, &self.tile);
@@ -286,7 +286,7 @@ impl Raster {
         primitives: &[ClippedPrimitive],
         changed: Range<usize>,
         pixels_per_point: f32,
-        target: Cut,
+        target: PixelRect,
     ) -> bool {
         let now = Some((target.x1 as u32, target.y1 as u32, pixels_per_point));
         if self.sorted_for != now {
@@ -385,20 +385,20 @@ fn steps(
 
 impl Target<'_> {
     /// Its rows within a rectangle.
-    fn rows(&mut self, cut: Cut) -> impl Iterator<Item = &mut [u32]> {
+    fn rows(&mut self, cut: PixelRect) -> impl Iterator<Item = &mut [u32]> {
         let rows = self.pixels.chunks_mut(self.stride).skip(cut.y0 as usize);
         let rows = rows.take((cut.y1 - cut.y0) as usize);
         rows.map(move |row| &mut row[cut.x0 as usize..cut.x1 as usize])
     }
 
-    fn fill(&mut self, cut: Cut, color: u32) {
+    fn fill(&mut self, cut: PixelRect, color: u32) {
         for row in self.rows(cut) {
             row.fill(color);
         }
     }
 
     /// Puts a tile where it belongs.
-    fn put(&mut self, cut: Cut, tile: &Tile) {
+    fn put(&mut self, cut: PixelRect, tile: &Tile) {
         for (y, row) in self.rows(cut).enumerate() {
             match <&mut [u32; SIDE]>::try_from(&mut *row) {
                 // A copy of known length needs no call.

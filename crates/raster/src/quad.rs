@@ -7,7 +7,7 @@ use egui::{Color32, Mesh};
 
 use super::plane::{self, Surface};
 use super::texture::{Texels, Texture};
-use super::tile::{self, Cut, FULL, Ink, Tile};
+use super::tile::{self, FULL, Ink, PixelRect, Tile};
 use super::triangle::{self, Corner, STEPS};
 
 /// Texels that lie this close to the pixels count as lying on them.
@@ -88,8 +88,8 @@ impl Quad {
     }
 
     /// Its pixels.
-    pub(super) fn bounds(&self) -> Cut {
-        Cut {
+    pub(super) fn bounds(&self) -> PixelRect {
+        PixelRect {
             x0: triangle::first_pixel(self.low.x),
             y0: triangle::first_pixel(self.low.y),
             x1: triangle::first_pixel(self.high.x),
@@ -127,7 +127,7 @@ impl Quad {
     }
 
     /// Paints its pixels within a rectangle that lies in the tile.
-    pub(super) fn paint(&self, tile: &mut Tile, texture: &Texture, cut: Cut) {
+    pub(super) fn paint(&self, tile: &mut Tile, texture: &Texture, cut: PixelRect) {
         let cut = cut.and(self.bounds());
         if cut.is_empty() {
             return;
@@ -184,7 +184,7 @@ struct Rows<'a> {
 
 impl<'a> Rows<'a> {
     /// `None` if it is not all within the texture.
-    fn new(texture: &'a Texture, [x, y]: [i32; 2], cut: Cut) -> Option<Self> {
+    fn new(texture: &'a Texture, [x, y]: [i32; 2], cut: PixelRect) -> Option<Self> {
         let start = |at: i32, from: i32, to: i32, count: usize| {
             let end = usize::try_from(at.checked_add(to)?).ok()?;
             let from = usize::try_from(at.checked_add(from)?).ok()?;
@@ -197,7 +197,7 @@ impl<'a> Rows<'a> {
         })
     }
 
-    fn paint(&self, tile: &mut Tile, color: Color32, cut: Cut) {
+    fn paint(&self, tile: &mut Tile, color: Color32, cut: PixelRect) {
         let width = (cut.x1 - cut.x0) as usize;
         let ink = Ink::new(color);
         for (row, y) in (cut.y0..cut.y1).enumerate() {

@@ -6,20 +6,20 @@
 //! belongs to exactly one of them. A pixel belongs to an outline if its middle
 //! does; a middle on an edge, if the edge is a left or an upper one.
 
-use super::tile::{Cut, SIDE};
+use super::tile::{PixelRect, SIDE};
 use super::triangle::{STEPS, first_pixel};
 
 /// The rows of an outline within a tile.
 pub(super) struct Spans {
     from: [i32; SIDE],
     to: [i32; SIDE],
-    cut: Cut,
+    cut: PixelRect,
 }
 
 impl Spans {
     /// Those within `cut`, which lies in a tile; the outline is empty yet.
     #[inline]
-    pub(super) fn new(cut: Cut) -> Self {
+    pub(super) fn new(cut: PixelRect) -> Self {
         Self {
             from: [cut.x1; SIDE],
             to: [cut.x0; SIDE],

@@ -15,7 +15,7 @@ use egui::Color32;
 use glam::Vec4;
 
 use super::lines::Line;
-use super::tile::{Cut, FULL, Ink, Kind, SIDE, Tile};
+use super::tile::{FULL, Ink, Kind, PixelRect, SIDE, Tile};
 
 /// Slices for each pixel.
 const SLICES: usize = 4;
@@ -108,7 +108,7 @@ impl Stroke {
 
     /// The pixels among which the line's are.
     #[inline]
-    pub(super) fn bounds(&self) -> Cut {
+    pub(super) fn bounds(&self) -> PixelRect {
         // Toward the outside, by up to one pixel more than needed. The sums
         // stay far inside of the numbers.
         let far = (1 << 30) as f32;
@@ -116,7 +116,7 @@ impl Stroke {
         let reach = self.radius + f32::from(u8::from(self.joined != [false; 2]));
         let low = |a: f32, b: f32| ((a.min(b) - reach).max(-far) as i32) - 1;
         let high = |a: f32, b: f32| ((a.max(b) + reach).min(far) as i32) + 1;
-        Cut {
+        PixelRect {
             x0: low(self.x[0], self.x[1]),
             y0: low(self.y[0], self.y[1]),
             x1: high(self.x[0], self.x[1]),
@@ -125,7 +125,7 @@ impl Stroke {
     }
 
     /// Whether the line may come into a rectangle.
-    pub(super) fn touches(&self, cut: Cut) -> bool {
+    pub(super) fn touches(&self, cut: PixelRect) -> bool {
         // The rectangle's corners beside the line that goes on for ever. In
         // 64 bits, so that a rounding does not lose a pixel.
         let [x, y] = [self.x, self.y].map(|v| v.map(f64::from));
@@ -139,13 +139,13 @@ impl Stroke {
     }
 
     /// Paints the pixels within a rectangle that lies in the tile.
-    pub(super) fn paint(&self, tile: &mut Tile, cut: Cut) {
+    pub(super) fn paint(&self, tile: &mut Tile, cut: PixelRect) {
         let cut = cut.and(self.bounds());
         if cut.is_empty() {
             return;
         }
         let [[x0, x1], [y0, y1]] = self.seen_from(tile);
-        let cut = Cut {
+        let cut = PixelRect {
             x0: cut.x0 - tile.x,
             y0: cut.y0 - tile.y,
             x1: cut.x1 - tile.x,
@@ -153,7 +153,7 @@ impl Stroke {
         };
         let (x, y) = ([x0, x1], [y0, y1]);
         if (y1 - y0).abs() > (x1 - x0).abs() {
-            let turned = Cut {
+            let turned = PixelRect {
                 x0: cut.y0,
                 y0: cut.x0,
                 x1: cut.y1,
@@ -170,7 +170,7 @@ impl Stroke {
     }
 
     #[inline(always)]
-    fn paint_band(&self, band: &Band, tile: &mut Tile, cut: Cut, along: Along) {
+    fn paint_band(&self, band: &Band, tile: &mut Tile, cut: PixelRect, along: Along) {
         let ink = Ink::new(self.color);
         let pixels = tile.pixels();
         match ink.kind() {
@@ -278,7 +278,7 @@ impl Band {
     fn paint(
         &self,
         pixels: &mut [u32; SIDE * SIDE],
-        cut: Cut,
+        cut: PixelRect,
         along: Along,
         over: impl Fn(u32, u32) -> u32,
     ) {
@@ -305,7 +305,13 @@ impl Band {
 
     /// Light is rarely added: one function for both directions.
     #[inline(never)]
-    fn paint_glowing(&self, pixels: &mut [u32; SIDE * SIDE], cut: Cut, along: Along, ink: &Ink) {
+    fn paint_glowing(
+        &self,
+        pixels: &mut [u32; SIDE * SIDE],
+        cut: PixelRect,
+        along: Along,
+        ink: &Ink,
+    ) {
         self.paint(pixels, cut, along, |a, b| ink.over_glowing(a, b));
     }
 
@@ -315,7 +321,7 @@ impl Band {
     fn end(
         &self,
         pixels: &mut [u32; SIDE * SIDE],
-        cut: Cut,
+        cut: PixelRect,
         step: i32,
         along: Along,
         over: &impl Fn(u32, u32) -> u32,
@@ -338,7 +344,7 @@ impl Band {
 #[inline(always)]
 fn lay<const N: usize>(
     pixels: &mut [u32; SIDE * SIDE],
-    cut: Cut,
+    cut: PixelRect,
     step: i32,
     borders: [(Vec4, Vec4); N],
     share: f32,

@@ -13,14 +13,14 @@ pub(super) const SIDE: usize = 32;
 /// A rectangle of whole pixels in the target: from (x0, y0) up to, without,
 /// (x1, y1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Cut {
+pub(super) struct PixelRect {
     pub(super) x0: i32,
     pub(super) y0: i32,
     pub(super) x1: i32,
     pub(super) y1: i32,
 }
 
-impl Cut {
+impl PixelRect {
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             x0: self.x0.max(other.x0),

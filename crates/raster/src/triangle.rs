@@ -9,7 +9,7 @@ use egui::{Color32, Mesh};
 use super::plane::{self, Plane};
 use super::spans::Spans;
 use super::texture::Texture;
-use super::tile::{self, Cut, FULL, Ink, Tile};
+use super::tile::{self, FULL, Ink, PixelRect, Tile};
 
 /// Steps of a corner within a pixel.
 pub(super) const STEPS: i32 = 256;
@@ -67,9 +67,9 @@ pub(super) fn corners(mesh: &Mesh, triangle: usize, pixels_per_point: f32) -> Op
 
 /// The pixels among which a triangle's are.
 #[inline]
-pub(super) fn bounds(corners: &[Corner; 3]) -> Cut {
+pub(super) fn bounds(corners: &[Corner; 3]) -> PixelRect {
     let [a, b, c] = corners;
-    Cut {
+    PixelRect {
         x0: first_pixel(a.x.min(b.x).min(c.x)),
         y0: first_pixel(a.y.min(b.y).min(c.y)),
         x1: first_pixel(a.x.max(b.x).max(c.x)),
@@ -111,7 +111,7 @@ impl Edge {
 
     /// Whether a pixel of the rectangle, which is not empty, is inside.
     #[inline]
-    pub(super) fn touches(&self, cut: Cut) -> bool {
+    pub(super) fn touches(&self, cut: PixelRect) -> bool {
         let x = if self.dx > 0 { cut.x1 - 1 } else { cut.x0 };
         let y = if self.dy > 0 { cut.y1 - 1 } else { cut.y0 };
         self.at(x, y) >= 0
@@ -176,7 +176,7 @@ impl Paint {
 }
 
 /// Paints the pixels of a triangle within a rectangle that lies in the tile.
-pub(super) fn paint(tile: &mut Tile, corners: &[Corner; 3], texture: &Texture, cut: Cut) {
+pub(super) fn paint(tile: &mut Tile, corners: &[Corner; 3], texture: &Texture, cut: PixelRect) {
     let cut = cut.and(bounds(corners));
     let area = twice_area(corners);
     if cut.is_empty() || area == 0 {

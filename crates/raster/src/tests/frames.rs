@@ -7,9 +7,9 @@ use egui::epaint::textures::TextureOptions;
 use egui::{ClippedPrimitive, Color32, Pos2, Rect, TextureId, TexturesDelta, pos2, vec2};
 
 use super::lines::primitive;
-use super::plates;
+use super::rounded_rects;
 use super::{Random, Screen, letters, mesh, texture, vertex};
-use crate::plate::Plate;
+use crate::rounded_rect::RoundedRect;
 use crate::{Area, Line, Lines, Target};
 
 fn line(random: &mut Random) -> Line {
@@ -57,15 +57,15 @@ fn with_another_line(part: &ClippedPrimitive, random: &mut Random) -> Option<Cli
     Some(other)
 }
 
-/// A plate, often at whole pixels.
-fn plate(place: Pos2, random: &mut Random) -> Plate {
+/// A rounded rectangle, often at whole pixels.
+fn rounded_rect(place: Pos2, random: &mut Random) -> RoundedRect {
     let size = vec2(random.between(1.0, 200.0), random.between(1.0, 150.0));
     let size = if random.below(2) == 0 {
         size.round()
     } else {
         size
     };
-    Plate {
+    RoundedRect {
         rect: Rect::from_min_size(place, size),
         radii: [(); 4].map(|()| random.between(-5.0, 0.5 * size.min_elem()).max(0.0)),
         fill: random.color(),
@@ -74,11 +74,11 @@ fn plate(place: Pos2, random: &mut Random) -> Plate {
     }
 }
 
-/// Rectangles, letters, triangles, plates and lines, cut at random.
+/// Rectangles, letters, triangles, rounded rectangles and lines, cut at random.
 fn thing(random: &mut Random) -> ClippedPrimitive {
     let place = pos2(random.between(-50.0, 250.0), random.between(-50.0, 200.0)).round();
     let mut part = match random.below(6) {
-        5 => plates::primitive(plate(place, random)),
+        5 => rounded_rects::primitive(rounded_rect(place, random)),
         0 => {
             let lines = if random.below(2) == 0 {
                 curve(random)
@@ -300,7 +300,7 @@ fn a_texture_is_kept_for_the_frame_that_comes_with_its_release() {
 #[test]
 fn a_target_that_was_refused_hides_no_change() {
     let at = |x: f32| {
-        [plates::primitive(plate(
+        [rounded_rects::primitive(rounded_rect(
             pos2(x, 5.0),
             &mut Random(x as u64),
         ))]

@@ -7,9 +7,9 @@ use egui::epaint::{PaintCallback, Primitive};
 use egui::{ClippedPrimitive, Color32, ColorImage, Pos2, Rect, TextureId, pos2, vec2};
 
 use super::lines::primitive;
-use super::plates;
+use super::rounded_rects;
 use super::{Random, Screen, everywhere, mesh, texture, vertex};
-use crate::plate::Plate;
+use crate::rounded_rect::RoundedRect;
 use crate::{Line, Lines, Target};
 
 const ODD: [f32; 16] = [
@@ -70,7 +70,7 @@ fn odd_numbers_do_no_harm() {
         things.push(primitive(&Arc::new(Lines {
             lines: lines.collect(),
         })));
-        things.push(plates::primitive(Plate {
+        things.push(rounded_rects::primitive(RoundedRect {
             rect: Rect::from_min_max(odd_place(&mut random), odd_place(&mut random)),
             radii: [(); 4].map(|()| odd(&mut random)),
             fill: random.color(),

@@ -5,7 +5,7 @@ mod frames;
 mod harmless;
 mod lines;
 mod pieces;
-mod plates;
+mod rounded_rects;
 mod triangles;
 
 use std::ops::Range;

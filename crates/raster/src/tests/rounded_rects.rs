@@ -1,4 +1,4 @@
-//! Plates: how much of each pixel is covered, and that they are what egui shows.
+//! Rounded rectangles: how much of each pixel is covered, and that they are what egui shows.
 
 use std::f32::consts::PI;
 use std::sync::Arc;
@@ -11,22 +11,24 @@ use egui::epaint::{
 use egui::{ClippedPrimitive, Color32, Rect, Shape, Stroke, StrokeKind, TextureId, pos2, vec2};
 
 use super::{Random, Screen, covered, everywhere};
-use crate::plate::{Plate, exchange};
+use crate::rounded_rect::{RoundedRect, replace_shapes};
 
-pub(super) fn primitive(plate: Plate) -> ClippedPrimitive {
+pub(super) fn primitive(rounded_rect: RoundedRect) -> ClippedPrimitive {
     everywhere(Primitive::Callback(PaintCallback {
         rect: Rect::EVERYTHING,
-        callback: Arc::new(plate),
+        callback: Arc::new(rounded_rect),
     }))
 }
 
-/// How much of each pixel of a square lies within a plate's edge, brought in by
+/// How much of each pixel of a square lies within a rounded rectangle's edge, brought in by
 /// something.
-fn coverage(plate: &Plate, by: f32, side: usize) -> Vec<f64> {
-    let rect = plate.rect.shrink(by);
+fn coverage(rounded_rect: &RoundedRect, by: f32, side: usize) -> Vec<f64> {
+    let rect = rounded_rect.rect.shrink(by);
     let [left, top, right, bottom] =
         [rect.min.x, rect.min.y, rect.max.x, rect.max.y].map(f64::from);
-    let radii = plate.radii.map(|radius| f64::from((radius - by).max(0.0)));
+    let radii = rounded_rect
+        .radii
+        .map(|radius| f64::from((radius - by).max(0.0)));
     covered(side, |y| {
         let inset = |above: f64, below: f64| {
             let within = |radius: f64, way: f64| {
@@ -43,13 +45,13 @@ fn coverage(plate: &Plate, by: f32, side: usize) -> Vec<f64> {
 }
 
 /// The fill is red and the border green.
-fn check(plate: Plate) {
+fn check(rounded_rect: RoundedRect) {
     const SIDE: usize = 72;
     let mut screen = Screen::new(SIDE as u32, SIDE as u32, Color32::BLACK);
-    screen.paint(&[primitive(plate)]);
+    screen.paint(&[primitive(rounded_rect)]);
     let (outer, inner) = (
-        coverage(&plate, 0.0, SIDE),
-        coverage(&plate, plate.border, SIDE),
+        coverage(&rounded_rect, 0.0, SIDE),
+        coverage(&rounded_rect, rounded_rect.border, SIDE),
     );
     for (i, (outer, inner)) in outer.into_iter().zip(inner).enumerate() {
         let [r, g, b] = screen.rgb(i % SIDE, i / SIDE).map(f64::from);
@@ -58,7 +60,7 @@ fn check(plate: Plate) {
             // A thirty-second of the pixel, and the rounding of the colour.
             assert!(
                 off.abs() <= 255.0 / 32.0 + 1.0,
-                "{plate:?} at {}, {}: {found}, exact {}",
+                "{rounded_rect:?} at {}, {}: {found}, exact {}",
                 i % SIDE,
                 i / SIDE,
                 255.0 * exact
@@ -67,9 +69,9 @@ fn check(plate: Plate) {
     }
 }
 
-fn plate(rect: [f32; 4], radii: [f32; 4], border: f32) -> Plate {
+fn rounded_rect(rect: [f32; 4], radii: [f32; 4], border: f32) -> RoundedRect {
     let [x0, y0, x1, y1] = rect;
-    Plate {
+    RoundedRect {
         rect: Rect::from_min_max(pos2(x0, y0), pos2(x1, y1)),
         radii,
         fill: Color32::RED,
@@ -79,7 +81,7 @@ fn plate(rect: [f32; 4], radii: [f32; 4], border: f32) -> Plate {
 }
 
 #[test]
-fn plates_cover_what_they_cover() {
+fn rounded_rects_cover_what_they_cover() {
     let mut random = Random(41);
     for round in 0..400 {
         let low = [random.between(1.0, 30.0), random.between(1.0, 30.0)];
@@ -96,12 +98,12 @@ fn plates_cover_what_they_cover() {
         });
         let border = [0.0, 1.0, random.between(0.0, 2.5)][round % 3];
         let rect = [low[0], low[1], low[0] + size[0], low[1] + size[1]];
-        check(plate(rect, radii, border));
-        check(plate(rect.map(f32::round), radii, border));
+        check(rounded_rect(rect, radii, border));
+        check(rounded_rect(rect.map(f32::round), radii, border));
     }
 }
 
-/// A plate hides what is below it where it is whole, and only there.
+/// A rounded rectangle hides what is below it where it is whole, and only there.
 #[test]
 fn what_hides_all_below_does_so_only_within() {
     let mut random = Random(42);
@@ -118,16 +120,16 @@ fn what_hides_all_below_does_so_only_within() {
         let radii = [0, 1, 2, 3].map(|_| random.between(-20.0, 40.0).clamp(0.0, most));
         let border = random.between(-1.0, 2.0).max(0.0);
         let mut pixels = [255, 254].map(|alpha| {
-            let mut plate = plate(rect, radii, border);
+            let mut rounded_rect = rounded_rect(rect, radii, border);
             // All but opaque, it hides no tile.
-            plate.fill = Color32::from_rgba_premultiplied(alpha, 0, 0, alpha);
+            rounded_rect.fill = Color32::from_rgba_premultiplied(alpha, 0, 0, alpha);
             let mut screen = Screen::new(170, 140, Color32::BLACK);
-            let below = self::plate([-9.0, -9.0, 300.0, 300.0], [0.0; 4], 0.0);
-            let blue = Plate {
+            let below = self::rounded_rect([-9.0, -9.0, 300.0, 300.0], [0.0; 4], 0.0);
+            let blue = RoundedRect {
                 fill: Color32::BLUE,
                 ..below
             };
-            screen.paint(&[primitive(blue), primitive(plate)]);
+            screen.paint(&[primitive(blue), primitive(rounded_rect)]);
             screen.pixels.into_iter()
         });
         for at in 0..170 * 140 {
@@ -149,10 +151,10 @@ fn shape(shape: impl Into<Shape>) -> ClippedShape {
 
 /// Whether all of the shapes are exchanged.
 fn exchanged(shapes: &[ClippedShape], scale: f32) -> Option<Vec<ClippedShape>> {
-    let mut plates = shapes.to_vec();
-    exchange(&mut plates, scale);
+    let mut rounded_rects = shapes.to_vec();
+    replace_shapes(&mut rounded_rects, scale);
     let all = |shape: &ClippedShape| matches!(shape.shape, Shape::Callback(_));
-    plates.iter().all(all).then_some(plates)
+    rounded_rects.iter().all(all).then_some(rounded_rects)
 }
 
 fn painted(primitives: &[ClippedPrimitive], scale: f32) -> Screen {
@@ -164,7 +166,7 @@ fn painted(primitives: &[ClippedPrimitive], scale: f32) -> Screen {
 
 /// What egui makes of the same shapes is softer at its rims; otherwise it is the same.
 #[test]
-fn plates_are_where_egui_shows_the_shapes() {
+fn rounded_rects_are_where_egui_shows_the_shapes() {
     let mut random = Random(43);
     for round in 0..300 {
         let scale = [1.0, 1.25, 1.5, 2.0][round % 4];
@@ -201,9 +203,9 @@ fn plates_are_where_egui_shows_the_shapes() {
                 kind[random.below(3)],
             ))
         };
-        let plates = exchanged(std::slice::from_ref(&one), scale).expect("a plate");
-        let [theirs, ours] =
-            [vec![one.clone()], plates].map(|shapes| painted(&triangles(shapes, scale), scale));
+        let rounded_rects = exchanged(std::slice::from_ref(&one), scale).expect("a rounded_rect");
+        let [theirs, ours] = [vec![one.clone()], rounded_rects]
+            .map(|shapes| painted(&triangles(shapes, scale), scale));
         let mut sum = 0.0;
         for (their, our) in theirs.pixels.iter().zip(&ours.pixels) {
             let (their, our) = (their.to_be_bytes(), our.to_be_bytes());
@@ -297,7 +299,7 @@ fn what_egui_shows_in_another_way_stays() {
     // In a row of shapes each by itself.
     let row = Shape::Vec(vec![plain.into(), Shape::Noop]);
     let mut row = vec![shape(row)];
-    exchange(&mut row, 1.0);
+    replace_shapes(&mut row, 1.0);
     let Shape::Vec(row) = &row[0].shape else {
         panic!("a row");
     };

@@ -1,4 +1,4 @@
-//! Plates as pixels: how much of each lies within the border and within the fill.
+//! Rounded rectangles as pixels: how much of each lies within the border and within the fill.
 //!
 //! In thin slices from above to below, the edges of a rectangle with round corners
 //! are known exactly, and with them the covered part of each pixel in the slice; a
@@ -10,8 +10,8 @@ use egui::Color32;
 use glam::Vec4;
 
 use super::hash::{bits, mix, pair};
-use super::plate::Plate;
-use super::tile::{self, Cut, FULL, Ink, SIDE, Tile};
+use super::rounded_rect::RoundedRect;
+use super::tile::{self, FULL, Ink, PixelRect, SIDE, Tile};
 
 /// Farther out than this, in pixels, nothing is looked at exactly.
 const FAR: f32 = 1e6;
@@ -21,7 +21,7 @@ const MIDDLES: Vec4 = Vec4::new(0.125, 0.375, 0.625, 0.875);
 
 /// A rectangle with round corners, in pixels.
 #[derive(Clone, Copy)]
-struct Rounded {
+struct PixelRoundedRect {
     x: [f32; 2],
     y: [f32; 2],
     /// Left and right above, left and right below.
@@ -31,11 +31,11 @@ struct Rounded {
 /// Pixels from the first up to, without, the last.
 type Range = (i32, i32);
 
-/// A plate on its way into tiles.
-pub(super) struct Sheet {
-    outer: Rounded,
+/// A rounded rectangle on its way into tiles.
+pub(super) struct RoundedRectPainter {
+    outer: PixelRoundedRect,
     /// What lies within the border.
-    inner: Rounded,
+    inner: PixelRoundedRect,
     fill: Color32,
     border: Color32,
     /// The columns of pixels between the corners and the upright parts of the border.
@@ -54,7 +54,7 @@ fn down(v: f32) -> i32 {
     v.floor() as i32
 }
 
-impl Rounded {
+impl PixelRoundedRect {
     fn shrunk(&self, by: f32) -> Self {
         let [x, y] = [self.x, self.y].map(|[low, high]| {
             let middle = 0.5 * (low + high);
@@ -130,22 +130,22 @@ impl Column {
     }
 }
 
-impl Sheet {
+impl RoundedRectPainter {
     /// `None` if there is nothing to be seen.
-    pub(super) fn new(plate: &Plate, pixels_per_point: f32) -> Option<Self> {
+    pub(super) fn new(rounded_rect: &RoundedRect, pixels_per_point: f32) -> Option<Self> {
         let scaled = |at: f32| (at * pixels_per_point).clamp(-FAR, FAR);
-        let (min, max) = (plate.rect.min, plate.rect.max);
-        let outer = Rounded {
+        let (min, max) = (rounded_rect.rect.min, rounded_rect.rect.max);
+        let outer = PixelRoundedRect {
             x: [scaled(min.x), scaled(max.x)],
             y: [scaled(min.y), scaled(max.y)],
-            radii: plate.radii.map(|radius| scaled(radius).max(0.0)),
+            radii: rounded_rect.radii.map(|radius| scaled(radius).max(0.0)),
         };
         // What is not a number is not seen either.
         let real = outer.x[0] < outer.x[1] && outer.y[0] < outer.y[1];
         if !real || !outer.radii.iter().all(|radius| radius.is_finite()) {
             return None;
         }
-        let border = scaled(plate.border).max(0.0);
+        let border = scaled(rounded_rect.border).max(0.0);
         let inner = outer.shrunk(border);
         let [a, b, c, d] = outer.radii;
         let rim = |a: f32, b: f32| a.max(b).max(border);
@@ -158,15 +158,15 @@ impl Sheet {
             down: between(outer.y, rim(a, b), rim(c, d)),
             outer,
             inner,
-            fill: plate.fill,
-            border: plate.border_color,
+            fill: rounded_rect.fill,
+            border: rounded_rect.border_color,
         })
     }
 
     /// Pixels among which its own are.
-    pub(super) fn bounds(&self) -> Cut {
-        let Rounded { x, y, .. } = self.outer;
-        Cut {
+    pub(super) fn bounds(&self) -> PixelRect {
+        let PixelRoundedRect { x, y, .. } = self.outer;
+        PixelRect {
             x0: down(x[0]),
             y0: down(y[0]),
             x1: up(x[1]),
@@ -176,7 +176,7 @@ impl Sheet {
 
     /// What it is known by, in each tile.
     pub(super) fn hash(&self) -> u64 {
-        let Rounded { x, y, radii } = self.outer;
+        let PixelRoundedRect { x, y, radii } = self.outer;
         let place = mix(mix(0, pair(x[0], y[0])), pair(x[1], y[1]));
         let round = mix(
             mix(place, pair(radii[0], radii[1])),
@@ -188,10 +188,10 @@ impl Sheet {
     }
 
     /// Whether nothing but the fill, and that wholly, lies on some pixels.
-    pub(super) fn fills(&self, cut: Cut) -> bool {
+    pub(super) fn fills(&self, cut: PixelRect) -> bool {
         let within = |(low, high): Range, from: i32, to: i32| low <= from && to <= high;
         let whole = |[low, high]: [f32; 2]| (up(low), down(high));
-        let Rounded { x, y, .. } = self.inner;
+        let PixelRoundedRect { x, y, .. } = self.inner;
         (within(self.across, cut.x0, cut.x1) && within(whole(y), cut.y0, cut.y1))
             || (within(whole(x), cut.x0, cut.x1) && within(self.down, cut.y0, cut.y1))
     }
@@ -202,7 +202,7 @@ impl Sheet {
     }
 
     /// Paints its pixels within a rectangle that lies in the tile.
-    pub(super) fn paint(&self, tile: &mut Tile, cut: Cut) {
+    pub(super) fn paint(&self, tile: &mut Tile, cut: PixelRect) {
         let cut = cut.and(self.bounds());
         if cut.is_empty() {
             return;
@@ -230,7 +230,7 @@ impl Sheet {
         }
     }
 
-    fn paint_column(&self, tile: &mut Tile, cut: Cut, x: i32, inks: &Inks) {
+    fn paint_column(&self, tile: &mut Tile, cut: PixelRect, x: i32, inks: &Inks) {
         let (outer, inner) = (self.outer.column(x), self.inner.column(x));
         // Between the corners all pixels are covered alike.
         let start = self.down.0.clamp(cut.y0, cut.y1);
@@ -249,7 +249,7 @@ impl Sheet {
     }
 }
 
-/// The two colours of a plate.
+/// The two colours of a rounded rectangle.
 struct Inks {
     fill: Ink,
     border: Ink,

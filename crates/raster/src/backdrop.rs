@@ -1,4 +1,4 @@
-//! What lies under the things that move, kept as pixels.
+//! What lies behind the things that move, kept as pixels.
 //!
 //! While something is dragged, few layers change, in the same tiles again and
 //! again, and most of what such a tile shows lies below them and stays. So a
@@ -18,14 +18,14 @@ pub(super) struct Step {
 
 /// What is kept of one tile.
 #[derive(Default)]
-pub(super) struct Under {
+pub(super) struct Backdrop {
     /// The fingerprints layer by layer, as it was painted last.
     hashes: Vec<u64>,
     /// Pixels, and the fingerprint of what they show.
     pixels: Option<(u64, Box<[u32; SIDE * SIDE]>)>,
 }
 
-impl Under {
+impl Backdrop {
     /// Begins a tile, whose ground is one colour: how many layers are in it
     /// then, and after how many its pixels should be kept, if they should.
     pub(super) fn begin(

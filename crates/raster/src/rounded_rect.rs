@@ -15,7 +15,7 @@ use super::lines::{Line, Lines};
 
 /// A rectangle, maybe with round corners, of one colour, and a border of another.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Plate {
+pub(super) struct RoundedRect {
     /// Outer edges, in points.
     pub(super) rect: Rect,
     /// Radii of the outer edge's corners, in points: left and right above, left
@@ -28,31 +28,31 @@ pub(super) struct Plate {
     pub(super) border_color: Color32,
 }
 
-/// Puts plates in the place of rectangles and circles, and [`Lines`] in that of other
+/// Puts rounded rectangles in the place of rectangles and circles, and [`Lines`] in that of other
 /// lines, as far as they can show the same. The number of shapes stays.
-pub(super) fn exchange(shapes: &mut [ClippedShape], pixels_per_point: f32) {
+pub(super) fn replace_shapes(shapes: &mut [ClippedShape], pixels_per_point: f32) {
     for shape in shapes {
         // What is moved after it has become triangles is not at pixels here.
         if shape.transform_after_tessellation == egui::emath::TSTransform::IDENTITY {
-            exchange_one(&mut shape.shape, pixels_per_point);
+            replace_shape(&mut shape.shape, pixels_per_point);
         }
     }
 }
 
-fn exchange_one(shape: &mut Shape, pixels_per_point: f32) {
-    let (plate, lines) = match shape {
+fn replace_shape(shape: &mut Shape, pixels_per_point: f32) {
+    let (rounded_rect, lines) = match shape {
         Shape::Vec(shapes) => {
             for shape in shapes {
-                exchange_one(shape, pixels_per_point);
+                replace_shape(shape, pixels_per_point);
             }
             return;
         }
-        Shape::Rect(rect) => (Plate::of_rect(rect, pixels_per_point), None),
-        Shape::Circle(circle) => (Plate::of_circle(circle), None),
+        Shape::Rect(rect) => (RoundedRect::of_rect(rect, pixels_per_point), None),
+        Shape::Circle(circle) => (RoundedRect::of_circle(circle), None),
         Shape::LineSegment { points, stroke } => {
-            let plate = Plate::of_line(*points, *stroke, pixels_per_point);
+            let rounded_rect = RoundedRect::of_line(*points, *stroke, pixels_per_point);
             let line = || lines(&*points, stroke.width, stroke.color);
-            (plate, plate.is_none().then(line))
+            (rounded_rect, rounded_rect.is_none().then(line))
         }
         Shape::Path(path) => match path.stroke {
             PathStroke {
@@ -66,10 +66,10 @@ fn exchange_one(shape: &mut Shape, pixels_per_point: f32) {
         },
         _ => return,
     };
-    if let Some(plate) = plate {
+    if let Some(rounded_rect) = rounded_rect {
         *shape = Shape::Callback(PaintCallback {
-            rect: plate.rect.expand(1.0 / pixels_per_point),
-            callback: Arc::new(plate),
+            rect: rounded_rect.rect.expand(1.0 / pixels_per_point),
+            callback: Arc::new(rounded_rect),
         });
     } else if let Some(lines) = lines {
         *shape = Lines::shape(&Arc::new(lines), Rect::EVERYTHING);
@@ -98,16 +98,16 @@ fn seen(stroke: Stroke) -> Stroke {
     }
 }
 
-impl Plate {
+impl RoundedRect {
     /// Whether another one is the same to the last bit.
     pub(super) fn is(&self, other: &Self) -> bool {
         // egui will not compare places that are none.
-        let bits = |plate: &Self| {
-            let Rect { min, max } = plate.rect;
-            let [a, b, c, d] = plate.radii;
-            [min.x, min.y, max.x, max.y, a, b, c, d, plate.border].map(f32::to_bits)
+        let bits = |rounded_rect: &Self| {
+            let Rect { min, max } = rounded_rect.rect;
+            let [a, b, c, d] = rounded_rect.radii;
+            [min.x, min.y, max.x, max.y, a, b, c, d, rounded_rect.border].map(f32::to_bits)
         };
-        let colors = |plate: &Self| [plate.fill, plate.border_color];
+        let colors = |rounded_rect: &Self| [rounded_rect.fill, rounded_rect.border_color];
         bits(self) == bits(other) && colors(self) == colors(other)
     }
 
