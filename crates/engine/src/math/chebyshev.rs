@@ -9,7 +9,7 @@
 use super::vector::Vector;
 
 /// Nodes of a fit; its degree is one less.
-pub const NODES: usize = 16;
+pub(crate) const NODES: usize = 16;
 
 const HALF: usize = NODES / 2;
 
@@ -45,7 +45,7 @@ const fn cosine(m: usize) -> f64 {
 }
 
 /// The nodes, ascending: −cos((2j+1)π/32).
-pub const POINTS: [f64; NODES] = {
+pub(crate) const POINTS: [f64; NODES] = {
     let mut points = [0.0; NODES];
     let mut j = 0;
     while j < NODES {
@@ -137,7 +137,7 @@ fn weave(even: &[f64; HALF], odd: &[f64; HALF]) -> [f64; NODES] {
 /// The Chebyshev series through the values at [`POINTS`].
 #[inline(always)]
 #[must_use]
-pub fn series<V: Vector>(values: &[f64; NODES]) -> [f64; NODES] {
+pub(crate) fn series<V: Vector>(values: &[f64; NODES]) -> [f64; NODES] {
     let (mut sums, mut differences) = ([0.0; HALF], [0.0; HALF]);
     let mut j = 0;
     while j < HALF {
@@ -155,14 +155,14 @@ pub fn series<V: Vector>(values: &[f64; NODES]) -> [f64; NODES] {
 /// factor. Two of them, since an even or odd function lacks every other one.
 #[inline(always)]
 #[must_use]
-pub fn tail(series: &[f64; NODES]) -> f64 {
+pub(crate) fn tail(series: &[f64; NODES]) -> f64 {
     series[NODES - 1].abs().max(series[NODES - 2].abs())
 }
 
 /// The same polynomial in powers of x, lowest first.
 #[inline(always)]
 #[must_use]
-pub fn powers<V: Vector>(series: &[f64; NODES]) -> [f64; NODES] {
+pub(crate) fn powers<V: Vector>(series: &[f64; NODES]) -> [f64; NODES] {
     let (mut even, mut odd) = ([0.0; HALF], [0.0; HALF]);
     let mut k = 0;
     while k < HALF {

@@ -1,16 +1,23 @@
 //! Mathematics that knows nothing of cameras' paths: quaternions and
 //! orientations, polynomials, views and projections, and several numbers side
-//! by side ([`vector`]).
+//! by side (`vector`).
 //!
 //! It stands apart so that each piece can be held against a closed form
 //! without a path around it. It uses no other part of the library but its
 //! errors and limits.
+//!
+//! The vectors are nobody else's: code for AVX2 may only run where the processor
+//! has been asked for it, as `path::dispatch` does.
+//!
+//! ```compile_fail,E0603
+//! use vides_engine::math::vector::Vector;
+//! ```
 
-pub mod chebyshev;
+pub(crate) mod chebyshev;
 pub mod euler;
 pub mod monotone_cubic;
 pub mod orientation;
 pub mod quaternion;
 pub mod transform;
-pub mod vector;
+pub(crate) mod vector;
 pub mod view;

@@ -11,7 +11,7 @@
 #![allow(unsafe_code)]
 
 /// A few numbers that are computed with together.
-pub trait Vector: Copy {
+pub(crate) trait Vector: Copy {
     /// How many.
     const LANES: usize;
     /// All lanes the same.
@@ -50,7 +50,7 @@ pub trait Vector: Copy {
 /// The polynomial with `coefficients` (lowest first) at `x`.
 #[inline(always)]
 #[must_use]
-pub fn horner<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -> V {
+pub(crate) fn horner<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -> V {
     let mut sum = V::splat(coefficients[N - 1]);
     let mut k = N - 1;
     while k > 0 {
@@ -64,7 +64,7 @@ pub fn horner<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -> V {
 /// and the vectors' chains of operations run beside each other.
 #[inline(always)]
 #[must_use]
-pub fn horner_each<V: Vector, const N: usize, const U: usize>(
+pub(crate) fn horner_each<V: Vector, const N: usize, const U: usize>(
     coefficients: &[f64; N],
     x: &[V; U],
 ) -> [V; U] {
@@ -142,7 +142,7 @@ impl Vector for f64 {
 }
 
 #[cfg(target_arch = "x86_64")]
-pub use x86_64::{Avx2, Sse2};
+pub(crate) use x86_64::{Avx2, Sse2};
 
 #[cfg(target_arch = "x86_64")]
 mod x86_64 {
@@ -151,12 +151,12 @@ mod x86_64 {
 
     /// Two numbers: every x86-64 processor.
     #[derive(Debug, Clone, Copy)]
-    pub struct Sse2(__m128d);
+    pub(crate) struct Sse2(__m128d);
 
     /// Four numbers. A value of this type may only be computed with in code
     /// that is compiled for AVX2 and FMA and runs on a processor with both.
     #[derive(Debug, Clone, Copy)]
-    pub struct Avx2(__m256d);
+    pub(crate) struct Avx2(__m256d);
 
     /// Numbers in a line of the cache.
     const LINE: usize = 8;
