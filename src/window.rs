@@ -9,7 +9,7 @@ use std::rc::Rc;
 use crate::document::Document;
 use crate::editor::{self, Folders};
 use crate::error::{Error, Result};
-use crate::instance::{self, Host, Id};
+use crate::instance::{self, Gone, Host, Id};
 use crate::path::Sampler;
 
 /// Opens the editor in a window of its own and returns when it is closed. What
@@ -60,5 +60,5 @@ impl Host for Nobody {
 
     fn lost(&self, _: &str) {}
 
-    fn closed(&self, _: Id) {}
+    fn closed(&self, _: Id, _: Gone) {}
 }

@@ -63,6 +63,7 @@ use x11rb::resource_manager::Database;
 use crate::error::{Error, Message, Result, sentence};
 use crate::raster::{Area, Target};
 use clipboard::{Clipboard, Selection};
+pub(crate) use connect::without_signals;
 use connection::Connection;
 use cursor::Cursors;
 use keyboard::Keyboard;
@@ -89,6 +90,8 @@ pub(crate) struct Options {
     pub(crate) display: Option<String>,
     /// The title; UTF-8.
     pub(crate) title: String,
+    /// The program's name, for WM_CLASS; "vides" if it is empty.
+    pub(crate) application: String,
     /// Wanted inner size in points (pixels at 96 dots per inch).
     pub(crate) size: [f32; 2],
     /// Smallest useful inner size in points.
