@@ -5,7 +5,7 @@ use std::ffi::{CStr, c_char, c_int, c_void};
 use std::path::PathBuf;
 use std::ptr;
 use std::rc::Rc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::OnceLock;
 
 use super::border::border;
 use super::counted::Counted;
@@ -21,7 +21,7 @@ use super::types::{V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_POSE};
 use crate::document::{Document, Edit};
 use crate::editor::{self, Language};
 use crate::error::{Message, Result, complain, vec_with_room};
-use crate::instance::{self, Host, Id};
+use crate::instance::{self, Gone, Host, Id};
 use crate::path::{BaseSpeeds, Pose, Sampler};
 
 /// All windows that C holds.
@@ -34,11 +34,23 @@ struct Opened {
     thread: usize,
     /// The host's base speeds stand.
     fixed_speeds: bool,
-    /// The user has closed it, or its X server went away.
-    closed: AtomicBool,
+    /// Why it is gone, if the host has not closed it.
+    gone: OnceLock<Gone>,
 }
 
 const CLOSED: Failure = Failure::Border(V_ERR_CLOSED, "the window has been closed");
+
+/// What a handle says of a window that is gone.
+fn gone(why: Gone) -> Failure {
+    let sentence = match why {
+        Gone::ByUser => "the user has closed the window",
+        Gone::Screen => "the window is gone: its X server went away",
+        Gone::Fault => "the window is gone: a fault inside the library closed it",
+        Gone::Thread => "the window is gone: the thread that opened it has ended",
+    };
+    Failure::Border(V_ERR_CLOSED, sentence)
+}
+
 const OTHER_THREAD: Failure =
     Failure::Border(V_ERR_HANDLE, "this window belongs to another thread");
 
@@ -48,8 +60,8 @@ fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
         check(editor)?;
     }
     let found = EDITORS.get(editor)?;
-    if found.closed.load(Ordering::Acquire) {
-        return Err(CLOSED);
+    if let Some(&why) = found.gone.get() {
+        return Err(gone(why));
     }
     if found.thread != instance::own_thread() {
         return Err(OTHER_THREAD);
@@ -98,7 +110,10 @@ const DEFAULTS: V_EDITOR_OPTIONS = V_EDITOR_OPTIONS {
 ///
 /// on_poses and on_close run on the thread that opened the window, inside the
 /// host's event loop, and may call any function of the library. They return to
-/// their caller: no longjmp() and no exception may leave them.
+/// their caller: no longjmp() and no exception may leave them. An exception that
+/// does ends the program, after a line on standard error that names the callback.
+/// The window belongs to this thread and is closed when it ends, which a line on
+/// standard error says.
 /// The thread that runs the event loop; from callbacks too. V_ERR_NULL,
 /// V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
 /// V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
@@ -257,7 +272,7 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
         window,
         thread: instance::own_thread(),
         fixed_speeds,
-        closed: AtomicBool::new(false),
+        gone: OnceLock::new(),
     });
     match handle {
         Ok(handle) => host.handle.set(handle),
@@ -270,8 +285,8 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
 
 /// Closes a window without asking anybody, and frees its handle. From within
 /// its own callbacks it closes when they have returned. NULL is no error.
-/// The thread that opened it, or any once the user has closed it; from
-/// callbacks too. V_ERR_HANDLE.
+/// The thread that opened it, or any once the window is gone; from callbacks
+/// too. V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -377,23 +392,38 @@ impl Host for Callbacks {
             let (handle, poses) = (self.handle.get(), self.poses.take());
             // SAFETY: the host's function; the poses live until it returns, and
             // both kinds of pose are laid out alike.
-            unsafe { on_poses(handle, poses.as_ptr().cast(), poses.len(), self.user) };
+            unsafe {
+                enter!("on_poses", on_poses(
+                    handle => *mut V_EDITOR,
+                    poses.as_ptr().cast() => *const V_POSE,
+                    poses.len() => usize,
+                    self.user => *mut c_void,
+                ) -> ());
+            }
         }
     }
 
     fn may_close(&self, _: Id) -> bool {
-        // SAFETY: the host's function.
-        self.on_close
-            .is_none_or(|on_close| unsafe { on_close(self.handle.get(), self.user) } != 0)
+        let (handle, user) = (self.handle.get(), self.user);
+        self.on_close.is_none_or(|on_close| {
+            // SAFETY: the host's function.
+            let answer = unsafe {
+                enter!("on_close", on_close(
+                    handle => *mut V_EDITOR,
+                    user => *mut c_void,
+                ) -> c_int)
+            };
+            answer != 0
+        })
     }
 
     fn lost(&self, why: &str) {
         complain(why);
     }
 
-    fn closed(&self, _: Id) {
+    fn closed(&self, _: Id, why: Gone) {
         if let Ok(opened) = EDITORS.get(self.handle.get()) {
-            opened.closed.store(true, Ordering::Release);
+            let _ = opened.gone.set(why);
         }
     }
 }

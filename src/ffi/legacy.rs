@@ -15,7 +15,7 @@ use super::types::{V_KAMERAPAR, V_OBJEKT_LIST};
 use crate::document::{Document, Edit, Object};
 use crate::editor;
 use crate::error::{Error, Message, Result, complain, message, try_box};
-use crate::instance::{self, Host, Id};
+use crate::instance::{self, Gone, Host, Id};
 use crate::path::{BaseSpeeds, Sampler};
 
 type Rueck = unsafe extern "C" fn(daten: *mut V_KAMERAPAR, anzahl: c_int);
@@ -48,10 +48,12 @@ type Ende = unsafe extern "C" fn() -> c_int;
 ///
 /// rueck and ende run on the thread that called v_haupt(), inside the host's
 /// event loop, and may call any function of the library. They return to their
-/// caller: no longjmp() and no exception may leave them.
+/// caller: no longjmp() and no exception may leave them. An exception that does
+/// ends the program, after a line on standard error that names the callback.
 /// What is wrong with the arguments, or that no window can be opened, is said
 /// in one line on standard error, which begins "vides:", by v_last_error(), and
-/// in the window if there is one.
+/// in the window if there is one. The window belongs to this thread and is
+/// closed when it ends, which such a line says, too.
 /// From the thread that runs the event loop; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_haupt(
@@ -159,19 +161,27 @@ impl Host for Contract {
         let list = own.as_mut().map_or(self.list, OwnList::head);
         // SAFETY: the host's function, and the host's list or one that lives
         // until the function has returned.
-        unsafe { rueck(list, self.count.get()) };
+        unsafe {
+            enter!("rueck", rueck(
+                list => *mut V_KAMERAPAR,
+                self.count.get() => c_int,
+            ) -> ());
+        }
     }
 
     fn may_close(&self, _: Id) -> bool {
-        // SAFETY: the host's function.
-        self.ende.is_none_or(|ende| unsafe { ende() } != 0)
+        self.ende.is_none_or(|ende| {
+            // SAFETY: the host's function.
+            let answer = unsafe { enter!("ende", ende() -> c_int) };
+            answer != 0
+        })
     }
 
     fn lost(&self, why: &str) {
         complain(why);
     }
 
-    fn closed(&self, _: Id) {}
+    fn closed(&self, _: Id, _: Gone) {}
 }
 
 /// A list whose first element is ours, too.

@@ -24,6 +24,9 @@
 mod border;
 mod counted;
 mod curve;
+// Its macro is for those below.
+#[macro_use]
+mod enter;
 mod editor;
 mod handles;
 mod host_loop;

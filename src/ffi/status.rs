@@ -37,7 +37,9 @@ pub const V_VERSION_PATCH: c_int = 0;
 /// V_ERR_FORMAT    the contents of a file are not what they should be
 /// V_ERR_DISPLAY   no window can be opened, or its X server went away
 /// V_ERR_BUSY      not possible at this moment, as from within this callback
-/// V_ERR_CLOSED    the user has closed this window
+/// V_ERR_CLOSED    the window is gone: its user has closed it, its X server went
+///                 away, or the thread that opened it has ended; v_last_error()
+///                 says which
 /// V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable
 ///                 from now on, everything else goes on
 pub const V_OK: c_int = 0;

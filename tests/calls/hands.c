@@ -40,7 +40,7 @@ static int is_ours(Window window)
 
     if (!XGetClassHint(display, window, &hint))
         return 0;
-    ours = hint.res_name != NULL && strcmp(hint.res_name, "vides") == 0;
+    ours = hint.res_class != NULL && strcmp(hint.res_class, "Vides") == 0;
     XFree(hint.res_name);
     XFree(hint.res_class);
     return ours;

@@ -80,7 +80,12 @@ def the_title_bar_and_the_window_manager(place):
     server = place.server()
     server.window_manager()
     server, host, window = opened(place, server)
-    check('= "vides", "Vides"' in server.property(window, "WM_CLASS"), "WM_CLASS")
+    name = os.path.basename(place.binary("loop_poll"))
+    check(f'= "{name}", "Vides"' in server.property(window, "WM_CLASS"),
+          server.property(window, "WM_CLASS"))
+    leader = server.property(window, "WM_CLIENT_LEADER").split()[-1]
+    check(int(leader, 16) == window, f"WM_CLIENT_LEADER {leader} of {window:#x}")
+    check(leader in server.property(window, "WM_HINTS"), "the group in WM_HINTS")
     check('"VIDES' in server.property(window, "_NET_WM_NAME"), "_NET_WM_NAME")
     check('"VIDES' in server.property(window, "WM_NAME"), "WM_NAME")
     check(server.property(window, "_NET_WM_PID").endswith(f"= {host.pid}"), "_NET_WM_PID")

@@ -10,7 +10,7 @@ use crate::document::Document;
 use crate::editor::{self, Folders};
 use crate::error::{Error, Result};
 use crate::path::Sampler;
-use crate::{Host, Id, Options, document_of, main_loop, open};
+use crate::{Gone, Host, Id, Options, document_of, main_loop, open};
 
 /// Opens the editor in a window of its own and returns when it is closed. What
 /// is saved goes to `file`; one that does not exist yet is a new path of that
@@ -60,5 +60,5 @@ impl Host for Nobody {
 
     fn lost(&self, _: &str) {}
 
-    fn closed(&self, _: Id) {}
+    fn closed(&self, _: Id, _: Gone) {}
 }

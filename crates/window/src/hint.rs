@@ -4,6 +4,7 @@
 //! Whether a host will do so cannot be known when it opens a window, for most
 //! do it right afterwards. So the hint is given once, when the program ends or
 //! opens a window again later, and not one of its windows was served until then.
+//! Of a program that runs Xt more can be known, see [`super::lookout`].
 
 #![allow(unsafe_code)] // atexit
 
@@ -21,6 +22,8 @@ const PATIENCE: Duration = Duration::from_secs(2);
 static OPENED: Mutex<Option<Instant>> = Mutex::new(None);
 /// Somebody serves windows.
 static SERVED: AtomicBool = AtomicBool::new(false);
+/// The hint was given.
+static GIVEN: AtomicBool = AtomicBool::new(false);
 static WATCH: Once = Once::new();
 
 /// The windows are being served.
@@ -54,10 +57,25 @@ extern "C" fn at_exit() {
 /// Gives the hint, once.
 fn give() {
     if !SERVED.swap(true, Ordering::Relaxed) {
-        complain(
+        say(
             "a window was opened, but nothing serves it: watch the descriptor of v_fd() and \
              call v_dispatch(), or call v_main_loop(); a host with Xt needs neither \
              (v_set_app_context() if it makes its application context later)",
         );
+    }
+}
+
+/// Gives the hint to a host that runs Xt, but sleeps where Xt's inputs are not seen.
+pub(super) fn give_to_xt() {
+    say(
+        "a window waits to be served: this program runs Xt, but its own loop does not see \
+         Xt's inputs; let its select() or poll() watch the descriptor of v_fd(), too, and \
+         call v_dispatch() when that is readable",
+    );
+}
+
+fn say(hint: &str) {
+    if !GIVEN.swap(true, Ordering::Relaxed) {
+        complain(hint);
     }
 }

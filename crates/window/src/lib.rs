@@ -10,13 +10,17 @@
 mod descriptors;
 mod edit;
 mod hint;
+mod lookout;
+mod program;
 mod pump;
 mod registry;
 mod screen;
 #[cfg(test)]
 mod tests;
+mod thread_end;
 mod window;
 mod xt;
+mod xt_wake;
 
 use std::ffi::c_void;
 use std::io;
@@ -62,9 +66,21 @@ pub trait Host {
     /// Calls no host code.
     fn lost(&self, why: &str);
 
-    /// The window is gone: closed by the user, or its X server went away. Calls
-    /// no host code.
-    fn closed(&self, window: Id);
+    /// The window is gone, and its owner has not closed it. Calls no host code.
+    fn closed(&self, window: Id, why: Gone);
+}
+
+/// Why a window is gone that its owner has not closed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Gone {
+    /// Its user has closed it.
+    ByUser,
+    /// Its X server went away, or will not have it any more.
+    Screen,
+    /// A fault of the library's own.
+    Fault,
+    /// The thread that opened it has ended.
+    Thread,
 }
 
 /// A window. Never used again for another.
@@ -104,13 +120,18 @@ pub fn open(options: Options) -> Result<Id> {
     let screen = x11::Window::open(&x11::Options {
         display: options.display,
         title: title.clone(),
+        application: program::name(),
         size: SIZE,
         smallest: SMALLEST,
     })?;
     let window = window::Window::new(Box::new(screen), editor, title);
     let id = registry::insert(Box::new(window), options.host)?;
-    xt::watch_in_all_contexts(registry::descriptor()?);
+    let descriptor = registry::descriptor()?;
+    xt::watch_in_all_contexts(descriptor);
     hint::opened();
+    if xt::thread_is_watched() {
+        lookout::begin(descriptor);
+    }
     Ok(id)
 }
 
@@ -154,8 +175,14 @@ pub fn change<R>(id: Id, f: impl FnOnce(&mut Document) -> R) -> Option<R> {
 /// # Errors
 /// [`crate::Error::Limit`] where the system gives no more descriptors.
 pub fn descriptor() -> Result<RawFd> {
-    hint::served();
+    told();
     registry::descriptor()
+}
+
+/// The host serves its windows itself, or is about to: it knows how.
+pub fn told() {
+    hint::served();
+    lookout::end(true);
 }
 
 /// How long until [`dispatch`] has something to do of itself.

@@ -30,6 +30,7 @@ pub struct Served {
 /// for a fair while; never waits. Calls the host.
 pub fn dispatch() -> Served {
     super::hint::served();
+    let _serving = super::lookout::serving();
     inject::point(inject::Place::Dispatch);
     let mut served = Served::default();
     registry::leave_those_that_call();
@@ -89,6 +90,7 @@ fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
 /// # Errors
 /// [`crate::Error::Limit`] without descriptors.
 pub fn main_loop() -> Result<Served> {
+    super::told();
     let mut lost = None;
     loop {
         let mut served = dispatch();

@@ -22,7 +22,7 @@ use std::time::{Duration, Instant};
 
 use super::descriptors::Descriptors;
 use super::window::Window;
-use super::{Host, Id, xt};
+use super::{Gone, Host, Id, lookout, thread_end, xt};
 use crate::error::{Error, Result, panic_said};
 use crate::inject;
 
@@ -94,6 +94,9 @@ impl Table {
         {
             descriptors.leave(window.screen().connection());
         }
+        if self.slots.is_empty() {
+            lookout::end(false);
+        }
         Some(slot)
     }
 
@@ -112,11 +115,13 @@ impl Drop for Table {
         let slots = std::mem::take(&mut self.slots);
         if self.process != std::process::id() {
             std::mem::forget(slots);
-        } else {
+        } else if !slots.is_empty() {
+            lookout::end(false);
+            thread_end::takes(slots.len());
             for slot in slots {
                 discard(slot.window);
                 // No host code.
-                slot.host.closed(slot.id);
+                slot.host.closed(slot.id, Gone::Thread);
             }
         }
         if xt::thread_is_watched()
@@ -328,7 +333,8 @@ pub(super) fn lose(id: Id, window: Option<Box<Window>>, why: Lost, lost: &mut Op
         if new {
             slot.host.lost(&why.why);
         }
-        slot.host.closed(id);
+        let gone = if why.fault { Gone::Fault } else { Gone::Screen };
+        slot.host.closed(id, gone);
     }
     *lost = Some(why);
 }
@@ -353,7 +359,7 @@ pub(super) fn close(id: Id) -> bool {
 pub(super) fn close_for_the_user(id: Id) {
     if let Some(slot) = table(|table| table.remove(id)) {
         discard(slot.window);
-        slot.host.closed(id);
+        slot.host.closed(id, Gone::ByUser);
     }
 }
 

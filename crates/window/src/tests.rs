@@ -15,7 +15,7 @@ use egui::{PlatformOutput, RawInput};
 use super::pump::Served;
 use super::screen::Screen;
 use super::window::Window;
-use super::{Host, Id, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
+use super::{Gone, Host, Id, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
 use crate::document::Document;
 use crate::editor::{Editor, Folders, Language, Options};
 use crate::error::{Error, Result};
@@ -207,7 +207,7 @@ impl Host for Calls {
         self.lost.borrow_mut().push(why.to_owned());
     }
 
-    fn closed(&self, _: Id) {
+    fn closed(&self, _: Id, _: Gone) {
         self.closed.set(self.closed.get() + 1);
     }
 }

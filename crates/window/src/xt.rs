@@ -14,6 +14,8 @@
 //! was added stays until its context ends: the descriptor is quiet while there
 //! are no windows. A context that ended may be followed by another one at the
 //! same address; so each one that we are in tells us its end.
+//!
+//! What hosts need that ask before they take an event is in [`super::xt_wake`].
 
 #![allow(unsafe_code)] // functions of C, found by name
 
@@ -23,6 +25,9 @@ use std::os::fd::RawFd;
 use std::ptr;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use super::lookout;
+use super::xt_wake::{self, Sleep};
 
 /// An `XtAppContext`.
 type Context = *mut ContextHead;
@@ -67,12 +72,17 @@ struct Xt {
     lock: Option<(Lock, Lock)>,
 }
 
-/// A context that has the descriptor of a thread among its inputs. Addresses
-/// are compared, never followed from here.
-#[derive(Clone, Copy, PartialEq, Eq)]
+/// A context that has the descriptor of a thread among its inputs. Its address is
+/// good as long as the entry is there.
+#[derive(Clone, Copy)]
 struct Watched {
+    /// What Xt gives back; never another's.
+    number: usize,
     context: usize,
     thread: usize,
+    descriptor: RawFd,
+    /// When its host slept last.
+    sleep: Sleep,
 }
 
 /// In place of a context's address: the default context, whatever it is.
@@ -80,6 +90,7 @@ const DEFAULT: usize = 0;
 
 static WATCHED: Mutex<Vec<Watched>> = Mutex::new(Vec::new());
 static THREADS: AtomicUsize = AtomicUsize::new(1);
+static NUMBERS: AtomicUsize = AtomicUsize::new(1);
 
 thread_local! {
     static THREAD: usize = THREADS.fetch_add(1, Ordering::Relaxed);
@@ -87,6 +98,14 @@ thread_local! {
 
 fn watched() -> MutexGuard<'static, Vec<Watched>> {
     WATCHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// What is watched under this number.
+fn entry(number: usize) -> Option<Watched> {
+    watched()
+        .iter()
+        .find(|entry| entry.number == number)
+        .copied()
 }
 
 /// This thread's number, never another's; 0 is nobody: the thread is ending. (The
@@ -205,17 +224,21 @@ impl Xt {
     /// one) unless it is there.
     fn watch(&self, context: Context, descriptor: RawFd) {
         let entry = Watched {
-            context: context.addr(),
+            number: NUMBERS.fetch_add(1, Ordering::Relaxed),
+            context: context.expose_provenance(),
             thread: own_thread(),
+            descriptor,
+            sleep: Sleep::default(),
         };
         {
             let mut all = watched();
-            if all.contains(&entry) || all.try_reserve(1).is_err() {
+            let same = |one: &Watched| (one.context, one.thread) == (entry.context, entry.thread);
+            if all.iter().any(same) || all.try_reserve(1).is_err() {
                 return;
             }
             all.push(entry);
         }
-        let closure = ptr::without_provenance_mut(entry.thread);
+        let closure = ptr::without_provenance_mut(entry.number);
         if entry.context == DEFAULT {
             if let Some(add) = self.add_default_input {
                 // SAFETY: as Xt's header declares it; the callback and the
@@ -233,12 +256,14 @@ impl Xt {
             // SAFETY: the context is one of Xt's list and begins as declared
             // above; the callback stays.
             unsafe { add(&raw mut (*context).ends, on_end, closure) };
+            // Only where its end is told.
+            xt_wake::watch_sleep(entry.context, on_sleep, closure);
         }
     }
 }
 
 /// The address of a function in this process.
-fn named(name: &CStr) -> Option<*mut c_void> {
+pub(super) fn named(name: &CStr) -> Option<*mut c_void> {
     let name: *const c_char = name.as_ptr();
     // SAFETY: a text ended by zero.
     let found = unsafe { libc::dlsym(libc::RTLD_DEFAULT, name) };
@@ -247,25 +272,54 @@ fn named(name: &CStr) -> Option<*mut c_void> {
 
 /// Xt calls this when the descriptor is readable.
 unsafe extern "C" fn on_input(closure: *mut c_void, _: *mut c_int, id: *mut c_ulong) {
-    if closure.addr() == own_thread() {
+    match entry(closure.addr()) {
+        Some(entry) if entry.thread == own_thread() => serve(entry),
+        _ => {
+            // Another thread runs this context. Its windows are not there, and the
+            // descriptor would be readable without end.
+            if let Some(xt) = Xt::find()
+                && !id.is_null()
+            {
+                // SAFETY: the input that Xt is calling for; it may be removed here.
+                unsafe { (xt.remove_input)(*id) };
+            }
+        }
+    }
+}
+
+/// The host's loop is in this context, and the descriptor is readable.
+fn serve(watched: Watched) {
+    if watched.context == DEFAULT {
         super::host_called();
         return;
     }
-    // Another thread runs this context. Its windows are not there, and the
-    // descriptor would be readable without end.
-    if let Some(xt) = Xt::find()
-        && !id.is_null()
-    {
-        // SAFETY: the input that Xt is calling for; it may be removed here.
-        unsafe { (xt.remove_input)(*id) };
+    // Before host code runs, which may sleep in Xt, too.
+    let sleeps = xt_wake::sleeps(watched.context, watched.sleep);
+    if sleeps && watched.sleep.was_sound() {
+        lookout::end(true);
+    }
+    super::host_called();
+    // A callback may have ended the context.
+    if !sleeps && entry(watched.number).is_some() {
+        xt_wake::wake(watched.context);
+    }
+}
+
+/// Xt calls this when the host is going to sleep in a context.
+unsafe extern "C" fn on_sleep(closure: *mut c_void) {
+    let Some(of) = entry(closure.addr()) else {
+        return;
+    };
+    let windows = lookout::is_looking().then_some(of.descriptor);
+    let sleep = xt_wake::falls_asleep(of.context, windows);
+    for entry in watched().iter_mut() {
+        if entry.number == of.number {
+            entry.sleep = sleep;
+        }
     }
 }
 
 /// Xt calls this when an application context ends.
-unsafe extern "C" fn on_end(_: *mut c_void, closure: *mut c_void, context: *mut c_void) {
-    let gone = Watched {
-        context: context.addr(),
-        thread: closure.addr(),
-    };
-    watched().retain(|entry| *entry != gone);
+unsafe extern "C" fn on_end(_: *mut c_void, closure: *mut c_void, _: *mut c_void) {
+    watched().retain(|entry| entry.number != closure.addr());
 }

@@ -10,6 +10,7 @@ atom_manager! {
         // Window manager.
         WM_PROTOCOLS,
         WM_DELETE_WINDOW,
+        WM_CLIENT_LEADER,
         WM_LOCALE_NAME,
         _NET_ACTIVE_WINDOW,
         _NET_WM_ICON,

@@ -157,7 +157,7 @@ fn addresses(host: &str, port: u16, deadline: Instant) -> Result<Vec<SocketAddr>
 
 /// Runs `start` with all signals blocked, so that a thread that it starts takes
 /// none that the host waits for.
-fn without_signals<T>(start: impl FnOnce() -> T) -> T {
+pub fn without_signals<T>(start: impl FnOnce() -> T) -> T {
     let (mut all, mut before) = (MaybeUninit::uninit(), MaybeUninit::uninit());
     // SAFETY: `sigfillset` fills `all`, and only then it is read; `before` is
     // filled by the first `pthread_sigmask` if that succeeded, and read only then.

@@ -26,6 +26,7 @@ impl<'a> Desk<'a> {
         let options = Options {
             display: Some(server.display().to_owned()),
             title: "VIDES".to_owned(),
+            application: "a host".to_owned(),
             size: [300.0, 200.0],
             smallest: [100.0, 80.0],
         };

@@ -66,6 +66,7 @@ use vides_raster as raster;
 use crate::error::{Error, Message, Result, sentence};
 use crate::raster::{Area, Target};
 use clipboard::{Clipboard, Selection};
+pub use connect::without_signals;
 use connection::Connection;
 use cursor::Cursors;
 use keyboard::Keyboard;
@@ -92,6 +93,8 @@ pub struct Options {
     pub display: Option<String>,
     /// The title; UTF-8.
     pub title: String,
+    /// The program's name, for WM_CLASS; "vides" if it is empty.
+    pub application: String,
     /// Wanted inner size in points (pixels at 96 dots per inch).
     pub size: [f32; 2],
     /// Smallest useful inner size in points.

@@ -20,6 +20,7 @@ fn open(display: Option<&str>) -> crate::error::Result<Window> {
     Window::open(&Options {
         display: display.map(str::to_owned),
         title: "VIDES".to_owned(),
+        application: "a host".to_owned(),
         size: [640.0, 480.0],
         smallest: [100.0, 80.0],
     })

@@ -101,6 +101,7 @@ fn open(server: &Server) -> Window {
     Window::open(&Options {
         display: Some(server.display().to_owned()),
         title: "VIDES".to_owned(),
+        application: "a host".to_owned(),
         size: [300.0, 200.0],
         smallest: [100.0, 80.0],
     })

@@ -151,8 +151,8 @@ fn describe(
     let window = frame.window;
     let replace = PropMode::REPLACE;
     let string = AtomEnum::STRING;
-    let class = b"vides\0Vides\0";
-    connection.change_property8(replace, window, AtomEnum::WM_CLASS, string, class)?;
+    let class = class(&options.application);
+    connection.change_property8(replace, window, AtomEnum::WM_CLASS, string, &class)?;
     let protocols = [atoms.WM_DELETE_WINDOW, atoms._NET_WM_PING];
     connection.change_property32(
         replace,
@@ -201,9 +201,19 @@ fn describe(
         AtomEnum::CARDINAL,
         &icon,
     )?;
+    // It leads a group of its own: the host's windows are not known here.
+    let leader = [window];
+    connection.change_property32(
+        replace,
+        window,
+        atoms.WM_CLIENT_LEADER,
+        AtomEnum::WINDOW,
+        &leader,
+    )?;
     let hints = WmHints {
         input: Some(true),
         initial_state: Some(WmHintsState::Normal),
+        window_group: Some(window),
         ..WmHints::new()
     };
     hints.set(&**connection, window)?;
@@ -256,6 +266,18 @@ pub(super) fn set_title(connection: &Connection, window: u32, title: &str) -> Re
         Ok(())
     };
     set().map_err(|error: x11rb::errors::ConnectionError| connection.lost(error))
+}
+
+/// What WM_CLASS holds: the instance is the program, so that a desktop sees whose
+/// window it is; the class is the same everywhere (ICCCM 4.1.2.5).
+fn class(application: &str) -> Vec<u8> {
+    let mut class = latin1(application);
+    class.retain(|letter| *letter != 0);
+    if class.is_empty() {
+        class.extend_from_slice(b"vides");
+    }
+    class.extend_from_slice(b"\0Vides\0");
+    class
 }
 
 /// Text for those who know no Unicode.
@@ -330,6 +352,13 @@ mod tests {
             assert_eq!(in_pixels([odd, odd], 1.0, (1920, 1080)), (1, 1));
         }
         assert_eq!(in_pixels([f32::INFINITY, 5.0], 1.0, (1920, 0)), (1920, 1));
+    }
+
+    #[test]
+    fn the_class_names_the_program() {
+        assert_eq!(class("nedit"), b"nedit\0Vides\0");
+        assert_eq!(class("Köln\0 2"), b"K\xf6ln 2\0Vides\0");
+        assert_eq!(class("\0"), b"vides\0Vides\0");
     }
 
     #[test]

@@ -81,7 +81,8 @@ fn a_window_manager_finds_what_it_looks_for() {
     let mut shown = Shown::open(&server);
     shown.settle();
     let id = shown.id();
-    assert_eq!(looker.property(id, "WM_CLASS"), b"vides\0Vides\0");
+    assert_eq!(looker.property(id, "WM_CLASS"), b"a host\0Vides\0");
+    assert_eq!(looker.property(id, "WM_CLIENT_LEADER"), id.to_ne_bytes());
     assert_eq!(looker.property(id, "WM_NAME"), b"VIDES - Pr\xfcfung");
     assert_eq!(
         looker.property(id, "_NET_WM_NAME"),

@@ -106,6 +106,7 @@ fn open(display: &str) -> crate::error::Result<Window> {
     Window::open(&Options {
         display: Some(display.to_owned()),
         title: "VIDES – Prüfung".to_owned(),
+        application: "a host".to_owned(),
         size: [300.0, 200.0],
         smallest: [100.0, 80.0],
     })

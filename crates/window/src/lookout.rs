@@ -1,0 +1,189 @@
+//! Looks whether an Xt host serves its windows, until that is known.
+//!
+//! An Xt program that sleeps in a `select()` of its own over its X connection looks
+//! like any other when a window is opened: Xt takes our input. But while it sleeps
+//! it does not see that input, the window is dead, and no code of ours runs that
+//! could say why: no timer of Xt's runs either, signals are the host's, and of all
+//! the X server could send, nothing reaches a program that does not ask for it.
+//! So a thread looks. It is started with a window in a program that runs Xt and has
+//! called nothing that serves windows; it sleeps until there is something to be
+//! served, and ends as soon as the host has shown what it does: Xt slept on our
+//! input; windows were served a few times without delay; the host called `v_fd()`,
+//! `v_dispatch()` or `v_main_loop()`; the last window is gone; or nobody serves, and
+//! the hint is given. It takes no signal, and touches no window.
+
+#![allow(unsafe_code)] // system calls
+
+use std::os::fd::{AsRawFd, FromRawFd, OwnedFd, RawFd};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use crate::x11::without_signals;
+
+/// How often it looks again whether what there is to be served was served, and how
+/// many times it does: less than the two seconds in which the hint is promised.
+const STEP: Duration = Duration::from_millis(100);
+const STEPS: u32 = 15;
+
+/// So often windows must have been served for the host to be believed. A host with
+/// a `select()` of its own serves them now and then by chance, with events of its own.
+const BELIEVED: u32 = 20;
+
+/// What is known.
+enum State {
+    /// Nothing, and nobody looks.
+    Unknown,
+    /// A thread of this process looks, and ends when this descriptor is rung.
+    Looking { bell: OwnedFd, process: u32 },
+    /// All that is to be known.
+    Known,
+}
+
+static STATE: Mutex<State> = Mutex::new(State::Unknown);
+/// How often windows were served, and how many calls are at it.
+static SERVED: AtomicU64 = AtomicU64::new(0);
+static SERVING: AtomicUsize = AtomicUsize::new(0);
+
+fn state() -> MutexGuard<'static, State> {
+    STATE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A call that serves windows, until it is dropped.
+pub(super) struct Serving;
+
+/// Windows are being served.
+pub(super) fn serving() -> Serving {
+    SERVING.fetch_add(1, Ordering::Relaxed);
+    SERVED.fetch_add(1, Ordering::Relaxed);
+    Serving
+}
+
+impl Drop for Serving {
+    fn drop(&mut self) {
+        SERVING.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
+/// Begins to look whether the calling thread's host serves this descriptor, which
+/// stays open, unless that is known. That it cannot does no harm.
+pub(super) fn begin(windows: RawFd) {
+    let mut state = state();
+    if !matches!(*state, State::Unknown) {
+        return;
+    }
+    let mut clock = 0;
+    // SAFETY: system calls; the descriptor is new, and the thread is this one.
+    let bell = unsafe {
+        let bell = libc::eventfd(0, libc::EFD_CLOEXEC | libc::EFD_NONBLOCK);
+        if bell < 0 || libc::pthread_getcpuclockid(libc::pthread_self(), &mut clock) != 0 {
+            return;
+        }
+        OwnedFd::from_raw_fd(bell)
+    };
+    let Ok(end) = bell.try_clone() else { return };
+    let look = move || {
+        let known = look(windows, &end, clock);
+        if known {
+            settle();
+        }
+    };
+    let thread = std::thread::Builder::new().name("vides lookout".to_owned());
+    if without_signals(|| thread.spawn(look)).is_ok() {
+        let process = std::process::id();
+        *state = State::Looking { bell, process };
+    }
+}
+
+/// Ends the looking; what the host does is known now, or is to be looked at again
+/// with the next window.
+pub(super) fn end(known: bool) {
+    let mut state = state();
+    if let State::Looking { bell, process } = &*state
+        && *process == std::process::id()
+    {
+        // SAFETY: eight bytes, as an eventfd takes them.
+        let _ = unsafe { libc::write(bell.as_raw_fd(), (&raw const RING).cast(), 8) };
+    }
+    match *state {
+        State::Known => {}
+        _ if known => *state = State::Known,
+        State::Looking { .. } => *state = State::Unknown,
+        State::Unknown => {}
+    }
+}
+
+static RING: u64 = 1;
+
+/// The host was believed, or told.
+fn settle() {
+    *state() = State::Known;
+}
+
+/// Whether somebody looks.
+pub(super) fn is_looking() -> bool {
+    matches!(*state(), State::Looking { .. })
+}
+
+/// Looks until it is known what the host does (true) or until it is to end.
+fn look(windows: RawFd, end: &OwnedFd, clock: libc::clockid_t) -> bool {
+    let mut times = 0;
+    while times < BELIEVED {
+        if wait(&[windows, end.as_raw_fd()], None)[1] {
+            return false;
+        }
+        let Some(before) = spent(clock) else {
+            return false; // the host's thread has ended
+        };
+        let count = SERVED.load(Ordering::Relaxed);
+        let mut served = false;
+        for _ in 0..STEPS {
+            if wait(&[end.as_raw_fd()], Some(STEP))[0] {
+                return false;
+            }
+            served = SERVED.load(Ordering::Relaxed) != count || SERVING.load(Ordering::Relaxed) > 0;
+            if served {
+                break;
+            }
+        }
+        if served {
+            times += 1;
+            continue;
+        }
+        // A host that computes will come back.
+        let Some(after) = spent(clock) else {
+            return false;
+        };
+        if after.saturating_sub(before) < STEP * STEPS / 2 {
+            super::hint::give_to_xt();
+            return true;
+        }
+    }
+    true
+}
+
+/// The processor time of a thread.
+fn spent(clock: libc::clockid_t) -> Option<Duration> {
+    let mut time = libc::timespec {
+        tv_sec: 0,
+        tv_nsec: 0,
+    };
+    // SAFETY: room for a time.
+    let known = unsafe { libc::clock_gettime(clock, &mut time) } == 0;
+    let seconds = u64::try_from(time.tv_sec).ok()?;
+    let rest = u32::try_from(time.tv_nsec).ok()?;
+    known.then(|| Duration::new(seconds, rest))
+}
+
+/// Waits until one of the descriptors is readable, or for so long; which are.
+fn wait<const N: usize>(descriptors: &[RawFd; N], limit: Option<Duration>) -> [bool; N] {
+    let mut polled = descriptors.map(|fd| libc::pollfd {
+        fd,
+        events: libc::POLLIN,
+        revents: 0,
+    });
+    let limit = limit.map_or(-1, |limit| limit.as_millis().min(60_000) as libc::c_int);
+    // SAFETY: so many elements, alive during the call.
+    let _ = unsafe { libc::poll(polled.as_mut_ptr(), N as libc::nfds_t, limit) };
+    polled.map(|one| one.revents != 0)
+}

@@ -1,0 +1,45 @@
+//! Says so when a thread ends that has windows open: they go with it, and nobody
+//! else would say why.
+//!
+//! At the end of the process the windows of the thread that calls `exit` go in the
+//! same way, and that is worth no word. The two are told apart by what the C library
+//! does: the destructors of a thread's keys run where a thread ends, not in `exit`.
+
+#![allow(unsafe_code)] // pthread_key_create
+
+use std::ffi::c_void;
+use std::ptr;
+use std::sync::OnceLock;
+
+use crate::error::complain;
+
+/// The key whose destructor speaks; none where the system gives no more.
+static KEY: OnceLock<Option<libc::pthread_key_t>> = OnceLock::new();
+
+/// So many windows go with the calling thread; to be called while it ends.
+pub(super) fn takes(windows: usize) {
+    let key = KEY.get_or_init(|| {
+        let mut key = 0;
+        // SAFETY: room for the key; the function stays, for the library does.
+        let made = unsafe { libc::pthread_key_create(&mut key, Some(say)) };
+        (made == 0).then_some(key)
+    });
+    if let Some(key) = *key {
+        let count: *mut c_void = ptr::without_provenance_mut(windows);
+        // SAFETY: a key of ours. That there is no memory for it does no harm.
+        let _ = unsafe { libc::pthread_setspecific(key, count) };
+    }
+}
+
+extern "C" fn say(windows: *mut c_void) {
+    match windows.addr() {
+        1 => complain(
+            "the thread that opened a window has ended, and the window is closed: the thread \
+             that opens a window must go on serving it",
+        ),
+        count => complain(format_args!(
+            "the thread that opened {count} windows has ended, and they are closed: the thread \
+             that opens a window must go on serving it",
+        )),
+    }
+}

@@ -1,0 +1,210 @@
+//! Hosts that ask `XtAppPending` before they take an event.
+//!
+//! Such a host draws between its rounds, and means to take what is there:
+//! `while (XtAppPending(app)) { XtAppNextEvent(app, &event); XtDispatchEvent(&event); }`.
+//! But our input is pending, too, and no event: `XtAppNextEvent` has the windows
+//! served and then waits for an event of the host's own, maybe for ever. So after
+//! they are served it gets one: an empty `NoExpose` for no window, which means
+//! nothing to anyone, put back into the host's own queue. No request is made.
+//!
+//! A host that sleeps in Xt until there is something to do wants none: it would be
+//! woken for nothing. A hook of Xt's tells of that sleep. What was served in it
+//! brings no event, until the host has processed one, and so has come back out of it.
+
+#![allow(unsafe_code)] // functions of C, found by name
+
+use std::ffi::{c_char, c_int, c_uint, c_ulong, c_void};
+use std::mem::{MaybeUninit, transmute};
+use std::os::fd::RawFd;
+use std::ptr;
+use std::sync::OnceLock;
+
+use super::xt::named;
+
+/// A `Display`, of which nothing is known here.
+type Display = *mut c_void;
+/// An `XEvent`: it has room for 24 numbers.
+type Event = [c_ulong; 24];
+
+pub(super) type BlockHook = unsafe extern "C" fn(*mut c_void);
+type AddBlockHook = unsafe extern "C" fn(*mut c_void, BlockHook, *mut c_void) -> c_ulong;
+type GetDisplays = unsafe extern "C" fn(*mut c_void, *mut *mut Display, *mut c_uint);
+type Free = unsafe extern "C" fn(*mut c_char);
+type LastEvent = unsafe extern "C" fn(Display) -> *const Event;
+type Queued = unsafe extern "C" fn(Display, c_int) -> c_int;
+type PutBack = unsafe extern "C" fn(Display, *mut Event) -> c_int;
+type LastSerial = unsafe extern "C" fn(Display) -> c_ulong;
+
+/// `NoExpose`, and `QueuedAlready`: what is here, without looking for more.
+const NO_EXPOSE: c_int = 14;
+const QUEUED_ALREADY: c_int = 0;
+
+/// The functions of Xt and Xlib that it takes.
+struct Calls {
+    add_block_hook: AddBlockHook,
+    get_displays: GetDisplays,
+    free: Free,
+    last_event: LastEvent,
+    queued: Queued,
+    put_back: PutBack,
+    last_serial: LastSerial,
+}
+
+/// How an `XNoExposeEvent` begins: the fields of all events, and the window.
+#[repr(C)]
+struct Head {
+    kind: c_int,
+    serial: c_ulong,
+    send_event: c_int,
+    display: Display,
+    window: c_ulong,
+}
+
+/// What the host does in a context.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Sleep {
+    /// It slept there when the last event that it had processed was this one.
+    at: Option<u64>,
+    /// Nothing was to be served when it went to sleep.
+    quiet: bool,
+}
+
+impl Calls {
+    /// All of them, or none.
+    fn find() -> Option<&'static Self> {
+        static FOUND: OnceLock<Calls> = OnceLock::new();
+        if let Some(found) = FOUND.get() {
+            return Some(found);
+        }
+        // SAFETY: each name is that of the function whose type stands here, as the
+        // headers of Xt and Xlib declare it.
+        let found = unsafe {
+            Self {
+                add_block_hook: transmute::<*mut c_void, AddBlockHook>(named(
+                    c"XtAppAddBlockHook",
+                )?),
+                get_displays: transmute::<*mut c_void, GetDisplays>(named(c"XtGetDisplays")?),
+                free: transmute::<*mut c_void, Free>(named(c"XtFree")?),
+                last_event: transmute::<*mut c_void, LastEvent>(named(c"XtLastEventProcessed")?),
+                queued: transmute::<*mut c_void, Queued>(named(c"XEventsQueued")?),
+                put_back: transmute::<*mut c_void, PutBack>(named(c"XPutBackEvent")?),
+                last_serial: transmute::<*mut c_void, LastSerial>(named(
+                    c"XLastKnownRequestProcessed",
+                )?),
+            }
+        };
+        Some(FOUND.get_or_init(|| found))
+    }
+
+    /// Runs `f` with the displays of a context of Xt's.
+    fn displays<R>(&self, context: usize, f: impl FnOnce(&[Display]) -> R) -> R {
+        let (mut list, mut count) = (ptr::null_mut::<Display>(), 0);
+        let context = ptr::with_exposed_provenance_mut(context);
+        // SAFETY: a context that Xt knows; room for what it gives, which is freed below.
+        unsafe { (self.get_displays)(context, &mut list, &mut count) };
+        if list.is_null() {
+            return f(&[]);
+        }
+        // SAFETY: so many displays, as Xt says.
+        let result = f(unsafe { std::slice::from_raw_parts(list, count as usize) });
+        // SAFETY: the list that Xt has given.
+        unsafe { (self.free)(list.cast()) };
+        result
+    }
+
+    /// The events that a context's displays processed last, as one number.
+    fn processed(&self, context: usize) -> u64 {
+        self.displays(context, |displays| {
+            let mut sum = 0xcbf2_9ce4_8422_2325_u64; // FNV-1a, by words
+            for &display in displays {
+                // SAFETY: a display of Xt's; the event is Xt's record of it.
+                let event = unsafe { (self.last_event)(display).as_ref() };
+                for &word in event.into_iter().flatten() {
+                    #[allow(clippy::useless_conversion)] // a c_ulong may be shorter
+                    let word = u64::from(word);
+                    sum = (sum ^ word).wrapping_mul(0x0100_0000_01b3);
+                }
+            }
+            sum
+        })
+    }
+
+    /// Whether an event waits to be taken.
+    fn any_queued(&self, displays: &[Display]) -> bool {
+        // SAFETY: displays of Xt's.
+        let queued = |&display: &Display| unsafe { (self.queued)(display, QUEUED_ALREADY) } > 0;
+        displays.iter().any(queued)
+    }
+}
+
+/// Has a context tell when it is going to sleep. Each sleep is told by `hook`, with
+/// this closure.
+pub(super) fn watch_sleep(context: usize, hook: BlockHook, closure: *mut c_void) {
+    if let Some(calls) = Calls::find() {
+        let context = ptr::with_exposed_provenance_mut(context);
+        // SAFETY: a context that Xt knows; the function stays.
+        unsafe { (calls.add_block_hook)(context, hook, closure) };
+    }
+}
+
+/// What a context's host does that is going to sleep.
+pub(super) fn falls_asleep(context: usize, windows: Option<RawFd>) -> Sleep {
+    let Some(calls) = Calls::find() else {
+        return Sleep::default();
+    };
+    let quiet = windows.is_some_and(|fd| !is_readable(fd))
+        && !calls.displays(context, |displays| calls.any_queued(displays));
+    Sleep {
+        at: Some(calls.processed(context)),
+        quiet,
+    }
+}
+
+/// Whether a context's host, which serves the windows now, does so in this sleep.
+pub(super) fn sleeps(context: usize, sleep: Sleep) -> bool {
+    let Some(calls) = Calls::find() else {
+        return true;
+    };
+    sleep.at == Some(calls.processed(context))
+}
+
+impl Sleep {
+    /// It fell asleep with nothing to do, and Xt has woken it for our input.
+    pub(super) fn was_sound(self) -> bool {
+        self.quiet
+    }
+}
+
+/// Gives a context's host an event to take, if it has none.
+pub(super) fn wake(context: usize) {
+    let Some(calls) = Calls::find() else { return };
+    calls.displays(context, |displays| {
+        let (Some(&display), false) = (displays.first(), calls.any_queued(displays)) else {
+            return;
+        };
+        let mut event = MaybeUninit::<Event>::zeroed();
+        let head = Head {
+            kind: NO_EXPOSE,
+            // SAFETY: a display of Xt's.
+            serial: unsafe { (calls.last_serial)(display) },
+            send_event: 1,
+            display,
+            window: 0,
+        };
+        // SAFETY: an event begins so, and all of it is numbers; Xlib copies it.
+        unsafe {
+            event.as_mut_ptr().cast::<Head>().write(head);
+            (calls.put_back)(display, event.as_mut_ptr());
+        }
+    });
+}
+
+fn is_readable(descriptor: RawFd) -> bool {
+    let mut poll = libc::pollfd {
+        fd: descriptor,
+        events: libc::POLLIN,
+        revents: 0,
+    };
+    // SAFETY: one element, alive during the call.
+    unsafe { libc::poll(&mut poll, 1, 0) == 1 }
+}
