@@ -69,7 +69,7 @@ static V_PATH *make_path(void)
         check(v_path_set_orientation(path, i, 0, &o), "v_path_set_orientation");
     }
     check(v_path_length(path, &length), "v_path_length");
-    check(v_path_set_speeds(path, POSES / length, 100.0, 100.0, 100.0), "v_path_set_speeds");
+    check(v_path_set_base_frames(path, POSES / length, 100.0, 100.0, 100.0), "v_path_set_base_frames");
     return path;
 }
 

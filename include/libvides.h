@@ -18,9 +18,9 @@
  *   the library returns needs to be freed, but the lists of the interface of
  *   1994.
  * - Every function may be called from within callbacks, and from any thread if
- *   it does not concern windows. A path may be read by several threads at once;
- *   to change it ("any thread that has the path for itself") needs the caller's
- *   own lock. Windows belong to the thread that opened them.
+ *   it does not concern windows. Several threads may read and change one
+ *   path at once: each call sees it as it is between two others. Windows belong to
+ *   the thread that opened them.
  * - An X server that goes away, or that never was there, does a program no
  *   harm: its windows are gone, v_last_error() tells, the program goes on.
  * - Points, orientations, segments, sections and presets are counted from 0,
@@ -64,7 +64,9 @@
  * V_ERR_FORMAT    the contents of a file are not what they should be
  * V_ERR_DISPLAY   no window can be opened, or its X server went away
  * V_ERR_BUSY      not possible at this moment, as from within this callback
- * V_ERR_CLOSED    the user has closed this window
+ * V_ERR_CLOSED    the window is gone: its user has closed it, its X server went
+ *                 away, or the thread that opened it has ended; v_last_error()
+ *                 says which
  * V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable
  *                 from now on, everything else goes on
  */
@@ -268,13 +270,14 @@ struct v_editor_options {
     const V_OBJEKT_LIST *object;
     int object_count;
     /**
-     * base speeds, see v_path_set_speeds(). All 0: those of the path. Else
-     * they are the host's: the window keeps them and ignores a loaded file's
+     * frames for a way of length 1 and so on, see v_path_set_base_frames(). All
+     * 0: those of the path. Else they are the host's: the window keeps them and
+     * ignores a loaded file's
      */
-    double move_speed;
-    double orient_speed;
-    double zoom_speed;
-    double winkel_speed;
+    double move_frames;
+    double turn_frames;
+    double zoom_frames;
+    double roll_frames;
     /** name of the X display; NULL: the environment's DISPLAY */
     const char *display;
     /**
@@ -294,6 +297,11 @@ struct v_editor_options {
     int (*on_close)(V_EDITOR *editor, void *user);
     /** the host's, handed on to the callbacks */
     void *user;
+    /**
+     * what the program is called: the first half of WM_CLASS, by which a desktop
+     * groups its windows; UTF-8; NULL: the name of the running program
+     */
+    const char *application;
 };
 
 typedef struct v_editor_options V_EDITOR_OPTIONS;
@@ -385,10 +393,12 @@ const char *v_version(void);
  *
  * rueck and ende run on the thread that called v_haupt(), inside the host's
  * event loop, and may call any function of the library. They return to their
- * caller: no longjmp() and no exception may leave them.
+ * caller: no longjmp() and no exception may leave them. An exception that does
+ * ends the program, after a line on standard error that names the callback.
  * What is wrong with the arguments, or that no window can be opened, is said
  * in one line on standard error, which begins "vides:", by v_last_error(), and
- * in the window if there is one.
+ * in the window if there is one. The window belongs to this thread and is
+ * closed when it ends, which such a line says, too.
  * From the thread that runs the event loop; from callbacks too.
  */
 void v_haupt(float move_speed,
@@ -502,6 +512,15 @@ void v_path_free(V_PATH *path);
 int v_path_load(const char *file, V_PATH **path);
 
 /**
+ * Reads a path from the text of a .vid file in memory, size bytes of UTF-8; a zero
+ * behind them is not needed. *path is the caller's, to be freed with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason
+ * in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that runs out while the
+ * text is parsed ends the program.
+ */
+int v_path_load_from_memory(const char *text, size_t size, V_PATH **path);
+
+/**
  * Writes a path into a .vid file. Whatever happens, the file is afterwards
  * wholly the old or wholly the new one; when the call returns V_OK the new one
  * is on the disk. A symbolic link is followed, permissions are kept.
@@ -525,7 +544,7 @@ int v_path_point_count(const V_PATH *path, int *count);
  * number appends. It takes all other properties from its predecessor, at 0
  * from its successor; an absolute target equal to the new position becomes
  * relative. Coordinates are finite and at most 1e9.
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_point(V_PATH *path, int at, const double xyz[3]);
@@ -534,14 +553,14 @@ int v_path_insert_point(V_PATH *path, int at, const double xyz[3]);
  * Divides the segment behind support point number segment by 1 to 10 new
  * support points on the curve, at equal arc lengths. They take all other
  * properties from the point before them.
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_divide_segment(V_PATH *path, int segment, int points);
 
 /**
  * Removes a support point. Two always remain.
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_remove_point(V_PATH *path, int at);
@@ -550,7 +569,7 @@ int v_path_remove_point(V_PATH *path, int at);
  * Moves a support point. Absolute targets stay where they are, relative ones
  * go along; a position equal to an absolute target of the point is refused.
  * Coordinates are finite and at most 1e9.
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_path_set_position(V_PATH *path, int at, const double xyz[3]);
@@ -567,7 +586,7 @@ int v_path_get_position(const V_PATH *path, int at, double xyz[3]);
 /**
  * Gives a support point its own tension, continuity and bias, each from -1
  * to 1 (Kochanek and Bartels 1984).
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_tcb(V_PATH *path,
@@ -578,7 +597,7 @@ int v_path_set_tcb(V_PATH *path,
 
 /**
  * Lets a support point follow one of the path's presets, 0 to 9.
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_use_preset(V_PATH *path, int at, int preset);
@@ -593,7 +612,7 @@ int v_path_get_tcb(const V_PATH *path, int at, double tcb[3], int *preset);
 /**
  * Changes one of the path's ten presets, 0 to 9, and with it every support
  * point that follows it. Each value from -1 to 1.
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_preset(V_PATH *path,
@@ -631,7 +650,7 @@ int v_path_orientation_count(const V_PATH *path, int point, int *count);
  * Inserts an orientation before the one that is number at now; at = their
  * number appends. o is copied; NULL copies the orientation before, at 0 the
  * one that was the first.
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
  * V_ERR_MEMORY.
  */
@@ -642,14 +661,14 @@ int v_path_insert_orientation(V_PATH *path,
 
 /**
  * Removes an orientation. One always remains.
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_remove_orientation(V_PATH *path, int point, int at);
 
 /**
  * Changes all values of an orientation; o is copied.
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_path_set_orientation(V_PATH *path, int point, int at, const V_ORIENTATION *o);
@@ -665,7 +684,7 @@ int v_path_get_orientation(const V_PATH *path, int point, int at, V_ORIENTATION 
 /**
  * Makes the target of an orientation absolute (not 0) or relative (0); the
  * view stays as it is.
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_absolute(V_PATH *path, int point, int at, int absolute);
@@ -674,33 +693,31 @@ int v_path_set_absolute(V_PATH *path, int point, int at, int absolute);
 /* ---- What holds for the whole path ------------------------------------------- */
 
 /**
- * Sets the base speeds, each finite and > 0: the poses at speed 50 for a way
- * of length 1 (move), for turning by 180 degrees (orient), for the zoom from
- * 1 to 100 (zoom), for rolling by 90 degrees (winkel).
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT.
- *
+ * Sets how many poses a path has at speed 50, each finite and > 0: for a way of
+ * length 1 (move), for turning by 180 degrees (turn), for the zoom from 1 to 100
+ * (zoom), for rolling by 90 degrees (roll). v_haupt() calls them its speeds.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
  */
-int v_path_set_speeds(V_PATH *path,
-                      double move,
-                      double orient,
-                      double zoom,
-                      double winkel);
+int v_path_set_base_frames(V_PATH *path,
+                           double move_frames,
+                           double turn_frames,
+                           double zoom_frames,
+                           double roll_frames);
 
 /**
- * The base speeds, see v_path_set_speeds(). Each result may be NULL.
+ * The frames of v_path_set_base_frames(). Each result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
-int v_path_get_speeds(const V_PATH *path,
-                      double *move,
-                      double *orient,
-                      double *zoom,
-                      double *winkel);
+int v_path_get_base_frames(const V_PATH *path,
+                           double *move_frames,
+                           double *turn_frames,
+                           double *zoom_frames,
+                           double *roll_frames);
 
 /**
  * Joins the last support point to the first by one more segment (not 0), or
  * opens the path (0).
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE.
  */
 int v_path_set_closed(V_PATH *path, int closed);
@@ -715,7 +732,7 @@ int v_path_get_closed(const V_PATH *path, int *closed);
  * Sets how the camera turns between its orientations (V_ORIENTATION_TCB,
  * V_ORIENTATION_BARRY_GOLDMAN, V_ORIENTATION_SLERP) and how the zoom runs
  * (V_ZOOM_SMOOTH, V_ZOOM_LINEAR).
- * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_modes(V_PATH *path, int orientation_mode, int zoom_mode);
@@ -725,6 +742,68 @@ int v_path_set_modes(V_PATH *path, int orientation_mode, int zoom_mode);
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_modes(const V_PATH *path, int *orientation_mode, int *zoom_mode);
+
+/**
+ * Sets what a path is called: UTF-8, one line of at most 1000 bytes; "" is none.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_LIMIT.
+ */
+int v_path_set_title(V_PATH *path, const char *title);
+
+/**
+ * What a path is called, ended by zero; *length is its bytes without the zero.
+ * With a capacity not larger than *length nothing else is written, and the answer
+ * is V_ERR_SIZE. title NULL with capacity 0 only asks for *length.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+ */
+int v_path_get_title(const V_PATH *path,
+                     char *title,
+                     size_t capacity,
+                     size_t *length);
+
+/**
+ * Sets the comment of a path: UTF-8, any lines; "" is none.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_LIMIT.
+ */
+int v_path_set_comment(V_PATH *path, const char *comment);
+
+/**
+ * The comment of a path, as v_path_get_title() gives the title.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+ */
+int v_path_get_comment(const V_PATH *path,
+                       char *comment,
+                       size_t capacity,
+                       size_t *length);
+
+/**
+ * Sets how many poses are shown in a second, > 0 and at most 1000; it changes no
+ * pose. A new path has 25.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE.
+ */
+int v_path_set_fps(V_PATH *path, double fps);
+
+/**
+ * How many poses are shown in a second.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ */
+int v_path_get_fps(const V_PATH *path, double *fps);
+
+/**
+ * Sets the number that the first pose has in the user's film; a new path has 1.
+ * Files written in other formats count from it; the library itself counts poses
+ * from 1.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ */
+int v_path_set_first_frame(V_PATH *path, int number);
+
+/**
+ * The number that the first pose has in the user's film.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ */
+int v_path_get_first_frame(const V_PATH *path, int *number);
 
 
 /* ---- The curve --------------------------------------------------------------- */
@@ -809,6 +888,18 @@ int v_path_sample(const V_PATH *path,
                   size_t *count);
 
 /**
+ * count poses from number first on, 1 to the count of v_path_frame_count(), into
+ * the caller's array, each equal to that of v_path_sample(). For hosts that take a
+ * long path in pieces.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first 0,
+ * or not so many poses from there), V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_sample_range(const V_PATH *path,
+                        size_t first,
+                        size_t count,
+                        V_POSE *poses);
+
+/**
  * The pose at one frame, 1 to the count of v_path_frame_count(); between two
  * frames also, as 1.5.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
@@ -840,6 +931,19 @@ int v_path_to_list(const V_PATH *path, V_KAMERAPAR *first);
 int v_path_write_ascii(const V_PATH *path, const char *file);
 
 /**
+ * The lines of v_path_write_ascii() in memory, ended by zero; *length is their
+ * bytes without the zero. With a capacity not larger than *length nothing else is
+ * written, and the answer is V_ERR_SIZE. text NULL with capacity 0 only asks for
+ * *length.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_write_ascii_to_memory(const V_PATH *path,
+                                 char *text,
+                                 size_t capacity,
+                                 size_t *length);
+
+/**
  * The options' defaults: size, and everything else NULL or 0. NULL does
  * nothing but set v_last_error().
  * Any thread; from callbacks too.
@@ -854,7 +958,10 @@ void v_editor_options_init(V_EDITOR_OPTIONS *options);
  *
  * on_poses and on_close run on the thread that opened the window, inside the
  * host's event loop, and may call any function of the library. They return to
- * their caller: no longjmp() and no exception may leave them.
+ * their caller: no longjmp() and no exception may leave them. An exception that
+ * does ends the program, after a line on standard error that names the callback.
+ * The window belongs to this thread and is closed when it ends, which a line on
+ * standard error says.
  * The thread that runs the event loop; from callbacks too. V_ERR_NULL,
  * V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
  * V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
@@ -864,8 +971,8 @@ int v_editor_open(const V_EDITOR_OPTIONS *options, V_EDITOR **editor);
 /**
  * Closes a window without asking anybody, and frees its handle. From within
  * its own callbacks it closes when they have returned. NULL is no error.
- * The thread that opened it, or any once the user has closed it; from
- * callbacks too. V_ERR_HANDLE.
+ * The thread that opened it, or any once the window is gone; from callbacks
+ * too. V_ERR_HANDLE.
  */
 int v_editor_close(V_EDITOR *editor);
 

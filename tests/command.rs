@@ -227,7 +227,7 @@ fn the_world_moves_positions_only() {
 /// from 1 to 100: each as long as its base speed says.
 const ONE_OF_EACH: &str = "\
 version = 1
-base_speeds = { move_frames = 7.0, orient_frames = 5.0, zoom_frames = 3.0, roll_frames = 2.0 }
+base_speeds = { move_frames = 7.0, turn_frames = 5.0, zoom_frames = 3.0, roll_frames = 2.0 }
 [[point]]
 position = [0.0, 0.0, 0.0]
 [[point.orientation]]
@@ -259,7 +259,7 @@ fn base_speeds_stand_in_for_the_files() {
         said(&output).lines().count()
     };
     assert_eq!(frames(&[]), 1 + 7 + 5 + 3 + 2);
-    assert_eq!(frames(&["--move-speed", "70"]), 1 + 70 + 5 + 3 + 2);
+    assert_eq!(frames(&["--move-frames", "70"]), 1 + 70 + 5 + 3 + 2);
     assert_eq!(frames(&["--orient-speed", "50"]), 1 + 7 + 50 + 3 + 2);
     assert_eq!(frames(&["--zoom-speed=30"]), 1 + 7 + 5 + 30 + 2);
     assert_eq!(frames(&["--winkel-speed", "2e1"]), 1 + 7 + 5 + 3 + 20);
@@ -267,7 +267,7 @@ fn base_speeds_stand_in_for_the_files() {
 
 #[test]
 fn a_reader_that_has_enough_is_no_error() {
-    let long = ["sample", PYRAMID, "--move-speed", "1e6"];
+    let long = ["sample", PYRAMID, "--move-frames", "1e6"];
     let mut command = vides(&long);
     let mut child = command
         .stdout(Stdio::piped())
@@ -399,7 +399,7 @@ fn too_many_frames_are_refused_before_anything_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("out.txt");
     let out = file.to_str().unwrap();
-    let output = run(&["sample", PYRAMID, "-o", out, "--move-speed", "1e300"]);
+    let output = run(&["sample", PYRAMID, "-o", out, "--move-frames", "1e300"]);
     let sentence = sentence(&output, 1);
     assert!(
         sentence.contains(PYRAMID) && sentence.contains("frames"),
@@ -417,9 +417,9 @@ fn bad_usage_is_told() {
         &["sample", PYRAMID, "--format", "xml"],
         &["sample", PYRAMID, "--frames", "3"],
         &["sample", PYRAMID, "another.vid"],
-        &["sample", PYRAMID, "--move-speed"],
-        &["sample", PYRAMID, "--move-speed", "fast"],
-        &["sample", PYRAMID, "--move-speed", "0"],
+        &["sample", PYRAMID, "--move-frames"],
+        &["sample", PYRAMID, "--move-frames", "fast"],
+        &["sample", PYRAMID, "--move-frames", "0"],
         &["sample", PYRAMID, "--orient-speed", "-5"],
         &["sample", PYRAMID, "--zoom-speed", "nan"],
         &["sample", PYRAMID, "--winkel-speed", "inf"],

@@ -159,7 +159,7 @@ const BROKEN: &[(&str, &str)] = &[
     ),
     (
         "unknown_speed_key",
-        "line 3: unknown key \"move\"; known here: move_frames, orient_frames, zoom_frames, roll_frames",
+        "line 3: unknown key \"move\"; known here: move_frames, turn_frames, zoom_frames, roll_frames",
     ),
     (
         "unknown_turning_key",

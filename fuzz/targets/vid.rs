@@ -22,7 +22,7 @@ const WORDS: Words = Words {
         "zoom_mode = \"linear\"",
         "[base_speeds]",
         "move_frames = 100.0",
-        "orient_frames = 0.5",
+        "turn_frames = 0.5",
         "zoom_frames = 1e-300",
         "roll_frames = 1e300",
         "[presets]",

@@ -52,19 +52,19 @@ enum Format {
 struct Speeds {
     /// Frames for a way of length 1 at speed 50
     #[arg(long, value_name = "FRAMES", value_parser = base_speed, allow_negative_numbers = true)]
-    move_speed: Option<f64>,
+    move_frames: Option<f64>,
 
     /// Frames for a turn of 180 degrees at speed 50
     #[arg(long, value_name = "FRAMES", value_parser = base_speed, allow_negative_numbers = true)]
-    orient_speed: Option<f64>,
+    turn_frames: Option<f64>,
 
     /// Frames for a zoom from 1 to 100 mm at speed 50
     #[arg(long, value_name = "FRAMES", value_parser = base_speed, allow_negative_numbers = true)]
-    zoom_speed: Option<f64>,
+    zoom_frames: Option<f64>,
 
     /// Frames for a roll of 90 degrees at speed 50
     #[arg(long, value_name = "FRAMES", value_parser = base_speed, allow_negative_numbers = true)]
-    winkel_speed: Option<f64>,
+    roll_frames: Option<f64>,
 }
 
 fn base_speed(text: &str) -> Result<f64, String> {
@@ -79,10 +79,10 @@ impl Speeds {
     fn apply(&self, document: &mut Document) -> vides::Result<()> {
         let mut speeds = document.path().speeds;
         for (given, speed) in [
-            (self.move_speed, &mut speeds.movement),
-            (self.orient_speed, &mut speeds.turning),
-            (self.zoom_speed, &mut speeds.zoom),
-            (self.winkel_speed, &mut speeds.rolling),
+            (self.move_frames, &mut speeds.movement),
+            (self.turn_frames, &mut speeds.turning),
+            (self.zoom_frames, &mut speeds.zoom),
+            (self.roll_frames, &mut speeds.rolling),
         ] {
             if let Some(given) = given {
                 *speed = given;

@@ -1,7 +1,8 @@
 //! Editor windows by handles: the new interface to what `v_haupt` opens.
 
 use std::cell::{Cell, RefCell};
-use std::ffi::{CStr, c_char, c_int, c_void};
+use std::ffi::{c_char, c_int, c_void};
+use std::mem::offset_of;
 use std::path::PathBuf;
 use std::ptr;
 use std::rc::Rc;
@@ -13,7 +14,7 @@ use super::handles::{Handles, KIND_EDITOR};
 use super::host_loop;
 use super::object::{Warnings, object};
 use super::path::{keep, read};
-use super::pointers::{self, Out, check, check_size, file_name};
+use super::pointers::{self, Growing, Out, check, file_name, read_growing};
 use super::status::{
     Answer, Failure, V_ERR_ARGUMENT, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_OK,
 };
@@ -80,28 +81,34 @@ pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
     border((), || {
         let out = Out::new(options)?;
         // SAFETY: room for the options, as the header says.
-        unsafe { out.write(DEFAULTS) };
+        unsafe { out.write(V_EDITOR_OPTIONS::DEFAULTS) };
         Ok(())
     });
 }
 
-const DEFAULTS: V_EDITOR_OPTIONS = V_EDITOR_OPTIONS {
-    size: size_of::<V_EDITOR_OPTIONS>(),
-    title: ptr::null(),
-    file: ptr::null(),
-    path: ptr::null(),
-    object: ptr::null(),
-    object_count: 0,
-    move_speed: 0.0,
-    orient_speed: 0.0,
-    zoom_speed: 0.0,
-    winkel_speed: 0.0,
-    display: ptr::null(),
-    language: ptr::null(),
-    on_poses: None,
-    on_close: None,
-    user: ptr::null_mut(),
-};
+// SAFETY: of C's layout, `size` first; the host's pointers and functions are its
+// word in any version.
+unsafe impl Growing for V_EDITOR_OPTIONS {
+    const FIRST: usize = offset_of!(V_EDITOR_OPTIONS, application);
+    const DEFAULTS: Self = Self {
+        size: size_of::<V_EDITOR_OPTIONS>(),
+        title: ptr::null(),
+        file: ptr::null(),
+        path: ptr::null(),
+        object: ptr::null(),
+        object_count: 0,
+        move_frames: 0.0,
+        turn_frames: 0.0,
+        zoom_frames: 0.0,
+        roll_frames: 0.0,
+        display: ptr::null(),
+        language: ptr::null(),
+        on_poses: None,
+        on_close: None,
+        user: ptr::null_mut(),
+        application: ptr::null(),
+    };
+}
 
 /// Opens an editor window and returns at once; how it is served then, see
 /// v_fd(). options may be NULL for the defaults. *editor is the caller's, to be
@@ -149,19 +156,17 @@ pub unsafe extern "C" fn v_editor_open(
 /// options.
 unsafe fn options_of(options: *const V_EDITOR_OPTIONS) -> Answer<V_EDITOR_OPTIONS> {
     if options.is_null() {
-        return Ok(DEFAULTS);
+        return Ok(V_EDITOR_OPTIONS::DEFAULTS);
     }
-    check(options)?;
-    // SAFETY: the caller's word; the struct begins with its size.
-    check_size::<V_EDITOR_OPTIONS>(unsafe { options.cast::<usize>().read() })?;
-    // SAFETY: the size says that all of it is there.
-    unsafe { pointers::read(options) }
+    // SAFETY: the caller's word.
+    unsafe { read_growing(options) }
 }
 
 /// What a window begins with.
 struct Beginning {
     editor: editor::Options,
     display: Option<String>,
+    application: Option<String>,
     warning: Option<Message>,
 }
 
@@ -196,21 +201,22 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
         document.apply(Edit::SetInfo(Box::new(info)))?;
     }
     let speeds = BaseSpeeds {
-        movement: options.move_speed,
-        turning: options.orient_speed,
-        zoom: options.zoom_speed,
-        rolling: options.winkel_speed,
+        movement: options.move_frames,
+        turning: options.turn_frames,
+        zoom: options.zoom_frames,
+        rolling: options.roll_frames,
     };
     let unset = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling] == [0.0; 4];
     if !unset {
         document.apply(Edit::SetSpeeds(speeds))?;
     }
-    // SAFETY: the caller's word for the three texts.
-    let (title, display, language) = unsafe {
+    // SAFETY: the caller's word for the texts.
+    let (title, display, language, application) = unsafe {
         (
             text(options.title, "the title is not UTF-8")?,
             text(options.display, "the display's name is not UTF-8")?,
             text(options.language, "the language is not \"de\" or \"en\"")?,
+            text(options.application, "the application's name is not UTF-8")?,
         )
     };
     let language = match language.as_deref() {
@@ -237,6 +243,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             folders: editor::Folders::of_environment(),
         },
         display,
+        application,
         warning: warnings.said().cloned(),
     })
 }
@@ -250,11 +257,7 @@ unsafe fn text(text: *const c_char, not_utf8: &'static str) -> Answer<Option<Str
         return Ok(None);
     }
     // SAFETY: the caller's word.
-    let text = unsafe { CStr::from_ptr(text) };
-    match text.to_str() {
-        Ok(text) => Ok(Some(text.to_owned())),
-        Err(_) => Err(Failure::Border(V_ERR_ARGUMENT, not_utf8)),
-    }
+    unsafe { pointers::text(text, not_utf8) }.map(|text| Some(text.to_owned()))
 }
 
 /// Opens the window and gives it its handle.
@@ -265,6 +268,7 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
     let window = instance::open(instance::Options {
         editor: editor.editor,
         display: editor.display,
+        application: editor.application,
         warning: editor.warning,
         host: Rc::<Callbacks>::clone(&host),
     })?;

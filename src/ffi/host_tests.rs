@@ -29,7 +29,7 @@ fn path() -> *mut V_PATH {
     call!(V_OK, v_path_new(&raw mut path));
     call!(
         V_OK,
-        super::settings::v_path_set_speeds(path, 8.0, 8.0, 8.0, 8.0)
+        super::settings::v_path_set_base_frames(path, 8.0, 8.0, 8.0, 8.0)
     );
     path
 }

@@ -122,6 +122,7 @@ fn open(
             folders: editor::Folders::of_environment(),
         },
         display: None,
+        application: None,
         warning: warnings.said().cloned(),
         host: Rc::new(host),
     })?;

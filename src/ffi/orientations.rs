@@ -1,13 +1,12 @@
 //! The orientations of support points.
 
 use std::ffi::c_int;
-use std::ptr;
 
 use glam::DVec3;
 
 use super::border::border;
 use super::path::{edit, read};
-use super::pointers::{self, Out, check_size, count, index};
+use super::pointers::{Growing, GrowingOut, Out, count, index, read_growing};
 use super::points::point;
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::{V_ORIENTATION, V_PATH};
@@ -36,6 +35,23 @@ fn to_c(orientation: &Orientation) -> V_ORIENTATION {
     }
 }
 
+// SAFETY: of C's layout, `size` first, numbers only.
+unsafe impl Growing for V_ORIENTATION {
+    const FIRST: usize = size_of::<V_ORIENTATION>();
+    const DEFAULTS: Self = Self {
+        size: size_of::<V_ORIENTATION>(),
+        absolute: 0,
+        target: [0.0, 0.0, -0.4],
+        roll: 0.0,
+        zoom: 24.0,
+        tension: 0.0,
+        continuity: 0.0,
+        bias: 0.0,
+        speed: [50.0; 10],
+        hold: 0,
+    };
+}
+
 /// The orientation that C describes; its values are not yet checked.
 fn from_c(o: &V_ORIENTATION) -> Answer<Orientation> {
     let target = DVec3::from_array(o.target);
@@ -54,19 +70,13 @@ fn from_c(o: &V_ORIENTATION) -> Answer<Orientation> {
     })
 }
 
-/// Reads a struct of the host's; first of all its size, since that tells
-/// whether there is more.
+/// Reads a struct of the host's.
 ///
 /// # Safety
 /// `o` is NULL or points to a struct as its `size` says.
 unsafe fn read_orientation(o: *const V_ORIENTATION) -> Answer<Orientation> {
-    pointers::check(o)?;
-    // SAFETY: not NULL, and every version begins with `size`; once that is
-    // right the whole struct can be read.
-    unsafe {
-        check_size::<V_ORIENTATION>(ptr::read(&raw const (*o).size))?;
-        from_c(&pointers::read(o)?)
-    }
+    // SAFETY: the caller's word.
+    from_c(&unsafe { read_growing(o) }?)
 }
 
 /// ==== Orientations ====
@@ -80,7 +90,7 @@ pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
     border((), || {
         let o = Out::new(o)?;
         // SAFETY: room for the struct, as the header says.
-        unsafe { o.write(to_c(&Orientation::default())) };
+        unsafe { o.write(V_ORIENTATION::DEFAULTS) };
         Ok(())
     });
 }
@@ -109,7 +119,7 @@ pub unsafe extern "C" fn v_path_orientation_count(
 /// Inserts an orientation before the one that is number at now; at = their
 /// number appends. o is copied; NULL copies the orientation before, at 0 the
 /// one that was the first.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -139,7 +149,7 @@ pub unsafe extern "C" fn v_path_insert_orientation(
 }
 
 /// Removes an orientation. One always remains.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_remove_orientation(
@@ -154,7 +164,7 @@ pub unsafe extern "C" fn v_path_remove_orientation(
 }
 
 /// Changes all values of an orientation; o is copied.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_orientation(
@@ -190,9 +200,8 @@ pub unsafe extern "C" fn v_path_get_orientation(
     o: *mut V_ORIENTATION,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(o)?;
-        // SAFETY: not NULL, and every version begins with `size`.
-        check_size::<V_ORIENTATION>(unsafe { ptr::read(&raw const (*o).size) })?;
+        // SAFETY: a struct as its size says, as the header demands.
+        let out = unsafe { GrowingOut::new(o) }?;
         let values = read(path, |document| {
             let orientations = &self::point(document, point)?.1.orientations;
             Ok(orientations.get(index(at)?).map(to_c).ok_or_else(|| {
@@ -201,7 +210,7 @@ pub unsafe extern "C" fn v_path_get_orientation(
                 )))
             })?)
         })?;
-        // SAFETY: room for the struct: its size says so.
+        // SAFETY: as above.
         unsafe { out.write(values) };
         Ok(V_OK)
     })
@@ -209,7 +218,7 @@ pub unsafe extern "C" fn v_path_get_orientation(
 
 /// Makes the target of an orientation absolute (not 0) or relative (0); the
 /// view stays as it is.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_absolute(

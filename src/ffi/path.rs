@@ -6,10 +6,10 @@ use std::sync::RwLock;
 
 use super::border::border;
 use super::handles::{Handles, KIND_PATH};
-use super::pointers::{Out, check, file_name};
+use super::pointers::{Out, check, file_name, slice};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
-use crate::document::{Document, Edit};
+use crate::document::{Document, Edit, Info};
 use crate::inject;
 
 /// All paths that C holds.
@@ -45,6 +45,20 @@ pub(super) fn edit(path: *mut V_PATH, edit: Edit) -> Answer<c_int> {
     let mut document = document.write().map_err(|_| SPOILED)?;
     inject::point(inject::Place::Path);
     document.apply(edit)?;
+    Ok(V_OK)
+}
+
+/// Changes what a path says besides its poses.
+pub(super) fn edit_info(path: *mut V_PATH, change: impl FnOnce(&mut Info)) -> Answer<c_int> {
+    if path.is_null() {
+        check(path)?;
+    }
+    let document = PATHS.get(path)?;
+    let mut document = document.write().map_err(|_| SPOILED)?;
+    inject::point(inject::Place::Path);
+    let mut info = document.info().clone();
+    change(&mut info);
+    document.apply(Edit::SetInfo(Box::new(info)))?;
     Ok(V_OK)
 }
 
@@ -105,6 +119,29 @@ pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH
         let path = Out::new(path)?;
         // SAFETY: a text ended by zero, as the header says.
         let document = Document::load(unsafe { file_name(file) }?)?;
+        let made = keep(document.without_history())?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { path.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// Reads a path from the text of a .vid file in memory, size bytes of UTF-8; a zero
+/// behind them is not needed. *path is the caller's, to be freed with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason
+/// in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that runs out while the
+/// text is parsed ends the program.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_load_from_memory(
+    text: *const c_char,
+    size: usize,
+    path: *mut *mut V_PATH,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let path = Out::new(path)?;
+        // SAFETY: as many bytes, as the header says.
+        let mut text = unsafe { slice(text.cast::<u8>(), size) }?;
+        let document = Document::load_from(&mut text, "memory")?;
         let made = keep(document.without_history())?;
         // SAFETY: room for a handle, as the header says.
         unsafe { path.write(made) };

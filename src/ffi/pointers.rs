@@ -8,10 +8,11 @@
 use std::ffi::{CStr, OsStr, c_char, c_int};
 use std::os::unix::ffi::OsStrExt;
 use std::path::Path;
+use std::ptr;
 
 use glam::DVec3;
 
-use super::status::{Answer, Failure, V_ERR_ARGUMENT, V_ERR_NULL, V_ERR_RANGE, V_ERR_SIZE};
+use super::status::{Answer, Failure, V_ERR_ARGUMENT, V_ERR_NULL, V_ERR_RANGE, V_ERR_SIZE, V_OK};
 
 const NULL: Failure = Failure::Border(V_ERR_NULL, "a pointer is NULL that must not be");
 const UNALIGNED: Failure = Failure::Border(
@@ -147,6 +148,65 @@ impl<T: Copy, const N: usize> Out<[T; N]> {
     }
 }
 
+/// Where a text goes: an array of the caller's, and how long the text is.
+pub(super) struct TextOut {
+    buffer: *mut c_char,
+    capacity: usize,
+    length: Out<usize>,
+}
+
+impl TextOut {
+    /// A buffer that is NULL with a capacity of 0 only asks for the length.
+    pub(super) fn new(buffer: *mut c_char, capacity: usize, length: *mut usize) -> Answer<Self> {
+        let length = Out::new(length)?;
+        if !buffer.is_null() || capacity != 0 {
+            check(buffer)?;
+        }
+        Ok(Self {
+            buffer,
+            capacity,
+            length,
+        })
+    }
+
+    /// Writes the text, ended by zero, and its length without the zero.
+    ///
+    /// # Safety
+    /// The buffer is NULL or has `capacity` bytes; there is room for the length.
+    pub(super) unsafe fn write(self, text: &[u8]) -> Answer<c_int> {
+        let fits = text.len() < self.capacity;
+        // SAFETY: the caller's word; text and zero fit.
+        unsafe {
+            if fits {
+                let buffer = self.buffer.cast::<u8>();
+                ptr::copy_nonoverlapping(text.as_ptr(), buffer, text.len());
+                buffer.add(text.len()).write(0);
+            }
+            self.length.write(text.len());
+        }
+        if fits || self.buffer.is_null() {
+            return Ok(V_OK);
+        }
+        Err(Failure::Border(
+            V_ERR_SIZE,
+            "the array is too small for the text; the length tells how long it is",
+        ))
+    }
+}
+
+/// A text of the host's.
+///
+/// # Safety
+/// A pointer that is not NULL points to a text ended by a zero byte that
+/// stays as it is while `'a` lasts.
+pub(super) unsafe fn text<'a>(text: *const c_char, not_utf8: &'static str) -> Answer<&'a str> {
+    check(text)?;
+    // SAFETY: not NULL, and the caller's word for the rest.
+    let text = unsafe { CStr::from_ptr(text) };
+    text.to_str()
+        .map_err(|_| Failure::Border(V_ERR_ARGUMENT, not_utf8))
+}
+
 /// A file's name: the bytes as they are, whatever their encoding.
 ///
 /// # Safety
@@ -171,18 +231,81 @@ pub(super) fn count(value: usize) -> Answer<c_int> {
         .map_err(|_| Failure::Border(V_ERR_RANGE, "a count is too large for an int"))
 }
 
-/// The `size` with which a struct that may grow begins.
+/// A struct that begins with its size and may grow at its end within version 1.
 ///
-/// The host's `sizeof` tells which fields it knows. This is the first version,
-/// so there is one right size. A smaller one was never set, a larger one
-/// belongs to a newer header than the library, or is what happened to stand in
+/// # Safety
+/// The type is `repr(C)`, its first field is `size: usize`, and any bits are valid
+/// for the fields up to `FIRST`.
+pub(super) unsafe trait Growing: Copy {
+    /// The `sizeof` of version 1.0.
+    const FIRST: usize;
+    /// What a host means that does not know a field.
+    const DEFAULTS: Self;
+}
+
+/// The `size` with which a host's struct begins: its `sizeof`, which tells which
+/// fields it knows. A smaller one than that of version 1.0 was never set, a larger
+/// one belongs to a newer header than the library, or is what happened to stand in
 /// memory; either way reading on would be wrong.
-pub(super) fn check_size<T>(size: usize) -> Answer<()> {
-    if size == size_of::<T>() {
-        return Ok(());
+///
+/// # Safety
+/// `pointer` is NULL or points to a struct that begins with its size.
+unsafe fn size_of_host<T: Growing>(pointer: *const T) -> Answer<usize> {
+    check(pointer)?;
+    // SAFETY: not NULL, aligned, and every version begins with `size`.
+    let size = unsafe { pointer.cast::<usize>().read() };
+    if (T::FIRST..=size_of::<T>()).contains(&size) && size.is_multiple_of(align_of::<T>()) {
+        return Ok(size);
     }
     Err(Failure::Border(
         V_ERR_SIZE,
         "the size with which a struct begins is not its sizeof",
     ))
+}
+
+/// A struct of a host that may have been compiled with an earlier 1.x: the fields
+/// that it does not know have their defaults.
+///
+/// # Safety
+/// `pointer` is NULL or points to a struct as its `size` says.
+pub(super) unsafe fn read_growing<T: Growing>(pointer: *const T) -> Answer<T> {
+    // SAFETY: the caller's word.
+    let size = unsafe { size_of_host(pointer) }?;
+    let mut value = T::DEFAULTS;
+    // SAFETY: `size` bytes are there, and fit into a `T`, whose fields take them.
+    unsafe { ptr::copy_nonoverlapping(pointer.cast::<u8>(), (&raw mut value).cast(), size) };
+    Ok(value)
+}
+
+/// Where a struct goes of which the host may know the first fields only.
+pub(super) struct GrowingOut<T> {
+    pointer: *mut T,
+    size: usize,
+}
+
+impl<T: Growing> GrowingOut<T> {
+    /// # Safety
+    /// `pointer` is NULL or points to a struct as its `size` says.
+    pub(super) unsafe fn new(pointer: *mut T) -> Answer<Self> {
+        // SAFETY: the caller's word.
+        let size = unsafe { size_of_host(pointer) }?;
+        Ok(Self { pointer, size })
+    }
+
+    /// Writes the fields that the host knows; its size stays.
+    ///
+    /// # Safety
+    /// As for [`Self::new`], still.
+    pub(super) unsafe fn write(self, value: T) {
+        let mut value = value;
+        // SAFETY: every version begins with `size`, and `size` bytes are there.
+        unsafe {
+            (&raw mut value).cast::<usize>().write(self.size);
+            ptr::copy_nonoverlapping(
+                (&raw const value).cast::<u8>(),
+                self.pointer.cast(),
+                self.size,
+            );
+        }
+    }
 }

@@ -43,7 +43,7 @@ pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_i
 /// number appends. It takes all other properties from its predecessor, at 0
 /// from its successor; an absolute target equal to the new position becomes
 /// relative. Coordinates are finite and at most 1e9.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
@@ -63,7 +63,7 @@ pub unsafe extern "C" fn v_path_insert_point(
 /// Divides the segment behind support point number segment by 1 to 10 new
 /// support points on the curve, at equal arc lengths. They take all other
 /// properties from the point before them.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_divide_segment(
@@ -78,7 +78,7 @@ pub unsafe extern "C" fn v_path_divide_segment(
 }
 
 /// Removes a support point. Two always remain.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_int {
@@ -90,7 +90,7 @@ pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_
 /// Moves a support point. Absolute targets stay where they are, relative ones
 /// go along; a position equal to an absolute target of the point is refused.
 /// Coordinates are finite and at most 1e9.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
@@ -129,7 +129,7 @@ pub unsafe extern "C" fn v_path_get_position(
 ///
 /// Gives a support point its own tension, continuity and bias, each from -1
 /// to 1 (Kochanek and Bartels 1984).
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_tcb(
@@ -152,7 +152,7 @@ pub unsafe extern "C" fn v_path_set_tcb(
 }
 
 /// Lets a support point follow one of the path's presets, 0 to 9.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_use_preset(path: *mut V_PATH, at: c_int, preset: c_int) -> c_int {
@@ -194,7 +194,7 @@ pub unsafe extern "C" fn v_path_get_tcb(
 
 /// Changes one of the path's ten presets, 0 to 9, and with it every support
 /// point that follows it. Each value from -1 to 1.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_preset(

@@ -1,11 +1,12 @@
 //! Sections, frames and poses.
 
 use std::ffi::{c_char, c_int};
+use std::io::{self, Write};
 
 use super::border::border;
 use super::list;
 use super::path::read;
-use super::pointers::{Out, check, file_name, index, slice_mut};
+use super::pointers::{Out, TextOut, check, file_name, index, slice_mut};
 use super::status::{Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK};
 use super::types::{V_KAMERAPAR, V_PATH, V_POSE};
 use crate::document::ascii;
@@ -128,6 +129,38 @@ pub unsafe extern "C" fn v_path_sample(
     })
 }
 
+/// count poses from number first on, 1 to the count of v_path_frame_count(), into
+/// the caller's array, each equal to that of v_path_sample(). For hosts that take a
+/// long path in pieces.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first 0,
+/// or not so many poses from there), V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_sample_range(
+    path: *const V_PATH,
+    first: usize,
+    count: usize,
+    poses: *mut V_POSE,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        check(poses)?;
+        read(path, |document| {
+            let sampler = document.sampler()?;
+            let frames = sampler.frame_count();
+            let behind = first.checked_add(count);
+            if first == 0 || behind.is_none_or(|behind| behind - 1 > frames) {
+                return Err(Error::Range(sentence(format_args!(
+                    "there are no {count} poses from number {first} on: they are numbered \
+                     from 1 to {frames}"
+                )))
+                .into());
+            }
+            // SAFETY: room for `count` poses, as the header says; any bits make one.
+            sampler.sample(first, unsafe { slice_mut(poses.cast::<Pose>(), count) }?)?;
+            Ok(V_OK)
+        })
+    })
+}
+
 const TOO_SMALL: Failure = Failure::Border(
     V_ERR_SIZE,
     "the array is too small for the poses; the count tells how many there are",
@@ -188,4 +221,43 @@ pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_
             Ok(V_OK)
         })
     })
+}
+
+/// The lines of v_path_write_ascii() in memory, ended by zero; *length is their
+/// bytes without the zero. With a capacity not larger than *length nothing else is
+/// written, and the answer is V_ERR_SIZE. text NULL with capacity 0 only asks for
+/// *length.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_write_ascii_to_memory(
+    path: *const V_PATH,
+    text: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = TextOut::new(text, capacity, length)?;
+        read(path, |document| {
+            let mut lines = Lines(Vec::new());
+            ascii::write_ascii(document.sampler()?, None, &mut lines).map_err(|_| Error::Memory)?;
+            // SAFETY: room as the header says.
+            unsafe { out.write(&lines.0) }
+        })
+    })
+}
+
+/// Text in memory, if there is memory for it.
+struct Lines(Vec<u8>);
+
+impl Write for Lines {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.try_reserve(bytes.len())?;
+        self.0.extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
 }

@@ -1,10 +1,10 @@
 //! What holds for a whole path: base speeds, closed or open, modes.
 
-use std::ffi::c_int;
+use std::ffi::{c_char, c_int};
 
 use super::border::border;
-use super::path::{edit, read};
-use super::pointers::Out;
+use super::path::{edit, edit_info, read};
+use super::pointers::{Out, TextOut, text};
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::Edit;
@@ -43,44 +43,42 @@ fn zoom_mode(number: c_int) -> Answer<ZoomMode> {
 
 /// ==== What holds for the whole path ====
 ///
-/// Sets the base speeds, each finite and > 0: the poses at speed 50 for a way
-/// of length 1 (move), for turning by 180 degrees (orient), for the zoom from
-/// 1 to 100 (zoom), for rolling by 90 degrees (winkel).
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT.
-///
+/// Sets how many poses a path has at speed 50, each finite and > 0: for a way of
+/// length 1 (move), for turning by 180 degrees (turn), for the zoom from 1 to 100
+/// (zoom), for rolling by 90 degrees (roll). v_haupt() calls them its speeds.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_set_speeds(
+pub unsafe extern "C" fn v_path_set_base_frames(
     path: *mut V_PATH,
-    r#move: f64,
-    orient: f64,
-    zoom: f64,
-    winkel: f64,
+    move_frames: f64,
+    turn_frames: f64,
+    zoom_frames: f64,
+    roll_frames: f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let speeds = BaseSpeeds {
-            movement: r#move,
-            turning: orient,
-            zoom,
-            rolling: winkel,
+            movement: move_frames,
+            turning: turn_frames,
+            zoom: zoom_frames,
+            rolling: roll_frames,
         };
         edit(path, Edit::SetSpeeds(speeds))
     })
 }
 
-/// The base speeds, see v_path_set_speeds(). Each result may be NULL.
+/// The frames of v_path_set_base_frames(). Each result may be NULL.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_get_speeds(
+pub unsafe extern "C" fn v_path_get_base_frames(
     path: *const V_PATH,
-    r#move: *mut f64,
-    orient: *mut f64,
-    zoom: *mut f64,
-    winkel: *mut f64,
+    move_frames: *mut f64,
+    turn_frames: *mut f64,
+    zoom_frames: *mut f64,
+    roll_frames: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (movement, turning) = (Out::optional(r#move)?, Out::optional(orient)?);
-        let (zoom, rolling) = (Out::optional(zoom)?, Out::optional(winkel)?);
+        let (movement, turning) = (Out::optional(move_frames)?, Out::optional(turn_frames)?);
+        let (zoom, rolling) = (Out::optional(zoom_frames)?, Out::optional(roll_frames)?);
         let speeds = read(path, |document| Ok(document.path().speeds))?;
         // SAFETY: room for a double each, as the header says.
         unsafe {
@@ -95,7 +93,7 @@ pub unsafe extern "C" fn v_path_get_speeds(
 
 /// Joins the last support point to the first by one more segment (not 0), or
 /// opens the path (0).
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_closed(path: *mut V_PATH, closed: c_int) -> c_int {
@@ -118,7 +116,7 @@ pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_i
 /// Sets how the camera turns between its orientations (V_ORIENTATION_TCB,
 /// V_ORIENTATION_BARRY_GOLDMAN, V_ORIENTATION_SLERP) and how the zoom runs
 /// (V_ZOOM_SMOOTH, V_ZOOM_LINEAR).
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_modes(
@@ -159,6 +157,114 @@ pub unsafe extern "C" fn v_path_get_modes(
                 ZoomMode::Linear => V_ZOOM_LINEAR,
             });
         }
+        Ok(V_OK)
+    })
+}
+
+/// Sets what a path is called: UTF-8, one line of at most 1000 bytes; "" is none.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_char) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let title = unsafe { text(title, "the title is not UTF-8") }?.to_owned();
+        edit_info(path, |info| info.title = title)
+    })
+}
+
+/// What a path is called, ended by zero; *length is its bytes without the zero.
+/// With a capacity not larger than *length nothing else is written, and the answer
+/// is V_ERR_SIZE. title NULL with capacity 0 only asks for *length.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_title(
+    path: *const V_PATH,
+    title: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = TextOut::new(title, capacity, length)?;
+        // SAFETY: room as the header says.
+        read(path, |document| unsafe {
+            out.write(document.info().title.as_bytes())
+        })
+    })
+}
+
+/// Sets the comment of a path: UTF-8, any lines; "" is none.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c_char) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let comment = unsafe { text(comment, "the comment is not UTF-8") }?.to_owned();
+        edit_info(path, |info| info.comment = comment)
+    })
+}
+
+/// The comment of a path, as v_path_get_title() gives the title.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_comment(
+    path: *const V_PATH,
+    comment: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = TextOut::new(comment, capacity, length)?;
+        // SAFETY: room as the header says.
+        read(path, |document| unsafe {
+            out.write(document.info().comment.as_bytes())
+        })
+    })
+}
+
+/// Sets how many poses are shown in a second, > 0 and at most 1000; it changes no
+/// pose. A new path has 25.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
+    border(V_ERR_INTERNAL, || edit_info(path, |info| info.fps = fps))
+}
+
+/// How many poses are shown in a second.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(fps)?;
+        let fps = read(path, |document| Ok(document.info().fps))?;
+        // SAFETY: room for a double, as the header says.
+        unsafe { out.write(fps) };
+        Ok(V_OK)
+    })
+}
+
+/// Sets the number that the first pose has in the user's film; a new path has 1.
+/// Files written in other formats count from it; the library itself counts poses
+/// from 1.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        edit_info(path, |info| info.first_frame = number)
+    })
+}
+
+/// The number that the first pose has in the user's film.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mut c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(number)?;
+        let number = read(path, |document| Ok(document.info().first_frame))?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.write(number) };
         Ok(V_OK)
     })
 }

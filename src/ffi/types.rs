@@ -201,12 +201,13 @@ pub struct v_editor_options {
     /// of the path
     pub object: *const V_OBJEKT_LIST,
     pub object_count: c_int,
-    /// base speeds, see v_path_set_speeds(). All 0: those of the path. Else
-    /// they are the host's: the window keeps them and ignores a loaded file's
-    pub move_speed: f64,
-    pub orient_speed: f64,
-    pub zoom_speed: f64,
-    pub winkel_speed: f64,
+    /// frames for a way of length 1 and so on, see v_path_set_base_frames(). All
+    /// 0: those of the path. Else they are the host's: the window keeps them and
+    /// ignores a loaded file's
+    pub move_frames: f64,
+    pub turn_frames: f64,
+    pub zoom_frames: f64,
+    pub roll_frames: f64,
     /// name of the X display; NULL: the environment's DISPLAY
     pub display: *const c_char,
     /// "de" or "en"; NULL: the environment's, by LC_ALL, LC_MESSAGES, LANG.
@@ -227,6 +228,9 @@ pub struct v_editor_options {
     pub on_close: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void) -> c_int>,
     /// the host's, handed on to the callbacks
     pub user: *mut c_void,
+    /// what the program is called: the first half of WM_CLASS, by which a desktop
+    /// groups its windows; UTF-8; NULL: the name of the running program
+    pub application: *const c_char,
 }
 
 pub type V_EDITOR_OPTIONS = v_editor_options;

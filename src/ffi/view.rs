@@ -1,13 +1,12 @@
 //! The toolbox: views and matrices.
 
 use std::ffi::c_int;
-use std::ptr;
 
 use glam::DVec3;
 
 use super::border::border;
-use super::pointers::{self, Out, check_size};
-use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::pointers::{self, Growing, GrowingOut, Out, read_growing};
+use super::status::{V_ERR_INTERNAL, V_OK};
 use super::types::{V_POSE, V_VIEW};
 use crate::math::view::{View, gl_matrix};
 
@@ -40,14 +39,22 @@ fn to_c(view: &View) -> V_VIEW {
     }
 }
 
-/// Checks the size with which the host's struct begins.
-///
-/// # Safety
-/// `view` is NULL or points to a struct as its `size` says.
-unsafe fn check_view(view: *const V_VIEW) -> Answer<()> {
-    pointers::check(view)?;
-    // SAFETY: not NULL, and every version begins with `size`.
-    check_size::<V_VIEW>(unsafe { ptr::read(&raw const (*view).size) })
+// SAFETY: of C's layout, `size` first, numbers only.
+unsafe impl Growing for V_VIEW {
+    const FIRST: usize = size_of::<V_VIEW>();
+    /// No view: every field is known since version 1.0.
+    const DEFAULTS: Self = Self {
+        size: size_of::<V_VIEW>(),
+        vrp: [0.0; 3],
+        normal: [0.0; 3],
+        up: [0.0; 3],
+        prp: [0.0; 3],
+        window: [0.0; 4],
+        front: 0.0,
+        back: 0.0,
+        distance: 0.0,
+        perspective: 0,
+    };
 }
 
 /// ==== Toolbox: views ====
@@ -66,10 +73,7 @@ pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_in
     border(V_ERR_INTERNAL, || {
         let m = Out::array(m)?;
         // SAFETY: a struct as its size says, as the header demands.
-        let view = unsafe {
-            check_view(view)?;
-            pointers::read(view)?
-        };
+        let view = unsafe { read_growing(view) }?;
         let matrix = from_c(&view).matrix()?.transpose();
         // SAFETY: room for 16 doubles, as the header says.
         unsafe { m.write(matrix.to_cols_array()) };
@@ -91,15 +95,11 @@ pub unsafe extern "C" fn v_view_from_pose(
     view: *mut V_VIEW,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(view)?;
         // SAFETY: a pose, and a struct as its size says, as the header demands.
-        let pose = unsafe {
-            check_view(view)?;
-            pointers::read(pose)?
-        };
+        let (out, pose) = unsafe { (GrowingOut::new(view)?, pointers::read(pose)?) };
         let [vrp, vpn, vup] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
         let view = View::from_pose(vrp, vpn, vup, pose.zoom, aspect, front, back)?;
-        // SAFETY: room for the struct: its size says so.
+        // SAFETY: as above.
         unsafe { out.write(to_c(&view)) };
         Ok(V_OK)
     })

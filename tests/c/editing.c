@@ -38,7 +38,7 @@ static void a_new_path(void)
     }
     OK(v_path_get_tcb(path, 1, tcb, &preset));
     CHECK(preset == 0 && tcb[0] == 0 && tcb[1] == 0 && tcb[2] == 0);
-    OK(v_path_get_speeds(path, &speeds[0], &speeds[1], &speeds[2], &speeds[3]));
+    OK(v_path_get_base_frames(path, &speeds[0], &speeds[1], &speeds[2], &speeds[3]));
     CHECK(speeds[0] == 100 && speeds[1] == 100 && speeds[2] == 100 && speeds[3] == 100);
     OK(v_path_get_closed(path, &closed));
     CHECK(closed == 0);
@@ -164,17 +164,17 @@ static void the_whole_path(void)
     V_PATH *path = new_path();
     double v[4];
     int i, closed, mode, zoom;
-    OK(v_path_set_speeds(path, 1, 2, 3, 4e-300));
+    OK(v_path_set_base_frames(path, 1, 2, 3, 4e-300));
     for (i = 0; i < 4; i++) {
         static const double bad[4] = {0, -1, NAN, INFINITY};
         int k;
         for (k = 0; k < 4; k++) {
             double s[4] = {1, 1, 1, 1};
             s[i] = bad[k];
-            STATUS(V_ERR_ARGUMENT, v_path_set_speeds(path, s[0], s[1], s[2], s[3]));
+            STATUS(V_ERR_ARGUMENT, v_path_set_base_frames(path, s[0], s[1], s[2], s[3]));
         }
     }
-    OK(v_path_get_speeds(path, &v[0], &v[1], &v[2], &v[3]));
+    OK(v_path_get_base_frames(path, &v[0], &v[1], &v[2], &v[3]));
     CHECK(v[0] == 1 && v[1] == 2 && v[2] == 3 && v[3] == 4e-300);
 
     OK(v_path_set_closed(path, -5));

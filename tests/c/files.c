@@ -24,7 +24,7 @@ static V_PATH *some_path(void)
     OK(v_path_insert_point(path, 1, xyz));
     OK(v_path_insert_orientation(path, 1, 1, &o));
     OK(v_path_set_tcb(path, 2, 0.1, -0.2, 0.3));
-    OK(v_path_set_speeds(path, 123.4, 56.7, 89, 1e3));
+    OK(v_path_set_base_frames(path, 123.4, 56.7, 89, 1e3));
     return path;
 }
 
@@ -150,7 +150,7 @@ static void counts(const char *folder)
         size_t frames = 0, poses = 0, lines = 0;
         int c;
         FILE *file;
-        OK(v_path_set_speeds(path, 3 + 7 * kind, 20, 20, 20));
+        OK(v_path_set_base_frames(path, 3 + 7 * kind, 20, 20, 20));
         OK(v_path_set_closed(path, kind % 2));
         OK(v_path_frame_count(path, &frames));
         STATUS(V_OK, v_path_sample(path, NULL, 0, &poses));

@@ -91,8 +91,8 @@ static void every_function(V_PATH *bad, int status)
     REFUSED(status, v_path_get_orientation(bad, 0, 0, &result));
     CHECK(result.zoom == 77);
     REFUSED(status, v_path_set_absolute(bad, 0, 0, 1));
-    REFUSED(status, v_path_set_speeds(bad, 1, 1, 1, 1));
-    REFUSED(status, v_path_get_speeds(bad, &out[0].numbers[0], &out[1].numbers[0],
+    REFUSED(status, v_path_set_base_frames(bad, 1, 1, 1, 1));
+    REFUSED(status, v_path_get_base_frames(bad, &out[0].numbers[0], &out[1].numbers[0],
                                       &out[2].numbers[0], &out[3].numbers[0]));
     REFUSED(status, v_path_set_closed(bad, 1));
     REFUSED(status, v_path_get_closed(bad, &out[0].number));
@@ -149,7 +149,7 @@ static void every_null(V_PATH *path)
     REFUSED(V_ERR_NULL, v_path_write_ascii(path, NULL));
     /* Results of which one may be wanted without the others. */
     OK(v_path_get_tcb(path, 0, NULL, NULL));
-    OK(v_path_get_speeds(path, NULL, NULL, NULL, NULL));
+    OK(v_path_get_base_frames(path, NULL, NULL, NULL, NULL));
     OK(v_path_get_modes(path, NULL, NULL));
     OK(v_path_section_info(path, 0, NULL, NULL, NULL, NULL));
     /* An address that no such object can have. */

@@ -23,11 +23,12 @@ typedef struct {
     const V_PATH *path;
     const V_OBJEKT_LIST *object;
     int object_count;
-    double move_speed, orient_speed, zoom_speed, winkel_speed;
+    double move_frames, turn_frames, zoom_frames, roll_frames;
     const char *display, *language;
     void (*on_poses)(V_EDITOR *, const V_POSE *, size_t, void *);
     int (*on_close)(V_EDITOR *, void *);
     void *user;
+    const char *application;
 } options;
 
 #define SAME_SIZE(ours, theirs) CHECK(sizeof(ours) == sizeof(theirs))
@@ -92,19 +93,21 @@ int main(void)
     SAME_FIELD(V_EDITOR_OPTIONS, options, path);
     SAME_FIELD(V_EDITOR_OPTIONS, options, object);
     SAME_FIELD(V_EDITOR_OPTIONS, options, object_count);
-    SAME_FIELD(V_EDITOR_OPTIONS, options, move_speed);
-    SAME_FIELD(V_EDITOR_OPTIONS, options, orient_speed);
-    SAME_FIELD(V_EDITOR_OPTIONS, options, zoom_speed);
-    SAME_FIELD(V_EDITOR_OPTIONS, options, winkel_speed);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, move_frames);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, turn_frames);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, zoom_frames);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, roll_frames);
     SAME_FIELD(V_EDITOR_OPTIONS, options, display);
     SAME_FIELD(V_EDITOR_OPTIONS, options, language);
     SAME_FIELD(V_EDITOR_OPTIONS, options, on_poses);
     SAME_FIELD(V_EDITOR_OPTIONS, options, on_close);
     SAME_FIELD(V_EDITOR_OPTIONS, options, user);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, application);
     memset(&given, 0xff, sizeof given);
     v_editor_options_init(&given);
     CHECK(given.size == sizeof given && given.title == NULL && given.path == NULL);
-    CHECK(given.object_count == 0 && given.winkel_speed == 0 && given.on_close == NULL);
+    CHECK(given.object_count == 0 && given.roll_frames == 0 && given.on_close == NULL);
     CHECK(given.user == NULL && given.language == NULL && given.on_poses == NULL);
+    CHECK(given.application == NULL);
     return failures != 0;
 }

@@ -8,14 +8,14 @@
 #include "check.h"
 
 /* A path with everything: pans, tracked targets, rolls, zooms, holds. */
-static V_PATH *rich_path(int points, double move_speed)
+static V_PATH *rich_path(int points, double move_frames)
 {
     V_PATH *path = new_path();
     V_ORIENTATION o;
     int i;
     v_orientation_init(&o);
     o.absolute = 1;
-    OK(v_path_set_speeds(path, move_speed, 40, 40, 40));
+    OK(v_path_set_base_frames(path, move_frames, 40, 40, 40));
     for (i = 0; i < points; i++) {
         double xyz[3];
         xyz[0] = cos(i * 0.7);
@@ -152,7 +152,7 @@ static int set_preset(V_PATH *path) { return v_path_set_preset(path, 0, 0.1, 0.2
 static int copy_orientation(V_PATH *path) { return v_path_insert_orientation(path, 2, 1, NULL); }
 static int remove_orientation(V_PATH *path) { return v_path_remove_orientation(path, 2, 1); }
 static int switch_target(V_PATH *path) { return v_path_set_absolute(path, 1, 0, 1); }
-static int set_speeds(V_PATH *path) { return v_path_set_speeds(path, 1, 2, 3, 4); }
+static int set_base_frames(V_PATH *path) { return v_path_set_base_frames(path, 1, 2, 3, 4); }
 static int set_closed(V_PATH *path) { return v_path_set_closed(path, 1); }
 static int set_modes(V_PATH *path)
 {
@@ -223,7 +223,7 @@ static void take_state(const V_PATH *path, struct state *state)
     }
     OK(v_path_get_closed(path, &state->closed));
     OK(v_path_get_modes(path, &state->mode, &state->zoom_mode));
-    OK(v_path_get_speeds(path, &state->speeds[0], &state->speeds[1], &state->speeds[2],
+    OK(v_path_get_base_frames(path, &state->speeds[0], &state->speeds[1], &state->speeds[2],
                          &state->speeds[3]));
     OK(v_path_get_tcb(path, 1, state->tcb, &state->preset));
     OK(v_path_get_preset(path, 0, state->presets));
@@ -261,7 +261,7 @@ static void each_call(const V_PATH *original, int forever)
         { remove_orientation, "v_path_remove_orientation", 0 },
         { set_orientation, "v_path_set_orientation", 0 },
         { switch_target, "v_path_set_absolute", 0 },
-        { set_speeds, "v_path_set_speeds", 0 },
+        { set_base_frames, "v_path_set_base_frames", 0 },
         { set_closed, "v_path_set_closed", 0 },
         { set_modes, "v_path_set_modes", 0 },
         { ask_length, "v_path_length", 1 },

@@ -205,13 +205,13 @@ static void too_many(void)
     size_t frames = 77;
     memset(&head, 0xa5, sizeof head);
     head.number = -1;
-    OK(v_path_set_speeds(path, 1e12, 1, 1, 1));
+    OK(v_path_set_base_frames(path, 1e12, 1, 1, 1));
     STATUS(V_ERR_LIMIT, v_path_frame_count(path, &frames));
     STATUS(V_ERR_LIMIT, v_path_sample(path, NULL, 0, &frames));
     STATUS(V_ERR_LIMIT, v_path_pose(path, 1, &pose));
     STATUS(V_ERR_LIMIT, v_path_to_list(path, &head));
     CHECK(frames == 77 && head.number == -1);
-    OK(v_path_set_speeds(path, 1e-12, 1, 1, 1));
+    OK(v_path_set_base_frames(path, 1e-12, 1, 1, 1));
     OK(v_path_frame_count(path, &frames));
     CHECK(frames == 2); /* at least one for a section that moves */
     v_path_free(path);

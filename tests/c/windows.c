@@ -60,7 +60,7 @@ static void opening(void)
     all.path = path;
     all.object = object;
     all.object_count = 2;
-    all.move_speed = all.orient_speed = all.zoom_speed = all.winkel_speed = 50;
+    all.move_frames = all.turn_frames = all.zoom_frames = all.roll_frames = 50;
     all.language = "de";
     all.on_poses = on_poses;
     all.on_close = on_close;
@@ -90,9 +90,9 @@ static void opening(void)
     options.file = "/";
     refused(V_ERR_IO, &options);
     v_editor_options_init(&options);
-    options.move_speed = 1;
+    options.move_frames = 1;
     refused(V_ERR_ARGUMENT, &options);
-    options.move_speed = NAN;
+    options.move_frames = NAN;
     refused(V_ERR_ARGUMENT, &options);
     v_editor_options_init(&options);
     options.object = object;

@@ -112,10 +112,10 @@ CALL(v_editor_open)
     else if (chance(50))
         options.file = a_file("a.vid");
     if (chance(30)) {
-        options.move_speed = number(1, 50);
-        options.orient_speed = number(1, 50);
-        options.zoom_speed = number(1, 50);
-        options.winkel_speed = number(1, 50);
+        options.move_frames = number(1, 50);
+        options.turn_frames = number(1, 50);
+        options.zoom_frames = number(1, 50);
+        options.roll_frames = number(1, 50);
     }
     options.on_poses = chance(80) ? callback_on_poses : NULL;
     options.on_close = chance(80) ? callback_on_close : NULL;

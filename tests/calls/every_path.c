@@ -106,6 +106,23 @@ CALL(v_path_load)
     return status;
 }
 
+CALL(v_path_load_from_memory)
+{
+    static const char fit[] = "version = 1\n[[point]]\nposition = [0.0, 0.0, 0.0]\n"
+                              "[[point.orientation]]\noffset = [0.0, 0.0, -1.0]\n"
+                              "[[point]]\nposition = [1.0, 0.0, 0.0]\n"
+                              "[[point.orientation]]\noffset = [0.0, 0.0, -1.0]\n";
+    const char *lines = given("text", fit, sizeof fit - 1);
+    /* As many as there are, or fewer. */
+    size_t size = chance(80) ? sizeof fit - 1 : (size_t)whole(0, (int)sizeof fit - 1) % sizeof fit;
+    V_PATH **path = result(sizeof *path, 0);
+    int status = v_path_load_from_memory(lines, size, path);
+
+    if (status == V_OK)
+        frame->made_path = *path;
+    return status;
+}
+
 CALL(v_path_save)
 {
     const V_PATH *path = a_path();
@@ -244,19 +261,19 @@ CALL(v_path_set_absolute)
     return v_path_set_absolute(path, point, at, whole(0, 1));
 }
 
-CALL(v_path_set_speeds)
+CALL(v_path_set_base_frames)
 {
     V_PATH *path = a_path();
     double move = number(1, 50), orient = number(1, 50), zoom = number(1, 50);
-    return v_path_set_speeds(path, move, orient, zoom, number(1, 50));
+    return v_path_set_base_frames(path, move, orient, zoom, number(1, 50));
 }
 
-CALL(v_path_get_speeds)
+CALL(v_path_get_base_frames)
 {
     const V_PATH *path = a_path();
     double *move = result(sizeof *move, 1), *orient = result(sizeof *orient, 1);
     double *zoom = result(sizeof *zoom, 1);
-    return v_path_get_speeds(path, move, orient, zoom, result(sizeof(double), 1));
+    return v_path_get_base_frames(path, move, orient, zoom, result(sizeof(double), 1));
 }
 
 CALL(v_path_set_closed)
@@ -368,6 +385,13 @@ CALL(v_path_sample)
     return status;
 }
 
+CALL(v_path_sample_range)
+{
+    const V_PATH *path = a_path();
+    size_t first = (size_t)whole(1, 3), count = (size_t)whole(0, 3) % 4;
+    return v_path_sample_range(path, first, count, result(count * sizeof(V_POSE), 0));
+}
+
 CALL(v_path_pose)
 {
     const V_PATH *path = a_path();
@@ -390,6 +414,79 @@ CALL(v_path_write_ascii)
 {
     const V_PATH *path = a_path();
     return v_path_write_ascii(path, a_file("a.txt"));
+}
+
+/* Calls a function that writes a text into an array of this one's size. */
+static int text_of(int (*function)(const V_PATH *, char *, size_t, size_t *),
+                   const V_PATH *path, size_t most)
+{
+    size_t capacity = (size_t)whole((int)most, (int)most) % (most + 1), *length, needed = 0;
+    char *array = result(capacity, 0);
+    int status;
+
+    if (array == NULL && chance(30))
+        capacity = 0;
+    length = result(sizeof *length, 0);
+    status = function(path, array, capacity, length);
+    if (status == V_ERR_SIZE && length != NULL) {
+        memcpy(&needed, length, sizeof needed);
+        if (needed < capacity)
+            fault("a text of %lu bytes does not fit into %lu", (unsigned long)needed,
+                  (unsigned long)capacity);
+        memset(length, 0xA5, sizeof *length);
+    }
+    return status;
+}
+
+CALL(v_path_write_ascii_to_memory)
+{
+    return text_of(v_path_write_ascii_to_memory, a_path(), 100 * POSES);
+}
+
+CALL(v_path_set_title)
+{
+    V_PATH *path = a_path();
+    return v_path_set_title(path, text("A flight"));
+}
+
+CALL(v_path_get_title)
+{
+    return text_of(v_path_get_title, a_path(), 2000);
+}
+
+CALL(v_path_set_comment)
+{
+    V_PATH *path = a_path();
+    return v_path_set_comment(path, text("In\ntwo lines"));
+}
+
+CALL(v_path_get_comment)
+{
+    return text_of(v_path_get_comment, a_path(), 2000);
+}
+
+CALL(v_path_set_fps)
+{
+    V_PATH *path = a_path();
+    return v_path_set_fps(path, number(1, 60));
+}
+
+CALL(v_path_get_fps)
+{
+    const V_PATH *path = a_path();
+    return v_path_get_fps(path, result(sizeof(double), 0));
+}
+
+CALL(v_path_set_first_frame)
+{
+    V_PATH *path = a_path();
+    return v_path_set_first_frame(path, whole(-100, 100));
+}
+
+CALL(v_path_get_first_frame)
+{
+    const V_PATH *path = a_path();
+    return v_path_get_first_frame(path, result(sizeof(int), 0));
 }
 
 /* ---- Toolbox --------------------------------------------------------------------------- */

@@ -25,6 +25,7 @@
     F(v_path_clone, STATUS, V_OK, 0) \
     F(v_path_free, NOTHING, V_OK, 0) \
     F(v_path_load, STATUS, V_OK, 0) \
+    F(v_path_load_from_memory, STATUS, V_OK, 0) \
     F(v_path_save, STATUS, V_OK, 0) \
     F(v_path_point_count, STATUS, V_OK, 0) \
     F(v_path_insert_point, STATUS, V_OK, 0) \
@@ -44,12 +45,20 @@
     F(v_path_set_orientation, STATUS, V_OK, 0) \
     F(v_path_get_orientation, STATUS, V_OK, 0) \
     F(v_path_set_absolute, STATUS, V_OK, 0) \
-    F(v_path_set_speeds, STATUS, V_OK, 0) \
-    F(v_path_get_speeds, STATUS, V_OK, 0) \
+    F(v_path_set_base_frames, STATUS, V_OK, 0) \
+    F(v_path_get_base_frames, STATUS, V_OK, 0) \
     F(v_path_set_closed, STATUS, V_OK, 0) \
     F(v_path_get_closed, STATUS, V_OK, 0) \
     F(v_path_set_modes, STATUS, V_OK, 0) \
     F(v_path_get_modes, STATUS, V_OK, 0) \
+    F(v_path_set_title, STATUS, V_OK, 0) \
+    F(v_path_get_title, STATUS, V_OK, 0) \
+    F(v_path_set_comment, STATUS, V_OK, 0) \
+    F(v_path_get_comment, STATUS, V_OK, 0) \
+    F(v_path_set_fps, STATUS, V_OK, 0) \
+    F(v_path_get_fps, STATUS, V_OK, 0) \
+    F(v_path_set_first_frame, STATUS, V_OK, 0) \
+    F(v_path_get_first_frame, STATUS, V_OK, 0) \
     F(v_path_length, STATUS, V_OK, 0) \
     F(v_path_segment_length, STATUS, V_OK, 0) \
     F(v_path_curve_point, STATUS, V_OK, 0) \
@@ -58,9 +67,11 @@
     F(v_path_section_info, STATUS, V_OK, 0) \
     F(v_path_frame_count, STATUS, V_OK, 0) \
     F(v_path_sample, STATUS, V_OK, 0) \
+    F(v_path_sample_range, STATUS, V_OK, 0) \
     F(v_path_pose, STATUS, V_OK, 0) \
     F(v_path_to_list, STATUS, V_OK, 0) \
     F(v_path_write_ascii, STATUS, V_OK, 0) \
+    F(v_path_write_ascii_to_memory, STATUS, V_OK, 0) \
     F(v_editor_options_init, NOTHING, V_OK, 0) \
     F(v_editor_open, STATUS, V_OK, 1) \
     F(v_editor_close, STATUS, V_OK, 1) \

@@ -149,7 +149,7 @@ static V_PATH *rich_path(void)
     V_PATH *path;
     int i;
 
-    if (v_path_new(&path) != V_OK || v_path_set_speeds(path, 20, 15, 15, 15) != V_OK) {
+    if (v_path_new(&path) != V_OK || v_path_set_base_frames(path, 20, 15, 15, 15) != V_OK) {
         fault("v_path_new: %s", v_last_error());
         exit(2);
     }

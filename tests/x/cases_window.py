@@ -182,7 +182,7 @@ def a_hosts_speeds_stand(place):
     host.open()
     window = server.new_window()
     with open(place.path("other.vid"), "w", encoding="utf-8") as other:
-        other.write("version = 1\n[base_speeds]\nmove_frames = 10.0\norient_frames = 20.0\n"
+        other.write("version = 1\n[base_speeds]\nmove_frames = 10.0\nturn_frames = 20.0\n"
                     "zoom_frames = 30.0\nroll_frames = 40.0\n"
                     "[[point]]\nposition = [0, 0, 0]\n[[point]]\nposition = [1, 0, 0]\n")
     named_file(server, window, "ctrl+o", "other.vid")

@@ -35,6 +35,7 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
             folders: Folders::of_environment(),
         },
         display: None,
+        application: None,
         warning: None,
         host: Rc::new(Nobody),
     })?;

@@ -93,6 +93,8 @@ pub struct Options {
     pub editor: editor::Options,
     /// The X display's name; the environment's if none.
     pub display: Option<String>,
+    /// What the program is called; the name of the running one if none.
+    pub application: Option<String>,
     /// A sentence that stands in the output field at first: what was wrong
     /// with the host's arguments.
     pub warning: Option<Message>,
@@ -120,7 +122,7 @@ pub fn open(options: Options) -> Result<Id> {
     let screen = x11::Window::open(&x11::Options {
         display: options.display,
         title: title.clone(),
-        application: program::name(),
+        application: options.application.unwrap_or_else(program::name),
         size: SIZE,
         smallest: SMALLEST,
     })?;

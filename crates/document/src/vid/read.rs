@@ -169,13 +169,13 @@ fn base_speeds(table: Field<'_>) -> Result<BaseSpeeds> {
     for field in table.fields()? {
         let speed = match field.key {
             "move_frames" => &mut speeds.movement,
-            "orient_frames" => &mut speeds.turning,
+            "turn_frames" => &mut speeds.turning,
             "zoom_frames" => &mut speeds.zoom,
             "roll_frames" => &mut speeds.rolling,
             _ => {
                 return Err(field.unknown(&[
                     "move_frames",
-                    "orient_frames",
+                    "turn_frames",
                     "zoom_frames",
                     "roll_frames",
                 ]));

@@ -63,7 +63,7 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
          [base_speeds]"
     )?;
     writeln!(out, "move_frames = {:?}", speeds.movement)?;
-    writeln!(out, "orient_frames = {:?}", speeds.turning)?;
+    writeln!(out, "turn_frames = {:?}", speeds.turning)?;
     writeln!(out, "zoom_frames = {:?}", speeds.zoom)?;
     writeln!(out, "roll_frames = {:?}", speeds.rolling)?;
 

@@ -1,0 +1,174 @@
+/*
+ * What a path says besides its poses, texts in memory, and poses in pieces. And
+ * structs of a host that was compiled with an earlier version: their fields are
+ * read, and nothing behind them.
+ */
+#include <stddef.h>
+
+#include "check.h"
+
+static void titles_and_comments(void)
+{
+    V_PATH *path = new_path(), *again = NULL;
+    char text[100], small[4] = "abc";
+    size_t length = 99;
+    double fps = 0;
+    int first = 0;
+
+    OK(v_path_get_title(path, text, sizeof text, &length));
+    CHECK(length == 0 && text[0] == '\0');
+    OK(v_path_set_title(path, "Um die Kirche \xc3\xbc"));
+    OK(v_path_get_title(path, NULL, 0, &length));
+    CHECK(length == strlen("Um die Kirche xx"));
+    OK(v_path_get_title(path, text, sizeof text, &length));
+    CHECK(strcmp(text, "Um die Kirche \xc3\xbc") == 0 && length == strlen(text));
+    length = 0;
+    STATUS(V_ERR_SIZE, v_path_get_title(path, small, sizeof small, &length));
+    CHECK(strcmp(small, "abc") == 0 && length == strlen(text));
+    /* The zero needs its place, too. */
+    STATUS(V_ERR_SIZE, v_path_get_title(path, text, length, &length));
+    OK(v_path_get_title(path, text, length + 1, &length));
+    STATUS(V_ERR_ARGUMENT, v_path_set_title(path, "\xff"));
+    STATUS(V_ERR_ARGUMENT, v_path_set_title(path, "two\nlines"));
+    STATUS(V_ERR_NULL, v_path_set_title(path, NULL));
+    STATUS(V_ERR_NULL, v_path_get_title(path, text, sizeof text, NULL));
+    STATUS(V_ERR_NULL, v_path_get_title(path, NULL, 1, &length));
+    OK(v_path_get_title(path, text, sizeof text, &length));
+    CHECK(strcmp(text, "Um die Kirche \xc3\xbc") == 0);
+
+    OK(v_path_set_comment(path, "first\nsecond"));
+    OK(v_path_get_comment(path, text, sizeof text, &length));
+    CHECK(strcmp(text, "first\nsecond") == 0);
+
+    OK(v_path_get_fps(path, &fps));
+    CHECK(fps == 25);
+    OK(v_path_set_fps(path, 29.97));
+    STATUS(V_ERR_ARGUMENT, v_path_set_fps(path, NAN));
+    STATUS(V_ERR_RANGE, v_path_set_fps(path, 0));
+    OK(v_path_get_first_frame(path, &first));
+    CHECK(first == 1);
+    OK(v_path_set_first_frame(path, -7));
+
+    OK(v_path_clone(path, &again));
+    OK(v_path_get_fps(again, &fps));
+    OK(v_path_get_first_frame(again, &first));
+    OK(v_path_get_comment(again, text, sizeof text, &length));
+    CHECK(fps == 29.97 && first == -7 && strcmp(text, "first\nsecond") == 0);
+    v_path_free(again);
+    v_path_free(path);
+}
+
+static void poses_in_pieces(void)
+{
+    V_PATH *path = new_path();
+    V_POSE all[500], part[500], none;
+    size_t count = 0, first, step;
+
+    OK(v_path_sample(path, all, 500, &count));
+    CHECK(count > 100);
+    for (step = 1; step <= count; step += 37) {
+        memset(part, 0, sizeof part);
+        for (first = 1; first <= count; first += step) {
+            size_t many = first + step <= count + 1 ? step : count + 1 - first;
+            OK(v_path_sample_range(path, first, many, part + first - 1));
+        }
+        CHECK(memcmp(all, part, count * sizeof *all) == 0);
+    }
+    OK(v_path_sample_range(path, 1, 0, &none));
+    OK(v_path_sample_range(path, count + 1, 0, &none));
+    memset(&none, 0x5a, sizeof none);
+    STATUS(V_ERR_RANGE, v_path_sample_range(path, 0, 1, &none));
+    STATUS(V_ERR_RANGE, v_path_sample_range(path, count + 1, 1, &none));
+    STATUS(V_ERR_RANGE, v_path_sample_range(path, 2, (size_t)-1, &none));
+    STATUS(V_ERR_NULL, v_path_sample_range(path, 1, 1, NULL));
+    for (first = 0; first < sizeof none; first++)
+        CHECK(((unsigned char *)&none)[first] == 0x5a);
+    v_path_free(path);
+}
+
+/* What a file has, the memory has. */
+static void texts_in_memory(const char *folder)
+{
+    static const char broken[] = "version = 1\nfsp = 3\n";
+    V_PATH *path = new_path(), *again = NULL;
+    char name[1000], vid[20000], lines[100000], *in_memory = malloc(100000);
+    V_POSE one[500], two[500];
+    size_t size, length = 0, count_one, count_two;
+    FILE *file;
+
+    snprintf(name, sizeof name, "%s/path.vid", folder);
+    OK(v_path_save(path, name));
+    file = fopen(name, "rb");
+    size = fread(vid, 1, sizeof vid, file);
+    fclose(file);
+    OK(v_path_load_from_memory(vid, size, &again));
+    OK(v_path_sample(path, one, 500, &count_one));
+    OK(v_path_sample(again, two, 500, &count_two));
+    CHECK(count_one == count_two && memcmp(one, two, count_one * sizeof *one) == 0);
+    STATUS(V_ERR_FORMAT, v_path_load_from_memory(broken, sizeof broken - 1, &path));
+    CHECK(strstr(v_last_error(), "memory: line 2") != NULL);
+    STATUS(V_ERR_FORMAT, v_path_load_from_memory(broken, 0, &path));
+    STATUS(V_ERR_NULL, v_path_load_from_memory(NULL, 0, &path));
+
+    snprintf(name, sizeof name, "%s/poses.txt", folder);
+    OK(v_path_write_ascii(path, name));
+    file = fopen(name, "rb");
+    size = fread(lines, 1, sizeof lines, file);
+    fclose(file);
+    OK(v_path_write_ascii_to_memory(path, NULL, 0, &length));
+    CHECK(length == size && size > 1000);
+    in_memory[size] = 'x';
+    STATUS(V_ERR_SIZE, v_path_write_ascii_to_memory(path, in_memory, size, &length));
+    OK(v_path_write_ascii_to_memory(path, in_memory, size + 1, &length));
+    CHECK(length == size && memcmp(in_memory, lines, size) == 0 && in_memory[size] == '\0');
+    free(in_memory);
+    v_path_free(again);
+    v_path_free(path);
+}
+
+/* V_EDITOR_OPTIONS as version 1.0 had it, to its last field. */
+typedef struct {
+    size_t size;
+    const char *title, *file;
+    const V_PATH *path;
+    const V_OBJEKT_LIST *object;
+    int object_count;
+    double move_frames, turn_frames, zoom_frames, roll_frames;
+    const char *display, *language;
+    void (*on_poses)(V_EDITOR *, const V_POSE *, size_t, void *);
+    int (*on_close)(V_EDITOR *, void *);
+    void *user;
+} earlier_options;
+
+static void shorter_structs(void)
+{
+    /* On the heap without a byte to spare, so that reading on would be seen. */
+    earlier_options *options = calloc(1, sizeof *options);
+    V_EDITOR *editor = NULL;
+
+    CHECK(sizeof *options < sizeof(V_EDITOR_OPTIONS));
+    options->size = sizeof *options;
+    options->display = ":none";
+    /* As far as the display, which is not there. */
+    STATUS(V_ERR_DISPLAY, v_editor_open((V_EDITOR_OPTIONS *)options, &editor));
+    options->language = "fr";
+    STATUS(V_ERR_ARGUMENT, v_editor_open((V_EDITOR_OPTIONS *)options, &editor));
+    options->size = sizeof *options - sizeof(void *);
+    STATUS(V_ERR_SIZE, v_editor_open((V_EDITOR_OPTIONS *)options, &editor));
+    options->size = sizeof *options + 1;
+    STATUS(V_ERR_SIZE, v_editor_open((V_EDITOR_OPTIONS *)options, &editor));
+    options->size = sizeof(V_EDITOR_OPTIONS) + sizeof(void *);
+    STATUS(V_ERR_SIZE, v_editor_open((V_EDITOR_OPTIONS *)options, &editor));
+    free(options);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 2)
+        return 2;
+    titles_and_comments();
+    poses_in_pieces();
+    texts_in_memory(argv[1]);
+    shorter_structs();
+    return failures != 0;
+}
