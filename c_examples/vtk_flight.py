@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""vtk_flight: flies the camera path in a window of VTK, by Python's own ctypes.
+
+A click into the window opens an editor, if none is open. Whenever the user hands the
+poses over (Alt-U), the flight plays from the beginning, 25 poses a second, round and
+round. Q ends the program.
+"""
+
+import ctypes
+import math
+import sys
+from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_float, c_int, c_size_t, c_void_p
+
+import vtkmodules.vtkInteractionStyle
+import vtkmodules.vtkRenderingOpenGL2
+from vtkmodules.vtkFiltersSources import vtkConeSource
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
+                                         vtkRenderWindowInteractor)
+
+FRAME = 40  # milliseconds
+
+
+class Pose(ctypes.Structure):
+    """V_POSE."""
+    _fields_ = [("vrp", c_double * 3), ("vpn", c_double * 3), ("vup", c_double * 3),
+                ("zoom", c_double)]
+
+
+class Corner(ctypes.Structure):
+    """V_OBJEKT_LIST."""
+    _fields_ = [("pos", c_float * 3), ("draw", ctypes.c_ushort), ("number", c_int)]
+
+
+OnPoses = CFUNCTYPE(None, c_void_p, POINTER(Pose), c_size_t, c_void_p)
+OnClose = CFUNCTYPE(c_int, c_void_p, c_void_p)
+
+
+class Options(ctypes.Structure):
+    """V_EDITOR_OPTIONS."""
+    _fields_ = [("size", c_size_t), ("title", c_char_p), ("file", c_char_p), ("path", c_void_p),
+                ("object", POINTER(Corner)), ("object_count", c_int), ("speeds", c_double * 4),
+                ("display", c_char_p), ("language", c_char_p), ("on_poses", OnPoses),
+                ("on_close", OnClose), ("user", c_void_p)]
+
+
+vides = ctypes.CDLL("libvides.so.1")
+vides.v_last_error.restype = c_char_p
+vides.v_editor_open.argtypes = [POINTER(Options), POINTER(c_void_p)]
+vides.v_editor_close.argtypes = [c_void_p]
+
+
+def corners(data):
+    """The lines of a vtkPolyData as the editor shows them."""
+    points = [(data.GetPoint(cell.GetPointId(i % cell.GetNumberOfPoints())), i > 0)
+              for cell in map(data.GetCell, range(data.GetNumberOfCells()))
+              for i in range(cell.GetNumberOfPoints() + 1)]
+    return (Corner * len(points))(*(Corner((c_float * 3)(*point), draw, number)
+                                    for number, (point, draw) in enumerate(points, 1)))
+
+
+class Flight:
+    """The window and what it shows."""
+
+    def __init__(self):
+        cone = vtkConeSource(height=0.5, radius=0.42, resolution=4, direction=(0, 1, 0),
+                             center=(0, 0.25, 0))
+        cone.Update()
+        self.object = corners(cone.GetOutput())
+        mapper = vtkPolyDataMapper(input_connection=cone.GetOutputPort())
+        self.renderer = vtkRenderer(background=(0.2, 0.3, 0.4))
+        self.renderer.AddActor(vtkActor(mapper=mapper))
+        self.window = vtkRenderWindow(size=(480, 320), window_name="vtk_flight")
+        self.window.AddRenderer(self.renderer)
+        self.interactor = vtkRenderWindowInteractor(render_window=self.window)
+        self.editor = c_void_p()
+        self.poses, self.now = [], 0
+        # ctypes forgets a function that nobody holds: they must live as long as the window.
+        self.on_poses, self.on_close = OnPoses(self.take), OnClose(self.closed)
+
+    def run(self):
+        """Until the user has enough."""
+        self.interactor.Initialize()
+        self.interactor.AddObserver("LeftButtonPressEvent", self.edit)
+        self.interactor.AddObserver("TimerEvent", self.tick)
+        self.interactor.CreateRepeatingTimer(FRAME)
+        self.window.Render()
+        self.interactor.Start()
+        vides.v_editor_close(self.editor)
+
+    def edit(self, _caller, _event):
+        """Opens an editor."""
+        options = Options(size=ctypes.sizeof(Options), title=b"vtk_flight", object=self.object,
+                          object_count=len(self.object), on_poses=self.on_poses,
+                          on_close=self.on_close)
+        if not self.editor and vides.v_editor_open(options, self.editor) != 0:
+            sys.exit(vides.v_last_error().decode())
+
+    def take(self, _editor, poses, count, _user):
+        """The poses are the library's and go when this returns: copy them."""
+        self.poses, self.now = [Pose.from_buffer_copy(pose) for pose in poses[:count]], 0
+        print(count, "poses", flush=True)
+
+    def closed(self, editor, _user):
+        """The user closes the window: its handle goes, too."""
+        vides.v_editor_close(editor)
+        self.editor = c_void_p()
+        return 1
+
+    def tick(self, _caller, _event):
+        """Serves the editor, then shows the next picture."""
+        vides.v_dispatch()
+        if self.poses:
+            pose, camera = self.poses[self.now], self.renderer.GetActiveCamera()
+            camera.SetPosition(pose.vrp)
+            camera.SetFocalPoint([at + along for at, along in zip(pose.vrp, pose.vpn)])
+            camera.SetViewUp(pose.vup)
+            camera.SetViewAngle(math.degrees(2.0 * math.atan(12.0 / pose.zoom)))
+            self.renderer.ResetCameraClippingRange()
+            self.now = (self.now + 1) % len(self.poses)
+        self.window.Render()
+
+
+if __name__ == "__main__":
+    Flight().run()
