@@ -13,11 +13,9 @@ from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_float, c_int, c_siz
 
 import vtkmodules.vtkInteractionStyle
 import vtkmodules.vtkRenderingOpenGL2
-from vtkmodules.vtkFiltersSources import vtkConeSource
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
                                          vtkRenderWindowInteractor)
-
-FRAME = 40  # milliseconds
 
 
 class Pose(ctypes.Structure):
@@ -62,16 +60,19 @@ class Flight:
     """The window and what it shows."""
 
     def __init__(self):
-        cone = vtkConeSource(height=0.5, radius=0.42, resolution=4, direction=(0, 1, 0),
-                             center=(0, 0.25, 0))
-        cone.Update()
-        self.object = corners(cone.GetOutput())
-        mapper = vtkPolyDataMapper(input_connection=cone.GetOutputPort())
-        self.renderer = vtkRenderer(background=(0.2, 0.3, 0.4))
-        self.renderer.AddActor(vtkActor(mapper=mapper))
-        self.window = vtkRenderWindow(size=(480, 320), window_name="vtk_flight")
+        cube, mapper, actor = vtkCubeSource(), vtkPolyDataMapper(), vtkActor()
+        cube.SetBounds(-0.3, 0.3, 0.0, 0.4, -0.3, 0.3)
+        cube.Update()
+        mapper.SetInputConnection(cube.GetOutputPort())
+        actor.SetMapper(mapper)
+        self.object = corners(cube.GetOutput())
+        self.renderer, self.window = vtkRenderer(), vtkRenderWindow()
+        self.renderer.AddActor(actor)
         self.window.AddRenderer(self.renderer)
-        self.interactor = vtkRenderWindowInteractor(render_window=self.window)
+        self.window.SetSize(480, 320)
+        self.window.SetWindowName("vtk_flight")
+        self.interactor = vtkRenderWindowInteractor()
+        self.interactor.SetRenderWindow(self.window)
         self.editor = c_void_p()
         self.poses, self.now = [], 0
         # ctypes forgets a function that nobody holds: they must live as long as the window.
@@ -82,7 +83,7 @@ class Flight:
         self.interactor.Initialize()
         self.interactor.AddObserver("LeftButtonPressEvent", self.edit)
         self.interactor.AddObserver("TimerEvent", self.tick)
-        self.interactor.CreateRepeatingTimer(FRAME)
+        self.interactor.CreateRepeatingTimer(40)  # milliseconds
         self.window.Render()
         self.interactor.Start()
         vides.v_editor_close(self.editor)
