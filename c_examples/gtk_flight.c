@@ -3,9 +3,8 @@
  *
  *     cc -o gtk_flight gtk_flight.c $(pkg-config --cflags --libs vides gtk4) -lm
  *
- * A click into the window opens an editor. Whenever the user hands the poses over
- * (Alt-U), the flight plays from the beginning, 25 poses a second, round and round.
- * Escape ends the program.
+ * A click into the window opens an editor. The poses that the user hands over (Alt-U)
+ * are played, 25 a second, round and round. Escape ends the program.
  */
 #include <stdio.h>
 
@@ -84,11 +83,10 @@ static void edit(void)
     v_haupt(100, 100, 100, 100, &list, 10, pyramid, rueck, NULL);
 }
 
-static gboolean key(GtkEventController *keys, guint value)
+static void key(GtkEventController *keys, guint value)
 {
     if (value == GDK_KEY_Escape)
         gtk_window_close(GTK_WINDOW(gtk_event_controller_get_widget(keys)));
-    return value == GDK_KEY_Escape;
 }
 
 static void activate(GtkApplication *application)
@@ -97,6 +95,7 @@ static void activate(GtkApplication *application)
     GtkWidget *area = gtk_drawing_area_new();
     GtkGesture *click = gtk_gesture_click_new();
     GtkEventController *keys = gtk_event_controller_key_new();
+    guint timer;
 
     gtk_window_set_title(GTK_WINDOW(window), "gtk_flight");
     gtk_window_set_default_size(GTK_WINDOW(window), 480, 320);
@@ -106,8 +105,9 @@ static void activate(GtkApplication *application)
     gtk_widget_add_controller(area, GTK_EVENT_CONTROLLER(click));
     g_signal_connect(keys, "key-pressed", G_CALLBACK(key), NULL);
     gtk_widget_add_controller(window, keys);
-    g_timeout_add(40, tick, area); /* milliseconds */
-    g_unix_fd_add(v_fd(), G_IO_IN, serve, NULL); /* all that the editor needs */
+    timer = g_timeout_add(40, tick, area); /* milliseconds */
+    g_signal_connect_swapped(area, "destroy", G_CALLBACK(g_source_remove), GUINT_TO_POINTER(timer));
+    g_unix_fd_add(v_fd(), G_IO_IN, serve, NULL); /* all that it needs */
     gtk_window_present(GTK_WINDOW(window));
 }
 

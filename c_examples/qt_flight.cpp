@@ -3,9 +3,8 @@
  *
  *     c++ -fPIC -o qt_flight qt_flight.cpp $(pkg-config --cflags --libs vides Qt6Widgets) -lm
  *
- * A click into the window opens an editor, if none is open. Whenever the user hands
- * the poses over (Alt-U), the flight plays from the beginning, 25 poses a second,
- * round and round. Escape ends the program.
+ * A click into the window opens an editor, if none is open. The poses that the user
+ * hands over (Alt-U) are played, 25 a second, round and round. Escape ends the program.
  */
 #include <cstdio>
 #include <vector>

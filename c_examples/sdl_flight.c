@@ -3,9 +3,8 @@
  *
  *     cc -o sdl_flight sdl_flight.c $(pkg-config --cflags --libs vides sdl2) -lm
  *
- * A click into the window opens an editor. Whenever the user hands the poses over
- * (Alt-U), the flight plays from the beginning, 25 poses a second, round and round.
- * Escape ends the program.
+ * A click into the window opens an editor. The poses that the user hands over (Alt-U)
+ * are played, 25 a second, round and round. Escape ends the program.
  */
 #include <stdio.h>
 

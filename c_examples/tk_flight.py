@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """tk_flight: flies the camera path in a window of Tk, by Python's own ctypes.
 
-A click into the window opens an editor. Whenever the user hands the poses over
-(Alt-U), the flight plays from the beginning, 25 poses a second, round and round.
-Escape ends the program.
+A click into the window opens an editor. The poses that the user hands over (Alt-U)
+are played, 25 a second, round and round. Escape ends the program.
 """
 
 import ctypes

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """vtk_flight: flies the camera path in a window of VTK, by Python's own ctypes.
 
-A click into the window opens an editor, if none is open. Whenever the user hands the
-poses over (Alt-U), the flight plays from the beginning, 25 poses a second, round and
-round. Q ends the program.
+A click into the window opens an editor, if none is open. The poses that the user hands
+over (Alt-U) are played, 25 a second, round and round. Q ends the program.
 """
 
 import ctypes
@@ -48,11 +47,11 @@ vides.v_editor_close.argtypes = [c_void_p]
 
 
 def corners(data):
-    """The lines of a vtkPolyData as the editor shows them."""
+    """The faces of a vtkPolyData, as lines that the editor shows."""
     points = [(data.GetPoint(cell.GetPointId(i % cell.GetNumberOfPoints())), i > 0)
               for cell in map(data.GetCell, range(data.GetNumberOfCells()))
               for i in range(cell.GetNumberOfPoints() + 1)]
-    return (Corner * len(points))(*(Corner((c_float * 3)(*point), draw, number)
+    return (Corner * len(points))(*((point, draw, number)
                                     for number, (point, draw) in enumerate(points, 1)))
 
 
@@ -73,8 +72,7 @@ class Flight:
         self.window.SetWindowName("vtk_flight")
         self.interactor = vtkRenderWindowInteractor()
         self.interactor.SetRenderWindow(self.window)
-        self.editor = c_void_p()
-        self.poses, self.now = [], 0
+        self.editor, self.poses, self.now = c_void_p(), [], 0
         # ctypes forgets a function that nobody holds: they must live as long as the window.
         self.on_poses, self.on_close = OnPoses(self.take), OnClose(self.closed)
 

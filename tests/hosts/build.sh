@@ -33,4 +33,5 @@ c motif "$here/motif.c" -lXm -lXt -lX11
 c xt_select "$here/xt_select.c" -lXt -lX11
 cxx fltk "$here/fltk.cpp" -lfltk -lX11
 cxx wx "$here/wx.cpp" $(wx-config --cxxflags --libs core,base | sed 's/-I/-isystem /g')
-gfortran -std=f2008 -Wall -Wextra -J "$out" -o "$out/fortran" "$here/fortran.f90" -lvides
+gfortran -std=f2008 -Wall -Wextra -Werror -Wno-unused-dummy-argument \
+    -J "$out" -o "$out/fortran" "$here/fortran.f90" -lvides

@@ -26,9 +26,10 @@ EXAMPLES = os.path.join(HERE, "..", "..", "c_examples")
 PYTHON = "/usr/bin/python3"  # the one that Debian's packages are for
 POSES = 121  # of a new path at speed 100: its length is 1.2, and the first pose
 START = (-0.6, 0.2, 0.8)  # its first point
-GAP = 500
-"""Milliseconds for which a host may stand still, on a machine with much else to do;
-one that waits for its own events stands still for as long as the editor is used."""
+GAP = 100
+"""Milliseconds for which a host may show the same while the editor is used."""
+DRAGS = 5
+"""So often it may try: other programs hold it up once, what it waits for itself always."""
 BAD = re.compile(r"vides|X Error|BadWindow|BadDrawable|BadMatch|Traceback|CRITICAL|Segmentation")
 
 
@@ -53,6 +54,7 @@ HOSTS = {
     "wx": Host(["wx"], modal="m"),
     "motif": Host(["motif"], modal="m"),
     "xt-select": Host(["xt_select"]),
+    "fortran": None,
 }
 
 
@@ -64,7 +66,7 @@ class Stage:
         self.server = Server(folder, options=("+extension", "GLX"))
         try:
             # Without a bus and a configuration; drawn by the processor.
-            env = dict(self.server.env, LIBGL_ALWAYS_SOFTWARE="1", GALLIUM_DRIVER="softpipe",
+            env = dict(self.server.env, LIBGL_ALWAYS_SOFTWARE="1",
                        GSK_RENDERER="cairo", GDK_BACKEND="x11", QT_QPA_PLATFORM="xcb",
                        SDL_VIDEODRIVER="x11", GTK_A11Y="none", NO_AT_BRIDGE="1",
                        GSETTINGS_BACKEND="memory", XDG_RUNTIME_DIR=folder,
@@ -141,6 +143,8 @@ class Stage:
 
 def drive(name, programs, folder):
     """One host, from beginning to end. Gives what is to be said of it."""
+    if name == "fortran":
+        return fortran(programs, folder)
     host = HOSTS[name]
     stage = Stage(folder, programs, host.command, f"^{host.title or host.command[0]}$")
     server, program = stage.server, stage.program
@@ -148,14 +152,17 @@ def drive(name, programs, folder):
         window = stage.editor()
         count = stage.hand_over(window)
         check(count == POSES, f"{count} poses, not {POSES}")
-        pictures, gap = stage.pace(lambda: stage.drag(window))
-        check(pictures >= 10 and gap <= GAP,
-              f"during a drag the host drew {pictures} pictures, {gap} ms without one")
-        count = stage.hand_over(window)
-        check(count != POSES, "the drag changed nothing")
-        server.press(window, "ctrl+z")
-        count = stage.hand_over(window)
-        check(count == POSES, f"{count} poses after undo")
+        gaps = []
+        while not gaps or gaps[-1] > GAP and len(gaps) < DRAGS:
+            pictures, gap = stage.pace(lambda: stage.drag(window))
+            gaps.append(gap)
+            count = stage.hand_over(window)
+            check(count != POSES, "the drag changed nothing")
+            server.press(window, "ctrl+z")
+            count = stage.hand_over(window)
+            check(count == POSES, f"{count} poses after undo")
+        check(pictures >= 10 and gaps[-1] <= GAP,
+              f"during drags the host drew {pictures} pictures, without one for {gaps} ms")
         if host.modal:  # a dialog of the host's own: it must be there, and the poses come
             known = set(server.windows("."))
             server.press(stage.host, host.modal)
@@ -163,7 +170,7 @@ def drive(name, programs, folder):
             check(stage.hand_over(window) == POSES, "no poses during the host's dialog")
             dialog = max(set(server.windows(".")) - known)
             server.press(dialog, "Escape")
-            server.gone(dialog) if dialog in server.windows(".") else None
+            wait(lambda: dialog not in server.windows("."), "the host's dialog to go")
         server.press(window, "ctrl+q")
         server.gone(window)
         before = stage.descriptors()
@@ -181,12 +188,28 @@ def drive(name, programs, folder):
         check(status == 0, f"exit status {status}")
         server.gone(window)
         check(not stage.complaints(), f"it complained: {stage.complaints()}")
-        return f"{pictures} pictures during the drag, the longest gap {gap} ms"
+        return f"{pictures} pictures during a drag, the longest gap {gaps[-1]} ms"
     except Exception:
         server.picture().save(os.path.join(programs, f"failed-{name}.png"))
         for line in program.complained[-5:]:
             print(f"    {name}: {line}", flush=True)
         raise
+    finally:
+        stage.end()
+
+
+def fortran(programs, folder):
+    """The host without a window: it waits for the editor, then reads its list."""
+    stage = Stage(folder, programs, ["fortran"], "^VIDES")
+    try:
+        window = stage.server.new_window()
+        check(stage.hand_over(window) == POSES, "other poses")
+        stage.server.press(window, "ctrl+q")
+        for pose in (f"1: {START[0]:8.4f}", f"{POSES}: {-START[0]:8.4f}"):
+            stage.program.expect(pose)
+        check(stage.program.ends() == 0, "its exit status")
+        check(not stage.complaints(), f"it complained: {stage.complaints()}")
+        return "its list read"
     finally:
         stage.end()
 
