@@ -1,6 +1,8 @@
 #!/bin/bash
 # Compiles the hosts of other toolkits against the shared library:
-# build.sh LIBRARY_FOLDER FOLDER
+# build.sh LIBRARY_FOLDER FOLDER [others]
+#
+# With `others` only what their tests need.
 set -eu
 
 libraries=$(realpath "$1")
@@ -23,6 +25,7 @@ flags() { # As those of system headers, that they do not warn.
 }
 
 c pace "$here/pace.c" -lXdamage -lX11
+[ "${3:-}" != others ] || exit 0
 c gtk_flight "$examples/gtk_flight.c" $(flags gtk4)
 c sdl_flight "$examples/sdl_flight.c" $(flags sdl2)
 cxx qt5_flight "$examples/qt_flight.cpp" $(flags Qt5Widgets)
