@@ -20,10 +20,9 @@ static V_OBJEKT_LIST pyramid[10] = {
     {{ 0.3f, 0.0f, -0.3f}, 1, 7}, {{-0.3f, 0.0f, -0.3f}, 0, 8}, {{ 0.0f, 0.5f,  0.0f}, 1, 9},
     {{-0.3f, 0.0f,  0.3f}, 1, 10}
 };
-static V_KAMERAPAR list;       /* closed to a ring by the library */
+static V_KAMERAPAR list;       /* closed to a ring; stays as it is until the next rueck */
 static const V_KAMERAPAR *now; /* the pose being shown; NULL before the first hand-over */
 
-/* The list stays as it is until the next call. */
 static void rueck(V_KAMERAPAR *poses, int count)
 {
     now = poses;

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """tk_flight: flies the camera path in a window of Tk, by Python's own ctypes.
 
 A click into the window opens an editor. The poses that the user hands over (Alt-U)

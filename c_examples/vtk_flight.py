@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """vtk_flight: flies the camera path in a window of VTK, by Python's own ctypes.
 
 A click into the window opens an editor, if none is open. The poses that the user hands
@@ -7,7 +6,6 @@ over (Alt-U) are played, 25 a second, round and round. Q ends the program.
 
 import ctypes
 import math
-import sys
 from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_float, c_int, c_size_t, c_void_p
 
 import vtkmodules.vtkInteractionStyle
@@ -64,7 +62,7 @@ class Flight:
         cube.Update()
         mapper.SetInputConnection(cube.GetOutputPort())
         actor.SetMapper(mapper)
-        self.object = corners(cube.GetOutput())
+        actor.GetProperty().SetRepresentationToWireframe()
         self.renderer, self.window = vtkRenderer(), vtkRenderWindow()
         self.renderer.AddActor(actor)
         self.window.AddRenderer(self.renderer)
@@ -73,8 +71,11 @@ class Flight:
         self.interactor = vtkRenderWindowInteractor()
         self.interactor.SetRenderWindow(self.window)
         self.editor, self.poses, self.now = c_void_p(), [], 0
-        # ctypes forgets a function that nobody holds: they must live as long as the window.
-        self.on_poses, self.on_close = OnPoses(self.take), OnClose(self.closed)
+        # ctypes forgets a function that nobody holds: these must live as long as the editor.
+        lines = corners(cube.GetOutput())
+        self.options = Options(size=ctypes.sizeof(Options), title=b"vtk_flight", object=lines,
+                               object_count=len(lines), on_poses=OnPoses(self.take),
+                               on_close=OnClose(self.closed))
 
     def run(self):
         """Until the user has enough."""
@@ -82,17 +83,13 @@ class Flight:
         self.interactor.AddObserver("LeftButtonPressEvent", self.edit)
         self.interactor.AddObserver("TimerEvent", self.tick)
         self.interactor.CreateRepeatingTimer(40)  # milliseconds
-        self.window.Render()
         self.interactor.Start()
         vides.v_editor_close(self.editor)
 
     def edit(self, _caller, _event):
         """Opens an editor."""
-        options = Options(size=ctypes.sizeof(Options), title=b"vtk_flight", object=self.object,
-                          object_count=len(self.object), on_poses=self.on_poses,
-                          on_close=self.on_close)
-        if not self.editor and vides.v_editor_open(options, self.editor) != 0:
-            sys.exit(vides.v_last_error().decode())
+        if not self.editor and vides.v_editor_open(self.options, self.editor) != 0:
+            raise SystemExit(vides.v_last_error().decode())
 
     def take(self, _editor, poses, count, _user):
         """The poses are the library's and go when this returns: copy them."""

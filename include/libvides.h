@@ -384,8 +384,9 @@ const char *v_version(void);
  *     NULL
  *
  * rueck and ende run on the thread that called v_haupt(), inside the host's
- * event loop, and may call any function of the library. They return to their
- * caller: no longjmp() and no exception may leave them.
+ * event loop, and may call any function of the library. They may come while
+ * the host is in a modal dialog of its own, whose loop serves the window, too.
+ * They return to their caller: no longjmp() and no exception may leave them.
  * What is wrong with the arguments, or that no window can be opened, is said
  * in one line on standard error, which begins "vides:", by v_last_error(), and
  * in the window if there is one.
@@ -853,8 +854,9 @@ void v_editor_options_init(V_EDITOR_OPTIONS *options);
  * 1, 2, 3 ..., the window says so.
  *
  * on_poses and on_close run on the thread that opened the window, inside the
- * host's event loop, and may call any function of the library. They return to
- * their caller: no longjmp() and no exception may leave them.
+ * host's event loop, and may call any function of the library. They may come
+ * while the host is in a modal dialog of its own, whose loop serves the window,
+ * too. They return to their caller: no longjmp() and no exception may leave them.
  * The thread that runs the event loop; from callbacks too. V_ERR_NULL,
  * V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
  * V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.

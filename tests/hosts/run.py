@@ -54,6 +54,7 @@ HOSTS = {
     "wx": Host(["wx"], modal="m"),
     "motif": Host(["motif"], modal="m"),
     "xt-select": Host(["xt_select"]),
+    "xt-pending": Host(["xt_select", "pending"]),
     "fortran": None,
 }
 

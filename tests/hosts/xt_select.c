@@ -1,8 +1,14 @@
-/* A host with Xt that waits by itself, with select(): a click opens the editor, Escape
- * ends. */
+/* Hosts with Xt that draw steadily: a click opens the editor, Escape ends.
+ *
+ *     xt_select            waits by itself, with select()
+ *     xt_select pending    asks by XtAppPending() whether there is something to do; for
+ *                          the editor it does nothing
+ */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/select.h>
+#include <unistd.h>
 
 #include <X11/Intrinsic.h>
 #include <X11/Shell.h>
@@ -37,25 +43,32 @@ static void draw(Display *display, Window window)
     XFillRectangle(display, window, DefaultGC(display, DefaultScreen(display)), turn, 20, 40, 40);
 }
 
-int main(int argc, char **argv)
+static void loop_pending(XtAppContext context, Display *display, Window window)
 {
-    XtAppContext context;
-    Widget top = XtOpenApplication(&context, "Host", NULL, 0, &argc, argv, NULL,
-                                   applicationShellWidgetClass, NULL, 0);
-    Display *display = XtDisplay(top);
+    XEvent event;
+
+    for (;;) {
+        while (XtAppPending(context)) {
+            XtAppNextEvent(context, &event);
+            XtDispatchEvent(&event);
+        }
+        draw(display, window);
+        XFlush(display);
+        usleep(20000);
+    }
+}
+
+static void loop_select(XtAppContext context, Display *display, Window window)
+{
     int own = ConnectionNumber(display), last;
     fd_set readable;
 
-    list.number = -1; /* no poses yet */
-    XtVaSetValues(top, XtNtitle, "xt_select", XtNwidth, 360, XtNheight, 120, NULL);
-    XtAddEventHandler(top, ButtonPressMask | KeyPressMask, False, input, NULL);
-    XtRealizeWidget(top);
     for (;;) {
         struct timeval wait = {0, 40000};
 
         while (XtAppPending(context) & XtIMXEvent)
             XtAppProcessEvent(context, XtIMXEvent);
-        draw(display, XtWindow(top));
+        draw(display, window);
         XFlush(display);
 
         FD_ZERO(&readable);
@@ -65,4 +78,19 @@ int main(int argc, char **argv)
         if (select(last + 1, &readable, NULL, NULL, &wait) > 0 && FD_ISSET(v_fd(), &readable))
             v_dispatch();
     }
+}
+
+int main(int argc, char **argv)
+{
+    XtAppContext context;
+    Widget top = XtOpenApplication(&context, "Host", NULL, 0, &argc, argv, NULL,
+                                   applicationShellWidgetClass, NULL, 0);
+
+    list.number = -1; /* no poses yet */
+    XtVaSetValues(top, XtNtitle, "xt_select", XtNwidth, 360, XtNheight, 120, NULL);
+    XtAddEventHandler(top, ButtonPressMask | KeyPressMask, False, input, NULL);
+    XtRealizeWidget(top);
+    if (argc > 1 && strcmp(argv[1], "pending") == 0)
+        loop_pending(context, XtDisplay(top), XtWindow(top));
+    loop_select(context, XtDisplay(top), XtWindow(top));
 }
