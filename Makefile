@@ -3,6 +3,7 @@
 #   make             the libraries and the command, in target/
 #   make demo        a Motif program that opens the editor, on your display or by itself
 #   make test        every check there is
+#   make check-hosts the window beside hosts of many toolkits; large packages
 #   make bench       speed, beside other libraries
 #   make soak        the random checks again, with many more cases, and fuzz
 #   make coverage    which share of the branches the tests take, by folder
@@ -50,7 +51,8 @@ LINT = -D warnings
 
 .PHONY: all libs demo test bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header clean FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
-	check-calls check-x check-demo check-install check-docs check-dependencies
+	check-calls check-x check-demo check-install check-docs check-dependencies \
+	check-hosts soak-hosts
 
 all: libs $(RELEASE)/vides
 
@@ -174,6 +176,18 @@ check-dependencies:
 	PATH="$$PATH:$(abspath $(TOOLS))/bin" $(CARGO) deny --locked check bans licenses sources
 	$(CARGO) metadata --locked --format-version 1 --manifest-path fuzz/Cargo.toml >/dev/null
 
+# Hosts of other toolkits. Their packages are large: not in `make test`.
+check-hosts: libs
+	@mk/need.sh $(X_TOOLS) c++=g++ pkg-config=pkg-config gfortran=gfortran \
+	    /usr/include/X11/extensions/Xdamage.h=libxdamage-dev \
+	    /usr/include/gtk-4.0/gtk/gtk.h=libgtk-4-dev /usr/include/gtk-3.0/gtk/gtk.h=libgtk-3-dev \
+	    /usr/include/SDL2/SDL.h=libsdl2-dev /usr/include/FL/Fl.H=libfltk1.3-dev \
+	    /usr/include/GL/freeglut.h=freeglut3-dev wx-config=libwxgtk3.2-dev \
+	    /usr/bin/python3:tkinter=python3-tk /usr/bin/python3:vtkmodules=python3-vtk9
+	@pkg-config --exists Qt5Widgets || mk/need.sh /no/Qt5=qtbase5-dev
+	@pkg-config --exists Qt6Widgets || mk/need.sh /no/Qt6=qt6-base-dev
+	tests/hosts/run.sh $(LIB)
+
 bench: libs
 	@mk/need.sh python3=python3 python3:ensurepip=python3-venv
 	python3 benches/table.py
@@ -181,7 +195,7 @@ bench: libs
 soak: toolchain libs fuzz
 	VIDES_KILLS=200 VIDES_DRAGS=10000 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked --workspace --all-features
 	VIDES_SAVE_KILLS=1000 tests/c/run.sh $(LIB) saving
-	$(MAKE) soak-calls soak-x
+	$(MAKE) soak-calls soak-x soak-hosts
 
 # Other calls each time; the seeds are said.
 soak-calls: libs
@@ -193,6 +207,14 @@ soak-x: all
 	@mk/need.sh $(X_TOOLS) valgrind=valgrind
 	VIDES_FLOOD=60 tests/x/run.sh $(LIB) events
 	LD_LIBRARY_PATH=$(abspath $(LIB)) python3 tests/x/measure.py $(CARGO_TARGET_DIR)/x soak
+
+# Programs of other people's making, from Debian's sources.
+soak-hosts: libs
+	@mk/need.sh $(X_TOOLS) dpkg-source=dpkg-dev patch=patch pkg-config=pkg-config \
+	    /usr/include/gtk-3.0/gtk/gtk.h=libgtk-3-dev /usr/include/X11/Xaw/XawInit.h=libxaw7-dev \
+	    /usr/include/X11/extensions/Xdamage.h=libxdamage-dev \
+	    /usr/include/curses.h=libncurses-dev
+	tests/hosts/run.sh $(LIB) others
 
 coverage: toolchain
 	@mk/need.sh python3=python3 Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev

@@ -2,7 +2,7 @@
 # Installs what is missing: need.sh WHAT=PACKAGE...
 #
 # WHAT is a command, a file with its whole path, or a Python module as
-# `python3:MODULE`; PACKAGE the Debian package that brings it. What is there costs nothing. Without root or sudo the
+# `python3:MODULE` or `/usr/bin/python3:MODULE`; PACKAGE the Debian package that brings it. What is there costs nothing. Without root or sudo the
 # packages are named, and nothing is done.
 set -eu
 
@@ -10,8 +10,8 @@ packages=
 for pair; do
     what=${pair%%=*}
     case $what in
+    *python3:*) "${what%%:*}" -c "import ${what#*:}" 2>/dev/null && continue ;;
     /*) [ -e "$what" ] && continue ;;
-    python3:*) python3 -c "import ${what#*:}" 2>/dev/null && continue ;;
     *) command -v "$what" >/dev/null 2>&1 && continue ;;
     esac
     packages="$packages ${pair#*=}"

@@ -116,8 +116,9 @@ unsafe impl Growing for V_EDITOR_OPTIONS {
 /// 1, 2, 3 ..., the window says so.
 ///
 /// on_poses and on_close run on the thread that opened the window, inside the
-/// host's event loop, and may call any function of the library. They return to
-/// their caller: no longjmp() and no exception may leave them. An exception that
+/// host's event loop, and may call any function of the library. They may come
+/// while the host is in a modal dialog of its own, whose loop serves the window,
+/// too. They return to their caller: no longjmp() and no exception may leave them. An exception that
 /// does ends the program, after a line on standard error that names the callback.
 /// The window belongs to this thread and is closed when it ends, which a line on
 /// standard error says.

@@ -47,8 +47,9 @@ type Ende = unsafe extern "C" fn() -> c_int;
 ///     NULL
 ///
 /// rueck and ende run on the thread that called v_haupt(), inside the host's
-/// event loop, and may call any function of the library. They return to their
-/// caller: no longjmp() and no exception may leave them. An exception that does
+/// event loop, and may call any function of the library. They may come while the
+/// host is in a modal dialog of its own, whose loop serves the window, too. They
+/// return to their caller: no longjmp() and no exception may leave them. An exception that does
 /// ends the program, after a line on standard error that names the callback.
 /// What is wrong with the arguments, or that no window can be opened, is said
 /// in one line on standard error, which begins "vides:", by v_last_error(), and

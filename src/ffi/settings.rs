@@ -161,7 +161,7 @@ pub unsafe extern "C" fn v_path_get_modes(
     })
 }
 
-/// Sets what a path is called: UTF-8, one line of at most 1000 bytes; "" is none.
+/// Sets what a path is called: UTF-8, one line of at most 256 bytes; "" is none.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_LIMIT.
 #[unsafe(no_mangle)]
@@ -223,10 +223,9 @@ pub unsafe extern "C" fn v_path_get_comment(
     })
 }
 
-/// Sets how many poses are shown in a second, > 0 and at most 1000; it changes no
+/// Sets how many poses are shown in a second, > 0 and at most 100000; it changes no
 /// pose. A new path has 25.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
     border(V_ERR_INTERNAL, || edit_info(path, |info| info.fps = fps))

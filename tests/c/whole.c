@@ -43,7 +43,7 @@ static void titles_and_comments(void)
     OK(v_path_get_fps(path, &fps));
     CHECK(fps == 25);
     OK(v_path_set_fps(path, 29.97));
-    STATUS(V_ERR_ARGUMENT, v_path_set_fps(path, NAN));
+    STATUS(V_ERR_RANGE, v_path_set_fps(path, NAN));
     STATUS(V_ERR_RANGE, v_path_set_fps(path, 0));
     OK(v_path_get_first_frame(path, &first));
     CHECK(first == 1);
