@@ -48,11 +48,19 @@ pub const MAX_HOLD: u32 = 1_000_000;
 /// Bytes of a `.vid` file: every document within the limits here fits in, even
 /// if each number takes its 24 characters; more would only exhaust the memory
 /// of a small machine while it is parsed.
-pub const MAX_FILE_BYTES: u64 = 320 << 20;
+pub const MAX_FILE_BYTES: u64 = 768 << 20;
 
 /// Bytes that parsing a part of a file may take, told beforehand and by far too
 /// many for most: the largest object, written as it is saved, and a little more.
 pub const MAX_PARSE_BYTES: usize = 2 << 30;
+
+/// Keys of one section's given distance: more than a person places, and few
+/// enough that slopes need no memory of their own.
+pub const MAX_DISTANCE_KEYS: usize = 32;
+
+/// The largest velocity or slope that a key may own, in degrees or mm for a
+/// frame: far beyond what any curve can follow.
+pub const MAX_RATE: f64 = 1e6;
 
 /// Steps that can be taken back: more than a day's work by hand.
 pub const MAX_HISTORY_STEPS: usize = 10_000;

@@ -4,6 +4,7 @@
 
 use glam::DVec3;
 
+use super::own::{MayOwn, Tangents};
 use crate::error::{Error, Result, message, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
@@ -102,6 +103,8 @@ pub struct Orientation {
     pub speeds: [f64; limits::SPEEDS],
     /// Frames that the camera rests here before it goes on.
     pub hold: u32,
+    /// What it has beyond that, if anything.
+    pub own: MayOwn,
 }
 
 impl Default for Orientation {
@@ -113,6 +116,7 @@ impl Default for Orientation {
             turning: Tcb::default(),
             speeds: [limits::BASE_SPEED; limits::SPEEDS],
             hold: 0,
+            own: MayOwn::default(),
         }
     }
 }
@@ -133,7 +137,8 @@ impl Orientation {
         check_zoom(self.zoom)?;
         self.turning.check()?;
         self.speeds.into_iter().try_for_each(check_speed)?;
-        check_hold(self.hold)
+        check_hold(self.hold)?;
+        self.own.check()
     }
 
     /// View direction of a camera at `position`: a unit vector.
@@ -152,6 +157,8 @@ pub struct SupportPoint {
     pub name: Option<String>,
     /// Shape of the curve through this point.
     pub curve: CurveParameters,
+    /// Tangents of its own, in place of those by the curve's kind and shape.
+    pub tangents: Option<Tangents>,
     /// 1…[`limits::MAX_ORIENTATIONS`] orientations in the order they are taken.
     pub orientations: Vec<Orientation>,
 }
@@ -164,6 +171,7 @@ impl SupportPoint {
             position,
             name: None,
             curve: CurveParameters::Preset(0),
+            tangents: None,
             orientations: vec![Orientation::default()],
         }
     }
@@ -179,6 +187,7 @@ impl SupportPoint {
             position,
             name: None,
             curve: CurveParameters::Preset(0),
+            tangents: None,
             orientations,
         })
     }
@@ -222,6 +231,18 @@ pub enum OrientationMode {
     Slerp,
 }
 
+/// How the curve leads through its points (`docs/path.md`, position curve).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CurveKind {
+    /// Kochanek and Bartels, by tension, continuity and bias.
+    #[default]
+    Tcb,
+    /// Cubic spline: the second derivative is continuous too.
+    Cubic,
+    /// Straight from point to point.
+    Linear,
+}
+
 /// How the zoom runs between its keys (`docs/path.md`, zoom).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ZoomMode {
@@ -241,6 +262,8 @@ pub struct CameraPath {
     pub presets: [Tcb; limits::PRESETS],
     /// Whether one more segment leads from the last point to the first.
     pub closed: bool,
+    /// How the curve leads through the points.
+    pub curve: CurveKind,
     /// How the camera turns.
     pub orientation_mode: OrientationMode,
     /// How the zoom runs.
@@ -292,10 +315,23 @@ impl CameraPath {
             points,
             presets: DEFAULT_PRESETS,
             closed: false,
+            curve: CurveKind::default(),
             orientation_mode: OrientationMode::default(),
             zoom_mode: ZoomMode::default(),
             speeds: BaseSpeeds::default(),
         }
+    }
+
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn try_clone(&self) -> Result<Self> {
+        let mut points = vec_with_room(self.points.len())?;
+        for point in &self.points {
+            points.push(point.try_clone()?);
+        }
+        Ok(Self { points, ..*self })
     }
 
     /// Curve segments: one fewer than points, as many if the path is closed.
@@ -350,6 +386,29 @@ impl CameraPath {
 }
 
 impl SupportPoint {
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn try_clone(&self) -> Result<Self> {
+        let mut orientations = vec_with_room(self.orientations.len())?;
+        orientations.extend_from_slice(&self.orientations);
+        let name = match &self.name {
+            None => None,
+            Some(name) => {
+                let mut copy = String::new();
+                copy.try_reserve_exact(name.len())?;
+                copy.push_str(name);
+                Some(copy)
+            }
+        };
+        Ok(Self {
+            name,
+            orientations,
+            ..*self
+        })
+    }
+
     /// Whether everything at this point is finite and in range.
     ///
     /// # Errors
@@ -367,6 +426,11 @@ impl SupportPoint {
             }
             CurveParameters::Preset(_) => {}
             CurveParameters::Own(tcb) => tcb.check()?,
+        }
+        if let Some(tangents) = self.tangents {
+            tangents
+                .check()
+                .map_err(|error| error.at(message!("the tangents")))?;
         }
         if self.orientations.is_empty() || self.orientations.len() > limits::MAX_ORIENTATIONS {
             return Err(Error::Range(message!(

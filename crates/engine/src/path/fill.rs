@@ -14,6 +14,7 @@ use super::orientation_curve::{AT_TARGET, Turning};
 use super::pose::Pose;
 use super::speed_curve::{INTERVALS, SpeedCurve};
 use super::tables::{Fit, Tables, quaternions};
+use super::timing::Timing;
 use crate::error::Result;
 use crate::math::orientation::POLE;
 use crate::math::vector::{Vector, horner, horner_each};
@@ -147,8 +148,19 @@ fn shares<V: Vector>(leg: &Leg, number: usize, count: usize, phi: &mut Row) {
         let frame = V::splat((number + k) as f64).add(counting);
         frame.mul(scale).min(V::splat(1.0)).store(&mut phi[k..]);
     }
-    if let Some(speed) = &leg.speed {
-        paced_shares::<V>(&speed[0], count, phi);
+    if let Some([timing]) = leg.speed.as_deref() {
+        match timing.plain_curve() {
+            Some(speed) => paced_shares::<V>(speed, count, phi),
+            None => plain_shares(timing, &mut phi[..count]),
+        }
+    }
+}
+
+/// From u to φ one by one. Not inlined: it would only be in the way of the others.
+#[inline(never)]
+fn plain_shares(timing: &Timing, phi: &mut [f64]) {
+    for phi in phi {
+        *phi = timing.fraction(*phi);
     }
 }
 

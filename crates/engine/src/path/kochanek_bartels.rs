@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::camera_path::{CameraPath, Tcb};
-use super::hermite::{BasisMatrix, Cubic};
+use super::hermite::BasisMatrix;
 
 /// The tangent with which the curve leaves a point (R1 of 3.6.2): `before`
 /// and `after` are the chords from the previous and to the next point.
@@ -64,12 +64,13 @@ pub fn end_tangent(tension: f64, near: DVec3, far: DVec3) -> DVec3 {
     (1.0 - tension) * (1.5 * near - 0.5 * far)
 }
 
-/// The curve of one segment of a path.
+/// The tangents with which the curve of one segment of a path leaves its start
+/// and reaches its end, whatever tangents the points may own.
 ///
 /// # Panics
 /// If there is no such segment.
 #[must_use]
-pub fn segment(path: &CameraPath, segment: usize) -> Cubic {
+pub fn tangents(path: &CameraPath, segment: usize) -> (DVec3, DVec3) {
     let n = path.points.len();
     let (i, j) = (segment, (segment + 1) % n);
     let at = |k: usize| path.points[k].position;
@@ -99,7 +100,7 @@ pub fn segment(path: &CameraPath, segment: usize) -> Cubic {
         (None, Some(before)) => end_tangent(to.tension, chord, before),
         (None, None) => (1.0 - to.tension) * chord,
     };
-    Cubic::hermite(at(i), at(j), leave, reach)
+    (leave, reach)
 }
 
 #[cfg(test)]
@@ -109,6 +110,8 @@ mod tests {
     use super::*;
     use crate::path::camera_path::{CurveParameters, SupportPoint};
     use crate::path::catmull_rom::{CATMULL_ROM, EndRule, closed_curve, open_curve};
+    use crate::path::curve::segment;
+    use crate::path::hermite::Cubic;
     use crate::path::test_support::{assert_near, map, vector};
 
     fn tcb() -> impl Strategy<Value = Tcb> {

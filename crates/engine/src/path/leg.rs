@@ -10,8 +10,8 @@ use super::arc_length::ArcLength;
 use super::hermite::Cubic;
 use super::orientation_curve::Turning;
 use super::pose::Pose;
-use super::speed_curve::SpeedCurve;
 use super::tables::Tables;
+use super::timing::Timing;
 use crate::error::Result;
 
 /// The curve of a section and its length.
@@ -29,7 +29,7 @@ pub(super) struct Leg {
     /// Its frames, ≥ 1; the last one is the key in which it ends.
     pub frames: usize,
     /// None where the speed is constant.
-    pub speed: Option<Box<[SpeedCurve]>>,
+    pub speed: Option<Box<[Timing]>>,
     /// Where the camera moves; None where it stays at `position`.
     pub way: Option<Way>,
     pub position: DVec3,
@@ -47,7 +47,7 @@ impl Leg {
         let mut mark = Mark::default();
         mark.add([self.frames as f64]);
         if let Some(speed) = &self.speed {
-            speed[0].coefficients().for_each(|speed| mark.add(*speed));
+            speed[0].each_number(&mut |numbers| mark.add(numbers));
         }
         match &self.way {
             None => mark.add(self.position.to_array()),
@@ -64,6 +64,11 @@ impl Leg {
             Turning::Bezier(control) => {
                 mark.add([1.0]);
                 quaternions(&mut mark, control);
+            }
+            Turning::Part(control, ends) => {
+                mark.add([6.0]);
+                quaternions(&mut mark, control);
+                mark.add(*ends);
             }
             Turning::Arc(ends) => {
                 mark.add([2.0]);
@@ -92,6 +97,23 @@ impl Leg {
     /// φ at `u` = frame / frames: share of the way and of the curve time.
     pub(super) fn phi(&self, u: f64) -> f64 {
         self.speed.as_ref().map_or(u, |speed| speed[0].fraction(u))
+    }
+
+    /// Derivative of the zoom by φ.
+    pub(super) fn zoom_slope(&self, phi: f64) -> f64 {
+        let c = &self.zoom;
+        (3.0 * c[3] * phi + 2.0 * c[2]) * phi + c[1]
+    }
+
+    /// Roll at φ of a tracked leg in radians, and its derivative; else zeros.
+    pub(super) fn turning_slope(&self, phi: f64) -> (f64, f64) {
+        match &self.turning {
+            Turning::Tracked(_, c) => (
+                ((c[3] * phi + c[2]) * phi + c[1]) * phi + c[0],
+                (3.0 * c[3] * phi + 2.0 * c[2]) * phi + c[1],
+            ),
+            _ => (0.0, 0.0),
+        }
     }
 
     /// The pose at φ.

@@ -21,13 +21,17 @@ pub mod bezier;
 pub mod camera_path;
 pub mod catmull_rom;
 pub mod cubic_spline;
+pub mod curve;
 mod dispatch;
 pub mod doubts;
+pub mod ease;
 mod fill;
 pub mod hermite;
+pub mod insertion;
 pub mod kochanek_bartels;
 mod leg;
 mod orientation_curve;
+pub mod own;
 pub mod plan;
 pub mod pose;
 pub mod quaternion_spline;
@@ -36,16 +40,20 @@ pub mod speed_curve;
 mod tables;
 pub mod tessellation;
 pub mod timeline;
+pub mod timing;
 
 #[cfg(test)]
 mod test_support;
 
 pub use camera_path::{
-    BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, SupportPoint, Target,
-    Tcb, ZoomMode,
+    BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, SupportPoint,
+    Target, Tcb, ZoomMode,
 };
 pub use doubts::{Doubt, doubt};
+pub use ease::{Ease, EaseKind};
+pub use own::{MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Velocities, Whole};
 pub use plan::Plan;
 pub use pose::Pose;
 pub use sampling::Sampler;
 pub use timeline::{Change, Section, Timeline};
+pub use timing::Timing;

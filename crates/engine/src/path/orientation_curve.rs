@@ -7,6 +7,7 @@ use glam::{DQuat, DVec3};
 
 use super::camera_path::{OrientationMode, Target, Tcb};
 use super::hermite::Cubic;
+use super::own::TurningPart;
 use super::quaternion_spline::{
     barry_goldman_between, bezier, bezier_control, end_velocity, key_velocities, mean_velocity,
     reflect,
@@ -18,6 +19,10 @@ use crate::math::quaternion::{angle, continue_sign, slerp};
 
 /// Two relative directions nearer than this are the same.
 const SAME_DIRECTION: f64 = 1e-12;
+
+/// 1 less the cosine of the angle on S³ below which two keys are the same: the
+/// angle is about 1e-7.
+const SAME_KEY: f64 = 1e-14;
 
 /// Nearer than this to its target a camera has no direction of its own.
 pub(super) const AT_TARGET: f64 = 1e-9;
@@ -39,6 +44,14 @@ pub(super) struct Key {
     pub turning: Tcb,
     /// With the sign that continues the key before it.
     pub q: DQuat,
+    /// Angular velocities of its own on S³, reaching and leaving.
+    pub velocities: Option<(DVec3, DVec3)>,
+    /// How the section behind it turns, if it is a part of another curve.
+    pub part: Option<TurningPart>,
+    /// Slope of the roll of its own, radians.
+    pub roll_slope: Option<f64>,
+    /// Slope of the zoom of its own.
+    pub zoom_slope: Option<f64>,
 }
 
 impl Key {
@@ -62,6 +75,8 @@ pub(super) struct Leg<'a> {
 pub(super) enum Turning {
     /// Cubic spherical Bézier curve.
     Bezier([DQuat; 4]),
+    /// A part of such a curve.
+    Part([DQuat; 4], [f64; 2]),
     /// Great arc.
     Arc([DQuat; 2]),
     /// Barry and Goldman's curve; the section lies between the inner knots,
@@ -78,6 +93,7 @@ impl Turning {
     pub(super) fn quaternion(&self, phi: f64) -> Option<DQuat> {
         match self {
             Self::Bezier(control) => Some(bezier(control, phi)),
+            Self::Part(control, [from, to]) => Some(bezier(control, from + (to - from) * phi)),
             Self::Arc([a, b]) => Some(slerp(*a, *b, phi)),
             Self::BarryGoldman(keys, knots) => Some(barry_goldman_between(keys, knots, phi)),
             Self::Kept(..) | Self::Tracked(..) => None,
@@ -215,6 +231,49 @@ pub(super) fn turnings(
     legs: &[Leg<'_>],
     mode: OrientationMode,
 ) -> Result<Vec<Turning>> {
+    let work = work(keys, legs)?;
+    let mut turnings = vec_with_room(legs.len())?;
+    for leg in 0..legs.len() {
+        turnings.push(work.turning(leg, mode));
+    }
+    Ok(turnings)
+}
+
+/// The velocities with which the turning passes a key, and the slope of its
+/// roll if a section beside it is tracked.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rates {
+    pub reach: DVec3,
+    pub leave: DVec3,
+    pub roll_slope: Option<f64>,
+    /// Whether the velocities turn anything: a section beside it is free.
+    pub acts: bool,
+}
+
+/// The rates of every key, as the mode tcb has them.
+///
+/// # Errors
+/// [`crate::Error::Memory`].
+pub(super) fn rates(keys: &mut [Key], legs: &[Leg<'_>]) -> Result<Vec<Rates>> {
+    let work = work(keys, legs)?;
+    let mut rates = vec_with_room(work.keys.len())?;
+    for key in 0..work.keys.len() {
+        let (reach, leave) = work.velocities(key);
+        rates.push(Rates {
+            reach,
+            leave,
+            roll_slope: work.roll_slope(key),
+            acts: [work.ring.before_key(key), work.ring.after_key(key)]
+                .into_iter()
+                .flatten()
+                .any(|leg| work.kinds[leg] == Kind::Free),
+        });
+    }
+    Ok(rates)
+}
+
+/// Everything but the turnings themselves.
+fn work<'a>(keys: &'a mut [Key], legs: &'a [Leg<'a>]) -> Result<Work<'a>> {
     for i in 1..keys.len() {
         let before = keys[i - 1].q;
         keys[i].q = continue_sign(before, keys[i].q).0;
@@ -248,11 +307,7 @@ pub(super) fn turnings(
         work.rolls.push([0.0; 4]);
     }
     work.run_rolls()?;
-    let mut turnings = vec_with_room(legs.len())?;
-    for leg in 0..legs.len() {
-        turnings.push(work.turning(leg, mode));
-    }
-    Ok(turnings)
+    Ok(work)
 }
 
 fn kind(from: &Key, to: &Key) -> Kind {
@@ -283,11 +338,21 @@ impl Work<'_> {
             (Kind::Free, OrientationMode::Slerp) => Turning::Arc([a, b]),
             (Kind::Free, OrientationMode::BarryGoldman) => self.barry_goldman(leg),
             (Kind::Free, OrientationMode::Tcb) => {
+                if let Some(part) = self.part(leg, a, b) {
+                    return part;
+                }
                 let (_, leave) = self.velocities(leg);
                 let (reach, _) = self.velocities(self.ring.end_of(leg));
                 Turning::Bezier(bezier_control(a, b, leave, reach, self.legs[leg].duration))
             }
         }
+    }
+
+    /// The part of another curve that a free leg is, if it leads from key to key.
+    fn part(&self, leg: usize, a: DQuat, b: DQuat) -> Option<Turning> {
+        let TurningPart { control, from, to } = self.keys[leg].part?;
+        let meets = |share, key: DQuat| bezier(&control, share).dot(key).abs() > 1.0 - SAME_KEY;
+        (meets(from, a) && meets(to, b)).then_some(Turning::Part(control, [from, to]))
     }
 
     /// The four keys and knots around a leg, time counted in the leg's own φ.
@@ -320,6 +385,14 @@ impl Work<'_> {
     fn velocities(&self, key: usize) -> (DVec3, DVec3) {
         let before = self.ring.before_key(key);
         let after = self.ring.after_key(key);
+        if let Some((reach, leave)) = self.keys[key].velocities {
+            let limited = |omega: DVec3, leg: Option<usize>| {
+                leg.map_or(omega, |leg| {
+                    omega * self.factor(omega, leg, self.swing(leg))
+                })
+            };
+            return (limited(reach, before), limited(leave, after));
+        }
         let taken = [
             before.and_then(|leg| self.taken(leg, true)),
             after.and_then(|leg| self.taken(leg, false)),
@@ -327,9 +400,7 @@ impl Work<'_> {
         if let Some(omega) = taken.into_iter().flatten().next() {
             let limited = |leg: Option<usize>| {
                 leg.map_or(omega, |leg| {
-                    let (_, theta) = self.means[leg];
-                    let bound = SWING * (std::f64::consts::PI - theta);
-                    omega * self.factor(omega, leg, bound)
+                    omega * self.factor(omega, leg, self.swing(leg))
                 })
             };
             return (limited(before), limited(after));
@@ -344,6 +415,23 @@ impl Work<'_> {
             }
         }
         (reach * scale, leave * scale)
+    }
+
+    /// The angle by which a third of the leg may swing out.
+    fn swing(&self, leg: usize) -> f64 {
+        let (_, theta) = self.means[leg];
+        SWING * (std::f64::consts::PI - theta)
+    }
+
+    /// Slope of the roll at a key beside a tracked leg.
+    fn roll_slope(&self, key: usize) -> Option<f64> {
+        let tracked = |leg: &usize| matches!(self.kinds[*leg], Kind::Tracked(_));
+        if let Some(leg) = self.ring.after_key(key).filter(tracked) {
+            return Some(self.rolls[leg][1] / self.legs[leg].duration);
+        }
+        let leg = self.ring.before_key(key).filter(tracked)?;
+        let roll = &self.rolls[leg];
+        Some((roll[1] + 2.0 * roll[2] + 3.0 * roll[3]) / self.legs[leg].duration)
     }
 
     /// What ω is to be scaled by, so that a third of the leg turns by `bound`
@@ -364,7 +452,8 @@ impl Work<'_> {
                 let omega = match self.ring.after_key(inner) {
                     None => mean(leg),
                     Some(next) => {
-                        let there = self.taken(next, false);
+                        let own = self.keys[inner].velocities.map(|(reach, _)| reach);
+                        let there = own.or_else(|| self.taken(next, false));
                         let there =
                             there.unwrap_or_else(|| self.free_velocities(inner, Tcb::default()).0);
                         end_velocity(tcb.tension, mean(leg), there)
@@ -376,7 +465,8 @@ impl Work<'_> {
                 let omega = match self.ring.before_key(leg) {
                     None => mean(leg),
                     Some(last) => {
-                        let there = self.taken(last, true);
+                        let own = self.keys[leg].velocities.map(|(_, leave)| leave);
+                        let there = own.or_else(|| self.taken(last, true));
                         let there =
                             there.unwrap_or_else(|| self.free_velocities(leg, Tcb::default()).1);
                         end_velocity(tcb.tension, mean(leg), there)
@@ -441,6 +531,10 @@ impl Work<'_> {
                 slopes.clear();
                 slopes.resize(steps.len() + 1, 0.0);
                 monotone_cubic::slopes(&steps, &rises, all && self.ring.closed(), &mut slopes);
+                for (k, slope) in slopes.iter_mut().enumerate() {
+                    let key = (start + k) % self.ring.keys;
+                    *slope = self.keys[key].roll_slope.unwrap_or(*slope);
+                }
                 for (k, step) in steps.iter().enumerate() {
                     let at = (start + k) % legs;
                     let roll = self.keys[at].roll;

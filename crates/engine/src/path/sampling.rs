@@ -3,6 +3,8 @@
 
 use std::sync::OnceLock;
 
+use glam::DVec3;
+
 use super::arc_length;
 use super::camera_path::{CameraPath, ZoomMode};
 use super::dispatch;
@@ -12,7 +14,7 @@ use super::orientation_curve::{self, Key, turnings};
 use super::pose::Pose;
 use super::timeline::{Change, Timeline};
 use crate::error::{Error, Result, message, try_box, vec_with_room};
-use crate::limits::BASE_SPEED;
+use crate::limits::{BASE_SPEED, MAX_ZOOM, MIN_ZOOM};
 use crate::math::{monotone_cubic, orientation};
 
 /// Everything prepared to give any pose of a path; independent of the path
@@ -27,14 +29,24 @@ pub struct Sampler {
     frames: usize,
 }
 
-impl Sampler {
-    /// Prepares a path; the timeline must be that path's.
+/// What is known of a path before its turning and its zoom.
+pub(super) struct Layout<'a> {
+    pub legs: Vec<Leg>,
+    /// The key in which leg k begins; of an open path also the last one.
+    pub keys: Vec<Key>,
+    /// Their poses; of a closed path the first one again at the end.
+    pub poses: Vec<Pose>,
+    pub ways: Vec<orientation_curve::Leg<'a>>,
+    first_frames: Vec<usize>,
+}
+
+impl<'a> Layout<'a> {
+    /// The timeline must be that path's.
     ///
     /// # Errors
-    /// [`Error::Memory`]; [`Error::Limit`] if the path has too many frames.
+    /// [`Error::Memory`].
     #[allow(clippy::cast_precision_loss)]
-    pub fn new(path: &CameraPath, timeline: &Timeline) -> Result<Self> {
-        let frames = timeline.frame_count()?;
+    pub(super) fn new(path: &CameraPath, timeline: &'a Timeline) -> Result<Self> {
         let sections = timeline.section_count();
         let moving = (0..sections)
             .filter(|&section| timeline.section(section).change != Change::Nothing)
@@ -78,7 +90,7 @@ impl Sampler {
                 speed: if section.constant_speed {
                     None
                 } else {
-                    Some(try_box(timeline.speed_curve(path, index))?)
+                    Some(try_box(timeline.timing(path, index)?)?)
                 },
                 way: curve.map(|&curve| Way { curve, length }),
                 position: point.position,
@@ -101,17 +113,56 @@ impl Sampler {
             keys.push(key);
             poses.push(pose);
         }
+        Ok(Self {
+            legs,
+            keys,
+            poses,
+            ways,
+            first_frames,
+        })
+    }
+}
+
+impl Sampler {
+    /// Prepares a path; the timeline must be that path's.
+    ///
+    /// # Errors
+    /// [`Error::Memory`]; [`Error::Limit`] if the path has too many frames.
+    pub fn new(path: &CameraPath, timeline: &Timeline) -> Result<Self> {
+        let frames = timeline.frame_count()?;
+        let Layout {
+            mut legs,
+            mut keys,
+            poses,
+            ways,
+            first_frames,
+        } = Layout::new(path, timeline)?;
         let turnings = turnings(&mut keys, &ways, path.orientation_mode)?;
         for (leg, turning) in legs.iter_mut().zip(turnings) {
             leg.turning = turning;
         }
-        zooms(path, &ways, &poses, &mut legs)?;
+        let slopes = zoom_slopes(path, &keys, &ways, &poses)?;
+        for (k, leg) in legs.iter_mut().enumerate() {
+            let (zoom, rise) = (poses[k].zoom, poses[k + 1].zoom - poses[k].zoom);
+            leg.zoom = match path.zoom_mode {
+                ZoomMode::Linear => [zoom, rise, 0.0, 0.0],
+                ZoomMode::Smooth => {
+                    let (step, from, to) = (ways[k].duration, slopes[k], slopes[k + 1]);
+                    monotone_cubic::cubic(zoom, rise, step, from, to)
+                }
+            };
+        }
         Ok(Self {
             legs,
             keys: poses,
             first_frames,
             frames,
         })
+    }
+
+    /// What is between the keys.
+    pub(super) fn legs(&self) -> &[Leg] {
+        &self.legs
     }
 
     /// All frames, at least 1.
@@ -226,6 +277,14 @@ fn key(path: &CameraPath, point: usize, orientation: usize) -> (Key, Pose) {
         view,
         roll,
         turning: orientation.turning,
+        velocities: orientation.own.velocities.map(|own| {
+            // On S³ a rotation counts half.
+            let half = |degrees: DVec3| degrees * (0.5 * 1f64.to_radians());
+            (half(own.reach), half(own.leave))
+        }),
+        part: orientation.own.turning,
+        roll_slope: orientation.own.roll_slope.map(f64::to_radians),
+        zoom_slope: orientation.own.zoom_slope,
         q: orientation::quaternion_from_view(view, up),
     };
     let pose = Pose {
@@ -237,34 +296,55 @@ fn key(path: &CameraPath, point: usize, orientation: usize) -> (Key, Pose) {
     (key, pose)
 }
 
-/// The zoom of each leg in powers of φ.
-fn zooms(
+/// The slope of the zoom at each key, the first one again at the end of a closed
+/// path; none where the zoom has none.
+pub(super) fn zoom_slopes(
     path: &CameraPath,
+    keys: &[Key],
     ways: &[orientation_curve::Leg<'_>],
     poses: &[Pose],
-    legs: &mut [Leg],
-) -> Result<()> {
-    if legs.is_empty() {
-        return Ok(());
+) -> Result<Vec<f64>> {
+    if ways.is_empty() || path.zoom_mode == ZoomMode::Linear {
+        return Ok(Vec::new());
     }
-    let mut steps: Vec<f64> = vec_with_room(legs.len())?;
-    let mut rises: Vec<f64> = vec_with_room(legs.len())?;
-    let mut slopes: Vec<f64> = vec_with_room(legs.len() + 1)?;
+    let mut steps: Vec<f64> = vec_with_room(ways.len())?;
+    let mut rises: Vec<f64> = vec_with_room(ways.len())?;
+    let mut slopes: Vec<f64> = vec_with_room(ways.len() + 1)?;
     steps.extend(ways.iter().map(|way| way.duration));
     rises.extend(poses.windows(2).map(|pair| pair[1].zoom - pair[0].zoom));
-    slopes.resize(legs.len() + 1, 0.0);
-    if path.zoom_mode == ZoomMode::Smooth {
-        monotone_cubic::slopes(&steps, &rises, path.closed, &mut slopes);
+    slopes.resize(ways.len() + 1, 0.0);
+    monotone_cubic::slopes(&steps, &rises, path.closed, &mut slopes);
+    for (k, slope) in slopes.iter_mut().enumerate() {
+        let key = &keys[k % keys.len()];
+        if let Some(own) = key.zoom_slope {
+            let before = match k {
+                0 => path.closed.then(|| ways.len() - 1),
+                k => Some(k - 1),
+            };
+            let after = if k < ways.len() {
+                Some(k)
+            } else {
+                path.closed.then_some(0)
+            };
+            *slope = limited_slope(
+                own,
+                poses[k].zoom,
+                [before, after].map(|k| k.map(|k| steps[k])),
+            );
+        }
     }
-    for (k, leg) in legs.iter_mut().enumerate() {
-        leg.zoom = match path.zoom_mode {
-            ZoomMode::Linear => [poses[k].zoom, rises[k], 0.0, 0.0],
-            ZoomMode::Smooth => {
-                monotone_cubic::cubic(poses[k].zoom, rises[k], steps[k], slopes[k], slopes[k + 1])
-            }
-        };
-    }
-    Ok(())
+    Ok(slopes)
+}
+
+/// A slope of the zoom that a key owns, clipped so that the inner Bézier points
+/// beside it are zooms; by the hull so is every value. `steps` are the curve
+/// times of the sections before and behind it.
+fn limited_slope(own: f64, zoom: f64, steps: [Option<f64>; 2]) -> f64 {
+    let [before, after] = steps.map(|step| step.map_or(0.0, |step| step / 3.0));
+    let (up, down) = (MAX_ZOOM - zoom, zoom - MIN_ZOOM);
+    let most = (up / after).min(down / before);
+    let least = (down / after).min(up / before);
+    own.clamp(-least, most)
 }
 
 #[cfg(test)]

@@ -2,11 +2,12 @@
 //! what changes, by how much, how many frames it takes. When the values at one
 //! point change, only what lies around it is computed again.
 
-use super::camera_path::{CameraPath, Orientation};
+use super::camera_path::{CameraPath, CurveKind, Orientation};
+use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
-use super::kochanek_bartels;
 use super::speed_curve::SpeedCurve;
+use super::timing::{Timing, facing};
 use crate::error::{Error, Result, message, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_FRAMES, MAX_ZOOM, MIN_ZOOM};
 use crate::math::{orientation, quaternion};
@@ -106,7 +107,7 @@ impl Timeline {
         }
         let mut segments = vec_with_room(path.segment_count())?;
         for index in 0..path.segment_count() {
-            let curve = kochanek_bartels::segment(path, index);
+            let curve = curve::segment(path, index);
             let length = dispatch::length(&curve);
             segments.push(Segment { curve, length });
         }
@@ -136,7 +137,7 @@ impl Timeline {
                 });
             }
         }
-        timeline.pace_all(path);
+        timeline.pace_all(path)?;
         Ok(timeline)
     }
 
@@ -147,6 +148,11 @@ impl Timeline {
     /// # Errors
     /// [`Error::Memory`].
     pub fn update_point(&mut self, path: &CameraPath, point: usize) -> Result<()> {
+        if path.curve == CurveKind::Cubic {
+            // Every segment feels every point.
+            *self = Self::new(path)?;
+            return Ok(());
+        }
         let points = path.points.len();
         let mut touched: Vec<usize> = vec_with_room(64)?;
         // A point's position and parameters shape two segments on either side.
@@ -156,7 +162,7 @@ impl Timeline {
                 continue;
             };
             if near < self.segments.len() {
-                let curve = kochanek_bartels::segment(path, near);
+                let curve = curve::segment(path, near);
                 let segment = &mut self.segments[near];
                 if segment.curve != curve {
                     segment.length = dispatch::length(&curve);
@@ -189,7 +195,7 @@ impl Timeline {
             }
         }
         for section in touched {
-            self.pace(path, section);
+            self.pace(path, section)?;
         }
         let hold = last_hold(path);
         self.frames = self.frames - self.last_hold + hold;
@@ -265,6 +271,17 @@ impl Timeline {
         }
     }
 
+    /// Frames of a section by its length, before they are rounded; 0 if nothing
+    /// changes. That is not what it has where they are fixed.
+    ///
+    /// # Panics
+    /// If there is no such section.
+    #[must_use]
+    pub fn unrounded_frames(&self, path: &CameraPath, section: usize) -> f64 {
+        let state = &self.sections[section];
+        unrounded(path, state.change, state.amount, state.mean_speed)
+    }
+
     /// The section that begins with an orientation of a point; the last one of
     /// an open path begins none.
     #[must_use]
@@ -285,6 +302,19 @@ impl Timeline {
         SpeedCurve::new(speeds, before, after)
     }
 
+    /// The pace of a section, shaped by its neighbours' where it goes by its ten
+    /// speeds.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    ///
+    /// # Panics
+    /// If there is no such section.
+    pub fn timing(&self, path: &CameraPath, section: usize) -> Result<Timing> {
+        let (before, after) = self.facing_speeds(path, section);
+        Timing::new(self.orientation_at(path, section), before, after)
+    }
+
     /// The last speed of the section before this one and the first of the one
     /// after it, sections without frames looked past; none at the ends. The
     /// number of sections stands for the orientation behind the last of them.
@@ -293,19 +323,15 @@ impl Timeline {
     /// If there is no such section.
     #[must_use]
     pub fn facing_speeds(&self, path: &CameraPath, section: usize) -> (Option<f64>, Option<f64>) {
-        let before = self.moving_before(section).map(|before| {
-            let [.., last] = self.orientation_at(path, before).speeds;
-            last
-        });
+        let before = self
+            .moving_before(section)
+            .map(|before| facing(self.orientation_at(path, before))[1]);
         let after = if section < self.sections.len() {
             self.moving_after(section)
         } else {
             None
         };
-        let after = after.map(|after| {
-            let [first, ..] = self.orientation_at(path, after).speeds;
-            first
-        });
+        let after = after.map(|after| facing(self.orientation_at(path, after))[0]);
         (before, after)
     }
 
@@ -382,7 +408,7 @@ impl Timeline {
     }
 
     /// Mean speed and frames of one section from what changes in it.
-    fn pace(&mut self, path: &CameraPath, section: usize) {
+    fn pace(&mut self, path: &CameraPath, section: usize) -> Result<()> {
         let state = self.sections[section];
         let mut new = State {
             frames: 0,
@@ -392,16 +418,17 @@ impl Timeline {
             ..state
         };
         if state.moves() {
-            let curve = self.speed_curve(path, section);
-            let hold = self.orientation_at(path, section).hold;
-            new = paced(path, state, &curve, hold);
+            let this = self.orientation_at(path, section);
+            let (before, after) = self.facing_speeds(path, section);
+            new = paced(path, state, this, before, after)?;
         }
         self.frames = self.frames - state.frames - state.hold + new.frames + new.hold;
         self.sections[section] = new;
+        Ok(())
     }
 
     /// [`Self::pace`] for all sections in one pass over the path.
-    fn pace_all(&mut self, path: &CameraPath) {
+    fn pace_all(&mut self, path: &CameraPath) -> Result<()> {
         let mut before = if self.closed && !self.sections.is_empty() {
             self.moving_before(0)
                 .map(|slot| self.orientation_at(path, slot))
@@ -419,16 +446,14 @@ impl Timeline {
         let mut finish = |sections: &mut [State],
                           (slot, this): (usize, &Orientation),
                           before: Option<&Orientation>,
-                          after: Option<&Orientation>| {
-            let last = this.speeds.len() - 1;
-            let curve = SpeedCurve::new(
-                &this.speeds,
-                before.map(|before| before.speeds[last]),
-                after.map(|after| after.speeds[0]),
-            );
-            let new = paced(path, sections[slot], &curve, this.hold);
+                          after: Option<&Orientation>|
+         -> Result<()> {
+            let before = before.map(|before| facing(before)[1]);
+            let after = after.map(|after| facing(after)[0]);
+            let new = paced(path, sections[slot], this, before, after)?;
             self.frames += new.frames + new.hold;
             sections[slot] = new;
+            Ok(())
         };
         let orientations = path.points.iter().flat_map(|point| &point.orientations);
         for (slot, this) in orientations.enumerate().take(self.sections.len()) {
@@ -436,14 +461,15 @@ impl Timeline {
                 continue;
             }
             if let Some(done) = pending {
-                finish(&mut self.sections, done, before, Some(this));
+                finish(&mut self.sections, done, before, Some(this))?;
                 before = Some(done.1);
             }
             pending = Some((slot, this));
         }
         if let Some(done) = pending {
-            finish(&mut self.sections, done, before, wrap);
+            finish(&mut self.sections, done, before, wrap)?;
         }
+        Ok(())
     }
 }
 
@@ -460,18 +486,36 @@ fn last_hold(path: &CameraPath) -> usize {
     last.map_or(0, |orientation| orientation.hold as usize)
 }
 
-/// The state of a section that moves, with its frames.
-fn paced(path: &CameraPath, state: State, curve: &SpeedCurve, hold: u32) -> State {
-    let base = match state.change {
+/// Frames of a section that moves, not yet rounded.
+fn unrounded(path: &CameraPath, change: Change, amount: f64, mean_speed: f64) -> f64 {
+    let base = match change {
         Change::Position => path.speeds.movement,
         Change::View => path.speeds.turning,
         Change::Roll => path.speeds.rolling,
         Change::Zoom | Change::Nothing => path.speeds.zoom,
     };
-    let frames = state.amount * base * BASE_SPEED / curve.mean();
-    // Half a frame counts as a whole one, also where rounding left it short:
-    // the count must not depend on the processor's last bits.
-    let frames = (frames + TIE * frames).round();
+    amount * base * BASE_SPEED / mean_speed
+}
+
+/// The state of a section that moves, with its frames; `this` is the
+/// orientation with which it begins, the speeds are those that face it.
+fn paced(
+    path: &CameraPath,
+    state: State,
+    this: &Orientation,
+    before: Option<f64>,
+    after: Option<f64>,
+) -> Result<State> {
+    let (mean_speed, constant_speed) = Timing::outline(this, before, after)?;
+    let frames = match this.own.frames {
+        0 => {
+            let frames = unrounded(path, state.change, state.amount, mean_speed);
+            // Half a frame counts as a whole one, also where rounding left it short:
+            // the count must not depend on the processor's last bits.
+            (frames + TIE * frames).round()
+        }
+        fixed => f64::from(fixed),
+    };
     // Beyond the limit the exact number does not matter, only that it is beyond.
     #[allow(
         clippy::cast_precision_loss,
@@ -479,11 +523,11 @@ fn paced(path: &CameraPath, state: State, curve: &SpeedCurve, hold: u32) -> Stat
         clippy::cast_sign_loss
     )]
     let frames = frames.clamp(1.0, (MAX_FRAMES + 1) as f64) as usize;
-    State {
-        mean_speed: curve.mean(),
+    Ok(State {
+        mean_speed,
         frames,
-        hold: hold as usize,
-        constant_speed: curve.is_constant(),
+        hold: this.hold as usize,
+        constant_speed,
         ..state
-    }
+    })
 }

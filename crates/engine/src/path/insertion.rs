@@ -1,0 +1,499 @@
+//! A new point on the curve that leaves the motion as it is.
+//!
+//! The segment is split (de Casteljau), the pace of its section divided into
+//! two parts of what it was. What the new point would change elsewhere its
+//! neighbours then own: tangents, angular velocities, slopes. Which these are is
+//! not told by rules, but found by comparing the path before with the path after.
+//!
+//! A part of a spherical Bézier curve is none itself (views would be off by up to
+//! some degrees where much is turned); so the halves of a turning remember the
+//! whole too, as long as their keys stay. Everything is then the same to rounding.
+
+use glam::{DQuat, DVec3};
+
+use super::arc_length::ArcLength;
+use super::camera_path::{CameraPath, Orientation, OrientationMode, SupportPoint, Target, Tcb};
+use super::curve;
+use super::leg::Leg;
+use super::orientation_curve::{Rates, Turning, rates};
+use super::own::{Pace, PacePart, Tangents, TurningPart, Velocities, Whole};
+use super::sampling::{Layout, Sampler, zoom_slopes};
+use super::timeline::{Change, Timeline};
+use super::timing::Timing;
+use crate::error::{Error, Result, message, vec_with_room};
+use crate::limits::{MAX_ZOOM, MIN_ZOOM, SPEEDS};
+use crate::math::{orientation, quaternion};
+
+/// A path with one point more.
+#[derive(Debug)]
+pub struct Insertion {
+    /// The number of the new point.
+    pub at: usize,
+    /// The whole path with it.
+    pub path: CameraPath,
+    /// Numbers of the other points that have changed.
+    pub changed: Vec<usize>,
+}
+
+/// Points to either side whose tangents a new one may change: beyond, the bits
+/// of a cubic spline are the same.
+const NEIGHBOURS: usize = 40;
+
+/// A difference that need not be owned, as a share of what it belongs to.
+const SAME: f64 = 1e-14;
+
+/// Rounds of comparing: what one neighbour owns may change the next.
+const ROUNDS: usize = 6;
+
+/// Step of the differences that give the angular velocity, in shares of a
+/// section.
+const DIFFERENCE: f64 = 1.0 / 512.0;
+
+/// Puts a point on the curve where the camera is at a frame. It comes to lie at
+/// the nearest whole frame that is not an end of its section, so that no pose of
+/// the path changes; in a section of one frame where it is asked for.
+///
+/// # Errors
+/// [`Error::Range`] where there is no such frame or no way to divide there,
+/// [`Error::Limit`], [`Error::Memory`].
+pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
+    if path.orientation_mode == OrientationMode::BarryGoldman {
+        return Err(Error::Argument(message!(
+            "in the orientation mode barry-goldman a new key would change the views around it"
+        )));
+    }
+    let timeline = Timeline::new(path)?;
+    let sampler = Sampler::new(path, &timeline)?;
+    let (index, u) = find(path, &timeline, &sampler, frame)?;
+    let leg = &sampler.legs()[index];
+    let section = section_of(&timeline, index);
+    let begin = timeline.section(section);
+    let at = begin.point + 1;
+    let mut new = path.try_clone()?;
+    new.points.try_reserve_exact(1)?;
+    let (point, wanted) = divide(path, &timeline, section, leg, u)?;
+    new.points.insert(at, point);
+    let here = &mut new.points[begin.point].orientations[begin.orientation];
+    let timing = timeline.timing(path, section)?;
+    let old = &path.points[begin.point].orientations[begin.orientation];
+    let whole = (timeline.facing_speeds(path, section), old);
+    take_part(here, whole, &timing, [0.0, u])?;
+    let turning = turning_part(&leg.turning, [0.0, leg.phi(u)]);
+    here.own = here.own.with(|own| own.turning = turning)?;
+    let fixed = old.own.frames;
+    if fixed > 0 {
+        let first = ((u * f64::from(fixed)).round() as u32).clamp(1, fixed.max(2) - 1);
+        let rest = fixed.saturating_sub(first).max(1);
+        here.own = here.own.with(|own| own.frames = first)?;
+        let there = &mut new.points[at].orientations[0];
+        there.own = there.own.with(|own| own.frames = rest)?;
+    }
+    new.check()?;
+    let mut changed: Vec<usize> = vec_with_room(2 * NEIGHBOURS)?;
+    changed.push(begin.point);
+    keep_tangents(path, &mut new, at, &wanted, &mut changed)?;
+    keep_rates(path, &timeline, &mut new, index, &wanted, &mut changed)?;
+    new.check()?;
+    changed.sort_unstable();
+    changed.dedup();
+    changed.retain(|&point| point != at);
+    Ok(Insertion {
+        at,
+        path: new,
+        changed,
+    })
+}
+
+/// The section of the leg with this number.
+fn section_of(timeline: &Timeline, leg: usize) -> usize {
+    let moving = |section: &usize| timeline.section(*section).change != Change::Nothing;
+    let mut sections = (0..timeline.section_count()).filter(moving);
+    sections.nth(leg).unwrap_or(0)
+}
+
+/// The leg that is divided, and at which share of its time.
+#[allow(clippy::cast_precision_loss)]
+fn find(
+    path: &CameraPath,
+    timeline: &Timeline,
+    sampler: &Sampler,
+    frame: f64,
+) -> Result<(usize, f64)> {
+    let frames = sampler.frame_count();
+    if !(frame >= 1.0 && frame <= frames as f64) {
+        return Err(Error::Range(message!(
+            "a frame must lie between 1 and {0}",
+            frames
+        )));
+    }
+    let legs = sampler.legs();
+    let index = legs.partition_point(|leg| (leg.start + leg.frames) as f64 <= frame);
+    let at_a_key = || {
+        Error::Range(message!(
+            "at frame {0} the camera is at a key already",
+            frame
+        ))
+    };
+    let leg = legs.get(index).ok_or_else(at_a_key)?;
+    let within = frame - leg.start as f64;
+    if within <= 0.0 {
+        return Err(at_a_key());
+    }
+    let begin = timeline.section(section_of(timeline, index));
+    let last = path.points[begin.point].orientations.len() - 1;
+    if leg.way.is_none() || begin.orientation != last {
+        return Err(Error::Range(message!(
+            "at frame {0} the camera turns at point {1}, there is no way to divide",
+            frame,
+            begin.point + 1
+        )));
+    }
+    let frames = leg.frames as f64;
+    let share = if leg.frames > 1 {
+        within.round().clamp(1.0, frames - 1.0) / frames
+    } else {
+        within
+    };
+    Ok((index, share))
+}
+
+/// What the path must have after the insertion.
+struct Wanted {
+    /// Of the point before, the new one and the one behind; a point that is
+    /// both before and behind is the first of them on its side behind.
+    leave: DVec3,
+    middle: Tangents,
+    reach: DVec3,
+    /// Of the new key.
+    velocity: DVec3,
+    roll_slope: f64,
+    zoom_slope: f64,
+}
+
+/// The new point, with what it and its neighbours must have. It owns nothing
+/// yet but its pace.
+fn divide(
+    path: &CameraPath,
+    timeline: &Timeline,
+    section: usize,
+    leg: &Leg,
+    u: f64,
+) -> Result<(SupportPoint, Wanted)> {
+    let begin = timeline.section(section);
+    let source = &path.points[begin.point];
+    let old = &source.orientations[begin.orientation];
+    let cubic = timeline.curve(begin.point);
+    let phi = leg.phi(u);
+    let arc = ArcLength::new(cubic)?;
+    let t = arc.parameter_at(phi * arc.length());
+    let position = cubic.point(t);
+    let ends = [cubic.point(0.0), cubic.point(1.0)];
+    if !(t > 0.0 && t < 1.0) || phi <= 0.0 || phi >= 1.0 || ends.contains(&position) {
+        return Err(Error::Range(message!(
+            "the place is too near to a point of the path"
+        )));
+    }
+    let pose = leg.pose(phi)?;
+    let (view, up) = (DVec3::from(pose.vpn), DVec3::from(pose.vup));
+    let seen = Target::Relative(view * old.target.offset_from(source.position).length());
+    let roll_there = leg.turning_slope(phi);
+    let duration = timeline_duration(&begin);
+    let (target, roll) = match &leg.turning {
+        Turning::Kept(..) => (
+            Target::Relative(old.target.offset_from(source.position)),
+            old.roll,
+        ),
+        Turning::Tracked(target, _) if *target != position => {
+            (Target::Absolute(*target), roll_there.0.to_degrees())
+        }
+        _ => (seen, orientation::roll_from_up(view, up).to_degrees()),
+    };
+    let mut orientation = Orientation {
+        target,
+        roll: orientation::wrap_degrees(roll),
+        zoom: pose.zoom.clamp(MIN_ZOOM, MAX_ZOOM),
+        turning: Tcb::default(),
+        speeds: old.speeds,
+        hold: 0,
+        own: old.own.for_a_copy()?,
+    };
+    let timing = timeline.timing(path, section)?;
+    let whole = (timeline.facing_speeds(path, section), old);
+    take_part(&mut orientation, whole, &timing, [u, 1.0])?;
+    let turning = turning_part(&leg.turning, [phi, 1.0]);
+    orientation.own = orientation.own.with(|own| own.turning = turning)?;
+    let mut orientations = vec_with_room(1)?;
+    orientations.push(orientation);
+    let rest = 1.0 - t;
+    let slope = cubic.derivative(t);
+    let wanted = Wanted {
+        leave: cubic.derivative(0.0) * t,
+        middle: Tangents {
+            before: slope * t,
+            after: slope * rest,
+        },
+        reach: cubic.derivative(1.0) * rest,
+        velocity: angular_velocity(&leg.turning, phi) / duration,
+        roll_slope: roll_there.1 / duration,
+        zoom_slope: leg.zoom_slope(phi) / duration,
+    };
+    let point = SupportPoint {
+        position,
+        name: None,
+        curve: source.curve,
+        tangents: None,
+        orientations,
+    };
+    Ok((point, wanted))
+}
+
+#[allow(clippy::cast_precision_loss)]
+fn timeline_duration(section: &super::timeline::Section) -> f64 {
+    section.frames as f64 * section.mean_speed / crate::limits::BASE_SPEED
+}
+
+/// Gives an orientation a part of the pace that the section of `old` had, and
+/// ten speeds that come near to it.
+fn take_part(
+    to: &mut Orientation,
+    ((before, after), old): ((Option<f64>, Option<f64>), &Orientation),
+    timing: &Timing,
+    [from, end]: [f64; 2],
+) -> Result<()> {
+    if timing.is_constant() && old.own.pace == Pace::Speeds {
+        return Ok(());
+    }
+    #[allow(clippy::cast_precision_loss)]
+    for (k, speed) in to.speeds.iter_mut().enumerate() {
+        let x = k as f64 / (SPEEDS - 1) as f64;
+        *speed = timing.speed(from + (end - from) * x).clamp(1.0, 100.0);
+    }
+    let part = |of: Whole| PacePart { of, from, to: end };
+    let pace = match &old.own.pace {
+        Pace::Speeds => part(Whole::Speeds {
+            speeds: old.speeds,
+            before,
+            after,
+        }),
+        Pace::Ease(ease) => part(Whole::Ease(*ease)),
+        Pace::Distance(keys) => part(Whole::Distance(keys.clone())),
+        Pace::Part(old) => {
+            let place = |share: f64| {
+                if share == 1.0 {
+                    old.to
+                } else {
+                    old.from + (old.to - old.from) * share
+                }
+            };
+            PacePart {
+                of: old.of.clone(),
+                from: place(from),
+                to: place(end),
+            }
+        }
+    };
+    to.own = to.own.with(|own| own.pace = Pace::Part(pace))?;
+    Ok(())
+}
+
+/// The part of a turning between two shares of its time, if it is a Bézier curve
+/// (a part of an arc is an arc).
+fn turning_part(turning: &Turning, [from, to]: [f64; 2]) -> Option<TurningPart> {
+    let (control, [first, last]) = match turning {
+        Turning::Bezier(control) => (control, [0.0, 1.0]),
+        Turning::Part(control, ends) => (control, *ends),
+        _ => return None,
+    };
+    let place = |share: f64| {
+        if share == 1.0 {
+            last
+        } else {
+            first + (last - first) * share
+        }
+    };
+    Some(TurningPart {
+        control: *control,
+        from: place(from),
+        to: place(to),
+    })
+}
+
+/// Derivative of a turning by quaternions: angular velocity on S³ for one whole
+/// section.
+fn angular_velocity(turning: &Turning, phi: f64) -> DVec3 {
+    let q = |phi: f64| turning.quaternion(phi).unwrap_or(DQuat::IDENTITY);
+    let difference = |h: f64| {
+        let (before, after) = (q(phi - h), q(phi + h));
+        quaternion::log(after * before.conjugate()) / (2.0 * h)
+    };
+    // Richardson: the error of the second order goes.
+    (4.0 * difference(DIFFERENCE / 2.0) - difference(DIFFERENCE)) / 3.0
+}
+
+/// Lets those points own their tangents that the new one would change.
+fn keep_tangents(
+    path: &CameraPath,
+    new: &mut CameraPath,
+    at: usize,
+    wanted: &Wanted,
+    changed: &mut Vec<usize>,
+) -> Result<()> {
+    let count = new.points.len();
+    let (before, behind) = (at - 1, (at + 1) % count);
+    for _ in 0..ROUNDS {
+        let mut settled = true;
+        let near = |point: usize| {
+            let apart = point.abs_diff(at);
+            apart.min(if path.closed { count - apart } else { apart }) <= NEIGHBOURS
+        };
+        for point in (0..count).filter(|&point| near(point)) {
+            let should = if point == at {
+                wanted.middle
+            } else {
+                let mut old = curve::tangents(path, point - usize::from(point > at));
+                // At an end of an open path both sides are one.
+                if point == before {
+                    old.after = wanted.leave;
+                    if point == 0 && !path.closed {
+                        old.before = old.after;
+                    }
+                }
+                if point == behind {
+                    old.before = wanted.reach;
+                    if point == count - 1 && !path.closed {
+                        old.after = old.before;
+                    }
+                }
+                old
+            };
+            let is = curve::tangents(new, point);
+            let size = should.before.length() + should.after.length();
+            let far = (is.before - should.before).length() + (is.after - should.after).length();
+            if far > SAME * size {
+                settled = false;
+                new.points[point].tangents = Some(should);
+                changed.try_reserve(1)?;
+                changed.push(point);
+            }
+        }
+        if settled {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// Velocities and slopes of all keys, with the longest curve time beside each.
+struct Keys {
+    rates: Vec<Rates>,
+    zoom: Vec<f64>,
+    steps: Vec<f64>,
+}
+
+impl Keys {
+    fn new(path: &CameraPath, timeline: &Timeline) -> Result<Self> {
+        let mut layout = Layout::new(path, timeline)?;
+        let zoom = zoom_slopes(path, &layout.keys, &layout.ways, &layout.poses)?;
+        let count = layout.keys.len();
+        let mut steps = vec_with_room(count)?;
+        for key in 0..count {
+            let beside = [
+                layout.ways.get(key),
+                layout.ways.get((key + count - 1) % count),
+            ];
+            let longest = beside.into_iter().flatten().map(|way| way.duration);
+            steps.push(longest.fold(0.0, f64::max));
+        }
+        let rates = rates(&mut layout.keys, &layout.ways)?;
+        Ok(Self { rates, zoom, steps })
+    }
+}
+
+/// Lets those keys own their velocities and slopes that the new one would change.
+fn keep_rates(
+    path: &CameraPath,
+    timeline: &Timeline,
+    new: &mut CameraPath,
+    leg: usize,
+    wanted: &Wanted,
+    changed: &mut Vec<usize>,
+) -> Result<()> {
+    let old = Keys::new(path, timeline)?;
+    let middle = leg + 1;
+    for _ in 0..ROUNDS {
+        let timeline = Timeline::new(new)?;
+        let is = Keys::new(new, &timeline)?;
+        if is.rates.len() != old.rates.len() + 1 {
+            return Err(Error::Range(message!(
+                "the place is too near to a point of the path"
+            )));
+        }
+        let moving = |section: &usize| timeline.section(*section).change != Change::Nothing;
+        let starts = (0..timeline.section_count()).filter(moving).map(|section| {
+            let begin = timeline.section(section);
+            (begin.point, begin.orientation)
+        });
+        let last = new.points.len() - 1;
+        let end = (last, new.points[last].orientations.len() - 1);
+        let mut settled = true;
+        let places: Vec<(usize, usize)> = {
+            let mut places = vec_with_room(is.rates.len())?;
+            places.extend(starts.chain([end]).take(is.rates.len()));
+            places
+        };
+        for (key, &(point, number)) in places.iter().enumerate() {
+            let before = key - usize::from(key > middle);
+            let (mut rates, mut zoom) = if key == middle {
+                let rates = Rates {
+                    reach: wanted.velocity,
+                    leave: wanted.velocity,
+                    roll_slope: is.rates[key].roll_slope.map(|_| wanted.roll_slope),
+                    acts: is.rates[key].acts,
+                };
+                (rates, Some(wanted.zoom_slope))
+            } else {
+                (old.rates[before], old.zoom.get(before).copied())
+            };
+            let found = is.rates[key];
+            let step = is.steps[key];
+            // Less than this turns or zooms nothing by 1e-9.
+            let same = |far: f64| far * step <= 1e-9;
+            let turns = path.orientation_mode == OrientationMode::Tcb && found.acts;
+            let turned = (found.reach - rates.reach)
+                .length()
+                .max((found.leave - rates.leave).length());
+            let velocities = (turns && !same(turned)).then(|| Velocities {
+                reach: std::mem::take(&mut rates.reach) * 2f64.to_degrees(),
+                leave: std::mem::take(&mut rates.leave) * 2f64.to_degrees(),
+            });
+            let roll_slope = match (found.roll_slope, rates.roll_slope) {
+                (Some(a), Some(b)) if !same((a - b).abs()) => Some(b.to_degrees()),
+                _ => None,
+            };
+            let zoom = is
+                .zoom
+                .get(key)
+                .and_then(|a| zoom.take().filter(|b| !same((a - b).abs())));
+            if velocities.is_none() && roll_slope.is_none() && zoom.is_none() {
+                continue;
+            }
+            settled = false;
+            let orientation = &mut new.points[point].orientations[number];
+            orientation.own = orientation.own.with(|own| {
+                own.velocities = velocities.or(own.velocities);
+                own.roll_slope = roll_slope.or(own.roll_slope);
+                own.zoom_slope = zoom.or(own.zoom_slope);
+            })?;
+            changed.try_reserve(1)?;
+            changed.push(point);
+        }
+        if settled {
+            break;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+#[path = "insertion_tests.rs"]
+mod tests;

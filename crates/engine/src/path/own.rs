@@ -1,0 +1,407 @@
+//! What a point or an orientation may have of its own, beyond what every one of
+//! them has: tangents, pace, frames, angular velocity, slopes.
+//!
+//! Few orientations have any of it. So it lies behind one pointer, which is
+//! empty for all others: a plain path stays as small as it was, and a copy
+//! needs no memory.
+
+use std::ops::Deref;
+use std::sync::Arc;
+
+use glam::{DQuat, DVec3};
+
+use super::camera_path::{check_coordinates, check_speed};
+use super::ease::Ease;
+use crate::error::{Error, Result, message, room};
+use crate::limits;
+
+/// With which derivatives the curve passes a point, per segment parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tangents {
+    /// With which the segment before reaches it.
+    pub before: DVec3,
+    /// With which the segment behind leaves it.
+    pub after: DVec3,
+}
+
+impl Tangents {
+    /// Finite, and small enough to compute with.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] or [`Error::Range`].
+    pub fn check(self) -> Result<()> {
+        check_coordinates(self.before)?;
+        check_coordinates(self.after)
+    }
+}
+
+/// What a part of a pace is taken of.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Whole {
+    /// Ten speeds, each 1…100, and the speeds that faced them on either side,
+    /// where there were such.
+    Speeds {
+        /// The ten.
+        speeds: [f64; limits::SPEEDS],
+        /// The speed that faced the first.
+        before: Option<f64>,
+        /// The speed that faced the last.
+        after: Option<f64>,
+    },
+    /// Speeding up, cruising, slowing down.
+    Ease(Ease),
+    /// Way gone at some times.
+    Distance(Arc<[[f64; 2]]>),
+}
+
+/// A part of a pace: what an insertion leaves of it on either side.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PacePart {
+    /// The whole.
+    pub of: Whole,
+    /// Share of its time where the part begins, 0 ≤ from < to.
+    pub from: f64,
+    /// Where it ends, to ≤ 1.
+    pub to: f64,
+}
+
+impl PacePart {
+    /// Everything in range.
+    ///
+    /// # Errors
+    /// [`Error::Range`] or [`Error::Argument`].
+    pub fn check(&self) -> Result<()> {
+        match &self.of {
+            Whole::Speeds {
+                speeds,
+                before,
+                after,
+            } => {
+                let facing = [before, after].into_iter().flatten();
+                let mut all = speeds.iter().chain(facing);
+                all.try_for_each(|speed| check_speed(*speed))?;
+            }
+            Whole::Ease(ease) => ease.check()?,
+            Whole::Distance(keys) => check_distance(keys)?,
+        }
+        check_part(self.from, self.to)
+    }
+}
+
+/// How a section goes through its time.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Pace {
+    /// By the ten speeds of its orientation.
+    #[default]
+    Speeds,
+    /// By speeding up, cruising and slowing down.
+    Ease(Ease),
+    /// By the way gone at some times: (share of time, share of way).
+    Distance(Arc<[[f64; 2]]>),
+    /// By a part of another pace.
+    Part(PacePart),
+}
+
+/// Keys of a given distance: 2…[`limits::MAX_DISTANCE_KEYS`], from (0, 0) to
+/// (1, 1), both numbers increasing.
+///
+/// # Errors
+/// [`Error::Range`] or [`Error::Argument`].
+pub fn check_distance(keys: &[[f64; 2]]) -> Result<()> {
+    if keys.len() < 2 || keys.len() > limits::MAX_DISTANCE_KEYS {
+        return Err(Error::Range(message!(
+            "a given distance has between 2 and {0} keys",
+            limits::MAX_DISTANCE_KEYS
+        )));
+    }
+    if !keys.as_flattened().iter().all(|number| number.is_finite()) {
+        return Err(Error::Argument(message!(
+            "the keys of a given distance must be finite numbers"
+        )));
+    }
+    let rising = keys
+        .windows(2)
+        .all(|pair| pair[1][0] - pair[0][0] >= LEAST_STEP && pair[1][1] > pair[0][1]);
+    if !rising || keys[0] != [0.0, 0.0] || keys[keys.len() - 1] != [1.0, 1.0] {
+        return Err(Error::Range(message!(
+            "the keys of a given distance must lead from 0, 0 to 1, 1, with both numbers increasing"
+        )));
+    }
+    Ok(())
+}
+
+/// The least time between two keys of a given distance: far below a frame, and
+/// quotients of it stay finite.
+const LEAST_STEP: f64 = 1e-9;
+
+/// Angular velocities of a key in the mode tcb: rotation vectors in the world,
+/// degrees for each frame at speed 50.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Velocities {
+    /// With which the turning reaches the key.
+    pub reach: DVec3,
+    /// With which it leaves it.
+    pub leave: DVec3,
+}
+
+/// A part of a spherical Bézier curve: how a section turned before it was
+/// divided. It holds as long as it leads from key to key, and does nothing where
+/// one of them has changed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TurningPart {
+    /// Control quaternions of the whole curve.
+    pub control: [DQuat; 4],
+    /// Share of its time where the part begins, 0 ≤ from < to.
+    pub from: f64,
+    /// Where it ends, to ≤ 1.
+    pub to: f64,
+}
+
+impl TurningPart {
+    /// Unit quaternions, and a part of [0, 1].
+    ///
+    /// # Errors
+    /// [`Error::Range`] or [`Error::Argument`].
+    pub fn check(&self) -> Result<()> {
+        let unit = |q: &DQuat| q.is_finite() && (q.length() - 1.0).abs() < 1e-6;
+        if !self.control.iter().all(unit) {
+            return Err(Error::Argument(message!(
+                "the control quaternions of a turning must have length 1"
+            )));
+        }
+        check_part(self.from, self.to)
+    }
+}
+
+/// A part of a whole: 0 ≤ from < to ≤ 1.
+fn check_part(from: f64, to: f64) -> Result<()> {
+    if 0.0 <= from && from < to && to <= 1.0 {
+        return Ok(());
+    }
+    Err(Error::Range(message!(
+        "a part must begin and end between 0 and 1, its end after its start"
+    )))
+}
+
+/// What an orientation may have of its own.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Own {
+    /// How the section that begins here goes through its time.
+    pub pace: Pace,
+    /// So many frames for the section that begins here, whatever its length; 0:
+    /// by length.
+    pub frames: u32,
+    /// Angular velocities, in place of those by tension, continuity and bias.
+    pub velocities: Option<Velocities>,
+    /// How the section that begins here turns, if it is a part of what another
+    /// one was; in the mode tcb.
+    pub turning: Option<TurningPart>,
+    /// Slope of the roll in tracked sections: degrees for each frame at speed 50.
+    pub roll_slope: Option<f64>,
+    /// Slope of the zoom: mm for each frame at speed 50.
+    pub zoom_slope: Option<f64>,
+}
+
+impl Own {
+    /// Nothing.
+    const NONE: Self = Self {
+        pace: Pace::Speeds,
+        frames: 0,
+        velocities: None,
+        turning: None,
+        roll_slope: None,
+        zoom_slope: None,
+    };
+
+    /// Everything finite and in range.
+    ///
+    /// # Errors
+    /// [`Error::Range`] or [`Error::Argument`].
+    pub fn check(&self) -> Result<()> {
+        match &self.pace {
+            Pace::Speeds => {}
+            Pace::Part(part) => part.check()?,
+            Pace::Ease(ease) => ease.check()?,
+            Pace::Distance(keys) => check_distance(keys)?,
+        }
+        check_frames(self.frames)?;
+        if let Some(Velocities { reach, leave }) = self.velocities {
+            check_rates(&[reach.to_array(), leave.to_array()].concat())?;
+        }
+        if let Some(part) = self.turning {
+            part.check()?;
+        }
+        for slope in [self.roll_slope, self.zoom_slope].into_iter().flatten() {
+            check_rates(&[slope])?;
+        }
+        Ok(())
+    }
+
+    /// All its numbers, to be compared by their bits; what there is not counts
+    /// as no number.
+    fn numbers(&self, see: &mut dyn FnMut(f64)) {
+        let mut option = |number: Option<f64>| see(number.unwrap_or(f64::NAN));
+        let vector = |v: Option<DVec3>| v.map_or([None; 3], |v| v.to_array().map(Some));
+        let turning = self.velocities.map(|v| (v.reach, v.leave)).unzip();
+        vector(turning.0).into_iter().for_each(&mut option);
+        vector(turning.1).into_iter().for_each(&mut option);
+        if let Some(TurningPart { control, from, to }) = self.turning {
+            let quaternions = control.into_iter().flat_map(|q| q.to_array());
+            quaternions
+                .chain([from, to])
+                .for_each(|number| option(Some(number)));
+        }
+        option(self.roll_slope);
+        option(self.zoom_slope);
+        option(Some(f64::from(self.frames)));
+        let mut keys = |keys: &[[f64; 2]]| keys.iter().flatten().for_each(|key| see(*key));
+        match &self.pace {
+            Pace::Speeds => {}
+            Pace::Ease(ease) => ease.numbers().into_iter().for_each(see),
+            Pace::Distance(distance) => keys(distance),
+            Pace::Part(PacePart { of, from, to }) => {
+                keys(&[[*from, *to]]);
+                match of {
+                    Whole::Speeds { speeds, .. } => speeds.iter().for_each(|speed| see(*speed)),
+                    Whole::Ease(ease) => ease.numbers().into_iter().for_each(see),
+                    Whole::Distance(distance) => keys(distance),
+                }
+            }
+        }
+    }
+}
+
+/// A fixed number of frames, or 0.
+///
+/// # Errors
+/// [`Error::Range`].
+pub fn check_frames(frames: u32) -> Result<()> {
+    if frames as usize > limits::MAX_FRAMES {
+        return Err(Error::Range(message!(
+            "a section has at most {0} frames",
+            limits::MAX_FRAMES
+        )));
+    }
+    Ok(())
+}
+
+/// Angular velocities and slopes: finite, none beyond [`limits::MAX_RATE`].
+///
+/// # Errors
+/// [`Error::Range`] or [`Error::Argument`].
+pub fn check_rates(rates: &[f64]) -> Result<()> {
+    for rate in rates {
+        if !rate.is_finite() {
+            return Err(Error::Argument(message!(
+                "a velocity or slope must be a finite number"
+            )));
+        }
+        if rate.abs() > limits::MAX_RATE {
+            return Err(Error::Range(message!(
+                "a velocity or slope must not exceed {0}",
+                limits::MAX_RATE
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// The place of [`Own`] in an orientation: reads as one that has nothing where
+/// there is none.
+#[derive(Debug, Clone, Default)]
+pub struct MayOwn(Option<Arc<Own>>);
+
+static NOTHING: Own = Own::NONE;
+
+impl Deref for MayOwn {
+    type Target = Own;
+    fn deref(&self) -> &Own {
+        self.0.as_deref().unwrap_or(&NOTHING)
+    }
+}
+
+impl PartialEq for MayOwn {
+    fn eq(&self, other: &Self) -> bool {
+        self.is_shared_with(other) || **self == **other
+    }
+}
+
+impl MayOwn {
+    /// The same, changed.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn with(&self, change: impl FnOnce(&mut Own)) -> Result<Self> {
+        let mut own = Own::clone(self);
+        change(&mut own);
+        if own == NOTHING {
+            return Ok(Self(None));
+        }
+        // A counted pointer cannot be refused when memory has run out.
+        room(size_of::<Own>() + 2 * size_of::<usize>())?;
+        Ok(Self(Some(Arc::new(own))))
+    }
+
+    /// Whether there is nothing.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.is_none()
+    }
+
+    fn is_shared_with(&self, other: &Self) -> bool {
+        match (&self.0, &other.0) {
+            (None, None) => true,
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        }
+    }
+
+    /// Equal bit by bit: 0 and −0 differ.
+    #[must_use]
+    pub fn is_same(&self, other: &Self) -> bool {
+        if self.is_shared_with(other) {
+            return true;
+        }
+        // Two lists of different meaning may have the same numbers.
+        if **self != **other {
+            return false;
+        }
+        let sum = |own: &Own| {
+            let mut signs = Vec::new();
+            own.numbers(&mut |number| signs.push(number.is_sign_negative()));
+            signs
+        };
+        sum(self) == sum(other)
+    }
+
+    /// What of it a copy at another place takes along: not what holds for that
+    /// place alone.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn for_a_copy(&self) -> Result<Self> {
+        if self.is_empty() {
+            return Ok(Self(None));
+        }
+        self.with(|own| {
+            own.frames = 0;
+            own.velocities = None;
+            own.turning = None;
+            own.roll_slope = None;
+            own.zoom_slope = None;
+            if let Pace::Part(_) = own.pace {
+                own.pace = Pace::Speeds;
+            }
+        })
+    }
+}
+
+/// The keys of a given distance, checked.
+///
+/// # Errors
+/// As [`check_distance`]; [`Error::Memory`].
+pub fn distance(keys: &[[f64; 2]]) -> Result<Pace> {
+    check_distance(keys)?;
+    room(size_of_val(keys) + 2 * size_of::<usize>())?;
+    Ok(Pace::Distance(keys.into()))
+}
