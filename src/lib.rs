@@ -21,7 +21,7 @@ mod inject;
 mod instance;
 mod x11;
 
-pub use vides_engine::{Error, Result, error, limits, math, path};
+pub use vides_engine::{Error, Result, deform, error, limits, math, path, scene};
 use vides_raster as raster;
 
 /// The door of the fuzzer in `fuzz/` to readers that are nobody else's business;

@@ -19,7 +19,9 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("editor", &["document", "raster"]),
     ("x11", &["raster"]),
     ("raster", &[]),
-    ("document", &["path"]),
+    ("document", &["scene"]),
+    ("scene", &["path", "deform"]),
+    ("deform", &["path"]),
     ("path", &["math"]),
     ("math", &[]),
 ];
