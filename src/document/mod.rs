@@ -21,6 +21,7 @@ mod not_a_file;
 mod place;
 mod prepare;
 pub mod save;
+mod scene;
 mod target;
 pub(crate) mod vid;
 
@@ -28,3 +29,4 @@ pub use edit::Edit;
 pub use editing::{Document, Selection};
 pub use info::{Info, Object, ObjectPoint, Space};
 pub(crate) use not_a_file::NotAFile;
+pub use scene::SceneDocument;

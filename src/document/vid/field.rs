@@ -74,6 +74,21 @@ impl<'a> Field<'a> {
         }
     }
 
+    /// Its line in the file.
+    pub(crate) fn line(&self) -> usize {
+        self.source.line(self.offset)
+    }
+
+    /// Whether it is an array.
+    pub(crate) fn is_array(&self) -> bool {
+        matches!(self.value, DeValue::Array(_))
+    }
+
+    /// The field of a table with this key.
+    pub(crate) fn find(&self, key: &str) -> Result<Option<Field<'a>>> {
+        Ok(self.fields()?.find(|field| field.key == key))
+    }
+
     /// An error at this place.
     pub(crate) fn error(&self, reason: Message) -> Error {
         let reason = message!("{0}: {1}", self.key, reason);

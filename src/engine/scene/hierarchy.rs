@@ -54,30 +54,32 @@ fn needs(nodes: &[Node], node: usize) -> [Option<usize>; 2] {
 /// The nodes in an order in which each comes after what it needs.
 ///
 /// # Errors
-/// [`Error::Range`] for a parent or an aim that is none, [`Error::Argument`] for
+/// A node and [`Error::Range`] for a parent or an aim that is none, [`Error::Argument`] for
 /// a cycle, [`Error::Limit`] for too many levels, [`Error::Memory`].
-pub(super) fn order(nodes: &[Node]) -> Result<Vec<usize>> {
+pub(super) fn order(nodes: &[Node]) -> Result<Vec<usize>, (usize, Error)> {
+    let memory = |error| (0, error);
     let count = nodes.len();
-    for node in nodes {
+    for (at, node) in nodes.iter().enumerate() {
         for (link, what) in [(node.parent, "parent"), (node.aim, "aim")] {
             if let Some(link) = link.filter(|&link| link >= count) {
-                return Err(Error::Range(message!(
+                let error = Error::Range(message!(
                     "node \"{0}\": there is no node {1} among {2} for its {3}",
                     node.name.as_str(),
                     link,
                     count,
                     what
-                )));
+                ));
+                return Err((at, error));
             }
         }
     }
     // 0: not seen, 1: on the way, 2: in the order.
-    let mut marks = vec_with_room(count)?;
+    let mut marks = vec_with_room(count).map_err(memory)?;
     marks.resize(count, 0_u8);
-    let mut levels = vec_with_room(count)?;
+    let mut levels = vec_with_room(count).map_err(memory)?;
     levels.resize(count, 1_usize);
-    let mut order = vec_with_room(count)?;
-    let mut way: Vec<usize> = vec_with_room(count)?;
+    let mut order = vec_with_room(count).map_err(memory)?;
+    let mut way: Vec<usize> = vec_with_room(count).map_err(memory)?;
     for root in 0..count {
         if marks[root] != 0 {
             continue;
@@ -87,18 +89,21 @@ pub(super) fn order(nodes: &[Node]) -> Result<Vec<usize>> {
             marks[node] = 1;
             let open = needs(nodes, node).into_iter().flatten();
             match open.into_iter().find(|&needed| marks[needed] != 2) {
-                Some(needed) if marks[needed] == 1 => return Err(cycle(nodes, node, needed)),
+                Some(needed) if marks[needed] == 1 => {
+                    return Err((node, cycle(nodes, node, needed)));
+                }
                 Some(needed) => way.push(needed),
                 None => {
                     if let Some(parent) = nodes[node].parent {
                         levels[node] = levels[parent] + 1;
                     }
                     if levels[node] > MAX_LEVELS {
-                        return Err(Error::Limit(message!(
+                        let error = Error::Limit(message!(
                             "node \"{0}\": a scene has at most {1} levels",
                             nodes[node].name.as_str(),
                             MAX_LEVELS
-                        )));
+                        ));
+                        return Err((node, error));
                     }
                     marks[node] = 2;
                     order.push(node);

@@ -17,7 +17,7 @@ mod hierarchy;
 pub mod host;
 mod keys;
 pub mod mesh;
-mod motion;
+pub mod motion;
 pub mod node;
 mod prepare;
 mod reparent;

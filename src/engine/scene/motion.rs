@@ -139,7 +139,7 @@ impl Motion for FollowPath {
 ///
 /// # Errors
 /// [`Error::Argument`] or [`Error::Range`].
-pub(super) fn check_frame(frame: f64) -> Result<()> {
+pub fn check_frame(frame: f64) -> Result<()> {
     if !frame.is_finite() {
         return Err(Error::Argument(message!("a frame must be a finite number")));
     }

@@ -74,22 +74,24 @@ impl Scene {
     /// A scene of these nodes, whose parents and aims are numbers among them.
     ///
     /// # Errors
-    /// The first thing that is not as it must be, with the name of its node.
-    pub fn from_nodes(nodes: Vec<Node>) -> Result<Self> {
-        check_count(nodes.len())?;
-        let mut names: Vec<usize> = vec_with_room(nodes.len())?;
+    /// The number of a node and what is wrong there, with its name.
+    pub fn from_nodes(nodes: Vec<Node>) -> Result<Self, (usize, Error)> {
+        let whole = |error| (0, error);
+        check_count(nodes.len()).map_err(whole)?;
+        let mut names: Vec<usize> = vec_with_room(nodes.len()).map_err(whole)?;
         names.extend(0..nodes.len());
         names.sort_unstable_by(|&a, &b| nodes[a].name.cmp(&nodes[b].name));
         for pair in names.windows(2) {
             if nodes[pair[0]].name == nodes[pair[1]].name {
-                return Err(taken(&nodes[pair[0]].name));
+                let later = pair[0].max(pair[1]);
+                return Err((later, taken(&nodes[later].name)));
             }
         }
         for (at, node) in nodes.iter().enumerate() {
-            check_node(node, at)?;
+            check_node(node, at).map_err(|error| (at, error))?;
         }
         let numbers = nodes.iter().map(|node| node.keys.numbers()).sum();
-        check_numbers(numbers)?;
+        check_numbers(numbers).map_err(whole)?;
         Ok(Self {
             order: hierarchy::order(&nodes)?,
             nodes,
@@ -290,7 +292,7 @@ impl Scene {
         if linked {
             match hierarchy::order(&self.nodes) {
                 Ok(order) => self.order = order,
-                Err(error) => {
+                Err((_, error)) => {
                     (self.nodes[at].parent, self.nodes[at].aim) = (parent, aim);
                     return Err(error);
                 }
