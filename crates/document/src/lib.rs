@@ -23,6 +23,7 @@ mod not_a_file;
 mod place;
 mod prepare;
 pub mod save;
+mod scene;
 mod target;
 #[doc(hidden)]
 pub mod vid;
@@ -32,5 +33,7 @@ pub use editing::{Document, Selection};
 pub use info::{Info, Object, ObjectPoint, Space};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
+
+pub use scene::SceneDocument;
 
 use vides_engine::{error, limits, math, path};

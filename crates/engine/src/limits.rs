@@ -96,3 +96,41 @@ pub const MAX_KEYS: usize = 1_000_000;
 /// needs as much, and a program that sends without an end must not take the
 /// memory.
 pub const MAX_CLIPBOARD_BYTES: usize = 16 << 20;
+
+/// Nodes of one scene: all of them are evaluated for each frame.
+pub const MAX_NODES: usize = 100_000;
+
+/// Levels of a scene's tree: far more than a skeleton has; their scales are
+/// multiplied.
+pub const MAX_LEVELS: usize = 256;
+
+/// Tracks of one node: every channel, and some hundred numbers of the host.
+pub const MAX_TRACKS: usize = 1_000;
+
+/// Numbers of all keys of one scene, tangents included: 64 MB.
+pub const MAX_SCENE_NUMBERS: usize = 8_000_000;
+
+/// Numbers of one of the host's own channels.
+pub const MAX_CHANNEL_WIDTH: usize = 16;
+
+/// The largest tangent of a key, per frame: the largest coordinate within a
+/// millionth of a frame.
+pub const MAX_TANGENT: f64 = 1e15;
+
+/// Points of an object's mesh.
+pub const MAX_MESH_POINTS: usize = 4_000_000;
+
+/// Ends of lines, or corners of triangles, of an object's mesh.
+pub const MAX_MESH_CORNERS: usize = 24_000_000;
+
+/// Shapes that an object can take: a face with all its expressions.
+pub const MAX_SHAPES: usize = 256;
+
+/// Deformations of one object.
+pub const MAX_DEFORMATIONS: usize = 64;
+
+/// Markers on a scene's timeline.
+pub const MAX_MARKERS: usize = 10_000;
+
+/// Points of paths that are pinned to markers.
+pub const MAX_PINS: usize = 100_000;

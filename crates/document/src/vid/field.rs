@@ -71,6 +71,21 @@ impl<'a> Field<'a> {
         }
     }
 
+    /// Its line in the file.
+    pub fn line(&self) -> usize {
+        self.source.line(self.offset)
+    }
+
+    /// Whether it is an array.
+    pub fn is_array(&self) -> bool {
+        matches!(self.value, DeValue::Array(_))
+    }
+
+    /// The field of a table with this key.
+    pub fn find(&self, key: &str) -> Result<Option<Field<'a>>> {
+        Ok(self.fields()?.find(|field| field.key == key))
+    }
+
     /// An error at this place.
     pub fn error(&self, reason: Message) -> Error {
         let reason = message!("{0}: {1}", self.key, reason);

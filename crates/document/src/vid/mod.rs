@@ -34,6 +34,8 @@
 pub mod field;
 mod pieces;
 mod read;
+mod scene_read;
+mod scene_write;
 mod weight;
 mod write;
 
@@ -47,8 +49,10 @@ use super::info::Info;
 use crate::error::{Error, Result, message, room, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
+use vides_engine::scene::Scene;
 
-pub(super) use read::from_toml;
+pub(super) use read::{from_toml, scene_from_toml};
+pub(super) use scene_write::scene_to_toml;
 pub(super) use write::to_toml;
 
 /// The version of the format that is written, and the newest that is read.
@@ -62,6 +66,18 @@ const ROOM: usize = 32 << 10;
 pub(super) fn load(file: &Path) -> Result<(CameraPath, Info)> {
     let text = read_text(file, MAX_FILE_BYTES)?;
     from_toml(&text).map_err(|error| error.at(file.display().to_string()))
+}
+
+/// Reads a scene from a file.
+pub(super) fn load_scene(file: &Path) -> Result<(Scene, Info)> {
+    let text = read_text(file, MAX_FILE_BYTES)?;
+    scene_from_toml(&text).map_err(|error| error.at(file.display().to_string()))
+}
+
+/// Reads a scene from what a reader gives, to its end.
+pub(super) fn load_scene_from(reader: &mut dyn Read, name: &str) -> Result<(Scene, Info)> {
+    let text = read_all(reader, name, 0, MAX_FILE_BYTES)?;
+    scene_from_toml(&text).map_err(|error| error.at(name))
 }
 
 /// Reads what a reader gives, to its end.

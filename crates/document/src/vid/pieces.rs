@@ -1,9 +1,10 @@
 //! Parsing piece by piece. A parsed tree takes some twenty times the memory
 //! of its text; cut before points, a file of any size needs only a small tree
-//! at a time, which stays in the processor's cache: that is twice as fast.
+//! at a time, which stays in the processor's cache: that is twice as fast. A
+//! scene is cut before its nodes.
 //!
 //! Why cutting is sound: a piece ends just before a line that begins with
-//! `[[point]]`. Were that line within an array or a text over several lines,
+//! `[[point]]` or `[[node]]`. Were that line within an array or a text over several lines,
 //! the piece before it would be unfinished, and parsing it fails. So a piece
 //! that parses ends where a new table begins, and what follows does not
 //! depend on it, but for keys given twice, which the reader watches.
@@ -22,14 +23,14 @@ const PIECE: usize = if cfg!(fuzzing) { 256 } else { 128 << 10 };
 /// as six; nothing else that may hold a line of this kind is longer.
 const LONGEST_TEXT: usize = 6 * MAX_COMMENT_BYTES + 100;
 
-const CUT: &str = "\n[[point]]";
+const CUTS: [&[u8]; 2] = [b"\n[[point]]", b"\n[[node]]"];
 
 /// The tree of the piece that begins where `source` does, and its end.
 pub(super) fn parse(source: Source<'_>) -> Result<(DeTable<'_>, usize)> {
     let end = cut(source, PIECE);
     match parse_to(source, end)? {
         Ok(root) => Ok((root, end)),
-        // Either an error, or a `[[point]]` within a comment. The comment ends
+        // Either an error, or such a line within a comment. The comment ends
         // further on; an error stays.
         Err(_) if end < source.text.len() => {
             let end = cut(source, end - source.start + LONGEST_TEXT);
@@ -50,8 +51,8 @@ fn cut(source: Source<'_>, least: usize) -> usize {
     bytes
         .get(from..)
         .and_then(|rest| {
-            rest.windows(CUT.len())
-                .position(|window| window == CUT.as_bytes())
+            (0..rest.len())
+                .find(|&at| rest[at] == b'\n' && CUTS.iter().any(|cut| rest[at..].starts_with(cut)))
         })
         .map_or(bytes.len(), |position| from + position + 1)
 }

@@ -6,6 +6,7 @@ use toml::de::DeTable;
 use super::VERSION;
 use super::field::{Field, Source, fields};
 use super::pieces;
+use super::scene_read::Drafts;
 use crate::error::{Result, message, vec_with_room};
 use crate::info::{self, Info, ObjectPoint, Space};
 use crate::limits;
@@ -17,8 +18,9 @@ use crate::path::{
     BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, SupportPoint, Target,
     Tcb, ZoomMode,
 };
+use vides_engine::scene::Scene;
 
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 15] = [
     "version",
     "title",
     "comment",
@@ -32,37 +34,49 @@ const KEYS: [&str; 13] = [
     "space",
     "object",
     "point",
+    "marker",
+    "node",
+];
+
+/// Arrays of tables: each piece of a file may have more of them.
+const REPEATED: [&str; 3] = ["point", "marker", "node"];
+
+/// Those that belong to a path: in a scene its nodes have them.
+const OF_PATH: [&str; 6] = [
+    "closed",
+    "orientation_mode",
+    "zoom_mode",
+    "base_speeds",
+    "presets",
+    "point",
 ];
 
 /// The path and what the file says besides.
 pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
-    let mut reader = Reader {
-        path: CameraPath {
-            points: Vec::new(),
-            ..CameraPath::default()
-        },
-        info: Info::default(),
-        orientations: 0,
-        seen: [false; KEYS.len()],
-    };
-    let mut source = Source { text, start: 0 };
-    loop {
-        let (root, end) = pieces::parse(source)?;
-        reader.read(source, &root)?;
-        if end == text.len() {
-            break;
-        }
-        source.start = end;
-    }
-    let count = reader.path.points.len();
-    if count < limits::MIN_POINTS {
+    let (reader, end) = Reader::of(text)?;
+    if reader.has("node") || reader.has("marker") {
         let reason = message!(
-            "a path needs at least two points, each with its [[point]], found {0}",
-            count
+            "this is a scene with {0} nodes, not a path alone",
+            reader.scene.count()
         );
-        return Err(source.complain(text.len(), reason));
+        return Err(end.complain(text.len(), reason));
     }
-    Ok((reader.path, reader.info))
+    reader.path(end)
+}
+
+/// The scene and what the file says besides.
+pub fn scene_from_toml(text: &str) -> Result<(Scene, Info)> {
+    let (mut reader, end) = Reader::of(text)?;
+    if !reader.has("node") {
+        let drafts = std::mem::take(&mut reader.scene);
+        let (path, info) = reader.path(end)?;
+        return Ok((drafts.mark(Scene::of_path(path)?)?, info));
+    }
+    if let Some(key) = OF_PATH.into_iter().find(|key| reader.has(key)) {
+        let reason = message!("in a scene \"{0}\" belongs to the path of a node", key);
+        return Err(end.complain(text.len(), reason));
+    }
+    Ok((reader.scene.finish()?, reader.info))
 }
 
 /// What has been read so far.
@@ -73,9 +87,51 @@ struct Reader {
     orientations: usize,
     /// Which of [`KEYS`] have been met.
     seen: [bool; KEYS.len()],
+    scene: Drafts,
 }
 
 impl Reader {
+    /// Everything in a text, and the place of its last piece.
+    fn of(text: &str) -> Result<(Self, Source<'_>)> {
+        let mut reader = Self {
+            path: CameraPath {
+                points: Vec::new(),
+                ..CameraPath::default()
+            },
+            info: Info::default(),
+            orientations: 0,
+            seen: [false; KEYS.len()],
+            scene: Drafts::default(),
+        };
+        let mut source = Source { text, start: 0 };
+        loop {
+            let (root, end) = pieces::parse(source)?;
+            reader.read(source, &root)?;
+            if end == text.len() {
+                return Ok((reader, source));
+            }
+            source.start = end;
+        }
+    }
+
+    fn has(&self, key: &str) -> bool {
+        KEYS.iter()
+            .zip(self.seen)
+            .any(|(known, seen)| seen && *known == key)
+    }
+
+    fn path(self, end: Source<'_>) -> Result<(CameraPath, Info)> {
+        let count = self.path.points.len();
+        if count < limits::MIN_POINTS {
+            let reason = message!(
+                "a path needs at least two points, each with its [[point]], found {0}",
+                count
+            );
+            return Err(end.complain(end.text.len(), reason));
+        }
+        Ok((self.path, self.info))
+    }
+
     /// Reads the next piece of the file.
     fn read(&mut self, source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
         if source.start == 0 {
@@ -87,7 +143,7 @@ impl Reader {
                 return Err(field.unknown(&KEYS));
             };
             // Within one piece the parser has seen to that.
-            if std::mem::replace(&mut self.seen[key], true) && field.key != "point" {
+            if std::mem::replace(&mut self.seen[key], true) && !REPEATED.contains(&field.key) {
                 return Err(field.error(message!("this was given further up already")));
             }
             match field.key {
@@ -113,6 +169,8 @@ impl Reader {
                 "space" => info.space = space(field)?,
                 "object" => info.object = object(field)?.into(),
                 "point" => points(field, &mut path.points, &mut self.orientations)?,
+                "marker" => self.scene.markers(field)?,
+                "node" => self.scene.nodes(field, &mut self.orientations)?,
                 // The version has been looked at.
                 _ => {}
             }
@@ -141,13 +199,13 @@ fn check_version(source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
     Ok(())
 }
 
-fn one_line(field: Field<'_>) -> Result<String> {
+pub(super) fn one_line(field: Field<'_>) -> Result<String> {
     let line = field.text()?;
     field.checked(check_name(line))?;
     Ok(line.to_owned())
 }
 
-fn orientation_mode(field: Field<'_>) -> Result<OrientationMode> {
+pub(super) fn orientation_mode(field: Field<'_>) -> Result<OrientationMode> {
     match field.text()? {
         "tcb" => Ok(OrientationMode::Tcb),
         "barry-goldman" => Ok(OrientationMode::BarryGoldman),
@@ -156,7 +214,7 @@ fn orientation_mode(field: Field<'_>) -> Result<OrientationMode> {
     }
 }
 
-fn zoom_mode(field: Field<'_>) -> Result<ZoomMode> {
+pub(super) fn zoom_mode(field: Field<'_>) -> Result<ZoomMode> {
     match field.text()? {
         "smooth" => Ok(ZoomMode::Smooth),
         "linear" => Ok(ZoomMode::Linear),
@@ -164,7 +222,7 @@ fn zoom_mode(field: Field<'_>) -> Result<ZoomMode> {
     }
 }
 
-fn base_speeds(table: Field<'_>) -> Result<BaseSpeeds> {
+pub(super) fn base_speeds(table: Field<'_>) -> Result<BaseSpeeds> {
     let mut speeds = BaseSpeeds::default();
     for field in table.fields()? {
         let speed = match field.key {
@@ -187,7 +245,7 @@ fn base_speeds(table: Field<'_>) -> Result<BaseSpeeds> {
     Ok(speeds)
 }
 
-fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) -> Result<()> {
+pub(super) fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) -> Result<()> {
     for field in table.fields()? {
         // Exactly one digit: neither 01 nor +1 is a second name of 1.
         let preset = match field.key.as_bytes() {
@@ -256,7 +314,7 @@ fn object(table: Field<'_>) -> Result<Vec<ObjectPoint>> {
     Ok(object)
 }
 
-fn points(
+pub(super) fn points(
     array: Field<'_>,
     points: &mut Vec<SupportPoint>,
     orientations: &mut usize,

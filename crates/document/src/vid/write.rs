@@ -22,7 +22,7 @@ pub(crate) fn to_toml(path: &CameraPath, info: &Info) -> Result<String> {
 }
 
 /// A text that grows without aborting when memory runs out.
-struct Text(String);
+pub(super) struct Text(pub(super) String);
 
 impl Write for Text {
     fn write_str(&mut self, more: &str) -> fmt::Result {
@@ -33,27 +33,10 @@ impl Write for Text {
 }
 
 fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
-    writeln!(out, "version = {VERSION}")?;
-    if !info.title.is_empty() {
-        writeln!(out, "title = {}", Quoted(&info.title))?;
-    }
-    if !info.comment.is_empty() {
-        writeln!(out, "comment = {}", Quoted(&info.comment))?;
-    }
-    writeln!(out, "fps = {:?}", info.fps)?;
-    writeln!(out, "first_frame = {}", info.first_frame)?;
+    head(out, info)?;
     writeln!(out, "closed = {}", path.closed)?;
-    let mode = match path.orientation_mode {
-        OrientationMode::Tcb => "tcb",
-        OrientationMode::BarryGoldman => "barry-goldman",
-        OrientationMode::Slerp => "slerp",
-    };
-    writeln!(out, "orientation_mode = \"{mode}\"")?;
-    let mode = match path.zoom_mode {
-        ZoomMode::Smooth => "smooth",
-        ZoomMode::Linear => "linear",
-    };
-    writeln!(out, "zoom_mode = \"{mode}\"")?;
+    writeln!(out, "orientation_mode = \"{}\"", orientation_mode(path))?;
+    writeln!(out, "zoom_mode = \"{}\"", zoom_mode(path))?;
 
     let speeds = path.speeds;
     writeln!(
@@ -72,15 +55,49 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
         writeln!(out, "{number} = {}", Shape(*preset))?;
     }
 
+    space(out, info)?;
+    path.points
+        .iter()
+        .try_for_each(|point| self::point(out, "point", point))
+}
+
+/// What stands before all else.
+pub(super) fn head(out: &mut Text, info: &Info) -> fmt::Result {
+    writeln!(out, "version = {VERSION}")?;
+    if !info.title.is_empty() {
+        writeln!(out, "title = {}", Quoted(&info.title))?;
+    }
+    if !info.comment.is_empty() {
+        writeln!(out, "comment = {}", Quoted(&info.comment))?;
+    }
+    writeln!(out, "fps = {:?}", info.fps)?;
+    writeln!(out, "first_frame = {}", info.first_frame)?;
+    Ok(())
+}
+
+/// Where the space lies, and what is shown in it.
+pub(super) fn space(out: &mut Text, info: &Info) -> fmt::Result {
     writeln!(out, "\n# world = origin + scale * position\n[space]")?;
     writeln!(out, "scale = {:?}", info.space.scale)?;
     writeln!(out, "origin = {}", Vector(info.space.origin))?;
     writeln!(out, "unit = {}", Quoted(&info.space.unit))?;
 
-    object(out, &info.object)?;
-    path.points
-        .iter()
-        .try_for_each(|point| self::point(out, point))
+    object(out, &info.object)
+}
+
+pub(super) fn orientation_mode(path: &CameraPath) -> &'static str {
+    match path.orientation_mode {
+        OrientationMode::Tcb => "tcb",
+        OrientationMode::BarryGoldman => "barry-goldman",
+        OrientationMode::Slerp => "slerp",
+    }
+}
+
+pub(super) fn zoom_mode(path: &CameraPath) -> &'static str {
+    match path.zoom_mode {
+        ZoomMode::Smooth => "smooth",
+        ZoomMode::Linear => "linear",
+    }
 }
 
 fn object(out: &mut Text, points: &[ObjectPoint]) -> fmt::Result {
@@ -102,8 +119,9 @@ fn object(out: &mut Text, points: &[ObjectPoint]) -> fmt::Result {
     writeln!(out, "],\n]")
 }
 
-fn point(out: &mut Text, point: &SupportPoint) -> fmt::Result {
-    writeln!(out, "\n[[point]]")?;
+/// A support point; `header` is the name of the array of tables that it is in.
+pub(super) fn point(out: &mut Text, header: &str, point: &SupportPoint) -> fmt::Result {
+    writeln!(out, "\n[[{header}]]")?;
     if let Some(name) = &point.name {
         writeln!(out, "name = {}", Quoted(name))?;
     }
@@ -115,11 +133,11 @@ fn point(out: &mut Text, point: &SupportPoint) -> fmt::Result {
     point
         .orientations
         .iter()
-        .try_for_each(|orientation| self::orientation(out, orientation))
+        .try_for_each(|orientation| self::orientation(out, header, orientation))
 }
 
-fn orientation(out: &mut Text, orientation: &Orientation) -> fmt::Result {
-    writeln!(out, "\n[[point.orientation]]")?;
+fn orientation(out: &mut Text, header: &str, orientation: &Orientation) -> fmt::Result {
+    writeln!(out, "\n[[{header}.orientation]]")?;
     match orientation.target {
         Target::Absolute(target) => writeln!(out, "target = {}", Vector(target))?,
         Target::Relative(offset) => writeln!(out, "offset = {}", Vector(offset))?,
@@ -149,7 +167,7 @@ fn orientation(out: &mut Text, orientation: &Orientation) -> fmt::Result {
     Ok(())
 }
 
-fn list(out: &mut impl Write, numbers: &[f64]) -> fmt::Result {
+pub(super) fn list(out: &mut impl Write, numbers: &[f64]) -> fmt::Result {
     let mut separator = "[";
     for number in numbers {
         // `{:?}` gives the fewest digits that lead back to the same bits.
@@ -159,7 +177,7 @@ fn list(out: &mut impl Write, numbers: &[f64]) -> fmt::Result {
     out.write_str("]")
 }
 
-struct Vector(DVec3);
+pub(super) struct Vector(pub(super) DVec3);
 
 impl fmt::Display for Vector {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -167,7 +185,7 @@ impl fmt::Display for Vector {
     }
 }
 
-struct Shape(Tcb);
+pub(super) struct Shape(pub(super) Tcb);
 
 impl fmt::Display for Shape {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -180,7 +198,7 @@ impl fmt::Display for Shape {
 }
 
 /// A text as TOML writes it: over several lines where it has several.
-struct Quoted<'a>(&'a str);
+pub(super) struct Quoted<'a>(pub(super) &'a str);
 
 impl fmt::Display for Quoted<'_> {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {

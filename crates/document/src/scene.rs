@@ -1,0 +1,128 @@
+//! A scene with what its file says besides: made, loaded, saved.
+
+use std::io::Read;
+use std::path::Path;
+
+use super::info::Info;
+use super::{prepare, vid};
+use crate::error::{Error, Result, message, room};
+use crate::limits::MAX_FILE_BYTES;
+use crate::path::CameraPath;
+use vides_engine::scene::{Kind, Scene};
+
+/// A scene and what its file says besides. A file with a path alone is the scene
+/// of one camera on it, and the other way round.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneDocument {
+    /// Everything that moves.
+    pub scene: Scene,
+    /// What the file says besides.
+    pub info: Info,
+}
+
+impl SceneDocument {
+    /// One camera on the path that a new window begins with.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn try_new() -> Result<Self> {
+        Ok(Self {
+            scene: Scene::of_path(CameraPath::try_new()?)?,
+            info: Info::default(),
+        })
+    }
+
+    /// The scene in a `.vid` file.
+    ///
+    /// # Errors
+    /// [`Error::Io`] if it cannot be read; [`Error::Format`] with file, line and
+    /// reason if its contents are not what they should be.
+    pub fn load(file: &Path) -> Result<Self> {
+        let (scene, info) = vid::load_scene(file)?;
+        Self::from_parts(scene, info)
+    }
+
+    /// The scene in what `reader` gives, to its end; `name` stands for it in
+    /// messages.
+    ///
+    /// # Errors
+    /// As [`SceneDocument::load`].
+    pub fn load_from(reader: &mut dyn Read, name: &str) -> Result<Self> {
+        let (scene, info) = vid::load_scene_from(reader, name)?;
+        Self::from_parts(scene, info)
+    }
+
+    /// The scene in the text of a `.vid` file.
+    ///
+    /// # Errors
+    /// [`Error::Format`] with line and reason.
+    pub fn from_toml(text: &str) -> Result<Self> {
+        let (scene, info) = vid::scene_from_toml(text)?;
+        Self::from_parts(scene, info)
+    }
+
+    fn from_parts(scene: Scene, mut info: Info) -> Result<Self> {
+        info.check()?;
+        info.normalise();
+        Ok(Self { scene, info })
+    }
+
+    /// The text of a `.vid` file. Loading it gives the same scene, bit by bit.
+    ///
+    /// # Errors
+    /// [`Error::Memory`]; [`Error::Limit`] if it is longer than what is read.
+    pub fn to_toml(&self) -> Result<String> {
+        let text = vid::scene_to_toml(&self.scene, &self.info)?;
+        if text.len() as u64 > MAX_FILE_BYTES {
+            return Err(Error::Limit(message!(
+                "the file is larger than the {0} MiB that are read",
+                MAX_FILE_BYTES >> 20
+            )));
+        }
+        Ok(text)
+    }
+
+    /// Saves as a `.vid` file, atomically and durably ([`super::save`]).
+    ///
+    /// # Errors
+    /// [`Error::Io`] with the file and what the system said; the old file is
+    /// whole then. As [`SceneDocument::to_toml`].
+    pub fn save(&self, file: &Path) -> Result<()> {
+        super::save::save(file, self.to_toml()?.as_bytes())
+    }
+
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn try_clone(&self) -> Result<Self> {
+        let info = self.info.try_clone()?;
+        room(self.scene.weight())?;
+        Ok(Self {
+            scene: self.scene.clone(),
+            info,
+        })
+    }
+
+    /// The number of the camera that is shown: the first one on a path, else the
+    /// first one.
+    #[must_use]
+    pub fn shown_camera(&self) -> Option<usize> {
+        let nodes = self.scene.nodes();
+        let cameras = || {
+            let all = nodes.iter().enumerate();
+            all.filter(|(_, node)| matches!(node.kind, Kind::Camera(_)))
+        };
+        let moving = cameras().find(|(_, node)| node.path().is_some());
+        moving.or_else(|| cameras().next()).map(|(at, _)| at)
+    }
+
+    /// A path in the form that documents keep, for a node.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn prepared(mut path: CameraPath) -> Result<CameraPath> {
+        prepare::normalise(&mut path)?;
+        Ok(path)
+    }
+}

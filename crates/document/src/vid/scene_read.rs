@@ -1,0 +1,605 @@
+//! The nodes and markers of a scene, from the parsed pieces of its file.
+
+use glam::{DQuat, DVec3};
+
+use super::field::Field;
+use super::read::{base_speeds, one_line, orientation_mode, points, presets, zoom_mode};
+use vides_engine::deform::{Bounds, Deformation};
+use crate::error::{Error, Message, Result, message, vec_with_room};
+use crate::limits;
+use crate::path::CameraPath;
+use vides_engine::scene::motion::check_frame;
+use vides_engine::scene::node::check_node_name;
+use vides_engine::scene::{
+    Beyond, Camera, Channel, FollowPath, Interpolation, Kind, Light, Mesh, Node, Object, Scene,
+    Shape, Track,
+};
+
+/// What has been read of a scene: nodes name each other, also those further down.
+#[derive(Default)]
+pub(super) struct Drafts {
+    nodes: Vec<Draft>,
+    markers: Vec<(usize, String, f64)>,
+}
+
+/// A name and the line in which it stands.
+type Named = (usize, String);
+
+/// A node that does not know its parent yet.
+struct Draft {
+    line: usize,
+    node: Node,
+    shapes: Vec<(usize, Shape)>,
+    weights: Option<(usize, Vec<f64>)>,
+    tracks: Vec<(usize, Track)>,
+    parent: Option<Named>,
+    aim: Option<Named>,
+    pins: Vec<(usize, usize, String)>,
+}
+
+fn at_line(line: usize, reason: Message) -> Error {
+    Error::Format(message!("line {0}: {1}", line, reason))
+}
+
+/// An error of the engine, with its line.
+fn placed(line: usize, error: Error) -> Error {
+    match error {
+        Error::Memory => error,
+        other => at_line(line, other.into_message()),
+    }
+}
+
+impl Drafts {
+    pub(super) fn count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    pub(super) fn markers(&mut self, array: Field<'_>) -> Result<()> {
+        for table in array.elements()? {
+            let (mut name, mut frame) = (None, None);
+            for field in table.fields()? {
+                match field.key {
+                    "name" => name = Some(node_name(field)?),
+                    "frame" => {
+                        let number = field.number()?;
+                        field.checked(check_frame(number))?;
+                        frame = Some(number);
+                    }
+                    _ => return Err(field.unknown(&["name", "frame"])),
+                }
+            }
+            let (Some(name), Some(frame)) = (name, frame) else {
+                return Err(table.error(message!("a marker has a name and a frame")));
+            };
+            if self.markers.len() >= limits::MAX_MARKERS {
+                let most = limits::MAX_MARKERS;
+                return Err(table.error(message!("a scene has at most {0} markers", most)));
+            }
+            self.markers.push((table.line(), name, frame));
+        }
+        Ok(())
+    }
+
+    pub(super) fn nodes(&mut self, array: Field<'_>, orientations: &mut usize) -> Result<()> {
+        let elements = array.elements()?;
+        self.nodes
+            .try_reserve(elements.len().min(limits::MAX_NODES))?;
+        for table in elements {
+            if self.nodes.len() >= limits::MAX_NODES {
+                let most = limits::MAX_NODES;
+                return Err(table.error(message!("a scene has at most {0} nodes", most)));
+            }
+            self.nodes.push(draft(table, orientations)?);
+        }
+        Ok(())
+    }
+
+    /// The scene of all nodes.
+    pub(super) fn finish(mut self) -> Result<Scene> {
+        let drafts = std::mem::take(&mut self.nodes);
+        let mut numbers: Vec<usize> = vec_with_room(drafts.len())?;
+        numbers.extend(0..drafts.len());
+        numbers.sort_by(|&a, &b| drafts[a].node.name.cmp(&drafts[b].node.name));
+        let find = |named: &Option<Named>, what: Message| {
+            let Some((line, name)) = named else {
+                return Ok(None);
+            };
+            let found = numbers.binary_search_by(|&at| drafts[at].node.name.cmp(name));
+            found.map(|at| Some(numbers[at])).map_err(|_| {
+                let reason = message!("there is no node \"{0}\"", name.as_str());
+                at_line(*line, message!("{0}: {1}", what, reason))
+            })
+        };
+        let mut links = vec_with_room(drafts.len())?;
+        for draft in &drafts {
+            links.push((
+                find(&draft.parent, message!("parent"))?,
+                find(&draft.aim, message!("aim"))?,
+            ));
+        }
+        let mut nodes = vec_with_room(drafts.len())?;
+        let mut rests = vec_with_room(drafts.len())?;
+        for (mut draft, (parent, aim)) in drafts.into_iter().zip(links) {
+            draft.node.parent = parent;
+            draft.node.aim = aim;
+            nodes.push(draft.node);
+            rests.push((
+                draft.line,
+                draft.shapes,
+                draft.weights,
+                draft.tracks,
+                draft.pins,
+            ));
+        }
+        let mut scene =
+            Scene::from_nodes(nodes).map_err(|(node, error)| placed(rests[node].0, error))?;
+        let mut pins = Vec::new();
+        for (node, (_, shapes, weights, tracks, own_pins)) in rests.into_iter().enumerate() {
+            for (line, shape) in shapes {
+                scene
+                    .add_shape(node, shape)
+                    .map_err(|e| placed(line, at_node(&scene, node, e)))?;
+            }
+            if let Some((line, weights)) = weights {
+                scene
+                    .set_weights(node, &weights)
+                    .map_err(|e| placed(line, at_node(&scene, node, e)))?;
+            }
+            for (line, track) in tracks {
+                let place = message!("channel \"{0}\"", track.channel().to_string());
+                if scene.nodes()[node].keys().track(track.channel()).is_some() {
+                    let twice = Error::Argument(message!("this was given further up already"));
+                    return Err(placed(line, at_node(&scene, node, twice.at(place))));
+                }
+                scene
+                    .set_track(node, track)
+                    .map_err(|e| placed(line, at_node(&scene, node, e.at(place))))?;
+            }
+            pins.extend(own_pins.into_iter().map(|pin| (node, pin)));
+        }
+        let mut scene = self.mark(scene)?;
+        for (node, (line, point, marker)) in pins {
+            scene
+                .pin(node, point, Some(&marker))
+                .map_err(|e| placed(line, at_node(&scene, node, e)))?;
+        }
+        Ok(scene)
+    }
+
+    /// Puts the markers into a scene.
+    pub(super) fn mark(self, mut scene: Scene) -> Result<Scene> {
+        for (line, name, frame) in self.markers {
+            if scene.markers().iter().any(|marker| marker.name == name) {
+                let reason = message!("there is a marker \"{0}\" already", name);
+                return Err(at_line(line, reason));
+            }
+            scene
+                .set_marker(&name, frame)
+                .map_err(|e| placed(line, e))?;
+        }
+        Ok(scene)
+    }
+}
+
+fn at_node(scene: &Scene, node: usize, error: Error) -> Error {
+    let name = scene.nodes()[node].name.as_str();
+    error.at(message!("node \"{0}\"", name))
+}
+
+fn node_name(field: Field<'_>) -> Result<String> {
+    let name = field.text()?;
+    field.checked(check_node_name(name))?;
+    Ok(name.to_owned())
+}
+
+const KEYS: [&str; 24] = [
+    "name",
+    "kind",
+    "parent",
+    "aim",
+    "pivot",
+    "position",
+    "rotation",
+    "scale",
+    "visible",
+    "zoom_mm",
+    "roll_degrees",
+    "near",
+    "far",
+    "light",
+    "colour",
+    "intensity",
+    "cone_degrees",
+    "aim_weight",
+    "mesh",
+    "weights",
+    "shape",
+    "deformation",
+    "path",
+    "track",
+];
+
+fn draft(table: Field<'_>, orientations: &mut usize) -> Result<Draft> {
+    let Some(name) = table.find("name")? else {
+        return Err(table.error(message!("this node has no name")));
+    };
+    let name = node_name(name)?;
+    let place = |error| match error {
+        // What stands behind the line, with the name before it.
+        Error::Format(_) | Error::Memory | Error::Limit(_) => error,
+        other => placed(
+            table.line(),
+            other.at(message!("node \"{0}\"", name.as_str())),
+        ),
+    };
+    let mut draft = Draft {
+        line: table.line(),
+        node: Node::new(&name, kind(table)?),
+        shapes: Vec::new(),
+        weights: None,
+        tracks: Vec::new(),
+        parent: None,
+        aim: None,
+        pins: Vec::new(),
+    };
+    let node = &mut draft.node;
+    for field in table.fields()? {
+        let rest = &mut node.rest;
+        match field.key {
+            "name" | "kind" => {}
+            "parent" => draft.parent = Some((field.line(), field.text()?.to_owned())),
+            "aim" => draft.aim = Some((field.line(), field.text()?.to_owned())),
+            "pivot" => node.pivot = field.vector()?,
+            "position" => rest.position = field.vector()?,
+            "rotation" => {
+                let [w, x, y, z] = field.numbers()?;
+                rest.rotation = DQuat::from_xyzw(x, y, z, w);
+            }
+            "scale" => rest.scale = field.vector()?,
+            "visible" => rest.visible = field.boolean()?,
+            "zoom_mm" => rest.zoom = field.number()?,
+            "roll_degrees" => rest.roll = field.number()?,
+            "colour" => rest.colour = field.numbers()?,
+            "intensity" => rest.intensity = field.number()?,
+            "cone_degrees" => rest.cone = field.numbers()?,
+            "aim_weight" => rest.aim_weight = field.number()?,
+            "near" | "far" => {
+                let Kind::Camera(camera) = &mut node.kind else {
+                    return Err(misplaced(&field, &node.kind));
+                };
+                let plane = if field.key == "near" {
+                    &mut camera.near
+                } else {
+                    &mut camera.far
+                };
+                *plane = field.number()?;
+            }
+            "light" => {
+                let Kind::Light(light) = &mut node.kind else {
+                    return Err(misplaced(&field, &node.kind));
+                };
+                *light = light_kind(field)?;
+            }
+            "mesh" => {
+                let mesh = mesh(field)?;
+                let Kind::Object(object) = &mut node.kind else {
+                    return Err(misplaced(&field, &node.kind));
+                };
+                field.checked(object.set_mesh(mesh))?;
+            }
+            "deformation" => {
+                let Kind::Object(object) = &mut node.kind else {
+                    return Err(misplaced(&field, &node.kind));
+                };
+                for element in field.elements()? {
+                    let (deformation, bounds) = deformation(element)?;
+                    element.checked(object.add_deformation(deformation, bounds))?;
+                }
+            }
+            "shape" => {
+                for element in field.elements()? {
+                    draft.shapes.push((element.line(), shape(element)?));
+                }
+            }
+            "weights" => draft.weights = Some((field.line(), numbers(field, None)?)),
+            "path" => {
+                let path = path(field, orientations, &mut draft.pins)?;
+                field.checked(node.set_path(Some(path)))?;
+            }
+            "track" => {
+                for element in field.elements()? {
+                    draft.tracks.push((element.line(), track(element, &name)?));
+                }
+            }
+            _ => return Err(field.unknown(&KEYS)),
+        }
+    }
+    draft.node.check().map_err(place)?;
+    Ok(draft)
+}
+
+fn misplaced(field: &Field<'_>, kind: &Kind) -> Error {
+    field.error(message!("a {0} has none", kind.name()))
+}
+
+fn kind(table: Field<'_>) -> Result<Kind> {
+    let Some(field) = table.find("kind")? else {
+        return Err(table.error(message!("this node has no kind")));
+    };
+    match field.text()? {
+        "group" => Ok(Kind::Group),
+        "object" => Ok(Kind::Object(Object::default())),
+        "light" => Ok(Kind::Light(Light::default())),
+        "camera" => Ok(Kind::Camera(Camera::default())),
+        _ => Err(field.error(message!(
+            "must be \"group\", \"object\", \"light\" or \"camera\""
+        ))),
+    }
+}
+
+fn light_kind(field: Field<'_>) -> Result<Light> {
+    let name = field.text()?;
+    [Light::Directional, Light::Point, Light::Spot]
+        .into_iter()
+        .find(|light| light.name() == name)
+        .ok_or_else(|| field.error(message!("must be \"directional\", \"point\" or \"spot\"")))
+}
+
+fn beyond(field: Field<'_>) -> Result<Beyond> {
+    Beyond::parse(field.text()?).ok_or_else(|| {
+        field.error(message!(
+            "must be \"hold\", \"repeat\", \"pingpong\" or \"offset\""
+        ))
+    })
+}
+
+/// Numbers, or rows of equally many numbers.
+fn numbers(array: Field<'_>, rows: Option<usize>) -> Result<Vec<f64>> {
+    let elements = array.elements()?;
+    let mut all: Vec<f64> = Vec::new();
+    all.try_reserve(elements.len())?;
+    let count = elements.len();
+    let mut width = None;
+    for element in elements {
+        if !element.is_array() {
+            if width.is_some() {
+                return Err(element.error(message!("here are rows of numbers before")));
+            }
+            all.try_reserve(1)?;
+            all.push(element.number()?);
+            continue;
+        }
+        let row = element.elements()?;
+        if width.is_none() && !all.is_empty() {
+            return Err(element.error(message!("here are single numbers before")));
+        }
+        if *width.get_or_insert(row.len()) != row.len() {
+            let wanted = width.unwrap_or_default();
+            return Err(element.error(message!(
+                "expected {0} numbers, found {1}",
+                wanted,
+                row.len()
+            )));
+        }
+        all.try_reserve(row.len())?;
+        for number in row {
+            all.push(number.number()?);
+        }
+    }
+    if let Some(rows) = rows.filter(|&rows| rows != count) {
+        return Err(array.error(message!(
+            "{0} keys need as many values, not {1}",
+            rows,
+            count
+        )));
+    }
+    Ok(all)
+}
+
+fn vectors(array: Field<'_>, most: usize) -> Result<Vec<DVec3>> {
+    let elements = array.elements()?;
+    if elements.len() > most {
+        return Err(array.error(message!("an object has at most {0} points", most)));
+    }
+    let mut all = vec_with_room(elements.len())?;
+    for element in elements {
+        all.push(element.vector()?);
+    }
+    Ok(all)
+}
+
+fn indices<const N: usize>(array: Field<'_>) -> Result<Vec<[u32; N]>> {
+    let elements = array.elements()?;
+    let mut all = vec_with_room(elements.len())?;
+    for element in elements {
+        let corners = element.elements()?;
+        if corners.len() != N {
+            return Err(element.error(message!(
+                "expected {0} numbers, found {1}",
+                N,
+                corners.len()
+            )));
+        }
+        let mut row = [0; N];
+        for (index, corner) in row.iter_mut().zip(corners) {
+            *index = corner.integer_in(0, u32::MAX.into())? as u32;
+        }
+        all.push(row);
+    }
+    Ok(all)
+}
+
+fn colours(array: Field<'_>) -> Result<Vec<[u8; 3]>> {
+    let rows = indices::<3>(array)?;
+    let mut all = vec_with_room(rows.len())?;
+    for row in rows {
+        let byte = |value: u32| {
+            u8::try_from(value)
+                .map_err(|_| array.error(message!("must lie between {0} and {1}", 0, 255)))
+        };
+        all.push([byte(row[0])?, byte(row[1])?, byte(row[2])?]);
+    }
+    Ok(all)
+}
+
+fn mesh(table: Field<'_>) -> Result<Mesh> {
+    let mut mesh = Mesh::default();
+    for field in table.fields()? {
+        match field.key {
+            "points" => mesh.points = vectors(field, limits::MAX_MESH_POINTS)?,
+            "colours" => mesh.colours = colours(field)?,
+            "lines" => mesh.lines = indices(field)?,
+            "triangles" => mesh.triangles = indices(field)?,
+            _ => return Err(field.unknown(&["points", "colours", "lines", "triangles"])),
+        }
+    }
+    Ok(mesh)
+}
+
+fn shape(table: Field<'_>) -> Result<Shape> {
+    let mut shape = Shape {
+        name: String::new(),
+        points: Vec::new(),
+        colours: Vec::new(),
+    };
+    for field in table.fields()? {
+        match field.key {
+            "name" => shape.name = one_line(field)?,
+            "points" => shape.points = vectors(field, limits::MAX_MESH_POINTS)?,
+            "colours" => shape.colours = colours(field)?,
+            _ => return Err(field.unknown(&["name", "points", "colours"])),
+        }
+    }
+    Ok(shape)
+}
+
+fn deformation(table: Field<'_>) -> Result<(Deformation, Option<Bounds>)> {
+    let (mut kind, mut parameters, mut bounds) = (None, Vec::new(), None);
+    for field in table.fields()? {
+        match field.key {
+            "kind" => kind = Some(field.text()?),
+            "parameters" => parameters = numbers(field, None)?,
+            "box" => {
+                let [a, b, c, d, e, f] = field.numbers()?;
+                let made = Bounds::new(DVec3::new(a, b, c), DVec3::new(d, e, f));
+                bounds = Some(field.checked(made)?);
+            }
+            _ => return Err(field.unknown(&["kind", "parameters", "box"])),
+        }
+    }
+    let Some(kind) = kind else {
+        return Err(table.error(message!("this deformation has no kind")));
+    };
+    let made = table.checked(Deformation::new(kind, &parameters))?;
+    Ok((made, bounds))
+}
+
+fn path(
+    table: Field<'_>,
+    orientations: &mut usize,
+    pins: &mut Vec<(usize, usize, String)>,
+) -> Result<FollowPath> {
+    let mut path = CameraPath {
+        points: Vec::new(),
+        ..CameraPath::default()
+    };
+    let (mut start, mut after) = (1.0, Beyond::Hold);
+    for field in table.fields()? {
+        match field.key {
+            "start_frame" => start = field.number()?,
+            "beyond" => after = beyond(field)?,
+            "closed" => path.closed = field.boolean()?,
+            "orientation_mode" => path.orientation_mode = orientation_mode(field)?,
+            "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
+            "base_speeds" => path.speeds = base_speeds(field)?,
+            "presets" => presets(field, &mut path.presets)?,
+            "point" => points(field, &mut path.points, orientations)?,
+            "pins" => {
+                for element in field.elements()? {
+                    pins.push(pin(element)?);
+                }
+            }
+            _ => {
+                return Err(field.unknown(&[
+                    "start_frame",
+                    "beyond",
+                    "closed",
+                    "orientation_mode",
+                    "zoom_mode",
+                    "base_speeds",
+                    "presets",
+                    "point",
+                    "pins",
+                ]));
+            }
+        }
+    }
+    table.checked(FollowPath::new(path, start, after))
+}
+
+fn pin(table: Field<'_>) -> Result<(usize, usize, String)> {
+    let (mut point, mut marker) = (None, None);
+    for field in table.fields()? {
+        match field.key {
+            "point" => point = Some(field.integer_in(0, limits::MAX_POINTS as i64)? as usize),
+            "marker" => marker = Some(node_name(field)?),
+            _ => return Err(field.unknown(&["point", "marker"])),
+        }
+    }
+    match (point, marker) {
+        (Some(point), Some(marker)) => Ok((table.line(), point, marker)),
+        _ => Err(table.error(message!("a pin has a point and a marker"))),
+    }
+}
+
+fn track(table: Field<'_>, node: &str) -> Result<Track> {
+    let place = |field: &Field<'_>, error: Error| match error {
+        Error::Memory => error,
+        other => at_line(
+            field.line(),
+            other.at(message!("node \"{0}\"", node)).into_message(),
+        ),
+    };
+    let (mut channel, mut interpolation) = (None, None);
+    let (mut before, mut after) = (Beyond::Hold, Beyond::Hold);
+    let (mut frames, mut values, mut shape) = (None, None, Vec::new());
+    for field in table.fields()? {
+        match field.key {
+            "channel" => {
+                let made = Channel::parse(field.text()?);
+                channel = Some(made.map_err(|error| place(&field, error))?);
+            }
+            "interpolation" => {
+                let made = Interpolation::parse(field.text()?);
+                interpolation = Some(made.map_err(|error| place(&field, error))?);
+            }
+            "before" => before = beyond(field)?,
+            "after" => after = beyond(field)?,
+            "frames" => frames = Some(numbers(field, None)?),
+            "values" => values = Some(field),
+            "shape" => shape = numbers(field, None)?,
+            _ => {
+                return Err(field.unknown(&[
+                    "channel",
+                    "interpolation",
+                    "before",
+                    "after",
+                    "frames",
+                    "values",
+                    "shape",
+                ]));
+            }
+        }
+    }
+    let (Some(channel), Some(interpolation), Some(frames), Some(values)) =
+        (channel, interpolation, frames, values)
+    else {
+        return Err(table.error(message!(
+            "a track has a channel, an interpolation, frames and values"
+        )));
+    };
+    let values = numbers(values, Some(frames.len()))?;
+    Track::new(channel, interpolation, frames, values, shape)
+        .and_then(|track| track.with_beyond(before, after))
+        .map_err(|error| place(&table, error))
+}

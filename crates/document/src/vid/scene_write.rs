@@ -1,0 +1,279 @@
+//! From a scene to the text of its `.vid` file.
+
+use std::fmt::{self, Write};
+
+use super::write::{
+    Quoted, Shape as TcbShape, Text, Vector, head, list, orientation_mode, point, space, to_toml,
+    zoom_mode,
+};
+use vides_engine::deform::{Bounds, Deformation};
+use crate::info::Info;
+use crate::error::{Error, Result};
+use crate::path::camera_path::DEFAULT_PRESETS;
+use vides_engine::scene::{
+    Beyond, Camera, FollowPath, Kind, Light, Mesh, Node, Object, Pin, Scene, Shape, Track, Values,
+};
+
+/// The text of a scene. One that is nothing but a camera on a path is written as
+/// that path; of nodes, values with the default of a new one are left out.
+pub fn scene_to_toml(scene: &Scene, info: &Info) -> Result<String> {
+    if let Some(path) = alone(scene) {
+        return to_toml(path.path(), info);
+    }
+    let mut out = Text(String::new());
+    // Nothing here fails but for want of memory.
+    document(&mut out, scene, info).map_err(|_| Error::Memory)?;
+    Ok(out.0)
+}
+
+/// The path of a scene that has nothing else.
+fn alone(scene: &Scene) -> Option<&FollowPath> {
+    let [node] = scene.nodes() else {
+        return None;
+    };
+    let path = node.path()?;
+    let plain = node.name == "camera"
+        && node.kind == Kind::Camera(Camera::default())
+        && node.aim.is_none()
+        && same(&node.pivot.to_array(), &[0.0; 3])
+        && node.rest.visible
+        && rest(&node.rest)
+            .iter()
+            .zip(&rest(&Values::default()))
+            .all(|(own, default)| same(&own.1, &default.1))
+        && node.keys().tracks().is_empty()
+        && scene.markers().is_empty()
+        && path.start_frame() == 1.0
+        && path.beyond() == Beyond::Hold;
+    plain.then_some(path)
+}
+
+/// Whether both are the same to the last bit: −0 must come back as −0.
+fn same(a: &[f64], b: &[f64]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
+}
+
+/// What is written of a node's rest values, by its key.
+fn rest(values: &Values) -> [(&'static str, Vec<f64>); 9] {
+    let q = values.rotation;
+    [
+        ("position", values.position.to_array().to_vec()),
+        ("rotation", vec![q.w, q.x, q.y, q.z]),
+        ("scale", values.scale.to_array().to_vec()),
+        ("colour", values.colour.to_vec()),
+        ("cone_degrees", values.cone.to_vec()),
+        ("zoom_mm", vec![values.zoom]),
+        ("roll_degrees", vec![values.roll]),
+        ("intensity", vec![values.intensity]),
+        ("aim_weight", vec![values.aim_weight]),
+    ]
+}
+
+fn document(out: &mut Text, scene: &Scene, info: &Info) -> fmt::Result {
+    head(out, info)?;
+    if scene.nodes().is_empty() {
+        writeln!(out, "node = []")?;
+    }
+    space(out, info)?;
+    for marker in scene.markers() {
+        writeln!(out, "\n[[marker]]\nname = {}", Quoted(&marker.name))?;
+        writeln!(out, "frame = {:?}", marker.frame)?;
+    }
+    let mut pins = scene.pins();
+    for (at, node) in scene.nodes().iter().enumerate() {
+        let own = pins.partition_point(|pin| pin.node <= at);
+        let (here, rest) = pins.split_at(own);
+        pins = rest;
+        self::node(out, scene, node, here)?;
+    }
+    Ok(())
+}
+
+fn node(out: &mut Text, scene: &Scene, node: &Node, pins: &[Pin]) -> fmt::Result {
+    writeln!(out, "\n[[node]]\nname = {}", Quoted(&node.name))?;
+    writeln!(out, "kind = \"{}\"", node.kind.name())?;
+    for (key, link) in [("parent", node.parent), ("aim", node.aim)] {
+        if let Some(link) = link {
+            writeln!(out, "{key} = {}", Quoted(&scene.nodes()[link].name))?;
+        }
+    }
+    if !same(&node.pivot.to_array(), &[0.0; 3]) {
+        writeln!(out, "pivot = {}", Vector(node.pivot))?;
+    }
+    let default = rest(&Values::default());
+    for ((key, numbers), (_, default)) in rest(&node.rest).iter().zip(&default) {
+        if !same(numbers, default) {
+            write!(out, "{key} = ")?;
+            match numbers[..] {
+                [number] => writeln!(out, "{number:?}")?,
+                _ => line(out, numbers)?,
+            }
+        }
+    }
+    if !node.rest.visible {
+        writeln!(out, "visible = false")?;
+    }
+    match &node.kind {
+        Kind::Group => {}
+        Kind::Camera(Camera { near, far }) => {
+            writeln!(out, "near = {near:?}\nfar = {far:?}")?;
+        }
+        Kind::Light(light) => {
+            let light: Light = *light;
+            writeln!(out, "light = \"{}\"", light.name())?;
+        }
+        Kind::Object(object) => self::object(out, object)?,
+    }
+    if let Some(path) = node.path() {
+        self::path(out, path, pins)?;
+    }
+    let mut tracks = node.keys().tracks().iter();
+    tracks.try_for_each(|track| self::track(out, track))
+}
+
+fn line(out: &mut Text, numbers: &[f64]) -> fmt::Result {
+    list(out, numbers)?;
+    writeln!(out)
+}
+
+/// Rows of an array, each on a line of its own.
+fn rows<T: Copy>(
+    out: &mut Text,
+    key: &str,
+    rows: impl IntoIterator<Item = T>,
+    mut write: impl FnMut(&mut Text, T) -> fmt::Result,
+) -> fmt::Result {
+    let mut rows = rows.into_iter().peekable();
+    if rows.peek().is_none() {
+        return Ok(());
+    }
+    writeln!(out, "{key} = [")?;
+    for row in rows {
+        write!(out, "  ")?;
+        write(out, row)?;
+        writeln!(out, ",")?;
+    }
+    writeln!(out, "]")
+}
+
+fn object(out: &mut Text, object: &Object) -> fmt::Result {
+    if object.weights().iter().any(|weight| weight.to_bits() != 0) {
+        write!(out, "weights = ")?;
+        line(out, object.weights())?;
+    }
+    if !object.mesh().points.is_empty() {
+        mesh(out, object.mesh())?;
+    }
+    for shape in object.shapes() {
+        self::shape(out, shape)?;
+    }
+    let mut deformations = object.deformations().iter();
+    deformations.try_for_each(|(deformation, bounds)| self::deformation(out, deformation, bounds))
+}
+
+fn mesh(out: &mut Text, mesh: &Mesh) -> fmt::Result {
+    writeln!(out, "\n[node.mesh]")?;
+    rows(out, "points", &mesh.points, |out, point| {
+        write!(out, "{}", Vector(*point))
+    })?;
+    rows(out, "colours", &mesh.colours, |out, colour| {
+        write!(out, "{colour:?}")
+    })?;
+    rows(out, "lines", &mesh.lines, |out, ends| {
+        write!(out, "{ends:?}")
+    })?;
+    rows(out, "triangles", &mesh.triangles, |out, corners| {
+        write!(out, "{corners:?}")
+    })
+}
+
+fn shape(out: &mut Text, shape: &Shape) -> fmt::Result {
+    writeln!(out, "\n[[node.shape]]\nname = {}", Quoted(&shape.name))?;
+    rows(out, "points", &shape.points, |out, point| {
+        write!(out, "{}", Vector(*point))
+    })?;
+    rows(out, "colours", &shape.colours, |out, colour| {
+        write!(out, "{colour:?}")
+    })
+}
+
+fn deformation(out: &mut Text, deformation: &Deformation, bounds: &Option<Bounds>) -> fmt::Result {
+    writeln!(
+        out,
+        "\n[[node.deformation]]\nkind = \"{}\"",
+        deformation.kind()
+    )?;
+    write!(out, "parameters = ")?;
+    line(out, deformation.parameters())?;
+    if let Some(bounds) = bounds {
+        let (min, max) = (bounds.min(), bounds.max());
+        write!(out, "box = ")?;
+        line(out, &[min.x, min.y, min.z, max.x, max.y, max.z])?;
+    }
+    Ok(())
+}
+
+fn path(out: &mut Text, follow: &FollowPath, pins: &[Pin]) -> fmt::Result {
+    let path = follow.path();
+    writeln!(
+        out,
+        "\n[node.path]\nstart_frame = {:?}",
+        follow.start_frame()
+    )?;
+    writeln!(out, "beyond = \"{}\"", follow.beyond().name())?;
+    writeln!(out, "closed = {}", path.closed)?;
+    writeln!(out, "orientation_mode = \"{}\"", orientation_mode(path))?;
+    writeln!(out, "zoom_mode = \"{}\"", zoom_mode(path))?;
+    rows(out, "pins", pins, |out, pin| {
+        write!(
+            out,
+            "{{ point = {}, marker = {} }}",
+            pin.point,
+            Quoted(&pin.marker)
+        )
+    })?;
+    let speeds = path.speeds;
+    writeln!(out, "\n[node.path.base_speeds]")?;
+    writeln!(out, "move_frames = {:?}", speeds.movement)?;
+    writeln!(out, "orient_frames = {:?}", speeds.turning)?;
+    writeln!(out, "zoom_frames = {:?}", speeds.zoom)?;
+    writeln!(out, "roll_frames = {:?}", speeds.rolling)?;
+    writeln!(out, "\n[node.path.presets]")?;
+    for (number, preset) in path.presets.iter().enumerate() {
+        let of = |tcb: &crate::path::Tcb| [tcb.tension, tcb.continuity, tcb.bias];
+        if !same(&of(preset), &of(&DEFAULT_PRESETS[number])) {
+            writeln!(out, "{number} = {}", TcbShape(*preset))?;
+        }
+    }
+    let mut points = path.points.iter();
+    points.try_for_each(|point| self::point(out, "node.path.point", point))
+}
+
+fn track(out: &mut Text, track: &Track) -> fmt::Result {
+    let channel = track.channel().to_string();
+    let interpolation = track.interpolation().to_string();
+    writeln!(out, "\n[[node.track]]\nchannel = {}", Quoted(&channel))?;
+    writeln!(out, "interpolation = {}", Quoted(&interpolation))?;
+    let (before, after) = track.beyond();
+    for (key, beyond) in [("before", before), ("after", after)] {
+        if beyond != Beyond::Hold {
+            writeln!(out, "{key} = \"{}\"", beyond.name())?;
+        }
+    }
+    write!(out, "frames = ")?;
+    line(out, track.frames())?;
+    keys(out, "values", track.values(), track.frames().len())?;
+    keys(out, "shape", track.shape(), track.frames().len())
+}
+
+/// The numbers of all keys: single ones on one line, else a row for each key.
+fn keys(out: &mut Text, key: &str, numbers: &[f64], count: usize) -> fmt::Result {
+    let width = numbers.len() / count;
+    if width == 1 {
+        write!(out, "{key} = ")?;
+        return line(out, numbers);
+    }
+    rows(out, key, numbers.chunks_exact(width.max(1)), |out, row| {
+        list(out, row)
+    })
+}

@@ -1,0 +1,80 @@
+//! The box that a deformation is relative to.
+
+use glam::DVec3;
+
+use crate::error::{Error, Result, message};
+use crate::path::camera_path::check_coordinates;
+
+/// A box along the axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    min: DVec3,
+    max: DVec3,
+}
+
+impl Bounds {
+    /// A box from its lowest to its highest corner; sides may be flat.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] or [`Error::Range`].
+    pub fn new(min: DVec3, max: DVec3) -> Result<Self> {
+        check_coordinates(min)?;
+        check_coordinates(max)?;
+        if min.cmpgt(max).any() {
+            return Err(Error::Argument(message!(
+                "the box must not end before it begins"
+            )));
+        }
+        Ok(Self { min, max })
+    }
+
+    /// The smallest box round some points; that of the origin if there are none.
+    #[must_use]
+    pub fn of(points: &[DVec3]) -> Self {
+        let Some(&first) = points.first() else {
+            return Self {
+                min: DVec3::ZERO,
+                max: DVec3::ZERO,
+            };
+        };
+        let (min, max) = points
+            .iter()
+            .fold((first, first), |(min, max), p| (min.min(*p), max.max(*p)));
+        Self { min, max }
+    }
+
+    /// The lowest corner.
+    #[must_use]
+    pub const fn min(&self) -> DVec3 {
+        self.min
+    }
+
+    /// The highest corner.
+    #[must_use]
+    pub const fn max(&self) -> DVec3 {
+        self.max
+    }
+
+    /// −1…1 from side to side; 0 where the box is flat.
+    pub(super) fn coordinate(&self, point: DVec3, axis: usize) -> f64 {
+        let (min, max) = (self.min[axis], self.max[axis]);
+        if max > min {
+            (2.0 * point[axis] - (min + max)) / (max - min)
+        } else {
+            0.0
+        }
+    }
+
+    /// Moves a point to a coordinate; where the box is flat it stays.
+    pub(super) fn place(&self, point: &mut DVec3, axis: usize, coordinate: f64) {
+        let (min, max) = (self.min[axis], self.max[axis]);
+        if max > min {
+            point[axis] = (1.0 - coordinate) / 2.0 * min + (1.0 + coordinate) / 2.0 * max;
+        }
+    }
+
+    /// Whether a point is in the box, flat sides not looked at.
+    pub(super) fn contains(&self, point: DVec3) -> bool {
+        (0..3).all(|axis| self.coordinate(point, axis).abs() <= 1.0)
+    }
+}

@@ -1,0 +1,251 @@
+//! Deformations of space (lecture 9.3.1): taper, twist, bend and free form.
+//!
+//! Each acts on points in the coordinates u, v, w of a box, −1…1 from side to
+//! side. What a flat side of the box has no coordinate for stays where it is.
+//! Axes run cyclically, right-handed: beside axis k lie k + 1 and k + 2. It
+//! knows nothing of who asks: objects of a scene and the points of a path are
+//! deformed by the same lines.
+
+mod bend;
+mod bounds;
+mod free_form;
+
+use glam::DVec3;
+
+use crate::error::{Error, Result, message, vec_with_room};
+use crate::limits::MAX_COORDINATE;
+
+pub use bounds::Bounds;
+pub use free_form::{LATTICE, identity_lattice};
+
+/// The largest angle in degrees: a thousand turns.
+const MAX_ANGLE: f64 = 360_000.0;
+
+/// A deformation: its kind and its numbers, in the order in which a caller
+/// gives them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Deformation {
+    form: Form,
+    parameters: Vec<f64>,
+}
+
+/// The kinds by what they compute; two of them have one name and tell
+/// themselves apart by how many numbers they take.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Form {
+    /// `axis a`: r(u) = 1 + (a−1)(1−u²); a = 2 is the lecture's 2−u².
+    Bulge,
+    /// `axis r0 r1`: r linear from end to end.
+    Taper,
+    /// `axis angle`.
+    Twist,
+    /// `axis angle`: 0 is the identity, the middle stays.
+    Bend,
+    /// `axis_u axis_v u0 v0 phi_min phi_max` (lecture).
+    Polar,
+    /// 64 points, first index fastest.
+    FreeForm,
+}
+
+const FORMS: [Form; 6] = [
+    Form::Bulge,
+    Form::Taper,
+    Form::Twist,
+    Form::Bend,
+    Form::Polar,
+    Form::FreeForm,
+];
+
+impl Form {
+    const fn kind(self) -> &'static str {
+        match self {
+            Self::Bulge | Self::Taper => "taper",
+            Self::Twist => "twist",
+            Self::Bend | Self::Polar => "bend",
+            Self::FreeForm => "free-form",
+        }
+    }
+
+    /// Axes that the parameters begin with.
+    const fn axes(self) -> usize {
+        match self {
+            Self::FreeForm => 0,
+            Self::Polar => 2,
+            _ => 1,
+        }
+    }
+
+    /// The parameters behind the axes that can change in time: name, place and
+    /// how many numbers.
+    const fn channels(self) -> &'static [(&'static str, usize, usize)] {
+        match self {
+            Self::Bulge => &[("a", 1, 1)],
+            Self::Taper => &[("r0", 1, 1), ("r1", 2, 1)],
+            Self::Twist | Self::Bend => &[("angle", 1, 1)],
+            Self::Polar => &[
+                ("u0", 2, 1),
+                ("v0", 3, 1),
+                ("phi_min", 4, 1),
+                ("phi_max", 5, 1),
+            ],
+            Self::FreeForm => &[("points", 0, 3 * LATTICE)],
+        }
+    }
+
+    fn count(self) -> usize {
+        let numbers: usize = self.channels().iter().map(|channel| channel.2).sum();
+        self.axes() + numbers
+    }
+}
+
+impl Deformation {
+    /// A deformation by the name of its kind (`taper`, `twist`, `bend`,
+    /// `free-form`) and its parameters; angles in degrees, axes 0, 1, 2.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] if there is no such kind, [`Error::Range`] or
+    /// [`Error::Argument`] for the parameters, [`Error::Memory`].
+    pub fn new(kind: &str, parameters: &[f64]) -> Result<Self> {
+        if !FORMS.iter().any(|form| form.kind() == kind) {
+            return Err(Error::Argument(message!(
+                "there is no deformation \"{0}\"; known: taper, twist, bend, free-form",
+                kind
+            )));
+        }
+        let form = FORMS
+            .into_iter()
+            .find(|form| form.kind() == kind && form.count() == parameters.len())
+            .ok_or_else(|| {
+                Error::Range(message!(
+                    "the deformation \"{0}\" does not take {1} numbers",
+                    kind,
+                    parameters.len()
+                ))
+            })?;
+        let mut kept = vec_with_room(parameters.len())?;
+        kept.extend_from_slice(parameters);
+        let made = Self {
+            form,
+            parameters: kept,
+        };
+        made.check()?;
+        Ok(made)
+    }
+
+    fn check(&self) -> Result<()> {
+        let (axes, numbers) = self.parameters.split_at(self.form.axes());
+        if !axes.iter().all(|axis| [0.0, 1.0, 2.0].contains(axis)) {
+            return Err(Error::Range(message!(
+                "an axis of a deformation is 0, 1 or 2"
+            )));
+        }
+        if self.form == Form::Polar && axes[0] == axes[1] {
+            return Err(Error::Argument(message!("a bend needs two different axes")));
+        }
+        numbers.iter().try_for_each(|&number| check_number(number))
+    }
+
+    /// The name of the kind.
+    #[must_use]
+    pub const fn kind(&self) -> &'static str {
+        self.form.kind()
+    }
+
+    /// The parameters as they were given.
+    #[must_use]
+    pub fn parameters(&self) -> &[f64] {
+        &self.parameters
+    }
+
+    /// The names of the parameters that may change in time, and how many
+    /// numbers each has.
+    pub fn channels(&self) -> impl Iterator<Item = (&'static str, usize)> + use<> {
+        let channels = self.form.channels().iter();
+        channels.map(|&(name, _, width)| (name, width))
+    }
+
+    /// The numbers of one of these parameters.
+    #[must_use]
+    pub fn channel(&self, name: &str) -> Option<&[f64]> {
+        let mut all = self.form.channels().iter();
+        let &(_, at, width) = all.find(|channel| channel.0 == name)?;
+        Some(&self.parameters[at..at + width])
+    }
+
+    /// The same, to be changed. What is no finite number there leaves points
+    /// where no number is, so callers look first.
+    pub fn channel_mut(&mut self, name: &str) -> Option<&mut [f64]> {
+        let mut all = self.form.channels().iter();
+        let &(_, at, width) = all.find(|channel| channel.0 == name)?;
+        Some(&mut self.parameters[at..at + width])
+    }
+
+    /// Deforms points. Those outside the box: taper, twist and the lecture's
+    /// bend take the coordinate that they depend on as the nearest one of the
+    /// box, the bend by an angle goes on straight, free form leaves them.
+    pub fn apply(&self, bounds: &Bounds, points: &mut [DVec3]) {
+        let p = &self.parameters[..];
+        let axis = |at: usize| p[at] as usize;
+        match self.form {
+            Form::Bulge => taper(bounds, axis(0), points, |u| {
+                1.0 + (p[1] - 1.0) * (1.0 - u * u)
+            }),
+            Form::Taper => taper(bounds, axis(0), points, |u| {
+                p[1] * ((1.0 - u) / 2.0) + p[2] * ((1.0 + u) / 2.0)
+            }),
+            Form::Twist => twist(bounds, axis(0), p[1].to_radians(), points),
+            Form::Bend => bend::by_angle(bounds, axis(0), p[1].to_radians(), points),
+            Form::Polar => {
+                let angles = [p[4].to_radians(), p[5].to_radians()];
+                bend::polar(bounds, [axis(0), axis(1)], [p[2], p[3]], angles, points);
+            }
+            Form::FreeForm => free_form::apply(bounds, p, points),
+        }
+    }
+}
+
+/// One number of a deformation: finite, and small enough to compute with.
+///
+/// # Errors
+/// [`Error::Argument`] or [`Error::Range`].
+pub fn check_number(number: f64) -> Result<()> {
+    if !number.is_finite() {
+        return Err(Error::Argument(message!(
+            "a parameter of a deformation must be a finite number"
+        )));
+    }
+    if number.abs() > MAX_ANGLE.min(MAX_COORDINATE) {
+        return Err(Error::Range(message!(
+            "a parameter of a deformation must not exceed {0}",
+            MAX_ANGLE
+        )));
+    }
+    Ok(())
+}
+
+/// Scales across an axis by a function of the place along it.
+fn taper(bounds: &Bounds, axis: usize, points: &mut [DVec3], scale: impl Fn(f64) -> f64) {
+    let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+    for point in points {
+        let r = scale(bounds.coordinate(*point, axis).clamp(-1.0, 1.0));
+        for k in [a, b] {
+            let along = bounds.coordinate(*point, k);
+            bounds.place(point, k, r * along);
+        }
+    }
+}
+
+/// Turns about an axis by `angle` (radians) from end to end.
+fn twist(bounds: &Bounds, axis: usize, angle: f64, points: &mut [DVec3]) {
+    let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+    for point in points {
+        let w = bounds.coordinate(*point, axis).clamp(-1.0, 1.0);
+        let (sin, cos) = (angle * ((w + 1.0) / 2.0)).sin_cos();
+        let (u, v) = (bounds.coordinate(*point, a), bounds.coordinate(*point, b));
+        bounds.place(point, a, cos * u - sin * v);
+        bounds.place(point, b, sin * u + cos * v);
+    }
+}
+
+#[cfg(test)]
+mod tests;

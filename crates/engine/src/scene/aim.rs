@@ -1,0 +1,49 @@
+//! Cameras and lights that look at a node.
+
+use glam::{DQuat, DVec3};
+
+use crate::math::orientation::{
+    POLE, axes_with_yaw, level_axes, quaternion_from_view, unit, up_from_roll,
+};
+use crate::math::quaternion::slerp_shortest;
+
+/// Nearer than this there is no direction (`docs/path.md`, tracked sections).
+const NEAR: f64 = 1e-9;
+
+/// The direction from `eye` to `target`, if there is one.
+pub(super) fn direction(eye: DVec3, target: DVec3) -> Option<DVec3> {
+    let offset = target - eye;
+    (offset.abs().max_element() > NEAR && offset.is_finite()).then(|| unit(offset))
+}
+
+/// Whether a view is so steep that it has no yaw.
+pub(super) fn steep(view: DVec3) -> bool {
+    view.x.hypot(view.z) < POLE
+}
+
+/// The orientation that looks along `view` with the space's up, turned by
+/// `roll` (radians). At a pole the yaw of `last` holds, a view that has one.
+pub(super) fn aimed(view: DVec3, last: Option<DVec3>, roll: f64) -> DQuat {
+    let up = match last {
+        Some(last) if steep(view) => {
+            let h = last.x.hypot(last.z);
+            let (u, v) = axes_with_yaw(view, last.x / h, last.z / h);
+            let (sin, cos) = roll.sin_cos();
+            v * cos - u * sin
+        }
+        _ => up_from_roll(view, roll),
+    };
+    debug_assert!(level_axes(view).0.is_finite());
+    quaternion_from_view(view, up)
+}
+
+/// From the motion's own orientation to the aimed one.
+pub(super) fn blend(own: DQuat, aimed: DQuat, weight: f64) -> DQuat {
+    if weight <= 0.0 {
+        own
+    } else if weight >= 1.0 {
+        aimed
+    } else {
+        slerp_shortest(own, aimed, weight)
+    }
+}

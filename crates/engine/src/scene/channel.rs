@@ -1,0 +1,236 @@
+//! What of a node can move, by name.
+
+use std::fmt;
+
+use super::node::{Kind, Node};
+use crate::error::{Error, Result, message};
+use crate::limits::{MAX_CHANNEL_WIDTH, MAX_NAME_BYTES};
+use crate::path::camera_path::check_name;
+
+/// One thing of a node that a track moves. The order is that of a file.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Channel {
+    /// Three coordinates.
+    Position,
+    /// A quaternion w x y z; for the Euler interpolations yaw, pitch and roll in
+    /// degrees.
+    Rotation,
+    /// Three factors.
+    Scale,
+    /// 0 or 1.
+    Visible,
+    /// Of cameras, 1…100.
+    Zoom,
+    /// Of cameras, degrees.
+    Roll,
+    /// Of lights and objects, linear red, green, blue, each ≥ 0.
+    Colour,
+    /// Of lights, ≥ 0.
+    Intensity,
+    /// Of lights, half angles in degrees: inner and outer, 0…90.
+    Cone,
+    /// Of objects, one number for each shape.
+    Weights,
+    /// Of cameras and lights, 0…1.
+    AimWeight,
+    /// A parameter of one of an object's deformations.
+    Deformation {
+        /// Which one, counted from 0.
+        at: usize,
+        /// The name of the parameter.
+        parameter: String,
+    },
+    /// The host's own.
+    Value {
+        /// Its name.
+        name: String,
+        /// How many numbers.
+        width: usize,
+    },
+}
+
+const PLAIN: [(&str, Channel); 11] = [
+    ("position", Channel::Position),
+    ("rotation", Channel::Rotation),
+    ("scale", Channel::Scale),
+    ("visible", Channel::Visible),
+    ("zoom", Channel::Zoom),
+    ("roll", Channel::Roll),
+    ("colour", Channel::Colour),
+    ("intensity", Channel::Intensity),
+    ("cone", Channel::Cone),
+    ("weights", Channel::Weights),
+    ("aim_weight", Channel::AimWeight),
+];
+
+impl Channel {
+    /// A channel by its name: `position`, `deformation.2.angle`, `value:radius`,
+    /// `value:wind:3` (with three numbers).
+    ///
+    /// # Errors
+    /// [`Error::Argument`], [`Error::Range`] or [`Error::Limit`].
+    pub fn parse(name: &str) -> Result<Self> {
+        if let Some((_, channel)) = PLAIN.iter().find(|(plain, _)| *plain == name) {
+            return Ok(channel.clone());
+        }
+        if let Some(rest) = name.strip_prefix("value:") {
+            return Self::parse_value(rest);
+        }
+        if let Some(rest) = name.strip_prefix("deformation.")
+            && let Some((at, parameter)) = rest.split_once('.')
+            && let Some(at) = whole(at)
+            && parameter.len() <= MAX_NAME_BYTES
+        {
+            return Ok(Self::Deformation {
+                at,
+                parameter: parameter.to_owned(),
+            });
+        }
+        check_name(name)?;
+        Err(Error::Argument(message!(
+            "there is no channel \"{0}\"",
+            name
+        )))
+    }
+
+    fn parse_value(rest: &str) -> Result<Self> {
+        let (name, width) = match rest.split_once(':') {
+            Some((name, width)) => (name, whole(width)),
+            None => (rest, Some(1)),
+        };
+        check_name(name)?;
+        if name.is_empty() {
+            return Err(Error::Argument(message!(
+                "a channel of the host's own needs a name: value:NAME"
+            )));
+        }
+        match width {
+            Some(width) if (1..=MAX_CHANNEL_WIDTH).contains(&width) => Ok(Self::Value {
+                name: name.to_owned(),
+                width,
+            }),
+            _ => Err(Error::Range(message!(
+                "a channel of the host's own has 1 to {0} numbers: value:NAME:3",
+                MAX_CHANNEL_WIDTH
+            ))),
+        }
+    }
+
+    /// Whether both are the same thing of a node: the host's own by name alone.
+    #[must_use]
+    pub fn is(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Value { name: a, .. }, Self::Value { name: b, .. }) => a == b,
+            _ => self == other,
+        }
+    }
+
+    /// How many numbers it has at a node.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] or [`Error::Range`] if the node has no such channel.
+    pub fn width(&self, node: &Node) -> Result<usize> {
+        let none = || {
+            Err(Error::Argument(message!(
+                "a {0} has no channel \"{1}\"",
+                node.kind.name(),
+                self.to_string()
+            )))
+        };
+        let kind = &node.kind;
+        let has = match self {
+            Self::Position | Self::Rotation | Self::Scale | Self::Visible | Self::Value { .. } => {
+                true
+            }
+            Self::Zoom | Self::Roll => matches!(kind, Kind::Camera(_)),
+            Self::Colour => matches!(kind, Kind::Light(_) | Kind::Object(_)),
+            Self::Intensity | Self::Cone => matches!(kind, Kind::Light(_)),
+            Self::AimWeight => matches!(kind, Kind::Light(_) | Kind::Camera(_)),
+            Self::Weights => matches!(kind, Kind::Object(object) if !object.shapes().is_empty()),
+            Self::Deformation { .. } => matches!(kind, Kind::Object(_)),
+        };
+        if !has {
+            return none();
+        }
+        Ok(match self {
+            Self::Position | Self::Scale | Self::Colour => 3,
+            Self::Rotation => 4,
+            Self::Cone => 2,
+            Self::Visible | Self::Zoom | Self::Roll | Self::Intensity | Self::AimWeight => 1,
+            Self::Value { width, .. } => *width,
+            Self::Weights => match kind {
+                Kind::Object(object) => object.shapes().len(),
+                _ => return none(),
+            },
+            Self::Deformation { at, parameter } => {
+                let Kind::Object(object) = kind else {
+                    return none();
+                };
+                let deformations = object.deformations();
+                let Some(numbers) = deformations
+                    .get(*at)
+                    .and_then(|(deformation, _)| deformation.channel(parameter))
+                else {
+                    return none();
+                };
+                numbers.len()
+            }
+        })
+    }
+}
+
+/// A whole number in one spelling: digits, no zero before others.
+fn whole(digits: &str) -> Option<usize> {
+    let plain = digits.bytes().all(|byte| byte.is_ascii_digit());
+    let number = digits.parse().ok()?;
+    (plain && (digits.len() == 1 || !digits.starts_with('0'))).then_some(number)
+}
+
+impl fmt::Display for Channel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Deformation { at, parameter } => write!(f, "deformation.{at}.{parameter}"),
+            Self::Value { name, width: 1 } => write!(f, "value:{name}"),
+            Self::Value { name, width } => write!(f, "value:{name}:{width}"),
+            plain => {
+                let found = PLAIN.iter().find(|(_, channel)| channel == plain);
+                f.write_str(found.map_or("", |(name, _)| name))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_lead_back() {
+        for name in [
+            "position",
+            "aim_weight",
+            "deformation.12.phi_min",
+            "value:radius",
+            "value:wind:3",
+        ] {
+            assert_eq!(Channel::parse(name).unwrap().to_string(), name);
+        }
+        let one = Channel::parse("value:a:1").unwrap();
+        assert_eq!(one.to_string(), "value:a");
+        assert!(one.is(&Channel::parse("value:a:16").unwrap()));
+        for wrong in [
+            "",
+            "Position",
+            "value:",
+            "value:a:0",
+            "value:a:17",
+            "value:a:b:2",
+            "value:a\n",
+            "deformation.x.angle",
+            "deformation.01.angle",
+            "deformation.1",
+        ] {
+            assert!(Channel::parse(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,392 @@
+//! The scene at a frame.
+
+use glam::{DAffine3, DMat3, DQuat, DVec3};
+
+use super::aim;
+use super::channel::Channel;
+use super::hierarchy::{local, orthonormal};
+use super::keys::wxyz;
+use super::motion::{Motion, check_frame};
+use super::node::{Kind, Node, Values};
+use super::scene::Scene;
+use super::state::{NodeState, Troubles};
+use super::vertices::Form;
+use crate::error::{Error, Result, message, vec_with_room};
+use crate::math::orientation::view_from_quaternion;
+use crate::path::Pose;
+
+/// Frames that are looked back for the last direction: from 2^-20 on, doubled.
+const FIRST_STEP: f64 = 1.0 / (1 << 20) as f64;
+const STEPS: usize = 33;
+
+/// Halvings between a frame with a direction and one without: to the last bit
+/// of what a frame can be told apart from.
+const HALVINGS: usize = 40;
+
+/// Whether a camera without a direction looks for its last one.
+#[derive(Clone, Copy, PartialEq)]
+enum Search {
+    Back,
+    Own,
+}
+
+impl Node {
+    /// Its values at a frame.
+    fn values(&self, frame: f64, troubles: &mut Troubles) -> Result<Values> {
+        let mut values = self.rest;
+        if let Some(path) = &self.path {
+            path.at(frame, &mut values, troubles)?;
+        }
+        self.keys.at(frame, &mut values, troubles)?;
+        if matches!(self.kind, Kind::Camera(_)) && values.roll != 0.0 {
+            values.rotation *= DQuat::from_rotation_z(values.roll.to_radians());
+        }
+        Ok(values)
+    }
+}
+
+impl Scene {
+    /// The states of all nodes at a frame, by their numbers. What goes wrong
+    /// with a host's function goes to `troubles`; its channel then steps from
+    /// key to key, the rest of the scene plays.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] or [`Error::Range`] for the frame, [`Error::Range`] if
+    /// `states` are not as many as the nodes, [`Error::Memory`].
+    pub fn evaluate(
+        &self,
+        frame: f64,
+        states: &mut [NodeState],
+        troubles: &mut Troubles,
+    ) -> Result<()> {
+        check_frame(frame)?;
+        if states.len() != self.nodes.len() {
+            return Err(Error::Range(message!(
+                "{0} nodes need as many states, not {1}",
+                self.nodes.len(),
+                states.len()
+            )));
+        }
+        self.run(&self.order, frame, states, troubles, Search::Back)
+    }
+
+    /// The states of one node at the frames `first`, `first + step` and so on.
+    ///
+    /// # Errors
+    /// As [`Scene::evaluate`]; [`Error::Range`] for the node.
+    pub fn sample(
+        &self,
+        node: usize,
+        first: f64,
+        step: f64,
+        states: &mut [NodeState],
+        troubles: &mut Troubles,
+    ) -> Result<()> {
+        self.node(node)?;
+        check_frame(first)?;
+        check_frame(step).map_err(|error| error.at(message!("the step")))?;
+        check_frame(first + step * states.len().saturating_sub(1) as f64)?;
+        let chain = self.chain(node)?;
+        let mut scratch = self.scratch()?;
+        for (at, state) in states.iter_mut().enumerate() {
+            let frame = first + step * at as f64;
+            self.run(&chain, frame, &mut scratch, troubles, Search::Back)?;
+            *state = scratch[node];
+        }
+        Ok(())
+    }
+
+    /// The numbers of a channel of a node at a frame, with or without a track.
+    ///
+    /// # Errors
+    /// [`Error::Range`] or [`Error::Argument`] if there is no such channel,
+    /// [`Error::Memory`].
+    pub fn value(
+        &self,
+        node: usize,
+        channel: &Channel,
+        frame: f64,
+        troubles: &mut Troubles,
+    ) -> Result<Vec<f64>> {
+        let at = node;
+        let node = self.node(at)?;
+        check_frame(frame)?;
+        troubles.node = at;
+        let track = node.keys.track(channel);
+        let mut out = vec_with_room(16)?;
+        match (channel, track) {
+            (Channel::Value { .. }, Some(track)) => {
+                out.resize(track.width(), 0.0);
+                track.numbers(frame, &mut out, troubles);
+                return Ok(out);
+            }
+            (Channel::Value { .. }, None) => {
+                return Err(Error::Argument(message!(
+                    "\"{0}\" has no channel \"{1}\"",
+                    node.name.as_str(),
+                    channel.to_string()
+                )));
+            }
+            _ => {}
+        }
+        let width = channel.width(node)?;
+        out.try_reserve(width)?;
+        match (channel, &node.kind) {
+            (Channel::Weights | Channel::Deformation { .. }, Kind::Object(object)) => {
+                out.resize(width, 0.0);
+                let rest = match channel {
+                    Channel::Deformation { at, parameter } => object.deformations()[*at]
+                        .0
+                        .channel(parameter)
+                        .unwrap_or_default(),
+                    _ => object.weights(),
+                };
+                out.copy_from_slice(rest);
+                if let Some(track) = track {
+                    track.numbers(frame, &mut out, troubles);
+                }
+            }
+            _ => {
+                let mut values = node.rest;
+                if let Some(path) = &node.path {
+                    path.at(frame, &mut values, troubles)?;
+                }
+                node.keys.at(frame, &mut values, troubles)?;
+                match channel {
+                    Channel::Position => out.extend(values.position.to_array()),
+                    Channel::Rotation => out.extend(wxyz(values.rotation.normalize())),
+                    Channel::Scale => out.extend(values.scale.to_array()),
+                    Channel::Visible => out.push(f64::from(u8::from(values.visible))),
+                    Channel::Zoom => out.push(values.zoom),
+                    Channel::Roll => out.push(values.roll),
+                    Channel::Colour => out.extend(values.colour),
+                    Channel::Intensity => out.push(values.intensity),
+                    Channel::Cone => out.extend(values.cone),
+                    _ => out.push(values.aim_weight),
+                }
+            }
+        }
+        Ok(out)
+    }
+
+    /// The points of an object at a frame, morphed and deformed, in its own
+    /// coordinates: as many as its mesh has.
+    ///
+    /// # Errors
+    /// [`Error::Range`], [`Error::Argument`] if it is no object or `out` does not
+    /// fit, [`Error::Memory`].
+    pub fn vertices(
+        &self,
+        node: usize,
+        frame: f64,
+        out: &mut [DVec3],
+        troubles: &mut Troubles,
+    ) -> Result<()> {
+        let form = self.form(node, frame, troubles)?;
+        let count = self.mesh_points(node)?;
+        if out.len() != count {
+            return Err(Error::Range(message!(
+                "{0} points need as much room, not {1}",
+                count,
+                out.len()
+            )));
+        }
+        form.points(out);
+        Ok(())
+    }
+
+    /// The colours of an object's points at a frame; empty if it has none.
+    ///
+    /// # Errors
+    /// As [`Scene::vertices`].
+    pub fn vertex_colours(
+        &self,
+        node: usize,
+        frame: f64,
+        troubles: &mut Troubles,
+    ) -> Result<Vec<[u8; 3]>> {
+        self.form(node, frame, troubles)?.colours()
+    }
+
+    fn form(&self, node: usize, frame: f64, troubles: &mut Troubles) -> Result<Form<'_>> {
+        check_frame(frame)?;
+        troubles.node = node;
+        Form::at(self.node(node)?, frame, troubles)
+    }
+
+    fn mesh_points(&self, node: usize) -> Result<usize> {
+        Ok(match &self.node(node)?.kind {
+            Kind::Object(object) => object.mesh().points.len(),
+            _ => 0,
+        })
+    }
+
+    /// A node and all that its state depends on, in their order.
+    fn chain(&self, node: usize) -> Result<Vec<usize>> {
+        let mut wanted = vec_with_room(self.nodes.len())?;
+        wanted.resize(self.nodes.len(), false);
+        let mut open = vec_with_room(self.nodes.len())?;
+        open.push(node);
+        while let Some(at) = open.pop() {
+            if std::mem::replace(&mut wanted[at], true) {
+                continue;
+            }
+            let aim = self.nodes[at].aim.and_then(|aim| self.nodes[aim].parent);
+            let needed = [self.nodes[at].parent, aim].into_iter().flatten();
+            for next in needed.filter(|&next| !wanted[next]) {
+                open.try_reserve(1)?;
+                open.push(next);
+            }
+        }
+        let mut chain = vec_with_room(self.nodes.len())?;
+        chain.extend(self.order.iter().copied().filter(|&at| wanted[at]));
+        Ok(chain)
+    }
+
+    fn scratch(&self) -> Result<Vec<NodeState>> {
+        let mut scratch = vec_with_room(self.nodes.len())?;
+        scratch.resize(self.nodes.len(), NodeState::default());
+        Ok(scratch)
+    }
+
+    /// Evaluates some nodes, each after what it needs.
+    fn run(
+        &self,
+        order: &[usize],
+        frame: f64,
+        states: &mut [NodeState],
+        troubles: &mut Troubles,
+        search: Search,
+    ) -> Result<()> {
+        for &at in order {
+            let node = &self.nodes[at];
+            troubles.node = at;
+            let values = node.values(frame, troubles)?;
+            let own = local(node, &values);
+            let (mut world, mut seen) = match node.parent {
+                Some(parent) => {
+                    let parent = &states[parent];
+                    (parent.world() * own, parent.visible != 0 && values.visible)
+                }
+                None => (own, values.visible),
+            };
+            if !world.is_finite() {
+                troubles.add(|| message!("its place is too far away or too large to be computed"));
+                (world, seen) = (DAffine3::IDENTITY, false);
+            }
+            let mut pose = Pose::default();
+            if node.kind.looks() {
+                let mut q = orthonormal(world.matrix3);
+                if let Some(target) = node.aim
+                    && values.aim_weight > 0.0
+                {
+                    let turned =
+                        self.aimed(at, target, frame, (q, world), values, states, search)?;
+                    world.matrix3 = DMat3::from_quat(turned * q.conjugate()) * world.matrix3;
+                    q = turned;
+                }
+                let (view, up) = view_from_quaternion(q);
+                pose = Pose {
+                    vrp: world.translation.to_array(),
+                    vpn: view.to_array(),
+                    vup: up.to_array(),
+                    zoom: values.zoom,
+                };
+            }
+            let state = &mut states[at];
+            state.set_world(world);
+            state.pose = pose;
+            state.colour = values.colour;
+            state.intensity = values.intensity;
+            state.cone = values.cone;
+            state.visible = i32::from(seen);
+        }
+        Ok(())
+    }
+
+    /// The orientation of a node that aims, blended with its own.
+    #[expect(clippy::too_many_arguments)]
+    fn aimed(
+        &self,
+        at: usize,
+        target: usize,
+        frame: f64,
+        (own, world): (DQuat, DAffine3),
+        values: Values,
+        states: &[NodeState],
+        search: Search,
+    ) -> Result<DQuat> {
+        let pivot = self.pivot(target, frame, states)?;
+        let direction = aim::direction(world.translation, pivot);
+        let good = |view: DVec3| !aim::steep(view);
+        let own_view = view_from_quaternion(own).0;
+        let (view, last) = match direction {
+            Some(view) if good(view) => (view, None),
+            other => {
+                let last = match search {
+                    Search::Back => self.last_view(at, target, frame, other.is_some())?,
+                    Search::Own => None,
+                };
+                let view = other.or(last).unwrap_or(own_view);
+                (view, last.or(Some(own_view)).filter(|&view| good(view)))
+            }
+        };
+        let aimed = aim::aimed(view, last, values.roll.to_radians());
+        Ok(aim::blend(own, aimed, values.aim_weight))
+    }
+
+    /// Where in the world a node's pivot is; its parent has been evaluated.
+    fn pivot(&self, at: usize, frame: f64, states: &[NodeState]) -> Result<DVec3> {
+        let node = &self.nodes[at];
+        // What goes wrong is told when the node itself is evaluated.
+        let values = node.values(frame, &mut Troubles::default())?;
+        let place = values.position + node.pivot;
+        Ok(match node.parent {
+            Some(parent) => states[parent].world().transform_point3(place),
+            None => place,
+        })
+    }
+
+    /// The last direction in which a node saw its target before a frame at which
+    /// it has none (or, `with_yaw`, none but a steep one); else the next one.
+    fn last_view(
+        &self,
+        at: usize,
+        target: usize,
+        frame: f64,
+        with_yaw: bool,
+    ) -> Result<Option<DVec3>> {
+        let mut chain = self.chain(at)?;
+        chain.retain(|&node| node != at);
+        let mut scratch = self.scratch()?;
+        let mut look = |frame: f64| -> Result<Option<DVec3>> {
+            let none = &mut Troubles::default();
+            self.run(&chain, frame, &mut scratch, none, Search::Own)?;
+            let eye = self.pivot(at, frame, &scratch)?;
+            let pivot = self.pivot(target, frame, &scratch)?;
+            let view = aim::direction(eye, pivot);
+            Ok(view.filter(|&view| !with_yaw || !aim::steep(view)))
+        };
+        for sign in [-1.0, 1.0] {
+            for k in 0..STEPS {
+                let mut far = FIRST_STEP * (1_u64 << k) as f64;
+                let Some(mut found) = look(frame + sign * far)? else {
+                    continue;
+                };
+                let mut near = if k == 0 { far } else { far / 2.0 };
+                for _ in 0..HALVINGS {
+                    let middle = near + (far - near) / 2.0;
+                    if middle <= near || middle >= far {
+                        break;
+                    }
+                    match look(frame + sign * middle)? {
+                        Some(view) => (far, found) = (middle, view),
+                        None => near = middle,
+                    }
+                }
+                return Ok(Some(found));
+            }
+        }
+        Ok(None)
+    }
+}

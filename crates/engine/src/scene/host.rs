@@ -1,0 +1,82 @@
+//! Interpolations that the host brings along (the article's exchangeable
+//! library): `host:NAME`, known to every scene of the process.
+
+use std::sync::{Arc, PoisonError, RwLock};
+
+use crate::error::{Error, Result, message, room};
+use crate::path::camera_path::check_name;
+
+/// What such a function is asked.
+#[derive(Debug, Clone, Copy)]
+pub struct Question<'a> {
+    /// The frames of the keys, strictly increasing.
+    pub frames: &'a [f64],
+    /// Their values, key by key.
+    pub values: &'a [f64],
+    /// Numbers of each key.
+    pub width: usize,
+    /// A frame between the first and the last one.
+    pub frame: f64,
+}
+
+/// Fills in the value at a frame; false if it cannot.
+pub type Function = dyn Fn(Question<'_>, &mut [f64]) -> bool + Send + Sync;
+
+/// Functions that one process registers: each track looks its own up by name.
+const MAX_FUNCTIONS: usize = 1_000;
+
+static FUNCTIONS: RwLock<Vec<(String, Arc<Function>)>> = RwLock::new(Vec::new());
+
+/// Makes a function known as `host:NAME`, in place of an older one; `None` takes
+/// it away. What is being evaluated meanwhile may still call the older one.
+///
+/// # Errors
+/// [`Error::Argument`] or [`Error::Limit`] for the name, [`Error::Limit`],
+/// [`Error::Memory`].
+pub fn register(name: &str, function: Option<Arc<Function>>) -> Result<()> {
+    check_function_name(name)?;
+    room(name.len())?;
+    let mut all = FUNCTIONS.write().unwrap_or_else(PoisonError::into_inner);
+    let known = all.iter().position(|(known, _)| known == name);
+    // Dropped when the lock is free again: what it owns may come back here.
+    let old = match (known, function) {
+        (Some(at), Some(function)) => Some(std::mem::replace(&mut all[at].1, function)),
+        (Some(at), None) => Some(all.remove(at).1),
+        (None, None) => None,
+        (None, Some(_)) if all.len() >= MAX_FUNCTIONS => {
+            return Err(Error::Limit(message!(
+                "at most {0} interpolations can be registered",
+                MAX_FUNCTIONS
+            )));
+        }
+        (None, Some(function)) => {
+            all.try_reserve(1)?;
+            all.push((name.to_owned(), function));
+            None
+        }
+    };
+    drop(all);
+    drop(old);
+    Ok(())
+}
+
+/// The function of this name.
+pub(super) fn function(name: &str) -> Option<Arc<Function>> {
+    let all = FUNCTIONS.read().unwrap_or_else(PoisonError::into_inner);
+    let (_, function) = all.iter().find(|(known, _)| known == name)?;
+    Some(Arc::clone(function))
+}
+
+/// A name for a function: one line, not empty.
+///
+/// # Errors
+/// [`Error::Argument`] or [`Error::Limit`].
+pub(super) fn check_function_name(name: &str) -> Result<()> {
+    check_name(name)?;
+    if name.is_empty() {
+        return Err(Error::Argument(message!(
+            "an interpolation of the host's own needs a name"
+        )));
+    }
+    Ok(())
+}

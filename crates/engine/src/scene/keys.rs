@@ -1,0 +1,135 @@
+//! A node that moves by keys: a track for each channel that changes.
+
+use glam::{DQuat, DVec3};
+
+use super::channel::Channel;
+use super::motion::Motion;
+use super::node::Values;
+use super::state::Troubles;
+use super::track::Track;
+use crate::error::{Error, Result, message};
+use crate::limits::{MAX_TRACKS, MAX_ZOOM, MIN_ZOOM};
+
+/// The tracks of a node, in the order of their channels.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Keys {
+    tracks: Vec<Track>,
+}
+
+impl Keys {
+    /// All of them.
+    #[must_use]
+    pub fn tracks(&self) -> &[Track] {
+        &self.tracks
+    }
+
+    /// That of a channel.
+    #[must_use]
+    pub fn track(&self, channel: &Channel) -> Option<&Track> {
+        self.tracks.iter().find(|track| track.channel().is(channel))
+    }
+
+    pub(super) fn set(&mut self, track: Track) -> Result<()> {
+        let channel = track.channel();
+        let same = self.tracks.iter().position(|t| t.channel().is(channel));
+        if same.is_none() && self.tracks.len() >= MAX_TRACKS {
+            return Err(Error::Limit(message!(
+                "a node has at most {0} tracks",
+                MAX_TRACKS
+            )));
+        }
+        self.tracks.try_reserve(1)?;
+        if let Some(same) = same {
+            self.tracks.remove(same);
+        }
+        let channel = track.channel();
+        let at = self.tracks.partition_point(|t| t.channel() < channel);
+        self.tracks.insert(at, track);
+        Ok(())
+    }
+
+    pub(super) fn remove(&mut self, channel: &Channel) -> bool {
+        let before = self.tracks.len();
+        self.tracks.retain(|track| !track.channel().is(channel));
+        self.tracks.len() < before
+    }
+
+    /// Changes the tracks and drops those for which nothing is given back.
+    pub(super) fn keep(&mut self, mut change: impl FnMut(&mut Track) -> bool) {
+        self.tracks.retain_mut(&mut change);
+        self.tracks.sort_by(|a, b| a.channel().cmp(b.channel()));
+    }
+
+    /// All numbers of all keys.
+    pub(super) fn numbers(&self) -> usize {
+        self.tracks.iter().map(Track::numbers_kept).sum()
+    }
+}
+
+impl Motion for Keys {
+    fn at(&self, frame: f64, values: &mut Values, troubles: &mut Troubles) -> Result<()> {
+        for track in &self.tracks {
+            let mut three = [0.0; 3];
+            let mut one = [0.0];
+            match track.channel() {
+                Channel::Position => {
+                    track.numbers(frame, &mut three, troubles);
+                    values.position = DVec3::from_array(three);
+                }
+                Channel::Scale => {
+                    track.numbers(frame, &mut three, troubles);
+                    values.scale = DVec3::from_array(three);
+                }
+                Channel::Rotation => values.rotation = track.rotation(frame, troubles),
+                Channel::Colour => {
+                    track.numbers(frame, &mut three, troubles);
+                    values.colour = three.map(|value| value.max(0.0));
+                }
+                Channel::Cone => {
+                    let mut two = [0.0; 2];
+                    track.numbers(frame, &mut two, troubles);
+                    let outer = two[1].clamp(0.0, 90.0);
+                    values.cone = [two[0].clamp(0.0, outer), outer];
+                }
+                Channel::Visible => {
+                    track.numbers(frame, &mut one, troubles);
+                    values.visible = one[0] != 0.0;
+                }
+                Channel::Zoom => {
+                    track.numbers(frame, &mut one, troubles);
+                    values.zoom = one[0].clamp(MIN_ZOOM, MAX_ZOOM);
+                }
+                Channel::Roll => {
+                    track.numbers(frame, &mut one, troubles);
+                    values.roll = one[0];
+                }
+                Channel::Intensity => {
+                    track.numbers(frame, &mut one, troubles);
+                    values.intensity = one[0].max(0.0);
+                }
+                Channel::AimWeight => {
+                    track.numbers(frame, &mut one, troubles);
+                    values.aim_weight = one[0].clamp(0.0, 1.0);
+                }
+                // Asked for one by one.
+                Channel::Weights | Channel::Deformation { .. } | Channel::Value { .. } => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn frames(&self) -> Option<(f64, f64)> {
+        let ends = self.tracks.iter().map(Track::ends);
+        ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+    }
+}
+
+/// A quaternion from its four numbers, w first.
+pub(super) fn quaternion(wxyz: &[f64]) -> DQuat {
+    DQuat::from_xyzw(wxyz[1], wxyz[2], wxyz[3], wxyz[0])
+}
+
+/// Its four numbers, w first.
+pub(super) fn wxyz(q: DQuat) -> [f64; 4] {
+    [q.w, q.x, q.y, q.z]
+}

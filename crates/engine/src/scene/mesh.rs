@@ -1,0 +1,243 @@
+//! What an object is made of: points, lines and triangles, other shapes of the
+//! same points, and what deforms them.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::deform::{Bounds, Deformation};
+use crate::error::{Error, Result, message};
+use crate::limits::{
+    MAX_COORDINATE, MAX_DEFORMATIONS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SHAPES,
+};
+use crate::path::camera_path::{check_coordinates, check_name};
+
+/// Geometry at rest. With neither lines nor triangles it is a cloud of points.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Mesh {
+    /// In the object's coordinates.
+    pub points: Vec<DVec3>,
+    /// Red, green, blue of each point; empty: none.
+    pub colours: Vec<[u8; 3]>,
+    /// Two indices a line.
+    pub lines: Vec<[u32; 2]>,
+    /// Three indices a triangle.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// Everything finite, every index that of a point.
+    ///
+    /// # Errors
+    /// The first thing that is not; [`Error::Limit`] for more than
+    /// [`crate::limits`] allow.
+    pub fn check(&self) -> Result<()> {
+        let count = self.points.len();
+        if count > MAX_MESH_POINTS {
+            return Err(Error::Limit(message!(
+                "an object has at most {0} points",
+                MAX_MESH_POINTS
+            )));
+        }
+        let corners = (2 * self.lines.len()).max(3 * self.triangles.len());
+        if corners > MAX_MESH_CORNERS {
+            return Err(Error::Limit(message!(
+                "an object has at most {0} corners of triangles and as many ends of lines",
+                MAX_MESH_CORNERS
+            )));
+        }
+        check_points(&self.points)?;
+        if !self.colours.is_empty() && self.colours.len() != count {
+            return Err(Error::Range(message!(
+                "{0} points need as many colours, not {1}",
+                count,
+                self.colours.len()
+            )));
+        }
+        let lines = self.lines.iter().flatten();
+        let mut indices = lines.chain(self.triangles.iter().flatten());
+        if let Some(&wrong) = indices.find(|&&index| index as usize >= count) {
+            return Err(Error::Range(message!(
+                "there is no point {0} among {1}, counted from 0",
+                wrong,
+                count
+            )));
+        }
+        Ok(())
+    }
+}
+
+fn check_points(points: &[DVec3]) -> Result<()> {
+    for (at, &point) in points.iter().enumerate() {
+        check_coordinates(point).map_err(|error| error.at(message!("point {0}", at + 1)))?;
+    }
+    Ok(())
+}
+
+/// Another shape of an object's points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shape {
+    /// One line.
+    pub name: String,
+    /// As many points as the mesh has.
+    pub points: Vec<DVec3>,
+    /// As many colours, or none: then those of the mesh.
+    pub colours: Vec<[u8; 3]>,
+}
+
+/// An object: its mesh, shapes with their weights, and deformations, each with
+/// its box (none: the bounds of the mesh at rest).
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Object {
+    mesh: Option<Arc<Mesh>>,
+    bounds: Option<Bounds>,
+    shapes: Vec<Arc<Shape>>,
+    weights: Vec<f64>,
+    deformations: Vec<(Deformation, Option<Bounds>)>,
+}
+
+/// What an object without geometry has.
+static EMPTY: Mesh = Mesh {
+    points: Vec::new(),
+    colours: Vec::new(),
+    lines: Vec::new(),
+    triangles: Vec::new(),
+};
+
+impl Object {
+    /// The mesh; empty if none was set.
+    #[must_use]
+    pub fn mesh(&self) -> &Mesh {
+        self.mesh.as_deref().unwrap_or(&EMPTY)
+    }
+
+    /// Sets the mesh.
+    ///
+    /// # Errors
+    /// As [`Mesh::check`]; [`Error::Argument`] if the shapes that are there do
+    /// not fit its points.
+    pub fn set_mesh(&mut self, mesh: Mesh) -> Result<()> {
+        mesh.check()?;
+        if !self.shapes.is_empty() && mesh.points.len() != self.mesh().points.len() {
+            return Err(Error::Argument(message!(
+                "this mesh has {0} points, the object's shapes have {1}",
+                mesh.points.len(),
+                self.mesh().points.len()
+            )));
+        }
+        self.bounds = Some(Bounds::of(&mesh.points));
+        self.mesh = Some(Arc::new(mesh));
+        Ok(())
+    }
+
+    /// The shapes, each with the weight that it has at rest.
+    #[must_use]
+    pub fn shapes(&self) -> &[Arc<Shape>] {
+        &self.shapes
+    }
+
+    /// The weights at rest, one for each shape.
+    #[must_use]
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+
+    /// Sets the weights at rest.
+    ///
+    /// # Errors
+    /// [`Error::Range`] or [`Error::Argument`].
+    pub fn set_weights(&mut self, weights: &[f64]) -> Result<()> {
+        if weights.len() != self.shapes.len() {
+            return Err(Error::Range(message!(
+                "{0} shapes need as many weights, not {1}",
+                self.shapes.len(),
+                weights.len()
+            )));
+        }
+        if !weights.iter().all(|weight| weight.abs() <= MAX_COORDINATE) {
+            return Err(Error::Argument(message!(
+                "a weight must be a finite number up to 1e9"
+            )));
+        }
+        self.weights.copy_from_slice(weights);
+        Ok(())
+    }
+
+    /// Adds a shape, with weight 0. (Tracks of the weights are the scene's part.)
+    pub(super) fn add_shape(&mut self, shape: Shape) -> Result<()> {
+        check_name(&shape.name).map_err(|error| error.at(message!("the name")))?;
+        if self.shapes.len() >= MAX_SHAPES {
+            return Err(Error::Limit(message!(
+                "an object has at most {0} shapes",
+                MAX_SHAPES
+            )));
+        }
+        let count = self.mesh().points.len();
+        let colours = shape.colours.len();
+        if shape.points.len() != count || (colours != 0 && colours != count) {
+            return Err(Error::Range(message!(
+                "the shape \"{0}\" has {1} points, the mesh {2}",
+                shape.name.as_str(),
+                shape.points.len(),
+                count
+            )));
+        }
+        check_points(&shape.points)?;
+        self.shapes.try_reserve(1)?;
+        self.weights.try_reserve(1)?;
+        self.shapes.push(Arc::new(shape));
+        self.weights.push(0.0);
+        Ok(())
+    }
+
+    /// The deformations in the order in which they act.
+    #[must_use]
+    pub fn deformations(&self) -> &[(Deformation, Option<Bounds>)] {
+        &self.deformations
+    }
+
+    /// Adds a deformation behind the others. Without a box it is relative to the
+    /// bounds of the mesh at rest.
+    ///
+    /// # Errors
+    /// [`Error::Limit`], [`Error::Memory`].
+    pub fn add_deformation(
+        &mut self,
+        deformation: Deformation,
+        bounds: Option<Bounds>,
+    ) -> Result<usize> {
+        if self.deformations.len() >= MAX_DEFORMATIONS {
+            return Err(Error::Limit(message!(
+                "an object has at most {0} deformations",
+                MAX_DEFORMATIONS
+            )));
+        }
+        self.deformations.try_reserve(1)?;
+        self.deformations.push((deformation, bounds));
+        Ok(self.deformations.len() - 1)
+    }
+
+    pub(super) fn remove_deformation(&mut self, at: usize) -> Result<()> {
+        if at >= self.deformations.len() {
+            return Err(Error::Range(message!(
+                "there is no deformation {0} among {1}, counted from 0",
+                at,
+                self.deformations.len()
+            )));
+        }
+        self.deformations.remove(at);
+        Ok(())
+    }
+
+    /// The box of the mesh at rest.
+    pub(super) fn bounds(&self) -> Bounds {
+        self.bounds.unwrap_or_else(|| Bounds::of(&[]))
+    }
+
+    /// Bytes that a copy of it takes, without what copies share.
+    pub(super) fn weight(&self) -> usize {
+        let deformations = self.deformations.iter();
+        let numbers: usize = deformations.map(|(d, _)| d.parameters().len()).sum();
+        8 * numbers + 160 * self.deformations.len() + 16 * self.shapes.len()
+    }
+}

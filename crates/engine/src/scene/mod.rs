@@ -1,0 +1,40 @@
+//! The scene: everything that moves, on one timeline in frames, by the rules of
+//! `docs/scene.md`.
+//!
+//! [`Scene`] is the tree of [`Node`]s with markers and pins. A node's rest
+//! values are [`Values`]; what moves it is a [`Motion`], of which there are two:
+//! [`FollowPath`] with all that a camera path has, and [`Keys`], a [`Track`] for
+//! each [`Channel`] that changes. `hierarchy` multiplies the tree out, `aim`
+//! turns cameras and lights to what they look at, [`mesh`] is what an object
+//! is made of.
+//!
+//! It knows nothing of files, of undo or of C. A path knows nothing of it.
+
+mod aim;
+pub mod channel;
+mod evaluate;
+mod hierarchy;
+pub mod host;
+mod keys;
+pub mod mesh;
+pub mod motion;
+pub mod node;
+mod prepare;
+mod reparent;
+mod rotation;
+#[expect(clippy::module_inception)]
+mod scene;
+mod state;
+pub mod time;
+pub mod track;
+mod vertices;
+
+pub use channel::Channel;
+pub use keys::Keys;
+pub use mesh::{Mesh, Object, Shape};
+pub use motion::{FollowPath, Motion};
+pub use node::{Camera, Kind, Light, Node, Values};
+pub use scene::{Marker, Pin, Scene};
+pub use state::{NodeState, Troubles};
+pub use time::Beyond;
+pub use track::{Interpolation, Track};

@@ -1,0 +1,150 @@
+//! What moves a node.
+
+use glam::DVec3;
+
+use super::node::Values;
+use super::state::Troubles;
+use super::time::{Beyond, within};
+use crate::error::{Error, Result, message};
+use crate::limits::MAX_COORDINATE;
+use crate::math::orientation::quaternion_from_view;
+use crate::path::{CameraPath, Plan, Pose};
+
+/// What moves a node: it changes the values of rest into those of a frame.
+pub trait Motion {
+    /// Sets what moves to what it is at `frame`, any finite number.
+    ///
+    /// # Errors
+    /// [`Error::Memory`]. What goes wrong with a host's function is put among
+    /// the troubles, and the rest moves.
+    fn at(&self, frame: f64, values: &mut Values, troubles: &mut Troubles) -> Result<()>;
+
+    /// The first and the last frame of its own; none if nothing moves.
+    fn frames(&self) -> Option<(f64, f64)>;
+}
+
+/// Motion along a path, in the parent's coordinates.
+#[derive(Debug)]
+pub struct FollowPath {
+    path: CameraPath,
+    plan: Plan,
+    count: usize,
+    start_frame: f64,
+    beyond: Beyond,
+}
+
+impl FollowPath {
+    /// A path whose pose n is shown at the frame `start_frame` + n − 1; `beyond`
+    /// holds before it and after it.
+    ///
+    /// # Errors
+    /// What is wrong with the path; [`Error::Argument`] for the start or for
+    /// [`Beyond::Offset`]; [`Error::Limit`] if it has too many frames;
+    /// [`Error::Memory`].
+    pub fn new(path: CameraPath, start_frame: f64, beyond: Beyond) -> Result<Self> {
+        path.check()?;
+        check_frame(start_frame)?;
+        if beyond == Beyond::Offset {
+            return Err(Error::Argument(message!(
+                "a path holds, repeats or goes back and forth; it has no repeat with offset"
+            )));
+        }
+        let plan = Plan::new();
+        let count = plan.timeline(&path, super::super::path::Timeline::frame_count)??;
+        Ok(Self {
+            path,
+            plan,
+            count,
+            start_frame,
+            beyond,
+        })
+    }
+
+    /// The path.
+    #[must_use]
+    pub const fn path(&self) -> &CameraPath {
+        &self.path
+    }
+
+    /// The frame of its first pose.
+    #[must_use]
+    pub const fn start_frame(&self) -> f64 {
+        self.start_frame
+    }
+
+    /// What is shown before and after it.
+    #[must_use]
+    pub const fn beyond(&self) -> Beyond {
+        self.beyond
+    }
+
+    /// Its poses.
+    #[must_use]
+    pub const fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The pose at a frame of the scene, by the path's own evaluation.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn pose(&self, frame: f64) -> Result<Pose> {
+        let sampler = self.plan.sampler(&self.path)?;
+        let last = self.count as f64;
+        let (local, _) = within(
+            frame - self.start_frame + 1.0,
+            1.0,
+            last,
+            self.beyond,
+            self.beyond,
+        );
+        sampler.pose(local)
+    }
+}
+
+impl Clone for FollowPath {
+    fn clone(&self) -> Self {
+        Self {
+            path: self.path.clone(),
+            plan: Plan::new(),
+            ..*self
+        }
+    }
+}
+
+impl PartialEq for FollowPath {
+    fn eq(&self, other: &Self) -> bool {
+        self.path == other.path
+            && self.start_frame == other.start_frame
+            && self.beyond == other.beyond
+    }
+}
+
+impl Motion for FollowPath {
+    fn at(&self, frame: f64, values: &mut Values, _: &mut Troubles) -> Result<()> {
+        let pose = self.pose(frame)?;
+        let [view, up] = [pose.vpn, pose.vup].map(DVec3::from_array);
+        values.position = DVec3::from_array(pose.vrp);
+        values.rotation = quaternion_from_view(view, up);
+        values.zoom = pose.zoom;
+        Ok(())
+    }
+
+    fn frames(&self) -> Option<(f64, f64)> {
+        Some((self.start_frame, self.start_frame + (self.count - 1) as f64))
+    }
+}
+
+/// A frame of the timeline: finite, and small enough to compute with.
+///
+/// # Errors
+/// [`Error::Argument`] or [`Error::Range`].
+pub fn check_frame(frame: f64) -> Result<()> {
+    if !frame.is_finite() {
+        return Err(Error::Argument(message!("a frame must be a finite number")));
+    }
+    if frame.abs() > MAX_COORDINATE {
+        return Err(Error::Range(message!("a frame must not exceed 1e9")));
+    }
+    Ok(())
+}

@@ -1,0 +1,317 @@
+//! A node of the scene: its kind, its rest values, what moves it.
+
+use glam::{DQuat, DVec3};
+
+use super::channel::Channel;
+use super::keys::Keys;
+use super::mesh::Object;
+use super::motion::FollowPath;
+use crate::error::{Error, Result, message};
+use crate::limits::MAX_COORDINATE;
+use crate::path::camera_path::{check_coordinates, check_name, check_zoom};
+use crate::path::quaternion_spline::normalized;
+
+/// What a node is.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Kind {
+    /// Nothing but a place for others.
+    #[default]
+    Group,
+    /// Geometry.
+    Object(Object),
+    /// A light.
+    Light(Light),
+    /// A camera.
+    Camera(Camera),
+}
+
+impl Kind {
+    /// Its name in files.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Group => "group",
+            Self::Object(_) => "object",
+            Self::Light(_) => "light",
+            Self::Camera(_) => "camera",
+        }
+    }
+
+    /// Lights and cameras look along their own z axis.
+    #[must_use]
+    pub const fn looks(&self) -> bool {
+        matches!(self, Self::Light(_) | Self::Camera(_))
+    }
+}
+
+/// The kinds of light.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Light {
+    /// Parallel, along its own z axis.
+    #[default]
+    Directional,
+    /// Into all directions.
+    Point,
+    /// Into a cone about its own z axis.
+    Spot,
+}
+
+impl Light {
+    /// Its name in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Directional => "directional",
+            Self::Point => "point",
+            Self::Spot => "spot",
+        }
+    }
+}
+
+/// What a camera has besides its values.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Camera {
+    /// Distance of the nearest thing that it shows, > 0.
+    pub near: f64,
+    /// Distance of the farthest one, > `near`.
+    pub far: f64,
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self {
+            near: 0.01,
+            far: 1000.0,
+        }
+    }
+}
+
+/// Everything of a node that can move, at one moment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Values {
+    /// In the parent's coordinates.
+    pub position: DVec3,
+    /// Of any length but zero.
+    pub rotation: DQuat,
+    /// Factors along its own axes; negative ones mirror.
+    pub scale: DVec3,
+    /// Hidden nodes hide their children.
+    pub visible: bool,
+    /// Cameras: 1…100, mm.
+    pub zoom: f64,
+    /// Cameras: degrees, turns up about the view.
+    pub roll: f64,
+    /// Lights and objects: linear red, green, blue, each ≥ 0.
+    pub colour: [f64; 3],
+    /// Lights: ≥ 0.
+    pub intensity: f64,
+    /// Lights: half angles in degrees, inner and outer, 0…90.
+    pub cone: [f64; 2],
+    /// How far it turns to what it aims at, 0…1.
+    pub aim_weight: f64,
+}
+
+impl Default for Values {
+    fn default() -> Self {
+        Self {
+            position: DVec3::ZERO,
+            rotation: DQuat::IDENTITY,
+            scale: DVec3::ONE,
+            visible: true,
+            zoom: 24.0,
+            roll: 0.0,
+            colour: [1.0; 3],
+            intensity: 1.0,
+            cone: [20.0, 30.0],
+            aim_weight: 1.0,
+        }
+    }
+}
+
+impl Values {
+    /// Everything finite and in range.
+    ///
+    /// # Errors
+    /// The first one that is not.
+    pub fn check(&self) -> Result<()> {
+        check_coordinates(self.position).map_err(|error| error.at(message!("the position")))?;
+        normalized(self.rotation)
+            .map_err(|_| Error::Argument(message!("a rotation must be finite and not zero")))?;
+        check_coordinates(self.scale).map_err(|error| error.at(message!("the scale")))?;
+        check_zoom(self.zoom)?;
+        if !self.roll.is_finite() || self.roll.abs() > MAX_COORDINATE {
+            return Err(Error::Argument(message!(
+                "the roll must be a finite number"
+            )));
+        }
+        let bright = |value: f64| (0.0..=MAX_COORDINATE).contains(&value);
+        if !self.colour.into_iter().all(bright) {
+            return Err(Error::Range(message!(
+                "a colour's numbers must lie between 0 and 1e9"
+            )));
+        }
+        if !bright(self.intensity) {
+            return Err(Error::Range(message!(
+                "the intensity must lie between 0 and 1e9"
+            )));
+        }
+        let [inner, outer] = self.cone;
+        if !(0.0 <= inner && inner <= outer && outer <= 90.0) {
+            return Err(Error::Range(message!(
+                "the inner angle of a cone must lie between 0 and the outer one, that one below 90"
+            )));
+        }
+        if !(0.0..=1.0).contains(&self.aim_weight) {
+            return Err(Error::Range(message!(
+                "the weight of an aim must lie between 0 and 1"
+            )));
+        }
+        Ok(())
+    }
+}
+
+/// A node of a scene. The scene holds its parent and aim together.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Node {
+    /// Unique in its scene, one line, not empty.
+    pub name: String,
+    /// What it is.
+    pub kind: Kind,
+    /// The number of the node that it is in.
+    pub parent: Option<usize>,
+    /// The number of the node that a camera or light looks at.
+    pub aim: Option<usize>,
+    /// The point that stays where it is when the node turns and scales; 0 for
+    /// lights and cameras.
+    pub pivot: DVec3,
+    /// What holds where nothing moves.
+    pub rest: Values,
+    /// The path that it follows.
+    pub(super) path: Option<Box<FollowPath>>,
+    /// What moves by keys.
+    pub(super) keys: Keys,
+}
+
+impl Node {
+    /// A node at the origin.
+    #[must_use]
+    pub fn new(name: &str, kind: Kind) -> Self {
+        Self {
+            name: name.to_owned(),
+            kind,
+            ..Self::default()
+        }
+    }
+
+    /// The path that it follows.
+    #[must_use]
+    pub fn path(&self) -> Option<&FollowPath> {
+        self.path.as_deref()
+    }
+
+    /// What moves by keys.
+    #[must_use]
+    pub const fn keys(&self) -> &Keys {
+        &self.keys
+    }
+
+    /// Gives it a path to follow, or none.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] if keys move what the path would.
+    pub fn set_path(&mut self, path: Option<FollowPath>) -> Result<()> {
+        if path.is_some() {
+            let taken = self.keys.tracks().iter();
+            for channel in taken.map(super::Track::channel) {
+                if self.path_moves(channel) {
+                    return Err(Error::Argument(message!(
+                        "\"{0}\" has a track of its {1}; it moves by keys or by a path",
+                        self.name.as_str(),
+                        channel.to_string()
+                    )));
+                }
+            }
+        }
+        self.path = path.map(Box::new);
+        Ok(())
+    }
+
+    /// Sets a track in place of the one of the same channel.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] if the node has no such channel or a path moves it,
+    /// [`Error::Range`] if the width does not fit, [`Error::Limit`],
+    /// [`Error::Memory`].
+    pub fn set_track(&mut self, track: super::Track) -> Result<()> {
+        let width = track.channel().width(self)?;
+        if track.channel_width() != width {
+            return Err(Error::Range(message!(
+                "the channel \"{0}\" has {1} numbers a key here, not {2}",
+                track.channel().to_string(),
+                width,
+                track.channel_width()
+            )));
+        }
+        if self.path.is_some() && self.path_moves(track.channel()) {
+            return Err(Error::Argument(message!(
+                "\"{0}\" follows a path, which moves its {1}",
+                self.name.as_str(),
+                track.channel().to_string()
+            )));
+        }
+        self.keys.set(track)
+    }
+
+    /// Takes the track of a channel away, if there is one.
+    pub fn remove_track(&mut self, channel: &Channel) -> bool {
+        self.keys.remove(channel)
+    }
+
+    /// Whether a path moves this.
+    fn path_moves(&self, channel: &Channel) -> bool {
+        matches!(
+            channel,
+            Channel::Position | Channel::Rotation | Channel::Zoom
+        )
+    }
+
+    /// The name, the values and the kind, but for what the scene must see to.
+    ///
+    /// # Errors
+    /// The first thing that is not as it must be.
+    pub fn check(&self) -> Result<()> {
+        check_node_name(&self.name)?;
+        check_coordinates(self.pivot).map_err(|error| error.at(message!("the pivot")))?;
+        if self.kind.looks() {
+            if self.pivot != DVec3::ZERO {
+                return Err(Error::Argument(message!(
+                    "lights and cameras have their pivot at 0, 0, 0"
+                )));
+            }
+        } else if self.aim.is_some() {
+            return Err(Error::Argument(message!(
+                "only lights and cameras aim at something"
+            )));
+        }
+        if let Kind::Camera(Camera { near, far }) = self.kind
+            && !(0.0 < near && near < far && far <= MAX_COORDINATE)
+        {
+            return Err(Error::Range(message!(
+                "a camera's near plane must lie behind 0 and before the far one, that one within 1e9"
+            )));
+        }
+        self.rest.check()
+    }
+}
+
+/// A node's name: one line, not empty.
+///
+/// # Errors
+/// [`Error::Argument`] or [`Error::Limit`].
+pub fn check_node_name(name: &str) -> Result<()> {
+    check_name(name).map_err(|error| error.at(message!("the name")))?;
+    if name.is_empty() {
+        return Err(Error::Argument(message!("a node needs a name")));
+    }
+    Ok(())
+}

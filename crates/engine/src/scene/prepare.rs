@@ -1,0 +1,186 @@
+//! Velocities at the keys of numbers, so that every smooth interpolation is the
+//! same cubic between two keys: Catmull and Rom, Kochanek and Bartels, C².
+//!
+//! They are laid out as the tangents of `hermite`: for each key those with which
+//! it is reached, then those with which it is left.
+
+use crate::error::{Error, Result, message, vec_with_room};
+use crate::path::Tcb;
+
+/// The keys of a track.
+#[derive(Clone, Copy)]
+pub(super) struct NumberKeys<'a> {
+    pub frames: &'a [f64],
+    pub values: &'a [f64],
+    pub width: usize,
+}
+
+impl NumberKeys<'_> {
+    fn count(&self) -> usize {
+        self.frames.len()
+    }
+
+    pub(super) fn step(&self, section: usize) -> f64 {
+        self.frames[section + 1] - self.frames[section]
+    }
+
+    /// Mean velocity of one number within a section.
+    fn mean(&self, section: usize, at: usize) -> f64 {
+        let from = section * self.width + at;
+        (self.values[from + self.width] - self.values[from]) / self.step(section)
+    }
+}
+
+/// Velocities of Kochanek and Bartels, weighted for unequal times, with
+/// quadratic ends (`docs/path.md`, orientation curve; the same for numbers).
+/// Without `tcb` those of Catmull and Rom.
+pub(super) fn tcb(keys: NumberKeys<'_>, tcb: impl Fn(usize) -> Tcb) -> Result<Vec<f64>> {
+    let (count, width) = (keys.count(), keys.width);
+    let mut slopes = zeros(2 * width * count)?;
+    let inner = |k: usize, at: usize, tcb: Tcb| {
+        let (before, after) = (keys.step(k - 1), keys.step(k));
+        let (v, w) = (keys.mean(k - 1, at), keys.mean(k, at));
+        let scale = (1.0 - tcb.tension) / (before + after);
+        let (v, w) = (v * after * scale, w * before * scale);
+        let (c, b) = (tcb.continuity, tcb.bias);
+        [
+            (1.0 - c) * (1.0 + b) * v + (1.0 + c) * (1.0 - b) * w,
+            (1.0 + c) * (1.0 + b) * v + (1.0 - c) * (1.0 - b) * w,
+        ]
+    };
+    let end = |k: usize, section: usize, neighbour: usize, at: usize| {
+        let loose = 1.0 - tcb(k).tension;
+        let mean = keys.mean(section, at);
+        if count == 2 {
+            loose * mean
+        } else {
+            loose * (2.0 * mean - inner(neighbour, at, Tcb::default())[0])
+        }
+    };
+    if count < 2 {
+        return Ok(slopes);
+    }
+    for (k, both) in slopes.chunks_exact_mut(2 * width).enumerate() {
+        let own = tcb(k);
+        for at in 0..width {
+            let [reach, leave] = if k == 0 {
+                [end(0, 0, 1, at); 2]
+            } else if k + 1 == count {
+                [end(k, k - 1, k - 1, at); 2]
+            } else {
+                inner(k, at, own)
+            };
+            both[at] = reach;
+            both[width + at] = leave;
+        }
+    }
+    finite(slopes)
+}
+
+/// Velocities of the C² spline: natural ends, or periodic, where the last values
+/// are the first. (Elimination without pivots: the rows are dominant.)
+pub(super) fn cubic(keys: NumberKeys<'_>, periodic: bool) -> Result<Vec<f64>> {
+    let (count, width) = (keys.count(), keys.width);
+    let mut slopes = zeros(2 * width * count)?;
+    if count < 2 {
+        return Ok(slopes);
+    }
+    let last = count - 1;
+    let mut rows: Vec<Row> = vec_with_room(count)?;
+    for at in 0..width {
+        rows.clear();
+        let inner = |k: usize, before: usize| Row {
+            lower: keys.step(k),
+            diagonal: 2.0 * (keys.step(before) + keys.step(k)),
+            upper: keys.step(before),
+            right: 3.0
+                * (keys.step(k) * keys.mean(before, at) + keys.step(before) * keys.mean(k, at)),
+            share: 0.0,
+        };
+        if !periodic {
+            let end = |section| Row {
+                lower: 1.0,
+                diagonal: 2.0,
+                upper: 1.0,
+                right: 3.0 * keys.mean(section, at),
+                share: 0.0,
+            };
+            rows.push(end(0));
+            rows.extend((1..last).map(|k| inner(k, k - 1)));
+            rows.push(end(last - 1));
+            solve(&mut rows);
+            for (k, row) in rows.iter().enumerate() {
+                slopes[2 * width * k + at] = row.right;
+            }
+        } else if last > 1 {
+            // The joint is neighbour to both ends of the chain of the others:
+            // those first, but for its share in them, then the joint.
+            rows.extend((1..last).map(|k| inner(k, k - 1)));
+            let chain = rows.len();
+            rows[0].share -= rows[0].lower;
+            rows[chain - 1].share -= rows[chain - 1].upper;
+            solve(&mut rows);
+            let joint = inner(0, last - 1);
+            let (first, end) = (&rows[0], &rows[chain - 1]);
+            let right = joint.right - joint.upper * first.right - joint.lower * end.right;
+            let diagonal = joint.diagonal + joint.upper * first.share + joint.lower * end.share;
+            let joint = right / diagonal;
+            slopes[at] = joint;
+            slopes[2 * width * last + at] = joint;
+            for (k, row) in rows.iter().enumerate() {
+                slopes[2 * width * (k + 1) + at] = row.right + joint * row.share;
+            }
+        }
+    }
+    for both in slopes.chunks_exact_mut(2 * width) {
+        let (reach, leave) = both.split_at_mut(width);
+        leave.copy_from_slice(reach);
+    }
+    finite(slopes)
+}
+
+/// One equation for three neighbouring velocities; `share` is a second right side.
+struct Row {
+    lower: f64,
+    diagonal: f64,
+    upper: f64,
+    right: f64,
+    share: f64,
+}
+
+/// The unknowns take the places of the right sides.
+fn solve(rows: &mut [Row]) {
+    for k in 1..rows.len() {
+        let (done, rest) = rows.split_at_mut(k);
+        let (above, row) = (&done[k - 1], &mut rest[0]);
+        let factor = row.lower / above.diagonal;
+        row.diagonal -= factor * above.upper;
+        row.right -= factor * above.right;
+        row.share -= factor * above.share;
+    }
+    let (mut right, mut share) = (0.0, 0.0);
+    for row in rows.iter_mut().rev() {
+        right = (row.right - row.upper * right) / row.diagonal;
+        share = (row.share - row.upper * share) / row.diagonal;
+        (row.right, row.share) = (right, share);
+    }
+}
+
+fn zeros(count: usize) -> Result<Vec<f64>> {
+    let mut zeros = vec_with_room(count)?;
+    zeros.resize(count, 0.0);
+    Ok(zeros)
+}
+
+fn finite(slopes: Vec<f64>) -> Result<Vec<f64>> {
+    if slopes
+        .iter()
+        .all(|slope| slope.abs() <= crate::limits::MAX_TANGENT)
+    {
+        Ok(slopes)
+    } else {
+        Err(Error::Range(message!(
+            "the frames of two keys are too close together to be joined smoothly"
+        )))
+    }
+}

@@ -1,0 +1,102 @@
+//! A node that is given another parent stays where it is in the world.
+
+use glam::{DAffine3, DMat3, DQuat};
+
+use super::channel::Channel;
+use super::hierarchy::local;
+use super::node::Node;
+use super::scene::Scene;
+use super::state::{NodeState, Troubles};
+use crate::error::{Error, Result, message, vec_with_room};
+
+/// How well a place must be kept, relative to its size.
+const KEPT: f64 = 1e-9;
+
+impl Scene {
+    /// Changes the rest values of `new`, which takes the place of the node `at`
+    /// with another parent, so that its world matrix stays.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] if the node moves and the parents lie apart, or if a
+    /// shear would be needed; [`Error::Range`] for the parent.
+    pub(super) fn keep_world(&self, at: usize, new: &mut Node) -> Result<()> {
+        if let Some(parent) = new.parent {
+            self.node(parent)?;
+            let mut above = std::iter::successors(Some(parent), |&up| self.nodes()[up].parent);
+            if above.any(|up| up == at) {
+                return Err(Error::Argument(message!(
+                    "node \"{0}\" cannot be in \"{1}\", which is in it or moves with it",
+                    new.name.as_str(),
+                    self.nodes()[parent].name.as_str()
+                )));
+            }
+        }
+        let mut states: Vec<NodeState> = vec_with_room(self.nodes().len())?;
+        states.resize(self.nodes().len(), NodeState::default());
+        let first = self.frame_range().0;
+        self.evaluate(first, &mut states, &mut Troubles::default())?;
+        let world = |parent: Option<usize>| {
+            parent.map_or(DAffine3::IDENTITY, |parent| states[parent].world())
+        };
+        let (old, other) = (world(self.nodes()[at].parent), world(new.parent));
+        if old == other {
+            return Ok(());
+        }
+        let node = &self.nodes()[at];
+        let moves = |channel| node.keys().track(&channel).is_some();
+        if node.path().is_some()
+            || [Channel::Position, Channel::Rotation, Channel::Scale]
+                .into_iter()
+                .any(moves)
+        {
+            return Err(Error::Argument(message!(
+                "\"{0}\" moves in its parent's coordinates, which are not those of the other parent",
+                new.name.as_str()
+            )));
+        }
+        let wanted = other.inverse() * (old * local(new, &new.rest));
+        let columns = [
+            wanted.matrix3.x_axis,
+            wanted.matrix3.y_axis,
+            wanted.matrix3.z_axis,
+        ];
+        let mut scale = columns.map(|column| column.length());
+        // A mirrored node stays mirrored along the axes along which it was; one
+        // that the parents mirror is mirrored along x.
+        let signs = new.rest.scale.to_array().map(f64::signum);
+        for (scale, sign) in scale.iter_mut().zip(signs) {
+            *scale *= sign;
+        }
+        let turned = wanted.matrix3.determinant() < 0.0;
+        if turned != (scale.iter().product::<f64>() < 0.0) {
+            scale[0] = -scale[0];
+        }
+        if scale.contains(&0.0) || !wanted.is_finite() {
+            return Err(flat(new));
+        }
+        let axes = [0, 1, 2].map(|k| columns[k] / scale[k]);
+        let turn = DMat3::from_cols(axes[0], axes[1], axes[2]);
+        new.rest.rotation = DQuat::from_mat3(&turn).normalize();
+        new.rest.scale = scale.into();
+        let linear = local(new, &new.rest).matrix3;
+        new.rest.position = wanted.translation - new.pivot + linear * new.pivot;
+        let got = local(new, &new.rest);
+        let size = scale.map(f64::abs).into_iter().fold(0.0, f64::max);
+        let off = got.matrix3 - wanted.matrix3;
+        let off = [off.x_axis, off.y_axis, off.z_axis].map(|v| v.length());
+        if off.into_iter().any(|off| off > KEPT * size) {
+            return Err(Error::Argument(message!(
+                "\"{0}\" would need a shear to stay where it is in that parent",
+                new.name.as_str()
+            )));
+        }
+        new.check()
+    }
+}
+
+fn flat(node: &Node) -> Error {
+    Error::Argument(message!(
+        "\"{0}\" cannot stay where it is: a scale is 0",
+        node.name.as_str()
+    ))
+}

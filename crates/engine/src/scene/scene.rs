@@ -1,0 +1,616 @@
+//! The scene: its nodes, its markers, and every way in which they change.
+
+use super::channel::Channel;
+use super::hierarchy;
+use super::mesh::{Mesh, Shape};
+use super::motion::{FollowPath, Motion, check_frame};
+use super::node::{Kind, Node, check_node_name};
+use super::track::Track;
+use crate::deform::{Bounds, Deformation};
+use crate::error::{Error, Result, message, vec_with_room};
+use crate::limits::{MAX_MARKERS, MAX_NODES, MAX_PINS, MAX_SCENE_NUMBERS};
+use crate::path::CameraPath;
+
+/// A named frame of the timeline.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Marker {
+    /// Unique in its scene, one line, not empty.
+    pub name: String,
+    /// Any finite number.
+    pub frame: f64,
+}
+
+/// A point of a node's path that is reached at a marker.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Pin {
+    /// The number of the node.
+    pub node: usize,
+    /// The support point of its path, counted from 0.
+    pub point: usize,
+    /// The name of the marker.
+    pub marker: String,
+}
+
+/// A tree of nodes on one timeline. Whatever is done to it, it can be evaluated
+/// and saved. Nodes are numbered from 0.
+#[derive(Debug, Clone, Default)]
+pub struct Scene {
+    pub(super) nodes: Vec<Node>,
+    /// In which they are evaluated.
+    pub(super) order: Vec<usize>,
+    /// By name.
+    names: Vec<usize>,
+    markers: Vec<Marker>,
+    pins: Vec<Pin>,
+    /// All numbers of all keys.
+    numbers: usize,
+}
+
+impl PartialEq for Scene {
+    fn eq(&self, other: &Self) -> bool {
+        self.nodes == other.nodes && self.markers == other.markers && self.pins == other.pins
+    }
+}
+
+impl Scene {
+    /// A scene without nodes.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A scene with one camera, "camera", that follows a path from frame 1 on.
+    ///
+    /// # Errors
+    /// As [`FollowPath::new`].
+    pub fn of_path(path: CameraPath) -> Result<Self> {
+        let mut camera = Node::new("camera", Kind::Camera(super::Camera::default()));
+        camera.set_path(Some(FollowPath::new(path, 1.0, super::Beyond::Hold)?))?;
+        let mut scene = Self::new();
+        scene.add(camera)?;
+        Ok(scene)
+    }
+
+    /// A scene of these nodes, whose parents and aims are numbers among them.
+    ///
+    /// # Errors
+    /// The number of a node and what is wrong there, with its name.
+    pub fn from_nodes(nodes: Vec<Node>) -> Result<Self, (usize, Error)> {
+        let whole = |error| (0, error);
+        check_count(nodes.len()).map_err(whole)?;
+        let mut names: Vec<usize> = vec_with_room(nodes.len()).map_err(whole)?;
+        names.extend(0..nodes.len());
+        names.sort_unstable_by(|&a, &b| nodes[a].name.cmp(&nodes[b].name));
+        for pair in names.windows(2) {
+            if nodes[pair[0]].name == nodes[pair[1]].name {
+                let later = pair[0].max(pair[1]);
+                return Err((later, taken(&nodes[later].name)));
+            }
+        }
+        for (at, node) in nodes.iter().enumerate() {
+            check_node(node, at).map_err(|error| (at, error))?;
+        }
+        let numbers = nodes.iter().map(|node| node.keys.numbers()).sum();
+        check_numbers(numbers).map_err(whole)?;
+        Ok(Self {
+            order: hierarchy::order(&nodes)?,
+            nodes,
+            names,
+            numbers,
+            ..Self::default()
+        })
+    }
+
+    /// The nodes.
+    #[must_use]
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// A node by its number.
+    ///
+    /// # Errors
+    /// [`Error::Range`] if there is none.
+    pub fn node(&self, at: usize) -> Result<&Node> {
+        self.nodes.get(at).ok_or_else(|| self.no_node(at))
+    }
+
+    fn node_mut(&mut self, at: usize) -> Result<&mut Node> {
+        if at >= self.nodes.len() {
+            return Err(self.no_node(at));
+        }
+        Ok(&mut self.nodes[at])
+    }
+
+    fn no_node(&self, at: usize) -> Error {
+        Error::Range(message!(
+            "there is no node {0} among {1}, counted from 0",
+            at,
+            self.nodes.len()
+        ))
+    }
+
+    /// The number of the node with this name.
+    #[must_use]
+    pub fn find(&self, name: &str) -> Option<usize> {
+        self.place_of(name).ok().map(|at| self.names[at])
+    }
+
+    /// Where among the names it stands, or would.
+    fn place_of(&self, name: &str) -> Result<usize, usize> {
+        self.names
+            .binary_search_by(|&node| self.nodes[node].name.as_str().cmp(name))
+    }
+
+    /// Adds a node behind the others.
+    ///
+    /// # Errors
+    /// What is wrong with it; nothing has changed then.
+    pub fn add(&mut self, node: Node) -> Result<usize> {
+        let at = self.nodes.len();
+        check_count(at + 1)?;
+        check_node(&node, at)?;
+        let Err(place) = self.place_of(&node.name) else {
+            return Err(taken(&node.name));
+        };
+        let numbers = self.numbers + node.keys.numbers();
+        check_numbers(numbers)?;
+        self.nodes.try_reserve(1)?;
+        self.names.try_reserve(1)?;
+        self.order.try_reserve(1)?;
+        if let Some(parent) = node.parent {
+            self.check_below(parent, &node.name)?;
+        }
+        if let Some(aim) = node.aim {
+            self.node(aim)
+                .map_err(|error| error.at(message!("node \"{0}\"", node.name.as_str())))?;
+        }
+        self.nodes.push(node);
+        self.names.insert(place, at);
+        // Nobody needs it yet, and all that it needs is there.
+        self.order.push(at);
+        self.numbers = numbers;
+        Ok(at)
+    }
+
+    /// Whether one more level fits below a node.
+    fn check_below(&self, parent: usize, name: &str) -> Result<()> {
+        let place = |error: Error| error.at(message!("node \"{0}\"", name));
+        self.node(parent).map_err(place)?;
+        let levels = std::iter::successors(Some(parent), |&at| self.nodes[at].parent).count();
+        if levels >= crate::limits::MAX_LEVELS {
+            return Err(Error::Limit(message!(
+                "node \"{0}\": a scene has at most {1} levels",
+                name,
+                crate::limits::MAX_LEVELS
+            )));
+        }
+        Ok(())
+    }
+
+    /// Removes a node with all that is in it. The numbers behind move up; who
+    /// aimed at one of them aims at none.
+    ///
+    /// # Errors
+    /// [`Error::Range`] if there is none, [`Error::Memory`].
+    pub fn remove(&mut self, at: usize) -> Result<()> {
+        self.node(at)?;
+        let count = self.nodes.len();
+        // New numbers; none for those that go. Parents come first in the order.
+        let mut new: Vec<Option<usize>> = vec_with_room(count)?;
+        new.resize(count, Some(0));
+        let mut names = vec_with_room(count)?;
+        for &node in &self.order {
+            let parent = self.nodes[node].parent;
+            if node == at || parent.is_some_and(|parent| new[parent].is_none()) {
+                new[node] = None;
+            }
+        }
+        let mut next = 0;
+        for number in new.iter_mut().filter_map(Option::as_mut) {
+            *number = next;
+            next += 1;
+        }
+        names.extend(self.names.iter().filter_map(|&node| new[node]));
+        let mut old = 0;
+        self.nodes.retain(|_| {
+            old += 1;
+            new[old - 1].is_some()
+        });
+        for node in &mut self.nodes {
+            node.parent = node.parent.and_then(|parent| new[parent]);
+            node.aim = node.aim.and_then(|aim| new[aim]);
+        }
+        self.order.retain(|&node| new[node].is_some());
+        for node in &mut self.order {
+            *node = new[*node].unwrap_or(0);
+        }
+        self.names = names;
+        self.pins.retain(|pin| new[pin.node].is_some());
+        for pin in &mut self.pins {
+            pin.node = new[pin.node].unwrap_or(0);
+        }
+        self.numbers = self.nodes.iter().map(|node| node.keys.numbers()).sum();
+        Ok(())
+    }
+
+    /// Gives a node another name.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] if the name is taken or none, [`Error::Range`],
+    /// [`Error::Limit`], [`Error::Memory`].
+    pub fn set_name(&mut self, at: usize, name: &str) -> Result<()> {
+        self.node(at)?;
+        check_node_name(name)?;
+        let to = match self.place_of(name) {
+            Ok(place) if self.names[place] == at => return Ok(()),
+            Ok(_) => return Err(taken(name)),
+            Err(place) => place,
+        };
+        let copy = copy(name)?;
+        let from = self.names.iter().position(|&node| node == at).unwrap_or(0);
+        self.nodes[at].name = copy;
+        self.names.remove(from);
+        self.names.insert(to - usize::from(to > from), at);
+        Ok(())
+    }
+
+    /// Gives a node other values: parent, aim, pivot, rest values, and what a
+    /// light or a camera has. Name, motion and geometry stay. The values are
+    /// taken as of the old parent: in another one the node stays where it is in
+    /// the world at the scene's first frame.
+    ///
+    /// # Errors
+    /// What is wrong with them; nothing has changed then.
+    pub fn set_node(&mut self, at: usize, values: &Node) -> Result<()> {
+        let old = self.node(at)?;
+        let mut new = Node {
+            name: copy(&old.name)?,
+            kind: values.kind.clone(),
+            parent: values.parent,
+            aim: values.aim,
+            pivot: values.pivot,
+            rest: values.rest,
+            ..Node::default()
+        };
+        if std::mem::discriminant(&old.kind) != std::mem::discriminant(&new.kind) {
+            return Err(Error::Argument(message!(
+                "\"{0}\" is a {1} and stays one",
+                old.name.as_str(),
+                old.kind.name()
+            )));
+        }
+        check_node(&new, at)?;
+        let (parent, aim) = (old.parent, old.aim);
+        let linked = parent != new.parent || aim != new.aim;
+        if parent != new.parent {
+            self.keep_world(at, &mut new)?;
+        }
+        let node = &mut self.nodes[at];
+        std::mem::swap(&mut node.parent, &mut new.parent);
+        std::mem::swap(&mut node.aim, &mut new.aim);
+        if linked {
+            match hierarchy::order(&self.nodes) {
+                Ok(order) => self.order = order,
+                Err((_, error)) => {
+                    (self.nodes[at].parent, self.nodes[at].aim) = (parent, aim);
+                    return Err(error);
+                }
+            }
+        }
+        let node = &mut self.nodes[at];
+        (node.pivot, node.rest) = (new.pivot, new.rest);
+        if !matches!(node.kind, Kind::Object(_)) {
+            node.kind = new.kind;
+        }
+        Ok(())
+    }
+
+    /// Gives a node a path to follow, or none. Pins of points that it does not
+    /// have go.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for the node, [`Error::Argument`] if keys move it.
+    pub fn set_path(&mut self, at: usize, path: Option<FollowPath>) -> Result<()> {
+        let node = self.node_mut(at)?;
+        node.set_path(path)?;
+        let count = node.path().map_or(0, |path| path.path().points.len());
+        self.pins.retain(|pin| pin.node != at || pin.point < count);
+        Ok(())
+    }
+
+    /// Sets a track of a node in place of the one of the same channel.
+    ///
+    /// # Errors
+    /// [`Error::Range`], [`Error::Argument`], [`Error::Limit`], [`Error::Memory`].
+    pub fn set_track(&mut self, at: usize, track: Track) -> Result<()> {
+        let node = self.node(at)?;
+        let old = node
+            .keys
+            .track(track.channel())
+            .map_or(0, Track::numbers_kept);
+        let numbers = self.numbers - old + track.numbers_kept();
+        check_numbers(numbers)?;
+        self.node_mut(at)?.set_track(track)?;
+        self.numbers = numbers;
+        Ok(())
+    }
+
+    /// Takes the track of a channel away; none is no error.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for the node.
+    pub fn remove_track(&mut self, at: usize, channel: &Channel) -> Result<()> {
+        let node = self.node_mut(at)?;
+        let before = node.keys.numbers();
+        node.remove_track(channel);
+        let after = node.keys.numbers();
+        self.numbers -= before - after;
+        Ok(())
+    }
+
+    fn object_mut(&mut self, at: usize) -> Result<&mut super::Object> {
+        let node = self.node_mut(at)?;
+        match &mut node.kind {
+            Kind::Object(object) => Ok(object),
+            _ => Err(Error::Argument(message!(
+                "\"{0}\" is no object",
+                node.name.as_str()
+            ))),
+        }
+    }
+
+    /// Sets an object's mesh.
+    ///
+    /// # Errors
+    /// As [`super::Object::set_mesh`]; [`Error::Argument`] if it is no object.
+    pub fn set_mesh(&mut self, at: usize, mesh: Mesh) -> Result<()> {
+        self.object_mut(at)?.set_mesh(mesh)
+    }
+
+    /// Adds a shape to an object; its weight is 0, also in a track of the weights.
+    ///
+    /// # Errors
+    /// [`Error::Range`], [`Error::Argument`], [`Error::Limit`], [`Error::Memory`].
+    pub fn add_shape(&mut self, at: usize, shape: Shape) -> Result<()> {
+        let node = self.node(at)?;
+        let old = node.keys.track(&Channel::Weights);
+        let wider = old.map(Track::widened).transpose()?;
+        let more =
+            wider.as_ref().map_or(0, Track::numbers_kept) - old.map_or(0, Track::numbers_kept);
+        check_numbers(self.numbers + more)?;
+        self.object_mut(at)?.add_shape(shape)?;
+        if let Some(track) = wider {
+            self.node_mut(at)?.keys.set(track)?;
+            self.numbers += more;
+        }
+        Ok(())
+    }
+
+    /// Sets an object's weights at rest.
+    ///
+    /// # Errors
+    /// As [`super::Object::set_weights`]; [`Error::Argument`] if it is no object.
+    pub fn set_weights(&mut self, at: usize, weights: &[f64]) -> Result<()> {
+        self.object_mut(at)?.set_weights(weights)
+    }
+
+    /// Adds a deformation to an object, behind the others; its number.
+    ///
+    /// # Errors
+    /// [`Error::Range`], [`Error::Argument`], [`Error::Limit`], [`Error::Memory`].
+    pub fn add_deformation(
+        &mut self,
+        at: usize,
+        deformation: Deformation,
+        bounds: Option<Bounds>,
+    ) -> Result<usize> {
+        self.object_mut(at)?.add_deformation(deformation, bounds)
+    }
+
+    /// Removes an object's deformation with its tracks; the numbers behind move
+    /// up, in the channels too.
+    ///
+    /// # Errors
+    /// [`Error::Range`] or [`Error::Argument`].
+    pub fn remove_deformation(&mut self, at: usize, which: usize) -> Result<()> {
+        self.object_mut(at)?.remove_deformation(which)?;
+        let node = &mut self.nodes[at];
+        let before = node.keys.numbers();
+        node.keys.keep(|track| {
+            let Channel::Deformation { at, parameter } = track.channel() else {
+                return true;
+            };
+            if *at > which {
+                let (at, parameter) = (at - 1, parameter.clone());
+                track.set_channel(Channel::Deformation { at, parameter });
+            } else if *at == which {
+                return false;
+            }
+            true
+        });
+        self.numbers -= before - node.keys.numbers();
+        Ok(())
+    }
+
+    /// The markers, by name.
+    #[must_use]
+    pub fn markers(&self) -> &[Marker] {
+        &self.markers
+    }
+
+    /// Sets a marker, or moves the one of this name.
+    ///
+    /// # Errors
+    /// [`Error::Argument`], [`Error::Range`], [`Error::Limit`], [`Error::Memory`].
+    pub fn set_marker(&mut self, name: &str, frame: f64) -> Result<()> {
+        check_node_name(name).map_err(|error| error.at(message!("marker")))?;
+        check_frame(frame)?;
+        match self.marker_place(name) {
+            Ok(at) => self.markers[at].frame = frame,
+            Err(_) if self.markers.len() >= MAX_MARKERS => {
+                return Err(Error::Limit(message!(
+                    "a scene has at most {0} markers",
+                    MAX_MARKERS
+                )));
+            }
+            Err(at) => {
+                self.markers.try_reserve(1)?;
+                let name = copy(name)?;
+                self.markers.insert(at, Marker { name, frame });
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes a marker away with the pins to it; none is no error.
+    pub fn remove_marker(&mut self, name: &str) {
+        self.markers.retain(|marker| marker.name != name);
+        self.pins.retain(|pin| pin.marker != name);
+    }
+
+    fn marker_place(&self, name: &str) -> Result<usize, usize> {
+        self.markers
+            .binary_search_by(|marker| marker.name.as_str().cmp(name))
+    }
+
+    /// The pins, by node and point.
+    #[must_use]
+    pub fn pins(&self) -> &[Pin] {
+        &self.pins
+    }
+
+    /// Pins a point of a node's path to a marker, or frees it.
+    ///
+    /// # Errors
+    /// [`Error::Range`] if there is no such point, [`Error::Argument`] if there
+    /// is no such marker, [`Error::Limit`], [`Error::Memory`].
+    pub fn pin(&mut self, at: usize, point: usize, marker: Option<&str>) -> Result<()> {
+        let node = self.node(at)?;
+        let count = node.path().map_or(0, |path| path.path().points.len());
+        if point >= count {
+            return Err(Error::Range(message!(
+                "the path of \"{0}\" has no point {1} among {2}, counted from 0",
+                node.name.as_str(),
+                point,
+                count
+            )));
+        }
+        let place = self
+            .pins
+            .binary_search_by_key(&(at, point), |pin| (pin.node, pin.point));
+        let Some(marker) = marker else {
+            if let Ok(place) = place {
+                self.pins.remove(place);
+            }
+            return Ok(());
+        };
+        if self.marker_place(marker).is_err() {
+            return Err(Error::Argument(message!(
+                "there is no marker \"{0}\"",
+                marker
+            )));
+        }
+        if self.pins.len() >= MAX_PINS {
+            return Err(Error::Limit(message!(
+                "a scene has at most {0} pins",
+                MAX_PINS
+            )));
+        }
+        self.pins.try_reserve(1)?;
+        let pin = Pin {
+            node: at,
+            point,
+            marker: copy(marker)?,
+        };
+        match place {
+            Ok(place) => self.pins[place] = pin,
+            Err(place) => self.pins.insert(place, pin),
+        }
+        Ok(())
+    }
+
+    /// The first and the last frame of all that moves; 1 and 1 if nothing does.
+    #[must_use]
+    pub fn frame_range(&self) -> (f64, f64) {
+        let paths = self.nodes.iter().filter_map(|node| node.path()?.frames());
+        let keys = self.nodes.iter().filter_map(|node| node.keys.frames());
+        paths
+            .chain(keys)
+            .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+            .unwrap_or((1.0, 1.0))
+    }
+
+    /// About how many bytes a copy takes: asked for before one is made, since a
+    /// copy cannot give up.
+    #[must_use]
+    pub fn weight(&self) -> usize {
+        let nodes = self.nodes.iter().map(|node| {
+            let path = node.path().map_or(0, |path| {
+                let points = &path.path().points;
+                let turns: usize = points.iter().map(|point| point.orientations.len()).sum();
+                600 + 400 * points.len() + 200 * turns
+            });
+            let object = match &node.kind {
+                Kind::Object(object) => object.weight(),
+                _ => 0,
+            };
+            // What is prepared of keys is at most four times as much.
+            size_of::<Node>()
+                + 300
+                + path
+                + object
+                + 8 * 5 * node.keys.numbers()
+                + 400 * node.keys.tracks().len()
+        });
+        let markers = (size_of::<Marker>() + 300) * self.markers.len();
+        nodes.sum::<usize>() + markers + (size_of::<Pin>() + 300) * self.pins.len() + 4096
+    }
+}
+
+fn check_count(count: usize) -> Result<()> {
+    if count > MAX_NODES {
+        return Err(Error::Limit(message!(
+            "a scene has at most {0} nodes",
+            MAX_NODES
+        )));
+    }
+    Ok(())
+}
+
+fn check_numbers(numbers: usize) -> Result<()> {
+    if numbers > MAX_SCENE_NUMBERS {
+        return Err(Error::Limit(message!(
+            "the keys of a scene have at most {0} numbers",
+            MAX_SCENE_NUMBERS
+        )));
+    }
+    Ok(())
+}
+
+fn check_node(node: &Node, at: usize) -> Result<()> {
+    let own = if node.aim == Some(at) {
+        Err(Error::Argument(message!("it cannot aim at itself")))
+    } else if node.parent == Some(at) {
+        Err(Error::Argument(message!("it cannot be in itself")))
+    } else {
+        node.check()
+    };
+    own.map_err(|error| error.at(message!("node \"{0}\"", node.name.as_str())))
+}
+
+fn taken(name: &str) -> Error {
+    Error::Argument(message!("there is a node \"{0}\" already", name))
+}
+
+/// A text, or [`Error::Memory`].
+fn copy(text: &str) -> Result<String> {
+    let mut copy = String::new();
+    copy.try_reserve_exact(text.len())?;
+    copy.push_str(text);
+    Ok(copy)
+}
+
+#[cfg(test)]
+#[path = "scene_tests.rs"]
+mod tests;

@@ -1,0 +1,63 @@
+//! What is told of a node at a frame.
+
+use glam::{DAffine3, DMat4};
+
+use crate::error::{Error, Message};
+use crate::path::Pose;
+
+/// A node at a frame. The memory is that of C's `V_NODE_STATE`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct NodeState {
+    /// From the node's coordinates into the world's, column by column.
+    pub matrix: [f64; 16],
+    /// Of cameras and lights: where they are and look; of others all 0.
+    pub pose: Pose,
+    /// Of lights and objects.
+    pub colour: [f64; 3],
+    /// Of lights.
+    pub intensity: f64,
+    /// Of lights: half angles in degrees, inner and outer.
+    pub cone: [f64; 2],
+    /// 1 if it and all that it is in is to be seen, else 0: an `int` of C.
+    pub visible: i32,
+}
+
+impl NodeState {
+    pub(super) fn set_world(&mut self, world: DAffine3) {
+        self.matrix = DMat4::from(world).to_cols_array();
+    }
+
+    pub(super) fn world(&self) -> DAffine3 {
+        let [m0, m1, m2, _, m4, m5, m6, _, m8, m9, m10, _, x, y, z, _] = self.matrix;
+        DAffine3::from_cols_array(&[m0, m1, m2, m4, m5, m6, m8, m9, m10, x, y, z])
+    }
+}
+
+/// What went wrong while the rest went on: the first of it is kept.
+#[derive(Debug, Default)]
+pub struct Troubles {
+    /// The node that is being evaluated.
+    pub(super) node: usize,
+    first: Option<(usize, Message)>,
+}
+
+impl Troubles {
+    pub(super) fn add(&mut self, message: impl FnOnce() -> Message) {
+        if self.first.is_none() {
+            self.first = Some((self.node, message()));
+        }
+    }
+
+    /// The number of the node and what went wrong there, if anything did.
+    #[must_use]
+    pub fn first(&self) -> Option<(usize, &Message)> {
+        self.first.as_ref().map(|(node, message)| (*node, message))
+    }
+
+    /// The same as an error, with the place that the caller knows.
+    #[must_use]
+    pub fn into_error(self) -> Option<Error> {
+        self.first.map(|(_, message)| Error::Argument(message))
+    }
+}

@@ -1,0 +1,130 @@
+//! What is shown before the first frame of a motion and after its last.
+
+/// How a motion goes on beyond its own frames.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Beyond {
+    /// The first or the last value stays.
+    #[default]
+    Hold,
+    /// All over again; the period is the last frame less the first, at the seam
+    /// the last value counts.
+    Repeat,
+    /// Back and forth.
+    PingPong,
+    /// As `Repeat`, each time from where the last round ended.
+    Offset,
+}
+
+impl Beyond {
+    /// Its name in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Hold => "hold",
+            Self::Repeat => "repeat",
+            Self::PingPong => "pingpong",
+            Self::Offset => "offset",
+        }
+    }
+
+    /// By its name in files.
+    #[must_use]
+    pub fn parse(name: &str) -> Option<Self> {
+        let all = [Self::Hold, Self::Repeat, Self::PingPong, Self::Offset];
+        all.into_iter().find(|beyond| beyond.name() == name)
+    }
+}
+
+/// The frame between `first` and `last` that is shown at `frame`, and how many
+/// rounds were gone before, where rounds count ([`Beyond::Offset`]).
+#[must_use]
+pub fn within(frame: f64, first: f64, last: f64, before: Beyond, after: Beyond) -> (f64, f64) {
+    if frame >= first && frame <= last {
+        return (frame, 0.0);
+    }
+    let beyond = if frame < first { before } else { after };
+    let period = last - first;
+    let held = if frame < first { first } else { last };
+    if beyond == Beyond::Hold || !(period > 0.0) {
+        return (held, 0.0);
+    }
+    let into = frame - first;
+    match beyond {
+        Beyond::Hold => (held, 0.0),
+        Beyond::PingPong => {
+            let place = into.rem_euclid(2.0 * period);
+            let place = if place > period {
+                2.0 * period - place
+            } else {
+                place
+            };
+            ((first + place).clamp(first, last), 0.0)
+        }
+        Beyond::Repeat | Beyond::Offset => {
+            let place = into.rem_euclid(period);
+            let local = if place == 0.0 {
+                last
+            } else {
+                (first + place).min(last)
+            };
+            let rounds = if beyond == Beyond::Offset {
+                ((into - (local - first)) / period).round()
+            } else {
+                0.0
+            };
+            (local, rounds)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Beyond::{Hold, Offset, PingPong, Repeat};
+
+    #[test]
+    fn inside_nothing_changes() {
+        for beyond in [Hold, Repeat, PingPong, Offset] {
+            for frame in [10.0, 12.5, 20.0] {
+                assert_eq!(within(frame, 10.0, 20.0, beyond, beyond), (frame, 0.0));
+            }
+            assert_eq!(within(7.0, 3.0, 3.0, beyond, beyond), (3.0, 0.0));
+        }
+    }
+
+    #[test]
+    fn beyond_the_ends() {
+        let at = |frame, beyond| within(frame, 10.0, 20.0, beyond, beyond);
+        assert_eq!(at(-3.0, Hold), (10.0, 0.0));
+        assert_eq!(at(33.0, Hold), (20.0, 0.0));
+        // 17, 27, 37 are one place; the seams at 0, 30, 40 show the last frame.
+        assert_eq!(at(27.0, Repeat), (17.0, 0.0));
+        assert_eq!(at(-3.0, Repeat), (17.0, 0.0));
+        for seam in [-10.0, 0.0, 30.0, 40.0] {
+            assert_eq!(at(seam, Repeat), (20.0, 0.0));
+        }
+        assert_eq!(at(23.0, PingPong), (17.0, 0.0));
+        assert_eq!(at(33.0, PingPong), (13.0, 0.0));
+        assert_eq!(at(7.0, PingPong), (13.0, 0.0));
+        assert_eq!(at(30.0, PingPong), (10.0, 0.0));
+        assert_eq!(at(23.0, Offset), (13.0, 1.0));
+        assert_eq!(at(30.0, Offset), (20.0, 1.0));
+        assert_eq!(at(30.5, Offset), (10.5, 2.0));
+        assert_eq!(at(7.0, Offset), (17.0, -1.0));
+        assert_eq!(at(0.0, Offset), (20.0, -2.0));
+    }
+
+    #[test]
+    fn each_side_has_its_own() {
+        assert_eq!(within(5.0, 10.0, 20.0, PingPong, Hold), (15.0, 0.0));
+        assert_eq!(within(25.0, 10.0, 20.0, PingPong, Hold), (20.0, 0.0));
+    }
+
+    #[test]
+    fn names_lead_back() {
+        for beyond in [Hold, Repeat, PingPong, Offset] {
+            assert_eq!(Beyond::parse(beyond.name()), Some(beyond));
+        }
+        assert_eq!(Beyond::parse("loop"), None);
+    }
+}

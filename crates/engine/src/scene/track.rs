@@ -1,0 +1,619 @@
+//! Tracks: the keys of one channel, and the ways from one to the next
+//! (`docs/scene.md`, tracks).
+
+use std::fmt;
+
+use glam::DQuat;
+
+use super::channel::Channel;
+use super::host::{self, Question};
+use super::keys::{quaternion, wxyz};
+use super::motion::check_frame;
+use super::prepare::{self, NumberKeys};
+use super::rotation::{Between, Turns, unit};
+use super::state::Troubles;
+use super::time::{Beyond, within};
+use crate::error::{Error, Result, message, vec_with_room};
+use crate::limits::{MAX_COORDINATE, MAX_KEYS, MAX_TANGENT};
+use crate::math::euler::EulerAngles;
+use crate::path::Tcb;
+use crate::path::camera_path::check_zoom;
+
+/// How a track goes from one key to the next.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Interpolation {
+    /// The last key's value.
+    Step,
+    /// Straight; rotations by the shorter great arc.
+    Linear,
+    /// 3u²−2u³ of the way.
+    Ramp,
+    /// (1 − cos πu)/2 of the way (lecture 9.2.1).
+    Sine,
+    /// 2u², then 1−2(1−u)² of the way (lecture 9.2.1).
+    Parabolic,
+    /// C¹ in time, with quadratic ends.
+    CatmullRom,
+    /// Given tangents; rotations componentwise, normalised.
+    Hermite,
+    /// Kochanek and Bartels, weighted for unequal times.
+    Tcb,
+    /// C²: natural, or periodic where the track repeats and ends as it begins.
+    Cubic,
+    /// Rotations by yaw, pitch and roll in degrees, straight.
+    EulerLinear,
+    /// The same, C¹.
+    EulerCatmullRom,
+    /// A function of the host's.
+    Host(String),
+}
+
+const PLAIN: [(&str, Interpolation); 11] = [
+    ("step", Interpolation::Step),
+    ("linear", Interpolation::Linear),
+    ("ramp", Interpolation::Ramp),
+    ("sine", Interpolation::Sine),
+    ("parabolic", Interpolation::Parabolic),
+    ("catmull-rom", Interpolation::CatmullRom),
+    ("hermite", Interpolation::Hermite),
+    ("tcb", Interpolation::Tcb),
+    ("cubic", Interpolation::Cubic),
+    ("euler-linear", Interpolation::EulerLinear),
+    ("euler-catmull-rom", Interpolation::EulerCatmullRom),
+];
+
+impl Interpolation {
+    /// An interpolation by its name.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] or [`Error::Limit`].
+    pub fn parse(name: &str) -> Result<Self> {
+        if let Some((_, plain)) = PLAIN.iter().find(|(plain, _)| *plain == name) {
+            return Ok(plain.clone());
+        }
+        if let Some(name) = name.strip_prefix("host:") {
+            host::check_function_name(name)?;
+            return Ok(Self::Host(name.to_owned()));
+        }
+        crate::path::camera_path::check_name(name)?;
+        Err(Error::Argument(message!(
+            "there is no interpolation \"{0}\"",
+            name
+        )))
+    }
+
+    const fn euler(&self) -> bool {
+        matches!(self, Self::EulerLinear | Self::EulerCatmullRom)
+    }
+}
+
+impl fmt::Display for Interpolation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Self::Host(name) = self {
+            return write!(f, "host:{name}");
+        }
+        let found = PLAIN.iter().find(|(_, plain)| plain == self);
+        f.write_str(found.map_or("", |(name, _)| name))
+    }
+}
+
+/// The keys of one channel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Track {
+    channel: Channel,
+    interpolation: Interpolation,
+    frames: Vec<f64>,
+    values: Vec<f64>,
+    shape: Vec<f64>,
+    before: Beyond,
+    after: Beyond,
+    /// Numbers of a key.
+    width: usize,
+    prepared: Prepared,
+}
+
+/// What is computed once.
+#[derive(Debug, Clone, PartialEq)]
+enum Prepared {
+    Nothing,
+    /// As the tangents of `hermite`.
+    Slopes(Vec<f64>),
+    Turns(Turns),
+}
+
+impl Track {
+    /// A track of at least one key, holding before and after.
+    ///
+    /// `values` are the keys' numbers, key by key; `shape` is for `hermite` the
+    /// tangents before and after each key, per frame; for `tcb` tension,
+    /// continuity and bias of each key; else empty.
+    ///
+    /// # Errors
+    /// [`Error::Argument`], [`Error::Range`] or [`Error::Limit`] with channel and
+    /// key (counted from 1); [`Error::Memory`].
+    pub fn new(
+        channel: Channel,
+        interpolation: Interpolation,
+        frames: Vec<f64>,
+        values: Vec<f64>,
+        shape: Vec<f64>,
+    ) -> Result<Self> {
+        let mut track = Self {
+            channel,
+            interpolation,
+            width: values.len() / frames.len().max(1),
+            frames,
+            values,
+            shape,
+            before: Beyond::Hold,
+            after: Beyond::Hold,
+            prepared: Prepared::Nothing,
+        };
+        track
+            .check()
+            .and_then(|()| track.prepare())
+            .map_err(|error| track.at_channel(error))?;
+        Ok(track)
+    }
+
+    /// The same track with what is shown before its first and after its last key.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where it cannot be, [`Error::Memory`].
+    pub fn with_beyond(mut self, before: Beyond, after: Beyond) -> Result<Self> {
+        if self.channel == Channel::Visible && [before, after].contains(&Beyond::Offset) {
+            let error =
+                Error::Argument(message!("what is either 0 or 1 cannot repeat with offset"));
+            return Err(self.at_channel(error));
+        }
+        (self.before, self.after) = (before, after);
+        if self.interpolation == Interpolation::Cubic {
+            self.prepare().map_err(|error| self.at_channel(error))?;
+        }
+        Ok(self)
+    }
+
+    fn at_channel(&self, error: Error) -> Error {
+        error.at(message!("channel \"{0}\"", self.channel.to_string()))
+    }
+
+    /// What it moves.
+    #[must_use]
+    pub const fn channel(&self) -> &Channel {
+        &self.channel
+    }
+
+    /// How it goes from key to key.
+    #[must_use]
+    pub const fn interpolation(&self) -> &Interpolation {
+        &self.interpolation
+    }
+
+    /// The frames of the keys.
+    #[must_use]
+    pub fn frames(&self) -> &[f64] {
+        &self.frames
+    }
+
+    /// The numbers of the keys, as they were given.
+    #[must_use]
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Tangents, or tension, continuity and bias, as they were given.
+    #[must_use]
+    pub fn shape(&self) -> &[f64] {
+        &self.shape
+    }
+
+    /// What is shown before the first and after the last key.
+    #[must_use]
+    pub const fn beyond(&self) -> (Beyond, Beyond) {
+        (self.before, self.after)
+    }
+
+    /// The frames of the first and of the last key.
+    #[must_use]
+    pub fn ends(&self) -> (f64, f64) {
+        (self.frames[0], self.frames[self.frames.len() - 1])
+    }
+
+    /// Numbers of a key: 3 for the Euler interpolations of a rotation.
+    #[must_use]
+    pub const fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Numbers of the channel.
+    pub(super) const fn channel_width(&self) -> usize {
+        if self.interpolation.euler() {
+            4
+        } else {
+            self.width
+        }
+    }
+
+    /// All numbers that it keeps.
+    pub(super) fn numbers_kept(&self) -> usize {
+        self.frames.len() + self.values.len() + self.shape.len()
+    }
+
+    /// Moves it to another channel of the same width.
+    pub(super) fn set_channel(&mut self, channel: Channel) {
+        self.channel = channel;
+    }
+
+    /// The same track with one number more in each key, 0 throughout.
+    pub(super) fn widened(&self) -> Result<Self> {
+        let wide = |numbers: &[f64]| {
+            let mut all = vec_with_room(numbers.len() / self.width * (self.width + 1))?;
+            for key in numbers.chunks_exact(self.width) {
+                all.extend_from_slice(key);
+                all.push(0.0);
+            }
+            Ok::<_, Error>(all)
+        };
+        let shape = if self.interpolation == Interpolation::Hermite {
+            wide(&self.shape)?
+        } else {
+            self.shape.clone()
+        };
+        Self::new(
+            self.channel.clone(),
+            self.interpolation.clone(),
+            self.frames.clone(),
+            wide(&self.values)?,
+            shape,
+        )?
+        .with_beyond(self.before, self.after)
+    }
+
+    fn check(&self) -> Result<()> {
+        let count = self.frames.len();
+        if count == 0 {
+            return Err(Error::Argument(message!("a track needs a key")));
+        }
+        if count > MAX_KEYS {
+            return Err(Error::Limit(message!(
+                "a track has at most {0} keys",
+                MAX_KEYS
+            )));
+        }
+        if self.width == 0 || self.values.len() != count * self.width {
+            return Err(Error::Range(message!(
+                "{0} keys cannot share {1} numbers",
+                count,
+                self.values.len()
+            )));
+        }
+        self.check_combination()?;
+        let wanted = match self.interpolation {
+            Interpolation::Hermite => 2 * self.width * count,
+            Interpolation::Tcb => 3 * count,
+            _ => 0,
+        };
+        if self.shape.len() != wanted {
+            return Err(Error::Range(message!(
+                "the interpolation \"{0}\" needs {1} numbers for the shape of {2} keys, not {3}",
+                self.interpolation.to_string(),
+                wanted,
+                count,
+                self.shape.len()
+            )));
+        }
+        for key in 0..count {
+            self.check_key(key)
+                .map_err(|error| error.at(message!("key {0}", key + 1)))?;
+        }
+        Ok(())
+    }
+
+    /// The combinations that the table of `docs/scene.md` does not have.
+    fn check_combination(&self) -> Result<()> {
+        let rotation = self.channel == Channel::Rotation;
+        let fits = match self.interpolation {
+            Interpolation::Cubic => !rotation,
+            Interpolation::EulerLinear | Interpolation::EulerCatmullRom => rotation,
+            Interpolation::Step => true,
+            _ => self.channel != Channel::Visible,
+        };
+        if !fits {
+            return Err(Error::Argument(message!(
+                "this channel cannot be interpolated by \"{0}\"",
+                self.interpolation.to_string()
+            )));
+        }
+        let width = match self.channel {
+            Channel::Rotation if self.interpolation.euler() => 3,
+            Channel::Rotation => 4,
+            Channel::Position | Channel::Scale | Channel::Colour => 3,
+            Channel::Cone => 2,
+            Channel::Value { width, .. } => width,
+            Channel::Weights | Channel::Deformation { .. } => self.width,
+            _ => 1,
+        };
+        if width != self.width {
+            return Err(Error::Range(message!(
+                "a key has {0} numbers here, not {1}",
+                width,
+                self.width
+            )));
+        }
+        Ok(())
+    }
+
+    fn check_key(&self, key: usize) -> Result<()> {
+        let frame = self.frames[key];
+        check_frame(frame)?;
+        if key > 0 && !(self.frames[key - 1] < frame) {
+            return Err(Error::Argument(message!(
+                "its frame must lie behind that of the key before"
+            )));
+        }
+        let value = &self.values[key * self.width..][..self.width];
+        for &number in value {
+            if !number.is_finite() {
+                return Err(Error::Argument(message!("a value must be a finite number")));
+            }
+            if number.abs() > MAX_COORDINATE {
+                return Err(Error::Range(message!("a value must not exceed 1e9")));
+            }
+        }
+        let inside = |low: f64, high: f64| value.iter().all(|v| (low..=high).contains(v));
+        let fits = match self.channel {
+            Channel::Rotation if !self.interpolation.euler() => {
+                unit(quaternion(value))?;
+                true
+            }
+            Channel::Zoom => {
+                check_zoom(value[0])?;
+                true
+            }
+            Channel::Visible => value[0] == 0.0 || value[0] == 1.0,
+            Channel::Colour | Channel::Intensity => inside(0.0, MAX_COORDINATE),
+            Channel::Cone => inside(0.0, 90.0) && value[0] <= value[1],
+            Channel::AimWeight => inside(0.0, 1.0),
+            Channel::Deformation { .. } => {
+                value
+                    .iter()
+                    .try_for_each(|&v| crate::deform::check_number(v))?;
+                true
+            }
+            _ => true,
+        };
+        if !fits {
+            return Err(Error::Range(message!(
+                "a value lies outside the range of its channel"
+            )));
+        }
+        match self.interpolation {
+            Interpolation::Tcb => self.tcb(key).check(),
+            Interpolation::Hermite => {
+                let tangents = &self.shape[2 * self.width * key..][..2 * self.width];
+                if tangents.iter().all(|slope| slope.abs() <= MAX_TANGENT) {
+                    return Ok(());
+                }
+                Err(Error::Range(message!(
+                    "a tangent must be finite and not exceed {0}",
+                    MAX_TANGENT
+                )))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn tcb(&self, key: usize) -> Tcb {
+        match self.shape.get(3 * key..3 * key + 3) {
+            Some(&[tension, continuity, bias]) => Tcb::new(tension, continuity, bias),
+            _ => Tcb::default(),
+        }
+    }
+
+    fn prepare(&mut self) -> Result<()> {
+        let keys = NumberKeys {
+            frames: &self.frames,
+            values: &self.values,
+            width: self.width,
+        };
+        let tcb = |key| self.tcb(key);
+        let plain = |_| Tcb::default();
+        let turns = |between| Turns::new(&self.frames, &self.values, between, tcb);
+        let rotation = self.channel == Channel::Rotation;
+        self.prepared = match self.interpolation {
+            Interpolation::Step | Interpolation::Hermite | Interpolation::Host(_) if rotation => {
+                Prepared::Turns(turns(Between::Keys)?)
+            }
+            Interpolation::Linear
+            | Interpolation::Ramp
+            | Interpolation::Sine
+            | Interpolation::Parabolic
+                if rotation =>
+            {
+                Prepared::Turns(turns(Between::Arcs)?)
+            }
+            Interpolation::Tcb if rotation => Prepared::Turns(turns(Between::Smooth)?),
+            Interpolation::CatmullRom if rotation => {
+                let turns = Turns::new(&self.frames, &self.values, Between::Smooth, plain)?;
+                Prepared::Turns(turns)
+            }
+            Interpolation::CatmullRom | Interpolation::EulerCatmullRom => {
+                Prepared::Slopes(prepare::tcb(keys, plain)?)
+            }
+            Interpolation::Tcb => Prepared::Slopes(prepare::tcb(keys, tcb)?),
+            Interpolation::Cubic => {
+                let ends = self.values.len() - self.width;
+                let repeats = [self.before, self.after].contains(&Beyond::Repeat);
+                let periodic = repeats && self.values[..self.width] == self.values[ends..];
+                Prepared::Slopes(prepare::cubic(keys, periodic)?)
+            }
+            _ => Prepared::Nothing,
+        };
+        Ok(())
+    }
+
+    /// The section that holds a frame between the first and the last one, and the
+    /// share of it that is gone: 0 exactly at a key.
+    fn locate(&self, frame: f64) -> (usize, f64) {
+        let behind = self.frames.partition_point(|&key| key <= frame);
+        let section = behind.max(1) - 1;
+        let Some(&next) = self.frames.get(section + 1) else {
+            return (section, 0.0);
+        };
+        let from = self.frames[section];
+        (section, (frame - from) / (next - from))
+    }
+
+    /// The numbers at any finite frame; `out` has the width of a key.
+    pub fn numbers(&self, frame: f64, out: &mut [f64], troubles: &mut Troubles) {
+        let (first, last) = self.ends();
+        let (local, rounds) = within(frame, first, last, self.before, self.after);
+        let (section, u) = self.locate(local);
+        self.between(local, section, u, out, troubles);
+        if rounds != 0.0 {
+            let ends = self.values.len() - self.width;
+            for (at, number) in out.iter_mut().enumerate() {
+                *number += rounds * (self.values[ends + at] - self.values[at]);
+            }
+        }
+    }
+
+    fn between(
+        &self,
+        frame: f64,
+        section: usize,
+        u: f64,
+        out: &mut [f64],
+        troubles: &mut Troubles,
+    ) {
+        let width = self.width;
+        let from = &self.values[section * width..][..width];
+        if let Interpolation::Host(name) = &self.interpolation {
+            if !self.ask(name, frame, out, troubles) {
+                out.copy_from_slice(from);
+            }
+            return;
+        }
+        out.copy_from_slice(from);
+        if u == 0.0 {
+            return;
+        }
+        let to = &self.values[(section + 1) * width..][..width];
+        let slopes = match (&self.prepared, &self.interpolation) {
+            (Prepared::Slopes(slopes), _) => slopes,
+            (_, Interpolation::Hermite) => &self.shape,
+            _ => {
+                let u = self.share(u);
+                for (out, to) in out.iter_mut().zip(to) {
+                    *out = *out * (1.0 - u) + to * u;
+                }
+                return;
+            }
+        };
+        let step = self.frames[section + 1] - self.frames[section];
+        let leave = &slopes[(2 * section + 1) * width..][..width];
+        let reach = &slopes[(2 * section + 2) * width..][..width];
+        for (at, out) in out.iter_mut().enumerate() {
+            let rise = to[at] - *out;
+            let (r, s) = (step * leave[at], step * reach[at]);
+            let (b, a) = (3.0 * rise - 2.0 * r - s, r + s - 2.0 * rise);
+            *out += ((a * u + b) * u + r) * u;
+        }
+    }
+
+    /// The share of the way that is gone when the share `u` of the time is.
+    fn share(&self, u: f64) -> f64 {
+        match self.interpolation {
+            Interpolation::Step => 0.0,
+            Interpolation::Ramp => (3.0 - 2.0 * u) * u * u,
+            Interpolation::Sine => {
+                let sin = (std::f64::consts::FRAC_PI_2 * u).sin();
+                sin * sin
+            }
+            Interpolation::Parabolic if u <= 0.5 => 2.0 * u * u,
+            Interpolation::Parabolic => 1.0 - 2.0 * (1.0 - u) * (1.0 - u),
+            _ => u,
+        }
+    }
+
+    /// Asks the host; false if it has no answer.
+    fn ask(&self, name: &str, frame: f64, out: &mut [f64], troubles: &mut Troubles) -> bool {
+        let Some(function) = host::function(name) else {
+            troubles.add(|| {
+                message!(
+                    "channel \"{0}\": no interpolation \"host:{1}\" is registered",
+                    self.channel.to_string(),
+                    name
+                )
+            });
+            return false;
+        };
+        let question = Question {
+            frames: &self.frames,
+            values: &self.values,
+            width: self.width,
+            frame,
+        };
+        let answered = function(question, out);
+        let usable = |number: &f64| number.abs() <= MAX_COORDINATE;
+        if answered && out.iter().all(usable) {
+            return true;
+        }
+        troubles.add(|| {
+            let channel = self.channel.to_string();
+            if answered {
+                message!(
+                    "channel \"{0}\": the interpolation \"host:{1}\" gave a number that cannot be used",
+                    channel,
+                    name
+                )
+            } else {
+                message!(
+                    "channel \"{0}\": the interpolation \"host:{1}\" failed",
+                    channel,
+                    name
+                )
+            }
+        });
+        false
+    }
+
+    /// The orientation of a rotation track at any finite frame, of length 1.
+    #[must_use]
+    pub fn rotation(&self, frame: f64, troubles: &mut Troubles) -> DQuat {
+        let Prepared::Turns(turns) = &self.prepared else {
+            let mut angles = [0.0; 3];
+            self.numbers(frame, &mut angles, troubles);
+            let [yaw, pitch, roll] = angles.map(f64::to_radians);
+            return EulerAngles { yaw, pitch, roll }.quaternion().normalize();
+        };
+        let (first, last) = self.ends();
+        let (local, rounds) = within(frame, first, last, self.before, self.after);
+        let (section, u) = self.locate(local);
+        let host = matches!(self.interpolation, Interpolation::Host(_));
+        let q = if host || (u != 0.0 && self.interpolation == Interpolation::Hermite) {
+            let mut numbers = wxyz(turns.key(section));
+            self.between(local, section, u, &mut numbers, troubles);
+            // Through zero there is no direction: the key before holds.
+            unit(quaternion(&numbers)).unwrap_or_else(|_| {
+                if host {
+                    troubles.add(|| message!("a rotation must be finite and not zero"));
+                }
+                turns.key(section)
+            })
+        } else if u == 0.0 {
+            turns.key(section)
+        } else {
+            turns.between(section, self.share(u))
+        };
+        if rounds == 0.0 {
+            q
+        } else {
+            turns.offset(q, rounds)
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "track_tests.rs"]
+mod tests;

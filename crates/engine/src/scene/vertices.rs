@@ -1,0 +1,99 @@
+//! The points of an object at a frame: morphed, then deformed (lecture 9.3).
+
+use glam::DVec3;
+
+use super::channel::Channel;
+use super::mesh::{Object, Shape};
+use super::node::{Kind, Node};
+use super::state::Troubles;
+use crate::deform::Deformation;
+use crate::error::{Error, Result, message, vec_with_room};
+
+/// What of an object changes, at one frame.
+pub(super) struct Form<'a> {
+    object: &'a Object,
+    weights: Vec<f64>,
+    deformations: Vec<Deformation>,
+}
+
+impl<'a> Form<'a> {
+    pub(super) fn at(node: &'a Node, frame: f64, troubles: &mut Troubles) -> Result<Self> {
+        let Kind::Object(object) = &node.kind else {
+            return Err(Error::Argument(message!(
+                "\"{0}\" is no object",
+                node.name.as_str()
+            )));
+        };
+        let mut form = Self {
+            object,
+            weights: vec_with_room(object.weights().len())?,
+            deformations: vec_with_room(object.deformations().len())?,
+        };
+        form.weights.extend_from_slice(object.weights());
+        for (deformation, _) in object.deformations() {
+            let copy = Deformation::new(deformation.kind(), deformation.parameters())?;
+            form.deformations.push(copy);
+        }
+        for track in node.keys.tracks() {
+            match track.channel() {
+                Channel::Weights => track.numbers(frame, &mut form.weights, troubles),
+                Channel::Deformation { at, parameter } => {
+                    let deformation = form.deformations.get_mut(*at);
+                    if let Some(numbers) = deformation.and_then(|d| d.channel_mut(parameter)) {
+                        track.numbers(frame, numbers, troubles);
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(form)
+    }
+
+    /// Σ αⱼ Pʲ with Σ αⱼ = 1, the mesh taking what is left, then each
+    /// deformation. As many points as the mesh has, into as many places.
+    pub(super) fn points(&self, out: &mut [DVec3]) {
+        let base = &self.object.mesh().points;
+        let left = 1.0 - self.weights.iter().sum::<f64>();
+        if self.active().next().is_none() {
+            out.copy_from_slice(base);
+        } else {
+            for (out, point) in out.iter_mut().zip(base) {
+                *out = left * *point;
+            }
+            for (weight, shape) in self.active() {
+                for (out, point) in out.iter_mut().zip(&shape.points) {
+                    *out += weight * *point;
+                }
+            }
+        }
+        let given = self.object.deformations();
+        for (deformation, (_, bounds)) in self.deformations.iter().zip(given) {
+            let bounds = bounds.unwrap_or_else(|| self.object.bounds());
+            deformation.apply(&bounds, out);
+        }
+    }
+
+    /// The colours of the points, morphed likewise; empty if the mesh has none.
+    pub(super) fn colours(&self) -> Result<Vec<[u8; 3]>> {
+        let base = &self.object.mesh().colours;
+        let mut colours = vec_with_room(base.len())?;
+        let coloured = || self.active().filter(|(_, shape)| !shape.colours.is_empty());
+        let left = 1.0 - coloured().map(|(weight, _)| weight).sum::<f64>();
+        for (at, colour) in base.iter().enumerate() {
+            colours.push(std::array::from_fn(|k| {
+                let sum = coloured().fold(left * f64::from(colour[k]), |sum, (weight, shape)| {
+                    sum + weight * f64::from(shape.colours[at][k])
+                });
+                sum.round().clamp(0.0, 255.0) as u8
+            }));
+        }
+        Ok(colours)
+    }
+
+    /// The shapes that count.
+    fn active(&self) -> impl Iterator<Item = (f64, &Shape)> {
+        let weights = self.weights.iter().copied();
+        let shapes = self.object.shapes().iter().map(|shape| &**shape);
+        weights.zip(shapes).filter(|(weight, _)| *weight != 0.0)
+    }
+}
