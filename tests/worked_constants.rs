@@ -50,6 +50,7 @@ fn the_path_of_a_new_window() {
             turning: Tcb::new(0.0, 0.0, 0.0),
             speeds: [50.0; 10],
             hold: 0,
+            own: MayOwn::default(),
         };
         assert_eq!(point.orientations, [all]);
     }

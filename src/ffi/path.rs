@@ -48,6 +48,38 @@ pub(super) fn edit(path: *mut V_PATH, edit: Edit) -> Answer<c_int> {
     Ok(V_OK)
 }
 
+/// As [`edit`], with an edit that depends on what the path is.
+pub(super) fn edit_by(
+    path: *mut V_PATH,
+    edit: impl FnOnce(&Document) -> Answer<Edit>,
+) -> Answer<c_int> {
+    if path.is_null() {
+        check(path)?;
+    }
+    let document = PATHS.get(path)?;
+    let mut document = document.write().map_err(|_| SPOILED)?;
+    inject::point(inject::Place::Path);
+    let edit = edit(&document)?;
+    document.apply(edit)?;
+    Ok(V_OK)
+}
+
+/// As [`edit`], and then looks at the path.
+pub(super) fn edit_and<R>(
+    path: *mut V_PATH,
+    edit: Edit,
+    look: impl FnOnce(&Document) -> R,
+) -> Answer<R> {
+    if path.is_null() {
+        check(path)?;
+    }
+    let document = PATHS.get(path)?;
+    let mut document = document.write().map_err(|_| SPOILED)?;
+    inject::point(inject::Place::Path);
+    document.apply(edit)?;
+    Ok(look(&document))
+}
+
 /// ==== Paths ====
 ///
 /// A new path: two support points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each

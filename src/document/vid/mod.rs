@@ -32,6 +32,7 @@
 //! ```
 
 pub(crate) mod field;
+mod own;
 mod pieces;
 mod read;
 mod weight;
