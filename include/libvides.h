@@ -392,8 +392,9 @@ const char *v_version(void);
  *     NULL
  *
  * rueck and ende run on the thread that called v_haupt(), inside the host's
- * event loop, and may call any function of the library. They return to their
- * caller: no longjmp() and no exception may leave them. An exception that does
+ * event loop, and may call any function of the library. They may come while the
+ * host is in a modal dialog of its own, whose loop serves the window, too. They
+ * return to their caller: no longjmp() and no exception may leave them. An exception that does
  * ends the program, after a line on standard error that names the callback.
  * What is wrong with the arguments, or that no window can be opened, is said
  * in one line on standard error, which begins "vides:", by v_last_error(), and
@@ -744,7 +745,7 @@ int v_path_set_modes(V_PATH *path, int orientation_mode, int zoom_mode);
 int v_path_get_modes(const V_PATH *path, int *orientation_mode, int *zoom_mode);
 
 /**
- * Sets what a path is called: UTF-8, one line of at most 1000 bytes; "" is none.
+ * Sets what a path is called: UTF-8, one line of at most 256 bytes; "" is none.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_LIMIT.
  */
@@ -778,10 +779,9 @@ int v_path_get_comment(const V_PATH *path,
                        size_t *length);
 
 /**
- * Sets how many poses are shown in a second, > 0 and at most 1000; it changes no
+ * Sets how many poses are shown in a second, > 0 and at most 100000; it changes no
  * pose. A new path has 25.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_RANGE.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_fps(V_PATH *path, double fps);
 
@@ -957,8 +957,9 @@ void v_editor_options_init(V_EDITOR_OPTIONS *options);
  * 1, 2, 3 ..., the window says so.
  *
  * on_poses and on_close run on the thread that opened the window, inside the
- * host's event loop, and may call any function of the library. They return to
- * their caller: no longjmp() and no exception may leave them. An exception that
+ * host's event loop, and may call any function of the library. They may come
+ * while the host is in a modal dialog of its own, whose loop serves the window,
+ * too. They return to their caller: no longjmp() and no exception may leave them. An exception that
  * does ends the program, after a line on standard error that names the callback.
  * The window belongs to this thread and is closed when it ends, which a line on
  * standard error says.
@@ -966,7 +967,8 @@ void v_editor_options_init(V_EDITOR_OPTIONS *options);
  * V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
  * V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_editor_open(const V_EDITOR_OPTIONS *options, V_EDITOR **editor);
+int v_editor_open(const V_EDITOR_OPTIONS *options,
+                  V_EDITOR **editor);
 
 /**
  * Closes a window without asking anybody, and frees its handle. From within

@@ -7,7 +7,7 @@ use vides::path::bezier::Bezier;
 use vides::path::catmull_rom::{EndRule, closed_curve, open_curve};
 use vides::path::cubic_spline::{CubicSpline, SplineEnds};
 use vides::path::hermite::Cubic;
-use vides::path::{CameraPath, CurveParameters, SupportPoint, Tcb, kochanek_bartels};
+use vides::path::{CameraPath, CurveParameters, SupportPoint, Tcb, curve};
 
 const TOLERANCE: f64 = 1e-12;
 
@@ -119,9 +119,7 @@ fn kochanek_bartels_curves() {
             ..CameraPath::default()
         };
         let segments = path.points.len() - usize::from(!path.closed);
-        let chain: Vec<_> = (0..segments)
-            .map(|i| kochanek_bartels::segment(&path, i))
-            .collect();
+        let chain: Vec<_> = (0..segments).map(|i| curve::segment(&path, i)).collect();
         let what = format!("closed {} through {}", path.closed, path.points.len());
         let (t, want) = (case.numbers("t"), case.vectors("point"));
         assert_equal(&what, &t, &want, |t| on_chain(&chain, t));

@@ -143,15 +143,15 @@ const BROKEN: &[(&str, &str)] = &[
     ),
     (
         "unknown_orientation_key",
-        "line 7: unknown key \"rol_degrees\"; known here: target, offset, roll_degrees, zoom_mm, turning, speed_curve, hold_frames",
+        "line 7: unknown key \"rol_degrees\"; known here: target, offset, roll_degrees, zoom_mm, turning, speed_curve, hold_frames, frames, ease, distance, pace_part, velocity_degrees, turning_part, roll_slope_degrees, zoom_slope_mm",
     ),
     (
         "unknown_point_key",
-        "line 5: unknown key \"presset\"; known here: name, position, preset, own, orientation",
+        "line 5: unknown key \"presset\"; known here: name, position, preset, own, tangents, orientation",
     ),
     (
         "unknown_root_key",
-        "line 2: unknown key \"titel\"; known here: version, title, comment, fps, first_frame, closed, orientation_mode, zoom_mode, base_speeds, presets, space, object, point",
+        "line 2: unknown key \"titel\"; known here: version, title, comment, fps, first_frame, closed, curve, orientation_mode, zoom_mode, base_speeds, presets, space, object, point",
     ),
     (
         "unknown_space_key",
@@ -289,7 +289,7 @@ fn long_files_are_read_like_short_ones() {
     assert_eq!(
         parse(&format!("{text}zoom = 3\n")).unwrap_err(),
         format!(
-            "line {}: unknown key \"zoom\"; known here: name, position, preset, own, orientation",
+            "line {}: unknown key \"zoom\"; known here: name, position, preset, own, tangents, orientation",
             lines + 1
         )
     );
@@ -401,14 +401,14 @@ fn what_is_no_file_is_refused_and_never_waits() {
     assert_eq!(
         load(&large),
         format!(
-            "{}: the file is larger than the 320 MiB that are read",
+            "{}: the file is larger than the 768 MiB that are read",
             large.display()
         )
     );
     let endless = Document::load_from(&mut std::io::repeat(b'#'), "-").unwrap_err();
     assert_eq!(
         endless.to_string(),
-        "-: the file is larger than the 320 MiB that are read"
+        "-: the file is larger than the 768 MiB that are read"
     );
 }
 

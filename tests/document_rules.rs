@@ -541,7 +541,7 @@ fn division_is_by_arc_length_also_on_the_closing_segment() {
         .collect(),
     );
     document.apply(Edit::SetClosed(true)).unwrap();
-    let curve = vides::path::kochanek_bartels::segment(document.path(), 3);
+    let curve = vides::path::curve::segment(document.path(), 3);
     document
         .apply(Edit::DivideSegment {
             segment: 3,

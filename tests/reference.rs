@@ -71,6 +71,7 @@ fn view(words: &[&str]) -> Orientation {
         turning: tcb(&words[7..10]),
         speeds: numbers(&words[10..]),
         hold: hold as u32,
+        ..Orientation::default()
     }
 }
 

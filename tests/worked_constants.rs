@@ -13,6 +13,7 @@ use vides::math::orientation::{
     wrap_degrees,
 };
 use vides::math::view::View;
+use vides::path::MayOwn;
 use vides::path::{CameraPath, CurveParameters, Orientation, Target, Tcb};
 
 /// Thesis A.6.1.
@@ -50,6 +51,7 @@ fn the_path_of_a_new_window() {
             turning: Tcb::new(0.0, 0.0, 0.0),
             speeds: [50.0; 10],
             hold: 0,
+            own: MayOwn::default(),
         };
         assert_eq!(point.orientations, [all]);
     }

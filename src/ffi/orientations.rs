@@ -5,14 +5,14 @@ use std::ffi::c_int;
 use glam::DVec3;
 
 use super::border::border;
-use super::path::{edit, read};
+use super::path::{edit, edit_by, read};
 use super::pointers::{Growing, GrowingOut, Out, count, index, read_growing};
 use super::points::point;
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::{V_ORIENTATION, V_PATH};
-use crate::document::Edit;
+use crate::document::{Document, Edit};
 use crate::error::{Error, sentence};
-use crate::path::{Orientation, Target, Tcb};
+use crate::path::{MayOwn, Orientation, Target, Tcb};
 
 /// The struct of C for an orientation.
 fn to_c(orientation: &Orientation) -> V_ORIENTATION {
@@ -67,6 +67,36 @@ fn from_c(o: &V_ORIENTATION) -> Answer<Orientation> {
         speeds: o.speed,
         hold: u32::try_from(o.hold)
             .map_err(|_| Error::Range("the hold must lie between 0 and 1000000 frames".into()))?,
+        own: MayOwn::default(),
+    })
+}
+
+/// Changes an orientation by C's numbers.
+pub(super) fn change(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+    change: impl FnOnce(&mut Orientation) -> Answer<()>,
+) -> Answer<c_int> {
+    edit_by(path, |document| {
+        let mut orientation = orientation(document, point, at)?.clone();
+        change(&mut orientation)?;
+        Ok(Edit::SetOrientation {
+            point: index(point)?,
+            at: index(at)?,
+            orientation,
+        })
+    })
+}
+
+/// An orientation by C's numbers of it.
+pub(super) fn orientation(document: &Document, point: c_int, at: c_int) -> Answer<&Orientation> {
+    let orientations = &self::point(document, point)?.1.orientations;
+    orientations.get(index(at)?).ok_or_else(|| {
+        Error::Range(sentence(format_args!(
+            "point {point} has no orientation {at}, counted from 0"
+        )))
+        .into()
     })
 }
 
@@ -175,16 +205,13 @@ pub unsafe extern "C" fn v_path_set_orientation(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a struct as its size says, as the header demands.
-        let orientation = unsafe { read_orientation(o) }?;
-        let (point, at) = (index(point)?, index(at)?);
-        edit(
-            path,
-            Edit::SetOrientation {
-                point,
-                at,
-                orientation,
-            },
-        )
+        let mut values = unsafe { read_orientation(o) }?;
+        change(path, point, at, |old| {
+            // What the struct has no place for stays.
+            values.own = std::mem::take(&mut old.own);
+            *old = values;
+            Ok(())
+        })
     })
 }
 

@@ -48,18 +48,45 @@ pub(super) fn edit(path: *mut V_PATH, edit: Edit) -> Answer<c_int> {
     Ok(V_OK)
 }
 
-/// Changes what a path says besides its poses.
-pub(super) fn edit_info(path: *mut V_PATH, change: impl FnOnce(&mut Info)) -> Answer<c_int> {
+/// As [`edit`], with an edit that depends on what the path is.
+pub(super) fn edit_by(
+    path: *mut V_PATH,
+    edit: impl FnOnce(&Document) -> Answer<Edit>,
+) -> Answer<c_int> {
     if path.is_null() {
         check(path)?;
     }
     let document = PATHS.get(path)?;
     let mut document = document.write().map_err(|_| SPOILED)?;
     inject::point(inject::Place::Path);
-    let mut info = document.info().clone();
-    change(&mut info);
-    document.apply(Edit::SetInfo(Box::new(info)))?;
+    let edit = edit(&document)?;
+    document.apply(edit)?;
     Ok(V_OK)
+}
+
+/// As [`edit`], and then looks at the path.
+pub(super) fn edit_and<R>(
+    path: *mut V_PATH,
+    edit: Edit,
+    look: impl FnOnce(&Document) -> R,
+) -> Answer<R> {
+    if path.is_null() {
+        check(path)?;
+    }
+    let document = PATHS.get(path)?;
+    let mut document = document.write().map_err(|_| SPOILED)?;
+    inject::point(inject::Place::Path);
+    document.apply(edit)?;
+    Ok(look(&document))
+}
+
+/// Changes what a path says besides its poses.
+pub(super) fn edit_info(path: *mut V_PATH, change: impl FnOnce(&mut Info)) -> Answer<c_int> {
+    edit_by(path, |document| {
+        let mut info = document.info().clone();
+        change(&mut info);
+        Ok(Edit::SetInfo(Box::new(info)))
+    })
 }
 
 /// ==== Paths ====

@@ -219,6 +219,17 @@ pub(super) unsafe fn file_name<'a>(file: *const c_char) -> Answer<&'a Path> {
     Ok(Path::new(OsStr::from_bytes(text.to_bytes())))
 }
 
+/// A short text of C's: a name among some.
+///
+/// # Safety
+/// A pointer that is not NULL points to a text ended by a zero byte that
+/// stays as it is while `'a` lasts.
+pub(super) unsafe fn name<'a>(text: *const c_char) -> Answer<&'a [u8]> {
+    check(text)?;
+    // SAFETY: not NULL, and the caller's word for the rest.
+    Ok(unsafe { CStr::from_ptr(text) }.to_bytes())
+}
+
 /// An index or a number from C, where negative is never right.
 pub(super) fn index(value: c_int) -> Answer<usize> {
     usize::try_from(value)

@@ -145,6 +145,7 @@ impl Random {
             } else {
                 0
             },
+            ..Orientation::default()
         }
     }
     pub fn path(&mut self, base_speed: f64) -> CameraPath {

@@ -8,8 +8,8 @@ use glam::DVec3;
 use super::info::Info;
 use crate::error::{Result, vec_with_room};
 use crate::path::{
-    BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, Plan, SupportPoint,
-    Target, Tcb, ZoomMode,
+    BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Own, Plan,
+    SupportPoint, Tangents, Target, Tcb, ZoomMode,
 };
 
 /// What the records change.
@@ -63,6 +63,18 @@ pub(super) enum Change {
     },
     Speeds(BaseSpeeds),
     Closed(bool),
+    CurveKind(CurveKind),
+    /// Everything at a point, orientations included.
+    Point {
+        at: usize,
+        point: SupportPoint,
+    },
+    Tangents {
+        at: usize,
+        tangents: Option<Tangents>,
+    },
+    /// One after the other, each on what those before it left.
+    Several(Vec<Change>),
     Modes(OrientationMode, ZoomMode),
     InsertPoints {
         at: usize,
@@ -107,6 +119,12 @@ impl Change {
             Self::InsertOrientation { point, .. } => {
                 points[*point].orientations.try_reserve_exact(1)?;
             }
+            // The first of them alone makes room; the others exchange values.
+            Self::Several(changes) => {
+                if let Some(first) = changes.first() {
+                    first.reserve(content)?;
+                }
+            }
             _ => {}
         }
         Ok(())
@@ -132,6 +150,15 @@ impl Change {
             // Base speeds are > 0: none of them has two zeros to tell apart.
             Self::Speeds(speeds) => path.speeds == *speeds,
             Self::Closed(closed) => path.closed == *closed,
+            Self::CurveKind(curve) => path.curve == *curve,
+            Self::Tangents { at, tangents } => match (path.points[*at].tangents, tangents) {
+                (None, None) => true,
+                (Some(a), Some(b)) => {
+                    same_vector(a.before, b.before) && same_vector(a.after, b.after)
+                }
+                _ => false,
+            },
+            Self::Several(changes) => changes.iter().all(|change| change.is_idle(content)),
             Self::Modes(orientation, zoom) => {
                 path.orientation_mode == *orientation && path.zoom_mode == *zoom
             }
@@ -173,6 +200,26 @@ impl Change {
             },
             Self::Speeds(speeds) => Self::Speeds(std::mem::replace(&mut path.speeds, speeds)),
             Self::Closed(closed) => Self::Closed(std::mem::replace(&mut path.closed, closed)),
+            Self::CurveKind(curve) => Self::CurveKind(std::mem::replace(&mut path.curve, curve)),
+            Self::Point { at, mut point } => {
+                let there = &mut path.points[at];
+                content.orientations += point.orientations.len();
+                content.orientations -= there.orientations.len();
+                std::mem::swap(there, &mut point);
+                Self::Point { at, point }
+            }
+            Self::Tangents { at, tangents } => Self::Tangents {
+                at,
+                tangents: std::mem::replace(&mut path.points[at].tangents, tangents),
+            },
+            Self::Several(mut changes) => {
+                for change in &mut changes {
+                    let one = std::mem::replace(change, Self::Closed(false));
+                    *change = one.apply(content);
+                }
+                changes.reverse();
+                Self::Several(changes)
+            }
             Self::Modes(orientation, zoom) => Self::Modes(
                 std::mem::replace(&mut path.orientation_mode, orientation),
                 std::mem::replace(&mut path.zoom_mode, zoom),
@@ -229,7 +276,9 @@ impl Change {
     pub(super) fn announce(&self, plan: &mut Plan) {
         match self {
             Self::Name { .. } | Self::Info(_) => {}
-            Self::Position { at, .. } | Self::Curve { at, .. } => plan.point_changed(*at),
+            Self::Position { at, .. } | Self::Curve { at, .. } | Self::Tangents { at, .. } => {
+                plan.point_changed(*at)
+            }
             Self::Orientation { point, .. } => plan.point_changed(*point),
             _ => plan.all_changed(),
         }
@@ -242,6 +291,7 @@ impl Change {
             (Self::Position { at: a, .. }, Self::Position { at: b, .. })
             | (Self::Name { at: a, .. }, Self::Name { at: b, .. })
             | (Self::Curve { at: a, .. }, Self::Curve { at: b, .. })
+            | (Self::Tangents { at: a, .. }, Self::Tangents { at: b, .. })
             | (Self::Preset { preset: a, .. }, Self::Preset { preset: b, .. }) => a == b,
             (
                 Self::Orientation {
@@ -253,6 +303,7 @@ impl Change {
             ) => (p, a) == (q, b),
             (Self::Speeds(_), Self::Speeds(_))
             | (Self::Closed(_), Self::Closed(_))
+            | (Self::CurveKind(_), Self::CurveKind(_))
             | (Self::Modes(..), Self::Modes(..))
             | (Self::Info(_), Self::Info(_)) => true,
             _ => false,
@@ -261,6 +312,9 @@ impl Change {
 
     /// Whether it gives other places other numbers.
     pub(super) fn renumbers(&self) -> bool {
+        if let Self::Several(changes) = self {
+            return changes.iter().any(Self::renumbers);
+        }
         matches!(
             self,
             Self::InsertPoints { .. }
@@ -279,6 +333,8 @@ impl Change {
             Self::RemovePoints { room, .. } => room.capacity() * size_of::<SupportPoint>(),
             Self::Info(info) => info.title.len() + info.comment.len() + size_of_val(&*info.object),
             Self::Path(path) => weigh(&path.points),
+            Self::Point { point, .. } => weigh(std::slice::from_ref(point)),
+            Self::Several(changes) => changes.iter().map(Self::weight).sum(),
             _ => 0,
         };
         size_of::<Self>() + beyond
@@ -286,7 +342,14 @@ impl Change {
 }
 
 fn weigh(points: &[SupportPoint]) -> usize {
-    size_of_val(points) + count_orientations(points) * size_of::<Orientation>()
+    let owned = points
+        .iter()
+        .flat_map(|point| &point.orientations)
+        .filter(|orientation| !orientation.own.is_empty())
+        .count();
+    size_of_val(points)
+        + count_orientations(points) * size_of::<Orientation>()
+        + owned * size_of::<Own>()
 }
 
 /// Equal bit by bit: 0 and −0 differ.
@@ -318,4 +381,5 @@ fn same_orientation(a: &Orientation, b: &Orientation) -> bool {
         && a.zoom == b.zoom
         && a.speeds == b.speeds
         && a.hold == b.hold
+        && a.own.is_same(&b.own)
 }

@@ -3,7 +3,9 @@
 use glam::DVec3;
 
 use super::info::Info;
-use crate::path::{BaseSpeeds, CameraPath, Orientation, OrientationMode, Tcb, ZoomMode};
+use crate::path::{
+    BaseSpeeds, CameraPath, CurveKind, Orientation, OrientationMode, Tangents, Tcb, ZoomMode,
+};
 
 /// One change of a document. Points, orientations, segments and presets are
 /// counted from 0. [`super::Document::apply`] does it.
@@ -34,6 +36,33 @@ pub enum Edit {
         segment: usize,
         /// 1…[`crate::limits::MAX_DIVISION`] new points.
         points: usize,
+    },
+    /// A new point on the curve where the camera is at a frame, at the nearest
+    /// whole one: curve, pace, views and zoom stay what they are. What it would
+    /// change around it its neighbours own from then on. It becomes current.
+    InsertOnCurve {
+        /// From 1 to the number of frames.
+        frame: f64,
+    },
+    /// Tangents of its own for a point, or none.
+    SetTangents {
+        /// The point.
+        at: usize,
+        /// The tangents.
+        tangents: Option<Tangents>,
+    },
+    /// How the curve leads through the points.
+    SetCurveKind(CurveKind),
+    /// Fixed frames for all moving sections from the first orientation of one
+    /// point to the last one of another, so that there are exactly so many from
+    /// the first pose to the last. All points of a closed path are its whole way.
+    FitFrames {
+        /// The first point.
+        first: usize,
+        /// The last point.
+        last: usize,
+        /// The frames.
+        frames: usize,
     },
     /// Takes a point away; its predecessor becomes current, for the first the
     /// new first. Two always remain.
@@ -96,7 +125,9 @@ pub enum Edit {
         /// The orientation.
         at: usize,
     },
-    /// Changes every value of an orientation.
+    /// Changes every value of an orientation. Where its view or its zoom changes,
+    /// velocities and slopes that it owned before go; where its ten speeds change,
+    /// a part of another pace goes.
     SetOrientation {
         /// The point.
         point: usize,

@@ -7,12 +7,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use super::change::Content;
 use super::edit::Edit;
 use super::history::{History, Step};
-use super::info::{Info, copy_text};
+use super::info::Info;
 use super::prepare;
 use super::vid;
-use crate::error::{Result, vec_with_room};
+use crate::error::Result;
 use crate::limits;
-use crate::path::{CameraPath, Plan, Sampler, SupportPoint, Timeline};
+use crate::path::{CameraPath, Plan, Sampler, Timeline};
 
 /// The current point and its current orientation, counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -123,26 +123,7 @@ impl Document {
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn try_clone(&self) -> Result<Self> {
-        let path = &self.content.path;
-        let mut points = vec_with_room(path.points.len())?;
-        for point in &path.points {
-            let mut orientations = vec_with_room(point.orientations.len())?;
-            orientations.extend_from_slice(&point.orientations);
-            points.push(SupportPoint {
-                position: point.position,
-                name: point.name.as_deref().map(copy_text).transpose()?,
-                curve: point.curve,
-                orientations,
-            });
-        }
-        let path = CameraPath {
-            points,
-            presets: path.presets,
-            closed: path.closed,
-            orientation_mode: path.orientation_mode,
-            zoom_mode: path.zoom_mode,
-            speeds: path.speeds,
-        };
+        let path = self.content.path.try_clone()?;
         let mut copy = Self::with(path, self.content.info.try_clone()?);
         copy.selection = self.selection;
         if !self.history.keeps_any() {

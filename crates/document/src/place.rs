@@ -7,8 +7,8 @@ use crate::limits::MAX_DIVISION;
 use crate::math::orientation::unit;
 use crate::path::CameraPath;
 use crate::path::arc_length::ArcLength;
+use crate::path::curve;
 use crate::path::hermite::Cubic;
-use crate::path::kochanek_bartels;
 
 /// The points that divide a segment into `count + 1` pieces of equal length,
 /// written into `room`.
@@ -35,7 +35,7 @@ pub(super) fn divide<'a>(
             "a segment is divided by 1 to 10 points"
         )));
     }
-    let curve = kochanek_bartels::segment(path, segment);
+    let curve = curve::segment(path, segment);
     let measure = ArcLength::new(&curve)?;
     let length = measure.length();
     for (index, place) in room[..count].iter_mut().enumerate() {
@@ -62,7 +62,7 @@ pub(super) fn beyond(path: &CameraPath, end: End) -> Result<DVec3> {
         End::First => 0,
         End::Last => path.segment_count() - 1,
     };
-    let curve = kochanek_bartels::segment(path, segment);
+    let curve = curve::segment(path, segment);
     let length = ArcLength::new(&curve)?.length();
     let (from, way) = match end {
         End::First => (curve.d, way_in_at_start(&curve).map(|way| -way)),

@@ -12,7 +12,9 @@ use crate::error::{Error, Result, message, vec_with_room};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::camera_path::{check_coordinates, check_speeds};
-use crate::path::{CameraPath, CurveParameters, Orientation, SupportPoint, Target};
+use crate::path::fit_frames::fit_frames;
+use crate::path::insertion::{self, Insertion};
+use crate::path::{CameraPath, CurveParameters, Orientation, Pace, SupportPoint, Target, Timeline};
 
 /// The record of an edit, and the selection after it if it sets one.
 pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<Selection>)> {
@@ -44,6 +46,20 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             let positions = place::divide(path, segment, points, &mut room)?;
             return Ok(inserted(segment + 1, copies(content, segment, positions)?));
         }
+        Edit::InsertOnCurve { frame } => return on_curve(content, frame),
+        Edit::SetTangents { at, tangents } => {
+            point(path, at)?;
+            if let Some(tangents) = tangents {
+                tangents.check()?;
+            }
+            Change::Tangents { at, tangents }
+        }
+        Edit::SetCurveKind(curve) => Change::CurveKind(curve),
+        Edit::FitFrames {
+            first,
+            last,
+            frames,
+        } => fitted(path, first, last, frames)?,
         Edit::RemovePoint { at } => {
             point(path, at)?;
             if path.points.len() <= limits::MIN_POINTS {
@@ -113,11 +129,12 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             at,
             orientation: new,
         } => {
-            orientation(path, number, at)?;
+            let old = orientation(path, number, at)?;
+            let new = checked(new, path.points[number].position)?;
             Change::Orientation {
                 point: number,
                 at,
-                orientation: checked(new, path.points[number].position)?,
+                orientation: without_the_outdated(old, new)?,
             }
         }
         Edit::SetAbsolute {
@@ -167,6 +184,80 @@ pub(super) fn normalise(path: &mut CameraPath) -> Result<()> {
     Ok(())
 }
 
+/// What an orientation owns to keep a motion goes with the values that it
+/// belonged to, unless it is set with them.
+fn without_the_outdated(old: &Orientation, mut new: Orientation) -> Result<Orientation> {
+    if new.own.is_empty() || new.own != old.own {
+        return Ok(new);
+    }
+    let seen = new.target == old.target && new.roll == old.roll && new.turning == old.turning;
+    let (zoomed, paced) = (new.zoom != old.zoom, new.speeds != old.speeds);
+    new.own = new.own.with(|own| {
+        if !seen {
+            own.velocities = None;
+            own.turning = None;
+            own.roll_slope = None;
+        }
+        if zoomed {
+            own.zoom_slope = None;
+        }
+        if paced && matches!(own.pace, Pace::Part(_)) {
+            own.pace = Pace::Speeds;
+        }
+    })?;
+    Ok(new)
+}
+
+/// The records of a point that keeps the motion.
+fn on_curve(content: &Content, frame: f64) -> Result<(Change, Option<Selection>)> {
+    check_room(content, 1, 1)?;
+    let Insertion {
+        at,
+        mut path,
+        changed,
+    } = insertion::on_curve(&content.path, frame)?;
+    let mut changes = vec_with_room(1 + changed.len())?;
+    let take = |points: &mut Vec<SupportPoint>, at: usize| {
+        std::mem::replace(&mut points[at], SupportPoint::nowhere())
+    };
+    let mut points = vec_with_room(1)?;
+    points.push(take(&mut path.points, at));
+    changes.push(Change::InsertPoints { at, points });
+    for at in changed {
+        let point = take(&mut path.points, at);
+        changes.push(Change::Point { at, point });
+    }
+    Ok((Change::Several(changes), Some(Selection::at(at, 0))))
+}
+
+/// The records of fixed frames.
+fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result<Change> {
+    let timeline = Timeline::new(path)?;
+    let fixed = fit_frames(path, &timeline, first, last, frames)?;
+    let mut changes = vec_with_room(fixed.len())?;
+    for fixed in fixed {
+        let mut orientation = path.points[fixed.point].orientations[fixed.orientation].clone();
+        orientation.own = orientation.own.with(|own| own.frames = fixed.frames)?;
+        changes.push(Change::Orientation {
+            point: fixed.point,
+            at: fixed.orientation,
+            orientation,
+        });
+    }
+    Ok(Change::Several(changes))
+}
+
+/// Refuses more points than there may be.
+fn check_room(content: &Content, points: usize, orientations: usize) -> Result<()> {
+    if content.path.points.len() + points > limits::MAX_POINTS {
+        return Err(Error::Limit(message!(
+            "a path has at most {0} support points",
+            limits::MAX_POINTS
+        )));
+    }
+    check_all_orientations(content.orientations + orientations)
+}
+
 /// New points become part of the path; the first of them is current.
 fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>) {
     (
@@ -178,13 +269,8 @@ fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>)
 /// A new point at each of `positions` with the properties of point `from`.
 fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<SupportPoint>> {
     let source = &content.path.points[from];
-    if content.path.points.len() + positions.len() > limits::MAX_POINTS {
-        return Err(Error::Limit(message!(
-            "a path has at most {0} support points",
-            limits::MAX_POINTS
-        )));
-    }
-    check_all_orientations(content.orientations + positions.len() * source.orientations.len())?;
+    let orientations = positions.len() * source.orientations.len();
+    check_room(content, positions.len(), orientations)?;
     let mut points = vec_with_room(positions.len())?;
     for &position in positions {
         check_coordinates(position)?;
@@ -194,6 +280,7 @@ fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<Sup
             if new.target == Target::Absolute(position) {
                 new.target = target::switched(old.target, source.position, false)?;
             }
+            new.own = old.own.for_a_copy()?;
             orientations.push(new);
         }
         points.push(SupportPoint {
@@ -201,6 +288,8 @@ fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<Sup
             // A name is for one point: two of the same would help nobody.
             name: None,
             curve: source.curve,
+            // They belong to the place.
+            tangents: None,
             orientations,
         });
     }

@@ -32,6 +32,7 @@
 //! ```
 
 pub mod field;
+mod own;
 mod pieces;
 mod read;
 mod scene_read;

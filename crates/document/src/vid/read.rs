@@ -5,6 +5,7 @@ use toml::de::DeTable;
 
 use super::VERSION;
 use super::field::{Field, Source, fields};
+use super::own;
 use super::pieces;
 use super::scene_read::Drafts;
 use crate::error::{Result, message, vec_with_room};
@@ -15,18 +16,19 @@ use crate::path::camera_path::{
     check_base_speed, check_hold, check_name, check_shape, check_speed, check_zoom,
 };
 use crate::path::{
-    BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, SupportPoint, Target,
-    Tcb, ZoomMode,
+    BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, SupportPoint,
+    Target, Tcb, ZoomMode,
 };
 use vides_engine::scene::Scene;
 
-const KEYS: [&str; 15] = [
+const KEYS: [&str; 16] = [
     "version",
     "title",
     "comment",
     "fps",
     "first_frame",
     "closed",
+    "curve",
     "orientation_mode",
     "zoom_mode",
     "base_speeds",
@@ -65,7 +67,7 @@ pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
 }
 
 /// The scene and what the file says besides.
-pub fn scene_from_toml(text: &str) -> Result<(Scene, Info)> {
+pub(crate) fn scene_from_toml(text: &str) -> Result<(Scene, Info)> {
     let (mut reader, end) = Reader::of(text)?;
     if !reader.has("node") {
         let drafts = std::mem::take(&mut reader.scene);
@@ -162,6 +164,7 @@ impl Reader {
                     info.first_frame = first as i32;
                 }
                 "closed" => path.closed = field.boolean()?,
+                "curve" => path.curve = curve_kind(field)?,
                 "orientation_mode" => path.orientation_mode = orientation_mode(field)?,
                 "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
                 "base_speeds" => path.speeds = base_speeds(field)?,
@@ -203,6 +206,15 @@ pub(super) fn one_line(field: Field<'_>) -> Result<String> {
     let line = field.text()?;
     field.checked(check_name(line))?;
     Ok(line.to_owned())
+}
+
+pub(super) fn curve_kind(field: Field<'_>) -> Result<CurveKind> {
+    match field.text()? {
+        "tcb" => Ok(CurveKind::Tcb),
+        "cubic" => Ok(CurveKind::Cubic),
+        "linear" => Ok(CurveKind::Linear),
+        _ => Err(field.error(message!("must be \"tcb\", \"cubic\" or \"linear\""))),
+    }
 }
 
 pub(super) fn orientation_mode(field: Field<'_>) -> Result<OrientationMode> {
@@ -350,6 +362,7 @@ fn point(table: Field<'_>) -> Result<SupportPoint> {
         position: position.vector()?,
         name: None,
         curve: CurveParameters::Preset(0),
+        tangents: None,
         orientations: Vec::new(),
     };
     let mut curve_given = false;
@@ -371,9 +384,17 @@ fn point(table: Field<'_>) -> Result<SupportPoint> {
                     CurveParameters::Preset(field.integer_in(0, last)? as u8)
                 };
             }
+            "tangents" => point.tangents = Some(own::tangents(field)?),
             "orientation" => point.orientations = orientations(field, point.position)?,
             _ => {
-                return Err(field.unknown(&["name", "position", "preset", "own", "orientation"]));
+                return Err(field.unknown(&[
+                    "name",
+                    "position",
+                    "preset",
+                    "own",
+                    "tangents",
+                    "orientation",
+                ]));
             }
         }
     }
@@ -404,6 +425,7 @@ fn orientations(array: Field<'_>, position: DVec3) -> Result<Vec<Orientation>> {
 fn orientation(table: Field<'_>, position: DVec3) -> Result<Orientation> {
     let mut orientation = Orientation::default();
     let mut target_given = false;
+    let mut owned = own::Reader::default();
     for field in table.fields()? {
         match field.key {
             "target" | "offset" => {
@@ -438,8 +460,9 @@ fn orientation(table: Field<'_>, position: DVec3) -> Result<Orientation> {
                 field.checked(check_hold(hold))?;
                 orientation.hold = hold;
             }
+            _ if owned.read(field)? => {}
             _ => {
-                return Err(field.unknown(&[
+                const PLAIN: [&str; 7] = [
                     "target",
                     "offset",
                     "roll_degrees",
@@ -447,9 +470,11 @@ fn orientation(table: Field<'_>, position: DVec3) -> Result<Orientation> {
                     "turning",
                     "speed_curve",
                     "hold_frames",
-                ]));
+                ];
+                return Err(field.unknown(&[&PLAIN[..], &own::KEYS].concat()));
             }
         }
     }
+    orientation.own = owned.owned()?;
     Ok(orientation)
 }

@@ -4,10 +4,10 @@ use glam::{DQuat, DVec3};
 
 use super::field::Field;
 use super::read::{base_speeds, one_line, orientation_mode, points, presets, zoom_mode};
-use vides_engine::deform::{Bounds, Deformation};
 use crate::error::{Error, Message, Result, message, vec_with_room};
 use crate::limits;
 use crate::path::CameraPath;
+use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::scene::motion::check_frame;
 use vides_engine::scene::node::check_node_name;
 use vides_engine::scene::{

@@ -6,17 +6,17 @@ use super::write::{
     Quoted, Shape as TcbShape, Text, Vector, head, list, orientation_mode, point, space, to_toml,
     zoom_mode,
 };
-use vides_engine::deform::{Bounds, Deformation};
-use crate::info::Info;
 use crate::error::{Error, Result};
+use crate::info::Info;
 use crate::path::camera_path::DEFAULT_PRESETS;
+use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::scene::{
     Beyond, Camera, FollowPath, Kind, Light, Mesh, Node, Object, Pin, Scene, Shape, Track, Values,
 };
 
 /// The text of a scene. One that is nothing but a camera on a path is written as
 /// that path; of nodes, values with the default of a new one are left out.
-pub fn scene_to_toml(scene: &Scene, info: &Info) -> Result<String> {
+pub(crate) fn scene_to_toml(scene: &Scene, info: &Info) -> Result<String> {
     if let Some(path) = alone(scene) {
         return to_toml(path.path(), info);
     }

@@ -4,12 +4,13 @@ use std::fmt::{self, Write};
 
 use glam::DVec3;
 
-use super::VERSION;
+use super::{VERSION, own};
 use crate::error::{Error, Result};
 use crate::info::{Info, ObjectPoint};
 use crate::limits::BASE_SPEED;
 use crate::path::{
-    CameraPath, CurveParameters, Orientation, OrientationMode, SupportPoint, Target, Tcb, ZoomMode,
+    CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, SupportPoint, Target,
+    Tcb, ZoomMode,
 };
 
 /// The text of a document. Values with the default of a new path are left
@@ -35,6 +36,14 @@ impl Write for Text {
 fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
     head(out, info)?;
     writeln!(out, "closed = {}", path.closed)?;
+    let curve = match path.curve {
+        CurveKind::Tcb => None,
+        CurveKind::Cubic => Some("cubic"),
+        CurveKind::Linear => Some("linear"),
+    };
+    if let Some(curve) = curve {
+        writeln!(out, "curve = \"{curve}\"")?;
+    }
     writeln!(out, "orientation_mode = \"{}\"", orientation_mode(path))?;
     writeln!(out, "zoom_mode = \"{}\"", zoom_mode(path))?;
 
@@ -130,6 +139,9 @@ pub(super) fn point(out: &mut Text, header: &str, point: &SupportPoint) -> fmt::
         CurveParameters::Preset(preset) => writeln!(out, "preset = {preset}")?,
         CurveParameters::Own(tcb) => writeln!(out, "own = {}", Shape(tcb))?,
     }
+    if let Some(tangents) = &point.tangents {
+        own::write_tangents(out, tangents)?;
+    }
     point
         .orientations
         .iter()
@@ -164,7 +176,7 @@ fn orientation(out: &mut Text, header: &str, orientation: &Orientation) -> fmt::
         list(out, &orientation.speeds)?;
         writeln!(out)?;
     }
-    Ok(())
+    own::write(out, &orientation.own)
 }
 
 pub(super) fn list(out: &mut impl Write, numbers: &[f64]) -> fmt::Result {
@@ -233,12 +245,41 @@ mod tests {
     use super::*;
     use crate::info::{Object, Space};
     use crate::limits;
+    use crate::path::{MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Velocities, Whole};
+    use glam::DQuat;
 
     /// The most characters that a number takes.
     const LONGEST: f64 = -1.234_567_890_123_456_7e-300;
 
     fn size(path: &CameraPath, info: &Info) -> usize {
         to_toml(path, info).unwrap().len()
+    }
+
+    /// Everything that an orientation may own, each of it as long as can be.
+    fn largest_own(number: f64) -> MayOwn {
+        let vector = DVec3::splat(number);
+        let own = MayOwn::default().with(|own| {
+            *own = Own {
+                pace: Pace::Part(PacePart {
+                    of: Whole::Distance(vec![[number; 2]; limits::MAX_DISTANCE_KEYS].into()),
+                    from: number,
+                    to: number,
+                }),
+                frames: u32::MAX,
+                velocities: Some(Velocities {
+                    reach: vector,
+                    leave: vector,
+                }),
+                turning: Some(TurningPart {
+                    control: [DQuat::from_array([number; 4]); 4],
+                    from: number,
+                    to: number,
+                }),
+                roll_slope: Some(number),
+                zoom_slope: Some(number),
+            }
+        });
+        own.unwrap()
     }
 
     /// Sizes of one point, one orientation, one object point and the rest at
@@ -254,11 +295,16 @@ mod tests {
             turning: tcb,
             speeds: [12.345_678_901_234_567; limits::SPEEDS],
             hold: limits::MAX_HOLD,
+            own: largest_own(LONGEST),
         };
         let point = SupportPoint {
             position: DVec3::splat(LONGEST),
             name: Some("\"".repeat(limits::MAX_NAME_BYTES)),
             curve: CurveParameters::Own(tcb),
+            tangents: Some(Tangents {
+                before: DVec3::splat(LONGEST),
+                after: DVec3::splat(LONGEST),
+            }),
             orientations: Vec::new(),
         };
         let mut path = CameraPath {

@@ -19,7 +19,7 @@ use crate::document::{Document, Object};
 use crate::error::Result;
 use crate::path::hermite::Cubic;
 use crate::path::tessellation::tessellate;
-use crate::path::{CameraPath, Tcb, kochanek_bartels};
+use crate::path::{CameraPath, CurveKind, Tangents, Tcb, curve};
 use crate::raster::Lines;
 use crate::setup::{Colours, Element, Shown};
 
@@ -95,6 +95,10 @@ impl Look<'_> {
 struct Knot {
     position: DVec3,
     tcb: Tcb,
+    kind: CurveKind,
+    /// Its own; in a cubic spline, which feels points from further away, those
+    /// that it has.
+    tangents: Option<Tangents>,
 }
 
 /// Some segments of the curve, with the crosses at the points where they begin.
@@ -215,6 +219,11 @@ fn knots(path: &CameraPath, index: usize) -> impl Iterator<Item = Option<Knot>> 
         Some(Knot {
             position: path.points[at].position,
             tcb: path.tcb(at),
+            kind: path.curve,
+            tangents: match path.curve {
+                CurveKind::Cubic => Some(curve::tangents(path, at)),
+                CurveKind::Tcb | CurveKind::Linear => path.points[at].tangents,
+            },
         })
     })
 }
@@ -240,7 +249,7 @@ impl Chunk {
             let mut room = Vec::new();
             for segment in first..end.min(path.segment_count()) {
                 room.clear();
-                let curve = kochanek_bartels::segment(path, segment);
+                let curve = curve::segment(path, segment);
                 pieces(&curve, stray, &mut room)?;
                 let skip = usize::from(!self.pieces.is_empty());
                 self.pieces.try_reserve(room.len())?;
@@ -391,11 +400,7 @@ pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
         && let Some(color) = look.of(Element::Segment)
     {
         let mut room = Vec::new();
-        pieces(
-            &kochanek_bartels::segment(path, at),
-            look.stray(),
-            &mut room,
-        )?;
+        pieces(&curve::segment(path, at), look.stray(), &mut room)?;
         let points: Vec<DVec3> = room.into_iter().map(|(_, point)| point).collect();
         let outside = look.of(Element::Outside);
         stroke_curve(

@@ -118,7 +118,7 @@ proptest! {
             p.distance(a + way * t)
         }).fold(f64::INFINITY, f64::min);
         for segment in 0..document.path().segment_count() {
-            let curve = kochanek_bartels::segment(document.path(), segment);
+            let curve = curve::segment(document.path(), segment);
             for step in 0..=50 {
                 let p = eye.projection.image(curve.point(f64::from(step) / 50.0));
                 // A little more for single precision.

@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::pending::{Choice, Pending};
 use crate::document::Document;
-use crate::path::{CameraPath, CurveParameters, SupportPoint, Tcb, kochanek_bartels};
+use crate::path::{CameraPath, CurveParameters, SupportPoint, Tcb, curve};
 use crate::theme::{self, Palette};
 
 /// Segments on either side that depend on a point: its position shapes two.
@@ -100,7 +100,7 @@ impl Around {
 
     fn curve(&self, path: &CameraPath) -> Vec<Vec<DVec3>> {
         let along = |segment| {
-            let cubic = kochanek_bartels::segment(path, segment);
+            let cubic = curve::segment(path, segment);
             let at = |k: usize| cubic.point(k as f64 / PIECES as f64);
             (0..=PIECES).map(at).collect()
         };
@@ -326,8 +326,8 @@ mod tests {
                 let segments: Vec<usize> = around.segments().collect();
                 assert!(!segments.is_empty());
                 for segment in segments {
-                    let whole = kochanek_bartels::segment(document.path(), around.numbers[segment]);
-                    assert_eq!(kochanek_bartels::segment(&around.path, segment), whole);
+                    let whole = curve::segment(document.path(), around.numbers[segment]);
+                    assert_eq!(curve::segment(&around.path, segment), whole);
                 }
             }
         }

@@ -176,6 +176,19 @@ impl SupportPoint {
         }
     }
 
+    /// What stands where a point has been taken from: it has no orientations.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn nowhere() -> Self {
+        Self {
+            position: DVec3::ZERO,
+            name: None,
+            curve: CurveParameters::Preset(0),
+            tangents: None,
+            orientations: Vec::new(),
+        }
+    }
+
     /// As [`SupportPoint::new`] where memory may run out.
     ///
     /// # Errors

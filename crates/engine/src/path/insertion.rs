@@ -496,4 +496,4 @@ fn keep_rates(
 
 #[cfg(test)]
 #[path = "insertion_tests.rs"]
-mod tests;
+pub(super) mod tests;

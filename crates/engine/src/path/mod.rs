@@ -26,6 +26,7 @@ mod dispatch;
 pub mod doubts;
 pub mod ease;
 mod fill;
+pub mod fit_frames;
 pub mod hermite;
 pub mod insertion;
 pub mod kochanek_bartels;

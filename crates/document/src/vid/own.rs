@@ -1,0 +1,341 @@
+//! What points and orientations own, read and written.
+
+use std::fmt::{self, Write};
+
+use glam::{DQuat, DVec3};
+
+use super::field::Field;
+use super::write::{Vector, list};
+use crate::error::{Result, message, vec_with_room};
+use crate::limits;
+use crate::path::camera_path::check_speed;
+use crate::path::own::{check_frames, check_rates, distance};
+use crate::path::{
+    Ease, EaseKind, MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Velocities, Whole,
+};
+
+/// The keys of an orientation that are read here.
+pub(super) const KEYS: [&str; 8] = [
+    "frames",
+    "ease",
+    "distance",
+    "pace_part",
+    "velocity_degrees",
+    "turning_part",
+    "roll_slope_degrees",
+    "zoom_slope_mm",
+];
+
+/// What of one orientation has been read.
+#[derive(Default)]
+pub(super) struct Reader(Option<Own>);
+
+impl Reader {
+    /// Reads a key; false if it is none of these.
+    pub(super) fn read(&mut self, field: Field<'_>) -> Result<bool> {
+        if !KEYS.contains(&field.key) {
+            return Ok(false);
+        }
+        let own = self.0.get_or_insert_with(|| Own::clone(&MayOwn::default()));
+        match field.key {
+            "frames" => {
+                let most = limits::MAX_FRAMES as i64;
+                own.frames = field.integer_in(0, most)? as u32;
+                field.checked(check_frames(own.frames))?;
+            }
+            "velocity_degrees" => own.velocities = Some(velocities(field)?),
+            "turning_part" => own.turning = Some(turning_part(field)?),
+            "roll_slope_degrees" => own.roll_slope = Some(slope(field)?),
+            "zoom_slope_mm" => own.zoom_slope = Some(slope(field)?),
+            _ => {
+                if own.pace != Pace::Speeds {
+                    return Err(field.error(message!(
+                        "an orientation has either an ease, a distance or a part of a pace"
+                    )));
+                }
+                own.pace = match field.key {
+                    "ease" => Pace::Ease(ease(field)?),
+                    "distance" => given_distance(field)?,
+                    _ => Pace::Part(pace_part(field)?),
+                };
+            }
+        }
+        Ok(true)
+    }
+
+    /// All of it.
+    pub(super) fn owned(self) -> Result<MayOwn> {
+        match self.0 {
+            None => Ok(MayOwn::default()),
+            Some(read) => MayOwn::default().with(|own| *own = read),
+        }
+    }
+}
+
+/// Tangents of a point.
+pub(super) fn tangents(table: Field<'_>) -> Result<Tangents> {
+    let [before, after] = two_vectors(table, ["before", "after"])?;
+    Ok(Tangents { before, after })
+}
+
+/// A table of two vectors, both of which must be there.
+fn two_vectors(table: Field<'_>, keys: [&str; 2]) -> Result<[DVec3; 2]> {
+    let mut found = [None; 2];
+    for field in table.fields()? {
+        match keys.iter().position(|&key| key == field.key) {
+            Some(at) => found[at] = Some(field.vector()?),
+            None => return Err(field.unknown(&keys)),
+        }
+    }
+    match found {
+        [Some(a), Some(b)] => Ok([a, b]),
+        _ => Err(table.error(message!("both {0} and {1} must be given", keys[0], keys[1]))),
+    }
+}
+
+fn velocities(table: Field<'_>) -> Result<Velocities> {
+    let [reach, leave] = two_vectors(table, ["reach", "leave"])?;
+    table.checked(check_rates(&reach.to_array()))?;
+    table.checked(check_rates(&leave.to_array()))?;
+    Ok(Velocities { reach, leave })
+}
+
+fn slope(field: Field<'_>) -> Result<f64> {
+    let slope = field.number()?;
+    field.checked(check_rates(&[slope]))?;
+    Ok(slope)
+}
+
+fn turning_part(table: Field<'_>) -> Result<TurningPart> {
+    let mut part = TurningPart {
+        control: [DQuat::IDENTITY; 4],
+        from: 0.0,
+        to: 1.0,
+    };
+    for field in table.fields()? {
+        match field.key {
+            "control" => {
+                let elements = field.elements()?;
+                if elements.len() != part.control.len() {
+                    return Err(field.error(message!(
+                        "expected {0} quaternions, found {1}",
+                        part.control.len(),
+                        elements.len()
+                    )));
+                }
+                for (q, element) in part.control.iter_mut().zip(elements) {
+                    let [w, x, y, z] = element.numbers()?;
+                    *q = DQuat::from_xyzw(x, y, z, w);
+                }
+            }
+            "from" => part.from = field.number()?,
+            "to" => part.to = field.number()?,
+            _ => return Err(field.unknown(&["control", "from", "to"])),
+        }
+    }
+    table.checked(part.check())?;
+    Ok(part)
+}
+
+fn ease(table: Field<'_>) -> Result<Ease> {
+    let mut ease = Ease {
+        kind: EaseKind::Sine,
+        rise: 0.0,
+        fall: 0.0,
+        cruise: limits::BASE_SPEED,
+    };
+    for field in table.fields()? {
+        match field.key {
+            "kind" => {
+                ease.kind = match field.text()? {
+                    "sine" => EaseKind::Sine,
+                    "parabolic" => EaseKind::Parabolic,
+                    _ => return Err(field.error(message!("must be \"sine\" or \"parabolic\""))),
+                }
+            }
+            "rise" => ease.rise = field.number()?,
+            "fall" => ease.fall = field.number()?,
+            "cruise" => ease.cruise = field.number()?,
+            _ => return Err(field.unknown(&["kind", "rise", "fall", "cruise"])),
+        }
+    }
+    table.checked(ease.check())?;
+    Ok(ease)
+}
+
+fn given_distance(array: Field<'_>) -> Result<Pace> {
+    let elements = array.elements()?;
+    let mut keys: Vec<[f64; 2]> = vec_with_room(elements.len().min(limits::MAX_DISTANCE_KEYS + 1))?;
+    // One too many is enough to be told of.
+    for element in elements.take(limits::MAX_DISTANCE_KEYS + 1) {
+        keys.push(element.numbers()?);
+    }
+    array.checked(distance(&keys))
+}
+
+fn pace_part(table: Field<'_>) -> Result<PacePart> {
+    let (mut from, mut to) = (0.0, 1.0);
+    let (mut facing_before, mut facing_after) = (None, None);
+    let mut of = None;
+    let mut whole = |field: Field<'_>, whole| {
+        if of.replace(whole).is_some() {
+            return Err(field.error(message!("a part is one of one whole")));
+        }
+        Ok(())
+    };
+    for field in table.fields()? {
+        match field.key {
+            "from" => from = field.number()?,
+            "to" => to = field.number()?,
+            "facing_before" => facing_before = Some(field.number()?),
+            "facing_after" => facing_after = Some(field.number()?),
+            "speed_curve" => {
+                let speeds: [f64; limits::SPEEDS] = field.numbers()?;
+                field.checked(speeds.into_iter().try_for_each(check_speed))?;
+                let (before, after) = (None, None);
+                whole(
+                    field,
+                    Whole::Speeds {
+                        speeds,
+                        before,
+                        after,
+                    },
+                )?;
+            }
+            "ease" => whole(field, Whole::Ease(ease(field)?))?,
+            "distance" => {
+                if let Pace::Distance(keys) = given_distance(field)? {
+                    whole(field, Whole::Distance(keys))?;
+                }
+            }
+            _ => {
+                return Err(field.unknown(&[
+                    "from",
+                    "to",
+                    "speed_curve",
+                    "facing_before",
+                    "facing_after",
+                    "ease",
+                    "distance",
+                ]));
+            }
+        }
+    }
+    let Some(mut of) = of else {
+        return Err(table.error(message!(
+            "a part needs its whole: speed_curve, ease or distance"
+        )));
+    };
+    match &mut of {
+        Whole::Speeds { before, after, .. } => (*before, *after) = (facing_before, facing_after),
+        _ if facing_before.or(facing_after).is_some() => {
+            return Err(table.error(message!("only ten speeds have others that face them")));
+        }
+        _ => {}
+    }
+    let part = PacePart { of, from, to };
+    table.checked(part.check())?;
+    Ok(part)
+}
+
+/// Tangents of a point.
+pub(super) fn write_tangents(out: &mut impl Write, tangents: &Tangents) -> fmt::Result {
+    let (before, after) = (Vector(tangents.before), Vector(tangents.after));
+    writeln!(out, "tangents = {{ before = {before}, after = {after} }}")
+}
+
+/// What an orientation owns.
+pub(super) fn write(out: &mut impl Write, owned: &MayOwn) -> fmt::Result {
+    if owned.is_empty() {
+        return Ok(());
+    }
+    let own: &Own = owned;
+    if own.frames > 0 {
+        writeln!(out, "frames = {}", own.frames)?;
+    }
+    match &own.pace {
+        Pace::Speeds => {}
+        Pace::Ease(ease) => {
+            write_ease(out, ease)?;
+            writeln!(out)?;
+        }
+        Pace::Distance(keys) => {
+            write_distance(out, keys)?;
+            writeln!(out)?;
+        }
+        Pace::Part(part) => {
+            write!(
+                out,
+                "pace_part = {{ from = {:?}, to = {:?}, ",
+                part.from, part.to
+            )?;
+            match &part.of {
+                Whole::Speeds {
+                    speeds,
+                    before,
+                    after,
+                } => {
+                    write!(out, "speed_curve = ")?;
+                    list(out, speeds)?;
+                    if let Some(before) = before {
+                        write!(out, ", facing_before = {before:?}")?;
+                    }
+                    if let Some(after) = after {
+                        write!(out, ", facing_after = {after:?}")?;
+                    }
+                }
+                Whole::Ease(ease) => write_ease(out, ease)?,
+                Whole::Distance(keys) => write_distance(out, keys)?,
+            }
+            writeln!(out, " }}")?;
+        }
+    }
+    if let Some(Velocities { reach, leave }) = own.velocities {
+        let (reach, leave) = (Vector(reach), Vector(leave));
+        writeln!(
+            out,
+            "velocity_degrees = {{ reach = {reach}, leave = {leave} }}"
+        )?;
+    }
+    if let Some(TurningPart { control, from, to }) = own.turning {
+        write!(
+            out,
+            "turning_part = {{ from = {from:?}, to = {to:?}, control = "
+        )?;
+        for (k, q) in control.iter().enumerate() {
+            out.write_str(if k == 0 { "[" } else { ", " })?;
+            list(out, &[q.w, q.x, q.y, q.z])?;
+        }
+        writeln!(out, "] }}")?;
+    }
+    if let Some(slope) = own.roll_slope {
+        writeln!(out, "roll_slope_degrees = {slope:?}")?;
+    }
+    if let Some(slope) = own.zoom_slope {
+        writeln!(out, "zoom_slope_mm = {slope:?}")?;
+    }
+    Ok(())
+}
+
+fn write_ease(out: &mut impl Write, ease: &Ease) -> fmt::Result {
+    let kind = match ease.kind {
+        EaseKind::Sine => "sine",
+        EaseKind::Parabolic => "parabolic",
+    };
+    let Ease {
+        rise, fall, cruise, ..
+    } = ease;
+    write!(
+        out,
+        "ease = {{ kind = \"{kind}\", rise = {rise:?}, fall = {fall:?}, cruise = {cruise:?} }}"
+    )
+}
+
+fn write_distance(out: &mut impl Write, keys: &[[f64; 2]]) -> fmt::Result {
+    write!(out, "distance = ")?;
+    for (k, key) in keys.iter().enumerate() {
+        out.write_str(if k == 0 { "[" } else { ", " })?;
+        list(out, key)?;
+    }
+    out.write_str("]")
+}

@@ -1,0 +1,283 @@
+//! A path, or a range of its points, brought to a number of frames: each section
+//! that moves has one, the rest goes by largest remainder, so that the sum is exact.
+
+use super::camera_path::CameraPath;
+use super::timeline::{Change, Timeline};
+use crate::error::{Error, Result, message, vec_with_room};
+use crate::limits::MAX_FRAMES;
+
+/// Frames for one section.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Fixed {
+    /// The point at which the section begins.
+    pub point: usize,
+    /// The orientation of that point with which it begins.
+    pub orientation: usize,
+    /// Its frames, at least 1.
+    pub frames: u32,
+}
+
+/// The sections of a range of points, in their order: from the first
+/// orientation of `first` to the last one of `last`. On a closed path all points
+/// stand for the whole way round, and a range may lead over the seam.
+fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> Result<Vec<usize>> {
+    let count = path.points.len();
+    for point in [first, last] {
+        if point >= count {
+            return Err(Error::Range(message!(
+                "there is no point {0}: the path has points 0 to {1}",
+                point,
+                count - 1
+            )));
+        }
+    }
+    if first > last && !path.closed {
+        return Err(Error::Range(message!(
+            "the first point of a range must not lie behind its last one"
+        )));
+    }
+    let sections = timeline.section_count();
+    let start = |point: usize| timeline.section_from(point, 0).unwrap_or(sections);
+    let end = |point: usize| {
+        let last = path.points[point].orientations.len() - 1;
+        timeline.section_from(point, last).unwrap_or(sections)
+    };
+    let mut found = vec_with_room(sections)?;
+    if path.closed && first == 0 && last == count - 1 {
+        found.extend(0..sections);
+    } else if first <= last {
+        found.extend(start(first)..end(last));
+    } else {
+        found.extend(start(first)..sections);
+        found.extend(0..end(last));
+    }
+    Ok(found)
+}
+
+/// Frames for the moving sections of a range of points (counted from 0), so that
+/// from the first pose at `first` to the last at `last`, both and all holds
+/// included, there are exactly `frames`. The proportions stay, as far as whole
+/// numbers can.
+///
+/// # Errors
+/// [`Error::Range`] if there is no such range, or fewer frames than it must have
+/// or more than it can have; [`Error::Memory`].
+#[allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss
+)]
+pub fn fit_frames(
+    path: &CameraPath,
+    timeline: &Timeline,
+    first: usize,
+    last: usize,
+    frames: usize,
+) -> Result<Vec<Fixed>> {
+    let sections = range(path, timeline, first, last)?;
+    let mut fixed: Vec<Fixed> = vec_with_room(sections.len())?;
+    let mut weights: Vec<f64> = vec_with_room(sections.len())?;
+    let mut holds = 0;
+    let round = path.closed && first == 0 && last + 1 == path.points.len();
+    for section in sections {
+        let begin = timeline.section(section);
+        if begin.change == Change::Nothing {
+            continue;
+        }
+        let from = &path.points[begin.point].orientations[begin.orientation];
+        holds += from.hold as usize;
+        let now = match from.own.frames {
+            0 => timeline.unrounded_frames(path, section),
+            fixed => f64::from(fixed),
+        };
+        // The first one each has anyway.
+        weights.push((now - 1.0).max(0.0));
+        fixed.push(Fixed {
+            point: begin.point,
+            orientation: begin.orientation,
+            frames: 1,
+        });
+    }
+    if !round {
+        // The key in which the range ends rests too.
+        let end = path.points[last].orientations.last();
+        holds += end.map_or(0, |end| end.hold as usize);
+    }
+    let least = 1 + holds + fixed.len();
+    if frames < least {
+        return Err(Error::Range(message!(
+            "{0} frames are too few: it must have at least {1}",
+            frames,
+            least
+        )));
+    }
+    if frames > MAX_FRAMES || (fixed.is_empty() && frames > least) {
+        let most = if fixed.is_empty() { least } else { MAX_FRAMES };
+        return Err(Error::Range(message!(
+            "{0} frames are too many: it can have at most {1}",
+            frames,
+            most
+        )));
+    }
+    share(&mut fixed, &mut weights, frames - least)?;
+    Ok(fixed)
+}
+
+/// Adds `rest` frames in proportion to the weights, by largest remainder, ties
+/// to the earlier.
+#[allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss
+)]
+fn share(fixed: &mut [Fixed], weights: &mut [f64], rest: usize) -> Result<()> {
+    // Beside weights without an end the others are nothing.
+    let largest = weights.iter().copied().fold(0.0, f64::max);
+    for weight in weights.iter_mut() {
+        *weight = if largest == 0.0 {
+            1.0
+        } else if largest.is_finite() {
+            *weight / largest
+        } else {
+            f64::from(u8::from(weight.is_infinite()))
+        };
+    }
+    let sum: f64 = weights.iter().sum();
+    let mut left = rest;
+    let mut order: Vec<(f64, usize)> = vec_with_room(fixed.len())?;
+    for (k, (fixed, weight)) in fixed.iter_mut().zip(weights.iter()).enumerate() {
+        let quota = rest as f64 * weight / sum;
+        // Rounding must not give away more than there is.
+        let whole = (quota.floor() as usize).min(left);
+        fixed.frames += whole as u32;
+        left -= whole;
+        order.push((quota - quota.floor(), k));
+    }
+    order.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    for &(_, k) in order.iter().cycle().take(left) {
+        fixed[k].frames += 1;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::path::insertion::tests::random_path;
+    use crate::path::test_support::Random;
+    use crate::path::{Sampler, SupportPoint};
+
+    fn set(path: &mut CameraPath, fixed: &[Fixed]) {
+        for fixed in fixed {
+            let own = &mut path.points[fixed.point].orientations[fixed.orientation].own;
+            *own = own.with(|own| own.frames = fixed.frames).unwrap();
+        }
+    }
+
+    #[test]
+    fn ten_thousand_paths_have_exactly_so_many_frames() {
+        let mut random = Random(51);
+        for round in 0..10_000 {
+            let mut path = random_path(&mut random, round);
+            if round % 4 == 0 {
+                // Coincident points: sections in which nothing changes.
+                let mut twin = path.points[0].clone();
+                twin.orientations.truncate(1);
+                path.points.insert(1, twin.clone());
+                path.points[0] = twin;
+            }
+            let timeline = Timeline::new(&path).unwrap();
+            let last = path.points.len() - 1;
+            let fit = |frames| fit_frames(&path, &timeline, 0, last, frames);
+            let said = fit(0).unwrap_err().to_string();
+            let least: usize = said.rsplit(' ').next().unwrap().parse().unwrap();
+            assert!(fit(least - 1).is_err());
+            let frames = match round % 3 {
+                0 => least,
+                _ => least + (random.unit() * 2000.0) as usize,
+            };
+            let fixed = fit(frames).unwrap();
+            set(&mut path, &fixed);
+            let timeline = Timeline::new(&path).unwrap();
+            assert_eq!(timeline.frame_count().unwrap(), frames, "round {round}");
+            let sampler = Sampler::new(&path, &timeline).unwrap();
+            assert_eq!(sampler.frame_count(), frames);
+        }
+    }
+
+    #[test]
+    fn the_rest_goes_by_largest_remainder() {
+        let frames = |weights: &[f64], rest: usize| {
+            let one = Fixed {
+                point: 0,
+                orientation: 0,
+                frames: 1,
+            };
+            let mut fixed = vec![one; weights.len()];
+            share(&mut fixed, &mut weights.to_vec(), rest).unwrap();
+            fixed.iter().map(|fixed| fixed.frames).collect::<Vec<_>>()
+        };
+        // Hare's method: 4.8, 3.6, 1.6 of 10.
+        assert_eq!(frames(&[48.0, 36.0, 16.0], 10), [6, 5, 2]);
+        assert_eq!(frames(&[1.0, 1.0, 1.0], 2), [2, 2, 1]);
+        assert_eq!(frames(&[1.0, 1.0, 1.0, 1.0], 6), [3, 3, 2, 2]);
+        assert_eq!(frames(&[0.0, 0.0], 3), [3, 2]);
+        assert_eq!(frames(&[f64::INFINITY, 1.0], 3), [4, 1]);
+        assert_eq!(frames(&[5.0, 0.0, 1e-300], 0), [1, 1, 1]);
+        assert_eq!(
+            frames(&[3.0, 1.0], 99_999_990).iter().sum::<u32>(),
+            99_999_992
+        );
+    }
+
+    #[test]
+    fn a_path_that_has_so_many_stays_as_it_is() {
+        let mut random = Random(52);
+        for round in 0..500 {
+            let mut path = random_path(&mut random, round);
+            let last = path.points.len() - 1;
+            let timeline = Timeline::new(&path).unwrap();
+            let fixed = fit_frames(&path, &timeline, 0, last, 500).unwrap();
+            set(&mut path, &fixed);
+            let timeline = Timeline::new(&path).unwrap();
+            assert_eq!(fit_frames(&path, &timeline, 0, last, 500).unwrap(), fixed);
+        }
+    }
+
+    #[test]
+    fn a_range_changes_nothing_outside_it() {
+        let mut random = Random(53);
+        for round in 0..300 {
+            let mut path = random_path(&mut random, round);
+            path.points.push(SupportPoint::new(glam::DVec3::ONE));
+            let timeline = Timeline::new(&path).unwrap();
+            let count = path.points.len();
+            let (a, b) = (round % count, (round / 5) % count);
+            let fitted = fit_frames(&path, &timeline, a, b, 300);
+            if a > b && !path.closed {
+                assert!(fitted.is_err());
+                continue;
+            }
+            let inside = |point: usize| {
+                if a <= b {
+                    (a..=b).contains(&point)
+                } else {
+                    point >= a || point <= b
+                }
+            };
+            for fixed in fitted.unwrap_or_default() {
+                let last = path.points[fixed.point].orientations.len() - 1;
+                let whole = path.closed && (a, b) == (0, count - 1);
+                assert!(
+                    inside(fixed.point) && (whole || fixed.point != b || fixed.orientation < last)
+                );
+            }
+        }
+        let path = CameraPath::default();
+        let timeline = Timeline::new(&path).unwrap();
+        assert!(fit_frames(&path, &timeline, 0, 2, 100).is_err());
+        assert!(fit_frames(&path, &timeline, 0, 0, 2).is_err());
+        assert!(fit_frames(&path, &timeline, 0, 1, MAX_FRAMES + 1).is_err());
+        assert_eq!(fit_frames(&path, &timeline, 0, 0, 1).unwrap(), []);
+    }
+}

@@ -1,0 +1,270 @@
+//! Easing, given distances and fixed frames.
+
+use std::ffi::c_int;
+
+use super::border::border;
+use super::orientations::{change, orientation};
+use super::path::{edit, read};
+use super::pointers::{Out, index, slice};
+use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::types::V_PATH;
+use crate::document::Edit;
+use crate::error::{Error, sentence};
+use crate::limits::{BASE_SPEED, MAX_DISTANCE_KEYS, MAX_FRAMES};
+use crate::path::{Ease, EaseKind, Pace, own};
+
+/// ==== Kinds of easing, see v_ease() ====
+///
+/// V_EASE_SINE       the speed rises and falls as a quarter of a sine
+/// V_EASE_PARABOLIC  it rises and falls as a straight line
+pub const V_EASE_SINE: c_int = 0;
+pub const V_EASE_PARABOLIC: c_int = 1;
+
+fn ease_kind(kind: c_int) -> Answer<EaseKind> {
+    match kind {
+        V_EASE_SINE => Ok(EaseKind::Sine),
+        V_EASE_PARABOLIC => Ok(EaseKind::Parabolic),
+        _ => Err(Error::Range("there is no such kind of easing".into()).into()),
+    }
+}
+
+fn finite(numbers: &[f64]) -> Answer<()> {
+    if numbers.iter().all(|number| number.is_finite()) {
+        return Ok(());
+    }
+    Err(Error::Argument("each number must be finite".into()).into())
+}
+
+/// ==== Pace ====
+///
+/// Speeding up, cruising and slowing down as a function.
+///
+/// kind  V_EASE_SINE or V_EASE_PARABOLIC
+/// rise, fall  shares of the time for speeding up and slowing down, not
+///     negative, together at most 1
+/// t     from 0 to 1
+/// distance  the share of the way at t, 0 to 1
+/// speed     its derivative
+/// Each result may be NULL.
+/// Any thread; from callbacks too. V_ERR_ARGUMENT, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_ease(
+    kind: c_int,
+    rise: f64,
+    fall: f64,
+    t: f64,
+    distance: *mut f64,
+    speed: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (distance, speed) = (Out::optional(distance)?, Out::optional(speed)?);
+        finite(&[rise, fall, t])?;
+        let ease = Ease {
+            kind: ease_kind(kind)?,
+            rise,
+            fall,
+            cruise: BASE_SPEED,
+        };
+        ease.check()?;
+        if !(0.0..=1.0).contains(&t) {
+            return Err(Error::Range("t must lie between 0 and 1".into()).into());
+        }
+        // SAFETY: room for a double each, as the header says.
+        unsafe {
+            distance.write(ease.distance(t));
+            speed.write(ease.slope(t));
+        }
+        Ok(V_OK)
+    })
+}
+
+/// Lets the section that begins with an orientation speed up, cruise and slow
+/// down, in place of its ten speeds or a given distance.
+///
+/// kind  V_EASE_SINE, V_EASE_PARABOLIC, or -1: the ten speeds again, the other
+///     values are not looked at
+/// rise, fall  shares of the time, as in v_ease()
+/// cruise  the cruising speed, 1 to 100
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_ease(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+    kind: c_int,
+    rise: f64,
+    fall: f64,
+    cruise: f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let pace = if kind == -1 {
+            Pace::Speeds
+        } else {
+            finite(&[rise, fall, cruise])?;
+            Pace::Ease(Ease {
+                kind: ease_kind(kind)?,
+                rise,
+                fall,
+                cruise,
+            })
+        };
+        set_pace(path, point, at, pace)
+    })
+}
+
+fn set_pace(path: *mut V_PATH, point: c_int, at: c_int, pace: Pace) -> Answer<c_int> {
+    change(path, point, at, |orientation| {
+        orientation.own = orientation.own.with(|own| own.pace = pace)?;
+        Ok(())
+    })
+}
+
+/// How the section that begins with an orientation eases, see v_path_set_ease();
+/// kind -1 and zeros where it does not. Each result may be NULL.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_ease(
+    path: *const V_PATH,
+    point: c_int,
+    at: c_int,
+    kind: *mut c_int,
+    rise: *mut f64,
+    fall: *mut f64,
+    cruise: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (kind, rise) = (Out::optional(kind)?, Out::optional(rise)?);
+        let (fall, cruise) = (Out::optional(fall)?, Out::optional(cruise)?);
+        let ease = read(path, |document| {
+            match orientation(document, point, at)?.own.pace {
+                Pace::Ease(ease) => Ok(Some(ease)),
+                _ => Ok(None),
+            }
+        })?;
+        let number = match ease.map(|ease| ease.kind) {
+            None => -1,
+            Some(EaseKind::Sine) => V_EASE_SINE,
+            Some(EaseKind::Parabolic) => V_EASE_PARABOLIC,
+        };
+        // SAFETY: room for an int and three doubles, as the header says.
+        unsafe {
+            kind.write(number);
+            rise.write(ease.map_or(0.0, |ease| ease.rise));
+            fall.write(ease.map_or(0.0, |ease| ease.fall));
+            cruise.write(ease.map_or(0.0, |ease| ease.cruise));
+        }
+        Ok(V_OK)
+    })
+}
+
+/// Gives the section that begins with an orientation its distance as a function
+/// of time, in place of its ten speeds or an ease: keys joined smoothly, without
+/// going back.
+///
+/// time_way  pairs (share of the time, share of the way), from 0, 0 to 1, 1, both
+///     increasing
+/// keys      how many pairs, 2 to 32; 0: the ten speeds again, time_way is not
+///     looked at
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_distance(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+    time_way: *const f64,
+    keys: usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        const { assert!(MAX_DISTANCE_KEYS == 32) }
+        let pace = if keys == 0 {
+            Pace::Speeds
+        } else if keys > MAX_DISTANCE_KEYS {
+            return Err(Error::Range(sentence(format_args!(
+                "a given distance has between 2 and {MAX_DISTANCE_KEYS} keys"
+            )))
+            .into());
+        } else {
+            // SAFETY: so many pairs of doubles, as the header says.
+            let numbers = unsafe { slice(time_way, 2 * keys) }?;
+            own::distance(numbers.as_chunks().0)?
+        };
+        set_pace(path, point, at, pace)
+    })
+}
+
+/// ==== Fixed frames ====
+///
+/// Gives the section that begins with an orientation so many frames, whatever
+/// its length; 0: by its length again. A section in which nothing changes has
+/// none all the same.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_frames(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+    frames: usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let frames = u32::try_from(frames).map_err(|_| {
+            Error::Range(sentence(format_args!(
+                "a section has at most {MAX_FRAMES} frames"
+            )))
+        })?;
+        change(path, point, at, |orientation| {
+            orientation.own = orientation.own.with(|own| own.frames = frames)?;
+            Ok(())
+        })
+    })
+}
+
+/// The fixed frames of the section that begins with an orientation; 0: by length.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_frames(
+    path: *const V_PATH,
+    point: c_int,
+    at: c_int,
+    frames: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(frames)?;
+        let frames = read(path, |document| {
+            Ok(orientation(document, point, at)?.own.frames as usize)
+        })?;
+        // SAFETY: room for a size_t, as the header says.
+        unsafe { out.write(frames) };
+        Ok(V_OK)
+    })
+}
+
+/// Fixes the frames of all moving sections from the first orientation of one
+/// support point to the last one of another, so that from the first pose to the
+/// last there are exactly frames, holds included. Each section has one, the rest
+/// goes in proportion to what they had, by largest remainder, ties to the
+/// earlier. With 0 and the last point v_path_frame_count() is then exactly
+/// frames, closed paths with the way back to the first point; on a closed path
+/// first_point may lie behind last_point. Too few are refused, v_last_error()
+/// names the least possible number.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_fit_frames(
+    path: *mut V_PATH,
+    first_point: c_int,
+    last_point: c_int,
+    frames: usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (first, last) = (index(first_point)?, index(last_point)?);
+        let fit = Edit::FitFrames {
+            first,
+            last,
+            frames,
+        };
+        edit(path, fit)
+    })
+}

@@ -1,0 +1,148 @@
+//! The kind of the curve, tangents that points own, and points put on the curve.
+
+use std::ffi::{c_char, c_int};
+
+use super::border::border;
+use super::path::{edit, edit_and, read};
+use super::pointers::{Out, count, index, name, read_vector};
+use super::points::point;
+use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::types::V_PATH;
+use crate::document::Edit;
+use crate::error::Error;
+use crate::path::{CurveKind, Tangents, curve};
+
+const KINDS: [(CurveKind, &std::ffi::CStr); 3] = [
+    (CurveKind::Tcb, c"tcb"),
+    (CurveKind::Cubic, c"cubic"),
+    (CurveKind::Linear, c"linear"),
+];
+
+fn curve_kind(name: &[u8]) -> Answer<CurveKind> {
+    let found = KINDS.iter().find(|(_, text)| text.to_bytes() == name);
+    found.map(|(kind, _)| *kind).ok_or_else(|| {
+        Error::Range("the kind of a curve is \"tcb\", \"cubic\" or \"linear\"".into()).into()
+    })
+}
+
+/// ==== Kind of the curve, tangents ====
+///
+/// Sets how the curve leads through the points: "tcb" by tension, continuity
+/// and bias (Kochanek and Bartels 1984; the default), "cubic" as a cubic spline
+/// with a continuous second derivative, "linear" straight. Tangents that points
+/// own hold in each.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let kind = curve_kind(unsafe { name(kind) }?)?;
+        edit(path, Edit::SetCurveKind(kind))
+    })
+}
+
+/// How the curve leads through the points, see v_path_set_curve(). The text is
+/// the library's and stays.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const c_char) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(kind)?;
+        let kind = read(path, |document| Ok(document.path().curve))?;
+        let found = KINDS.iter().find(|(known, _)| *known == kind);
+        // SAFETY: room for a pointer, as the header says.
+        unsafe { out.write(found.map_or(c"tcb", |(_, text)| text).as_ptr()) };
+        Ok(V_OK)
+    })
+}
+
+/// Gives a support point tangents of its own: the derivatives with which the
+/// curve reaches it (before) and leaves it (after), a segment counting 1. Both
+/// NULL: none of its own, those by the kind of the curve again. Each coordinate
+/// is finite and at most 1e9.
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_tangents(
+    path: *mut V_PATH,
+    at: c_int,
+    before: *const f64,
+    after: *const f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let tangents = if before.is_null() && after.is_null() {
+            None
+        } else {
+            // SAFETY: three doubles each, as the header says.
+            let (before, after) = unsafe { (read_vector(before)?, read_vector(after)?) };
+            Some(Tangents { before, after })
+        };
+        let at = index(at)?;
+        edit(path, Edit::SetTangents { at, tangents })
+    })
+}
+
+/// The tangents with which the curve passes a support point, and whether they
+/// are its own (1) or not (0). At an end of an open path both are that of the
+/// one side. Setting what this gives changes no bit of the curve next to the
+/// point. Each result may be NULL.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_tangents(
+    path: *const V_PATH,
+    at: c_int,
+    before: *mut f64,
+    after: *mut f64,
+    own: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (before, after) = (Out::optional_array(before)?, Out::optional_array(after)?);
+        let own = Out::optional(own)?;
+        let (tangents, has_own) = read(path, |document| {
+            let (at, point) = point(document, at)?;
+            Ok((
+                curve::tangents(document.path(), at),
+                point.tangents.is_some(),
+            ))
+        })?;
+        // SAFETY: room for three doubles each and an int, as the header says.
+        unsafe {
+            before.write(tangents.before.to_array());
+            after.write(tangents.after.to_array());
+            own.write(c_int::from(has_own));
+        }
+        Ok(V_OK)
+    })
+}
+
+/// Inserts a support point on the curve where the camera is at a frame, and
+/// keeps the motion: the curve, every pose and the number of frames stay. It
+/// comes to lie at the nearest whole frame within the section (in a section of
+/// one frame where it is asked for, and there are two then). So that nothing
+/// changes, the points beside it own their tangents from then on, and
+/// orientations their angular velocity, their slopes of zoom and roll, and a
+/// part of the old pace.
+///
+/// frame  from 1 to the number of frames, not at a key and not in a pan; the
+///     orientation mode must not be V_ORIENTATION_BARRY_GOLDMAN
+/// at     the number of the new point; may be NULL
+/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_insert_on_curve(
+    path: *mut V_PATH,
+    frame: f64,
+    at: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let at = Out::optional(at)?;
+        let edit = Edit::InsertOnCurve { frame };
+        let new = edit_and(path, edit, |document| count(document.selection().point))??;
+        // SAFETY: room for an int, as the header says.
+        unsafe { at.write(new) };
+        Ok(V_OK)
+    })
+}
