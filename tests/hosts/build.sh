@@ -1,5 +1,5 @@
 #!/bin/bash
-# Compiles the hosts of other toolkits against the shared library:
+# Compiles the hosts of other toolkits with the library in a folder:
 # build.sh LIBRARY_FOLDER FOLDER [others]
 #
 # With `others` only what their tests need.

@@ -24,8 +24,8 @@ class Editor:
 
     writes = False  # something all the time
 
-    def __init__(self, command, title):
-        self.command, self.title = command, title
+    def __init__(self, command, title, quiet=None):
+        self.command, self.title, self.quiet = command, title, quiet or command
 
     def prepare(self, folder):
         """A file to begin with."""
@@ -45,7 +45,9 @@ class Editor:
 
 
 class Terminal(Editor):
-    """xterm, in which a shell runs and something is written all the time."""
+    """xterm, in which a shell runs. What is written there wakes its loop, and so would
+    serve the editor by chance: it is used while something is written all the time, and
+    left while nothing is."""
 
     writes = True
 
@@ -66,7 +68,8 @@ class Terminal(Editor):
 SHELL = "(while sleep 0.03; do echo $((n += 1)); done) & sh; kill $!"
 PROGRAMS = {
     "nedit": Editor(["nedit", PROOF], rf"^{PROOF}"),
-    "xterm": Terminal(["xterm", "-T", "host", "-e", "sh", "-c", SHELL], "^host$"),
+    "xterm": Terminal(["xterm", "-T", "host", "-e", "sh", "-c", SHELL], "^host$",
+                      ["xterm", "-T", "host", "-e", "sh"]),
     "l3afpad": Editor(["l3afpad", PROOF], rf"{PROOF}"),
 }
 
@@ -83,14 +86,15 @@ def arrived(folder, text):
     wait(there, f"{text!r} in the host's file")
 
 
-def begun(name, programs, folder):
-    """The program and its editor."""
+def begun(name, programs, folder, quiet=False):
+    """The program and its editor, which has handed over."""
     host = PROGRAMS[name]
     host.prepare(folder)
-    stage = Stage(folder, programs, host.command, host.title)
+    stage = Stage(folder, programs, host.quiet if quiet else host.command, host.title)
     try:
         window = stage.server.new_window()
         stage.server.place(stage.host, 1230, 500)
+        check(stage.hand_over(window) == POSES, "other poses")
     except BaseException:
         stage.end()
         raise
@@ -109,7 +113,6 @@ def used(name, programs, folder):
     host, stage, window = begun(name, programs, folder)
     server = stage.server
     try:
-        check(stage.hand_over(window) == POSES, "other poses")
         pictures, gap = stage.pace(lambda: stage.drag(window))
         if host.writes:
             check(pictures >= 10 and gap <= GAP, f"{pictures} pictures, {gap} ms without one")
@@ -135,8 +138,10 @@ def used(name, programs, folder):
 
 def left(name, programs, folder):
     """The program goes first."""
-    host, stage, window = begun(name, programs, folder)
+    host, stage, window = begun(name, programs, folder, quiet=True)
     try:
+        stage.drag(window)
+        check(stage.hand_over(window) != POSES, "the drag changed nothing")
         host.leaves(stage)
         ended(stage)
         stage.server.gone(window)

@@ -1,9 +1,9 @@
-"""Drives hosts of other toolkits by mouse and keyboard: run.py FOLDER [NAME...]
+"""Drives hosts of other toolkits by mouse and keyboard: run.py FOLDER [-compiled] [NAME...]
 
 Each program runs under an X server of its own. A click into its
 window opens the editor; then a point is dragged while the host must go on drawing, the
 poses are handed over, and the windows are closed both ways. FOLDER holds the programs
-(build.sh); NAME chooses among them.
+(build.sh); NAME chooses among them, -compiled leaves out those in Python.
 """
 
 import concurrent.futures
@@ -235,7 +235,10 @@ def attempt(name, driver, programs):
 def run(names, driver):
     """Drives those chosen by the command line, two at a time."""
     programs = os.path.abspath(sys.argv[1])
-    chosen = [name for name in names if not sys.argv[2:] or name in sys.argv[2:]]
+    words = [word for word in sys.argv[2:] if word != "-compiled"]
+    chosen = [name for name in names if not words or name in words]
+    if "-compiled" in sys.argv:
+        chosen = [name for name in chosen if not names[name] or names[name].command[0] != PYTHON]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         passed = list(pool.map(lambda name: attempt(name, driver, programs), chosen))
     print(f"hosts: {sum(passed)} passed, {len(passed) - sum(passed)} failed")
