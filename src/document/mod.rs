@@ -12,6 +12,7 @@
 pub mod ascii;
 mod blocks;
 mod change;
+mod contents;
 mod edit;
 mod editing;
 pub mod export;
@@ -24,6 +25,7 @@ pub mod save;
 mod target;
 pub(crate) mod vid;
 
+pub use contents::Contents;
 pub use edit::Edit;
 pub use editing::{Document, Selection};
 pub use info::{Info, Object, ObjectPoint, Space};

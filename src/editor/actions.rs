@@ -171,7 +171,7 @@ impl Editor {
             Action::Recent(number) => self.ask_before(Then::Recent(number)),
             Action::LoadSetup => self.choose_file(Purpose::LoadSetup),
             Action::SaveSetup => self.choose_file(Purpose::SaveSetup),
-            Action::Theme(theme) => self.setup.theme = theme,
+            Action::Theme(theme) => self.choose_theme(theme),
             Action::SwitchCameraView => self.setup.camera_view = !self.setup.camera_view,
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),

@@ -172,14 +172,18 @@ impl Editor {
         }
     }
 
-    /// Writes the poses as lines of ten numbers (thesis B.2.3).
+    /// Writes the poses in the format that the file's name says: lines of ten numbers
+    /// (thesis B.2.3), CSV or JSON.
     ///
     /// # Errors
     /// The sentence.
     pub(super) fn write_poses(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
         let mut count = 0;
-        let options = export::Options::default();
+        let options = export::Options {
+            format: export::Format::of_file(file),
+            ..export::Options::default()
+        };
         match export::write_file(&self.document, options, file, &mut |done, _| count = done) {
             Ok(()) => {
                 self.say(fill(texts.output.written, &[&count, &short(file)]));

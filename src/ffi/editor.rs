@@ -209,11 +209,10 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             ));
         }
     };
-    let (path, info) = document.into_parts();
     Ok(Beginning {
         editor: editor::Options {
             // The window's own history begins here.
-            document: Document::from_parts(path, info)?,
+            document: document.as_opened(),
             file,
             title,
             language,

@@ -58,16 +58,9 @@ const VERSION: i64 = 1;
 /// way without being able to give up.
 const ROOM: usize = 32 << 10;
 
-/// Reads a file.
-pub(super) fn load(file: &Path) -> Result<(CameraPath, Info)> {
-    let text = read_text(file, MAX_FILE_BYTES)?;
-    from_toml(&text).map_err(|error| error.at(file.display().to_string()))
-}
-
-/// Reads what a reader gives, to its end.
-pub(super) fn load_from(reader: &mut dyn Read, name: &str) -> Result<(CameraPath, Info)> {
-    let text = read_all(reader, name, 0, MAX_FILE_BYTES)?;
-    from_toml(&text).map_err(|error| error.at(name))
+/// The text that a reader gives, to its end.
+pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
+    read_all(reader, name, 0, MAX_FILE_BYTES)
 }
 
 /// The text of a regular file of at most `most` bytes.
