@@ -40,9 +40,7 @@ pub fn save_unless_changed(file: &Path, bytes: &[u8], known: Option<Contents>) -
     };
     replace(
         file,
-        &mut |out| {
-            out.write_all(bytes).map_err(|error| failed(file, error))
-        },
+        &mut |out| out.write_all(bytes).map_err(|error| failed(file, error)),
         &as_known,
     )
 }

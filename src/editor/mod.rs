@@ -24,6 +24,7 @@ mod number;
 mod output;
 mod panels;
 mod playing;
+mod program;
 mod recent;
 mod recovery;
 mod refusals;
@@ -42,5 +43,6 @@ mod screenshots;
 mod tests;
 
 pub(crate) use folders::Folders;
+pub(crate) use program::{Date, Program};
 pub(crate) use state::{Editor, Options, Request};
 pub(crate) use texts::Language;

@@ -97,7 +97,10 @@ fn with_word(text: &str, key: &str, word: &str) -> Result<String> {
     from_toml(text)?;
     let source = Source { text, start: 0 };
     let root = DeTable::parse(text).map_err(|error| source.not_toml(&error))?;
-    let known = root.get_ref().iter().find(|(name, _)| name.get_ref() == key);
+    let known = root
+        .get_ref()
+        .iter()
+        .find(|(name, _)| name.get_ref() == key);
     Ok(match known {
         Some((_, value)) => {
             let place = value.span();

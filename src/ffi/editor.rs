@@ -219,6 +219,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             hand_over: options.on_poses.is_some(),
             fixed_speeds: !unset,
             folders: editor::Folders::of_environment(),
+            program: instance::host_program(options.file.is_null()),
         },
         display,
         warning: warnings.said().cloned(),

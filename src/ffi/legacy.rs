@@ -117,6 +117,7 @@ fn open(
             hand_over: host.rueck.is_some() || !host.list.is_null(),
             fixed_speeds: true,
             folders: editor::Folders::of_environment(),
+            program: instance::host_program(true),
         },
         display: None,
         warning: warnings.said().cloned(),

@@ -8,7 +8,9 @@
 //! It knows nothing of C: what the host is told goes through [`Host`].
 
 mod descriptors;
+mod ending;
 mod hint;
+mod program;
 mod pump;
 mod registry;
 mod screen;
@@ -31,6 +33,7 @@ use crate::error::{Error, Message, Result};
 use crate::path::Sampler;
 use crate::x11;
 
+pub(crate) use program::{host_program, own_program};
 pub(crate) use pump::{dispatch, main_loop};
 pub(crate) use registry::{Lost, is_open, within_a_call};
 pub(crate) use xt::{Refusal, own_thread};

@@ -43,10 +43,8 @@ use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
 use super::NotAFile;
-use super::info::Info;
 use crate::error::{Error, Result, message, room, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
-use crate::path::CameraPath;
 
 pub(super) use read::from_toml;
 pub(super) use write::to_toml;

@@ -24,6 +24,7 @@ pub(in crate::editor) fn editor(document: Document, language: Language) -> Edito
         hand_over: false,
         fixed_speeds: false,
         folders: crate::editor::Folders::default(),
+        program: crate::editor::Program::of_tests("tests"),
     })
     .unwrap()
 }

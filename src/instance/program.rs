@@ -1,0 +1,51 @@
+//! The program that this process runs, and its user's clock.
+
+#![allow(unsafe_code)] // a system call
+
+use std::mem::MaybeUninit;
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use crate::editor::{Date, Program};
+
+/// The host, by the name of its file. After a hand-over nothing is unsaved in its
+/// windows, if it says so.
+pub(crate) fn host_program(hand_over_saves: bool) -> Program {
+    let file = std::env::current_exe().unwrap_or_default();
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    Program {
+        // What the system adds when the file has been replaced.
+        name: name.trim_end_matches(" (deleted)").to_owned(),
+        offers_all: false,
+        hand_over_saves,
+        local_time,
+    }
+}
+
+/// The command `vides edit`: it offers what any program has left behind.
+pub(crate) fn own_program() -> Program {
+    Program {
+        name: "vides".to_owned(),
+        offers_all: true,
+        hand_over_saves: false,
+        local_time,
+    }
+}
+
+/// A time as a clock on the wall shows it.
+fn local_time(time: SystemTime) -> Option<Date> {
+    let seconds = time.duration_since(UNIX_EPOCH).ok()?.as_secs();
+    let seconds = libc::time_t::try_from(seconds).ok()?;
+    let mut parts = MaybeUninit::<libc::tm>::zeroed();
+    // SAFETY: both live during the call; what it does not fill in is zero.
+    let parts = unsafe {
+        let done = libc::localtime_r(&seconds, parts.as_mut_ptr());
+        (!done.is_null()).then(|| parts.assume_init())
+    }?;
+    Some(Date {
+        year: parts.tm_year + 1900,
+        month: parts.tm_mon + 1,
+        day: parts.tm_mday,
+        hour: parts.tm_hour,
+        minute: parts.tm_min,
+    })
+}
