@@ -10,7 +10,7 @@ use super::edit::Edit;
 use super::history::{History, Step};
 use super::info::{Info, copy_text};
 use super::prepare;
-use super::vid;
+use super::vid::{self, Comments};
 use crate::error::{Result, vec_with_room};
 use crate::limits;
 use crate::path::{CameraPath, Plan, Sampler, SupportPoint, Timeline};
@@ -116,10 +116,10 @@ impl Document {
     /// The same document as one that was just opened: unmodified, without a history.
     #[must_use]
     pub fn as_opened(self) -> Self {
-        Self {
-            read: self.read,
-            ..Self::with(self.content.path, self.content.info)
-        }
+        let mut opened = Self::with(self.content.path, self.content.info);
+        opened.read = self.read;
+        opened.content.comments = self.content.comments;
+        opened
     }
 
     /// What the file contained from which the document was read, if it was.
@@ -165,6 +165,7 @@ impl Document {
         let mut copy = Self::with(path, self.content.info.try_clone()?);
         copy.selection = self.selection;
         copy.read = self.read;
+        copy.content.comments = self.content.comments.try_clone()?;
         if !self.history.keeps_any() {
             copy = copy.without_history();
         }
@@ -402,15 +403,18 @@ impl Document {
         let (path, info) = vid::from_toml(text)?;
         let mut document = Self::from_parts(path, info)?;
         document.read = Some(Contents::of(text.as_bytes()));
+        document.content.comments = Comments::of(text)?;
         Ok(document)
     }
 
-    /// The text of a `.vid` file. Loading it gives the same document, bit by bit.
+    /// The text of a `.vid` file, with the comments of the text that the document was read
+    /// from, each at what it stood at; those of removed points have gone with them. Loading it gives the same document, bit by bit.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn to_toml(&self) -> Result<String> {
-        vid::to_toml(&self.content.path, &self.content.info)
+        let content = &self.content;
+        vid::to_toml(&content.path, &content.info, &content.comments)
     }
 
     /// Saves as a `.vid` file, atomically and durably ([`super::save`]). Call

@@ -94,6 +94,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
                 point,
                 at,
                 orientation,
+                removal: 0,
             };
             return Ok((change, Some(Selection::at(point, at))));
         }
@@ -147,7 +148,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
         }
         Edit::ReplacePath(mut path) => {
             normalise(&mut path)?;
-            return Ok((Change::Path(path), Some(Selection::default())));
+            return Ok((Change::Path(path, 0), Some(Selection::default())));
         }
     };
     Ok((change, None))
@@ -170,7 +171,11 @@ pub(super) fn normalise(path: &mut CameraPath) -> Result<()> {
 /// New points become part of the path; the first of them is current.
 fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>) {
     (
-        Change::InsertPoints { at, points },
+        Change::InsertPoints {
+            at,
+            points,
+            removal: 0,
+        },
         Some(Selection::at(at, 0)),
     )
 }

@@ -244,6 +244,8 @@ fn header(origin: &Origin<'_>) -> String {
             let _ = writeln!(text, "{CONTENTS_MARK}{known}");
         }
     }
+    // What follows belongs to the document, be it a comment.
+    text.push('\n');
     text
 }
 

@@ -31,6 +31,7 @@
 //! speed_curve = [1.0, 20.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0]
 //! ```
 
+mod comments;
 pub(crate) mod field;
 mod pieces;
 mod read;
@@ -46,6 +47,7 @@ use super::NotAFile;
 use crate::error::{Error, Result, message, room, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
 
+pub(super) use comments::Comments;
 pub(super) use read::from_toml;
 pub(super) use write::to_toml;
 

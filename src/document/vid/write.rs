@@ -5,6 +5,7 @@ use std::fmt::{self, Write};
 use glam::DVec3;
 
 use super::VERSION;
+use super::comments::{Comments, OURS};
 use crate::document::info::{Info, ObjectPoint};
 use crate::error::{Error, Result};
 use crate::limits::BASE_SPEED;
@@ -14,11 +15,15 @@ use crate::path::{
 
 /// The text of a document. Values with the default of a new path are left
 /// out where a file has many of them: in points and orientations.
-pub(in crate::document) fn to_toml(path: &CameraPath, info: &Info) -> Result<String> {
+pub(in crate::document) fn to_toml(
+    path: &CameraPath,
+    info: &Info,
+    comments: &Comments,
+) -> Result<String> {
     let mut out = Text(String::new());
     // Nothing here fails but for want of memory.
     document(&mut out, path, info).map_err(|_| Error::Memory)?;
-    Ok(out.0)
+    comments.put_into(out.0)
 }
 
 /// A text that grows without aborting when memory runs out.
@@ -56,12 +61,7 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
     writeln!(out, "zoom_mode = \"{mode}\"")?;
 
     let speeds = path.speeds;
-    writeln!(
-        out,
-        "\n# Frames at speed 50 for a way of length 1, a turn of 180 degrees,\n\
-         # a zoom from 1 to 100, a roll of 90 degrees.\n\
-         [base_speeds]"
-    )?;
+    writeln!(out, "\n{}\n{}\n[base_speeds]", OURS[0], OURS[1])?;
     writeln!(out, "move_frames = {:?}", speeds.movement)?;
     writeln!(out, "orient_frames = {:?}", speeds.turning)?;
     writeln!(out, "zoom_frames = {:?}", speeds.zoom)?;
@@ -72,7 +72,7 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
         writeln!(out, "{number} = {}", Shape(*preset))?;
     }
 
-    writeln!(out, "\n# world = origin + scale * position\n[space]")?;
+    writeln!(out, "\n{}\n[space]", OURS[2])?;
     writeln!(out, "scale = {:?}", info.space.scale)?;
     writeln!(out, "origin = {}", Vector(info.space.origin))?;
     writeln!(out, "unit = {}", Quoted(&info.space.unit))?;
@@ -220,7 +220,7 @@ mod tests {
     const LONGEST: f64 = -1.234_567_890_123_456_7e-300;
 
     fn size(path: &CameraPath, info: &Info) -> usize {
-        to_toml(path, info).unwrap().len()
+        to_toml(path, info, &Comments::default()).unwrap().len()
     }
 
     /// Sizes of one point, one orientation, one object point and the rest at

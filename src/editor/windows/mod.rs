@@ -153,26 +153,24 @@ pub(super) fn sub_window(
     } else {
         BESIDE_PANELS
     };
-    sub_window_at(context, id, title, (egui::Align2::LEFT_TOP, place), add)
+    sub_window_as(context, id, title, |window| window.default_pos(place), add)
 }
 
-/// The same where a corner of it lies elsewhere at first.
-fn sub_window_at(
+/// The same, arranged in its own way.
+fn sub_window_as(
     context: &egui::Context,
     id: &'static str,
     title: &str,
-    (corner, place): (egui::Align2, egui::Pos2),
+    arrange: impl FnOnce(egui::Window<'_>) -> egui::Window<'_>,
     add: impl FnOnce(&mut egui::Ui),
 ) -> bool {
     let mut open = true;
     // A question that stands above it takes the key for itself.
     let asked = context.memory(|memory| memory.top_modal_layer().is_some());
     let escape = !asked && topmost(context) == Some(layer(id)) && keys::take_escape(context);
-    egui::Window::new(title)
-        .id(egui::Id::unique(id))
+    let window = egui::Window::new(title).id(egui::Id::unique(id));
+    arrange(window)
         .open(&mut open)
-        .pivot(corner)
-        .default_pos(place)
         .collapsible(false)
         .auto_sized()
         .show(context, add);

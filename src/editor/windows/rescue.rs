@@ -5,7 +5,7 @@ use std::time::{Duration, SystemTime};
 
 use egui::{Button, Color32, Pos2, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
 
-use super::{SubWindow, Windows, sub_window_at};
+use super::{SubWindow, Windows, sub_window_as};
 use crate::editor::actions::Action;
 use crate::editor::filing::short;
 use crate::editor::program::Date;
@@ -24,7 +24,7 @@ const SEEN: usize = 2;
 const WIDTH: f32 = 420.0;
 /// Size of a path's picture.
 const PICTURE: Vec2 = vec2(84.0, 64.0);
-const BUTTON: Vec2 = vec2(104.0, 26.0);
+const BUTTON: Vec2 = vec2(120.0, 28.0);
 /// Its lower left corner from the window's at first: in the movement window, above
 /// the bar, and right of the panels.
 const CORNER: Vec2 = vec2(272.0, -64.0);
@@ -84,7 +84,9 @@ impl RescueWindow {
                     ui.set_width(ui.available_width() - BUTTON.x - 16.0);
                     describe(editor, ui, &offered.found);
                 });
-                ui.vertical(|ui| {
+                let size = vec2(BUTTON.x, PICTURE.y);
+                let column = egui::Layout::top_down_justified(egui::Align::Center);
+                ui.allocate_ui_with_layout(size, column, |ui| {
                     let button = |text| Button::new(text).min_size(BUTTON);
                     let restore = ui.add(button(texts.restore));
                     if restore.on_hover_text(texts.restore_hint).clicked() {
@@ -116,23 +118,35 @@ impl SubWindow for RescueWindow {
         let texts = &editor.texts().rescue;
         let mut answer = None;
         let corner = context.content_rect().left_bottom() + CORNER;
-        let place = (egui::Align2::LEFT_BOTTOM, corner);
-        let stays = sub_window_at(context, Self::ID, texts.title, place, |ui| {
-            ui.set_width(WIDTH);
-            ui.label(texts.question);
-            ui.add_space(4.0);
-            let rows = self.offered.len().min(SEEN) as f32;
-            let height = rows * (PICTURE.y + ui.spacing().item_spacing.y);
-            let list = egui::ScrollArea::vertical().max_height(height);
-            answer = list.show(ui, |ui| self.show_list(editor, ui)).inner;
-            ui.add_space(4.0);
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let later = ui.add(Button::new(texts.later).min_size(BUTTON));
-                if later.on_hover_text(texts.later_hint).clicked() {
-                    answer = Some(Answer::Later);
-                }
-            });
-        });
+        let stays = sub_window_as(
+            context,
+            Self::ID,
+            texts.title,
+            // Without a size it begins so wide that it is moved away from its place.
+            |window| {
+                window
+                    .pivot(egui::Align2::LEFT_BOTTOM)
+                    .default_pos(corner)
+                    .default_size([WIDTH, PICTURE.y])
+            },
+            |ui| {
+                ui.set_width(WIDTH);
+                ui.label(texts.question);
+                ui.add_space(4.0);
+                let rows = self.offered.len().min(SEEN) as f32;
+                let height = rows * (PICTURE.y + ui.spacing().item_spacing.y);
+                let list = egui::ScrollArea::vertical().max_height(height);
+                answer = list.show(ui, |ui| self.show_list(editor, ui)).inner;
+                ui.add_space(4.0);
+                ui.horizontal(|ui| {
+                    ui.add_space(ui.available_width() - BUTTON.x);
+                    let later = ui.add(Button::new(texts.later).min_size(BUTTON));
+                    if later.on_hover_text(texts.later_hint).clicked() {
+                        answer = Some(Answer::Later);
+                    }
+                });
+            },
+        );
         match answer {
             None => stays,
             // What is not answered stays where it is, for the next start.
