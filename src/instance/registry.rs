@@ -168,7 +168,7 @@ pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
         descriptors.ring();
         table.told.clear();
         if let Some(work) = window.work_file() {
-            ending::opened(id, work.to_owned(), window.screen().connection());
+            ending::opened(id, work.to_owned(), window.screen().socket());
         }
         table.slots.push(Slot {
             id,

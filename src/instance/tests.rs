@@ -91,6 +91,10 @@ impl Screen for Fake {
         self.ours.as_fd()
     }
 
+    fn socket(&self) -> BorrowedFd<'_> {
+        self.ours.as_fd()
+    }
+
     fn poll(&mut self) -> Result<News> {
         self.remote.polls.set(self.remote.polls.get() + 1);
         let _ = self.ours.read(&mut [0; 64]);
