@@ -231,17 +231,17 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             ));
         }
     };
-    let (path, info) = document.into_parts();
     Ok(Beginning {
         editor: editor::Options {
             // The window's own history begins here.
-            document: Document::from_parts(path, info)?,
+            document: document.as_opened(),
             file,
             title,
             language,
             hand_over: options.on_poses.is_some(),
             fixed_speeds: !unset,
             folders: editor::Folders::of_environment(),
+            program: instance::host_program(options.file.is_null()),
         },
         display,
         application,

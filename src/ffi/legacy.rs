@@ -109,18 +109,18 @@ fn open(
             failure.into_message()
         ));
     }
-    let (path, info) = document.into_parts();
     instance::on_input(host_loop::serve);
     instance::open(instance::Options {
         editor: editor::Options {
             // The window's own history begins here.
-            document: Document::from_parts(path, info)?,
+            document: document.as_opened(),
             file: None,
             title: None,
             language: None,
             hand_over: host.rueck.is_some() || !host.list.is_null(),
             fixed_speeds: true,
             folders: editor::Folders::of_environment(),
+            program: instance::host_program(true),
         },
         display: None,
         application: None,

@@ -55,6 +55,7 @@ build loop_poll "$here/loop_poll.c" "$here/host.c" -- -lvides -lm
 build loop_xt "$here/loop_xt.c" "$here/host.c" -- -lvides -lm -lXt -lX11
 
 extra=-std=gnu99
+build ending "$here/ending.c" -- -lvides -lm -lX11 -lpthread
 build work "$here/work.c" "$here/../calls/hands.c" -- -lvides -lm -lX11
 
 extra=

@@ -6,6 +6,7 @@
 use glam::DVec3;
 
 use super::info::Info;
+use super::vid::Comments;
 use crate::error::{Result, vec_with_room};
 use crate::path::{
     BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Own, Plan,
@@ -19,6 +20,8 @@ pub(super) struct Content {
     pub(super) info: Info,
     /// Orientations of all points together.
     pub(super) orientations: usize,
+    /// Those of its file.
+    pub(super) comments: Comments,
 }
 
 impl Content {
@@ -28,6 +31,7 @@ impl Content {
             path,
             info,
             orientations,
+            comments: Comments::default(),
         }
     }
 }
@@ -79,6 +83,8 @@ pub(super) enum Change {
     InsertPoints {
         at: usize,
         points: Vec<SupportPoint>,
+        /// The removal that took them away: see [`Comments`]. 0: they are new.
+        removal: u64,
     },
     /// `room` is empty and has room for `count` points, so that taking an
     /// insertion back needs no memory.
@@ -91,13 +97,16 @@ pub(super) enum Change {
         point: usize,
         at: usize,
         orientation: Orientation,
+        /// As of points.
+        removal: u64,
     },
     RemoveOrientation {
         point: usize,
         at: usize,
     },
     Info(Box<Info>),
-    Path(Box<CameraPath>),
+    /// The removal is that of the path's points.
+    Path(Box<CameraPath>, u64),
 }
 
 impl Change {
@@ -224,8 +233,13 @@ impl Change {
                 std::mem::replace(&mut path.orientation_mode, orientation),
                 std::mem::replace(&mut path.zoom_mode, zoom),
             ),
-            Self::InsertPoints { at, mut points } => {
+            Self::InsertPoints {
+                at,
+                mut points,
+                removal,
+            } => {
                 let count = points.len();
+                content.comments.insert_points(at, count, removal);
                 content.orientations += count_orientations(&points);
                 path.points.splice(at..at, points.drain(..));
                 Self::RemovePoints {
@@ -241,13 +255,19 @@ impl Change {
             } => {
                 room.extend(path.points.drain(at..at + count));
                 content.orientations -= count_orientations(&room);
-                Self::InsertPoints { at, points: room }
+                Self::InsertPoints {
+                    at,
+                    points: room,
+                    removal: content.comments.remove_points(at, count),
+                }
             }
             Self::InsertOrientation {
                 point,
                 at,
                 orientation,
+                removal,
             } => {
+                content.comments.insert_orientation(point, at, removal);
                 path.points[point].orientations.insert(at, orientation);
                 content.orientations += 1;
                 Self::RemoveOrientation { point, at }
@@ -258,16 +278,19 @@ impl Change {
                     point,
                     at,
                     orientation: path.points[point].orientations.remove(at),
+                    removal: content.comments.remove_orientation(point, at),
                 }
             }
             Self::Info(mut info) => {
                 std::mem::swap(&mut content.info, &mut info);
                 Self::Info(info)
             }
-            Self::Path(mut other) => {
+            Self::Path(mut other, removal) => {
+                let old = content.comments.remove_points(0, path.points.len());
+                content.comments.insert_points(0, 0, removal);
                 std::mem::swap(path, &mut other);
                 content.orientations = count_orientations(&path.points);
-                Self::Path(other)
+                Self::Path(other, old)
             }
         }
     }
@@ -321,7 +344,7 @@ impl Change {
                 | Self::RemovePoints { .. }
                 | Self::InsertOrientation { .. }
                 | Self::RemoveOrientation { .. }
-                | Self::Path(_)
+                | Self::Path(..)
         )
     }
 
@@ -332,7 +355,7 @@ impl Change {
             Self::InsertPoints { points, .. } => weigh(points),
             Self::RemovePoints { room, .. } => room.capacity() * size_of::<SupportPoint>(),
             Self::Info(info) => info.title.len() + info.comment.len() + size_of_val(&*info.object),
-            Self::Path(path) => weigh(&path.points),
+            Self::Path(path, _) => weigh(&path.points),
             Self::Point { point, .. } => weigh(std::slice::from_ref(point)),
             Self::Several(changes) => changes.iter().map(Self::weight).sum(),
             _ => 0,

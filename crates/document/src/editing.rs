@@ -5,11 +5,12 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::change::Content;
+use super::contents::Contents;
 use super::edit::Edit;
 use super::history::{History, Step};
 use super::info::Info;
 use super::prepare;
-use super::vid;
+use super::vid::{self, Comments};
 use crate::error::Result;
 use crate::limits;
 use crate::path::{CameraPath, Plan, Sampler, Timeline};
@@ -53,6 +54,8 @@ pub struct Document {
     /// A number that no other contents have had.
     revision: u64,
     plan: Plan,
+    /// What the text contained from which it was read.
+    read: Option<Contents>,
 }
 
 /// The next number for [`Document::revision`]. Its order means nothing, so
@@ -106,7 +109,23 @@ impl Document {
             saved: 0,
             revision: fresh_revision(),
             plan: Plan::new(),
+            read: None,
         }
+    }
+
+    /// The same document as one that was just opened: unmodified, without a history.
+    #[must_use]
+    pub fn as_opened(self) -> Self {
+        let mut opened = Self::with(self.content.path, self.content.info);
+        opened.read = self.read;
+        opened.content.comments = self.content.comments;
+        opened
+    }
+
+    /// What the file contained from which the document was read, if it was.
+    #[must_use]
+    pub fn read_contents(&self) -> Option<Contents> {
+        self.read
     }
 
     /// The same document, keeping no history from now on: edits leave nothing
@@ -126,6 +145,8 @@ impl Document {
         let path = self.content.path.try_clone()?;
         let mut copy = Self::with(path, self.content.info.try_clone()?);
         copy.selection = self.selection;
+        copy.read = self.read;
+        copy.content.comments = self.content.comments.try_clone()?;
         if !self.history.keeps_any() {
             copy = copy.without_history();
         }
@@ -340,8 +361,9 @@ impl Document {
     /// [`crate::Error::Io`] if it cannot be read; [`crate::Error::Format`] with
     /// file, line and reason if its contents are not what they should be.
     pub fn load(file: &Path) -> Result<Self> {
-        let (path, info) = vid::load(file)?;
-        Self::from_parts(path, info)
+        let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
+        let loaded = Self::from_toml(&text);
+        loaded.map_err(|error| error.at(file.display().to_string()))
     }
 
     /// The document in what `reader` gives, to its end; `name` stands for it
@@ -350,8 +372,8 @@ impl Document {
     /// # Errors
     /// As [`Document::load`].
     pub fn load_from(reader: &mut dyn Read, name: &str) -> Result<Self> {
-        let (path, info) = vid::load_from(reader, name)?;
-        Self::from_parts(path, info)
+        let text = vid::read_from(reader, name)?;
+        Self::from_toml(&text).map_err(|error| error.at(name))
     }
 
     /// The document in the text of a `.vid` file.
@@ -360,15 +382,20 @@ impl Document {
     /// [`crate::Error::Format`] with line and reason.
     pub fn from_toml(text: &str) -> Result<Self> {
         let (path, info) = vid::from_toml(text)?;
-        Self::from_parts(path, info)
+        let mut document = Self::from_parts(path, info)?;
+        document.read = Some(Contents::of(text.as_bytes()));
+        document.content.comments = Comments::of(text)?;
+        Ok(document)
     }
 
-    /// The text of a `.vid` file. Loading it gives the same document, bit by bit.
+    /// The text of a `.vid` file, with the comments of the text that the document was read
+    /// from, each at what it stood at; those of removed points have gone with them. Loading it gives the same document, bit by bit.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn to_toml(&self) -> Result<String> {
-        vid::to_toml(&self.content.path, &self.content.info)
+        let content = &self.content;
+        vid::to_toml(&content.path, &content.info, &content.comments)
     }
 
     /// Saves as a `.vid` file, atomically and durably ([`super::save`]). Call

@@ -27,6 +27,30 @@ pub enum Format {
     Json,
 }
 
+impl Format {
+    /// All of them, in the order in which they are offered.
+    pub const ALL: [Self; 3] = [Self::Ascii, Self::Csv, Self::Json];
+
+    /// How the names of its files end, without the dot.
+    #[must_use]
+    pub const fn ending(self) -> &'static str {
+        match self {
+            Self::Ascii => "txt",
+            Self::Csv => "csv",
+            Self::Json => "json",
+        }
+    }
+
+    /// What a file's name says: its ending, in letters of either case; lines of ten
+    /// numbers where it says nothing else.
+    #[must_use]
+    pub fn of_file(file: &Path) -> Self {
+        let ending = file.extension().unwrap_or_default();
+        let says = |format: &Self| ending.eq_ignore_ascii_case(format.ending());
+        Self::ALL.into_iter().find(says).unwrap_or_default()
+    }
+}
+
 /// What is written and how.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Options {

@@ -14,6 +14,7 @@
 pub mod ascii;
 mod blocks;
 mod change;
+mod contents;
 mod edit;
 mod editing;
 pub mod export;
@@ -28,6 +29,7 @@ mod target;
 #[doc(hidden)]
 pub mod vid;
 
+pub use contents::Contents;
 pub use edit::Edit;
 pub use editing::{Document, Selection};
 pub use info::{Info, Object, ObjectPoint, Space};

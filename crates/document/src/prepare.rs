@@ -110,6 +110,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
                 point,
                 at,
                 orientation,
+                removal: 0,
             };
             return Ok((change, Some(Selection::at(point, at))));
         }
@@ -164,7 +165,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
         }
         Edit::ReplacePath(mut path) => {
             normalise(&mut path)?;
-            return Ok((Change::Path(path), Some(Selection::default())));
+            return Ok((Change::Path(path, 0), Some(Selection::default())));
         }
     };
     Ok((change, None))
@@ -222,7 +223,11 @@ fn on_curve(content: &Content, frame: f64) -> Result<(Change, Option<Selection>)
     };
     let mut points = vec_with_room(1)?;
     points.push(take(&mut path.points, at));
-    changes.push(Change::InsertPoints { at, points });
+    changes.push(Change::InsertPoints {
+        at,
+        points,
+        removal: 0,
+    });
     for at in changed {
         let point = take(&mut path.points, at);
         changes.push(Change::Point { at, point });
@@ -261,7 +266,11 @@ fn check_room(content: &Content, points: usize, orientations: usize) -> Result<(
 /// New points become part of the path; the first of them is current.
 fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>) {
     (
-        Change::InsertPoints { at, points },
+        Change::InsertPoints {
+            at,
+            points,
+            removal: 0,
+        },
         Some(Selection::at(at, 0)),
     )
 }

@@ -7,7 +7,7 @@ use std::io::{self, BufWriter, Write};
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt, PermissionsExt};
 use std::path::{Path, PathBuf};
 
-use super::NotAFile;
+use super::{Contents, NotAFile};
 use crate::error::{Error, Result, room};
 
 /// Bytes that are written at once.
@@ -27,6 +27,24 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<()> {
     })
 }
 
+/// The same if the file is as it is known, or if there is none; false, and nothing is
+/// done, if it has become another. Looked at last thing before it is replaced.
+///
+/// # Errors
+/// As [`save_with`].
+pub fn save_unless_changed(file: &Path, bytes: &[u8], known: Option<Contents>) -> Result<bool> {
+    let as_known = |target: &Path| match Contents::now(target) {
+        Ok(now) => now.is_none() || now == known,
+        // What it is cannot be told; nor that it is what is known.
+        Err(_) => false,
+    };
+    replace(
+        file,
+        &mut |out| out.write_all(bytes).map_err(|error| failed(file, error)),
+        &as_known,
+    )
+}
+
 /// Saves what `write` writes. A symbolic link stays, and the file it leads to
 /// is replaced; permissions stay; a new file has those that the process gives
 /// to new files.
@@ -35,6 +53,15 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<()> {
 /// [`Error::Io`] naming the file, or the error of `write`. The old file is
 /// whole then, and nothing is left beside it.
 pub fn save_with(file: &Path, write: &mut dyn FnMut(&mut dyn Write) -> Result<()>) -> Result<()> {
+    replace(file, write, &|_| true).map(drop)
+}
+
+/// [`save_with`], if at the end `may` agrees; whether it did.
+fn replace(
+    file: &Path,
+    write: &mut dyn FnMut(&mut dyn Write) -> Result<()>,
+    may: &dyn Fn(&Path) -> bool,
+) -> Result<bool> {
     room(ROOM)?;
     let io = |error| failed(file, error);
     let target = destination(file).map_err(io)?;
@@ -69,13 +96,16 @@ pub fn save_with(file: &Path, write: &mut dyn FnMut(&mut dyn Write) -> Result<()
         temporary.file.set_permissions(permissions).map_err(io)?;
     }
     temporary.file.sync_all().map_err(io)?;
+    if !may(&target) {
+        return Ok(false);
+    }
     fs::rename(&temporary.path, &target).map_err(io)?;
     temporary.renamed = true;
     // The new file is in place; only a power cut could still bring the old one
     // back. Some file systems cannot sync a folder and say so.
     match File::open(folder).and_then(|folder| folder.sync_all()) {
         Err(error) if !unsupported(&error) => Err(io(error)),
-        _ => Ok(()),
+        _ => Ok(true),
     }
 }
 

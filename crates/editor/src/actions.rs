@@ -79,6 +79,8 @@ pub(super) enum Action {
     LoadSetup,
     /// Load a recent file.
     Recent(usize),
+    /// Open unsaved work that was found, the one of this number in its window.
+    Restore(usize),
     /// Ask for a name and save the setup.
     SaveSetup,
     /// Dark, light, or as the desktop is.
@@ -169,9 +171,10 @@ impl Editor {
             Action::Colours => windows::open::<ColourWindow>(self, context),
             Action::Display => windows::open::<DisplayWindow>(self, context),
             Action::Recent(number) => self.ask_before(Then::Recent(number)),
+            Action::Restore(number) => self.ask_before(Then::Restore(number)),
             Action::LoadSetup => self.choose_file(Purpose::LoadSetup),
             Action::SaveSetup => self.choose_file(Purpose::SaveSetup),
-            Action::Theme(theme) => self.setup.theme = theme,
+            Action::Theme(theme) => self.choose_theme(theme),
             Action::SwitchCameraView => self.setup.camera_view = !self.setup.camera_view,
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use super::refusals::{Kind, of_edit, reason_of};
 use super::state::{Editor, Request};
 use super::texts::fill;
-use super::windows::{FileWindow, Question};
-use crate::document::{Document, Edit, export};
+use super::windows::{ChangedFile, FileWindow, Question};
+use crate::document::{Contents, Document, Edit, export, save};
 use crate::error::{Error, Result};
 use crate::limits;
 
@@ -35,6 +35,8 @@ pub(super) enum Then {
     Load,
     /// A recent file of this number is loaded.
     Recent(usize),
+    /// Unsaved work that was found takes its place, the one of this number.
+    Restore(usize),
 }
 
 impl Editor {
@@ -50,7 +52,7 @@ impl Editor {
 
     /// Asks about unsaved work, if there is any, and goes on.
     pub(super) fn ask_before(&mut self, then: Then) {
-        if self.document.is_modified() {
+        if self.is_unsaved() {
             self.windows.files = None;
             self.windows.question = Some(Question::new(then));
         } else {
@@ -70,21 +72,24 @@ impl Editor {
                     self.complain(text);
                 }
             }
+            Then::Restore(number) => self.restore_found(number),
         }
     }
 
-    /// Saves under the known name, or asks for one; then goes on.
+    /// Saves under the known name, or asks for one; then goes on. A file that is not as
+    /// it was when it was read or written here is asked about.
     pub(super) fn save(&mut self, then: Option<Then>) {
         let Some(file) = self.file.clone() else {
             self.choose_file(Purpose::SavePath(then));
             return;
         };
-        match self.save_path(&file) {
-            Ok(()) => {
+        match self.write_path(&file, false) {
+            Ok(true) => {
                 if let Some(then) = then {
                     self.go_on(then);
                 }
             }
+            Ok(false) => self.windows.changed = Some(ChangedFile::new(then)),
             Err(text) => self.complain(text),
         }
     }
@@ -119,7 +124,9 @@ impl Editor {
         let texts = self.texts();
         match self.loaded(file) {
             Ok(document) => {
+                self.known = document.read_contents();
                 self.document = document;
+                self.handed = None;
                 self.windows.path_replaced();
                 self.file = Some(file.to_owned());
                 self.note_file(file);
@@ -151,19 +158,36 @@ impl Editor {
         Ok(copy)
     }
 
-    /// Saves the path as this file, which is the one being edited from now on.
+    /// Saves the path as this file, whatever is there, and edits it from now on.
     ///
     /// # Errors
     /// The sentence.
     pub(super) fn save_path(&mut self, file: &Path) -> Result<(), String> {
+        self.write_path(file, true).map(drop)
+    }
+
+    /// The same; false, and nothing is done, if the file is not to be `replaced` and has
+    /// changed since it was read or written here.
+    fn write_path(&mut self, file: &Path, replaced: bool) -> Result<bool, String> {
         let texts = self.texts();
-        match self.document.save(file) {
-            Ok(()) => {
+        let saved = self.document.to_toml().and_then(|text| {
+            let bytes = text.as_bytes();
+            let done = if replaced {
+                save::save(file, bytes).map(|()| true)
+            } else {
+                save::save_unless_changed(file, bytes, self.known)
+            };
+            Ok(done?.then(|| Contents::of(bytes)))
+        });
+        match saved {
+            Ok(None) => Ok(false),
+            Ok(known) => {
                 self.document.mark_saved();
                 self.file = Some(file.to_owned());
+                self.known = known;
                 self.note_file(file);
                 self.say(fill(texts.output.saved, &[&short(file)]));
-                Ok(())
+                Ok(true)
             }
             Err(error) => {
                 let why = self.without_name(&error, file);
@@ -172,14 +196,18 @@ impl Editor {
         }
     }
 
-    /// Writes the poses as lines of ten numbers (thesis B.2.3).
+    /// Writes the poses in the format that the file's name says: lines of ten numbers
+    /// (thesis B.2.3), CSV or JSON.
     ///
     /// # Errors
     /// The sentence.
     pub(super) fn write_poses(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
         let mut count = 0;
-        let options = export::Options::default();
+        let options = export::Options {
+            format: export::Format::of_file(file),
+            ..export::Options::default()
+        };
         match export::write_file(&self.document, options, file, &mut |done, _| count = done) {
             Ok(()) => {
                 self.say(fill(texts.output.written, &[&count, &short(file)]));

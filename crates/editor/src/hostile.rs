@@ -8,7 +8,7 @@
 use std::fs;
 use std::path::Path;
 
-use super::recovery::{self, Keeper};
+use super::recovery::{self, Keeper, Origin};
 use super::setup_file;
 use crate::error::Error;
 
@@ -47,7 +47,7 @@ pub fn setup(folder: &Path, bytes: &[u8]) {
 /// If that does not hold.
 pub fn recovery(folder: &Path, bytes: &[u8]) {
     fs::write(folder.join("unsaved-1-2-3.vid"), bytes).expect("a file to find");
-    for found in recovery::find(folder) {
+    for found in recovery::find(folder, None) {
         let document = match found.document() {
             Ok(document) => document,
             Err(Error::Format(sentence) | Error::Limit(sentence)) => {
@@ -61,19 +61,30 @@ pub fn recovery(folder: &Path, bytes: &[u8]) {
             Err(error) => panic!("neither a document nor broken: {error}"),
         };
         assert!(document.is_modified());
-        let original = found.original.clone();
+        let (original, program) = (found.original.clone(), found.program.clone());
+        let known = found.known;
         found.discard();
         let mut keeper = Keeper::new(folder, &document);
         keeper
-            .write(&document, original.as_deref())
+            .write(
+                &document,
+                &Origin {
+                    program: program.as_deref().unwrap_or_default(),
+                    file: original.as_deref(),
+                    known,
+                },
+            )
             .expect("work to be kept");
         drop(keeper);
-        let mut again = recovery::find(folder);
+        let mut again = recovery::find(folder, None);
         let kept = again.pop().expect("what was kept is found");
         assert!(again.is_empty());
         // A name without a folder is kept with the folder it was in.
         let whole = original.map(|file| std::path::absolute(&file).unwrap_or(file));
+        // What the file contained is kept with its name only.
+        assert_eq!(kept.known, known.filter(|_| whole.is_some()));
         assert_eq!(kept.original, whole);
+        assert_eq!(kept.program, program.filter(|name| !name.is_empty()));
         let came_back = kept.document().expect("what was kept loads");
         assert_eq!(
             came_back.to_toml().expect("a text"),

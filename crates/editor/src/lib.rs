@@ -26,6 +26,7 @@ mod number;
 mod output;
 mod panels;
 mod playing;
+mod program;
 mod recent;
 mod recovery;
 mod refusals;
@@ -48,5 +49,6 @@ use vides_engine::{Error, Result, error, limits, math, path};
 use vides_raster as raster;
 
 pub use folders::Folders;
+pub use program::{Date, Program};
 pub use state::{Editor, Options, Request};
 pub use texts::Language;

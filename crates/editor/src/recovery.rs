@@ -21,7 +21,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use super::folders;
-use crate::document::Document;
+use crate::document::{Contents, Document};
 use crate::error::{Error, Result};
 use crate::limits::MAX_FILE_BYTES;
 
@@ -34,7 +34,20 @@ const PREFIX: &str = "unsaved-";
 const SUFFIX: &str = ".vid";
 const NEW: &str = ".new";
 
+const PROGRAM_MARK: &str = "# program = ";
 const FILE_MARK: &str = "# file = ";
+const CONTENTS_MARK: &str = "# contents = ";
+
+/// Where unsaved work comes from.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Origin<'a> {
+    /// The program whose window it is in.
+    pub(super) program: &'a str,
+    /// The file that it is a change of.
+    pub(super) file: Option<&'a Path>,
+    /// What that file contained.
+    pub(super) known: Option<Contents>,
+}
 
 /// Number of the next file of this process.
 static NEXT: AtomicU64 = AtomicU64::new(0);
@@ -88,10 +101,11 @@ impl Keeper {
     pub(super) fn look_after(
         &mut self,
         document: &Document,
-        file: Option<&Path>,
+        unsaved: bool,
+        origin: &Origin<'_>,
         now: Instant,
     ) -> Kept {
-        if !document.is_modified() {
+        if !unsaved {
             self.forget();
             self.settled = document.state_number();
             self.since = None;
@@ -106,7 +120,7 @@ impl Keeper {
         if waited < DELAY {
             return Kept::In(DELAY - waited);
         }
-        match self.write(document, file) {
+        match self.write(document, origin) {
             Ok(()) => Kept::Idle,
             Err(_) if self.failed => Kept::Idle,
             Err(error) => {
@@ -120,7 +134,7 @@ impl Keeper {
     ///
     /// # Errors
     /// [`Error::Io`], [`Error::Memory`]; what was written before stays.
-    pub(super) fn write(&mut self, document: &Document, file: Option<&Path>) -> Result<()> {
+    pub(super) fn write(&mut self, document: &Document, origin: &Origin<'_>) -> Result<()> {
         // Also if it fails: the next change tries again.
         self.settled = document.state_number();
         self.since = None;
@@ -130,7 +144,7 @@ impl Keeper {
             source,
         };
         folders::make(&self.folder).map_err(io)?;
-        let written = self.replace(&header(file), &text).map_err(io)?;
+        let written = self.replace(&header(origin), &text).map_err(io)?;
         self.held = Some(written);
         Ok(())
     }
@@ -161,9 +175,14 @@ impl Keeper {
         }
     }
 
-    /// Whether a state waits to be written.
+    /// Whether this state was not written yet.
     pub(super) fn is_behind(&self, document: &Document) -> bool {
-        document.is_modified() && document.state_number() != self.settled
+        document.state_number() != self.settled
+    }
+
+    /// The file that holds the work, when there is some.
+    pub(super) fn path(&self) -> &Path {
+        &self.path
     }
 }
 
@@ -202,19 +221,31 @@ fn is_still(file: &File, path: &Path) -> bool {
 }
 
 /// What stands before the path: comments, so that the whole is a `.vid` file.
-fn header(file: Option<&Path>) -> String {
+fn header(origin: &Origin<'_>) -> String {
     let written = SystemTime::now().duration_since(UNIX_EPOCH);
     let written = written.map_or(0, |since| since.as_secs());
     let process = std::process::id();
+    use std::fmt::Write as _;
     let mut text = format!(
         "# Work in VIDES that was not saved.\n# process = {process}\n# written = {written}\n"
     );
-    if let Some(file) = file {
+    if !origin.program.is_empty() {
+        text.push_str(PROGRAM_MARK);
+        text.push_str(&escaped(Path::new(origin.program)));
+        text.push('\n');
+    }
+    if let Some(file) = origin.file {
         let file = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
         text.push_str(FILE_MARK);
         text.push_str(&escaped(&file));
         text.push('\n');
+        if let Some(known) = origin.known {
+            // Writing into a text cannot fail.
+            let _ = writeln!(text, "{CONTENTS_MARK}{known}");
+        }
     }
+    // What follows belongs to the document, be it a comment.
+    text.push('\n');
     text
 }
 
@@ -259,8 +290,12 @@ pub(super) fn unescaped(text: &str) -> Option<PathBuf> {
 pub(super) struct Found {
     path: PathBuf,
     file: File,
+    /// The program in whose window it was made.
+    pub(super) program: Option<String>,
     /// The file that it was a change of.
     pub(super) original: Option<PathBuf>,
+    /// What that file contained.
+    pub(super) known: Option<Contents>,
     /// When it was written.
     pub(super) written: SystemTime,
     text: String,
@@ -285,9 +320,9 @@ impl Found {
     }
 }
 
-/// Unsaved work in the folder whose process does not live any more, the newest
-/// first. What is not readable is left alone.
-pub(super) fn find(folder: &Path) -> Vec<Found> {
+/// Unsaved work of a program (none: of any) in the folder whose process does not live any
+/// more, the newest first. What is not readable is left alone.
+pub(super) fn find(folder: &Path, program: Option<&str>) -> Vec<Found> {
     let Ok(entries) = fs::read_dir(folder) else {
         return Vec::new();
     };
@@ -306,6 +341,7 @@ pub(super) fn find(folder: &Path) -> Vec<Found> {
             }
             name.ends_with(SUFFIX).then(|| take(&path))?
         })
+        .filter(|found| program.is_none() || found.program.as_deref() == program)
         .collect();
     found.sort_by_key(|found| std::cmp::Reverse(found.written));
     found
@@ -332,10 +368,18 @@ fn take(path: &Path) -> Option<Found> {
         .take(MAX_FILE_BYTES)
         .read_to_string(&mut text)
         .ok()?;
-    let head = text.lines().take_while(|line| line.starts_with('#'));
-    let original = head.filter_map(|line| line.strip_prefix(FILE_MARK)).next();
+    let said = |mark| {
+        let mut head = text.lines().take_while(|line| line.starts_with('#'));
+        head.find_map(|line| line.strip_prefix(mark))
+    };
+    let program = said(PROGRAM_MARK).and_then(unescaped);
+    let original = said(FILE_MARK).and_then(unescaped);
     Some(Found {
-        original: original.and_then(unescaped),
+        program: program.and_then(|name| name.into_os_string().into_string().ok()),
+        known: said(CONTENTS_MARK)
+            .filter(|_| original.is_some())
+            .and_then(|known| known.parse().ok()),
+        original,
         written: metadata.modified().unwrap_or(UNIX_EPOCH),
         path: path.to_owned(),
         file,

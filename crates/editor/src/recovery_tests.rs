@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::*;
 use crate::document::Edit;
-use crate::{Editor, Folders, Language, Options};
+use crate::{Editor, Folders, Language, Options, Program};
 
 fn document() -> Document {
     Document::new()
@@ -39,11 +39,16 @@ fn a_change_is_written_within_a_second_and_no_sooner_asked_again() {
     let start = Instant::now();
     let at = |ms| start + Duration::from_millis(ms);
     assert!(matches!(
-        keeper.look_after(&document, None, at(0)),
+        keeper.look_after(&document, document.is_modified(), &Origin::default(), at(0)),
         Kept::Idle
     ));
     change(&mut document, 0.1);
-    let Kept::In(wait) = keeper.look_after(&document, None, at(100)) else {
+    let Kept::In(wait) = keeper.look_after(
+        &document,
+        document.is_modified(),
+        &Origin::default(),
+        at(100),
+    ) else {
         panic!("a change is to be looked after");
     };
     assert_eq!(wait, DELAY);
@@ -51,22 +56,37 @@ fn a_change_is_written_within_a_second_and_no_sooner_asked_again() {
     // Further changes do not put it off.
     change(&mut document, 0.2);
     assert!(matches!(
-        keeper.look_after(&document, None, at(600)),
+        keeper.look_after(
+            &document,
+            document.is_modified(),
+            &Origin::default(),
+            at(600)
+        ),
         Kept::In(_)
     ));
     change(&mut document, 0.3);
     assert!(matches!(
-        keeper.look_after(&document, None, at(800)),
+        keeper.look_after(
+            &document,
+            document.is_modified(),
+            &Origin::default(),
+            at(800)
+        ),
         Kept::Idle
     ));
     assert_eq!(names(&state).len(), 1);
     // Nothing new: nothing to wake up for.
     assert!(matches!(
-        keeper.look_after(&document, None, at(900)),
+        keeper.look_after(
+            &document,
+            document.is_modified(),
+            &Origin::default(),
+            at(900)
+        ),
         Kept::Idle
     ));
     drop(keeper);
-    let found = find(&state);
+    let found = find(&state, None);
     assert_eq!(found.len(), 1);
     assert_eq!(x_of(&found[0].document().unwrap()), 0.3);
 }
@@ -80,10 +100,15 @@ fn saving_and_undoing_to_the_saved_state_remove_it() {
         document.undo();
     }] {
         change(&mut document, 0.4);
-        keeper.write(&document, None).unwrap();
+        keeper.write(&document, &Origin::default()).unwrap();
         assert_eq!(names(folder.path()).len(), 1);
         way(&mut document);
-        keeper.look_after(&document, None, Instant::now());
+        keeper.look_after(
+            &document,
+            document.is_modified(),
+            &Origin::default(),
+            Instant::now(),
+        );
         assert_eq!(names(folder.path()), [""; 0]);
         change(&mut document, 0.5);
         document.mark_saved();
@@ -97,23 +122,39 @@ fn what_lives_is_offered_to_nobody() {
     change(&mut document, 0.25);
     let file = Path::new("/tmp/näher 100%\n.vid");
     let mut first = Keeper::new(folder.path(), &document);
-    first.write(&document, Some(file)).unwrap();
+    first
+        .write(
+            &document,
+            &Origin {
+                file: Some(file),
+                ..Origin::default()
+            },
+        )
+        .unwrap();
     let mut second = Keeper::new(folder.path(), &document);
-    second.write(&document, None).unwrap();
+    second.write(&document, &Origin::default()).unwrap();
     assert_eq!(names(folder.path()).len(), 2);
-    assert!(find(folder.path()).is_empty());
+    assert!(find(folder.path(), None).is_empty());
     // Also not after it was written anew.
-    first.write(&document, Some(file)).unwrap();
-    assert!(find(folder.path()).is_empty());
+    first
+        .write(
+            &document,
+            &Origin {
+                file: Some(file),
+                ..Origin::default()
+            },
+        )
+        .unwrap();
+    assert!(find(folder.path(), None).is_empty());
     drop(first);
-    let found = find(folder.path());
+    let found = find(folder.path(), None);
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].original.as_deref(), Some(file));
     assert!(found[0].document().unwrap().is_modified());
     // Whoever found it holds it.
-    assert!(find(folder.path()).is_empty());
+    assert!(find(folder.path(), None).is_empty());
     drop(found);
-    let mut found = find(folder.path());
+    let mut found = find(folder.path(), None);
     found.pop().unwrap().discard();
     assert_eq!(names(folder.path()).len(), 1, "the other one lives");
 }
@@ -147,7 +188,7 @@ fn odd_things_in_the_folder_do_no_harm() {
     fs::create_dir(at("unsaved-4-4-4.vid")).unwrap();
     std::os::unix::fs::symlink("/etc/passwd", at("unsaved-5-5-5.vid")).unwrap();
     fs::write(at("recent"), "other").unwrap();
-    let found = find(folder.path());
+    let found = find(folder.path(), None);
     assert_eq!(found.len(), 1);
     assert!(found[0].document().is_err());
     assert!(
@@ -155,7 +196,7 @@ fn odd_things_in_the_folder_do_no_harm() {
         "left by a dead process"
     );
     assert!(at("recent").exists() && at("unsaved-3-3-3.vid").exists());
-    assert!(find(Path::new("/nowhere/at all")).is_empty());
+    assert!(find(Path::new("/nowhere/at all"), None).is_empty());
 }
 
 #[test]
@@ -168,7 +209,9 @@ fn where_nothing_can_be_written_it_is_said_once() {
         change(&mut document, f64::from(k) / 10.0);
         for ms in [0, 800] {
             let now = start + Duration::from_secs(k.into()) + Duration::from_millis(ms);
-            if let Kept::Failed(error) = keeper.look_after(&document, None, now) {
+            if let Kept::Failed(error) =
+                keeper.look_after(&document, document.is_modified(), &Origin::default(), now)
+            {
                 assert!(error.to_string().starts_with("/proc/vides: "), "{error}");
                 failures += 1;
             }
@@ -189,6 +232,7 @@ fn editor(folder: &Path) -> Editor {
             setup: None,
             state: Some(folder.to_owned()),
         },
+        program: Program::of_tests("tests"),
     };
     Editor::new(options).unwrap()
 }
@@ -200,7 +244,7 @@ fn a_window_that_vanishes_leaves_its_work() {
     let mut vanished = editor(folder.path());
     change(vanished.document_mut(), 0.125);
     drop(vanished);
-    let found = find(folder.path());
+    let found = find(folder.path(), None);
     assert_eq!(x_of(&found[0].document().unwrap()), 0.125);
     drop(found);
     // One that was asked to close, or forgets, leaves nothing.
@@ -212,7 +256,7 @@ fn a_window_that_vanishes_leaves_its_work() {
             .keeper
             .as_mut()
             .unwrap()
-            .write(&closed.document, None)
+            .write(&closed.document, &Origin::default())
             .unwrap();
         if answered {
             closed.requests.push(crate::Request::Close);
@@ -330,7 +374,7 @@ fn lost(mut work: AtWork) -> u64 {
             began.parse::<u64>().unwrap(),
         ));
     }
-    let found = find(work.folder.path());
+    let found = find(work.folder.path(), None);
     let restored = found.first().map_or(0, |found| {
         // Whole, whenever it was killed.
         let document = found.document().unwrap();

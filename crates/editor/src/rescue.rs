@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use super::recovery::{self, Found, Keeper, Kept};
+use super::recovery::{self, Found, Keeper, Kept, Origin};
 use super::state::Editor;
 use super::texts::fill;
 use crate::document::{Document, Edit};
@@ -17,20 +17,26 @@ impl Editor {
             return;
         };
         self.keeper = Some(Keeper::new(&folder, &self.document));
-        let found = recovery::find(&folder);
+        let program = Some(self.program.name.as_str()).filter(|_| !self.program.offers_all);
+        let found = recovery::find(&folder, program);
         if !found.is_empty() {
-            self.windows.rescue = Some(super::windows::RescueWindow::new(found));
+            self.windows.rescue = Some(super::windows::RescueWindow::of(found));
         }
     }
 
     /// To be called at the end of each pass. An unmodified window, or one
     /// whose changes are all written, asks for no wake-up.
     pub(super) fn keep_work(&mut self, context: &egui::Context) {
+        let unsaved = self.is_unsaved();
         let Some(keeper) = &mut self.keeper else {
             return;
         };
-        let file = self.file.as_deref();
-        match keeper.look_after(&self.document, file, Instant::now()) {
+        let origin = Origin {
+            program: &self.program.name,
+            file: self.file.as_deref(),
+            known: self.known,
+        };
+        match keeper.look_after(&self.document, unsaved, &origin, Instant::now()) {
             Kept::Idle => {}
             Kept::In(time) => context.request_repaint_after(time),
             Kept::Failed(error) => {
@@ -65,12 +71,48 @@ impl Editor {
         self.document = document;
         self.windows.path_replaced();
         self.file.clone_from(&found.original);
+        self.known = found.known;
+        self.handed = None;
         // Kept as this window's before the old file is removed.
-        if let (Some(keeper), file) = (&mut self.keeper, self.file.as_deref()) {
-            keeper.write(&self.document, file)?;
-        }
+        self.write_work()?;
         self.say(self.texts().rescue.restored);
         Ok(())
+    }
+
+    /// Restores what the window that offers it has under this number.
+    pub(super) fn restore_found(&mut self, number: usize) {
+        let Some(mut window) = self.windows.rescue.take() else {
+            return;
+        };
+        if let Some(found) = window.found(number) {
+            match self.restore(&found) {
+                Ok(()) => found.discard(),
+                Err(error) => {
+                    let why = super::refusals::reason_of(self.language(), &error);
+                    self.complain(fill(self.texts().rescue.broken, &[&why]));
+                }
+            }
+        }
+        if !window.is_empty() {
+            self.windows.rescue = Some(window);
+        }
+    }
+
+    fn write_work(&mut self) -> Result<()> {
+        let Some(keeper) = &mut self.keeper else {
+            return Ok(());
+        };
+        let origin = Origin {
+            program: &self.program.name,
+            file: self.file.as_deref(),
+            known: self.known,
+        };
+        keeper.write(&self.document, &origin)
+    }
+
+    /// The file that keeps its work while that is unsaved, if some may.
+    pub fn work_file(&self) -> Option<&Path> {
+        self.keeper.as_ref().map(Keeper::path)
     }
 }
 
@@ -86,14 +128,13 @@ impl Drop for Editor {
     /// X server went away, or the host ended. Closing that the user asked for
     /// leaves nothing: unsaved work was asked about then.
     fn drop(&mut self) {
+        let unsaved = self.is_unsaved() && !self.closing;
         if let Some(keeper) = &mut self.keeper {
-            if self.closing {
+            if !unsaved {
                 keeper.forget();
             } else if keeper.is_behind(&self.document) {
                 // Nobody is left to be told.
-                let _ = keeper.write(&self.document, self.file.as_deref());
-            } else if !self.document.is_modified() {
-                keeper.forget();
+                let _ = self.write_work();
             }
         }
     }

@@ -51,6 +51,10 @@ pub(super) fn load(file: &Path) -> Result<Setup> {
 /// # Errors
 /// [`Error::Io`].
 pub(super) fn write(file: &Path, setup: &Setup) -> Result<()> {
+    write_text(file, &to_toml(setup))
+}
+
+fn write_text(file: &Path, text: &str) -> Result<()> {
     if let Some(folder) = file
         .parent()
         .filter(|folder| !folder.as_os_str().is_empty())
@@ -60,7 +64,7 @@ pub(super) fn write(file: &Path, setup: &Setup) -> Result<()> {
             source,
         })?;
     }
-    save::save(file, to_toml(setup).as_bytes())
+    save::save(file, text.as_bytes())
 }
 
 /// The text of a setup file.
@@ -71,20 +75,45 @@ fn to_toml(setup: &Setup) -> String {
     out
 }
 
-fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
-    let theme = match setup.theme {
+const fn theme_word(theme: Option<Theme>) -> &'static str {
+    match theme {
         None => "system",
         Some(Theme::Dark) => "dark",
         Some(Theme::Light) => "light",
-    };
-    writeln!(out, "version = {VERSION}")?;
-    writeln!(out, "theme = \"{theme}\"")?;
-    let language = match setup.language {
+    }
+}
+
+const fn language_word(language: Option<Language>) -> &'static str {
+    match language {
         None => "system",
         Some(Language::English) => "en",
         Some(Language::German) => "de",
-    };
-    writeln!(out, "language = \"{language}\"")?;
+    }
+}
+
+/// The text of a setup file with another word for a key at its top, all else as it was.
+fn with_word(text: &str, key: &str, word: &str) -> Result<String> {
+    // What is not understood is not touched.
+    from_toml(text)?;
+    let source = Source { text, start: 0 };
+    let root = DeTable::parse(text).map_err(|error| source.not_toml(&error))?;
+    let known = root
+        .get_ref()
+        .iter()
+        .find(|(name, _)| name.get_ref() == key);
+    Ok(match known {
+        Some((_, value)) => {
+            let place = value.span();
+            format!("{}\"{word}\"{}", &text[..place.start], &text[place.end..])
+        }
+        None => format!("{key} = \"{word}\"\n{text}"),
+    })
+}
+
+fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
+    writeln!(out, "version = {VERSION}")?;
+    writeln!(out, "theme = \"{}\"", theme_word(setup.theme))?;
+    writeln!(out, "language = \"{}\"", language_word(setup.language))?;
     writeln!(out, "camera_view = {}", setup.camera_view)?;
     let view = &setup.view;
     writeln!(out, "\n[view]")?;
@@ -234,6 +263,44 @@ impl Editor {
                 let (name, why) = (file.display(), self.without_name(&error, &file));
                 self.complain(fill(texts.ignored, &[&name, &why]));
             }
+        }
+    }
+
+    /// Light, dark or as the desktop is, from now on and at the next start.
+    pub(super) fn choose_theme(&mut self, theme: Option<Theme>) {
+        self.setup.theme = theme;
+        self.keep_word("theme", theme_word(theme));
+    }
+
+    /// This language, from now on and at the next start.
+    pub(super) fn choose_language(&mut self, language: Option<Language>) {
+        self.setup.language = language;
+        self.keep_word("language", language_word(language));
+    }
+
+    /// Puts one word into the setup file that is read at start. Whatever else is set up
+    /// in this window is kept when its user saves the setup, not before.
+    fn keep_word(&mut self, key: &str, word: &str) {
+        let Some(file) = self.folders.setup_file() else {
+            return;
+        };
+        let text = match read_text(&file, MAX_BYTES) {
+            Err(Error::Io { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {
+                Ok(format!("version = {VERSION}\n"))
+            }
+            read => read,
+        };
+        let kept = text.and_then(|old| {
+            let new = with_word(&old, key, word)?;
+            if new == old {
+                return Ok(());
+            }
+            write_text(&file, &new)
+        });
+        if let Err(error) = kept {
+            let why = self.without_name(&error, &file);
+            let text = self.texts().setup.not_saved;
+            self.complain(fill(text, &[&file.display(), &why]));
         }
     }
 

@@ -8,12 +8,13 @@ use super::actions::Action;
 use super::filing::Then;
 use super::folders::Folders;
 use super::number::Entry;
+use super::program::Program;
 use super::recovery::Keeper;
 use super::setup::{Element, Setup};
 use super::texts::{Language, Texts, fill};
 use super::theme;
 use super::{camera_view, playing, space, windows};
-use crate::document::{Document, Edit};
+use crate::document::{Contents, Document, Edit};
 use crate::error::{self, Error, Result};
 use crate::path::{Orientation, SupportPoint};
 use crate::raster::Lines;
@@ -37,6 +38,8 @@ pub struct Options {
     /// Where setup, unsaved work and recent files are kept: those of the
     /// environment for a user, none in tests.
     pub folders: Folders,
+    /// Whose window it is.
+    pub program: Program,
 }
 
 /// What only whoever runs the editor can do.
@@ -61,6 +64,11 @@ pub struct Editor {
     pub(super) hand_over: bool,
     pub(super) fixed_speeds: bool,
     pub(super) folders: Folders,
+    pub(super) program: Program,
+    /// What the file contained when it was read or written last; none if there was none.
+    pub(super) known: Option<Contents>,
+    /// The state that the host has by a hand-over after which nothing is unsaved.
+    pub(super) handed: Option<u64>,
     /// An orientation to be pasted.
     pub(super) copied: Option<Orientation>,
     /// Where the last file was chosen.
@@ -105,7 +113,10 @@ impl Editor {
     /// # Errors
     /// [`Error::Memory`].
     pub fn new(options: Options) -> Result<Self> {
+        let known = options.document.read_contents();
         let mut editor = Self {
+            known: known.filter(|_| options.file.is_some()),
+            handed: None,
             document: options.document,
             file: options.file,
             title: options.title,
@@ -113,6 +124,7 @@ impl Editor {
             hand_over: options.hand_over,
             fixed_speeds: options.fixed_speeds,
             folders: options.folders,
+            program: options.program,
             copied: None,
             last_folder: None,
             waiting: None,
@@ -222,14 +234,31 @@ impl Editor {
     /// Says how a hand-over went: the number of poses.
     pub fn handed_over(&mut self, result: Result<usize, Error>) {
         match result {
-            Ok(count) => self.say(fill(self.texts().output.handed_over, &[&count])),
+            Ok(count) => {
+                if self.program.hand_over_saves {
+                    self.handed = Some(self.document.state_number());
+                }
+                self.say(fill(self.texts().output.handed_over, &[&count]));
+            }
             Err(error) => self.complain_of_hand_over(&error),
         }
     }
 
+    /// Whether there is work that would be lost with the window: that neither a file nor,
+    /// where a hand-over saves, the host has.
+    pub fn is_unsaved(&self) -> bool {
+        self.document.is_modified() && self.handed != Some(self.document.state_number())
+    }
+
     /// The title of the window: begins with `VIDES`, marks unsaved work.
     pub fn window_title(&self) -> String {
-        let mark = if self.document.is_modified() { "*" } else { "" };
+        // A file has not got what only the host has.
+        let changed = self.document.is_modified() && self.file.is_some();
+        let mark = if changed || self.is_unsaved() {
+            "*"
+        } else {
+            ""
+        };
         let file = self.file.as_deref().and_then(|file| file.file_name());
         match (&self.title, file) {
             (Some(title), _) => format!("VIDES – {mark}{title}"),

@@ -33,6 +33,7 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
             hand_over: false,
             fixed_speeds: false,
             folders: Folders::of_environment(),
+            program: instance::own_program(),
         },
         display: None,
         application: None,

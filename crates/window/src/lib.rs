@@ -9,6 +9,7 @@
 
 mod descriptors;
 mod edit;
+mod ending;
 mod hint;
 mod lookout;
 mod program;
@@ -42,6 +43,7 @@ use crate::error::{Error, Message, Result};
 use crate::path::Sampler;
 
 pub use edit::edit;
+pub use program::{host_program, own_program};
 pub use pump::{dispatch, main_loop};
 pub use registry::{Lost, is_open, within_a_call};
 pub use xt::{Refusal, own_thread};

@@ -22,7 +22,7 @@ use std::time::{Duration, Instant};
 
 use super::descriptors::Descriptors;
 use super::window::Window;
-use super::{Gone, Host, Id, lookout, thread_end, xt};
+use super::{Gone, Host, Id, ending, lookout, thread_end, xt};
 use crate::error::{Error, Result, panic_said};
 use crate::inject;
 
@@ -89,6 +89,7 @@ impl Table {
     fn remove(&mut self, id: Id) -> Option<Slot> {
         let place = self.slots.binary_search_by_key(&id, |slot| slot.id).ok()?;
         let slot = self.slots.remove(place);
+        ending::closed(id);
         if let (Some(window), Some(descriptors), true) =
             (&slot.window, &self.descriptors, slot.watched)
         {
@@ -119,6 +120,7 @@ impl Drop for Table {
             lookout::end(false);
             thread_end::takes(slots.len());
             for slot in slots {
+                ending::dropped(slot.id);
                 discard(slot.window);
                 // No host code.
                 slot.host.closed(slot.id, Gone::Thread);
@@ -170,6 +172,9 @@ pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
         descriptors.watch(window.screen().connection())?;
         descriptors.ring();
         table.told.clear();
+        if let Some(work) = window.work_file() {
+            ending::opened(id, work.to_owned(), window.screen().socket());
+        }
         table.slots.push(Slot {
             id,
             host,

@@ -13,6 +13,7 @@ use crate::x11::{News, Window};
 /// See the methods of [`Window`].
 pub(super) trait Screen {
     fn connection(&self) -> BorrowedFd<'_>;
+    fn socket(&self) -> BorrowedFd<'_>;
     fn poll(&mut self) -> Result<News>;
     fn deadline(&self) -> Option<Instant>;
     fn take_input(&mut self) -> RawInput;
@@ -27,6 +28,10 @@ pub(super) trait Screen {
 impl Screen for Window {
     fn connection(&self) -> BorrowedFd<'_> {
         self.as_fd()
+    }
+
+    fn socket(&self) -> BorrowedFd<'_> {
+        self.socket()
     }
 
     fn poll(&mut self) -> Result<News> {

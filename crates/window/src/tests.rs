@@ -17,7 +17,7 @@ use super::screen::Screen;
 use super::window::Window;
 use super::{Gone, Host, Id, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
 use crate::document::Document;
-use crate::editor::{Editor, Folders, Language, Options};
+use crate::editor::{Editor, Folders, Language, Options, Program};
 use crate::error::{Error, Result};
 use crate::path::Sampler;
 use crate::raster::{Area, Target};
@@ -88,6 +88,10 @@ impl Drop for Fake {
 
 impl Screen for Fake {
     fn connection(&self) -> BorrowedFd<'_> {
+        self.ours.as_fd()
+    }
+
+    fn socket(&self) -> BorrowedFd<'_> {
         self.ours.as_fd()
     }
 
@@ -247,6 +251,7 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         hand_over: true,
         fixed_speeds: true,
         folders: Folders::default(),
+        program: Program::of_tests("tests"),
     })
     .expect("an editor");
     let screen = Fake {

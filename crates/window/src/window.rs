@@ -7,6 +7,7 @@
 //! the next.
 
 use std::ops::Range;
+use std::path::Path;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
@@ -127,6 +128,11 @@ impl Window {
     /// The path that is edited.
     pub(super) fn document(&self) -> &Document {
         self.editor.document()
+    }
+
+    /// Where its unsaved work is kept, if it is.
+    pub(super) fn work_file(&self) -> Option<&Path> {
+        self.editor.work_file()
     }
 
     /// For a change from outside: it is shown in the next turn.

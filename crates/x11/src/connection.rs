@@ -213,6 +213,13 @@ impl Deref for Connection {
     }
 }
 
+impl Connection {
+    /// The connection itself, for questions about it.
+    pub(super) fn socket(&self) -> BorrowedFd<'_> {
+        self.raw.stream().socket()
+    }
+}
+
 impl AsFd for Connection {
     /// Readable when there is something to read, or room for what waits to be
     /// sent.

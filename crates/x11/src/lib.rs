@@ -487,6 +487,13 @@ impl Drop for Window {
     }
 }
 
+impl Window {
+    /// The connection itself, for questions about it; nobody else reads from it.
+    pub fn socket(&self) -> BorrowedFd<'_> {
+        self.connection.socket()
+    }
+}
+
 impl AsFd for Window {
     /// Readable when [`Window::poll`] has something to do.
     fn as_fd(&self) -> BorrowedFd<'_> {

@@ -121,6 +121,11 @@ impl Stream {
         self.watch.as_fd()
     }
 
+    /// The connection itself.
+    pub(super) fn socket(&self) -> BorrowedFd<'_> {
+        self.socket.as_fd()
+    }
+
     /// So much of what was read has been looked at, bytes.
     pub(super) fn looked_at(&self, bytes: usize) {
         self.ahead.set(self.ahead.get().saturating_sub(bytes));

@@ -31,6 +31,7 @@
 //! speed_curve = [1.0, 20.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0]
 //! ```
 
+mod comments;
 pub mod field;
 mod own;
 mod pieces;
@@ -49,9 +50,9 @@ use super::NotAFile;
 use super::info::Info;
 use crate::error::{Error, Result, message, room, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
-use crate::path::CameraPath;
 use vides_engine::scene::Scene;
 
+pub(super) use comments::Comments;
 pub(super) use read::{from_toml, scene_from_toml};
 pub(super) use scene_write::scene_to_toml;
 pub(super) use write::to_toml;
@@ -63,10 +64,9 @@ const VERSION: i64 = 1;
 /// way without being able to give up.
 const ROOM: usize = 32 << 10;
 
-/// Reads a file.
-pub(super) fn load(file: &Path) -> Result<(CameraPath, Info)> {
-    let text = read_text(file, MAX_FILE_BYTES)?;
-    from_toml(&text).map_err(|error| error.at(file.display().to_string()))
+/// The text that a reader gives, to its end.
+pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
+    read_all(reader, name, 0, MAX_FILE_BYTES)
 }
 
 /// Reads a scene from a file.
@@ -79,12 +79,6 @@ pub(super) fn load_scene(file: &Path) -> Result<(Scene, Info)> {
 pub(super) fn load_scene_from(reader: &mut dyn Read, name: &str) -> Result<(Scene, Info)> {
     let text = read_all(reader, name, 0, MAX_FILE_BYTES)?;
     scene_from_toml(&text).map_err(|error| error.at(name))
-}
-
-/// Reads what a reader gives, to its end.
-pub(super) fn load_from(reader: &mut dyn Read, name: &str) -> Result<(CameraPath, Info)> {
-    let text = read_all(reader, name, 0, MAX_FILE_BYTES)?;
-    from_toml(&text).map_err(|error| error.at(name))
 }
 
 /// The text of a regular file of at most `most` bytes.

@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Write};
 
+use super::comments::Comments;
 use super::write::{
     Quoted, Shape as TcbShape, Text, Vector, head, list, orientation_mode, point, space, to_toml,
     zoom_mode,
@@ -18,7 +19,7 @@ use vides_engine::scene::{
 /// that path; of nodes, values with the default of a new one are left out.
 pub(crate) fn scene_to_toml(scene: &Scene, info: &Info) -> Result<String> {
     if let Some(path) = alone(scene) {
-        return to_toml(path.path(), info);
+        return to_toml(path.path(), info, &Comments::default());
     }
     let mut out = Text(String::new());
     // Nothing here fails but for want of memory.

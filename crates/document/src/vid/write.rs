@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 
 use glam::DVec3;
 
+use super::comments::{Comments, OURS};
 use super::{VERSION, own};
 use crate::error::{Error, Result};
 use crate::info::{Info, ObjectPoint};
@@ -15,11 +16,11 @@ use crate::path::{
 
 /// The text of a document. Values with the default of a new path are left
 /// out where a file has many of them: in points and orientations.
-pub(crate) fn to_toml(path: &CameraPath, info: &Info) -> Result<String> {
+pub(crate) fn to_toml(path: &CameraPath, info: &Info, comments: &Comments) -> Result<String> {
     let mut out = Text(String::new());
     // Nothing here fails but for want of memory.
     document(&mut out, path, info).map_err(|_| Error::Memory)?;
-    Ok(out.0)
+    comments.put_into(out.0)
 }
 
 /// A text that grows without aborting when memory runs out.
@@ -48,12 +49,7 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
     writeln!(out, "zoom_mode = \"{}\"", zoom_mode(path))?;
 
     let speeds = path.speeds;
-    writeln!(
-        out,
-        "\n# Frames at speed 50 for a way of length 1, a turn of 180 degrees,\n\
-         # a zoom from 1 to 100, a roll of 90 degrees.\n\
-         [base_speeds]"
-    )?;
+    writeln!(out, "\n{}\n{}\n[base_speeds]", OURS[0], OURS[1])?;
     writeln!(out, "move_frames = {:?}", speeds.movement)?;
     writeln!(out, "turn_frames = {:?}", speeds.turning)?;
     writeln!(out, "zoom_frames = {:?}", speeds.zoom)?;
@@ -86,7 +82,7 @@ pub(super) fn head(out: &mut Text, info: &Info) -> fmt::Result {
 
 /// Where the space lies, and what is shown in it.
 pub(super) fn space(out: &mut Text, info: &Info) -> fmt::Result {
-    writeln!(out, "\n# world = origin + scale * position\n[space]")?;
+    writeln!(out, "\n{}\n[space]", OURS[2])?;
     writeln!(out, "scale = {:?}", info.space.scale)?;
     writeln!(out, "origin = {}", Vector(info.space.origin))?;
     writeln!(out, "unit = {}", Quoted(&info.space.unit))?;
@@ -252,7 +248,7 @@ mod tests {
     const LONGEST: f64 = -1.234_567_890_123_456_7e-300;
 
     fn size(path: &CameraPath, info: &Info) -> usize {
-        to_toml(path, info).unwrap().len()
+        to_toml(path, info, &Comments::default()).unwrap().len()
     }
 
     /// Everything that an orientation may own, each of it as long as can be.

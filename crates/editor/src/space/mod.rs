@@ -24,7 +24,7 @@ mod strokes;
 use std::ops::Range;
 use std::sync::Arc;
 
-use egui::{Context, EventFilter, Painter, Rect, Sense, Ui};
+use egui::{Context, EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
 use glam::DVec3;
 
 pub(super) use self::cameras::Camera;
@@ -37,10 +37,11 @@ use self::projection::Projection;
 use self::ribbon::Ribbon;
 use self::scene::{Look, Scene};
 use self::strokes::Strokes;
-use super::setup::Element;
+use super::setup::{Element, View};
 use super::state::Editor;
 use super::texts::Texts;
 use super::{camera_view, playing};
+use crate::document::Document;
 use crate::raster::Lines;
 
 /// What the movement window remembers.
@@ -109,6 +110,31 @@ pub(super) fn cube() -> impl Iterator<Item = (DVec3, DVec3)> {
         (from, to)
     })
 }
+
+/// A small picture of a path in a movement space of this size as a new window sees it:
+/// the edges of the space, and the curve as one line, from the upper left corner.
+pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec<Pos2>) {
+    let room = Rect::from_min_size(Pos2::ZERO, size);
+    let projection = Projection::new(&View::default(), room);
+    let edges = cube().map(|(from, to)| [from, to].map(|end| projection.pos(end)));
+    let curve = document.timeline(|timeline| {
+        let segments = timeline.segment_count();
+        // As many as there are dots along the picture, and then some.
+        let steps = (THUMBNAIL_PIECES / segments.max(1)).clamp(1, 24);
+        let every = segments.div_ceil(THUMBNAIL_PIECES).max(1);
+        let some = (0..segments).step_by(every);
+        let along = some.flat_map(|segment| {
+            let curve = timeline.curve(segment);
+            (0..=steps).map(|step| curve.point(step as f64 / steps as f64))
+        });
+        along.map(|point| projection.pos(point)).collect()
+    });
+    // Without memory there is no picture, and no other harm.
+    (edges.collect(), curve.unwrap_or_default())
+}
+
+/// About so many pieces has the curve in a [`thumbnail`].
+const THUMBNAIL_PIECES: usize = 400;
 
 /// The part in which the space is seen.
 fn view(editor: &mut Editor, ui: &mut Ui, room: Rect) {

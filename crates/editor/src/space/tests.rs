@@ -24,6 +24,7 @@ pub(crate) fn editor(document: Document, language: Language) -> Editor {
         hand_over: false,
         fixed_speeds: false,
         folders: crate::Folders::default(),
+        program: crate::Program::of_tests("tests"),
     })
     .unwrap()
 }

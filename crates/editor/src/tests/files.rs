@@ -5,6 +5,8 @@ use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 
+use egui_kittest::kittest::NodeT;
+
 use super::*;
 use crate::Request;
 use crate::document::Object;
@@ -299,6 +301,232 @@ fn poses_are_written_as_lines_of_ten_numbers() {
     }
 }
 
+/// By the ending, in letters of either case; what says nothing is lines, as ever.
+#[test]
+fn the_ending_chooses_the_format_of_poses() {
+    let text = |folder: &Path, file: &str| {
+        let mut window = window_in(Language::English, folder);
+        press(&mut window, Modifiers::ALT, Key::A);
+        press(&mut window, Modifiers::NONE, Key::D);
+        name(&mut window, file);
+        let file = folder.join(file);
+        let said = said(&window);
+        std::fs::read_to_string(file).unwrap_or_else(|error| panic!("{said:?}: {error}"))
+    };
+    let folder = tempfile::tempdir().expect("a folder");
+    for file in ["poses.csv", "POSES.CSV"] {
+        let csv = text(folder.path(), file);
+        assert!(csv.starts_with("frame,vrp_x,"), "{csv:.60}");
+        assert_eq!(csv.lines().count(), 122);
+    }
+    let json = text(folder.path(), "poses.json");
+    assert!(json.starts_with("{\n  \"title\": ") && json.ends_with("]\n}\n"));
+    for file in ["poses.txt", "poses.dat", "csv.d"] {
+        assert_eq!(text(folder.path(), file).lines().count(), 121, "{file}");
+    }
+}
+
+#[test]
+fn the_file_window_offers_all_formats_of_poses() {
+    for language in BOTH {
+        let texts = &language.texts().files;
+        let folder = tempfile::tempdir().expect("a folder");
+        for file in ["a.txt", "b.csv", "c.json", "d.vid"] {
+            std::fs::write(folder.path().join(file), "").expect("a file");
+        }
+        let mut window = window_in(language, folder.path());
+        press(&mut window, Modifiers::ALT, Key::A);
+        press(&mut window, Modifiers::NONE, Key::D);
+        for (file, seen) in [
+            ("a.txt", true),
+            ("b.csv", true),
+            ("c.json", true),
+            ("d.vid", false),
+        ] {
+            assert_eq!(window.query_by_label(file).is_some(), seen, "{file}");
+        }
+        let chosen = |window: &Window, format: &str| {
+            let node = window.get_by_role_and_label(Role::RadioButton, format);
+            node.accesskit_node().toggled() == Some(egui::accesskit::Toggled::True)
+        };
+        assert!(chosen(&window, texts.as_lines));
+        let place = |window: &Window| window.get_by_label(texts.name).value();
+        for (format, ending) in [
+            (texts.as_csv, "csv"),
+            (texts.as_json, "json"),
+            (texts.as_lines, "txt"),
+            (texts.as_json, "json"),
+        ] {
+            click(&mut window, format);
+            assert!(chosen(&window, format));
+            let name = format!("{}.{ending}", texts.poses);
+            assert_eq!(place(&window).as_deref(), Some(&*name));
+        }
+        window.get_by_label(texts.name).click();
+        name(&mut window, "my.flight.csv");
+        let file = folder.path().join("my.flight.csv");
+        let csv = std::fs::read_to_string(file).expect("a file");
+        assert!(csv.starts_with("frame,"));
+    }
+}
+
+/// Two windows on one file of which the other one has just saved what it did.
+fn overtaken(language: Language, folder: &Path) -> (Window, std::path::PathBuf) {
+    let file = folder.join("both.vid");
+    Document::new().save(&file).expect("a file");
+    let open = || {
+        let options = Options {
+            document: Document::load(&file).expect("a path"),
+            file: Some(file.clone()),
+            ..options(language)
+        };
+        window_of(options, SMALL, 1.0, Theme::Light)
+    };
+    let (mut first, mut second) = (open(), open());
+    click(&mut first, "Pos.+");
+    press(&mut first, Modifiers::CTRL, Key::S);
+    assert!(!modified(&first), "{:?}", said(&first));
+    click(&mut second, "Ori.+");
+    press(&mut second, Modifiers::CTRL, Key::S);
+    (second, file)
+}
+
+#[test]
+fn a_file_that_changed_is_not_overwritten_unasked() {
+    for language in BOTH {
+        let texts = language.texts();
+        let asks = |window: &Window| window.query_by_label(texts.questions.changed).is_some();
+        let points = |file: &Path| Document::load(file).expect("a path").path().points.len();
+
+        // The other one's work is there, ours is still unsaved.
+        let folder = tempfile::tempdir().expect("a folder");
+        let (mut window, file) = overtaken(language, folder.path());
+        assert!(asks(&window) && modified(&window));
+        assert_eq!(points(&file), 3);
+        let picture = format!("changed-{}.png", texts.questions.reload);
+        crate::screenshots::screenshot(&mut window, &picture);
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        assert!(!asks(&window) && modified(&window));
+        assert_eq!(points(&file), 3);
+
+        // Overwritten only when that was said, and not asked about again.
+        press(&mut window, Modifiers::CTRL, Key::S);
+        click(&mut window, texts.files.overwrite);
+        assert!(!asks(&window) && !modified(&window));
+        assert_eq!(points(&file), 2);
+        click(&mut window, "Ori.+");
+        press(&mut window, Modifiers::CTRL, Key::S);
+        assert!(!asks(&window) && !modified(&window));
+
+        let folder = tempfile::tempdir().expect("a folder");
+        let (mut window, file) = overtaken(language, folder.path());
+        click(&mut window, texts.questions.reload);
+        assert!(!asks(&window) && !modified(&window));
+        assert_eq!(window.state().document.path().points.len(), 3);
+        assert_eq!(points(&file), 3);
+
+        // On the way out: saved elsewhere, then closed.
+        let folder = tempfile::tempdir().expect("a folder");
+        let (mut window, file) = overtaken(language, folder.path());
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        window.state_mut().last_folder = Some(folder.path().to_owned());
+        window.state_mut().ask_to_close();
+        window.run();
+        click(&mut window, texts.questions.save);
+        assert!(asks(&window));
+        assert_eq!(window.state_mut().next_request(), None);
+        click(&mut window, texts.questions.save_as);
+        name(&mut window, "mine");
+        assert_eq!(window.state_mut().next_request(), Some(Request::Close));
+        assert_eq!(points(&file), 3);
+        assert_eq!(points(&folder.path().join("mine.vid")), 2);
+    }
+}
+
+/// What is there counts, and not when it came there.
+#[test]
+fn only_other_contents_are_a_change() {
+    let texts = Language::English.texts();
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("a.vid");
+    let asks = |window: &Window| window.query_by_label(texts.questions.changed).is_some();
+    // A name that had no file: one that has come since is somebody's.
+    let mut first = options(Language::English);
+    first.file = Some(file.clone());
+    let mut window = window_of(first, SMALL, 1.0, Theme::Dark);
+    click(&mut window, "Pos.+");
+    Document::new().save(&file).expect("saved");
+    press(&mut window, Modifiers::CTRL, Key::S);
+    assert!(asks(&window));
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    // Gone: there is nothing to lose.
+    std::fs::remove_file(&file).expect("gone");
+    press(&mut window, Modifiers::CTRL, Key::S);
+    assert!(!asks(&window) && !modified(&window));
+    // Written anew with the same bytes, by another file in its place.
+    let bytes = std::fs::read(&file).expect("there");
+    let other = folder.path().join("other");
+    std::fs::write(&other, &bytes).expect("written");
+    std::fs::rename(&other, &file).expect("renamed");
+    click(&mut window, "Pos.+");
+    press(&mut window, Modifiers::CTRL, Key::S);
+    assert!(!asks(&window) && !modified(&window));
+    // As many bytes, at the same time, in the same file.
+    let mut bytes = std::fs::read(&file).expect("there");
+    let times = std::fs::metadata(&file)
+        .expect("there")
+        .modified()
+        .expect("a time");
+    let last = bytes.len() - 1;
+    bytes[last] = b' ';
+    std::fs::write(&file, &bytes).expect("written");
+    let opened = std::fs::File::options()
+        .write(true)
+        .open(&file)
+        .expect("there");
+    opened.set_modified(times).expect("set");
+    click(&mut window, "Pos.+");
+    press(&mut window, Modifiers::CTRL, Key::S);
+    assert!(asks(&window));
+    assert_eq!(std::fs::read(&file).expect("there"), bytes);
+}
+
+/// A host has what was handed over to it.
+#[test]
+fn after_a_hand_over_nothing_is_unsaved_where_the_host_keeps_it() {
+    for saves in [true, false] {
+        let mut options = options(Language::English);
+        options.program.hand_over_saves = saves;
+        let mut window = window_of(options, SMALL, 1.0, Theme::Dark);
+        click(&mut window, "Pos.+");
+        let title = |window: &Window| window.state().window_title();
+        assert_eq!(title(&window), "VIDES*");
+        press(&mut window, Modifiers::ALT, Key::U);
+        assert_eq!(window.state_mut().next_request(), Some(Request::HandOver));
+        window.state_mut().handed_over(Ok(121));
+        assert_eq!(title(&window), if saves { "VIDES" } else { "VIDES*" });
+        window.state_mut().ask_to_close();
+        let closes = window.state_mut().next_request() == Some(Request::Close);
+        assert_eq!(closes, saves);
+        if !saves {
+            continue;
+        }
+        // What is done afterwards is unsaved again, what was taken back is not.
+        click(&mut window, "Pos.+");
+        assert!(window.state().is_unsaved());
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert!(!window.state().is_unsaved());
+        // Nothing was handed over of a path that is opened later.
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("a.vid");
+        Document::new().save(&file).expect("saved");
+        window.state_mut().load_path(&file).expect("loaded");
+        window.run();
+        click(&mut window, "Pos.+");
+        assert!(window.state().is_unsaved());
+    }
+}
+
 #[test]
 fn unsaved_work_is_asked_about_before_the_window_closes() {
     for language in BOTH {
@@ -401,11 +629,16 @@ fn two_windows_that_save_to_one_file_leave_it_whole() {
     Document::new().save(&file).expect("a file");
     let work = |step: &str| {
         let mut options = options(Language::English);
+        options.document = Document::load(&file).expect("a path");
         options.file = Some(file.clone());
         let mut window = window_of(options, [1200.0, 800.0], 1.0, Theme::Dark);
+        let texts = Language::English.texts();
         for _ in 0..20 {
             click(&mut window, step);
             press(&mut window, Modifiers::CTRL, Key::S);
+            if window.query_by_label(texts.questions.changed).is_some() {
+                click(&mut window, texts.files.overwrite);
+            }
             assert!(!modified(&window), "{:?}", said(&window));
         }
         window.state().document.to_toml().expect("a text")

@@ -21,7 +21,7 @@ use glam::DVec3;
 
 use super::setup::Theme;
 use super::texts::fill;
-use super::{Editor, Folders, Language, Options};
+use super::{Editor, Folders, Language, Options, Program};
 use crate::document::{Document, Edit};
 use crate::path::{Orientation, Target};
 
@@ -37,6 +37,7 @@ pub(super) fn options(language: Language) -> Options {
         hand_over: true,
         fixed_speeds: false,
         folders: Folders::default(),
+        program: Program::of_tests("tests"),
     }
 }
 
@@ -44,6 +45,11 @@ pub(super) fn options(language: Language) -> Options {
 pub(super) fn window_of(options: Options, size: [f32; 2], scale: f32, theme: Theme) -> Window {
     let mut editor = Editor::new(options).expect("an editor");
     editor.setup.theme = Some(theme);
+    window_of_editor(editor, size, scale)
+}
+
+/// A window of this editor, of this size and scale.
+pub(super) fn window_of_editor(editor: Editor, size: [f32; 2], scale: f32) -> Window {
     let mut prepared = false;
     let mut window = Harness::builder()
         .with_size(vec2(size[0], size[1]))

@@ -4,14 +4,23 @@ use super::*;
 use crate::screenshots::screenshot;
 
 fn start(language: Language, folder: &std::path::Path) -> Window {
+    start_of(Program::of_tests("xflight"), language, folder)
+}
+
+fn start_of(program: Program, language: Language, folder: &std::path::Path) -> Window {
+    let theme = match language {
+        Language::English => Theme::Light,
+        Language::German => Theme::Dark,
+    };
     let options = Options {
         folders: Folders {
             setup: None,
             state: Some(folder.to_owned()),
         },
+        program,
         ..options(language)
     };
-    window_of(options, SMALL, 1.0, Theme::Dark)
+    window_of(options, SMALL, 1.0, theme)
 }
 
 /// A window with unsaved work vanishes.
@@ -39,7 +48,13 @@ fn it_is_restored() {
         vanish(folder.path(), 0.25);
         let mut window = start(language, folder.path());
         assert!(window.query_by_label(texts.title).is_some());
-        assert!(window.query_by_label("flight.vid").is_some());
+        let date = match language {
+            Language::English => "2026-03-09, 14:05",
+            Language::German => "09.03.2026, 14:05",
+        };
+        for said in ["flight.vid", "xflight", date, texts.just_now, texts.picture] {
+            assert!(window.query_by_label(said).is_some(), "{said}");
+        }
         screenshot(&mut window, &format!("rescue-{}.png", texts.later));
         click(&mut window, texts.restore);
         let editor = window.state();
@@ -81,6 +96,87 @@ fn it_is_discarded_or_left_for_later() {
         assert_eq!(files(folder.path()), 0);
         let window = start(language, folder.path());
         assert!(window.query_by_label(texts.title).is_none());
+    }
+}
+
+/// What is offered stands beside the work, and waits as long as it likes.
+#[test]
+fn nothing_waits_for_an_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    vanish(folder.path(), 0.5);
+    let mut window = start(Language::English, folder.path());
+    let texts = Language::English.texts();
+    let offers = |window: &Window| window.query_by_label(texts.rescue.title).is_some();
+    assert!(offers(&window));
+    press(&mut window, Modifiers::ALT, Key::U);
+    let request = window.state_mut().next_request();
+    assert_eq!(request, Some(crate::Request::HandOver));
+    click(&mut window, "Pos.+");
+    assert_eq!(window.state().document.path().points.len(), 3);
+    assert!(offers(&window));
+    // It would take the place of work: that is asked about like any other.
+    click(&mut window, texts.rescue.restore);
+    assert!(window.query_by_label(texts.questions.unsaved).is_some());
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(window.state().document.path().points.len(), 3);
+    assert!(offers(&window));
+    click(&mut window, texts.rescue.restore);
+    // Of the two with this name the question's lies above.
+    let answer = window.get_all_by_label(texts.questions.discard).last();
+    answer.expect("an answer").click();
+    window.run();
+    assert_eq!(window.state().document.path().points[0].position.x, 0.5);
+    assert!(!offers(&window));
+    // Its own work is all there is now.
+    assert_eq!(files(folder.path()), 1);
+}
+
+/// Each program is offered its own work, the command all there is.
+#[test]
+fn work_is_offered_to_the_program_that_it_was_made_in() {
+    let folder = tempfile::tempdir().unwrap();
+    vanish(folder.path(), 0.5);
+    let mut other = start_of(Program::of_tests("other"), Language::English, folder.path());
+    assert!(other.state().windows.rescue.is_none());
+    let edit = Edit::SetClosed(true);
+    other.state_mut().document.apply(edit).unwrap();
+    drop(other);
+    assert_eq!(files(folder.path()), 2);
+    let mut command = Program::of_tests("vides");
+    command.offers_all = true;
+    for (language, look) in [(Language::German, "de"), (Language::English, "en")] {
+        let mut window = start_of(command.clone(), language, folder.path());
+        for program in ["xflight", "other"] {
+            assert!(window.query_by_label(program).is_some(), "{program}");
+        }
+        screenshot(&mut window, &format!("rescue-all-{look}.png"));
+    }
+    let window = start_of(Program::of_tests("other"), Language::English, folder.path());
+    assert!(window.query_by_label("other").is_some());
+    assert!(window.query_by_label("xflight").is_none());
+}
+
+/// What the file contained is known again with the work that was done on it.
+#[test]
+fn a_file_that_changed_since_the_crash_is_not_overwritten_unasked() {
+    for changed in [false, true] {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("flight.vid");
+        Document::new().save(&file).unwrap();
+        let state = folder.path().join("state");
+        let mut window = start(Language::English, &state);
+        window.state_mut().load_path(&file).unwrap();
+        click(&mut window, "Pos.+");
+        drop(window);
+        if changed {
+            some_points().save(&file).unwrap();
+        }
+        let texts = Language::English.texts();
+        let mut window = start(Language::English, &state);
+        click(&mut window, texts.rescue.restore);
+        press(&mut window, Modifiers::CTRL, Key::S);
+        let asks = window.query_by_label(texts.questions.changed).is_some();
+        assert_eq!(asks, changed);
     }
 }
 

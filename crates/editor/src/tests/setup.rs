@@ -86,8 +86,9 @@ fn the_language_is_chosen_and_kept() {
     click(&mut window, "Deutsch");
     assert!(window.query_by_label("Datei").is_some());
     assert!(window.query_by_label("Stützpunkte").is_some());
-    let file = folder.path().join("setup.toml");
+    let file = folder.path().join("other.toml");
     window.state_mut().save_setup(&file).unwrap();
+    // At the next start, too, without a word of the setup.
     let mut window = start(Language::English);
     assert!(window.query_by_label("Datei").is_some());
     press(&mut window, Modifiers::ALT, Key::Z);
@@ -97,6 +98,70 @@ fn the_language_is_chosen_and_kept() {
     window.state_mut().load_setup(&file).unwrap();
     window.run();
     assert!(window.query_by_label("Datei").is_some());
+}
+
+/// By the menu or the display window; whatever else stands in the setup file stays as it
+/// is written there.
+#[test]
+fn the_theme_chosen_is_that_of_the_next_start() {
+    for language in BOTH {
+        let menu = &language.texts().menu;
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("deep/setup.toml");
+        let start = || {
+            let options = Options {
+                folders: Folders {
+                    setup: Some(folder.path().join("deep")),
+                    state: None,
+                },
+                ..options(language)
+            };
+            Editor::new(options).unwrap()
+        };
+        let choose = |name: &str, in_window: bool| {
+            let mut window = window_of_editor(start(), SMALL, 1.0);
+            if in_window {
+                press(&mut window, Modifiers::ALT, Key::Z);
+            } else {
+                press(&mut window, Modifiers::ALT, Key::E);
+            }
+            click(&mut window, name);
+            assert!(
+                !window
+                    .state()
+                    .message
+                    .as_ref()
+                    .is_some_and(|said| said.error)
+            );
+        };
+        choose(menu.light, false);
+        assert_eq!(start().setup.theme, Some(Theme::Light));
+        choose(menu.dark, true);
+        assert_eq!(start().setup.theme, Some(Theme::Dark));
+        assert_eq!(
+            std::fs::read_to_string(&file).unwrap(),
+            "theme = \"dark\"\nversion = 1\n"
+        );
+        let by_hand = "# mine\nversion = 1\ntheme = 'dark' # at night\n[view]\nsize = 2\n";
+        std::fs::write(&file, by_hand).unwrap();
+        choose(menu.as_system, false);
+        let kept = by_hand.replace("'dark'", "\"system\"");
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), kept);
+        assert_eq!(start().setup.theme, None);
+        assert_eq!(start().setup.view.size, 2.0);
+        // One that is not understood is not touched, and that is said.
+        std::fs::write(&file, "theme = 3\n").unwrap();
+        let mut editor = start();
+        editor.choose_theme(Some(Theme::Light));
+        let said = editor.message.clone().unwrap();
+        assert!(
+            said.error && said.text.contains("setup.toml"),
+            "{}",
+            said.text
+        );
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), "theme = 3\n");
+        assert_eq!(editor.setup.theme(), Theme::Light);
+    }
 }
 
 /// What is switched off is not seen any more.

@@ -25,6 +25,16 @@ texts! {
         filter: "Filter", "Filter";
         filter_hint: "Files to be shown: * stands for any letters, ? for one",
             "Dateien, die gezeigt werden: * steht für beliebige Zeichen, ? für eines";
+        format: "Format", "Format";
+        as_lines: "Lines", "Zeilen";
+        as_lines_hint: "Ten numbers a line, four decimals (*.txt)",
+            "Zehn Zahlen je Zeile, vier Nachkommastellen (*.txt)";
+        as_csv: "CSV", "CSV";
+        as_csv_hint: "A table for other programs, with frame numbers and all digits (*.csv)",
+            "Eine Tabelle für andere Programme, mit Bildnummern und allen Stellen (*.csv)";
+        as_json: "JSON", "JSON";
+        as_json_hint: "For programs: title, frames per second and all poses, all digits (*.json)",
+            "Für Programme: Titel, Bilder je Sekunde und alle Posen, mit allen Stellen (*.json)";
         hidden: "Hidden files", "Versteckte Dateien";
         hidden_hint: "Show files, too, whose names begin with a full stop",
             "Auch Dateien zeigen, deren Namen mit einem Punkt beginnen";

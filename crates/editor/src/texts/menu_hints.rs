@@ -33,8 +33,8 @@ texts! {
         aim_all: "Every orientation of the path becomes absolute and looks where this one does",
             "Jede Orientierung der Bahn wird absolut und blickt dorthin, wohin diese blickt";
 
-        export: "Compute all camera settings and write them to a file, ten numbers a line",
-            "Alle Kameraeinstellungen berechnen und in eine Datei schreiben, zehn Zahlen je Zeile";
+        export: "Compute all camera settings and write them to a file: lines of ten numbers, CSV or JSON",
+            "Alle Kameraeinstellungen berechnen und in eine Datei schreiben: Zeilen von zehn Zahlen, CSV oder JSON";
         hand_over: "Compute all camera settings and give them to the program that opened this window",
             "Alle Kameraeinstellungen berechnen und dem Programm geben, das dieses Fenster öffnete";
 

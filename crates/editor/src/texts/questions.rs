@@ -10,6 +10,17 @@ texts! {
             "{0} hat Änderungen, die nicht gespeichert sind. Vor dem Schließen speichern?";
         before_load: "{0} has changes that are not saved. Save them before another curve is loaded?",
             "{0} hat Änderungen, die nicht gespeichert sind. Vor dem Laden einer anderen Kurve speichern?";
+        before_restore: "{0} has changes that are not saved. Save them before the work that was found takes its place?",
+            "{0} hat Änderungen, die nicht gespeichert sind. Speichern, bevor die gefundene Arbeit an ihre Stelle tritt?";
+        changed: "The file has changed", "Die Datei hat sich geändert";
+        changed_since: "{0} has been changed by somebody else since it was read or saved here. To overwrite it loses those changes, to reload it loses yours.",
+            "{0} wurde von anderer Seite geändert, seit sie hier gelesen oder gespeichert wurde. Beim Überschreiben gehen jene Änderungen verloren, beim Neuladen die hiesigen.";
+        reload: "Reload", "Neu laden";
+        reload_hint: "Open the file as it is now; the changes made here are lost",
+            "Die Datei öffnen, wie sie jetzt ist; die Änderungen von hier gehen verloren";
+        save_as: "Save as …", "Speichern als …";
+        save_as_hint: "Save under another name; the file stays as it is",
+            "Unter einem anderen Namen speichern; die Datei bleibt, wie sie ist";
         this_path: "This path", "Diese Bahn";
         save: "Save", "Speichern";
         discard: "Discard", "Verwerfen";

@@ -6,8 +6,14 @@ texts! {
     /// Texts about unsaved work that is kept and offered.
     Rescue {
         title: "Unsaved work was found", "Nicht gespeicherte Arbeit gefunden";
-        question: "VIDES ended before this was saved. What is to become of it?",
-            "VIDES wurde beendet, bevor dies gespeichert war. Was soll damit geschehen?";
+        question: "A program ended before this was saved.",
+            "Ein Programm wurde beendet, bevor dies gespeichert war.";
+        restore_hint: "Open this work here, unsaved as it was",
+            "Diese Arbeit hier öffnen, nicht gespeichert, wie sie war";
+        discard_hint: "Delete this work for good", "Diese Arbeit endgültig löschen";
+        picture: "The path", "Die Bahn";
+        unreadable: "This cannot be read", "Das ist nicht lesbar";
+        date: "{0}-{1}-{2}, {3}:{4}", "{2}.{1}.{0}, {3}:{4}";
         restore: "Restore", "Wiederherstellen";
         discard: "Discard", "Verwerfen";
         later: "Later", "Später";

@@ -84,7 +84,7 @@ impl SubWindow for DisplayWindow {
                     ] {
                         let choice = theme::choice(ui, editor.setup.theme == theme, name);
                         if choice.on_hover_text(hint).clicked() {
-                            editor.setup.theme = theme;
+                            editor.choose_theme(theme);
                         }
                     }
                     ui.end_row();
@@ -97,7 +97,7 @@ impl SubWindow for DisplayWindow {
                     ] {
                         let choice = theme::choice(ui, editor.setup.language == language, name);
                         if choice.on_hover_text(texts.language_hint).clicked() {
-                            editor.setup.language = language;
+                            editor.choose_language(language);
                         }
                     }
                     ui.end_row();

@@ -14,6 +14,7 @@ use egui::{
 
 use super::folder::{Folder, MAX_ENTRIES, fits, is_hidden};
 use super::modal;
+use crate::document::export::Format;
 use crate::filing::{Purpose, readable, short};
 use crate::refusals::of_system;
 use crate::state::Editor;
@@ -65,7 +66,7 @@ impl FileWindow {
         let (name, filter) = match purpose {
             Purpose::LoadPath => (String::new(), "*.vid"),
             Purpose::SavePath(_) => (editor.proposal(texts.proposal, "vid"), "*.vid"),
-            Purpose::Export => (editor.proposal(texts.poses, "txt"), "*.txt"),
+            Purpose::Export => (editor.proposal(texts.poses, "txt"), "*.txt *.csv *.json"),
             Purpose::LoadSetup => (String::new(), "*.toml"),
             Purpose::SaveSetup => ("setup.toml".to_owned(), "*.toml"),
         };
@@ -296,6 +297,12 @@ impl FileWindow {
             ui.add_space(8.0);
             theme::tick(ui, &mut self.hidden, texts.hidden).on_hover_text(texts.hidden_hint);
         });
+        if self.purpose == Purpose::Export {
+            ui.horizontal(|ui| {
+                field(ui, texts.format);
+                self.show_formats(editor, ui);
+            });
+        }
         let palette = theme::palette(ui);
         let trouble = self.trouble.as_deref().unwrap_or_default();
         ui.add_sized(
@@ -312,11 +319,44 @@ impl FileWindow {
         done.take |= taken.on_hover_text(texts.take_hint).clicked();
     }
 
+    /// The formats of poses: to choose one gives the name its ending.
+    fn show_formats(&mut self, editor: &Editor, ui: &mut Ui) {
+        let texts = &editor.texts().files;
+        let current = Format::of_file(Path::new(self.name.trim()));
+        for format in Format::ALL {
+            let (name, hint) = match format {
+                Format::Ascii => (texts.as_lines, texts.as_lines_hint),
+                Format::Csv => (texts.as_csv, texts.as_csv_hint),
+                Format::Json => (texts.as_json, texts.as_json_hint),
+            };
+            let choice = theme::choice(ui, format == current, name);
+            if choice.on_hover_text(hint).clicked() && format != current {
+                let stem = self.name.trim().to_owned();
+                let known = Path::new(&stem)
+                    .extension()
+                    .and_then(|ending| ending.to_str())
+                    .filter(|ending| {
+                        let is = |format: Format| ending.eq_ignore_ascii_case(format.ending());
+                        Format::ALL.into_iter().any(is)
+                    });
+                let cut = known.map_or(0, |ending| ending.len() + 1);
+                let stem = &stem[..stem.len() - cut];
+                self.name = format!("{stem}.{}", format.ending());
+                self.chosen = None;
+            }
+        }
+    }
+
     fn show_list(&mut self, editor: &Editor, ui: &mut Ui, done: &mut Done) {
         let texts = &editor.texts().files;
         let palette = theme::palette(ui);
         let rows = self.rows();
-        let room = ui.ctx().content_rect().height() - 320.0;
+        let formats = if self.purpose == Purpose::Export {
+            theme::ROW + ui.spacing().item_spacing.y
+        } else {
+            0.0
+        };
+        let room = ui.ctx().content_rect().height() - 320.0 - formats;
         let height = (ROWS * theme::ROW).min(room).max(4.0 * theme::ROW);
         let current = self.current();
         let frame = egui::Frame::new()
@@ -505,7 +545,7 @@ fn tidy(path: &Path) -> PathBuf {
 /// A name without an ending gets the usual one.
 fn with_ending(path: PathBuf, purpose: Purpose) -> PathBuf {
     let ending = match purpose {
-        Purpose::Export => "txt",
+        Purpose::Export => Format::default().ending(),
         Purpose::LoadSetup | Purpose::SaveSetup => "toml",
         Purpose::LoadPath | Purpose::SavePath(_) => "vid",
     };

@@ -6,6 +6,7 @@
 //! put back if it wants to stay. [`open`] opens one or brings it to the front;
 //! [`sub_window`] gives all of them the same frame and the same ways to close.
 
+mod changed;
 mod colours;
 mod curve;
 mod curve_picture;
@@ -20,6 +21,7 @@ mod rescue;
 mod speed;
 mod speed_shapes;
 
+pub(super) use changed::ChangedFile;
 pub(super) use colours::ColourWindow;
 pub(super) use curve::CurveWindow;
 pub(super) use display::DisplayWindow;
@@ -48,7 +50,9 @@ pub(super) struct Windows {
     pub(super) files: Option<FileWindow>,
     /// A question waits for its answer; nothing else happens meanwhile.
     pub(super) question: Option<Question>,
-    /// Unsaved work was left behind, and a question stands what is to become of it.
+    /// The file has changed, and a question waits for its answer; nothing else happens.
+    pub(super) changed: Option<ChangedFile>,
+    /// Unsaved work was left behind, and is offered.
     pub(super) rescue: Option<RescueWindow>,
 }
 
@@ -100,13 +104,14 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_one::<DisplayWindow>(editor, context);
     show_one::<PointsWindow>(editor, context);
     show_one::<HelpWindow>(editor, context);
+    show_one::<RescueWindow>(editor, context);
     if let Some(window) = editor.windows.files.take() {
         window.show(editor, context);
     }
     if let Some(question) = editor.windows.question.take() {
         question.show(editor, context);
     }
-    if let Some(question) = editor.windows.rescue.take() {
+    if let Some(question) = editor.windows.changed.take() {
         question.show(editor, context);
     }
 }
@@ -121,7 +126,7 @@ impl Windows {
 
     /// Whether one is open that wants an answer first.
     pub(super) fn ask(&self) -> bool {
-        self.files.is_some() || self.question.is_some() || self.rescue.is_some()
+        self.files.is_some() || self.question.is_some() || self.changed.is_some()
     }
 }
 
@@ -143,17 +148,29 @@ pub(super) fn sub_window(
     title: &str,
     add: impl FnOnce(&mut egui::Ui),
 ) -> bool {
-    let mut open = true;
     let place = if is_cramped(context) {
         OVER_PANELS
     } else {
         BESIDE_PANELS
     };
-    let escape = topmost(context) == Some(layer(id)) && keys::take_escape(context);
-    egui::Window::new(title)
-        .id(egui::Id::unique(id))
+    sub_window_as(context, id, title, |window| window.default_pos(place), add)
+}
+
+/// The same, arranged in its own way.
+fn sub_window_as(
+    context: &egui::Context,
+    id: &'static str,
+    title: &str,
+    arrange: impl FnOnce(egui::Window<'_>) -> egui::Window<'_>,
+    add: impl FnOnce(&mut egui::Ui),
+) -> bool {
+    let mut open = true;
+    // A question that stands above it takes the key for itself.
+    let asked = context.memory(|memory| memory.top_modal_layer().is_some());
+    let escape = !asked && topmost(context) == Some(layer(id)) && keys::take_escape(context);
+    let window = egui::Window::new(title).id(egui::Id::unique(id));
+    arrange(window)
         .open(&mut open)
-        .default_pos(place)
         .collapsible(false)
         .auto_sized()
         .show(context, add);

@@ -33,6 +33,7 @@ impl Question {
         let text = match self.then {
             Then::Close => texts.before_close,
             Then::Load | Then::Recent(_) => texts.before_load,
+            Then::Restore(_) => texts.before_restore,
         };
         let name = editor
             .file

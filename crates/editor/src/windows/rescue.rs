@@ -1,25 +1,45 @@
-//! The question what is to become of unsaved work that was left behind.
+//! Unsaved work that was left behind, offered beside the work: nothing waits for an
+//! answer.
 
 use std::time::{Duration, SystemTime};
 
-use egui::{Align, Button, Key, Layout, Modifiers, vec2};
+use egui::{Button, Color32, Pos2, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
 
-use super::modal;
+use super::{SubWindow, Windows, sub_window_as};
+use crate::actions::Action;
 use crate::filing::short;
+use crate::program::Date;
 use crate::recovery::Found;
-use crate::refusals::reason_of;
+use crate::setup::Element;
+use crate::space;
 use crate::state::Editor;
 use crate::texts::{Language, fill};
 use crate::theme;
 
 /// So many are listed; the others come at later starts.
 const LISTED: usize = 6;
+/// So many are seen at once.
+const SEEN: usize = 2;
+/// Width of the window's contents.
+const WIDTH: f32 = 420.0;
+/// Size of a path's picture.
+const PICTURE: Vec2 = vec2(84.0, 64.0);
+const BUTTON: Vec2 = vec2(120.0, 28.0);
+/// Its lower left corner from the window's at first: in the movement window, above
+/// the bar, and right of the panels.
+const CORNER: Vec2 = vec2(272.0, -64.0);
 
-/// What was found, held for this window while the question stands.
+/// What was found, held for this window while it is offered.
 #[derive(Debug)]
 pub(crate) struct RescueWindow {
-    found: Vec<Found>,
-    fresh: bool,
+    offered: Vec<Offered>,
+}
+
+#[derive(Debug)]
+struct Offered {
+    found: Found,
+    /// The edges of the movement space and the curve; none if it is broken.
+    picture: Option<(Vec<[Pos2; 2]>, Vec<Pos2>)>,
 }
 
 #[derive(Clone, Copy)]
@@ -30,87 +50,192 @@ enum Answer {
 }
 
 impl RescueWindow {
-    pub(crate) fn new(mut found: Vec<Found>) -> Self {
+    pub(crate) fn of(mut found: Vec<Found>) -> Self {
         found.truncate(LISTED);
-        Self { found, fresh: true }
+        let offered = found.into_iter().map(|found| Offered {
+            picture: found
+                .document()
+                .ok()
+                .map(|document| space::thumbnail(&document, PICTURE)),
+            found,
+        });
+        Self {
+            offered: offered.collect(),
+        }
     }
 
-    /// Shows it; what was answered is done.
-    pub(super) fn show(mut self, editor: &mut Editor, context: &egui::Context) {
+    /// What is offered under this number.
+    pub(crate) fn found(&mut self, number: usize) -> Option<Found> {
+        let is_there = number < self.offered.len();
+        is_there.then(|| self.offered.remove(number).found)
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.offered.is_empty()
+    }
+
+    fn show_list(&self, editor: &Editor, ui: &mut Ui) -> Option<Answer> {
         let texts = &editor.texts().rescue;
         let mut answer = None;
-        modal(context, "rescue", texts.title, 480.0, |ui| {
-            ui.label(texts.question);
-            ui.add_space(8.0);
-            let now = SystemTime::now();
-            for (index, found) in self.found.iter().enumerate() {
-                ui.horizontal(|ui| {
-                    let name = found
-                        .original
-                        .as_deref()
-                        .map_or_else(|| editor.texts().questions.this_path.to_owned(), short);
-                    let age = now.duration_since(found.written).unwrap_or(Duration::ZERO);
-                    ui.vertical(|ui| {
-                        ui.set_width(220.0);
-                        ui.spacing_mut().item_spacing.y = 0.0;
-                        let label = ui.add(egui::Label::new(name).truncate());
-                        if let Some(original) = &found.original {
-                            label.on_hover_text(original.display().to_string());
-                        }
-                        let weak = theme::palette(ui).weak;
-                        ui.colored_label(weak, age_in_words(editor.language(), age));
-                    });
-                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                        let size = vec2(104.0, 28.0);
-                        if ui.add(Button::new(texts.discard).min_size(size)).clicked() {
-                            answer = Some(Answer::Discard(index));
-                        }
-                        let restore = ui.add(Button::new(texts.restore).min_size(size));
-                        if self.fresh && index == 0 {
-                            restore.request_focus();
-                        }
-                        if restore.clicked() {
-                            answer = Some(Answer::Restore(index));
-                        }
-                    });
+        for (index, offered) in self.offered.iter().enumerate() {
+            ui.horizontal(|ui| {
+                paint(editor, ui, offered);
+                ui.vertical(|ui| {
+                    ui.set_width(ui.available_width() - BUTTON.x - 16.0);
+                    describe(editor, ui, &offered.found);
                 });
-                ui.add_space(4.0);
-            }
-            self.fresh = false;
-            ui.add_space(8.0);
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let later = ui.add(Button::new(texts.later).min_size(vec2(104.0, 28.0)));
-                if later.on_hover_text(texts.later_hint).clicked() {
-                    answer = Some(Answer::Later);
-                }
+                let size = vec2(BUTTON.x, PICTURE.y);
+                let column = egui::Layout::top_down_justified(egui::Align::Center);
+                ui.allocate_ui_with_layout(size, column, |ui| {
+                    let button = |text| Button::new(text).min_size(BUTTON);
+                    let restore = ui.add(button(texts.restore));
+                    if restore.on_hover_text(texts.restore_hint).clicked() {
+                        answer = Some(Answer::Restore(index));
+                    }
+                    let discard = ui.add(button(texts.discard));
+                    if discard.on_hover_text(texts.discard_hint).clicked() {
+                        answer = Some(Answer::Discard(index));
+                    }
+                });
             });
-        });
-        if context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
-            answer = Some(Answer::Later);
         }
+        answer
+    }
+}
+
+impl SubWindow for RescueWindow {
+    const ID: &'static str = "rescue";
+
+    fn slot(windows: &mut Windows) -> &mut Option<Self> {
+        &mut windows.rescue
+    }
+
+    fn new(_: &Editor) -> Self {
+        Self::of(Vec::new())
+    }
+
+    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
+        let texts = &editor.texts().rescue;
+        let mut answer = None;
+        let corner = context.content_rect().left_bottom() + CORNER;
+        let stays = sub_window_as(
+            context,
+            Self::ID,
+            texts.title,
+            // Without a size it begins so wide that it is moved away from its place.
+            |window| {
+                window
+                    .pivot(egui::Align2::LEFT_BOTTOM)
+                    .default_pos(corner)
+                    .default_size([WIDTH, PICTURE.y])
+            },
+            |ui| {
+                ui.set_width(WIDTH);
+                ui.label(texts.question);
+                ui.add_space(4.0);
+                let rows = self.offered.len().min(SEEN) as f32;
+                let height = rows * (PICTURE.y + ui.spacing().item_spacing.y);
+                let list = egui::ScrollArea::vertical().max_height(height);
+                answer = list.show(ui, |ui| self.show_list(editor, ui)).inner;
+                ui.add_space(4.0);
+                ui.horizontal(|ui| {
+                    ui.add_space(ui.available_width() - BUTTON.x);
+                    let later = ui.add(Button::new(texts.later).min_size(BUTTON));
+                    if later.on_hover_text(texts.later_hint).clicked() {
+                        answer = Some(Answer::Later);
+                    }
+                });
+            },
+        );
         match answer {
+            None => stays,
             // What is not answered stays where it is, for the next start.
-            Some(Answer::Later) => return,
+            Some(Answer::Later) => false,
             Some(Answer::Restore(index)) => {
-                let found = self.found.remove(index);
-                match editor.restore(&found) {
-                    Ok(()) => {
-                        found.discard();
-                        return;
-                    }
-                    Err(error) => {
-                        let why = reason_of(editor.language(), &error);
-                        editor.complain(fill(texts.broken, &[&why]));
-                    }
-                }
+                // What is restored is taken out of this window, which must be back then.
+                editor.waiting = Some(Action::Restore(index));
+                context.request_repaint();
+                true
             }
-            Some(Answer::Discard(index)) => self.found.remove(index).discard(),
-            None => {}
-        }
-        if !self.found.is_empty() {
-            editor.windows.rescue = Some(self);
+            Some(Answer::Discard(index)) => {
+                self.offered.remove(index).found.discard();
+                stays && !self.offered.is_empty()
+            }
         }
     }
+}
+
+/// The program, the file and when it was written.
+fn describe(editor: &Editor, ui: &mut Ui, found: &Found) {
+    ui.spacing_mut().item_spacing.y = 2.0;
+    let name = found
+        .original
+        .as_deref()
+        .map_or_else(|| editor.texts().questions.this_path.to_owned(), short);
+    let label = ui.add(egui::Label::new(name).truncate());
+    if let Some(original) = &found.original {
+        label.on_hover_text(original.display().to_string());
+    }
+    let weak = theme::palette(ui).weak;
+    let line = |ui: &mut Ui, text: String| {
+        let text = egui::RichText::new(text).color(weak).font(theme::small());
+        ui.add(egui::Label::new(text).truncate());
+    };
+    if let Some(program) = &found.program {
+        line(ui, program.clone());
+    }
+    let age = SystemTime::now().duration_since(found.written);
+    let age = age_in_words(editor.language(), age.unwrap_or(Duration::ZERO));
+    match (editor.program.local_time)(found.written) {
+        Some(date) => {
+            line(ui, date_in_words(editor.language(), date));
+            line(ui, age);
+        }
+        None => line(ui, age),
+    }
+}
+
+/// The path, small.
+fn paint(editor: &Editor, ui: &mut Ui, offered: &Offered) {
+    let texts = &editor.texts().rescue;
+    let (rect, response) = ui.allocate_exact_size(PICTURE, Sense::hover());
+    let colours = editor.setup.colours();
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(rect, 4.0, colours.of(Element::Background));
+    let name = match &offered.picture {
+        Some((edges, curve)) => {
+            let at = |point: &Pos2| pos2(rect.left() + point.x, rect.top() + point.y);
+            let faint = colours.of(Element::Cube).gamma_multiply(0.5);
+            for [from, to] in edges {
+                painter.line_segment([at(from), at(to)], Stroke::new(1.0, faint));
+            }
+            let line = Stroke::new(1.5, colours.of(Element::Curve));
+            painter.add(Shape::line(curve.iter().map(at).collect(), line));
+            texts.picture
+        }
+        None => {
+            let colour: Color32 = theme::palette(ui).error;
+            let font = theme::text();
+            painter.text(
+                rect.center(),
+                egui::Align2::CENTER_CENTER,
+                "?",
+                font,
+                colour,
+            );
+            texts.unreadable
+        }
+    };
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, name));
+    response.on_hover_text(name);
+}
+
+fn date_in_words(language: Language, date: Date) -> String {
+    let two = |number: i32| format!("{number:02}");
+    let text = language.texts().rescue.date;
+    let (month, day) = (two(date.month), two(date.day));
+    let (hour, minute) = (two(date.hour), two(date.minute));
+    fill(text, &[&date.year, &month, &day, &hour, &minute])
 }
 
 fn age_in_words(language: Language, age: Duration) -> String {

@@ -1,0 +1,420 @@
+//! The comments that a person wrote into a `.vid` file, kept when the path is saved.
+//!
+//! The text is not kept, only its comments, each with the place it stands at: a key, a
+//! table, the end of the file. A document is written as ever, and the comments are put
+//! back where their places are now. So neither the reader nor the writer knows of them,
+//! and a file without any costs one look for a `#`.
+//!
+//! Places follow the points: what stands at a point moves with it, goes when the point is
+//! removed, and comes back when that is undone. For that a removed comment stays in the
+//! list, parked under the number of the removal; so undoing needs no memory.
+
+use std::collections::HashMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::error::{Result, room};
+use crate::limits::MAX_FILE_BYTES;
+
+/// The comments that every file has; `#` stands nowhere else in what is written, but in
+/// texts.
+pub(super) const OURS: [&str; 3] = [
+    "# Frames at speed 50 for a way of length 1, a turn of 180 degrees,",
+    "# a zoom from 1 to 100, a roll of 90 degrees.",
+    "# world = origin + scale * position",
+];
+
+/// What a comment stands at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+struct Place<'a> {
+    table: Table,
+    /// Of a table that is none of a point's.
+    name: &'a str,
+    /// Empty: the table's header.
+    key: &'a str,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Table {
+    /// What stands before all tables.
+    Root,
+    Named,
+    /// Of a point or, if it has a number, of an orientation of that.
+    Point(usize, Option<usize>),
+    /// Behind all there is.
+    End,
+}
+
+#[derive(Debug, Clone)]
+struct Comment {
+    table: Table,
+    name: Arc<str>,
+    key: Arc<str>,
+    /// Whole lines before it; empty ones between them too.
+    before: Arc<str>,
+    /// At the end of its line.
+    behind: Arc<str>,
+    /// The removal by which its place has gone, counted from 1; 0: it is there.
+    parked: u64,
+}
+
+impl Comment {
+    fn place(&self) -> Place<'_> {
+        Place {
+            table: self.table,
+            name: &self.name,
+            key: &self.key,
+        }
+    }
+}
+
+/// The comments of a file, in the order of their places.
+#[derive(Debug, Default)]
+pub(crate) struct Comments {
+    all: Vec<Comment>,
+    /// Removals so far.
+    removals: u64,
+}
+
+impl Comments {
+    /// Those of a text that has been read without an error.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub(crate) fn of(text: &str) -> Result<Self> {
+        let mut comments = Self::default();
+        // Elsewhere than in what we write there is nothing to be kept.
+        let marks = text.bytes().filter(|&byte| byte == b'#').count();
+        let ours = OURS.iter().filter(|line| text.contains(**line)).count();
+        if marks <= ours {
+            return Ok(comments);
+        }
+        // At most so many, none longer than the text in all.
+        room(marks.saturating_mul(2 * size_of::<Comment>() + 128) + 2 * text.len())?;
+        statements(text, |statement| {
+            let before = kept(statement.before) + &kept(&statement.within);
+            let behind = statement.behind;
+            if !before.is_empty() || !behind.is_empty() {
+                let place = statement.place;
+                comments.all.push(Comment {
+                    table: place.table,
+                    name: place.name.into(),
+                    key: place.key.into(),
+                    before: before.into(),
+                    behind: behind.into(),
+                    parked: 0,
+                });
+            }
+        });
+        Ok(comments)
+    }
+
+    /// A copy without what was removed.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub(crate) fn try_clone(&self) -> Result<Self> {
+        let mut copy = Self::default();
+        copy.all.try_reserve_exact(self.all.len())?;
+        let there = self.all.iter().filter(|comment| comment.parked == 0);
+        copy.all.extend(there.cloned());
+        Ok(copy)
+    }
+
+    /// Points were put in here, or put back: those of a removal have their comments again.
+    pub(crate) fn insert_points(&mut self, at: usize, count: usize, removal: u64) {
+        for comment in &mut self.all {
+            if let Table::Point(point, _) = &mut comment.table {
+                if comment.parked == 0 && *point >= at {
+                    *point += count;
+                } else if comment.parked == removal && removal != 0 {
+                    comment.parked = 0;
+                    *point += at;
+                }
+            }
+        }
+    }
+
+    /// Points are taken away; the number of this removal.
+    pub(crate) fn remove_points(&mut self, at: usize, count: usize) -> u64 {
+        self.removals += 1;
+        for comment in self.all.iter_mut().filter(|comment| comment.parked == 0) {
+            if let Table::Point(point, _) = &mut comment.table {
+                if *point >= at + count {
+                    *point -= count;
+                } else if *point >= at {
+                    comment.parked = self.removals;
+                    *point -= at;
+                }
+            }
+        }
+        self.removals
+    }
+
+    /// As [`Comments::insert_points`] for an orientation of a point.
+    pub(crate) fn insert_orientation(&mut self, of: usize, at: usize, removal: u64) {
+        for comment in &mut self.all {
+            if let Table::Point(point, Some(number)) = &mut comment.table {
+                if comment.parked == 0 && *point == of && *number >= at {
+                    *number += 1;
+                } else if comment.parked == removal && removal != 0 {
+                    comment.parked = 0;
+                    (*point, *number) = (of, at);
+                }
+            }
+        }
+    }
+
+    /// As [`Comments::remove_points`] for an orientation of a point.
+    pub(crate) fn remove_orientation(&mut self, of: usize, at: usize) -> u64 {
+        self.removals += 1;
+        for comment in self.all.iter_mut().filter(|comment| comment.parked == 0) {
+            if let Table::Point(point, Some(number)) = &mut comment.table
+                && *point == of
+            {
+                match (*number).cmp(&at) {
+                    std::cmp::Ordering::Less => {}
+                    std::cmp::Ordering::Equal => comment.parked = self.removals,
+                    std::cmp::Ordering::Greater => *number -= 1,
+                }
+            }
+        }
+        self.removals
+    }
+
+    /// The text of a document with the comments at their places.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub(super) fn put_into(&self, text: String) -> Result<String> {
+        let there = || self.all.iter().filter(|comment| comment.parked == 0);
+        let sizes = there().map(|comment| comment.before.len() + comment.behind.len() + 2);
+        let size = sizes.sum::<usize>() + text.len();
+        // What would be too long to be read again is better saved without comments.
+        if there().next().is_none() || size as u64 > MAX_FILE_BYTES {
+            return Ok(text);
+        }
+        // A statement has ten letters at least.
+        room((text.len() / 10 + self.all.len()) * 2 * size_of::<(Place<'_>, Range<usize>)>())?;
+        let mut ranges = Vec::new();
+        let mut places = HashMap::new();
+        statements(&text, |statement| {
+            places.insert(statement.place, ranges.len());
+            ranges.push(statement.text);
+        });
+        // Where its key is not written it goes to the header of its table, and without
+        // that to the end of the file.
+        let home = |comment: &Comment| {
+            let key = match comment.table {
+                Table::Root => "version",
+                _ => "",
+            };
+            let place = comment.place();
+            let own = places.get(&place).map(|&at| (at, true));
+            let head = || places.get(&Place { key, ..place }).map(|&at| (at, false));
+            own.or_else(head).unwrap_or((ranges.len() - 1, false))
+        };
+        let mut homes: Vec<_> = there().map(|comment| (home(comment), comment)).collect();
+        homes.sort_by_key(|((at, _), _)| *at);
+        let mut out = String::new();
+        out.try_reserve_exact(size)?;
+        let mut copied = 0;
+        for here in homes.chunk_by(|((a, _), _), ((b, _), _)| a == b) {
+            let Some(range) = here.first().and_then(|((at, _), _)| ranges.get(*at)) else {
+                continue;
+            };
+            out.push_str(&text[copied..range.start]);
+            for ((_, own), comment) in here {
+                out.push_str(&comment.before);
+                if !own {
+                    push_line(&mut out, &comment.behind);
+                }
+            }
+            out.push_str(&text[range.clone()]);
+            copied = range.end;
+            for ((_, own), comment) in here {
+                if *own && !comment.behind.is_empty() {
+                    out.push(' ');
+                    out.push_str(&comment.behind);
+                }
+            }
+        }
+        out.push_str(&text[copied..]);
+        Ok(out)
+    }
+}
+
+fn push_line(out: &mut String, line: &str) {
+    if !line.is_empty() {
+        out.push_str(line);
+        out.push('\n');
+    }
+}
+
+/// Comment lines that are not ours, as they are written again; empty lines only between
+/// comments and behind them, one at a time.
+fn kept(lines: &str) -> String {
+    let mut kept = String::new();
+    for line in lines.lines().map(str::trim) {
+        let again = line.is_empty() && (kept.is_empty() || kept.ends_with("\n\n"));
+        if !again && !OURS.contains(&line) {
+            kept.push_str(line);
+            kept.push('\n');
+        }
+    }
+    kept
+}
+
+/// A key with its value, a header, or the end of the text.
+struct Statement<'a> {
+    place: Place<'a>,
+    /// From its first letter to its last, at the end of the text nothing.
+    text: Range<usize>,
+    /// Comments and empty lines before it.
+    before: &'a str,
+    /// The comments within its value, a line each.
+    within: String,
+    /// The comment behind it on its line.
+    behind: &'a str,
+}
+
+/// Goes through the statements of a text that is TOML.
+fn statements<'a>(text: &'a str, mut each: impl FnMut(Statement<'a>)) {
+    let bytes = text.as_bytes();
+    let line_end = |from: usize| {
+        let rest = bytes.get(from..).unwrap_or_default();
+        from + rest
+            .iter()
+            .position(|&byte| byte == b'\n')
+            .unwrap_or(rest.len())
+    };
+    let (mut table, mut name) = (Table::Root, "");
+    let mut at = 0;
+    loop {
+        let begin = at;
+        // Comments and empty lines.
+        loop {
+            let rest = &text[at..];
+            let line = rest.trim_start_matches([' ', '\t', '\r']);
+            match line.as_bytes().first() {
+                Some(b'#' | b'\n') => at = (line_end(at) + 1).min(text.len()),
+                // The mark of an encoding, which may stand at the beginning.
+                _ if at == 0 && rest.starts_with('\u{feff}') => at = '\u{feff}'.len_utf8(),
+                _ => break,
+            }
+        }
+        let before = &text[begin..at];
+        let (end, within) = end_of_statement(text, at);
+        let words = text[at..end].trim();
+        let key = if words.is_empty() {
+            (table, name) = (Table::End, "");
+            ""
+        } else if let Some(header) = words.strip_prefix('[') {
+            (table, name) = table_of(header, table);
+            ""
+        } else {
+            let key = words.split('=').next().unwrap_or_default();
+            slot(key.trim().trim_matches(['"', '\'']))
+        };
+        let next = line_end(end);
+        each(Statement {
+            place: Place { table, name, key },
+            text: at..end,
+            before,
+            within,
+            behind: text[end..next].trim(),
+        });
+        if table == Table::End {
+            return;
+        }
+        at = (next + 1).min(text.len());
+    }
+}
+
+/// Keys of which a table has one only stand at the same place.
+fn slot(key: &str) -> &str {
+    match key {
+        "own" => "preset",
+        "offset" => "target",
+        other => other,
+    }
+}
+
+/// The table that a header without its first bracket begins.
+fn table_of(header: &str, last: Table) -> (Table, &str) {
+    let name = header.trim_matches(['[', ']', ' ', '\t']);
+    let table = match (name, last) {
+        ("point", Table::Point(point, _)) => Table::Point(point + 1, None),
+        ("point", _) => Table::Point(0, None),
+        ("point.orientation", Table::Point(point, number)) => {
+            Table::Point(point, Some(number.map_or(0, |number| number + 1)))
+        }
+        _ => return (Table::Named, name),
+    };
+    (table, "")
+}
+
+/// Where the statement that begins at `at` ends, without blanks and comments behind it,
+/// and the comments within its brackets.
+fn end_of_statement(text: &str, mut at: usize) -> (usize, String) {
+    let bytes = text.as_bytes();
+    let (mut end, mut depth, mut within) = (at, 0, String::new());
+    while let Some(&byte) = bytes.get(at) {
+        match byte {
+            b'\n' if depth == 0 => break,
+            b'#' => {
+                let rest = &text[at..];
+                let line = rest.lines().next().unwrap_or(rest);
+                if depth == 0 {
+                    break;
+                }
+                within.push_str(line);
+                within.push('\n');
+                at += line.len();
+                continue;
+            }
+            b'"' | b'\'' => at = end_of_text(bytes, at) - 1,
+            b'[' | b'{' => depth += 1,
+            b']' | b'}' => depth -= 1,
+            _ => {}
+        }
+        at += 1;
+        if !byte.is_ascii_whitespace() {
+            end = at;
+        }
+    }
+    (end, within)
+}
+
+/// Behind the last quote of the text that begins at `at`.
+fn end_of_text(bytes: &[u8], at: usize) -> usize {
+    let quote = bytes[at];
+    let rest = &bytes[at..];
+    let long = rest.starts_with(&[quote; 3]);
+    let mut place = if long { 3 } else { 1 };
+    while let Some(&byte) = rest.get(place) {
+        if byte == b'\\' && quote == b'"' {
+            place += 2;
+            continue;
+        }
+        let over = if long {
+            rest[place..].starts_with(&[quote; 3])
+        } else {
+            byte == quote
+        };
+        if over {
+            place += if long { 3 } else { 1 };
+            // Up to two more quotes before the last three are the text's own.
+            while long && rest.get(place) == Some(&quote) {
+                place += 1;
+            }
+            break;
+        }
+        place += 1;
+    }
+    at + place.min(rest.len())
+}
+
+#[cfg(test)]
+#[path = "comments_tests.rs"]
+mod tests;

@@ -1,0 +1,89 @@
+//! The question before a file is overwritten that has changed since it was read or
+//! written here.
+
+use egui::{Button, Key, Modifiers, vec2};
+
+use super::modal;
+use crate::filing::{Purpose, Then, short};
+use crate::state::Editor;
+use crate::texts::fill;
+
+/// Size of the buttons.
+const BUTTON: egui::Vec2 = vec2(112.0, 28.0);
+
+/// The question, and what was to be done after saving.
+#[derive(Debug)]
+pub(crate) struct ChangedFile {
+    then: Option<Then>,
+    fresh: bool,
+}
+
+/// The answers.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Answer {
+    Reload,
+    SaveAs,
+    Overwrite,
+    Cancel,
+}
+
+impl ChangedFile {
+    pub(crate) fn new(then: Option<Then>) -> Self {
+        Self { then, fresh: true }
+    }
+
+    /// Shows it; what was answered is done.
+    pub(super) fn show(mut self, editor: &mut Editor, context: &egui::Context) {
+        let (texts, files) = (&editor.texts().questions, &editor.texts().files);
+        let Some(file) = editor.file.clone() else {
+            return;
+        };
+        let mut answer = None;
+        modal(context, "changed", texts.changed, 480.0, |ui| {
+            ui.label(fill(texts.changed_since, &[&short(&file)]));
+            ui.add_space(8.0);
+            ui.horizontal(|ui| {
+                let used = 4.0 * BUTTON.x + 3.0 * ui.spacing().item_spacing.x;
+                ui.add_space((ui.available_width() - used).max(0.0));
+                for (text, hint, which) in [
+                    (texts.reload, texts.reload_hint, Answer::Reload),
+                    (texts.save_as, texts.save_as_hint, Answer::SaveAs),
+                    (files.overwrite, files.overwrite_hint, Answer::Overwrite),
+                    (texts.cancel, texts.cancel_hint, Answer::Cancel),
+                ] {
+                    let response = ui.add(Button::new(text).min_size(BUTTON));
+                    let response = response.on_hover_text(hint);
+                    // The one by which nobody loses anything.
+                    if self.fresh && which == Answer::SaveAs {
+                        self.fresh = false;
+                        response.request_focus();
+                    }
+                    if response.clicked() {
+                        answer = Some(which);
+                    }
+                }
+            });
+        });
+        if context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+            answer = Some(Answer::Cancel);
+        }
+        match answer {
+            None => editor.windows.changed = Some(self),
+            Some(Answer::Reload) => {
+                if let Err(text) = editor.load_path(&file) {
+                    editor.complain(text);
+                }
+            }
+            Some(Answer::SaveAs) => editor.choose_file(Purpose::SavePath(self.then)),
+            Some(Answer::Overwrite) => match editor.save_path(&file) {
+                Ok(()) => {
+                    if let Some(then) = self.then {
+                        editor.go_on(then);
+                    }
+                }
+                Err(text) => editor.complain(text),
+            },
+            Some(Answer::Cancel) => {}
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! The ordinary end of the process: `exit`, or the return from `main`. Whoever ends a
+//! program so has had enough of its windows, and their unsaved work is offered to nobody.
+//! Whatever else ends it, a signal, `abort`, `_exit`, leaves that work.
+//!
+//! How it is known: `exit` runs the destructors of its thread's variables, which closes
+//! that thread's windows, then what was registered with `atexit`, and last of all the
+//! functions in `.fini_array`; nothing else runs those (but the end of the thread alone,
+//! which runs the first only). Ours stands there from the beginning, so that nothing need
+//! be registered in the host's process, and a host that crashes while it cleans up still
+//! leaves the work.
+//!
+//! One `exit` is not meant by anybody: Xlib's, when its server goes away or its connection
+//! is killed. It is known by a connection of the process to our server that was hung up.
+
+#![allow(unsafe_code)] // system calls, a function for the system to call
+
+use std::fs;
+use std::mem::{MaybeUninit, size_of};
+use std::os::fd::{AsRawFd, BorrowedFd, RawFd};
+use std::panic::catch_unwind;
+use std::path::PathBuf;
+use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
+use std::time::Duration;
+
+use super::{Id, own_thread};
+
+/// The windows that keep work, of all threads.
+static WINDOWS: Mutex<Vec<Entry>> = Mutex::new(Vec::new());
+
+/// How often and how long the end waits for a thread that looks at the list. It may have
+/// been stopped while it did.
+const TRIES: u32 = 20;
+const PAUSE: Duration = Duration::from_millis(1);
+
+struct Entry {
+    window: Id,
+    /// Whose it is: not a child's.
+    process: u32,
+    thread: usize,
+    /// Its thread has ended, or is about to end with the process.
+    dropped: bool,
+    /// Its unsaved work, if it has some.
+    work: PathBuf,
+    /// The server's end of its connection.
+    server: Address,
+}
+
+fn windows() -> MutexGuard<'static, Vec<Entry>> {
+    WINDOWS.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A window that keeps its unsaved work in this file was opened.
+pub(super) fn opened(window: Id, work: PathBuf, connection: BorrowedFd<'_>) {
+    let entry = Entry {
+        window,
+        process: std::process::id(),
+        thread: own_thread(),
+        dropped: false,
+        work,
+        server: Address::of_peer(connection.as_raw_fd()),
+    };
+    let mut windows = windows();
+    // Without memory for it the work is offered at the next start.
+    if windows.try_reserve(1).is_ok() {
+        windows.push(entry);
+    }
+}
+
+/// A window is gone. What becomes of its work does not depend on how the process ends.
+pub(super) fn closed(window: Id) {
+    windows().retain(|entry| entry.window != window);
+}
+
+/// A window goes with its thread, and perhaps with the process.
+pub(super) fn dropped(window: Id) {
+    let mut windows = windows();
+    if let Some(entry) = windows.iter_mut().find(|entry| entry.window == window) {
+        entry.dropped = true;
+        if entry.server.hung_up_on_us() {
+            windows.retain(|entry| entry.window != window);
+        }
+    }
+}
+
+#[used]
+#[unsafe(link_section = ".fini_array")]
+static AT_END: extern "C" fn() = at_end;
+
+extern "C" fn at_end() {
+    // A host is not to be stopped by a fault of ours at its end.
+    let _ = catch_unwind(forget_all);
+}
+
+/// The process ends as its host wants it to.
+fn forget_all() {
+    let mut tries = 0;
+    let mut windows = loop {
+        match WINDOWS.try_lock() {
+            Ok(windows) => break windows,
+            Err(TryLockError::Poisoned(poisoned)) => break poisoned.into_inner(),
+            Err(TryLockError::WouldBlock) if tries < TRIES => tries += 1,
+            Err(TryLockError::WouldBlock) => return,
+        }
+        std::thread::sleep(PAUSE);
+    };
+    let (process, thread) = (std::process::id(), own_thread());
+    for entry in windows.drain(..) {
+        // A window whose thread has ended before vanished under its user's hand: that
+        // work is offered.
+        let is_ours = entry.process == process && (!entry.dropped || entry.thread == thread);
+        // Of a dropped one that was looked at while it had its connection.
+        if is_ours && (entry.dropped || !entry.server.hung_up_on_us()) {
+            let _ = fs::remove_file(entry.work);
+        }
+    }
+}
+
+/// Where a connection leads to.
+#[derive(Clone, Copy)]
+struct Address {
+    bytes: [u8; size_of::<libc::sockaddr_storage>()],
+    length: usize,
+}
+
+impl Address {
+    /// Of the other end of a connection; nowhere if it has none.
+    fn of_peer(socket: RawFd) -> Self {
+        let mut address = MaybeUninit::<libc::sockaddr_storage>::zeroed();
+        let mut length = size_of::<libc::sockaddr_storage>() as libc::socklen_t;
+        // SAFETY: room for any address, and its size; all of it is bytes, and zero so far.
+        let (done, bytes) = unsafe {
+            let done = libc::getpeername(socket, address.as_mut_ptr().cast(), &mut length);
+            (done, address.as_ptr().cast::<[u8; _]>().read())
+        };
+        Self {
+            bytes,
+            length: if done == 0 { length as usize } else { 0 },
+        }
+    }
+
+    /// Its bytes. A local server listens at a path and, on Linux, at the same name in
+    /// no folder, which begins with a zero.
+    fn name(&self) -> &[u8] {
+        let bytes = &self.bytes[..self.length.min(self.bytes.len())];
+        let family = size_of::<libc::sa_family_t>();
+        let local = bytes.len() > family
+            && self.bytes[..family] == (libc::AF_UNIX as libc::sa_family_t).to_ne_bytes();
+        match bytes.get(family..) {
+            Some([0, name @ ..]) | Some(name) if local => name.strip_suffix(b"\0").unwrap_or(name),
+            _ => bytes,
+        }
+    }
+
+    /// Whether some connection of this process to it was ended by the other side.
+    fn hung_up_on_us(&self) -> bool {
+        let Ok(open) = fs::read_dir("/proc/self/fd") else {
+            return false;
+        };
+        open.flatten()
+            .filter_map(|entry| entry.file_name().to_str()?.parse().ok())
+            .any(|socket| is_hung_up(socket) && self.is_peer_of(socket))
+    }
+
+    fn is_peer_of(&self, socket: RawFd) -> bool {
+        let other = Self::of_peer(socket);
+        other.length > 0 && other.name() == self.name()
+    }
+}
+
+fn is_hung_up(descriptor: RawFd) -> bool {
+    let mut poll = libc::pollfd {
+        fd: descriptor,
+        events: libc::POLLRDHUP,
+        revents: 0,
+    };
+    let ended = libc::POLLHUP | libc::POLLRDHUP | libc::POLLERR;
+    // SAFETY: one element, alive during the call.
+    unsafe { libc::poll(&mut poll, 1, 0) == 1 && poll.revents & ended != 0 }
+}
