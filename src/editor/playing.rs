@@ -358,7 +358,8 @@ fn timeline(editor: &mut Editor, ui: &mut Ui, width: f32) {
 }
 
 fn scrub_by_mouse(editor: &mut Editor, ui: &Ui, response: &egui::Response, rail: Rect) {
-    if !response.is_pointer_button_down_on() {
+    // A click may come with its press and its release in one pass.
+    if !(response.is_pointer_button_down_on() || response.clicked()) {
         return;
     }
     response.request_focus();

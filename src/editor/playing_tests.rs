@@ -143,6 +143,35 @@ fn the_bar_is_used_by_mouse_and_by_keys() {
     assert!(harness.state().playing.is_playing());
 }
 
+/// A click on the bar, press and release in one pass.
+fn click_at_once(harness: &mut Harness<'_, Editor>, pos: Pos2) {
+    harness.event(egui::Event::PointerMoved(pos));
+    for pressed in [true, false] {
+        harness.event(egui::Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        });
+    }
+    harness.step();
+}
+
+#[test]
+fn a_press_and_release_that_come_together_meet_the_bar() {
+    let mut harness = pyramid_window();
+    let last = as_frame(harness.state().playing.marks.frames);
+    let bar = harness.get_by_label("Frame").rect().shrink2(vec2(8.0, 0.0));
+    for step in 0..20_u8 {
+        let share = (f32::from(step) * 7.0 % 20.0 + 0.5) / 20.0;
+        let pos = pos2(bar.left() + bar.width() * share, bar.center().y);
+        click_at_once(&mut harness, pos);
+        let expected = 1.0 + f64::from(share) * (last - 1.0);
+        let at = harness.state().position_on_bar();
+        assert!((at - expected).abs() < 8.0, "{step}: {at}, {expected}");
+    }
+}
+
 #[test]
 fn a_shorter_path_keeps_the_frame_in_range() {
     let mut harness = window(editor(pyramid(), Language::German), vec2(900.0, 600.0), 1.0);

@@ -90,7 +90,10 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 4] {
     let mut menus = vec![
         (plain(Key::F10), texts.first_menu.into()),
         row(texts.arrows, texts.arrows_meaning),
-        (plain(Key::D), texts.d_meaning.into()),
+        (
+            menu::in_menu(language, Key::A, Key::D),
+            texts.d_meaning.into(),
+        ),
     ];
     let opened = menu::letters(language.texts()).map(|(letter, title)| {
         let keys = combination(language, Modifiers::ALT, letter);

@@ -4,7 +4,7 @@ use std::time::{Duration, SystemTime};
 
 use egui::{Align, Button, Key, Layout, Modifiers, vec2};
 
-use super::modal;
+use super::{modal, row_at_right};
 use crate::editor::filing::short;
 use crate::editor::recovery::Found;
 use crate::editor::refusals::reason_of;
@@ -60,17 +60,17 @@ impl RescueWindow {
                         let weak = theme::palette(ui).weak;
                         ui.colored_label(weak, age_in_words(editor.language(), age));
                     });
-                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                        let size = vec2(104.0, 28.0);
-                        if ui.add(Button::new(texts.discard).min_size(size)).clicked() {
-                            answer = Some(Answer::Discard(index));
-                        }
+                    let size = vec2(104.0, 28.0);
+                    row_at_right(ui, &[texts.restore, texts.discard], size.x, |ui| {
                         let restore = ui.add(Button::new(texts.restore).min_size(size));
                         if self.fresh && index == 0 {
                             restore.request_focus();
                         }
                         if restore.clicked() {
                             answer = Some(Answer::Restore(index));
+                        }
+                        if ui.add(Button::new(texts.discard).min_size(size)).clicked() {
+                            answer = Some(Answer::Discard(index));
                         }
                     });
                 });
