@@ -145,15 +145,14 @@ fn the_bar_is_used_by_mouse_and_by_keys() {
 
 /// A click on the bar, press and release in one pass.
 fn click_at_once(harness: &mut Harness<'_, Editor>, pos: Pos2) {
-    harness.event(egui::Event::PointerMoved(pos));
-    for pressed in [true, false] {
-        harness.event(egui::Event::PointerButton {
-            pos,
-            button: PointerButton::Primary,
-            pressed,
-            modifiers: Modifiers::NONE,
-        });
-    }
+    let button = |pressed| egui::Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    let events = [egui::Event::PointerMoved(pos), button(true), button(false)];
+    harness.input_mut().events.extend(events);
     harness.step();
 }
 
