@@ -23,6 +23,7 @@ mod menu;
 mod number;
 mod output;
 mod panels;
+mod playhead;
 mod playing;
 mod recent;
 mod recovery;

@@ -54,6 +54,7 @@ pub(super) struct Number<'a> {
     fixed: bool,
     whole: bool,
     pending: bool,
+    faint: bool,
 }
 
 /// What has been typed so far, and the value that it began with.
@@ -84,6 +85,7 @@ impl<'a> Number<'a> {
             fixed: false,
             whole: false,
             pending: false,
+            faint: false,
         }
     }
 
@@ -133,6 +135,12 @@ impl<'a> Number<'a> {
     /// It is shown only.
     pub(super) fn fixed(mut self) -> Self {
         self.fixed = true;
+        self
+    }
+
+    /// It is a value in between, which nobody has set.
+    pub(super) fn faint(mut self, faint: bool) -> Self {
+        self.faint = faint;
         self
     }
 
@@ -373,7 +381,7 @@ impl<'a> Number<'a> {
             Align2::RIGHT_CENTER,
             words,
             theme::text(),
-            if ui.is_enabled() {
+            if ui.is_enabled() && !self.faint {
                 palette.text
             } else {
                 palette.weak

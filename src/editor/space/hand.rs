@@ -294,6 +294,10 @@ fn press(
         left && held.is_none(),
     );
     editor.message = None;
+    if what.is_some() {
+        // All that can be taken hold of belongs to a key.
+        editor.playing.leave();
+    }
     if let Some(Handle::Point(at)) = what {
         make_current(editor, at);
     }

@@ -72,6 +72,7 @@ pub(super) fn press(editor: &mut Editor, desk: &Desk<'_>, key: Key, modifiers: M
         Key::Minus => resize(&mut editor.setup.view, desk.room, None, 1.0 / WHEEL),
         Key::Num0 | Key::Home => editor.setup.view = View::default(),
         Key::Space => editor.play_or_pause(desk.context),
+        Key::L => editor.switch_loops(desk.context),
         Key::C => editor.setup.camera_view = !editor.setup.camera_view,
         Key::N => step_point(editor, if modifiers.shift { -1 } else { 1 }),
         Key::O => step_orientation(editor, if modifiers.shift { -1 } else { 1 }),

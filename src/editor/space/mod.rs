@@ -83,7 +83,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do here beside what the thesis names: hand, meaning.
-pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 16] {
+pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 17] {
     let texts = &texts.space;
     [
         (texts.shift_mouse, texts.shift_meaning),
@@ -100,6 +100,7 @@ pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 16] {
         (texts.size_keys, texts.size_meaning),
         (texts.next_keys, texts.next_meaning),
         (texts.play_keys, texts.play_meaning),
+        (texts.loop_keys, texts.loop_meaning),
         (texts.camera_keys, texts.camera_meaning),
         (texts.menu_keys, texts.menu_meaning),
     ]

@@ -41,8 +41,24 @@ texts! {
         timeline: "Frame", "Bild";
         timeline_tip: "Drag or use the arrow keys to go through the frames",
             "Ziehen oder Pfeiltasten: durch die Bilder gehen";
-        frame_of: "Frame {0} / {1}", "Bild {0} / {1}";
-        seconds_at: "{0} s · {1} fps", "{0} s · {1} Bilder/s";
+        frame_number: "Number of the frame", "Nummer des Bildes";
+        frame_tip: "Go to a frame: drag, or click and type",
+            "Zu einem Bild gehen: ziehen, oder klicken und tippen";
+        of_frames: "/ {0}", "/ {0}";
+        second: "Seconds", "Sekunden";
+        second_tip: "Go to a time: drag, or click and type",
+            "Zu einem Zeitpunkt gehen: ziehen, oder klicken und tippen";
+        of_seconds: "/ {0} s", "/ {0} s";
+        rate: "Frames per second", "Bilder je Sekunde";
+        rate_tip: "Frames shown in a second: drag, or click and type",
+            "Bilder, die in einer Sekunde zu sehen sind: ziehen, oder klicken und tippen";
+        rate_unit: " fps", " B./s";
+        again: "Loop", "Endlos";
+        again_tip: "Begin anew at the end (L)", "Am Ende von vorn beginnen (L)";
+        pace: "Playing speed", "Abspieltempo";
+        pace_tip: "Half, whole or double speed", "Halbes, ganzes oder doppeltes Tempo";
+        loop_keys: "L", "L";
+        loop_meaning: "Begin anew at the end when playing", "Beim Abspielen am Ende von vorn beginnen";
         too_many_frames: "Too many frames", "Zu viele Bilder";
         camera_view: "Camera view", "Kamerabild";
         camera_view_tip: "Shows what the camera sees (C)", "Zeigt, was die Kamera sieht (C)";

@@ -128,6 +128,7 @@ fn meaning(language: Language, action: Action) -> &'static str {
         Action::Undo => menu.undo,
         Action::Redo => menu.redo,
         Action::AddPoint => menu.add_point,
+        Action::AddHere => texts.position.add_here,
         Action::AskPoints => menu.add_points,
         Action::RemovePoint => menu.remove_point,
         Action::NextPoint => texts.position.next_hint,
