@@ -154,7 +154,14 @@ fn columns(editor: &Editor) -> Vec<Column> {
     let orientation = &shown.orientation;
     let view = orientation.view(shown.position);
     let three = |v: [f64; 3]| v.map(|value| language.number(value, 3)).to_vec();
-    let number = (editor.document.selection().point + 1).to_string();
+    let at = editor.document.selection().point;
+    let number = if shown.has_no_point() {
+        // On the way.
+        let next = (at + 1) % editor.document.path().points.len().max(1);
+        format!("{}–{}", at + 1, next + 1)
+    } else {
+        (at + 1).to_string()
+    };
     vec![
         Column {
             label: texts.point,

@@ -231,6 +231,8 @@ impl Editor {
     /// Goes to a frame; out of range to the nearest one.
     pub(super) fn scrub(&mut self, frame: f64) {
         self.playing.since = None;
+        // The path may have changed since they were shown. Too many frames have none.
+        let _ = self.playing.marks.update(&self.document);
         self.playing.frame = Some(frame.clamp(1.0, as_frame(self.playing.marks.frames)));
         self.select_at_playhead();
     }
