@@ -3,6 +3,7 @@ what the path then is."""
 
 import math
 import random
+import signal
 
 from cases_window import opened
 from harness import check, wait
@@ -11,6 +12,9 @@ from space import first_look
 
 BUTTONS = {1: 0, 2: 1, 3: 2}
 """The coordinate that stays with each button."""
+
+DONE, REST = (0x58, 0xAE, 0xFF), (0x69, 0x73, 0x82)
+"""The play bar's rail before and behind the playhead, in the dark theme."""
 
 
 def moved(host, server, window, start, end, button, point):
@@ -149,4 +153,49 @@ def the_view_turns_and_grows(place):
             server.click(window, width * 0.6, height * 0.5, 4)
         wait(lambda: server.picture(window).differs(before), f"{what}: another picture")
     check(host.path() == path, "looking changed the path")
+    host.leave()
+
+
+def rail_of(picture):
+    """Where the rail of the play bar runs, the lowest one: left, right, middle."""
+    rows = {}
+    for colour in (DONE, REST):
+        for x, y in picture.find(colour, 6):
+            if y > picture.height - 56:
+                rows.setdefault(y, []).append(x)
+    # The borders of fields and buttons are farther to the left, with gaps.
+    runs = {}
+    for y, places in rows.items():
+        places.sort()
+        end = start = places[-1]
+        for x in reversed(places[:-1]):
+            if start - x > 24:  # the playhead lies over it, in a colour of its own
+                break
+            start = x
+        runs[y] = start, end
+    longest = max(end - start for start, end in runs.values())
+    rail = [y for y, (start, end) in runs.items() if end - start > longest - 4]
+    return *runs[rail[0]], (min(rail) + max(rail)) // 2
+
+
+@test()
+def clicks_whose_press_and_release_come_together_meet_the_play_bar(place):
+    """As a host finds them that was busy meanwhile: all of twenty."""
+    server, host, window = opened(place)
+    left, right, row = rail_of(server.drawn(window))
+    check(right - left > 150, f"no rail: {left} to {right}")
+    met = 0
+    for turn in range(20):
+        x = round(left + (right - left) * (0.06 + 0.88 * (turn * 7 % 20) / 19))
+        before = server.drawn(window)
+        host.process.send_signal(signal.SIGSTOP)
+        server.click(window, x, row)
+        host.process.send_signal(signal.SIGCONT)
+        wait(lambda: server.picture(window).differs(before), "the pointer to be seen at least")
+        picture = server.drawn(window)
+        # Before the playhead the rail is done, behind it is not.
+        done, rest = (max(abs(a - b) for a, b in zip(picture.pixel(x + by, row), colour))
+                      for by, colour in ((-14, DONE), (14, REST)))
+        met += done < 12 and rest < 12
+    check(met == 20, f"{met} of 20 clicks moved the playhead")
     host.leave()

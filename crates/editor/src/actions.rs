@@ -33,6 +33,8 @@ pub(super) enum Action {
     AskPoints,
     /// `Pos.++`: insert so many.
     AddPoints(usize),
+    /// A key where the playhead stands.
+    AddHere,
     /// `Pos.-`.
     RemovePoint,
     /// `<< Pos.`
@@ -113,6 +115,9 @@ impl Editor {
             }
             Action::AskPoints => self.complain(self.texts().position.last_point),
             Action::AddPoints(points) => self.add_points(points),
+            Action::AddHere => {
+                self.add_here();
+            }
             Action::RemovePoint => {
                 self.edit(Edit::RemovePoint { at: point });
             }
@@ -254,6 +259,7 @@ impl Editor {
     /// Makes a point current, and one of its orientations.
     pub(super) fn select(&mut self, point: usize, orientation: usize) {
         self.message = None;
+        self.playing.leave();
         // Whoever asks for one that is not there has an old number; what is
         // current stays so.
         let _ = self.document.select(point, orientation);

@@ -15,6 +15,9 @@ const BAR: f32 = 32.0;
 /// Width of the panels, in points.
 const PANELS: f32 = panels::WIDTH + 2.0 * MARGIN;
 
+/// What is higher and wider than this is no control but a part of the window.
+const LARGE: f32 = 160.0;
+
 /// Around the panels, in points.
 const MARGIN: f32 = 12.0;
 
@@ -134,11 +137,18 @@ fn show_focus(context: &Context) {
     let painter = context
         .layer_painter(response.layer_id)
         .with_clip_rect(response.interact_rect.expand(3.0));
+    // Not inside a control: what is chosen has the same colour. What is as large as
+    // the movement window reaches up to its neighbours.
+    let kind = if response.rect.size().min_elem() > LARGE {
+        StrokeKind::Inside
+    } else {
+        StrokeKind::Outside
+    };
+    let rounding = CornerRadius::same(4);
     painter.rect_stroke(
         response.rect,
-        CornerRadius::same(4),
+        rounding,
         Stroke::new(2.0, palette.focus),
-        // Not inside: what is chosen has the same colour.
-        StrokeKind::Outside,
+        kind,
     );
 }

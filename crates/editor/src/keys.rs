@@ -27,6 +27,7 @@ pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (CTRL_SHIFT, Key::Z, Action::Redo),
     (CTRL, Key::Y, Action::Redo),
     (NONE, Key::Insert, Action::AddPoint),
+    (CTRL, Key::K, Action::AddHere),
     (CTRL, Key::I, Action::AskPoints),
     (NONE, Key::Delete, Action::RemovePoint),
     (CTRL, Key::PageDown, Action::NextPoint),

@@ -25,6 +25,7 @@ mod menu;
 mod number;
 mod output;
 mod panels;
+mod playhead;
 mod playing;
 mod program;
 mod recent;

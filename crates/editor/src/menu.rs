@@ -13,7 +13,7 @@ use super::actions::Action;
 use super::keys;
 use super::setup::Theme;
 use super::state::Editor;
-use super::texts::{Texts, fill};
+use super::texts::{Language, Texts, fill};
 use super::theme;
 use crate::limits::MIN_POINTS;
 
@@ -95,6 +95,13 @@ pub(super) fn letters(texts: &Texts) -> [(Key, &'static str); 5] {
         (Key::E, menu.settings),
         (Key::H, menu.help),
     ]
+}
+
+/// The keys of an entry that has a letter of its own in its menu only: the menu's and
+/// then its own.
+pub(super) fn in_menu(language: Language, menu: Key, entry: Key) -> String {
+    let opens = keys::combination(language, Modifiers::ALT, menu);
+    format!("{opens}, {}", entry.name())
 }
 
 fn menus(editor: &Editor) -> [Menu; 5] {
@@ -271,7 +278,7 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
     ui.spacing_mut().item_spacing.y = 0.0;
     let keys = |entry: &Entry| {
         let keys = keys::words(editor.language(), entry.action);
-        let letter = || entry.letter.map(|letter| letter.name().to_owned());
+        let letter = || Some(in_menu(editor.language(), menu.letter, entry.letter?));
         keys.or_else(letter).unwrap_or_default()
     };
     let width = |text: &str| {

@@ -54,6 +54,7 @@ pub(super) struct Number<'a> {
     fixed: bool,
     whole: bool,
     pending: bool,
+    faint: bool,
 }
 
 /// What has been typed so far, and the value that it began with.
@@ -84,6 +85,7 @@ impl<'a> Number<'a> {
             fixed: false,
             whole: false,
             pending: false,
+            faint: false,
         }
     }
 
@@ -136,6 +138,12 @@ impl<'a> Number<'a> {
         self
     }
 
+    /// It is a value in between, which nobody has set.
+    pub(super) fn faint(mut self, faint: bool) -> Self {
+        self.faint = faint;
+        self
+    }
+
     /// Only whole numbers will do.
     pub(super) fn whole(mut self) -> Self {
         self.whole = true;
@@ -184,9 +192,9 @@ impl<'a> Number<'a> {
     /// A field that cannot be changed.
     fn show_still(&self, ui: &mut Ui, language: Language, id: Id, rect: Rect) {
         let response = ui.interact(rect, id, Sense::hover());
-        self.paint(ui, language, rect, false);
+        let shortened = self.paint(ui, language, rect, false);
         self.describe(ui, language, &response);
-        self.tell(response);
+        self.tell(response, language, shortened);
     }
 
     fn show_dragging(
@@ -198,7 +206,8 @@ impl<'a> Number<'a> {
         value: f64,
     ) -> Entry {
         let response = ui.interact(rect, id, Sense::click_and_drag());
-        self.paint(ui, language, rect, response.hovered() || response.dragged());
+        let lively = response.hovered() || response.dragged();
+        let shortened = self.paint(ui, language, rect, lively);
         self.describe(ui, language, &response);
         let exact = id.with("exact");
         let mut entry = Entry::Idle;
@@ -227,10 +236,10 @@ impl<'a> Number<'a> {
                 entry = Entry::Drag(self.rounded(now));
             }
         }
-        if response.hovered() || response.dragged() {
+        if lively {
             ui.set_cursor_icon(CursorIcon::ResizeHorizontal);
         }
-        self.tell(response);
+        self.tell(response, language, shortened);
         entry
     }
 
@@ -339,7 +348,8 @@ impl<'a> Number<'a> {
         if rounded.is_finite() { rounded } else { value }
     }
 
-    fn paint(&self, ui: &Ui, language: Language, rect: Rect, hovered: bool) {
+    /// Whether the value is shorter than it would like to be.
+    fn paint(&self, ui: &Ui, language: Language, rect: Rect, hovered: bool) -> bool {
         let palette = theme::palette(ui);
         let fixed = self.fixed || self.value.is_none() || !ui.is_enabled();
         let border = match (fixed, hovered) {
@@ -356,24 +366,52 @@ impl<'a> Number<'a> {
             StrokeKind::Inside,
         );
         let inner = rect.shrink2(vec2(6.0, 0.0));
-        painter.text(
+        let label = painter.text(
             inner.left_center(),
             Align2::LEFT_CENTER,
             self.label,
             theme::text(),
             palette.weak,
         );
+        let gap = if self.label.is_empty() { 0.0 } else { 4.0 };
+        let words = self.fitting(ui, language, inner.right() - label.right() - gap);
+        let shortened = words != self.shown(language);
         painter.text(
             inner.right_center(),
             Align2::RIGHT_CENTER,
-            self.shown(language),
+            words,
             theme::text(),
-            if ui.is_enabled() {
+            if ui.is_enabled() && !self.faint {
                 palette.text
             } else {
                 palette.weak
             },
         );
+        shortened
+    }
+
+    /// The value so that it is no wider than this: with fewer decimals, if need be as a
+    /// power of ten.
+    fn fitting(&self, ui: &Ui, language: Language, width: f32) -> String {
+        let whole = self.shown(language);
+        let Some(value) = self.value else {
+            return whole;
+        };
+        let fits = |text: &String| {
+            let color = egui::Color32::PLACEHOLDER;
+            let galley = ui
+                .painter()
+                .layout_no_wrap(text.clone(), theme::text(), color);
+            galley.size().x <= width
+        };
+        let decimals = (0..=self.decimals).rev();
+        let powers = (0..self.decimals.max(3)).rev();
+        decimals
+            .map(|decimals| language.number(value, decimals))
+            .chain(powers.map(|digits| language.power(value, digits)))
+            .map(|number| format!("{number}{}", self.unit))
+            .find(fits)
+            .unwrap_or(whole)
     }
 
     fn describe(&self, ui: &Ui, language: Language, response: &egui::Response) {
@@ -384,9 +422,17 @@ impl<'a> Number<'a> {
         });
     }
 
-    fn tell(&self, response: egui::Response) {
+    /// The tooltip, with the whole value where there is no room for it.
+    fn tell(&self, response: egui::Response, language: Language, shortened: bool) {
+        let mut words = Vec::new();
+        if shortened {
+            words.push(format!("{} {}", self.name, self.shown(language)));
+        }
         if !self.hint.is_empty() {
-            response.on_hover_text(self.hint);
+            words.push(self.hint.to_owned());
+        }
+        if !words.is_empty() {
+            response.on_hover_text(words.join("\n"));
         }
     }
 }

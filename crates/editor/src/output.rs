@@ -148,12 +148,20 @@ fn text_width(ui: &Ui, text: &str, font: FontId) -> f32 {
 fn columns(editor: &Editor) -> Vec<Column> {
     let texts = &editor.texts().output;
     let language = editor.language();
-    let (Some(point), Some(orientation)) = (editor.point(), editor.orientation()) else {
+    let Some(shown) = editor.shown() else {
         return Vec::new();
     };
-    let view = orientation.view(point.position);
+    let orientation = &shown.orientation;
+    let view = orientation.view(shown.position);
     let three = |v: [f64; 3]| v.map(|value| language.number(value, 3)).to_vec();
-    let number = (editor.document.selection().point + 1).to_string();
+    let at = editor.document.selection().point;
+    let number = if shown.has_no_point() {
+        // On the way.
+        let next = (at + 1) % editor.document.path().points.len().max(1);
+        format!("{}–{}", at + 1, next + 1)
+    } else {
+        (at + 1).to_string()
+    };
     vec![
         Column {
             label: texts.point,
@@ -162,7 +170,7 @@ fn columns(editor: &Editor) -> Vec<Column> {
         },
         Column {
             label: texts.position,
-            values: three(point.position.to_array()),
+            values: three(shown.position.to_array()),
             widest: "−0.000",
         },
         Column {

@@ -4,17 +4,19 @@
 //! While it plays the window asks for the next frame when that is due; at rest
 //! it asks for nothing.
 
+mod fields;
+
 use std::time::Duration;
 
 use egui::{
-    Align2, Context, CornerRadius, CursorIcon, EventFilter, FontId, Key, Modifiers, Painter, Pos2,
-    Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Context, CornerRadius, CursorIcon, EventFilter, FontId, Key, Modifiers, Painter, Pos2, Rect,
+    Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
+use self::fields::Pace;
 use super::setup::Element;
 use super::space::Camera;
 use super::state::Editor;
-use super::texts::fill;
 use super::theme;
 use crate::document::{Document, Selection};
 use crate::error::Result;
@@ -25,6 +27,9 @@ const HEIGHT: f32 = 56.0;
 
 /// Width of a button.
 const BUTTON: f32 = 32.0;
+
+/// A press so near to a mark, in points, means the mark.
+const SNAP: f64 = 6.0;
 
 /// So often, in seconds, the marks move along with something that is dragged in the
 /// space: every one does with the first section's frames.
@@ -37,6 +42,11 @@ pub(super) struct Playing {
     frame: Option<f64>,
     /// It plays: since when (in egui's time), from which frame.
     since: Option<(f64, f64)>,
+    /// It begins anew at the end.
+    loops: bool,
+    pace: Pace,
+    /// The frame before a number of the bar is dragged.
+    before: Option<f64>,
     /// What was current in the last pass.
     selection: Selection,
     marks: Marks,
@@ -55,10 +65,24 @@ struct Marks {
 
 /// An orientation and its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Mark {
-    point: usize,
-    orientation: usize,
+pub(super) struct Mark {
+    pub(super) point: usize,
+    pub(super) orientation: usize,
     frame: usize,
+    /// For so many frames more the camera rests there.
+    hold: usize,
+}
+
+impl Mark {
+    /// The frame in which the key is reached.
+    pub(super) fn first(self) -> f64 {
+        as_frame(self.frame)
+    }
+
+    /// The last frame that shows it.
+    pub(super) fn last(self) -> f64 {
+        as_frame(self.frame + self.hold)
+    }
 }
 
 impl Marks {
@@ -79,22 +103,29 @@ impl Marks {
                 let section = timeline.section(index);
                 let (point, orientation) = (section.point, section.orientation);
                 keys.try_reserve(2)?;
+                let hold = if section.change == Change::Nothing {
+                    0
+                } else {
+                    path.points[point].orientations[orientation].hold as usize
+                };
                 keys.push(Mark {
                     point,
                     orientation,
                     frame,
+                    hold,
                 });
                 if section.change != Change::Nothing {
-                    let hold = path.points[point].orientations[orientation].hold;
-                    frame += hold as usize + section.frames;
+                    frame += hold + section.frames;
                 }
             }
             if let Some(point) = path.points.len().checked_sub(1).filter(|_| !path.closed) {
                 let orientation = path.points[point].orientations.len().saturating_sub(1);
+                let hold = usize::MAX - frame;
                 keys.push(Mark {
                     point,
                     orientation,
                     frame,
+                    hold,
                 });
             }
             timeline.frame_count()
@@ -102,12 +133,10 @@ impl Marks {
         Ok(())
     }
 
-    /// The frame at which an orientation is reached.
-    fn frame_of(&self, selection: Selection) -> Option<usize> {
-        self.keys
-            .iter()
-            .find(|mark| (mark.point, mark.orientation) == (selection.point, selection.orientation))
-            .map(|mark| mark.frame)
+    /// That of an orientation.
+    fn of(&self, selection: Selection) -> Option<Mark> {
+        let mut keys = self.keys.iter().copied();
+        keys.find(|mark| Selection::at(mark.point, mark.orientation) == selection)
     }
 }
 
@@ -115,6 +144,36 @@ impl Playing {
     /// Whether it plays.
     pub(super) fn is_playing(&self) -> bool {
         self.since.is_some()
+    }
+
+    /// The frame that is shown; none: the current key.
+    pub(super) fn frame(&self) -> Option<f64> {
+        self.frame
+    }
+
+    /// The key from which the camera comes to a frame, or which it shows.
+    pub(super) fn mark_before(&self, frame: f64) -> Option<Mark> {
+        let keys = &self.marks.keys;
+        let behind = keys.partition_point(|mark| mark.first() <= frame);
+        keys.get(behind.checked_sub(1)?).copied()
+    }
+
+    /// The mark of a key.
+    pub(super) fn mark_of(&self, selection: Selection) -> Option<Mark> {
+        self.marks.of(selection)
+    }
+
+    /// The playhead has selected a key: stands at it, or beside it.
+    pub(super) fn selected(&mut self, selection: Selection, at_it: bool) {
+        self.selection = selection;
+        if at_it {
+            self.frame = None;
+        }
+    }
+
+    /// The playhead goes to the current key, and stays there.
+    pub(super) fn leave(&mut self) {
+        (self.frame, self.since) = (None, None);
     }
 }
 
@@ -140,6 +199,7 @@ impl Editor {
     /// Begins to play, or stops; at the end it begins anew.
     pub(super) fn play_or_pause(&mut self, context: &Context) {
         if self.playing.since.take().is_some() {
+            self.select_at_playhead();
             return;
         }
         let last = as_frame(self.playing.marks.frames);
@@ -149,21 +209,38 @@ impl Editor {
         self.playing.since = Some((context.input(|input| input.time), from));
     }
 
+    /// Plays faster or slower, from the frame that is shown on.
+    fn set_pace(&mut self, pace: Pace, context: &Context) {
+        self.go_on_from_here(context);
+        self.playing.pace = pace;
+    }
+
+    /// At the end it begins anew, or does so no more.
+    pub(super) fn switch_loops(&mut self, context: &Context) {
+        self.go_on_from_here(context);
+        self.playing.loops = !self.playing.loops;
+    }
+
+    /// What was played up to now counts no more.
+    fn go_on_from_here(&mut self, context: &Context) {
+        let (now, at) = (context.input(|input| input.time), self.position_on_bar());
+        let playing = &mut self.playing;
+        playing.since = playing.since.map(|_| (now, at));
+    }
+
     /// Goes to a frame; out of range to the nearest one.
     pub(super) fn scrub(&mut self, frame: f64) {
         self.playing.since = None;
+        // The path may have changed since they were shown. Too many frames have none.
+        let _ = self.playing.marks.update(&self.document);
         self.playing.frame = Some(frame.clamp(1.0, as_frame(self.playing.marks.frames)));
+        self.select_at_playhead();
     }
 
     /// The frame at which the bar's handle stands.
-    fn position_on_bar(&self) -> f64 {
+    pub(super) fn position_on_bar(&self) -> f64 {
         let playing = &self.playing;
-        let current = || {
-            playing
-                .marks
-                .frame_of(self.document.selection())
-                .map(as_frame)
-        };
+        let current = || Some(playing.marks.of(self.document.selection())?.first());
         playing.frame.or_else(current).unwrap_or(1.0)
     }
 
@@ -193,15 +270,26 @@ impl Editor {
         }
         let last = as_frame(playing.marks.frames);
         playing.frame = playing.frame.map(|frame| frame.clamp(1.0, last.max(1.0)));
+        if context.text_edit_focused() && playing.since.take().is_some() {
+            // What is typed must stay what it is typed for.
+            self.select_at_playhead();
+        }
+        let playing = &mut self.playing;
         let Some((start, from)) = playing.since else {
             return;
         };
-        let fps = self.document.info().fps;
-        let gone = (now - start).max(0.0) * fps;
+        let fps = self.document.info().fps * playing.pace.factor();
+        let mut gone = (now - start).max(0.0) * fps;
+        let loops = playing.loops && last > 1.0;
+        if loops {
+            // The last frame is seen as long as the others.
+            gone = (from - 1.0 + gone).rem_euclid(last) - (from - 1.0);
+        }
         let frame = (from + gone).floor().min(last);
         playing.frame = Some(frame);
-        if frame >= last {
+        if frame >= last && !loops {
             playing.since = None;
+            self.select_at_playhead();
         } else {
             // To when the next whole frame is due.
             let wait = (frame + 1.0 - from - gone) / fps;
@@ -235,7 +323,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
             ui.horizontal_centered(|ui| {
                 ui.spacing_mut().item_spacing.x = 12.0;
                 play_button(editor, ui);
-                readout(editor, ui);
+                fields::show(editor, ui);
                 let width = ui.available_width() - BUTTON - 12.0;
                 timeline(editor, ui, width.max(60.0));
                 camera_button(editor, ui);
@@ -299,42 +387,6 @@ fn camera_button(editor: &mut Editor, ui: &mut Ui) {
     }
 }
 
-/// Frame, all frames, seconds.
-fn readout(editor: &Editor, ui: &mut Ui) {
-    let texts = &editor.texts().space;
-    let info = editor.document.info();
-    let count = editor.playing.marks.frames;
-    let at = editor.position_on_bar().round();
-    let seconds = (at - 1.0) / info.fps;
-    let first = f64::from(info.first_frame) - 1.0;
-    let number = |value: f64, decimals| editor.language().number(value, decimals);
-    let lines = if count == 0 {
-        [texts.too_many_frames.to_owned(), String::new()]
-    } else {
-        let values = [number(first + at, 0), number(first + as_frame(count), 0)];
-        let rates = [number(seconds, 2), number(info.fps, 0)];
-        [
-            fill(texts.frame_of, &[&values[0], &values[1]]),
-            fill(texts.seconds_at, &[&rates[0], &rates[1]]),
-        ]
-    };
-    let palette = theme::palette(ui);
-    let (rect, response) = ui.allocate_exact_size(vec2(136.0, 36.0), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, lines.join(", ")));
-    let painter = ui.painter();
-    let font = theme::text();
-    let [above, below] = [-8.5, 8.5].map(|y| pos2(rect.left(), rect.center().y + y));
-    let [frames, times] = lines;
-    painter.text(
-        above,
-        Align2::LEFT_CENTER,
-        frames,
-        font.clone(),
-        palette.text,
-    );
-    painter.text(below, Align2::LEFT_CENTER, times, font, palette.weak);
-}
-
 /// The scale of frames with its handle.
 fn timeline(editor: &mut Editor, ui: &mut Ui, width: f32) {
     let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click_and_drag());
@@ -358,14 +410,23 @@ fn timeline(editor: &mut Editor, ui: &mut Ui, width: f32) {
 }
 
 fn scrub_by_mouse(editor: &mut Editor, ui: &Ui, response: &egui::Response, rail: Rect) {
-    if !response.is_pointer_button_down_on() {
+    // A click may come with its press and its release in one pass.
+    if !(response.is_pointer_button_down_on() || response.clicked()) {
         return;
     }
     response.request_focus();
     if let Some(pointer) = response.interact_pointer_pos() {
         let share = f64::from((pointer.x - rail.left()) / rail.width().max(1.0));
         let last = as_frame(editor.playing.marks.frames);
-        editor.scrub((1.0 + share * (last - 1.0)).round());
+        let frame = (1.0 + share * (last - 1.0)).round();
+        let pressed = ui.input(|input| input.pointer.any_pressed()) || response.clicked();
+        let reach = if pressed { SNAP } else { 1.0 };
+        let span = f64::from(rail.width()) / (last - 1.0).max(1.0);
+        let away = |mark: &Mark| (mark.first() - frame).abs() * span;
+        let marks = editor.playing.marks.keys.iter();
+        let nearest = marks.min_by(|a, b| away(a).total_cmp(&away(b)));
+        let snapped = nearest.filter(|mark| away(mark) <= reach);
+        editor.scrub(snapped.map_or(frame, |mark| mark.first()));
         ui.ctx().request_repaint();
     }
 }

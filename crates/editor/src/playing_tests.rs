@@ -85,7 +85,7 @@ fn it_stops_at_the_end_and_begins_anew() {
     for _ in 0..30 {
         harness.step();
     }
-    assert_eq!(harness.state().playing.frame, Some(as_frame(last)));
+    assert_eq!(harness.state().position_on_bar(), as_frame(last));
     assert!(!harness.state().playing.is_playing());
     assert_eq!(wait(&harness), Duration::MAX);
     harness.get_by_label("Play").click();
@@ -131,16 +131,44 @@ fn the_bar_is_used_by_mouse_and_by_keys() {
     harness.drop_at(pos2(bar.right() + 50.0, bar.center().y));
     harness.run();
     tap(&mut harness, Key::Home, Modifiers::NONE);
-    assert_eq!(harness.state().playing.frame, Some(1.0));
+    assert_eq!(harness.state().position_on_bar(), 1.0);
     tap(&mut harness, Key::ArrowRight, Modifiers::NONE);
     tap(&mut harness, Key::ArrowRight, Modifiers::SHIFT);
-    assert_eq!(harness.state().playing.frame, Some(12.0));
+    assert_eq!(harness.state().position_on_bar(), 12.0);
     tap(&mut harness, Key::End, Modifiers::NONE);
-    assert_eq!(harness.state().playing.frame, Some(last));
+    assert_eq!(harness.state().position_on_bar(), last);
     tap(&mut harness, Key::ArrowRight, Modifiers::NONE);
-    assert_eq!(harness.state().playing.frame, Some(last));
+    assert_eq!(harness.state().position_on_bar(), last);
     tap(&mut harness, Key::Space, Modifiers::NONE);
     assert!(harness.state().playing.is_playing());
+}
+
+/// A click on the bar, press and release in one pass.
+fn click_at_once(harness: &mut Harness<'_, Editor>, pos: Pos2) {
+    let button = |pressed| egui::Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    let events = [egui::Event::PointerMoved(pos), button(true), button(false)];
+    harness.input_mut().events.extend(events);
+    harness.step();
+}
+
+#[test]
+fn a_press_and_release_that_come_together_meet_the_bar() {
+    let mut harness = pyramid_window();
+    let last = as_frame(harness.state().playing.marks.frames);
+    let bar = harness.get_by_label("Frame").rect().shrink2(vec2(8.0, 0.0));
+    for step in 0..20_u8 {
+        let share = (f32::from(step) * 7.0 % 20.0 + 0.5) / 20.0;
+        let pos = pos2(bar.left() + bar.width() * share, bar.center().y);
+        click_at_once(&mut harness, pos);
+        let expected = 1.0 + f64::from(share) * (last - 1.0);
+        let at = harness.state().position_on_bar();
+        assert!((at - expected).abs() < 8.0, "{step}: {at}, {expected}");
+    }
 }
 
 #[test]
@@ -198,4 +226,126 @@ fn the_marks_follow_what_is_dragged() {
     harness.run();
     assert_eq!(marks(&harness), right(&harness));
     assert_eq!(wait(&harness), Duration::MAX);
+}
+
+/// Types into a number of the bar.
+fn type_into(harness: &mut Harness<'_, Editor>, name: &str, text: &str) {
+    harness.get_by_label(name).click();
+    harness.run();
+    harness.event(egui::Event::Text(text.to_owned()));
+    harness.run();
+    tap(harness, Key::Enter, Modifiers::NONE);
+    harness.run();
+}
+
+#[test]
+fn frame_and_second_are_typed_and_move_the_playhead() {
+    for language in [Language::English, Language::German] {
+        let mut document = pyramid();
+        let info = crate::document::Info {
+            first_frame: 1001,
+            fps: 24.0,
+            ..document.info().clone()
+        };
+        let edit = crate::document::Edit::SetInfo(Box::new(info));
+        document.apply(edit).unwrap();
+        let before = document.to_toml().unwrap();
+        let mut harness = window(editor(document, language), vec2(1200.0, 800.0), 1.0);
+        let texts = &language.texts().space;
+        let shown =
+            |harness: &Harness<'_, Editor>, name: &str| harness.get_by_label(name).value().unwrap();
+        type_into(&mut harness, texts.frame_number, "1121");
+        assert_eq!(harness.state().position_on_bar(), 121.0);
+        assert_eq!(harness.state().shown_frame(), Some(1121));
+        assert_eq!(
+            shown(&harness, texts.second),
+            format!("{} s", language.number(5.0, 2))
+        );
+        type_into(&mut harness, texts.second, "7,5");
+        assert_eq!(harness.state().position_on_bar(), 181.0);
+        assert_eq!(shown(&harness, texts.frame_number), "1181");
+        // Out of range it stays, and is told.
+        type_into(&mut harness, texts.frame_number, "1000");
+        assert_eq!(harness.state().position_on_bar(), 181.0);
+        assert!(harness.state().message.as_ref().unwrap().error);
+        // Looking changes nothing.
+        assert_eq!(harness.state().document.to_toml().unwrap(), before);
+        // The rate does: the same frames in another time.
+        type_into(&mut harness, texts.rate, "30");
+        assert_eq!(harness.state().document.info().fps, 30.0);
+        assert_eq!(
+            shown(&harness, texts.second),
+            format!("{} s", language.number(6.0, 2))
+        );
+        assert!(harness.state_mut().document.undo());
+        assert_eq!(harness.state().document.to_toml().unwrap(), before);
+    }
+}
+
+#[test]
+fn a_number_of_the_bar_is_dragged_and_escape_takes_it_back() {
+    let mut harness = pyramid_window();
+    harness.state_mut().scrub(100.0);
+    harness.run();
+    let at = harness.get_by_label("Number of the frame").rect().center();
+    press(&mut harness, at, PointerButton::Primary);
+    for step in 1..=20_u8 {
+        motion(&mut harness, at + vec2(f32::from(step) * 2.0, 0.0));
+    }
+    let dragged = harness.state().position_on_bar();
+    assert!((120.0..=140.0).contains(&dragged), "{dragged}");
+    tap(&mut harness, Key::Escape, Modifiers::NONE);
+    assert_eq!(harness.state().position_on_bar(), 100.0);
+    release(&mut harness, at, PointerButton::Primary);
+    assert_eq!(harness.state().position_on_bar(), 100.0);
+}
+
+#[test]
+fn it_plays_in_a_loop_at_half_and_double_speed() {
+    let mut harness = pyramid_window();
+    let last = as_frame(harness.state().playing.marks.frames);
+    let gone = |harness: &mut Harness<'_, Editor>, from: f64| {
+        harness.state_mut().scrub(from);
+        harness.get_by_label("Play").click();
+        harness.step();
+        harness.step();
+        let first = harness.state().position_on_bar();
+        for _ in 0..60 {
+            harness.step();
+        }
+        harness.state().position_on_bar() - first
+    };
+    for (click, expected) in [(0, 25.0), (1, 50.0), (1, 12.5)] {
+        for _ in 0..click {
+            harness.get_by_label("Playing speed").click();
+            harness.run();
+        }
+        let seen = gone(&mut harness, 50.0);
+        assert!((seen - expected).abs() <= 1.5, "{seen}, {expected}");
+        // Another speed while it plays goes on from here.
+        let at = harness.state().position_on_bar();
+        let (pace, context) = (harness.state().playing.pace, harness.ctx.clone());
+        harness.state_mut().set_pace(pace, &context);
+        harness.step();
+        assert!((harness.state().position_on_bar() - at).abs() <= 1.0);
+        harness.get_by_label("Pause").click();
+        harness.run();
+    }
+    harness.get_by_label("Playing speed").click();
+    harness.get_by_label("Loop").click();
+    harness.run();
+    let seen = gone(&mut harness, last - 10.0);
+    assert!((seen - 25.0 + last).abs() <= 1.5, "{seen}");
+    assert!(harness.state().playing.is_playing());
+    // In the second round it goes on to the end then.
+    harness.get_by_label("Loop").click();
+    harness.step();
+    harness.step();
+    assert!(harness.state().playing.is_playing());
+    harness.get_by_label("Pause").click();
+    harness.run();
+    assert_eq!(wait(&harness), Duration::MAX);
+    // By the keyboard, too.
+    tap(&mut harness, Key::L, Modifiers::NONE);
+    assert!(harness.state().playing.loops);
 }

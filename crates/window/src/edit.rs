@@ -10,7 +10,7 @@ use crate::document::Document;
 use crate::editor::{self, Folders};
 use crate::error::{Error, Result};
 use crate::path::Sampler;
-use crate::{Gone, Host, Id, Options, document_of, main_loop, open};
+use crate::{Gone, Host, Id, Options, document_of, main_loop, open, own_program};
 
 /// Opens the editor in a window of its own and returns when it is closed. What
 /// is saved goes to `file`; one that does not exist yet is a new path of that
@@ -33,7 +33,7 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
             hand_over: false,
             fixed_speeds: false,
             folders: Folders::of_environment(),
-            program: instance::own_program(),
+            program: own_program(),
         },
         display: None,
         application: None,

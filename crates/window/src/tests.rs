@@ -17,7 +17,7 @@ use super::screen::Screen;
 use super::window::Window;
 use super::{Gone, Host, Id, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
 use crate::document::Document;
-use crate::editor::{Editor, Folders, Language, Options, Program};
+use crate::editor::{Editor, Folders, Language, Options};
 use crate::error::{Error, Result};
 use crate::path::Sampler;
 use crate::raster::{Area, Target};
@@ -251,7 +251,7 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         hand_over: true,
         fixed_speeds: true,
         folders: Folders::default(),
-        program: Program::of_tests("tests"),
+        program: crate::host_program(false),
     })
     .expect("an editor");
     let screen = Fake {

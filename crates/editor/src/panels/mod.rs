@@ -61,20 +61,27 @@ fn heading_with_room(ui: &mut Ui, text: &str, remark: &str, room: f32) -> Respon
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
     let (left, right) = (rect.left_center(), rect.right_center() - vec2(room, 0.0));
     let painter = ui.painter();
-    painter.text(
+    let title = painter.text(
         left,
         egui::Align2::LEFT_CENTER,
         text,
         theme::heading(),
         palette.text,
     );
-    painter.text(
-        right,
-        egui::Align2::RIGHT_CENTER,
-        remark,
-        theme::text(),
-        palette.weak,
-    );
+    // Where there is no room for all of the remark, its first parts will do.
+    let mut shown = remark;
+    let laid_out = |words: &str| {
+        let galley = painter.layout_no_wrap(words.to_owned(), theme::text(), palette.weak);
+        (galley.size().x <= right.x - title.right() - APART, galley)
+    };
+    let mut galley = laid_out(shown);
+    while let (false, Some((first, _))) = (galley.0, shown.rsplit_once(" · ")) {
+        shown = first;
+        galley = laid_out(shown);
+    }
+    let (_, galley) = galley;
+    let at = egui::Align2::RIGHT_CENTER.anchor_size(right, galley.size());
+    painter.galley(at.min, galley, palette.weak);
     response.widget_info(|| {
         let words = if remark.is_empty() {
             text.to_owned()
@@ -83,7 +90,11 @@ fn heading_with_room(ui: &mut Ui, text: &str, remark: &str, room: f32) -> Respon
         };
         WidgetInfo::labeled(egui::Role::Heading, true, words)
     });
-    response
+    if shown == remark {
+        response
+    } else {
+        response.on_hover_text(remark)
+    }
 }
 
 /// A button of a panel.

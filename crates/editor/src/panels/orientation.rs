@@ -7,15 +7,18 @@ use crate::document::{Edit, Selection};
 use crate::limits::MAX_HOLD;
 use crate::number::Number;
 use crate::path::{Orientation, Target};
+use crate::playhead::Shown;
 use crate::state::Editor;
 
 pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
     let texts = &editor.texts().orientation;
-    let selection = editor.document.selection();
+    let here = editor.document.selection();
     let count = editor.point().map_or(1, |point| point.orientations.len());
-    let Some(current) = editor.orientation().cloned() else {
+    let Some(shown) = editor.shown() else {
         return;
     };
+    let missing = shown.has_no_orientation();
+    let (selection, current) = (shown.at, &shown.orientation);
     let absolute = matches!(current.target, Target::Absolute(_));
     let how = if absolute {
         texts.at_place
@@ -51,26 +54,28 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
             texts.previous_hint,
             Action::PreviousOrientation,
         ),
-        &Editor::number_of(texts.count, selection.orientation, count),
+        &Editor::number_of(texts.count, here.orientation, count),
         &Key::new(texts.next, texts.next_hint, Action::NextOrientation),
     );
-    target(editor, ui, &current);
+    target(editor, ui, &shown);
     let language = editor.language();
     let width = share(ui, 2);
     ui.horizontal(|ui| {
         let roll = Number::new(texts.roll, current.roll)
             .label(texts.roll)
             .hint(texts.roll_hint)
+            .faint(missing)
             .unit("°")
             .decimals(1)
             .steps(1.0, 0.5)
             .show(ui, language, "roll", width);
-        editor.enter(roll, |roll| {
-            with(selection, &current, |new| new.roll = roll)
+        editor.enter_shown(missing, roll, |roll| {
+            with(selection, current, |new| new.roll = roll)
         });
         let hold = Number::new(texts.hold, f64::from(current.hold))
             .label(texts.hold)
             .hint(texts.hold_hint)
+            .faint(missing)
             .unit(texts.hold_unit)
             .whole()
             .range(0.0..=f64::from(MAX_HOLD))
@@ -78,22 +83,23 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
             .show(ui, language, "hold", width);
         // Whole, and within an u32.
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        editor.enter(hold, |hold| {
-            with(selection, &current, |new| new.hold = hold as u32)
+        editor.enter_shown(missing, hold, |hold| {
+            with(selection, current, |new| new.hold = hold as u32)
         });
     });
 }
 
 /// What the camera looks at: a place or a direction.
-fn target(editor: &mut Editor, ui: &mut egui::Ui, current: &Orientation) {
+fn target(editor: &mut Editor, ui: &mut egui::Ui, shown: &Shown) {
     let texts = &editor.texts().orientation;
-    let selection = editor.document.selection();
+    let (selection, current) = (shown.at, &shown.orientation);
+    let missing = shown.has_no_orientation();
     let (words, vector) = match current.target {
         Target::Absolute(place) => (("target", texts.target, texts.target_hint), place),
         Target::Relative(way) => (("direction", texts.direction, texts.direction_hint), way),
     };
-    three_numbers(editor, ui, words, vector, |editor, entry, put| {
-        editor.enter(entry, |value| {
+    three_numbers(editor, ui, words, vector, missing, |editor, entry, put| {
+        editor.enter_shown(missing, entry, |value| {
             with(selection, current, |new| {
                 new.target = match new.target {
                     Target::Absolute(_) => Target::Absolute(put(value)),

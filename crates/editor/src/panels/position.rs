@@ -4,12 +4,13 @@
 use egui::{Button, Color32, Popup, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2};
 use glam::DVec3;
 
-use super::{Key, heading_with_room, keys, round, share};
+use super::{Key, heading_with_room, keys, round, share, words};
 use crate::actions::Action;
 use crate::document::Edit;
 use crate::limits::{MAX_COORDINATE, PRESETS};
 use crate::number::{Entry, Number};
 use crate::path::CurveParameters;
+use crate::playhead::{Missing, Shown};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -21,6 +22,9 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let texts = &editor.texts().position;
     let selection = editor.document.selection();
     let count = editor.document.path().points.len();
+    let Some(shown) = editor.shown() else {
+        return;
+    };
     presets(editor, ui);
     keys(
         editor,
@@ -38,9 +42,13 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         &Editor::number_of(texts.count, selection.point, count),
         &Key::new(texts.next, texts.next_hint, Action::NextPoint),
     );
-    coordinates(editor, ui);
-    shape(editor, ui, 1);
-    shape(editor, ui, 2);
+    coordinates(editor, ui, &shown);
+    if shown.missing == Missing::Nothing {
+        shape(editor, ui, 1);
+        shape(editor, ui, 2);
+    } else {
+        add_here(editor, ui, &shown);
+    }
     let change = Key::new(texts.change, texts.change_hint, Action::Curve);
     keys(editor, ui, &[change]);
 }
@@ -104,19 +112,31 @@ fn preset(editor: &Editor) -> String {
     }
 }
 
-fn coordinates(editor: &mut Editor, ui: &mut Ui) {
+/// Beside the keys: makes one of what is shown.
+fn add_here(editor: &mut Editor, ui: &mut Ui, shown: &Shown) {
     let texts = &editor.texts().position;
-    let at = editor.document.selection().point;
-    let Some(position) = editor.point().map(|point| point.position) else {
-        return;
+    let text = if shown.has_no_point() {
+        texts.add_here
+    } else {
+        texts.add_orientation_here
     };
+    let key = Key::new(text, texts.add_here_hint, Action::AddHere);
+    keys(editor, ui, &[key]);
+    let width = ui.available_width();
+    words(ui, texts.in_between, width, theme::palette(ui).weak);
+}
+
+fn coordinates(editor: &mut Editor, ui: &mut Ui, shown: &Shown) {
+    let texts = &editor.texts().position;
+    let (at, position, missing) = (shown.at.point, shown.position, shown.has_no_point());
     three_numbers(
         editor,
         ui,
         ("position", texts.coordinate, texts.coordinate_hint),
         position,
+        missing,
         |editor, entry, put| {
-            editor.enter(entry, |value| Edit::SetPosition {
+            editor.enter_shown(missing, entry, |value| Edit::SetPosition {
                 at,
                 position: put(value),
             })
@@ -124,7 +144,8 @@ fn coordinates(editor: &mut Editor, ui: &mut Ui) {
     );
 }
 
-/// A place or a direction: three numbers. `id`, `name` and `hint` are theirs;
+/// A place or a direction: three numbers, faint if they are `missing` in the path.
+/// `id`, `name` and `hint` are theirs;
 /// `enter` gets what was done to one of them, and the vector with a new value
 /// in its place.
 pub(super) fn three_numbers(
@@ -132,6 +153,7 @@ pub(super) fn three_numbers(
     ui: &mut Ui,
     (id, name, hint): (&str, &str, &str),
     vector: DVec3,
+    missing: bool,
     enter: impl Fn(&mut Editor, Entry, &dyn Fn(f64) -> DVec3),
 ) {
     let width = share(ui, 3);
@@ -140,6 +162,7 @@ pub(super) fn three_numbers(
             let entry = Number::new(&fill(name, &[&letter]), vector[axis])
                 .label(letter)
                 .hint(hint)
+                .faint(missing)
                 .range(-MAX_COORDINATE..=MAX_COORDINATE)
                 .show(ui, editor.language(), &format!("{id}.{letter}"), width);
             enter(editor, entry, &|value| {

@@ -17,10 +17,11 @@ const HALF_HEIGHT: f64 = 12.0;
 pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
     let texts = &editor.texts().zoom;
     let language = editor.language();
-    let selection = editor.document.selection();
-    let Some(current) = editor.orientation().cloned() else {
+    let Some(shown) = editor.shown() else {
         return;
     };
+    let missing = shown.has_no_orientation();
+    let (selection, current) = (shown.at, shown.orientation);
     let angle = 2.0 * (HALF_HEIGHT / current.zoom).atan().to_degrees();
     let words = format!("{}°", language.number(angle, 1));
     heading(ui, texts.heading, &words).on_hover_text(texts.angle_hint);
@@ -37,12 +38,13 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
             node.set_label(texts.slider);
         });
         if response.drag_started() {
-            editor.enter(Entry::Begin, |zoom| {
+            editor.enter_shown(missing, Entry::Begin, |zoom| {
                 with(selection, &current, |new| new.zoom = zoom)
             });
         }
         if response.changed() {
-            editor.enter(Entry::Drag(zoom), |zoom| {
+            let missing = missing && !response.drag_started();
+            editor.enter_shown(missing, Entry::Drag(zoom), |zoom| {
                 with(selection, &current, |new| new.zoom = zoom)
             });
         }
@@ -54,10 +56,11 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
         let entry = Number::new(texts.value, current.zoom)
             .hint(texts.hint)
             .decimals(1)
+            .faint(missing)
             .range(MIN_ZOOM..=MAX_ZOOM)
             .steps(1.0, 0.2)
             .show(ui, language, "zoom", FIELD);
-        editor.enter(entry, |zoom| {
+        editor.enter_shown(missing, entry, |zoom| {
             with(selection, &current, |new| new.zoom = zoom)
         });
     });

@@ -4,6 +4,7 @@
 use glam::{DVec2, DVec3};
 
 use super::projection::{Axis, EDGE_ON, Projection};
+use super::scene::FLOOR;
 use crate::document::{Document, Edit};
 use crate::math::orientation;
 use crate::path::Target;
@@ -22,13 +23,57 @@ pub(super) enum Handle {
     Point(usize),
 }
 
+/// What a drag that snaps goes by: a fifth of what lies between two lines of the
+/// floor, so many steps for a unit.
+const SNAP: f64 = 5.0 * FLOOR as f64 / 2.0;
+
+/// The same for a roll, in degrees.
+const SNAP_ROLL: f64 = 15.0;
+
+/// In which coordinates something moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Freedom {
+    /// The axis across the plane in which it moves.
+    pub(super) fixed: Axis,
+    /// The one line of that plane along which it moves, if not in all of it.
+    pub(super) along: Option<Axis>,
+}
+
+impl Freedom {
+    /// What a button means: its plane (thesis A.3.1). In the place of one that is
+    /// seen edge-on stands the plane that is seen best, which in a view along an
+    /// axis is the one that faces the viewer.
+    pub(super) fn of_button(projection: &Projection, button: Axis) -> Self {
+        let fixed = if projection.share_seen(button) < EDGE_ON {
+            projection.facing()
+        } else {
+            button
+        };
+        Self { fixed, along: None }
+    }
+
+    /// What X, Y or Z held means: that coordinate stays. Where its plane is seen
+    /// edge-on, a line is left of the one that is seen best.
+    pub(super) fn of_key(projection: &Projection, kept: Axis) -> Self {
+        let Self { fixed, .. } = Self::of_button(projection, kept);
+        let along = Axis::ALL
+            .into_iter()
+            .find(|&axis| fixed != kept && axis != kept && axis != fixed);
+        Self { fixed, along }
+    }
+
+    /// The coordinates that change.
+    fn moving(self) -> impl Iterator<Item = Axis> {
+        let others = self.fixed.others().into_iter();
+        others.filter(move |&axis| self.along.is_none_or(|along| along == axis))
+    }
+}
+
 /// What a motion of the mouse leads to.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Outcome {
     /// This edit.
     Edit(Edit),
-    /// The plane is seen edge-on: nothing moves.
-    PlaneEdgeOn(Axis),
     /// The circle of VUP is seen edge-on: nothing moves.
     CircleEdgeOn,
     /// The pointer says nothing: it lies on the centre of the circle, or what
@@ -36,12 +81,25 @@ pub(super) enum Outcome {
     Nothing,
 }
 
-/// The point under the pointer in the plane through `point`: each coordinate
-/// that moves ends at the faces of the cube. None if the plane is seen edge-on.
-fn follow(projection: &Projection, point: DVec3, fixed: Axis, pointer: DVec2) -> Option<DVec3> {
-    let mut found = projection.point_in_plane(point, fixed, pointer)?;
-    for axis in fixed.others() {
+/// The point under the pointer in the plane or on the line through `point`: each
+/// coordinate that moves ends at the faces of the cube. None if the plane is seen
+/// edge-on.
+fn follow(
+    projection: &Projection,
+    point: DVec3,
+    freedom: Freedom,
+    snaps: bool,
+    pointer: DVec2,
+) -> Option<DVec3> {
+    let mut found = match freedom.along {
+        None => projection.point_in_plane(point, freedom.fixed, pointer)?,
+        Some(axis) => projection.point_on_line(point, axis, pointer)?,
+    };
+    for axis in freedom.moving() {
         let coordinate = &mut found[axis.index()];
+        if snaps {
+            *coordinate = (*coordinate * SNAP).round() / SNAP;
+        }
         // Zero without a sign: it is shown.
         *coordinate = coordinate.clamp(-1.0, 1.0) + 0.0;
     }
@@ -53,30 +111,28 @@ pub(super) fn outcome(
     document: &Document,
     projection: &Projection,
     held: Handle,
-    fixed: Axis,
+    freedom: Freedom,
+    snaps: bool,
     pointer: DVec2,
 ) -> Outcome {
     let edit = match held {
-        Handle::Vup => return roll(document, projection, pointer),
+        Handle::Vup => return roll(document, projection, snaps, pointer),
         Handle::Vpn => {
             let Some(tip) = current_tip(document) else {
                 return Outcome::Nothing;
             };
-            follow(projection, tip, fixed, pointer).map(|to| move_target(document, to))
+            let to = follow(projection, tip, freedom, snaps, pointer);
+            to.and_then(|to| move_target(document, to))
         }
         Handle::Point(at) => {
             let Some(point) = document.path().points.get(at) else {
                 return Outcome::Nothing;
             };
-            follow(projection, point.position, fixed, pointer)
-                .map(|position| Some(Edit::SetPosition { at, position }))
+            let to = follow(projection, point.position, freedom, snaps, pointer);
+            to.map(|position| Edit::SetPosition { at, position })
         }
     };
-    match edit {
-        None => Outcome::PlaneEdgeOn(fixed),
-        Some(None) => Outcome::Nothing,
-        Some(Some(edit)) => Outcome::Edit(edit),
-    }
+    edit.map_or(Outcome::Nothing, Outcome::Edit)
 }
 
 /// Where the target of the current orientation lies.
@@ -122,7 +178,7 @@ pub(super) fn tip_of(target: Target, position: DVec3) -> DVec3 {
 }
 
 /// The edit that turns the current VUP to the pointer.
-fn roll(document: &Document, projection: &Projection, pointer: DVec2) -> Outcome {
+fn roll(document: &Document, projection: &Projection, snaps: bool, pointer: DVec2) -> Outcome {
     let selection = document.selection();
     let Some(support) = document.path().points.get(selection.point) else {
         return Outcome::Nothing;
@@ -135,9 +191,12 @@ fn roll(document: &Document, projection: &Projection, pointer: DVec2) -> Outcome
         return Outcome::CircleEdgeOn;
     }
     let way = pointer - projection.image(support.position);
-    let Some(roll) = roll_towards(projection, view, way) else {
+    let Some(mut roll) = roll_towards(projection, view, way) else {
         return Outcome::Nothing;
     };
+    if snaps {
+        roll = (roll / SNAP_ROLL).round() * SNAP_ROLL + 0.0;
+    }
     Outcome::Edit(Edit::SetOrientation {
         point: selection.point,
         at: selection.orientation,
@@ -211,6 +270,17 @@ mod tests {
         (200.0..1200.0f64, 50.0..700.0f64).prop_map(|(x, y)| DVec2::new(x, y))
     }
 
+    /// From the front, the right, above, and tilted where x or y is seen edge-on.
+    fn along_an_axis() -> impl Strategy<Value = crate::setup::View> {
+        let turns = prop_oneof![Just(0.0), Just(90.0), Just(-90.0), Just(180.0), Just(37.0)];
+        let tilts = prop_oneof![Just(0.0), Just(90.0), Just(-90.0), Just(20.0)];
+        (turns, tilts).prop_map(|(rotation, tilt)| crate::setup::View {
+            rotation,
+            tilt,
+            ..Default::default()
+        })
+    }
+
     /// Where clamping leads, coordinate by coordinate.
     fn clamped(projection: &Projection, from: DVec3, fixed: Axis, pointer: DVec2) -> (DVec3, bool) {
         let free = projection.point_in_plane(from, fixed, pointer).unwrap();
@@ -229,24 +299,85 @@ mod tests {
             view in view(), from in in_cube(), axis in 0..3usize, pointer in pointer(),
         ) {
             let projection = Projection::new(&view, room());
-            let fixed = Axis::ALL[axis];
+            let wanted = Axis::ALL[axis];
+            let freedom = Freedom::of_button(&projection, wanted);
+            let axis = freedom.fixed.index();
             let mut document = document(&[from, -from], Target::Relative(DVec3::X));
-            match outcome(&document, &projection, Handle::Point(0), fixed, pointer) {
+            match outcome(&document, &projection, Handle::Point(0), freedom, false, pointer) {
                 Outcome::Edit(edit) => {
                     document.apply(edit).unwrap();
                     let moved = document.path().points[0].position;
                     prop_assert_eq!(moved[axis].to_bits(), from[axis].to_bits());
                     prop_assert!(moved.abs().max_element() <= 1.0);
-                    let (expected, inside) = clamped(&projection, from, fixed, pointer);
+                    let (expected, inside) =
+                        clamped(&projection, from, freedom.fixed, pointer);
                     prop_assert_eq!(moved, expected);
                     if inside {
                         prop_assert!((projection.image(moved) - pointer).length() < 1e-6);
                     }
                 }
-                other => {
-                    prop_assert_eq!(other, Outcome::PlaneEdgeOn(fixed));
-                    prop_assert!(projection.share_seen(fixed) < EDGE_ON);
+                other => prop_assert!(false, "{other:?}"),
+            }
+            // The button's own plane wherever that can be seen.
+            let good = projection.share_seen(wanted) >= EDGE_ON;
+            prop_assert_eq!(freedom.fixed == wanted, good);
+            prop_assert!(projection.share_seen(freedom.fixed) >= EDGE_ON);
+        }
+
+        #[test]
+        fn a_key_keeps_its_coordinate_in_every_view(
+            view in prop_oneof![view(), along_an_axis()],
+            from in in_cube(), axis in 0..3usize, pointer in pointer(),
+        ) {
+            let projection = Projection::new(&view, room());
+            let kept = Axis::ALL[axis];
+            let freedom = Freedom::of_key(&projection, kept);
+            let mut document = document(&[from, -from], Target::Relative(DVec3::X));
+            let Outcome::Edit(edit) =
+                outcome(&document, &projection, Handle::Point(0), freedom, false, pointer)
+            else {
+                return Err(TestCaseError::fail("refused"));
+            };
+            document.apply(edit).unwrap();
+            let moved = document.path().points[0].position;
+            prop_assert_eq!(moved[axis].to_bits(), from[axis].to_bits());
+            prop_assert_eq!(freedom.along.is_some(), projection.share_seen(kept) < EDGE_ON);
+            if let Some(along) = freedom.along {
+                // One coordinate moves, and no place on its line is nearer to the pointer.
+                let [a, b, c] = Axis::ALL.map(|axis| moved[axis.index()] == from[axis.index()]);
+                prop_assert!(u8::from(a) + u8::from(b) + u8::from(c) >= 2);
+                let at = along.index();
+                if moved[at].abs() < 1.0 {
+                    let away = |by: f64| {
+                        let mut place = moved;
+                        place[at] += by;
+                        projection.image(place).distance(pointer)
+                    };
+                    prop_assert!(away(0.0) <= away(1e-3) && away(0.0) <= away(-1e-3));
                 }
+            }
+        }
+
+        #[test]
+        fn what_snaps_lies_on_the_grid(
+            view in view(), from in in_cube(), axis in 0..3usize, pointer in pointer(),
+        ) {
+            let projection = Projection::new(&view, room());
+            let freedom = Freedom::of_button(&projection, Axis::ALL[axis]);
+            let mut document = document(&[from, -from], Target::Relative(DVec3::X));
+            let held = Handle::Point(0);
+            let Outcome::Edit(edit) =
+                outcome(&document, &projection, held, freedom, true, pointer) else { return Ok(()) };
+            document.apply(edit).unwrap();
+            let moved = document.path().points[0].position;
+            let (free, _) = clamped(&projection, from, freedom.fixed, pointer);
+            for axis in freedom.fixed.others().map(Axis::index) {
+                // Written as a person would: 0.15, not 0.15000000000000002.
+                let text = format!("{:.2}", moved[axis]);
+                prop_assert_eq!(moved[axis], text.parse::<f64>().unwrap());
+                let fives = (moved[axis] * 100.0).round() / 5.0;
+                prop_assert_eq!(fives, fives.round());
+                prop_assert!((moved[axis] - free[axis]).abs() <= 0.025 + 1e-12);
             }
         }
 
@@ -256,11 +387,13 @@ mod tests {
             absolute: bool, pointer in pointer(),
         ) {
             let projection = Projection::new(&view, room());
-            let fixed = Axis::ALL[axis];
+            let freedom = Freedom::of_button(&projection, Axis::ALL[axis]);
+            let (fixed, axis) = (freedom.fixed, freedom.fixed.index());
             let target = if absolute { Target::Absolute(target) } else { Target::Relative(target) };
             let mut document = document(&[at, -at], target);
             let Outcome::Edit(edit) =
-                outcome(&document, &projection, Handle::Vpn, fixed, pointer) else { return Ok(()) };
+                outcome(&document, &projection, Handle::Vpn, freedom, false, pointer)
+            else { return Ok(()) };
             document.apply(edit).unwrap();
             let moved = document.path().points[0].orientations[0].target;
             let (from, to) = match (target, moved) {
@@ -284,7 +417,8 @@ mod tests {
             let projection = Projection::new(&view, room());
             let mut document = document(&[at, -at], Target::Relative(target));
             let direction = orientation::unit(target);
-            match outcome(&document, &projection, Handle::Vup, Axis::X, pointer) {
+            let freedom = Freedom::of_button(&projection, Axis::X);
+            match outcome(&document, &projection, Handle::Vup, freedom, false, pointer) {
                 Outcome::Edit(edit) => {
                     document.apply(edit).unwrap();
                     let roll = document.path().points[0].orientations[0].roll;
@@ -346,7 +480,8 @@ mod tests {
         let document = document(&[DVec3::X, DVec3::Y], Target::Relative(DVec3::X));
         let projection = Projection::new(&crate::setup::View::default(), room());
         let held = Handle::Point(7);
-        let found = outcome(&document, &projection, held, Axis::X, DVec2::ZERO);
+        let freedom = Freedom::of_button(&projection, Axis::X);
+        let found = outcome(&document, &projection, held, freedom, false, DVec2::ZERO);
         assert_eq!(found, Outcome::Nothing);
     }
 }

@@ -45,7 +45,7 @@ pub(crate) fn follow(
     let canvas = editor.space.canvas.clone()?;
     let atlas = || context.fonts(|fonts| fonts.font_image_size());
     let before = atlas();
-    hand::motion(editor, canvas.room, to);
+    hand::motion(editor, context, canvas.room, to);
     let painter = Painter::new(context.clone(), canvas.layer, canvas.room);
     draw(editor, &painter, canvas.room);
     let shapes = context.graphics_mut(|layers| layers.drain(&[], &Default::default()));

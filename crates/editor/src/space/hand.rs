@@ -2,20 +2,23 @@
 //! edits of the document and changes of the view. Keys go on to [`keyboard`].
 
 use egui::{Context, CursorIcon, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
-use super::drag::{self, Handle, Outcome};
+use super::drag::{self, Freedom, Handle, Outcome};
 use super::keyboard::{self, NUDGES};
 use super::picking;
 use super::projection::{Axis, Projection, from_pos};
 use crate::path::Target;
 use crate::setup::View;
 use crate::state::Editor;
-use crate::texts::fill;
+use crate::texts::{Texts, fill};
 
 /// A press that moves no farther than this is a press and no drag, in points:
 /// hands tremble.
 const STILL: f32 = 2.0;
+
+/// With Shift a drag is so many times finer.
+const FINE: f64 = 10.0;
 
 /// Degrees for a point on the screen.
 const TURN: f64 = 0.35;
@@ -36,6 +39,13 @@ pub(super) struct Hand {
     pub(super) menu: Option<(Pos2, Option<Handle>)>,
 }
 
+/// The axis across the plane in which each button drags (thesis A.3.1).
+pub(super) const PLANES: [(PointerButton, Axis); 3] = [
+    (PointerButton::Primary, Axis::X),
+    (PointerButton::Middle, Axis::Y),
+    (PointerButton::Secondary, Axis::Z),
+];
+
 /// A button that is down.
 #[derive(Clone, Copy, Debug)]
 struct Hold {
@@ -46,8 +56,12 @@ struct Hold {
     now: Pos2,
     /// On what.
     what: Option<Handle>,
-    /// The axis across the plane in which it moves.
-    fixed: Axis,
+    /// In which coordinates it moves.
+    freedom: Freedom,
+    /// From the pointer to where it is taken to be, after fine motions.
+    lag: DVec2,
+    /// It goes by steps.
+    snaps: bool,
     /// The view as it was.
     view: View,
     /// Empty space is shifted instead of turned.
@@ -72,15 +86,35 @@ impl Hand {
         self.hold.is_some()
     }
 
-    /// What is dragged: what it is, and the axis across its plane.
-    pub(super) fn dragged(&self) -> Option<(Handle, Axis)> {
+    /// What is dragged: what it is, and in which coordinates.
+    pub(super) fn dragged(&self) -> Option<(Handle, Freedom)> {
         let hold = self.hold.filter(|hold| hold.moved)?;
-        Some((hold.what?, hold.fixed))
+        Some((hold.what?, hold.freedom))
     }
 
     /// Something is on its way: a handle, or the view.
     pub(super) fn moves(&self) -> bool {
         self.hold.is_some_and(|hold| hold.moved)
+    }
+
+    /// What the buttons would do with what lies under the pointer; where a drag goes
+    /// while one is down.
+    pub(super) fn hint(&self, texts: &Texts, projection: &Projection) -> Option<String> {
+        let texts = &texts.space;
+        match (self.dragged(), self.hover) {
+            (Some((Handle::Vup, _)), _) => Some(texts.rolling.to_owned()),
+            (Some((_, freedom)), _) => Some(match freedom.along {
+                None => fill(texts.in_plane, &[&freedom.fixed.letter()]),
+                Some(along) => fill(texts.on_line, &[&along.letter()]),
+            }),
+            (None, Some(Handle::Vup)) if !self.is_busy() => Some(texts.roll_hint.to_owned()),
+            (None, Some(_)) if !self.is_busy() => {
+                let [left, middle, right] =
+                    PLANES.map(|(_, axis)| Freedom::of_button(projection, axis).fixed.letter());
+                Some(fill(texts.drag_hint, &[&left, &middle, &right]))
+            }
+            _ => None,
+        }
     }
 
     /// Takes the events of a pass.
@@ -96,6 +130,14 @@ impl Hand {
             if !more {
                 take(editor, desk, event);
             }
+        }
+        // Ctrl may come and go while the pointer rests.
+        let snaps = desk.context.input(|input| input.modifiers.ctrl);
+        if let Some(hold) = editor.space.hand.hold
+            && hold.moved
+            && hold.snaps != snaps
+        {
+            motion(editor, desk.context, desk.room, hold.now);
         }
         // The release may have been lost with the window's focus.
         let (down, nudged) = desk.context.input(|input| {
@@ -160,10 +202,10 @@ fn take(editor: &mut Editor, desk: &Desk<'_>, event: Event) {
             .hold
             .is_some_and(|hold| hold.button == button) =>
         {
-            motion(editor, desk.room, pos);
+            motion(editor, desk.context, desk.room, pos);
             release(editor);
         }
-        Event::PointerMoved(pos) => motion(editor, desk.room, pos),
+        Event::PointerMoved(pos) => motion(editor, desk.context, desk.room, pos),
         Event::MouseWheel { unit, delta, .. } => {
             let at = desk.context.input(|input| input.pointer.latest_pos());
             if let Some(at) = at.filter(|&at| (desk.mine)(at)) {
@@ -195,14 +237,14 @@ fn take(editor: &mut Editor, desk: &Desk<'_>, event: Event) {
             modifiers,
             ..
         } => {
-            if let Some(fixed) = plane_of(key)
+            if let Some(kept) = axis_of(key)
                 && let Some(hold) = &mut editor.space.hand.hold
-                && hold.button == PointerButton::Primary
                 && matches!(hold.what, Some(Handle::Point(_) | Handle::Vpn))
             {
-                hold.fixed = fixed;
+                let projection = Projection::new(&editor.setup.view, desk.room);
+                hold.freedom = Freedom::of_key(&projection, kept);
                 let now = hold.now;
-                motion(editor, desk.room, now);
+                motion(editor, desk.context, desk.room, now);
             } else if desk.keyboard && editor.space.hand.hold.is_none() {
                 keyboard::press(editor, desk, key, modifiers);
             }
@@ -211,8 +253,8 @@ fn take(editor: &mut Editor, desk: &Desk<'_>, event: Event) {
     }
 }
 
-/// The plane that a key stands for.
-fn plane_of(key: Key) -> Option<Axis> {
+/// The axis that a key stands for.
+fn axis_of(key: Key) -> Option<Axis> {
     match key {
         Key::X => Some(Axis::X),
         Key::Y => Some(Axis::Y),
@@ -232,17 +274,18 @@ fn press(
         [Key::X, Key::Y, Key::Z]
             .into_iter()
             .find(|&key| input.key_down(key))
-            .and_then(plane_of)
+            .and_then(axis_of)
     });
-    let fixed = match button {
-        PointerButton::Primary => held.unwrap_or(Axis::X),
-        PointerButton::Middle => Axis::Y,
-        PointerButton::Secondary => Axis::Z,
-        _ => return,
+    let Some((_, plane)) = PLANES.into_iter().find(|&(its, _)| its == button) else {
+        return;
     };
     keyboard::end_nudge(editor);
     let left = button == PointerButton::Primary;
     let projection = Projection::new(&editor.setup.view, desk.room);
+    let freedom = match held {
+        Some(kept) if left => Freedom::of_key(&projection, kept),
+        _ => Freedom::of_button(&projection, plane),
+    };
     let what = picking::pick(
         &editor.document,
         &projection,
@@ -251,6 +294,10 @@ fn press(
         left && held.is_none(),
     );
     editor.message = None;
+    if what.is_some() {
+        // All that can be taken hold of belongs to a key.
+        editor.playing.leave();
+    }
     if let Some(Handle::Point(at)) = what {
         make_current(editor, at);
     }
@@ -259,7 +306,9 @@ fn press(
         pressed: pos,
         now: pos,
         what,
-        fixed,
+        freedom,
+        lag: DVec2::ZERO,
+        snaps: false,
         view: editor.setup.view,
         shifts: what.is_none() && (button == PointerButton::Middle || modifiers.shift),
         moved: false,
@@ -275,10 +324,15 @@ pub(super) fn make_current(editor: &mut Editor, at: usize) {
     }
 }
 
-pub(super) fn motion(editor: &mut Editor, room: Rect, pos: Pos2) {
+pub(super) fn motion(editor: &mut Editor, context: &Context, room: Rect, pos: Pos2) {
     let Some(mut hold) = editor.space.hand.hold else {
         return;
     };
+    let modifiers = context.input(|input| input.modifiers);
+    if modifiers.shift {
+        hold.lag -= (from_pos(pos) - from_pos(hold.now)) * (1.0 - 1.0 / FINE);
+    }
+    hold.snaps = modifiers.ctrl;
     hold.now = pos;
     if !hold.moved {
         let way = pos - hold.pressed;
@@ -293,13 +347,13 @@ pub(super) fn motion(editor: &mut Editor, room: Rect, pos: Pos2) {
     }
     editor.space.hand.hold = Some(hold);
     match hold.what {
-        Some(what) => pull(editor, room, what, hold.fixed, pos),
+        Some(what) => pull(editor, room, what, &hold),
         None => turn(&mut editor.setup.view, room, &hold),
     }
 }
 
 /// Brings what is held under the pointer.
-fn pull(editor: &mut Editor, room: Rect, what: Handle, fixed: Axis, pos: Pos2) {
+fn pull(editor: &mut Editor, room: Rect, what: Handle, hold: &Hold) {
     // Somebody else ended the step (an undo while the button is down): what
     // follows would not belong to it.
     if !editor.document.in_step() {
@@ -308,13 +362,14 @@ fn pull(editor: &mut Editor, room: Rect, what: Handle, fixed: Axis, pos: Pos2) {
     }
     let projection = Projection::new(&editor.setup.view, room);
     let texts = &editor.texts().space;
-    match drag::outcome(&editor.document, &projection, what, fixed, from_pos(pos)) {
+    let pointer = from_pos(hold.now) + hold.lag;
+    let (document, freedom) = (&editor.document, hold.freedom);
+    match drag::outcome(document, &projection, what, freedom, hold.snaps, pointer) {
         Outcome::Edit(edit) => {
             if editor.edit(edit) {
                 tell_place(editor, what);
             }
         }
-        Outcome::PlaneEdgeOn(_) => editor.complain(texts.edge_on),
         Outcome::CircleEdgeOn => editor.complain(texts.circle_edge_on),
         Outcome::Nothing => {}
     }

@@ -61,7 +61,7 @@ pub(super) fn press(editor: &mut Editor, desk: &Desk<'_>, key: Key, modifiers: M
             nudge(editor, what, axis, sign * step);
         }
         Key::PageUp | Key::PageDown => {
-            let axis = facing(&projection);
+            let axis = projection.facing();
             let away = -projection.toward()[axis.index()].signum();
             let sign = if key == Key::PageUp { away } else { -away };
             nudge(editor, what, axis, sign * step);
@@ -72,6 +72,7 @@ pub(super) fn press(editor: &mut Editor, desk: &Desk<'_>, key: Key, modifiers: M
         Key::Minus => resize(&mut editor.setup.view, desk.room, None, 1.0 / WHEEL),
         Key::Num0 | Key::Home => editor.setup.view = View::default(),
         Key::Space => editor.play_or_pause(desk.context),
+        Key::L => editor.switch_loops(desk.context),
         Key::C => editor.setup.camera_view = !editor.setup.camera_view,
         Key::N => step_point(editor, if modifiers.shift { -1 } else { 1 }),
         Key::O => step_orientation(editor, if modifiers.shift { -1 } else { 1 }),
@@ -79,21 +80,10 @@ pub(super) fn press(editor: &mut Editor, desk: &Desk<'_>, key: Key, modifiers: M
     }
 }
 
-/// The axis across the plane that is seen best.
-fn facing(projection: &Projection) -> Axis {
-    Axis::ALL.into_iter().fold(Axis::Z, |best, axis| {
-        if projection.share_seen(axis) > projection.share_seen(best) {
-            axis
-        } else {
-            best
-        }
-    })
-}
-
 /// The axis along which an arrow key moves, in the plane that is seen best, and
 /// which way along it.
 fn direction_of(projection: &Projection, key: Key) -> (Axis, f64) {
-    let [a, b] = facing(projection).others();
+    let [a, b] = projection.facing().others();
     let way = |axis: Axis| {
         let mut unit = DVec3::ZERO;
         unit[axis.index()] = 1.0;

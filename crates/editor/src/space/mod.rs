@@ -84,12 +84,15 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do here beside what the thesis names: hand, meaning.
-pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 13] {
+pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 17] {
     let texts = &texts.space;
     [
         (texts.shift_mouse, texts.shift_meaning),
         (texts.corner_mouse, texts.corner_meaning),
         (texts.whole_mouse, texts.whole_meaning),
+        (texts.facing_mouse, texts.facing_meaning),
+        (texts.snap_mouse, texts.snap_meaning),
+        (texts.fine_mouse, texts.fine_meaning),
         (texts.escape_keys, texts.escape_meaning),
         (texts.move_keys, texts.move_meaning),
         (texts.target_keys, texts.target_meaning),
@@ -98,6 +101,7 @@ pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 13] {
         (texts.size_keys, texts.size_meaning),
         (texts.next_keys, texts.next_meaning),
         (texts.play_keys, texts.play_meaning),
+        (texts.loop_keys, texts.loop_meaning),
         (texts.camera_keys, texts.camera_meaning),
         (texts.menu_keys, texts.menu_meaning),
     ]
@@ -209,12 +213,12 @@ fn draw(editor: &mut Editor, painter: &Painter, room: Rect) {
     let document = &editor.document;
     let hand = &editor.space.hand;
     let dragged = hand.dragged();
-    let through = dragged.and_then(|(what, fixed)| {
+    let through = dragged.and_then(|(what, freedom)| {
         let place = hand::place_held(editor, what)?;
-        Some((place, fixed))
+        Some((place, freedom))
     });
-    if let Some((through, fixed)) = through {
-        overlay::plane(painter, &look, through, fixed);
+    if let Some((through, freedom)) = through {
+        overlay::plane(painter, &look, through, freedom);
     }
     let trouble = editor.space.scene.update(document, &look).err();
     add_shared(editor.space.scene.still());
@@ -226,8 +230,8 @@ fn draw(editor: &mut Editor, painter: &Painter, room: Rect) {
     }
     editor.space.scene.paint(painter, room);
     add(cameras::current_key(document, &look));
-    if let Some((through, fixed)) = through {
-        add(overlay::guides(&look, through, Some(fixed)));
+    if let Some((through, freedom)) = through {
+        add(overlay::guides(&look, through, freedom));
     }
     let trouble = match scene::current(document, &look) {
         Ok(lines) => {
@@ -259,14 +263,8 @@ fn draw(editor: &mut Editor, painter: &Painter, room: Rect) {
     };
     overlay::numbers(painter, document, &look, pointed);
     overlay::directions(painter, &look);
-    // What the buttons do with it, until one is down.
-    if let Some(handle) = hand.hover.filter(|_| !hand.is_busy()) {
-        let texts = &editor.texts().space;
-        let hint = match handle {
-            Handle::Vup => texts.roll_hint,
-            Handle::Vpn | Handle::Point(_) => texts.drag_hint,
-        };
-        overlay::hint(painter, &look, hint, editor.setup.theme().palette().weak);
+    if let Some(hint) = hand.hint(editor.texts(), &projection) {
+        overlay::hint(painter, &look, &hint, editor.setup.theme().palette().weak);
     }
     if let Some(error) = trouble {
         editor.complain_of(&error);

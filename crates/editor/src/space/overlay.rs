@@ -9,7 +9,7 @@ use egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, pos2, vec2};
 use glam::{DVec2, DVec3};
 
 use super::cameras::Camera;
-use super::drag::{Handle, VUP_LENGTH};
+use super::drag::{Freedom, Handle, VUP_LENGTH};
 use super::picking::Tips;
 use super::projection::{Axis, from_pos, to_pos};
 use super::scene::{Look, THIN};
@@ -112,14 +112,15 @@ fn arrow(
 }
 
 /// The axes through a point that is dragged, and the border of the plane in
-/// which it moves, out to the faces of the cube.
-pub(super) fn guides(look: &Look<'_>, through: DVec3, fixed: Option<Axis>) -> Lines {
+/// which it moves or the line along which it does, out to the faces of the cube.
+pub(super) fn guides(look: &Look<'_>, through: DVec3, freedom: Freedom) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.room);
     // Of a point that lies outside, as far as the point.
     let low = through.min(DVec3::NEG_ONE);
     let high = through.max(DVec3::ONE);
-    if let (Some(color), Some(fixed)) = (look.of(Element::Plane), fixed) {
-        let [a, b] = fixed.others().map(Axis::index);
+    let plane = look.of(Element::Plane);
+    if let (Some(color), None) = (plane, freedom.along) {
+        let [a, b] = freedom.fixed.others().map(Axis::index);
         let corner = |at_a: f64, at_b: f64| {
             let mut corner = through;
             corner[a] = at_a;
@@ -141,18 +142,21 @@ pub(super) fn guides(look: &Look<'_>, through: DVec3, fixed: Option<Axis>) -> Li
             let [mut from, mut to] = [through; 2];
             from[axis] = low[axis];
             to[axis] = high[axis];
-            strokes.line(from, to, THIN, color);
+            match plane.filter(|_| freedom.along.is_some_and(|along| along.index() == axis)) {
+                Some(plane) => strokes.line(from, to, 1.4, plane),
+                None => strokes.line(from, to, THIN, color),
+            }
         }
     }
     strokes.finish()
 }
 
 /// The plane of a drag as a breath of colour.
-pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, fixed: Axis) {
-    let Some(color) = look.of(Element::Plane) else {
+pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, freedom: Freedom) {
+    let Some(color) = look.of(Element::Plane).filter(|_| freedom.along.is_none()) else {
         return;
     };
-    let [a, b] = fixed.others().map(Axis::index);
+    let [a, b] = freedom.fixed.others().map(Axis::index);
     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[at_a, at_b]| {
         let mut corner = through;
         corner[a] = at_a;
@@ -350,7 +354,7 @@ pub(super) fn directions(painter: &Painter, look: &Look<'_>) {
         let color = color.gamma_multiply(0.85);
         let tip = to_pos(centre + image);
         painter.line_segment([to_pos(centre), tip], Stroke::new(1.2, color));
-        let letter = ["x", "y", "z"][axis.index()];
+        let letter = axis.letter();
         let beside = if image.length() > 2.0 {
             image.normalize() * 8.0
         } else {

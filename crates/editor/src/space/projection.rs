@@ -24,6 +24,15 @@ impl Axis {
     /// All three.
     pub(super) const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
 
+    /// Its letter.
+    pub(super) const fn letter(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+        }
+    }
+
     /// Its place in a vector.
     pub(super) const fn index(self) -> usize {
         self as usize
@@ -137,6 +146,28 @@ impl Projection {
         let mut found = point;
         found[a] = rest.perp_dot(of_b) / area;
         found[b] = of_a.perp_dot(rest) / area;
+        found.is_finite().then_some(found)
+    }
+
+    /// The axis across the plane that is seen best.
+    pub(super) fn facing(&self) -> Axis {
+        Axis::ALL.into_iter().fold(Axis::Z, |best, axis| {
+            if self.share_seen(axis) > self.share_seen(best) {
+                axis
+            } else {
+                best
+            }
+        })
+    }
+
+    /// The point whose image is nearest to `image` among those that differ from
+    /// `point` in the coordinate along `axis` only. None if the axis points at the
+    /// viewer.
+    pub(super) fn point_on_line(&self, point: DVec3, axis: Axis, image: DVec2) -> Option<DVec3> {
+        let at = axis.index();
+        let way = DVec2::new(self.across[at], self.down[at]);
+        let mut found = point;
+        found[at] += (image - self.image(point)).dot(way) / way.length_squared();
         found.is_finite().then_some(found)
     }
 

@@ -436,7 +436,7 @@ fn still(object: &Object, look: &Look<'_>) -> Lines {
 }
 
 /// Lines on the floor in each direction, so that one sees how it lies.
-const FLOOR: i32 = 8;
+pub(super) const FLOOR: i32 = 8;
 
 fn cube(strokes: &mut Strokes<'_>, look: &Look<'_>, color: Color32) {
     let floor = color.gamma_multiply(0.16);

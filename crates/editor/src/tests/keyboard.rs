@@ -278,3 +278,60 @@ fn escape_closes_the_topmost_window_and_one_only() {
     press(&mut window, Modifiers::NONE, Key::Escape);
     assert!(window.state().windows.display.is_none());
 }
+
+/// Buttons of these words, in the order in which Tab goes through them, and from left
+/// to right or from above.
+fn tabbed(window: &mut Window, names: &[&str]) -> Vec<String> {
+    let count = |window: &Window, name: &str| window.query_all_by_label(name).count();
+    assert!(names.iter().all(|name| count(window, name) > 0));
+    window.get_by_role_and_label(Role::Button, names[0]).focus();
+    window.run();
+    let mut found = vec![names[0].to_owned()];
+    while found.len() < names.len() {
+        press(window, Modifiers::NONE, Key::Tab);
+        let focused = names.iter().find(|&&name| {
+            window
+                .get_by_role_and_label(Role::Button, name)
+                .is_focused()
+        });
+        found.push(focused.map_or("elsewhere", |name| name).to_owned());
+    }
+    let places: Vec<f32> = names
+        .iter()
+        .map(|name| {
+            window
+                .get_by_role_and_label(Role::Button, name)
+                .rect()
+                .left()
+        })
+        .collect();
+    assert!(places.is_sorted(), "{names:?} {places:?}");
+    found
+}
+
+#[test]
+fn tab_goes_through_buttons_as_they_are_read() {
+    for language in BOTH {
+        let texts = language.texts();
+        let mut window = window(language);
+        click(&mut window, texts.position.change);
+        let names = [texts.curve.show, texts.curve.ok];
+        assert_eq!(tabbed(&mut window, &names), names);
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        click(&mut window, texts.speed.change);
+        click(&mut window, texts.speed_window.copy);
+        let speed = &texts.speed_window;
+        let names = [speed.copy, speed.paste, speed.reset];
+        assert_eq!(tabbed(&mut window, &names), names);
+        click(&mut window, texts.position.add);
+        window.state_mut().ask_to_close();
+        window.run();
+        let question = &texts.questions;
+        assert!(window.get_by_label(question.save).is_focused());
+        let names = [question.save, question.discard, question.cancel];
+        assert_eq!(tabbed(&mut window, &names), names);
+        // And round again.
+        press(&mut window, Modifiers::NONE, Key::Tab);
+        assert!(window.get_by_label(question.save).is_focused());
+    }
+}

@@ -389,3 +389,124 @@ fn what_has_the_keyboard_has_a_border() {
         }
     }
 }
+
+/// The texts of the panels with their places.
+fn texts_of_panels(window: &Window) -> Vec<(String, egui::Rect)> {
+    let shapes = window.output().shapes.iter();
+    let texts = shapes.filter_map(|clipped| match &clipped.shape {
+        egui::Shape::Text(text) if text.pos.x < 248.0 && text.pos.y > 32.0 => {
+            let rect = egui::Rect::from_min_size(text.pos, text.galley.size());
+            Some((text.galley.text().to_owned(), rect))
+        }
+        _ => None,
+    });
+    texts.filter(|(text, _)| !text.is_empty()).collect()
+}
+
+/// However far away a point lies, however many frames a section takes.
+#[test]
+fn no_text_of_the_panels_lies_over_another() {
+    let orientation = |x: f64| Orientation {
+        target: Target::Absolute(DVec3::new(x, 0.0, 0.0)),
+        roll: -179.9,
+        hold: 1_000_000,
+        ..Orientation::default()
+    };
+    let far = [1e9, -1e9, 123_456.789, -999_999.5];
+    let path = |x: f64, y: f64| crate::path::CameraPath {
+        points: [[0.0; 3], [x, y, -x]]
+            .map(|place| {
+                let mut point = crate::path::SupportPoint::new(DVec3::from_array(place));
+                point.orientations = vec![orientation(0.5), orientation(0.5)];
+                point
+            })
+            .to_vec(),
+        ..crate::path::CameraPath::default()
+    };
+    for language in BOTH {
+        for (x, y) in far.map(|x| (x, -x)).into_iter().chain([(1000.0, 0.1)]) {
+            let path = path(x, y);
+            let document = Document::from_parts(path, crate::document::Info::default());
+            let options = Options {
+                document: document.expect("a path"),
+                ..options(language)
+            };
+            let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
+            let mut seen = 0;
+            // A pan in which nothing changes; a long way; the end of the path.
+            for (point, orientation) in [(0, 0), (0, 1), (1, 1)] {
+                window.state_mut().select(point, orientation);
+                window.run();
+                let texts = texts_of_panels(&window);
+                seen += texts.len();
+                for (index, (one, a)) in texts.iter().enumerate() {
+                    assert!(a.right() <= 248.0, "{one} {a:?}");
+                    for (other, b) in &texts[index + 1..] {
+                        let both = a.shrink(1.0).intersects(b.shrink(1.0));
+                        assert!(!both, "{x}: {one} {a:?} over {other} {b:?}");
+                    }
+                }
+            }
+            assert!(seen > 90, "{seen}");
+            // The whole value is still told.
+            let name = fill(language.texts().position.coordinate, &[&"x"]);
+            assert_eq!(value(&window, &name), language.number(x, 3));
+        }
+    }
+}
+
+/// What has no room in its field is told beside the pointer.
+#[test]
+fn a_shortened_number_is_told_whole_by_its_tooltip() {
+    let mut window = window(Language::English);
+    enter(&mut window, "Position x", "1000000000");
+    let at = number(&window, "Position x").rect().center();
+    window.hover_at(at);
+    for _ in 0..4 {
+        window.step();
+    }
+    let shown = painted(&window.output().shapes);
+    let whole = |text: &String| text.starts_with("Position x 1000000000.000");
+    assert!(shown.iter().any(whole), "{shown:?}");
+    assert!(shown.iter().any(|text| text == "1.00e9"), "{shown:?}");
+}
+
+/// That of the movement window touches the field of the tilt.
+#[test]
+fn the_border_of_what_has_the_keyboard_covers_no_neighbour() {
+    for size in [SMALL, LARGE] {
+        let mut window = window_of(options(Language::English), size, 1.0, Theme::Dark);
+        let texts = &Language::English.texts().space;
+        let around = |window: &mut Window| {
+            let fields = [texts.tilt, texts.rotate, texts.size];
+            let fields = fields.map(|name| {
+                let all = window.get_all_by_role_and_label(Role::SpinButton, name);
+                all.last().expect("a number").rect()
+            });
+            let picture = window.render().expect("a picture");
+            let mut pixels = Vec::new();
+            for rect in fields {
+                for y in rect.top() as u32..rect.bottom() as u32 {
+                    let row = rect.left() as u32..rect.right() as u32;
+                    pixels.extend(row.map(|x| picture.get_pixel(x, y).0));
+                }
+            }
+            pixels
+        };
+        window.get_by_label(texts.name).focus();
+        window.run();
+        let before = around(&mut window);
+        // The arrow keys turn the space and bring the border.
+        let view = window.state().setup.view;
+        press(&mut window, Modifiers::COMMAND, Key::ArrowRight);
+        assert_ne!(window.state().setup.view, view);
+        window.state_mut().setup.view = view;
+        window.run();
+        let room = window.get_by_label(texts.name).rect();
+        let picture = window.render().expect("a picture");
+        let colour = Theme::Dark.palette().focus.to_array();
+        let at = room.left_center() + vec2(1.0, 40.0);
+        assert_eq!(picture.get_pixel(at.x as u32, at.y as u32).0, colour);
+        assert!(around(&mut window) == before, "{size:?}");
+    }
+}

@@ -410,3 +410,33 @@ fn the_title_begins_with_the_name_and_marks_unsaved_work() {
     editor.title = Some("Flug".into());
     assert_eq!(editor.window_title(), "VIDES – *Flug");
 }
+
+/// A letter alone would look as if it could be pressed anywhere.
+#[test]
+fn a_letter_of_one_menu_is_shown_behind_the_menus_keys() {
+    for language in BOTH {
+        let mut window = window(language);
+        let shown = |window: &Window| -> Vec<String> {
+            let shapes = window.output().shapes.iter();
+            let texts = shapes.filter_map(|clipped| match &clipped.shape {
+                egui::Shape::Text(text) => Some(text.galley.text().to_owned()),
+                _ => None,
+            });
+            texts.collect()
+        };
+        press(&mut window, Modifiers::ALT, Key::A);
+        let texts = shown(&window);
+        assert!(texts.iter().any(|text| text == "Alt+A, D"), "{texts:?}");
+        assert!(!texts.iter().any(|text| text == "D"), "{texts:?}");
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        press(&mut window, Modifiers::NONE, Key::F1);
+        assert!(window.query_by_label("Alt+A, D").is_some());
+        assert!(window.query_by_label("D").is_none());
+        // They are the keys that do it.
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        press(&mut window, Modifiers::ALT, Key::A);
+        press(&mut window, Modifiers::NONE, Key::D);
+        let export = language.texts().files.export;
+        assert!(window.query_by_label(export).is_some());
+    }
+}

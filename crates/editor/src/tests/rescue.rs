@@ -227,3 +227,15 @@ fn a_window_that_cannot_keep_its_work_says_so_once() {
         assert_eq!(said, 1);
     }
 }
+
+#[test]
+fn tab_goes_through_the_answers_as_they_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    vanish(folder.path(), 0.25);
+    let mut window = start(Language::English, folder.path());
+    let texts = &Language::English.texts().rescue;
+    for name in [texts.restore, texts.discard, texts.later, texts.restore] {
+        assert!(window.get_by_label(name).is_focused(), "{name}");
+        press(&mut window, Modifiers::NONE, Key::Tab);
+    }
+}

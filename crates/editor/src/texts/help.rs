@@ -37,8 +37,8 @@ texts! {
         arrows: "Arrow keys, Enter", "Pfeiltasten, Enter";
         arrows_meaning: "Walk through the menus, pick an entry",
             "Durch die Menüs gehen, Eintrag wählen";
-        d_meaning: "In the open menu Output: write to a file",
-            "Im offenen Menü Ausgabe: in Datei ausgeben";
+        d_meaning: "Open the menu Output, then write to a file",
+            "Menü Ausgabe öffnen, dann in Datei ausgeben";
 
         fields: "Numbers", "Zahlen";
         drag: "Drag", "Ziehen";

@@ -8,8 +8,8 @@
 //! texts! {
 //!     /// The movement window.
 //!     Space {
-//!         edge_on: "This plane is seen edge-on: turn or tilt the space",
-//!             "Diese Ebene ist von der Kante zu sehen: Raum drehen oder kippen";
+//!         whole_meaning: "See all of it as at first",
+//!             "Alles sehen wie am Anfang";
 //!     }
 //! }
 //! ```
@@ -84,7 +84,16 @@ impl Language {
     /// A number with so many decimals, with this language's decimal sign and
     /// a minus sign as wide as a digit. Minus zero is zero.
     pub(super) fn number(self, value: f64, decimals: usize) -> String {
-        let mut text = format!("{value:.decimals$}");
+        self.written(format!("{value:.decimals$}"))
+    }
+
+    /// A number with a power of ten, such as 1.50e9.
+    pub(super) fn power(self, value: f64, decimals: usize) -> String {
+        self.written(format!("{value:.decimals$e}"))
+    }
+
+    /// A number as people write it, from how programs do.
+    fn written(self, mut text: String) -> String {
         if let Some(digits) = text.strip_prefix('-') {
             let zero = digits.bytes().all(|byte| matches!(byte, b'0' | b'.'));
             text = if zero {

@@ -24,6 +24,13 @@ texts! {
             "Ort der Kamera: ziehen, oder klicken und tippen";
         shape_hint: "Bias, continuity and tension at this point (1) and at the next one (2)",
             "Bias, Continuity und Tension an diesem Punkt (1) und am nächsten (2)";
+        add_here: "Add point here", "Punkt hier einfügen";
+        add_orientation_here: "Add orientation here", "Orientierung hier einfügen";
+        add_here_hint: "Make a key of what the camera does in this frame",
+            "Aus dem, was die Kamera in diesem Bild tut, einen Punkt oder eine Orientierung machen";
+        is_a_key: "The camera is at a point in this frame: there is nothing to add",
+            "In diesem Bild ist die Kamera an einem Punkt: Es gibt nichts einzufügen";
+        in_between: "In between: typing adds it", "Zwischenwerte: Tippen fügt ein";
         preset: "Preset {0}", "Standard {0}";
         own: "Own values", "Eigendef.";
         choice: "Shape of the curve", "Form der Kurve";

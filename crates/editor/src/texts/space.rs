@@ -15,8 +15,6 @@ texts! {
         tilt: "Tilt", "Kippen";
         tilt_tip: "Tilts the movement space (drag in the empty space)",
             "Kippt den Bewegungsraum (im leeren Raum ziehen)";
-        edge_on: "This plane is seen edge-on: rotate or tilt the space first",
-            "Diese Ebene ist nur von der Kante zu sehen: erst den Raum drehen oder kippen";
         circle_edge_on: "The circle of VUP is seen edge-on: rotate or tilt the space first",
             "Der Kreis von VUP ist nur von der Kante zu sehen: erst den Raum drehen oder kippen";
         position_at: "Position  x {0}  y {1}  z {2}", "Position  x {0}  y {1}  z {2}";
@@ -27,8 +25,13 @@ texts! {
         aim_all_here: "Aim all cameras here", "Alle Kameras hierauf richten";
         corner_mouse: "Right click on a corner of the object", "Rechtsklick auf eine Ecke des Objekts";
         corner_meaning: "Aim one camera or all at it", "Eine Kamera oder alle darauf richten";
-        drag_hint: "Drag: left keeps x, middle y, right z",
-            "Ziehen: links bleibt x fest, Mitte y, rechts z";
+        drag_hint: "Drag: left keeps {0}, middle {1}, right {2}",
+            "Ziehen: links bleibt {0} fest, Mitte {1}, rechts {2}";
+        in_plane: "In the plane {0} = const · X, Y, Z: keep it · Ctrl: in steps · Shift: finer",
+            "In der Ebene {0} = const · X, Y, Z: festhalten · Strg: in Schritten · Umschalt: feiner";
+        on_line: "Along {0} · X, Y, Z: keep it · Ctrl: in steps · Shift: finer",
+            "Längs {0} · X, Y, Z: festhalten · Strg: in Schritten · Umschalt: feiner";
+        rolling: "Ctrl: in steps of 15° · Shift: finer", "Strg: in Schritten von 15° · Umschalt: feiner";
         roll_hint: "Drag: roll the camera", "Ziehen: Kamera um die Blickrichtung drehen";
         make_closed: "Close the path", "Bahn schließen";
         make_open: "Open the path", "Bahn öffnen";
@@ -38,8 +41,24 @@ texts! {
         timeline: "Frame", "Bild";
         timeline_tip: "Drag or use the arrow keys to go through the frames",
             "Ziehen oder Pfeiltasten: durch die Bilder gehen";
-        frame_of: "Frame {0} / {1}", "Bild {0} / {1}";
-        seconds_at: "{0} s · {1} fps", "{0} s · {1} Bilder/s";
+        frame_number: "Number of the frame", "Nummer des Bildes";
+        frame_tip: "Go to a frame: drag, or click and type",
+            "Zu einem Bild gehen: ziehen, oder klicken und tippen";
+        of_frames: "/ {0}", "/ {0}";
+        second: "Seconds", "Sekunden";
+        second_tip: "Go to a time: drag, or click and type",
+            "Zu einem Zeitpunkt gehen: ziehen, oder klicken und tippen";
+        of_seconds: "/ {0} s", "/ {0} s";
+        rate: "Frames per second", "Bilder je Sekunde";
+        rate_tip: "Frames shown in a second: drag, or click and type",
+            "Bilder, die in einer Sekunde zu sehen sind: ziehen, oder klicken und tippen";
+        rate_unit: " fps", " B./s";
+        again: "Loop", "Endlos";
+        again_tip: "Begin anew at the end (L)", "Am Ende von vorn beginnen (L)";
+        pace: "Playing speed", "Abspieltempo";
+        pace_tip: "Half, whole or double speed", "Halbes, ganzes oder doppeltes Tempo";
+        loop_keys: "L", "L";
+        loop_meaning: "Begin anew at the end when playing", "Beim Abspielen am Ende von vorn beginnen";
         too_many_frames: "Too many frames", "Zu viele Bilder";
         camera_view: "Camera view", "Kamerabild";
         camera_view_tip: "Shows what the camera sees (C)", "Zeigt, was die Kamera sieht (C)";
@@ -75,6 +94,14 @@ texts! {
         menu_keys: "Shift + F10", "Umschalt + F10";
         menu_meaning: "What can be done with the current point",
             "Was sich mit dem aktuellen Punkt tun lässt";
+        facing_mouse: "Drag where a plane is seen edge-on", "Ziehen, wo eine Ebene von der Kante zu sehen ist";
+        facing_meaning: "The plane that is seen best takes its place",
+            "Die am besten sichtbare Ebene gilt an ihrer Stelle";
+        snap_mouse: "Ctrl while dragging", "Strg beim Ziehen";
+        snap_meaning: "Go by steps of 0.05, a fifth of the grid; VUP by 15°",
+            "In Schritten von 0,05, einem Fünftel des Gitters; VUP um 15°";
+        fine_mouse: "Shift while dragging", "Umschalt beim Ziehen";
+        fine_meaning: "Ten times finer", "Zehnmal feiner";
         escape_keys: "Esc while dragging", "Esc beim Ziehen";
         escape_meaning: "Leave all as it was", "Alles lassen, wie es war";
         view_reset: "Reset the view", "Ansicht zurücksetzen";

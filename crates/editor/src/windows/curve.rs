@@ -4,7 +4,7 @@
 use egui::{Grid, Rect, Sense, Slider, Ui, vec2};
 
 use super::pending::{Belonging, Choice, GivenUp, Pending, orientation};
-use super::{SubWindow, Windows, curve_picture, is_cramped, sub_window};
+use super::{SubWindow, Windows, curve_picture, is_cramped, row_at_right, sub_window};
 use crate::limits::PRESETS;
 use crate::number::{Entry, Number};
 use crate::path::{Target, Tcb};
@@ -377,22 +377,19 @@ impl CurveWindow {
     fn buttons(&mut self, editor: &Editor, ui: &mut Ui) {
         let texts = &editor.texts().curve;
         ui.add_space(theme::GAP * 2.0);
-        // In a row of its own, else it would fill the window's old height.
-        ui.horizontal(|ui| {
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let size = vec2(96.0, theme::ROW);
-                let mut button = |text: &str, hint: &str| {
-                    ui.add_sized(size, egui::Button::new(text))
-                        .on_hover_text(hint)
-                        .clicked()
-                };
-                if button(texts.ok, texts.ok_hint) {
-                    self.pressed = Some(Button::Ok);
-                }
-                if button(texts.show, texts.show_hint) {
-                    self.pressed = Some(Button::Show);
-                }
-            });
+        let size = vec2(96.0, theme::ROW);
+        row_at_right(ui, &[texts.show, texts.ok], size.x, |ui| {
+            let mut button = |text: &str, hint: &str| {
+                ui.add_sized(size, egui::Button::new(text))
+                    .on_hover_text(hint)
+                    .clicked()
+            };
+            if button(texts.show, texts.show_hint) {
+                self.pressed = Some(Button::Show);
+            }
+            if button(texts.ok, texts.ok_hint) {
+                self.pressed = Some(Button::Ok);
+            }
         });
     }
 }

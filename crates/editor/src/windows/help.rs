@@ -90,7 +90,10 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 4] {
     let mut menus = vec![
         (plain(Key::F10), texts.first_menu.into()),
         row(texts.arrows, texts.arrows_meaning),
-        (plain(Key::D), texts.d_meaning.into()),
+        (
+            menu::in_menu(language, Key::A, Key::D),
+            texts.d_meaning.into(),
+        ),
     ];
     let opened = menu::letters(language.texts()).map(|(letter, title)| {
         let keys = combination(language, Modifiers::ALT, letter);
@@ -125,6 +128,7 @@ fn meaning(language: Language, action: Action) -> &'static str {
         Action::Undo => menu.undo,
         Action::Redo => menu.redo,
         Action::AddPoint => menu.add_point,
+        Action::AddHere => texts.position.add_here,
         Action::AskPoints => menu.add_points,
         Action::RemovePoint => menu.remove_point,
         Action::NextPoint => texts.position.next_hint,

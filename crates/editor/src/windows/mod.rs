@@ -235,6 +235,28 @@ fn modal(
         });
 }
 
+/// Buttons that end where the row ends, with these words and at least so wide. They
+/// are made from left to right, as they are read: Tab goes through them in the order
+/// in which they are made.
+fn row_at_right(ui: &mut egui::Ui, names: &[&str], least: f32, add: impl FnOnce(&mut egui::Ui)) {
+    ui.horizontal(|ui| {
+        let padding = 2.0 * ui.spacing().button_padding.x;
+        let widths = names.iter().map(|&name| {
+            let words = egui::WidgetText::from(name).into_galley(
+                ui,
+                Some(egui::TextWrapMode::Extend),
+                f32::INFINITY,
+                egui::TextStyle::Button,
+            );
+            (words.size().x + padding).max(least)
+        });
+        let gaps = names.len().saturating_sub(1) as f32 * ui.spacing().item_spacing.x;
+        let width = widths.sum::<f32>() + gaps;
+        ui.add_space((ui.available_width() - width).max(0.0));
+        add(ui);
+    });
+}
+
 fn layer(id: &'static str) -> egui::LayerId {
     egui::LayerId::new(egui::Order::Middle, egui::Id::unique(id))
 }

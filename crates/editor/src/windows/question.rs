@@ -1,8 +1,8 @@
 //! The question before unsaved work is lost.
 
-use egui::{Button, Key, Modifiers, vec2};
+use egui::{Button, Key, Modifiers, Vec2, vec2};
 
-use super::modal;
+use super::{modal, row_at_right};
 use crate::filing::{Then, short};
 use crate::state::Editor;
 use crate::texts::fill;
@@ -13,6 +13,9 @@ pub(crate) struct Question {
     then: Then,
     fresh: bool,
 }
+
+/// A button's least size.
+const BUTTON: Vec2 = vec2(96.0, 28.0);
 
 /// The answers.
 #[derive(Clone, Copy)]
@@ -43,13 +46,14 @@ impl Question {
         modal(context, "question", texts.unsaved, 380.0, |ui| {
             ui.label(fill(text, &[&name]));
             ui.add_space(8.0);
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let names = [texts.save, texts.discard, texts.cancel];
+            row_at_right(ui, &names, BUTTON.x, |ui| {
                 for (text, hint, which) in [
-                    (texts.cancel, texts.cancel_hint, Answer::Cancel),
-                    (texts.discard, texts.discard_hint, Answer::Discard),
                     (texts.save, texts.save_hint, Answer::Save),
+                    (texts.discard, texts.discard_hint, Answer::Discard),
+                    (texts.cancel, texts.cancel_hint, Answer::Cancel),
                 ] {
-                    let button = Button::new(text).min_size(vec2(96.0, 28.0));
+                    let button = Button::new(text).min_size(BUTTON);
                     let response = ui.add(button).on_hover_text(hint);
                     if self.fresh && matches!(which, Answer::Save) {
                         self.fresh = false;

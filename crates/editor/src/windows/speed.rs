@@ -8,7 +8,7 @@ use egui::{
 };
 
 use super::speed_shapes::Shape;
-use super::{SubWindow, Windows, is_cramped, sub_window};
+use super::{SubWindow, Windows, is_cramped, row_at_right, sub_window};
 use crate::document::{Edit, Info};
 use crate::limits::{BASE_SPEED, MAX_FPS, MAX_HOLD, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::{Entry, Number};
@@ -486,23 +486,24 @@ fn shapes(editor: &Editor, ui: &mut Ui, section: &Section) -> Option<[f64; SPEED
 fn exchange(editor: &mut Editor, ui: &mut Ui, section: &Section) -> Option<[f64; SPEEDS]> {
     let texts = &editor.texts().speed_window;
     let mut new = None;
-    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        ui.spacing_mut().item_spacing.x = theme::GAP;
+    ui.spacing_mut().item_spacing.x = theme::GAP;
+    let names = [texts.copy, texts.paste, texts.reset];
+    row_at_right(ui, &names, 0.0, |ui| {
         let button = |ui: &mut Ui, enabled, name: &str, hint: &str| {
             ui.add_enabled(enabled, egui::Button::new(name))
                 .on_hover_text(hint)
                 .clicked()
         };
-        if button(ui, true, texts.reset, texts.reset_hint) {
-            new = Some([BASE_SPEED; SPEEDS]);
+        if button(ui, true, texts.copy, texts.copy_hint) {
+            editor.windows.copied_speeds = Some(section.speeds);
+            editor.say(texts.copied);
         }
         let known = editor.windows.copied_speeds;
         if button(ui, known.is_some(), texts.paste, texts.paste_hint) {
             new = known;
         }
-        if button(ui, true, texts.copy, texts.copy_hint) {
-            editor.windows.copied_speeds = Some(section.speeds);
-            editor.say(texts.copied);
+        if button(ui, true, texts.reset, texts.reset_hint) {
+            new = Some([BASE_SPEED; SPEEDS]);
         }
     });
     new

@@ -1,0 +1,190 @@
+//! The numbers of the bar, frame, second and rate, each typed or dragged; and how it
+//! is played: again and again, slower, faster.
+
+use egui::{Align, Button, Layout, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, UiBuilder};
+use egui::{WidgetInfo, pos2, vec2};
+
+use super::{Editor, as_frame};
+use crate::document::{Edit, Info};
+use crate::limits::MAX_FPS;
+use crate::number::{Entry, Number};
+use crate::texts::fill;
+use crate::theme;
+
+/// Width of frame and second, of the rate, and of a button; between them.
+const FIELD: f32 = 84.0;
+const RATE: f32 = 76.0;
+const BUTTON: f32 = 35.0;
+const GAP: f32 = 6.0;
+
+/// How fast it is played.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Pace {
+    #[default]
+    Whole,
+    Half,
+    Double,
+}
+
+impl Pace {
+    /// Film time for a second.
+    pub(super) const fn factor(self) -> f64 {
+        match self {
+            Self::Half => 0.5,
+            Self::Whole => 1.0,
+            Self::Double => 2.0,
+        }
+    }
+
+    const fn words(self) -> &'static str {
+        match self {
+            Self::Half => "½×",
+            Self::Whole => "1×",
+            Self::Double => "2×",
+        }
+    }
+
+    /// What follows it, round and round.
+    const fn next(self) -> Self {
+        match self {
+            Self::Half => Self::Whole,
+            Self::Whole => Self::Double,
+            Self::Double => Self::Half,
+        }
+    }
+}
+
+/// Shows them in two rows.
+pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+    let texts = &editor.texts().space;
+    let palette = theme::palette(ui);
+    let count = as_frame(editor.playing.marks.frames);
+    if count == 0.0 {
+        ui.label(texts.too_many_frames);
+        return;
+    }
+    let info = editor.document.info();
+    let (fps, first) = (info.fps, f64::from(info.first_frame));
+    let at = editor.position_on_bar().round();
+    let language = editor.language();
+    let last = first + count - 1.0;
+    let seconds = |frames: f64| (frames - 1.0) / fps;
+    let totals = [
+        fill(texts.of_frames, &[&language.number(last, 0)]),
+        fill(texts.of_seconds, &[&language.number(seconds(count), 2)]),
+    ];
+    let galleys = totals.map(|text| {
+        let painter = ui.painter();
+        painter.layout_no_wrap(text, theme::text(), palette.weak)
+    });
+    let beside = galleys.iter().map(|galley| galley.size().x);
+    let beside = beside.fold(36.0, f32::max).ceil();
+    let size = vec2(FIELD + beside + RATE + 2.0 * GAP, 2.0 * theme::ROW + 2.0);
+    let (block, _) = ui.allocate_exact_size(size, Sense::hover());
+    let row = |number: u8| {
+        let top = block.top() + f32::from(number) * (theme::ROW + 2.0);
+        let rect = Rect::from_min_size(pos2(block.left(), top), vec2(size.x, theme::ROW));
+        let layout = Layout::left_to_right(Align::Center);
+        UiBuilder::new().max_rect(rect).layout(layout)
+    };
+    let [frames, times] = galleys;
+    let total = |ui: &mut Ui, galley: std::sync::Arc<egui::Galley>| {
+        let (rect, response) = ui.allocate_exact_size(vec2(beside, theme::ROW), Sense::hover());
+        let words = galley.text().to_owned();
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &words));
+        let place = pos2(rect.left(), rect.center().y - galley.size().y / 2.0);
+        ui.painter().galley(place, galley, palette.weak);
+    };
+    ui.scope_builder(row(0), |ui| {
+        ui.spacing_mut().item_spacing.x = GAP;
+        let entry = Number::new(texts.frame_number, first + at - 1.0)
+            .label(texts.timeline)
+            .hint(texts.frame_tip)
+            .whole()
+            .range(first..=last)
+            .steps(1.0, 1.0)
+            .show(ui, language, "playing.frame", FIELD);
+        go(editor, entry, |value| value - first + 1.0);
+        total(ui, frames);
+        let entry = Number::new(texts.rate, fps)
+            .hint(texts.rate_tip)
+            .unit(texts.rate_unit)
+            .decimals(if fps.fract() == 0.0 { 0 } else { 3 })
+            .range(0.001..=MAX_FPS)
+            .steps(1.0, 0.5)
+            .show(ui, language, "playing.fps", RATE);
+        let info = editor.document.info().clone();
+        editor.enter(entry, |fps| Edit::SetInfo(Box::new(Info { fps, ..info })));
+    });
+    ui.scope_builder(row(1), |ui| {
+        ui.spacing_mut().item_spacing.x = GAP;
+        let entry = Number::new(texts.second, seconds(at))
+            .hint(texts.second_tip)
+            .unit(" s")
+            .decimals(2)
+            .range(0.0..=seconds(count))
+            .steps(1.0 / fps, 1.0 / fps)
+            .show(ui, language, "playing.second", FIELD);
+        go(editor, entry, |value| (value * fps).round() + 1.0);
+        total(ui, times);
+        how(editor, ui);
+    });
+}
+
+/// The playhead goes where a number says.
+fn go(editor: &mut Editor, entry: Entry, frame: impl Fn(f64) -> f64) {
+    match entry {
+        Entry::Begin => editor.playing.before = Some(editor.position_on_bar()),
+        Entry::Drag(value) | Entry::Set(value) => editor.scrub(frame(value)),
+        Entry::Cancel => {
+            if let Some(before) = editor.playing.before.take() {
+                editor.scrub(before);
+            }
+        }
+        Entry::Wrong(why) => editor.complain(why),
+        Entry::Idle | Entry::End => {}
+    }
+}
+
+/// Again and again; slower or faster.
+fn how(editor: &mut Editor, ui: &mut Ui) {
+    let texts = &editor.texts().space;
+    let size = [BUTTON, theme::ROW];
+    let loops = editor.playing.loops;
+    let response = ui.add_sized(size, Button::new("").selected(loops));
+    response.widget_info(|| WidgetInfo::selected(Role::Button, true, loops, texts.again));
+    let color = ui
+        .style()
+        .interact_selectable(&response, loops)
+        .fg_stroke
+        .color;
+    ui.painter()
+        .extend(arrows_round(response.rect.center(), color));
+    if response.on_hover_text(texts.again_tip).clicked() {
+        editor.switch_loops(ui.ctx());
+    }
+    let pace = editor.playing.pace;
+    let response = ui.add_sized(size, Button::new(pace.words()));
+    response.widget_info(|| WidgetInfo {
+        current_text_value: Some(pace.words().to_owned()),
+        ..WidgetInfo::labeled(Role::Button, true, texts.pace)
+    });
+    if response.on_hover_text(texts.pace_tip).clicked() {
+        editor.set_pace(pace.next(), ui.ctx());
+    }
+}
+
+/// Two arrows that run after one another.
+fn arrows_round(centre: Pos2, color: egui::Color32) -> Vec<Shape> {
+    let stroke = Stroke::new(1.5, color);
+    let half = |sign: f32| {
+        let at = |x: f32, y: f32| centre + vec2(x, y) * sign;
+        let way = vec![at(-7.0, 2.0), at(-7.0, -4.0), at(4.0, -4.0)];
+        let head = vec![at(3.0, -7.0), at(7.5, -4.0), at(3.0, -1.0)];
+        [
+            Shape::line(way, stroke),
+            Shape::convex_polygon(head, color, Stroke::NONE),
+        ]
+    };
+    [half(1.0), half(-1.0)].concat()
+}
