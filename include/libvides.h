@@ -64,7 +64,9 @@
  * V_ERR_FORMAT    the contents of a file are not what they should be
  * V_ERR_DISPLAY   no window can be opened, or its X server went away
  * V_ERR_BUSY      not possible at this moment, as from within this callback
- * V_ERR_CLOSED    the user has closed this window
+ * V_ERR_CLOSED    the window is gone: its user has closed it, its X server went
+ *                 away, or the thread that opened it has ended; v_last_error()
+ *                 says which
  * V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable
  *                 from now on, everything else goes on
  */
@@ -385,10 +387,12 @@ const char *v_version(void);
  *
  * rueck and ende run on the thread that called v_haupt(), inside the host's
  * event loop, and may call any function of the library. They return to their
- * caller: no longjmp() and no exception may leave them.
+ * caller: no longjmp() and no exception may leave them. An exception that does
+ * ends the program, after a line on standard error that names the callback.
  * What is wrong with the arguments, or that no window can be opened, is said
  * in one line on standard error, which begins "vides:", by v_last_error(), and
- * in the window if there is one.
+ * in the window if there is one. The window belongs to this thread and is
+ * closed when it ends, which such a line says, too.
  * From the thread that runs the event loop; from callbacks too.
  */
 void v_haupt(float move_speed,
@@ -416,9 +420,11 @@ void v_free_liste(V_KAMERAPAR *first);
 
 /**
  * A host with an Xt or Motif main loop needs none of these: its windows are
- * served by it. Any other host watches one descriptor among its own, or calls
- * v_main_loop(). All of them concern the windows that the calling thread has
- * opened. A host that does nothing of the kind finds a hint on standard error.
+ * served by it, also where it asks XtAppPending() first, unless it takes
+ * XtIMXEvent only. Any other host, also one with Xt under a select() of its own,
+ * watches one descriptor among its own, or calls v_main_loop(). All of them
+ * concern the windows that the calling thread has opened. A host that does
+ * nothing of the kind finds a hint on standard error.
  *
  * The descriptor to be watched with select(), poll() or the like: when it is
  * readable, call v_dispatch(). It stays the same and open as long as the
@@ -854,7 +860,10 @@ void v_editor_options_init(V_EDITOR_OPTIONS *options);
  *
  * on_poses and on_close run on the thread that opened the window, inside the
  * host's event loop, and may call any function of the library. They return to
- * their caller: no longjmp() and no exception may leave them.
+ * their caller: no longjmp() and no exception may leave them. An exception that
+ * does ends the program, after a line on standard error that names the callback.
+ * The window belongs to this thread and is closed when it ends, which a line on
+ * standard error says.
  * The thread that runs the event loop; from callbacks too. V_ERR_NULL,
  * V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
  * V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
@@ -864,8 +873,8 @@ int v_editor_open(const V_EDITOR_OPTIONS *options, V_EDITOR **editor);
 /**
  * Closes a window without asking anybody, and frees its handle. From within
  * its own callbacks it closes when they have returned. NULL is no error.
- * The thread that opened it, or any once the user has closed it; from
- * callbacks too. V_ERR_HANDLE.
+ * The thread that opened it, or any once the window is gone; from callbacks
+ * too. V_ERR_HANDLE.
  */
 int v_editor_close(V_EDITOR *editor);
 
