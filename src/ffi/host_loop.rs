@@ -33,9 +33,11 @@ fn tell(lost: Option<&Lost>) {
 /// ==== The host's event loop ====
 ///
 /// A host with an Xt or Motif main loop needs none of these: its windows are
-/// served by it. Any other host watches one descriptor among its own, or calls
-/// v_main_loop(). All of them concern the windows that the calling thread has
-/// opened. A host that does nothing of the kind finds a hint on standard error.
+/// served by it, also where it asks XtAppPending() first, unless it takes
+/// XtIMXEvent only. Any other host, also one with Xt under a select() of its own,
+/// watches one descriptor among its own, or calls v_main_loop(). All of them
+/// concern the windows that the calling thread has opened. A host that does
+/// nothing of the kind finds a hint on standard error.
 ///
 /// The descriptor to be watched with select(), poll() or the like: when it is
 /// readable, call v_dispatch(). It stays the same and open as long as the

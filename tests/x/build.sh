@@ -53,10 +53,19 @@ build readme_window "$out/window.c" -- -lvides -lm
 extra=-D_GNU_SOURCE
 build loop_poll "$here/loop_poll.c" "$here/host.c" -- -lvides -lm
 build loop_xt "$here/loop_xt.c" "$here/host.c" -- -lvides -lm -lXt -lX11
+build loop_pending "$here/loop_pending.c" "$here/host.c" -- -lvides -lm -lXt -lX11
 
 extra=-std=gnu99
 build ending "$here/ending.c" -- -lvides -lm -lX11 -lpthread
+build thread_ends "$here/thread_ends.c" -- -lvides -lm
 build work "$here/work.c" "$here/../calls/hands.c" -- -lvides -lm -lX11
+
+for kind in archive shared; do
+    link=$libraries
+    [ $kind = archive ] && link=$out/archive
+    LIBRARY_PATH=$link "${CXX:-c++}" -std=c++98 -pedantic -Wall -Wextra -Werror -I"$root/include" \
+        -o "$out/throws-$kind" "$here/throws.cc" -lvides -lm
+done
 
 extra=
 "$cc" -std=gnu99 -O1 -Wall -Wextra -Werror -o "$out/first_picture" "$here/first_picture.c" -lX11

@@ -342,6 +342,12 @@ static void command(char *line)
     } else if (strcmp(name, "sleep") == 0) { /* milliseconds, serving nothing */
         usleep((useconds_t)atoi(text) * 1000);
         say("slept");
+    } else if (strcmp(name, "compute") == 0) { /* milliseconds, without a pause */
+        say("computing");
+        start = now();
+        while (1e3 * (now() - start) < a)
+            ;
+        say("computed");
     } else if (strcmp(name, "cycle") == 0) {
         cycle(a);
     } else if (strcmp(name, "stamp") == 0) {

@@ -14,6 +14,8 @@
 
 #![allow(unsafe_code)] // system calls
 
+use std::fs::File;
+use std::io::Read as _;
 use std::os::fd::{AsRawFd, FromRawFd, OwnedFd, RawFd};
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -72,19 +74,19 @@ pub(super) fn begin(windows: RawFd) {
     if !matches!(*state, State::Unknown) {
         return;
     }
-    let mut clock = 0;
-    // SAFETY: system calls; the descriptor is new, and the thread is this one.
-    let bell = unsafe {
-        let bell = libc::eventfd(0, libc::EFD_CLOEXEC | libc::EFD_NONBLOCK);
-        if bell < 0 || libc::pthread_getcpuclockid(libc::pthread_self(), &mut clock) != 0 {
-            return;
-        }
-        OwnedFd::from_raw_fd(bell)
+    // SAFETY: system calls without pointers.
+    let (bell, host) = unsafe {
+        let flags = libc::EFD_CLOEXEC | libc::EFD_NONBLOCK;
+        (libc::eventfd(0, flags), libc::gettid())
     };
+    if bell < 0 {
+        return;
+    }
+    // SAFETY: a new descriptor, which nobody else has.
+    let bell = unsafe { OwnedFd::from_raw_fd(bell) };
     let Ok(end) = bell.try_clone() else { return };
     let look = move || {
-        let known = look(windows, &end, clock);
-        if known {
+        if look(windows, &end, host) {
             settle();
         }
     };
@@ -126,17 +128,14 @@ pub(super) fn is_looking() -> bool {
 }
 
 /// Looks until it is known what the host does (true) or until it is to end.
-fn look(windows: RawFd, end: &OwnedFd, clock: libc::clockid_t) -> bool {
+fn look(windows: RawFd, end: &OwnedFd, host: libc::pid_t) -> bool {
     let mut times = 0;
     while times < BELIEVED {
         if wait(&[windows, end.as_raw_fd()], None)[1] {
             return false;
         }
-        let Some(before) = spent(clock) else {
-            return false; // the host's thread has ended
-        };
         let count = SERVED.load(Ordering::Relaxed);
-        let mut served = false;
+        let (mut served, mut asleep) = (false, 0);
         for _ in 0..STEPS {
             if wait(&[end.as_raw_fd()], Some(STEP))[0] {
                 return false;
@@ -145,16 +144,14 @@ fn look(windows: RawFd, end: &OwnedFd, clock: libc::clockid_t) -> bool {
             if served {
                 break;
             }
+            asleep += u32::from(sleeps(host));
         }
         if served {
             times += 1;
             continue;
         }
         // A host that computes will come back.
-        let Some(after) = spent(clock) else {
-            return false;
-        };
-        if after.saturating_sub(before) < STEP * STEPS / 2 {
+        if asleep > STEPS / 2 {
             super::hint::give_to_xt();
             return true;
         }
@@ -162,17 +159,15 @@ fn look(windows: RawFd, end: &OwnedFd, clock: libc::clockid_t) -> bool {
     true
 }
 
-/// The processor time of a thread.
-fn spent(clock: libc::clockid_t) -> Option<Duration> {
-    let mut time = libc::timespec {
-        tv_sec: 0,
-        tv_nsec: 0,
-    };
-    // SAFETY: room for a time.
-    let known = unsafe { libc::clock_gettime(clock, &mut time) } == 0;
-    let seconds = u64::try_from(time.tv_sec).ok()?;
-    let rest = u32::try_from(time.tv_nsec).ok()?;
-    known.then(|| Duration::new(seconds, rest))
+/// Whether a thread of this process waits for something (proc(5), `stat`).
+fn sleeps(thread: libc::pid_t) -> bool {
+    let mut line = [0; 256];
+    let read = File::open(format!("/proc/self/task/{thread}/stat"))
+        .and_then(|mut file| file.read(&mut line));
+    let line = &line[..read.unwrap_or(0)];
+    // The state stands behind the name, which is in parentheses and may hold any sign.
+    let name = line.iter().rposition(|&letter| letter == b')');
+    name.and_then(|end| line.get(end + 2)) == Some(&b'S')
 }
 
 /// Waits until one of the descriptors is readable, or for so long; which are.

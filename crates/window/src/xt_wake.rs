@@ -13,7 +13,9 @@
 
 #![allow(unsafe_code)] // functions of C, found by name
 
+use std::collections::hash_map::DefaultHasher;
 use std::ffi::{c_char, c_int, c_uint, c_ulong, c_void};
+use std::hash::{Hash as _, Hasher as _};
 use std::mem::{MaybeUninit, transmute};
 use std::os::fd::RawFd;
 use std::ptr;
@@ -30,7 +32,8 @@ pub(super) type BlockHook = unsafe extern "C" fn(*mut c_void);
 type AddBlockHook = unsafe extern "C" fn(*mut c_void, BlockHook, *mut c_void) -> c_ulong;
 type GetDisplays = unsafe extern "C" fn(*mut c_void, *mut *mut Display, *mut c_uint);
 type Free = unsafe extern "C" fn(*mut c_char);
-type LastEvent = unsafe extern "C" fn(Display) -> *const Event;
+type LastEvent = unsafe extern "C" fn(Display) -> *const Head;
+type LastTime = unsafe extern "C" fn(Display) -> c_ulong;
 type Queued = unsafe extern "C" fn(Display, c_int) -> c_int;
 type PutBack = unsafe extern "C" fn(Display, *mut Event) -> c_int;
 type LastSerial = unsafe extern "C" fn(Display) -> c_ulong;
@@ -45,12 +48,13 @@ struct Calls {
     get_displays: GetDisplays,
     free: Free,
     last_event: LastEvent,
+    last_time: LastTime,
     queued: Queued,
     put_back: PutBack,
     last_serial: LastSerial,
 }
 
-/// How an `XNoExposeEvent` begins: the fields of all events, and the window.
+/// How every event begins, up to its window.
 #[repr(C)]
 struct Head {
     kind: c_int,
@@ -86,6 +90,7 @@ impl Calls {
                 get_displays: transmute::<*mut c_void, GetDisplays>(named(c"XtGetDisplays")?),
                 free: transmute::<*mut c_void, Free>(named(c"XtFree")?),
                 last_event: transmute::<*mut c_void, LastEvent>(named(c"XtLastEventProcessed")?),
+                last_time: transmute::<*mut c_void, LastTime>(named(c"XtLastTimestampProcessed")?),
                 queued: transmute::<*mut c_void, Queued>(named(c"XEventsQueued")?),
                 put_back: transmute::<*mut c_void, PutBack>(named(c"XPutBackEvent")?),
                 last_serial: transmute::<*mut c_void, LastSerial>(named(
@@ -112,20 +117,23 @@ impl Calls {
         result
     }
 
-    /// The events that a context's displays processed last, as one number.
+    /// The events that a context's displays processed last, as one number. Only what
+    /// all events have is looked at: the rest of Xt's record may never have been set.
     fn processed(&self, context: usize) -> u64 {
         self.displays(context, |displays| {
-            let mut sum = 0xcbf2_9ce4_8422_2325_u64; // FNV-1a, by words
+            let mut hash = DefaultHasher::new();
             for &display in displays {
                 // SAFETY: a display of Xt's; the event is Xt's record of it.
-                let event = unsafe { (self.last_event)(display).as_ref() };
-                for &word in event.into_iter().flatten() {
-                    #[allow(clippy::useless_conversion)] // a c_ulong may be shorter
-                    let word = u64::from(word);
-                    sum = (sum ^ word).wrapping_mul(0x0100_0000_01b3);
-                }
+                let (event, time) = unsafe {
+                    (
+                        (self.last_event)(display).as_ref(),
+                        (self.last_time)(display),
+                    )
+                };
+                let event = event.map(|event| (event.kind, event.serial, event.window));
+                (event, time).hash(&mut hash);
             }
-            sum
+            hash.finish()
         })
     }
 

@@ -1,0 +1,256 @@
+"""Hosts with loops of their own over Xt, and what is said to a host that does wrong:
+nothing freezes, and nothing happens without a word."""
+
+import os
+import time
+
+from harness import check, wait
+from run import test
+
+PATIENCE = 2.0
+"""Seconds within which the hint is promised."""
+
+
+def vides_said(program):
+    """The library's lines on a program's standard error."""
+    return [line for line in program.complained if line.startswith("vides:")]
+
+
+def gap(host):
+    """The longest time between two rounds, ms, and the events for no window till now."""
+    words = host.tell("gap").split()
+    return float(words[1]), int(words[3])
+
+
+def dragging(server, window, seconds):
+    """The view is turned for so long, and nothing else touched."""
+    server.xdotool("mousemove", "--window", window, 500, 400, "mousedown", 3)
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        words = []
+        for step in range(100):
+            words += ["mousemove", "--window", window, 450 + step, 350 + step % 50, "sleep", "0.008"]
+        server.xdotool(*words)
+    server.xdotool("mouseup", 3)
+
+
+def goes_on(place, way, draws=True, seconds=10):
+    """A host goes on drawing while the editor is used; gives the events that it got."""
+    server = place.server()
+    host = place.told(server, "loop_pending", way)
+    host.open()
+    window = server.new_window()
+    if not draws:
+        host.tell("tick")
+    before = server.picture(window)
+    gap(host)
+    dragging(server, window, seconds)
+    longest, events = gap(host)
+    check(longest <= 100, f"{way}: {longest} ms without a picture")
+    check(server.picture(window).differs(before), "the view was not turned")
+    server.press(window, "alt+u")
+    host.expect("rueck 0")
+    host.live()
+    check(not host.complained, f"it complained: {host.complained}")
+    return server, host, window, events
+
+
+def freezes_never(place, way):
+    """A host that asks XtAppPending goes on, and an idle window gives it nothing to do."""
+    _, host, _, _ = goes_on(place, way)
+    time.sleep(1)
+    _, before = gap(host)
+    time.sleep(3)
+    _, events = gap(host)
+    check(events == before, f"{events - before} events of an idle window in 3 s")
+    threads = os.listdir(f"/proc/{host.pid}/task")
+    check(len(threads) == 1, f"{len(threads)} threads when the host is known")
+    host.leave()
+
+
+@test(alone=True)
+def xt_pending_and_next_event(place):
+    """XtAppPending, XtAppNextEvent, XtDispatchEvent."""
+    freezes_never(place, "next")
+
+
+@test(alone=True)
+def xt_pending_and_process_event(place):
+    """XtAppPending, XtAppProcessEvent."""
+    freezes_never(place, "process")
+
+
+@test(alone=True)
+def xt_pending_in_a_threaded_toolkit(place):
+    """After XtToolkitThreadInitialize."""
+    freezes_never(place, "threads")
+
+
+@test(alone=True)
+def xt_pending_on_two_displays(place):
+    """Two displays in one context."""
+    freezes_never(place, "displays")
+
+
+def sleeps_in_xt(place, way):
+    """A host that sleeps in Xt goes on as well, and is given no event more."""
+    server, host, window, _ = goes_on(place, way, draws=False, seconds=5)
+    before = gap(host)[1]
+    server.xdotool("mousemove", "--window", window, 300, 300)
+    dragging(server, window, 2)
+    events = gap(host)[1] - before
+    check(events <= 3, f"{events} events for no window")
+    host.leave()
+
+
+@test(alone=True)
+def xt_next_event_alone(place):
+    """XtAppNextEvent and XtDispatchEvent, as XtAppMainLoop has them."""
+    sleeps_in_xt(place, "blocked")
+
+
+@test(alone=True)
+def xt_process_event_alone(place):
+    """XtAppProcessEvent without XtAppPending."""
+    sleeps_in_xt(place, "one")
+
+
+@test(alone=True)
+def xt_hosts_have_one_thread(place):
+    """Whoever sleeps in Xt is known at once: no thread looks on, and no timer ticks."""
+    server = place.server()
+    for way in ("blocked", "one"):
+        host = place.told(server, "loop_pending", way)
+        windows = server.windows()
+        host.open()
+        window = server.new_window(*windows)
+        server.xdotool("mousemove", "--window", window, 500, 400)
+        server.xdotool("mousemove", "--window", window, 510, 400)
+        wait(lambda pid=host.pid: len(os.listdir(f"/proc/{pid}/task")) == 1, "one thread", 5)
+        host.idle()
+        before = host.switches()
+        time.sleep(2)
+        check(host.switches() == before, f"{host.switches() - before} wake-ups in 2 s")
+        host.leave()
+
+
+@test()
+def a_select_over_x_alone_is_told(place):
+    """A host whose select() does not see Xt's inputs: one hint, soon, that names the cure."""
+    server = place.server()
+    host = place.told(server, "loop_pending", "select")
+    host.open()
+    window = wait(server.windows, "a window")[0]
+    server.xdotool("mousemove", "--window", window, 500, 400)
+    server.focus(window)
+    start = time.monotonic()
+    server.xdotool("key", "alt+u")
+    wait(lambda: vides_said(host), "a hint", 10)
+    waited = time.monotonic() - start
+    check(waited < PATIENCE, f"the hint came after {waited:.2f} s")
+    said = vides_said(host)[0]
+    check("v_fd()" in said and "v_dispatch()" in said and "select()" in said, said)
+    server.xdotool("key", "alt+u")
+    time.sleep(2.5)
+    host.live()
+    host.leave()
+    check(len(vides_said(host)) == 1, f"hints: {host.complained}")
+
+
+@test()
+def a_busy_host_is_not_told(place):
+    """A host that computes for a while, or sits in its own callback, serves later."""
+    server = place.server()
+    host = place.told(server, "loop_pending", "next")
+    host.open()
+    window = server.new_window()
+    host.tell("compute 4000", "computing")
+    server.press(window, "alt+u")
+    host.expect("computed")
+    host.expect("rueck 0")
+    host.tell("within-rueck sleep 3000")
+    server.press(window, "alt+u")
+    host.expect("slept")
+    host.live()
+    check(not host.complained, f"it complained: {host.complained}")
+    host.leave()
+
+
+@test()
+def a_host_that_knows_v_fd_is_not_watched(place):
+    """Who calls v_fd() or v_dispatch() has no need of a hint, nor of a thread."""
+    server = place.server()
+    host = place.told(server, "loop_pending", "select")
+    host.tell("fd")
+    host.open()
+    wait(server.windows, "a window")
+    check(len(os.listdir(f"/proc/{host.pid}/task")) == 1, "a thread")
+    time.sleep(2.5)
+    check(not host.complained, f"it complained: {host.complained}")
+    host.leave()
+
+
+def ended(place, *how):
+    """Runs thread_ends; what it said and what the library did."""
+    server = place.server()
+    program = place.program(server, "thread_ends", *how)
+    check(program.ends() == 0, f"its exit status; it complained: {program.complained}")
+    return program
+
+
+@test()
+def a_thread_that_ends_takes_its_window_along(place):
+    """That is said, and the handle knows why."""
+    program = ended(place)
+    words = program.expect("get_path")
+    check(words.startswith("get_path 12 ") and "the thread that opened it has ended" in words, words)
+    words = program.expect("strerror")
+    check("user" not in words, words)
+    check(program.expect("close") == "close 0 ", "v_editor_close()")
+    wait(lambda: vides_said(program), "a word", 5)
+    said = vides_said(program)
+    check(len(said) == 1 and "thread" in said[0] and "has ended" in said[0], f"said: {said}")
+
+
+@test()
+def a_thread_that_ends_with_two_windows(place):
+    """One line for both."""
+    program = ended(place, "two")
+    wait(lambda: vides_said(program), "a word", 5)
+    said = vides_said(program)
+    check(len(said) == 1 and "2 windows" in said[0], f"said: {said}")
+
+
+@test()
+def a_program_that_ends_says_nothing(place):
+    """Though its windows go with the thread that calls exit()."""
+    program = ended(place, "exit")
+    time.sleep(0.2)
+    check(not program.complained, f"it complained: {program.complained}")
+
+
+def throws(place, callback, key):
+    """The program ends, and says why before."""
+    server = place.server()
+    program = place.program(server, "throws", callback)
+    window = server.new_window()
+    server.press(window, key)
+    program.expect(f"caught within {callback}")
+    status = program.ends()
+    check(status == 134, f"exit status {status}")
+    wait(lambda: len(program.complained) >= 2, "two words", 5)
+    said = vides_said(program)
+    check(len(said) == 1 and f"{callback}()" in said[0] and "exception" in said[0], f"said: {said}")
+    check(program.complained[0] == said[0], f"first: {program.complained}")
+    check(any("runtime_error" in line for line in program.complained[1:]),
+          f"nothing of the exception: {program.complained}")
+    check("ust" not in "".join(program.complained).replace("must", ""), f"{program.complained}")
+
+
+for _callback, _key in (("rueck", "alt+u"), ("ende", "ctrl+q"),
+                        ("on_poses", "alt+u"), ("on_close", "ctrl+q")):
+    def _case(place, callback=_callback, key=_key):
+        throws(place, callback, key)
+
+    _case.__name__ = f"an_exception_out_of_{_callback}"
+    test()(_case)
