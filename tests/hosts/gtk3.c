@@ -76,7 +76,8 @@ int main(int argc, char **argv)
     g_signal_connect(window, "button-press-event", G_CALLBACK(button), NULL);
     g_signal_connect(window, "key-press-event", G_CALLBACK(key), NULL);
     g_signal_connect(area, "draw", G_CALLBACK(draw), NULL);
-    g_timeout_add(40, tick, area);
+    g_signal_connect_swapped(area, "destroy", G_CALLBACK(g_source_remove),
+                             GUINT_TO_POINTER(g_timeout_add(40, tick, area)));
     g_unix_fd_add(v_fd(), G_IO_IN, serve, NULL);
     gtk_widget_show_all(window);
     gtk_main();

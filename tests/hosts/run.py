@@ -26,8 +26,10 @@ EXAMPLES = os.path.join(HERE, "..", "..", "c_examples")
 PYTHON = "/usr/bin/python3"  # the one that Debian's packages are for
 POSES = 121  # of a new path at speed 100: its length is 1.2, and the first pose
 START = (-0.6, 0.2, 0.8)  # its first point
-GAP = 100
-"""Milliseconds for which a host may show the same while the editor is used."""
+GAP = 500
+"""Milliseconds for which a host may show the same while the editor is used. On a machine
+with nothing else to do it is 50 to 100; one that waits for events of its own shows the
+same for as long as the drag takes, some seconds."""
 DRAGS = 5
 """So often it may try: other programs hold it up once, what it waits for itself always."""
 BAD = re.compile(r"vides|X Error|BadWindow|BadDrawable|BadMatch|Traceback|CRITICAL|Segmentation")
