@@ -38,6 +38,16 @@ const PROGRAM_MARK: &str = "# program = ";
 const FILE_MARK: &str = "# file = ";
 const CONTENTS_MARK: &str = "# contents = ";
 
+/// How the lines of the header begin.
+const HEADER: [&str; 6] = [
+    "# Work in VIDES that was not saved.",
+    "# process = ",
+    "# written = ",
+    PROGRAM_MARK,
+    FILE_MARK,
+    CONTENTS_MARK,
+];
+
 /// Where unsaved work comes from.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Origin<'a> {
@@ -249,6 +259,17 @@ fn header(origin: &Origin<'_>) -> String {
     text
 }
 
+/// The document's own text: what we wrote above it is no comment of its user's.
+fn without_header(text: &str) -> &str {
+    let mut rest = text;
+    while let Some((line, after)) = rest.split_once('\n')
+        && HEADER.iter().any(|mark| line.starts_with(mark))
+    {
+        rest = after;
+    }
+    rest
+}
+
 /// A path as one line of text: `%` and two digits for bytes that are no plain
 /// letters.
 pub(super) fn escaped(path: &Path) -> String {
@@ -307,7 +328,7 @@ impl Found {
     /// # Errors
     /// [`Error::Format`] if it is broken.
     pub(super) fn document(&self) -> Result<Document> {
-        let mut document = Document::from_toml(&self.text)?;
+        let mut document = Document::from_toml(without_header(&self.text))?;
         document.mark_unsaved();
         Ok(document)
     }
