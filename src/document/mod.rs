@@ -28,3 +28,4 @@ pub use edit::Edit;
 pub use editing::{Document, Selection};
 pub use info::{Info, Object, ObjectPoint, Space};
 pub(crate) use not_a_file::NotAFile;
+pub(crate) use prepare::no_longer_ahead;

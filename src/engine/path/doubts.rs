@@ -42,8 +42,12 @@ pub fn doubt(path: &CameraPath, timeline: &Timeline, section: usize) -> Option<D
     } else {
         (here, &here.orientations[begin.orientation + 1])
     };
+    if from.own.ahead.is_some() && from.own.ahead == to.own.ahead {
+        return None;
+    }
+    let tracks = from.own.ahead.or(to.own.ahead).is_none();
     match (from.target, to.target) {
-        (Target::Absolute(a), Target::Absolute(b)) if a == b => {
+        (Target::Absolute(a), Target::Absolute(b)) if tracks && a == b => {
             let curve = (begin.change == Change::Position).then(|| timeline.curve(begin.point))?;
             met(curve, a)
         }
