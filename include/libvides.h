@@ -648,7 +648,9 @@ int v_path_insert_orientation(V_PATH *path,
 int v_path_remove_orientation(V_PATH *path, int point, int at);
 
 /**
- * Changes all values of an orientation; o is copied.
+ * Changes all values of an orientation; o is copied. What an orientation may
+ * have besides (ease, given distance, fixed frames, a view along the way)
+ * stays.
  * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
  */
@@ -669,6 +671,19 @@ int v_path_get_orientation(const V_PATH *path, int point, int at, V_ORIENTATION 
  * V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_absolute(V_PATH *path, int point, int at, int absolute);
+
+/**
+ * Lets an orientation look along the way, and no longer at its target; up is
+ * the vertical, turned by the roll. A section between two orientations that
+ * look equally far ahead follows its way exactly.
+ *
+ * distance  0: along the tangent; greater: at the place so far ahead on the
+ *     curve, behind the end of which it looks on straight; less: no longer
+ *     ahead, but in the direction in which it looked, as an offset. At most 1e9
+ * Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+ */
+int v_path_set_ahead(V_PATH *path, int point, int at, double distance);
 
 
 /* ---- What holds for the whole path ------------------------------------------- */

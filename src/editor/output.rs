@@ -5,6 +5,8 @@ use egui::{
     Align, Align2, Color32, FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 
+use crate::path::ahead;
+
 use super::state::Editor;
 use super::texts::Language;
 use super::theme;
@@ -151,7 +153,8 @@ fn columns(editor: &Editor) -> Vec<Column> {
     let (Some(point), Some(orientation)) = (editor.point(), editor.orientation()) else {
         return Vec::new();
     };
-    let view = orientation.view(point.position);
+    let selected = editor.document.selection();
+    let view = ahead::view(editor.document.path(), selected.point, selected.orientation);
     let three = |v: [f64; 3]| v.map(|value| language.number(value, 3)).to_vec();
     let number = (editor.document.selection().point + 1).to_string();
     vec![

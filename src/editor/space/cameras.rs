@@ -13,7 +13,7 @@ use super::strokes::Strokes;
 use crate::document::Document;
 use crate::editor::setup::Element;
 use crate::math::orientation;
-use crate::path::Pose;
+use crate::path::{Pose, ahead};
 use crate::raster::Lines;
 
 /// Length of a camera's edges on the screen, in points, and at most in units
@@ -50,9 +50,10 @@ impl From<Pose> for Camera {
 impl Camera {
     /// The camera of an orientation.
     pub(in crate::editor) fn at(document: &Document, point: usize, number: usize) -> Option<Self> {
-        let point = document.path().points.get(point)?;
+        let index = point;
+        let point = document.path().points.get(index)?;
         let orientation = point.orientations.get(number)?;
-        let view = orientation.view(point.position);
+        let view = ahead::view(document.path(), index, number);
         Some(Self {
             position: point.position,
             view,

@@ -211,3 +211,7 @@ impl Ahead {
         (derivative.length() > NO_TANGENT * size).then(|| unit(derivative))
     }
 }
+
+#[cfg(test)]
+#[path = "ahead_tests.rs"]
+mod tests;

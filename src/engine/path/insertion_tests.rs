@@ -5,7 +5,7 @@ use super::*;
 use crate::path::test_support::Random;
 use crate::path::{CurveKind, CurveParameters, Ease, EaseKind, Pose, ZoomMode};
 
-pub(super) fn random_path(random: &mut Random, round: usize) -> CameraPath {
+pub(in crate::path) fn random_path(random: &mut Random, round: usize) -> CameraPath {
     fn some(random: &mut Random) -> f64 {
         2.0 * random.unit() - 1.0
     }

@@ -369,15 +369,14 @@ impl Timeline {
     fn compare(&self, path: &CameraPath, point: usize, orientation: usize) -> (Change, f64) {
         let here = &path.points[point];
         let from = &here.orientations[orientation];
-        let (there, to) = if orientation + 1 < here.orientations.len() {
-            (here, &here.orientations[orientation + 1])
+        let to = if orientation + 1 < here.orientations.len() {
+            &here.orientations[orientation + 1]
         } else {
             let length = self.segments[point].length;
             if length > NO_CHANGE {
                 return (Change::Position, length);
             }
-            let there = &path.points[(point + 1) % path.points.len()];
-            (there, &there.orientations[0])
+            &path.points[(point + 1) % path.points.len()].orientations[0]
         };
         let (a, b) = self.views(path, (point, orientation));
         if (a - b).length() > NO_CHANGE {
