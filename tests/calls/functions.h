@@ -61,7 +61,7 @@
     F(v_path_set_distance, STATUS, V_OK, 0) \
     F(v_path_set_frames, STATUS, V_OK, 0) \
     F(v_path_get_frames, STATUS, V_OK, 0) \
-    F(v_path_fit_frames, STATUS, V_OK, 0) \
+    F(v_path_fit_frames, STATUS, -2, 0) \
     F(v_path_set_ahead, STATUS, V_OK, 0) \
     F(v_path_length, STATUS, V_OK, 0) \
     F(v_path_segment_length, STATUS, V_OK, 0) \
