@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 14] = [
+const SOURCES: [&str; 16] = [
     "status",
     "types",
     "legacy",
@@ -15,6 +15,8 @@ const SOURCES: [&str; 14] = [
     "points",
     "orientations",
     "settings",
+    "shape",
+    "pace",
     "curve",
     "poses",
     "editor",

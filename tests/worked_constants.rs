@@ -13,8 +13,7 @@ use vides::math::orientation::{
     wrap_degrees,
 };
 use vides::math::view::View;
-use vides::path::MayOwn;
-use vides::path::{CameraPath, CurveParameters, Orientation, Target, Tcb};
+use vides::path::{CameraPath, CurveParameters, MayOwn, Orientation, Target, Tcb};
 
 /// Thesis A.6.1.
 #[test]

@@ -10,7 +10,7 @@ use super::pointers::{Growing, GrowingOut, Out, count, index, read_growing};
 use super::points::point;
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::{V_ORIENTATION, V_PATH};
-use crate::document::{Document, Edit};
+use crate::document::{Document, Edit, no_longer_ahead};
 use crate::error::{Error, sentence};
 use crate::path::{MayOwn, Orientation, Target, Tcb};
 
@@ -193,7 +193,9 @@ pub unsafe extern "C" fn v_path_remove_orientation(
     })
 }
 
-/// Changes all values of an orientation; o is copied.
+/// Changes all values of an orientation; o is copied. What an orientation may
+/// have besides (ease, given distance, fixed frames, a view along the way)
+/// stays.
 /// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
@@ -264,5 +266,39 @@ pub unsafe extern "C" fn v_path_set_absolute(
                 absolute: absolute != 0,
             },
         )
+    })
+}
+
+/// Lets an orientation look along the way, and no longer at its target; up is
+/// the vertical, turned by the roll. A section between two orientations that
+/// look equally far ahead follows its way exactly.
+///
+/// distance  0: along the tangent; greater: at the place so far ahead on the
+///     curve, behind the end of which it looks on straight; less: no longer
+///     ahead, but in the direction in which it looked, as an offset. At most 1e9
+/// Any thread; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_ahead(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+    distance: f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        edit_by(path, |document| {
+            let mut new = orientation(document, point, at)?.clone();
+            let (point, at) = (index(point)?, index(at)?);
+            if distance < 0.0 {
+                new = no_longer_ahead(document.path(), point, at)?;
+            } else {
+                new.own = new.own.with(|own| own.ahead = Some(distance))?;
+            }
+            Ok(Edit::SetOrientation {
+                point,
+                at,
+                orientation: new,
+            })
+        })
     })
 }

@@ -85,7 +85,7 @@ pub unsafe extern "C" fn v_ease(
 ///     values are not looked at
 /// rise, fall  shares of the time, as in v_ease()
 /// cruise  the cruising speed, 1 to 100
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_ease(
@@ -166,7 +166,7 @@ pub unsafe extern "C" fn v_path_get_ease(
 ///     increasing
 /// keys      how many pairs, 2 to 32; 0: the ten speeds again, time_way is not
 ///     looked at
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_distance(
@@ -199,7 +199,7 @@ pub unsafe extern "C" fn v_path_set_distance(
 /// Gives the section that begins with an orientation so many frames, whatever
 /// its length; 0: by its length again. A section in which nothing changes has
 /// none all the same.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_frames(
@@ -249,7 +249,7 @@ pub unsafe extern "C" fn v_path_get_frames(
 /// frames, closed paths with the way back to the first point; on a closed path
 /// first_point may lie behind last_point. Too few are refused, v_last_error()
 /// names the least possible number.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_frames(

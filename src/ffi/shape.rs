@@ -31,7 +31,7 @@ fn curve_kind(name: &[u8]) -> Answer<CurveKind> {
 /// and bias (Kochanek and Bartels 1984; the default), "cubic" as a cubic spline
 /// with a continuous second derivative, "linear" straight. Tangents that points
 /// own hold in each.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char) -> c_int {
@@ -61,7 +61,7 @@ pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const
 /// curve reaches it (before) and leaves it (after), a segment counting 1. Both
 /// NULL: none of its own, those by the kind of the curve again. Each coordinate
 /// is finite and at most 1e9.
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
@@ -86,8 +86,8 @@ pub unsafe extern "C" fn v_path_set_tangents(
 
 /// The tangents with which the curve passes a support point, and whether they
 /// are its own (1) or not (0). At an end of an open path both are that of the
-/// one side. Setting what this gives changes no bit of the curve next to the
-/// point. Each result may be NULL.
+/// one side. Setting what this gives changes no bit of the curve (of a cubic
+/// spline no more than rounding). Each result may be NULL.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
@@ -129,7 +129,7 @@ pub unsafe extern "C" fn v_path_get_tangents(
 /// frame  from 1 to the number of frames, not at a key and not in a pan; the
 ///     orientation mode must not be V_ORIENTATION_BARRY_GOLDMAN
 /// at     the number of the new point; may be NULL
-/// Any thread that has the path for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_on_curve(

@@ -580,3 +580,121 @@ CALL(v_pose_gl_matrix)
     const V_POSE *pose = a_pose();
     return v_pose_gl_matrix(pose, result(16 * sizeof(double), 0));
 }
+
+/* ---- Shape and pace ------------------------------------------------------------------- */
+
+CALL(v_path_set_curve)
+{
+    static const char *const kinds[] = {"tcb", "cubic", "linear"};
+    V_PATH *path = a_path();
+    const char *kind = kinds[below(3)];
+
+    if (chance(wild)) {
+        frame->unfit = 1;
+        kind = chance(50) ? NULL : "";
+    }
+    return v_path_set_curve(path, text(kind));
+}
+
+CALL(v_path_get_curve)
+{
+    const V_PATH *path = a_path();
+    return v_path_get_curve(path, result(sizeof(const char *), 0));
+}
+
+CALL(v_path_set_tangents)
+{
+    V_PATH *path = a_path();
+    int at = a_point(path);
+    const double *before, *after;
+
+    if (chance(30))
+        return v_path_set_tangents(path, at, NULL, NULL);
+    before = numbers(3, -1, 1);
+    after = numbers(3, -1, 1);
+    return v_path_set_tangents(path, at, before, after);
+}
+
+CALL(v_path_get_tangents)
+{
+    const V_PATH *path = a_path();
+    int at = a_point(path);
+    double *before = result(3 * sizeof *before, 1), *after = result(3 * sizeof *after, 1);
+    return v_path_get_tangents(path, at, before, after, result(sizeof(int), 1));
+}
+
+CALL(v_path_insert_on_curve)
+{
+    V_PATH *path = a_path();
+    size_t frames;
+    double at;
+
+    if (v_path_frame_count(path, &frames) != V_OK)
+        frames = 1;
+    at = number(1, (double)frames);
+    return v_path_insert_on_curve(path, at, result(sizeof(int), 1));
+}
+
+CALL(v_ease)
+{
+    int kind = whole(0, 1);
+    double rise = number(0, 0.5), fall = number(0, 0.5), t = number(0, 1);
+    double *distance = result(sizeof *distance, 1);
+    return v_ease(kind, rise, fall, t, distance, result(sizeof(double), 1));
+}
+
+CALL(v_path_set_ease)
+{
+    V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point), kind = whole(-1, 1);
+    double rise = number(0, 0.5), fall = number(0, 0.5);
+    return v_path_set_ease(path, point, at, kind, rise, fall, number(1, 100));
+}
+
+CALL(v_path_get_ease)
+{
+    const V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point);
+    int *kind = result(sizeof *kind, 1);
+    double *rise = result(sizeof *rise, 1), *fall = result(sizeof *fall, 1);
+    return v_path_get_ease(path, point, at, kind, rise, fall, result(sizeof(double), 1));
+}
+
+CALL(v_path_set_distance)
+{
+    V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point);
+    double keys[6] = {0, 0, 0, 0, 1, 1};
+
+    keys[2] = number(0.1, 0.9);
+    keys[3] = number(0.1, 0.9);
+    return v_path_set_distance(path, point, at, given("double[6]", keys, sizeof keys), 3);
+}
+
+CALL(v_path_set_frames)
+{
+    V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point);
+    return v_path_set_frames(path, point, at, below(40));
+}
+
+CALL(v_path_get_frames)
+{
+    const V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point);
+    return v_path_get_frames(path, point, at, result(sizeof(size_t), 0));
+}
+
+CALL(v_path_fit_frames)
+{
+    V_PATH *path = a_path();
+    int point = a_point(path);
+    return v_path_fit_frames(path, point, point, 100000 + below(1000));
+}
+
+CALL(v_path_set_ahead)
+{
+    V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point);
+    return v_path_set_ahead(path, point, at, number(-0.5, 0.5));
+}

@@ -59,6 +59,19 @@
     F(v_path_get_fps, STATUS, V_OK, 0) \
     F(v_path_set_first_frame, STATUS, V_OK, 0) \
     F(v_path_get_first_frame, STATUS, V_OK, 0) \
+    F(v_path_set_curve, STATUS, V_OK, 0) \
+    F(v_path_get_curve, STATUS, V_OK, 0) \
+    F(v_path_set_tangents, STATUS, V_OK, 0) \
+    F(v_path_get_tangents, STATUS, V_OK, 0) \
+    F(v_path_insert_on_curve, STATUS, -2, 0) \
+    F(v_ease, STATUS, V_OK, 0) \
+    F(v_path_set_ease, STATUS, V_OK, 0) \
+    F(v_path_get_ease, STATUS, V_OK, 0) \
+    F(v_path_set_distance, STATUS, V_OK, 0) \
+    F(v_path_set_frames, STATUS, V_OK, 0) \
+    F(v_path_get_frames, STATUS, V_OK, 0) \
+    F(v_path_fit_frames, STATUS, -2, 0) \
+    F(v_path_set_ahead, STATUS, V_OK, 0) \
     F(v_path_length, STATUS, V_OK, 0) \
     F(v_path_segment_length, STATUS, V_OK, 0) \
     F(v_path_curve_point, STATUS, V_OK, 0) \

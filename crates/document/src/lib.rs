@@ -36,6 +36,7 @@ pub use info::{Info, Object, ObjectPoint, Space};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
 
+pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;
 
 use vides_engine::{error, limits, math, path};

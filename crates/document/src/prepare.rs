@@ -11,6 +11,7 @@ use super::target;
 use crate::error::{Error, Result, message, vec_with_room};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
+use crate::path::ahead;
 use crate::path::camera_path::{check_coordinates, check_speeds};
 use crate::path::fit_frames::fit_frames;
 use crate::path::insertion::{self, Insertion};
@@ -145,6 +146,9 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
         } => {
             let mut new = orientation(path, number, at)?.clone();
             let position = path.points[number].position;
+            if new.own.ahead.is_some() {
+                new = no_longer_ahead(path, number, at)?;
+            }
             new.target = target::switched(new.target, position, absolute)?;
             Change::Orientation {
                 point: number,
@@ -183,6 +187,22 @@ pub(super) fn normalise(path: &mut CameraPath) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// An orientation that looks along the way, with the offset of that view in its
+/// place.
+///
+/// # Errors
+/// [`Error::Memory`].
+pub fn no_longer_ahead(path: &CameraPath, point: usize, at: usize) -> Result<Orientation> {
+    let here = &path.points[point];
+    let mut new = here.orientations[at].clone();
+    if new.own.ahead.is_some() {
+        let far = new.target.offset_from(here.position).length();
+        new.target = Target::Relative(ahead::view(path, point, at) * far);
+        new.own = new.own.with(|own| own.ahead = None)?;
+    }
+    Ok(new)
 }
 
 /// What an orientation owns to keep a motion goes with the values that it

@@ -152,7 +152,12 @@ fn columns(editor: &Editor) -> Vec<Column> {
         return Vec::new();
     };
     let orientation = &shown.orientation;
-    let view = orientation.view(shown.position);
+    let view = match shown.missing {
+        Missing::Nothing => {
+            ahead::view(editor.document.path(), shown.at.point, shown.at.orientation)
+        }
+        Missing::Point | Missing::Orientation => orientation.view(shown.position),
+    };
     let three = |v: [f64; 3]| v.map(|value| language.number(value, 3)).to_vec();
     let at = editor.document.selection().point;
     let number = if shown.has_no_point() {

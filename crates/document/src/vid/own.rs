@@ -9,13 +9,14 @@ use super::write::{Vector, list};
 use crate::error::{Result, message, vec_with_room};
 use crate::limits;
 use crate::path::camera_path::check_speed;
-use crate::path::own::{check_frames, check_rates, distance};
+use crate::path::own::{check_ahead, check_frames, check_rates, distance};
 use crate::path::{
     Ease, EaseKind, MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Velocities, Whole,
 };
 
 /// The keys of an orientation that are read here.
-pub(super) const KEYS: [&str; 8] = [
+pub(super) const KEYS: [&str; 9] = [
+    "ahead",
     "frames",
     "ease",
     "distance",
@@ -42,6 +43,11 @@ impl Reader {
                 let most = limits::MAX_FRAMES as i64;
                 own.frames = field.integer_in(0, most)? as u32;
                 field.checked(check_frames(own.frames))?;
+            }
+            "ahead" => {
+                let distance = field.number()?;
+                field.checked(check_ahead(distance))?;
+                own.ahead = Some(distance);
             }
             "velocity_degrees" => own.velocities = Some(velocities(field)?),
             "turning_part" => own.turning = Some(turning_part(field)?),
@@ -250,6 +256,9 @@ pub(super) fn write(out: &mut impl Write, owned: &MayOwn) -> fmt::Result {
         return Ok(());
     }
     let own: &Own = owned;
+    if let Some(distance) = own.ahead {
+        writeln!(out, "ahead = {distance:?}")?;
+    }
     if own.frames > 0 {
         writeln!(out, "frames = {}", own.frames)?;
     }

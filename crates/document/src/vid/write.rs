@@ -262,6 +262,7 @@ mod tests {
                     to: number,
                 }),
                 frames: u32::MAX,
+                ahead: Some(number),
                 velocities: Some(Velocities {
                     reach: vector,
                     leave: vector,

@@ -12,7 +12,7 @@ use super::scene::{Look, Seen, THIN};
 use super::strokes::Strokes;
 use crate::document::Document;
 use crate::math::orientation;
-use crate::path::Pose;
+use crate::path::{Pose, ahead};
 use crate::raster::Lines;
 use crate::setup::Element;
 
@@ -50,9 +50,10 @@ impl From<Pose> for Camera {
 impl Camera {
     /// The camera of an orientation.
     pub(crate) fn at(document: &Document, point: usize, number: usize) -> Option<Self> {
-        let point = document.path().points.get(point)?;
+        let index = point;
+        let point = document.path().points.get(index)?;
         let orientation = point.orientations.get(number)?;
-        let view = orientation.view(point.position);
+        let view = ahead::view(document.path(), index, number);
         Some(Self {
             position: point.position,
             view,

@@ -241,6 +241,115 @@ const SENTENCES: &[Pair] = &[
         "jeder Wert einer Zeitkurve muss zwischen 1 und 100 liegen",
     ),
     (
+        "a part must begin and end between 0 and 1, its end after its start",
+        "ein Teil muss zwischen 0 und 1 beginnen und enden, und zwar nach seinem Anfang",
+    ),
+    (
+        "a given distance has between 2 and {0} keys",
+        "ein vorgegebener Weg hat 2 bis {0} Schlüssel",
+    ),
+    (
+        "the keys of a given distance must be finite numbers",
+        "die Schlüssel eines vorgegebenen Wegs müssen endliche Zahlen sein",
+    ),
+    (
+        "the keys of a given distance must lead from 0, 0 to 1, 1, with both numbers increasing",
+        "die Schlüssel eines vorgegebenen Wegs müssen von 0, 0 nach 1, 1 führen, und beide Zahlen müssen steigen",
+    ),
+    (
+        "the control quaternions of a turning must have length 1",
+        "die Kontrollquaternionen einer Drehung müssen die Länge 1 haben",
+    ),
+    (
+        "a section has at most {0} frames",
+        "ein Bewegungsabschnitt hat höchstens {0} Bilder",
+    ),
+    (
+        "the distance ahead must be a finite number",
+        "der Abstand voraus muss eine endliche Zahl sein",
+    ),
+    (
+        "the distance ahead must lie between 0 and 1e9",
+        "der Abstand voraus muss zwischen 0 und 1e9 liegen",
+    ),
+    (
+        "a velocity or slope must be a finite number",
+        "eine Geschwindigkeit oder Steigung muss eine endliche Zahl sein",
+    ),
+    (
+        "a velocity or slope must not exceed {0}",
+        "eine Geschwindigkeit oder Steigung darf höchstens {0} sein",
+    ),
+    (
+        "the shares of time for speeding up and slowing down must not be negative, and together not exceed 1",
+        "die Zeitanteile für Anfahren und Bremsen dürfen nicht negativ sein und zusammen höchstens 1",
+    ),
+    ("the tangents", "die Tangenten"),
+    (
+        "in the orientation mode barry-goldman a new key would change the views around it",
+        "in der Orientierungsart barry-goldman würde ein neuer Schlüssel die Ansichten ringsum ändern",
+    ),
+    (
+        "a frame must lie between 1 and {0}",
+        "ein Bild muss zwischen 1 und {0} liegen",
+    ),
+    (
+        "at frame {0} the camera is at a key already",
+        "bei Bild {0} ist die Kamera schon an einem Schlüssel",
+    ),
+    (
+        "at frame {0} the camera turns at point {1}, there is no way to divide",
+        "bei Bild {0} dreht sich die Kamera an Punkt {1}, dort gibt es keinen Weg zu teilen",
+    ),
+    (
+        "the place is too near to a point of the path",
+        "die Stelle liegt zu nah an einem Punkt des Pfads",
+    ),
+    (
+        "the first point of a range must not lie behind its last one",
+        "der erste Punkt eines Bereichs darf nicht hinter dem letzten liegen",
+    ),
+    (
+        "{0} frames are too few: it must have at least {1}",
+        "{0} Bilder sind zu wenige: es müssen mindestens {1} sein",
+    ),
+    (
+        "{0} frames are too many: it can have at most {1}",
+        "{0} Bilder sind zu viele: es können höchstens {1} sein",
+    ),
+    (
+        "must be \"tcb\", \"cubic\" or \"linear\"",
+        "muss \"tcb\", \"cubic\" oder \"linear\" sein",
+    ),
+    (
+        "an orientation has either an ease, a distance or a part of a pace",
+        "eine Orientierung hat entweder ease, distance oder pace_part",
+    ),
+    (
+        "both {0} and {1} must be given",
+        "{0} und {1} müssen beide angegeben sein",
+    ),
+    (
+        "expected {0} quaternions, found {1}",
+        "erwartet wurden {0} Quaternionen, gefunden {1}",
+    ),
+    (
+        "must be \"sine\" or \"parabolic\"",
+        "muss \"sine\" oder \"parabolic\" sein",
+    ),
+    (
+        "a part is one of one whole",
+        "ein Teil gehört zu einem Ganzen",
+    ),
+    (
+        "a part needs its whole: speed_curve, ease or distance",
+        "ein Teil braucht sein Ganzes: speed_curve, ease oder distance",
+    ),
+    (
+        "only ten speeds have others that face them",
+        "nur zehn Geschwindigkeiten haben Nachbarn",
+    ),
+    (
         "the hold must lie between 0 and 1000000 frames",
         "das Halten muss zwischen 0 und 1000000 Bildern liegen",
     ),

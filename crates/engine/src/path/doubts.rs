@@ -4,6 +4,7 @@
 
 use glam::DVec3;
 
+use super::ahead;
 use super::camera_path::{CameraPath, Orientation, Target};
 use super::hermite::Cubic;
 use super::orientation_curve::AT_TARGET;
@@ -35,24 +36,28 @@ pub fn doubt(path: &CameraPath, timeline: &Timeline, section: usize) -> Option<D
     let begin = timeline.section(section);
     let here = &path.points[begin.point];
     let from = &here.orientations[begin.orientation];
-    let moves = begin.orientation + 1 == here.orientations.len();
-    let (there, to) = if moves {
-        let next = &path.points[(begin.point + 1) % path.points.len()];
-        (next, &next.orientations[0])
+    let next = if begin.orientation + 1 == here.orientations.len() {
+        ((begin.point + 1) % path.points.len(), 0)
     } else {
-        (here, &here.orientations[begin.orientation + 1])
+        (begin.point, begin.orientation + 1)
     };
+    let to = &path.points[next.0].orientations[next.1];
+    if from.own.ahead.is_some() && from.own.ahead == to.own.ahead {
+        return None;
+    }
+    let tracks = from.own.ahead.or(to.own.ahead).is_none();
     match (from.target, to.target) {
-        (Target::Absolute(a), Target::Absolute(b)) if a == b => {
+        (Target::Absolute(a), Target::Absolute(b)) if tracks && a == b => {
             let curve = (begin.change == Change::Position).then(|| timeline.curve(begin.point))?;
             met(curve, a)
         }
         _ => {
-            let key = |orientation: &Orientation, position| {
-                let view = orientation.view(position);
+            let key = |(point, number): (usize, usize), orientation: &Orientation| {
+                let view = ahead::view(path, point, number);
                 quaternion_from_roll(view, orientation.roll.to_radians())
             };
-            let (a, b) = (key(from, here.position), key(to, there.position));
+            let begins = (begin.point, begin.orientation);
+            let (a, b) = (key(begins, from), key(next, to));
             continue_sign(a, b).1.then_some(Doubt::HalfTurn)
         }
     }

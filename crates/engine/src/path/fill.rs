@@ -94,6 +94,9 @@ pub(super) fn fill<V: Vector>(
     first: usize,
     poses: &mut [Pose],
 ) -> Result<()> {
+    if let Turning::Ahead(_) = leg.turning {
+        return fill_plainly::<V>(leg, scratch, first, poses);
+    }
     let tables = match leg.tables.get() {
         Some(tables) => tables,
         None if leg.frames >= KEEP => {
@@ -116,7 +119,7 @@ pub(super) fn fill<V: Vector>(
             parameters::<V>(way, tables, count, block);
         }
         match &leg.turning {
-            Turning::Kept(..) => {}
+            Turning::Kept(..) | Turning::Ahead(_) => {}
             Turning::Tracked(_, roll) => {
                 let [sin, cos, ..] = &mut block.q;
                 for k in 0..count {
@@ -133,6 +136,24 @@ pub(super) fn fill<V: Vector>(
     }
     if past_caches {
         V::settle();
+    }
+    Ok(())
+}
+
+/// [`fill`] for what has no fast way.
+#[inline(always)]
+fn fill_plainly<V: Vector>(
+    leg: &Leg,
+    scratch: &mut Scratch,
+    first: usize,
+    poses: &mut [Pose],
+) -> Result<()> {
+    let phi = &mut scratch.block.phi;
+    for (number, poses) in (first..).step_by(BLOCK).zip(poses.chunks_mut(BLOCK)) {
+        shares::<V>(leg, number, poses.len(), phi);
+        for (pose, &phi) in poses.iter_mut().zip(phi.iter()) {
+            *pose = leg.pose(phi)?;
+        }
     }
     Ok(())
 }

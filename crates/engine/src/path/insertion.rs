@@ -206,6 +206,7 @@ fn divide(
         Turning::Tracked(target, _) if *target != position => {
             (Target::Absolute(*target), roll_there.0.to_degrees())
         }
+        Turning::Ahead(_) => (seen, roll_there.0.to_degrees()),
         _ => (seen, orientation::roll_from_up(view, up).to_degrees()),
     };
     let mut orientation = Orientation {
@@ -215,7 +216,11 @@ fn divide(
         turning: Tcb::default(),
         speeds: old.speeds,
         hold: 0,
-        own: old.own.for_a_copy()?,
+        own: old.own.for_a_copy()?.with(|own| {
+            if !matches!(leg.turning, Turning::Ahead(_)) {
+                own.ahead = None;
+            }
+        })?,
     };
     let timing = timeline.timing(path, section)?;
     let whole = (timeline.facing_speeds(path, section), old);
@@ -404,7 +409,7 @@ impl Keys {
             let longest = beside.into_iter().flatten().map(|way| way.duration);
             steps.push(longest.fold(0.0, f64::max));
         }
-        let rates = rates(&mut layout.keys, &layout.ways)?;
+        let rates = rates(&mut layout.keys, &layout.ways, layout.rail)?;
         Ok(Self { rates, zoom, steps })
     }
 }

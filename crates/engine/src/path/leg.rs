@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 
 use glam::{DQuat, DVec3};
 
+use super::ahead::Ahead;
 use super::arc_length::ArcLength;
 use super::hermite::Cubic;
 use super::orientation_curve::Turning;
@@ -84,6 +85,16 @@ impl Leg {
                 mark.add(view.to_array());
                 mark.add(up.to_array());
             }
+            Turning::Ahead(ahead) => {
+                mark.add([7.0, ahead.distance]);
+                mark.add(ahead.still.to_array());
+                mark.add(ahead.roll);
+                // What lies ahead, wherever it turns.
+                for k in 0..=8 {
+                    let seen = ahead.direction(f64::from(k) / 8.0);
+                    mark.add(seen.unwrap_or(DVec3::ZERO).to_array());
+                }
+            }
             Turning::Tracked(target, roll) => {
                 mark.add([5.0]);
                 mark.add(target.to_array());
@@ -108,7 +119,7 @@ impl Leg {
     /// Roll at φ of a tracked leg in radians, and its derivative; else zeros.
     pub(super) fn turning_slope(&self, phi: f64) -> (f64, f64) {
         match &self.turning {
-            Turning::Tracked(_, c) => (
+            Turning::Tracked(_, c) | Turning::Ahead(Ahead { roll: c, .. }) => (
                 ((c[3] * phi + c[2]) * phi + c[1]) * phi + c[0],
                 (3.0 * c[3] * phi + 2.0 * c[2]) * phi + c[1],
             ),

@@ -15,6 +15,7 @@
 //! It knows nothing of files, of editing or of C; only [`crate::math`] stands
 //! below it.
 
+pub mod ahead;
 pub mod arc_length;
 mod arcs;
 pub mod bezier;

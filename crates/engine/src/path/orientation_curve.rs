@@ -3,8 +3,11 @@
 //! quaternions, sections that track a target, and sections that keep a
 //! direction.
 
+use std::sync::Arc;
+
 use glam::{DQuat, DVec3};
 
+use super::ahead::{Ahead, Rail, end_direction};
 use super::camera_path::{OrientationMode, Target, Tcb};
 use super::hermite::Cubic;
 use super::own::TurningPart;
@@ -15,7 +18,7 @@ use super::quaternion_spline::{
 use crate::error::{Result, vec_with_room};
 use crate::math::monotone_cubic;
 use crate::math::orientation::{self, POLE};
-use crate::math::quaternion::{angle, continue_sign, slerp};
+use crate::math::quaternion::{angle, continue_sign, log, slerp};
 
 /// Two relative directions nearer than this are the same.
 const SAME_DIRECTION: f64 = 1e-12;
@@ -27,8 +30,8 @@ const SAME_KEY: f64 = 1e-14;
 /// Nearer than this to its target a camera has no direction of its own.
 pub(super) const AT_TARGET: f64 = 1e-9;
 
-/// A tangent shorter than this share of the curve's own size is none.
-const NO_TANGENT: f64 = 1e-12;
+/// Step of the differences that give the velocity of a view along the way.
+const STEP: f64 = 1.0 / 16384.0;
 
 /// Share of the way to the antipode that a taken velocity may swing out.
 const SWING: f64 = 0.45;
@@ -38,6 +41,8 @@ const SWING: f64 = 0.45;
 pub(super) struct Key {
     pub position: DVec3,
     pub target: Target,
+    /// Looks so far along the way and not at its target.
+    pub ahead: Option<f64>,
     pub view: DVec3,
     /// Radians.
     pub roll: f64,
@@ -67,6 +72,8 @@ pub(super) struct Leg<'a> {
     pub duration: f64,
     /// Its curve and the length of it, if the camera moves.
     pub way: Option<(&'a Cubic, f64)>,
+    /// The number of that curve.
+    pub segment: usize,
 }
 
 /// How the camera turns in one section; φ ∈ [0, 1] is the share of its curve
@@ -86,6 +93,8 @@ pub(super) enum Turning {
     Kept(DVec3, DVec3),
     /// Looks at a point of the world; the roll in radians in powers of φ.
     Tracked(DVec3, [f64; 4]),
+    /// Looks along the way.
+    Ahead(Ahead),
 }
 
 impl Turning {
@@ -96,7 +105,7 @@ impl Turning {
             Self::Part(control, [from, to]) => Some(bezier(control, from + (to - from) * phi)),
             Self::Arc([a, b]) => Some(slerp(*a, *b, phi)),
             Self::BarryGoldman(keys, knots) => Some(barry_goldman_between(keys, knots, phi)),
-            Self::Kept(..) | Self::Tracked(..) => None,
+            Self::Kept(..) | Self::Tracked(..) | Self::Ahead(_) => None,
         }
     }
 
@@ -106,6 +115,7 @@ impl Turning {
         match self {
             Self::Kept(view, up) => (*view, *up),
             Self::Tracked(target, roll) => track(*target, roll, phi, place),
+            Self::Ahead(ahead) => ahead.view_at(phi),
             _ => {
                 let q = self.quaternion(phi).unwrap_or(DQuat::IDENTITY);
                 orientation::view_from_quaternion(q)
@@ -126,11 +136,42 @@ fn track(target: DVec3, roll: &[f64; 4], phi: f64, place: &dyn Fn(f64) -> DVec3)
         let offset = target - place(phi);
         (offset.length() >= AT_TARGET).then(|| orientation::unit(offset))
     };
+    level_view(&direction, roll, phi, DVec3::Z)
+}
+
+impl Ahead {
+    /// View direction and up at φ.
+    fn view_at(&self, phi: f64) -> (DVec3, DVec3) {
+        level_view(&|phi| self.direction(phi), &self.roll, phi, self.still)
+    }
+
+    /// Angular velocity on S³ at an end for one whole section.
+    fn velocity(&self, at_end: bool) -> DVec3 {
+        let (from, h) = if at_end { (1.0, -STEP) } else { (0.0, STEP) };
+        let q = |k: f64| {
+            let (view, up) = self.view_at(from + k * h);
+            orientation::quaternion_from_view(view, up)
+        };
+        let first = q(0.0);
+        let turned = |k| log(continue_sign(first, q(k)).0 * first.conjugate());
+        // Of a parabola through three places.
+        (4.0 * turned(1.0) - turned(2.0)) / (2.0 * h)
+    }
+}
+
+/// A view in some direction at φ, rolled against the level. Where there is no
+/// direction, the last one holds, straight up and down the last yaw.
+fn level_view(
+    direction: &dyn Fn(f64) -> Option<DVec3>,
+    roll: &[f64; 4],
+    phi: f64,
+    still: DVec3,
+) -> (DVec3, DVec3) {
     let level = |view: DVec3| view.x.hypot(view.z) >= POLE;
     let here = direction(phi);
     let view =
         here.or_else(|| last_where(phi, &|phi| direction(phi).is_some()).and_then(direction));
-    let view = view.unwrap_or(DVec3::Z);
+    let view = view.unwrap_or(still);
     let (u, v) = if level(view) {
         orientation::level_axes(view)
     } else {
@@ -178,7 +219,15 @@ fn last_where(phi: f64, good: &dyn Fn(f64) -> bool) -> Option<f64> {
 enum Kind {
     Free,
     Tracked(DVec3),
+    Ahead(f64),
     Kept,
+}
+
+impl Kind {
+    /// Whether its roll is measured against the level.
+    fn is_level(self) -> bool {
+        matches!(self, Self::Tracked(_) | Self::Ahead(_))
+    }
 }
 
 /// Neighbours of keys and legs, around the ends of a closed path. There is one
@@ -220,6 +269,8 @@ struct Work<'a> {
     wrap: f64,
     /// Roll of each tracked leg: powers of φ.
     rolls: Vec<[f64; 4]>,
+    /// The whole curve, where a key looks along it.
+    rail: Option<Arc<Rail>>,
 }
 
 /// Works out how the camera turns in each leg, and fixes the signs of the keys.
@@ -230,8 +281,9 @@ pub(super) fn turnings(
     keys: &mut [Key],
     legs: &[Leg<'_>],
     mode: OrientationMode,
+    rail: Option<Arc<Rail>>,
 ) -> Result<Vec<Turning>> {
-    let work = work(keys, legs)?;
+    let work = work(keys, legs, rail)?;
     let mut turnings = vec_with_room(legs.len())?;
     for leg in 0..legs.len() {
         turnings.push(work.turning(leg, mode));
@@ -254,8 +306,12 @@ pub(super) struct Rates {
 ///
 /// # Errors
 /// [`crate::Error::Memory`].
-pub(super) fn rates(keys: &mut [Key], legs: &[Leg<'_>]) -> Result<Vec<Rates>> {
-    let work = work(keys, legs)?;
+pub(super) fn rates(
+    keys: &mut [Key],
+    legs: &[Leg<'_>],
+    rail: Option<Arc<Rail>>,
+) -> Result<Vec<Rates>> {
+    let work = work(keys, legs, rail)?;
     let mut rates = vec_with_room(work.keys.len())?;
     for key in 0..work.keys.len() {
         let (reach, leave) = work.velocities(key);
@@ -273,7 +329,7 @@ pub(super) fn rates(keys: &mut [Key], legs: &[Leg<'_>]) -> Result<Vec<Rates>> {
 }
 
 /// Everything but the turnings themselves.
-fn work<'a>(keys: &'a mut [Key], legs: &'a [Leg<'a>]) -> Result<Work<'a>> {
+fn work<'a>(keys: &'a mut [Key], legs: &'a [Leg<'a>], rail: Option<Arc<Rail>>) -> Result<Work<'a>> {
     for i in 1..keys.len() {
         let before = keys[i - 1].q;
         keys[i].q = continue_sign(before, keys[i].q).0;
@@ -297,6 +353,7 @@ fn work<'a>(keys: &'a mut [Key], legs: &'a [Leg<'a>]) -> Result<Work<'a>> {
         means: vec_with_room(legs.len())?,
         wrap,
         rolls: vec_with_room(legs.len())?,
+        rail,
     };
     for leg in 0..legs.len() {
         let (from, to) = (&keys[leg], &keys[ring.end_of(leg)]);
@@ -311,6 +368,11 @@ fn work<'a>(keys: &'a mut [Key], legs: &'a [Leg<'a>]) -> Result<Work<'a>> {
 }
 
 fn kind(from: &Key, to: &Key) -> Kind {
+    match (from.ahead, to.ahead) {
+        (None, None) => {}
+        (Some(a), Some(b)) if a == b => return Kind::Ahead(a),
+        _ => return Kind::Free,
+    }
     match (from.target, to.target) {
         (Target::Absolute(a), Target::Absolute(b)) if a == b => Kind::Tracked(a),
         (Target::Relative(_), Target::Relative(_))
@@ -335,6 +397,11 @@ impl Work<'_> {
         match (self.kinds[leg], mode) {
             (Kind::Kept, _) => Turning::Kept(self.keys[leg].view, self.keys[leg].up()),
             (Kind::Tracked(target), _) => Turning::Tracked(target, self.rolls[leg]),
+            (Kind::Ahead(_), _) => match self.along(leg) {
+                Some(ahead) => Turning::Ahead(ahead),
+                // There is always a rail where a key looks ahead.
+                None => Turning::Kept(self.keys[leg].view, self.keys[leg].up()),
+            },
             (Kind::Free, OrientationMode::Slerp) => Turning::Arc([a, b]),
             (Kind::Free, OrientationMode::BarryGoldman) => self.barry_goldman(leg),
             (Kind::Free, OrientationMode::Tcb) => {
@@ -346,6 +413,22 @@ impl Work<'_> {
                 Turning::Bezier(bezier_control(a, b, leave, reach, self.legs[leg].duration))
             }
         }
+    }
+
+    /// A leg that looks along its way.
+    fn along(&self, leg: usize) -> Option<Ahead> {
+        let Kind::Ahead(distance) = self.kinds[leg] else {
+            return None;
+        };
+        Some(Ahead {
+            rail: self.rail.clone()?,
+            segment: self.legs[leg]
+                .way
+                .map(|(_, length)| (self.legs[leg].segment, length)),
+            distance,
+            still: self.keys[leg].view,
+            roll: self.rolls[leg],
+        })
     }
 
     /// The part of another curve that a free leg is, if it leads from key to key.
@@ -425,7 +508,7 @@ impl Work<'_> {
 
     /// Slope of the roll at a key beside a tracked leg.
     fn roll_slope(&self, key: usize) -> Option<f64> {
-        let tracked = |leg: &usize| matches!(self.kinds[*leg], Kind::Tracked(_));
+        let tracked = |leg: &usize| self.kinds[*leg].is_level();
         if let Some(leg) = self.ring.after_key(key).filter(tracked) {
             return Some(self.rolls[leg][1] / self.legs[leg].duration);
         }
@@ -483,6 +566,10 @@ impl Work<'_> {
         match self.kinds[leg] {
             Kind::Free => None,
             Kind::Kept => Some(DVec3::ZERO),
+            Kind::Ahead(_) => {
+                let turned = self.along(leg)?.velocity(at_end);
+                Some(turned / self.legs[leg].duration)
+            }
             Kind::Tracked(target) => {
                 let key = &self.keys[if at_end { self.ring.end_of(leg) } else { leg }];
                 let roll = &self.rolls[leg];
@@ -493,7 +580,7 @@ impl Work<'_> {
                     roll[1]
                 };
                 let velocity = self.legs[leg].way.map_or(DVec3::ZERO, |(curve, length)| {
-                    tangent(curve, at_end) * (length / duration)
+                    end_direction(curve, at_end).unwrap_or(DVec3::ZERO) * (length / duration)
                 });
                 Some(0.5 * tracking_velocity(target - key.position, velocity, slope / duration))
             }
@@ -503,7 +590,7 @@ impl Work<'_> {
     /// Rolls of the tracked legs: one monotone cubic through each run of them.
     fn run_rolls(&mut self) -> Result<()> {
         let legs = self.legs.len();
-        let tracked = |kinds: &[Kind], leg: usize| matches!(kinds[leg % legs], Kind::Tracked(_));
+        let tracked = |kinds: &[Kind], leg: usize| kinds[leg % legs].is_level();
         let all = (0..legs).all(|leg| tracked(&self.kinds, leg));
         let around = self.ring.closed() && !all;
         // On a ring the counting begins behind a leg that is not tracked.
@@ -548,22 +635,6 @@ impl Work<'_> {
         }
         Ok(())
     }
-}
-
-/// Direction in which the camera moves at an end of a curve: where the curve
-/// has no tangent, that of its first derivative from inside that is not zero.
-fn tangent(curve: &Cubic, at_end: bool) -> DVec3 {
-    let (t, inwards) = if at_end { (1.0, -1.0) } else { (0.0, 1.0) };
-    let size = NO_TANGENT * (curve.a.length() + curve.b.length() + curve.c.length());
-    let derivatives = [
-        curve.derivative(t),
-        inwards * curve.second_derivative(t),
-        6.0 * curve.a,
-    ];
-    derivatives
-        .into_iter()
-        .find(|derivative| derivative.length() > size)
-        .map_or(DVec3::ZERO, orientation::unit)
 }
 
 /// Angular velocity in the world of a camera that keeps looking at a target at

@@ -191,6 +191,9 @@ pub struct Own {
     /// So many frames for the section that begins here, whatever its length; 0:
     /// by length.
     pub frames: u32,
+    /// Looks along the way and not at its target: along the tangent (0), or at
+    /// the place so far ahead on the curve.
+    pub ahead: Option<f64>,
     /// Angular velocities, in place of those by tension, continuity and bias.
     pub velocities: Option<Velocities>,
     /// How the section that begins here turns, if it is a part of what another
@@ -207,6 +210,7 @@ impl Own {
     const NONE: Self = Self {
         pace: Pace::Speeds,
         frames: 0,
+        ahead: None,
         velocities: None,
         turning: None,
         roll_slope: None,
@@ -225,6 +229,7 @@ impl Own {
             Pace::Distance(keys) => check_distance(keys)?,
         }
         check_frames(self.frames)?;
+        self.ahead.map_or(Ok(()), check_ahead)?;
         if let Some(Velocities { reach, leave }) = self.velocities {
             check_rates(&[reach.to_array(), leave.to_array()].concat())?;
         }
@@ -251,6 +256,7 @@ impl Own {
                 .chain([from, to])
                 .for_each(|number| option(Some(number)));
         }
+        option(self.ahead);
         option(self.roll_slope);
         option(self.zoom_slope);
         option(Some(f64::from(self.frames)));
@@ -280,6 +286,24 @@ pub fn check_frames(frames: u32) -> Result<()> {
         return Err(Error::Range(message!(
             "a section has at most {0} frames",
             limits::MAX_FRAMES
+        )));
+    }
+    Ok(())
+}
+
+/// A distance along the way, ≥ 0.
+///
+/// # Errors
+/// [`Error::Range`] or [`Error::Argument`].
+pub fn check_ahead(distance: f64) -> Result<()> {
+    if !distance.is_finite() {
+        return Err(Error::Argument(message!(
+            "the distance ahead must be a finite number"
+        )));
+    }
+    if !(0.0..=limits::MAX_COORDINATE).contains(&distance) {
+        return Err(Error::Range(message!(
+            "the distance ahead must lie between 0 and 1e9"
         )));
     }
     Ok(())

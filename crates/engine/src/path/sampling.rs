@@ -1,10 +1,11 @@
 //! A whole path becomes poses (thesis 5.2, 5.3, A.6.2; `docs/path.md`, speed and
 //! frames).
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use glam::DVec3;
 
+use super::ahead::{self, Rail};
 use super::arc_length;
 use super::camera_path::{CameraPath, ZoomMode};
 use super::dispatch;
@@ -37,6 +38,8 @@ pub(super) struct Layout<'a> {
     /// Their poses; of a closed path the first one again at the end.
     pub poses: Vec<Pose>,
     pub ways: Vec<orientation_curve::Leg<'a>>,
+    /// The whole curve, where a key looks along it.
+    pub rail: Option<Arc<Rail>>,
     first_frames: Vec<usize>,
 }
 
@@ -83,6 +86,7 @@ impl<'a> Layout<'a> {
             ways.push(orientation_curve::Leg {
                 duration: section.frames as f64 * section.mean_speed / BASE_SPEED,
                 way: curve.map(|curve| (curve, length)),
+                segment: section.point.min(timeline.segment_count() - 1),
             });
             legs.push(Leg {
                 start: number,
@@ -113,11 +117,18 @@ impl<'a> Layout<'a> {
             keys.push(key);
             poses.push(pose);
         }
+        let ahead = keys.iter().any(|key| key.ahead.is_some());
+        let rail = if ahead {
+            Some(Rail::new(path, timeline)?)
+        } else {
+            None
+        };
         Ok(Self {
             legs,
             keys,
             poses,
             ways,
+            rail,
             first_frames,
         })
     }
@@ -135,9 +146,10 @@ impl Sampler {
             mut keys,
             poses,
             ways,
+            rail,
             first_frames,
         } = Layout::new(path, timeline)?;
-        let turnings = turnings(&mut keys, &ways, path.orientation_mode)?;
+        let turnings = turnings(&mut keys, &ways, path.orientation_mode, rail)?;
         for (leg, turning) in legs.iter_mut().zip(turnings) {
             leg.turning = turning;
         }
@@ -266,14 +278,15 @@ impl Sampler {
 
 /// A key of the path, and the pose in which the camera is there.
 fn key(path: &CameraPath, point: usize, orientation: usize) -> (Key, Pose) {
+    let view = ahead::view(path, point, orientation);
     let point = &path.points[point];
     let orientation = &point.orientations[orientation];
-    let view = orientation.view(point.position);
     let roll = orientation.roll.to_radians();
     let up = orientation::up_from_roll(view, roll);
     let key = Key {
         position: point.position,
         target: orientation.target,
+        ahead: orientation.own.ahead,
         view,
         roll,
         turning: orientation.turning,

@@ -2,6 +2,9 @@
 //! what changes, by how much, how many frames it takes. When the values at one
 //! point change, only what lies around it is computed again.
 
+use glam::DVec3;
+
+use super::ahead;
 use super::camera_path::{CameraPath, CurveKind, Orientation};
 use super::curve;
 use super::dispatch;
@@ -89,6 +92,8 @@ pub struct Timeline {
     /// Hold of the last orientation of an open path.
     last_hold: usize,
     frames: usize,
+    /// Whether a view looks along the way.
+    ahead: bool,
 }
 
 impl Timeline {
@@ -120,9 +125,11 @@ impl Timeline {
             sections,
             last_hold: last_hold(path),
             frames: 1,
+            ahead: false,
         };
         for (index, point) in path.points.iter().enumerate() {
             for number in 0..point.orientations.len() {
+                timeline.ahead |= point.orientations[number].own.ahead.is_some();
                 if timeline.sections.len() == count {
                     break;
                 }
@@ -148,8 +155,10 @@ impl Timeline {
     /// # Errors
     /// [`Error::Memory`].
     pub fn update_point(&mut self, path: &CameraPath, point: usize) -> Result<()> {
-        if path.curve == CurveKind::Cubic {
-            // Every segment feels every point.
+        let looks_ahead = |o: &Orientation| o.own.ahead.is_some();
+        let ahead = self.ahead || path.points[point].orientations.iter().any(looks_ahead);
+        if path.curve == CurveKind::Cubic || ahead {
+            // Every segment feels every point, and so do views along the way.
             *self = Self::new(path)?;
             return Ok(());
         }
@@ -360,17 +369,16 @@ impl Timeline {
     fn compare(&self, path: &CameraPath, point: usize, orientation: usize) -> (Change, f64) {
         let here = &path.points[point];
         let from = &here.orientations[orientation];
-        let (there, to) = if orientation + 1 < here.orientations.len() {
-            (here, &here.orientations[orientation + 1])
+        let to = if orientation + 1 < here.orientations.len() {
+            &here.orientations[orientation + 1]
         } else {
             let length = self.segments[point].length;
             if length > NO_CHANGE {
                 return (Change::Position, length);
             }
-            let there = &path.points[(point + 1) % path.points.len()];
-            (there, &there.orientations[0])
+            &path.points[(point + 1) % path.points.len()].orientations[0]
         };
-        let (a, b) = (from.view(here.position), to.view(there.position));
+        let (a, b) = self.views(path, (point, orientation));
         if (a - b).length() > NO_CHANGE {
             let key = |view, roll: f64| orientation::quaternion_from_roll(view, roll.to_radians());
             let (a, b) = (key(a, from.roll), key(b, to.roll));
@@ -386,6 +394,20 @@ impl Timeline {
             return (Change::Zoom, zoom / (MAX_ZOOM - MIN_ZOOM));
         }
         (Change::Nothing, 0.0)
+    }
+
+    /// The views with which the section that begins with this orientation begins
+    /// and ends.
+    fn views(&self, path: &CameraPath, (point, orientation): (usize, usize)) -> (DVec3, DVec3) {
+        let to = if orientation + 1 < path.points[point].orientations.len() {
+            (point, orientation + 1)
+        } else {
+            ((point + 1) % path.points.len(), 0)
+        };
+        (
+            ahead::view(path, point, orientation),
+            ahead::view(path, to.0, to.1),
+        )
     }
 
     /// The nearest section before this one that has frames.

@@ -1,0 +1,217 @@
+//! Views along the way: where on the curve they look (Kolb, Computergraphik II,
+//! 9.2.2: tangent and secant).
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::arc_length::ArcLength;
+use super::camera_path::CameraPath;
+use super::curve;
+use super::dispatch;
+use super::hermite::Cubic;
+use super::timeline::Timeline;
+use crate::error::{Result, room, vec_with_room};
+use crate::math::orientation::unit;
+
+/// A tangent shorter than this share of the curve's own size is none.
+const NO_TANGENT: f64 = 1e-12;
+
+/// Direction in which the camera moves at an end of a curve: where the curve
+/// has no tangent, that of its first derivative from inside that is not zero.
+pub(super) fn end_direction(curve: &Cubic, at_end: bool) -> Option<DVec3> {
+    let (t, inwards) = if at_end { (1.0, -1.0) } else { (0.0, 1.0) };
+    let size = NO_TANGENT * (curve.a.length() + curve.b.length() + curve.c.length());
+    let derivatives = [
+        curve.derivative(t),
+        inwards * curve.second_derivative(t),
+        6.0 * curve.a,
+    ];
+    derivatives
+        .into_iter()
+        .find(|derivative| derivative.length() > size)
+        .map(unit)
+}
+
+/// Direction of the way at a point of a path: with which it is left; where
+/// there is none, the last one before, else the next one behind.
+fn direction_at(path: &CameraPath, point: usize) -> Option<DVec3> {
+    let (count, segments) = (path.points.len(), path.segment_count());
+    let leaving = |point: usize| {
+        (point < segments)
+            .then(|| end_direction(&curve::segment(path, point), false))
+            .flatten()
+    };
+    let arriving = |point: usize| {
+        let before = if point > 0 { point - 1 } else { count - 1 };
+        (before < segments)
+            .then(|| end_direction(&curve::segment(path, before), true))
+            .flatten()
+    };
+    let around = |steps: usize| if path.closed { steps % count } else { steps };
+    leaving(point)
+        .or_else(|| {
+            let turns = if path.closed { count } else { point + 1 };
+            (0..turns).find_map(|back| arriving(around(point + count - back) % count))
+        })
+        .or_else(|| {
+            let turns = if path.closed { count } else { count - point };
+            (0..turns).find_map(|steps| leaving(around(point + steps)))
+        })
+}
+
+/// Where the curve is `distance` behind the start of a segment, found by
+/// measuring one segment after the other.
+fn place_behind(path: &CameraPath, point: usize, distance: f64) -> Option<DVec3> {
+    let (count, segments) = (path.points.len(), path.segment_count());
+    let mut left = distance;
+    let mut total = 0.0;
+    let mut segment = point;
+    let mut steps = 0;
+    loop {
+        if segment >= segments {
+            let end = direction_at(path, count - 1)?;
+            return Some(path.points[count - 1].position + left * end);
+        }
+        let cubic = curve::segment(path, segment);
+        let length = dispatch::length(&cubic);
+        if left <= length {
+            let arc = ArcLength::new(&cubic).ok()?;
+            return Some(cubic.point(arc.parameter_at(left)));
+        }
+        left -= length;
+        total += length;
+        steps += 1;
+        if steps == segments && path.closed {
+            // Once round: whole rounds lead nowhere.
+            if total <= 0.0 {
+                return None;
+            }
+            left %= total;
+        }
+        segment = if path.closed {
+            (segment + 1) % count
+        } else {
+            segment + 1
+        };
+    }
+}
+
+/// The view of an orientation at a point of a path: along the way, where it
+/// looks ahead and there is one; else to its target.
+///
+/// # Panics
+/// If there is no such orientation.
+#[must_use]
+pub fn view(path: &CameraPath, point: usize, orientation: usize) -> DVec3 {
+    let here = &path.points[point];
+    let orientation = &here.orientations[orientation];
+    let ahead = orientation.own.ahead.and_then(|distance| {
+        if distance == 0.0 {
+            return direction_at(path, point);
+        }
+        let there = place_behind(path, point, distance)? - here.position;
+        if there == DVec3::ZERO {
+            direction_at(path, point)
+        } else {
+            Some(unit(there))
+        }
+    });
+    ahead.unwrap_or_else(|| orientation.view(here.position))
+}
+
+/// The curve of a whole path by its length.
+#[derive(Debug, PartialEq)]
+pub(super) struct Rail {
+    curves: Vec<Cubic>,
+    /// Length before each segment, and of all.
+    starts: Vec<f64>,
+    closed: bool,
+    /// Direction at the end of an open path.
+    end: DVec3,
+}
+
+impl Rail {
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub(super) fn new(path: &CameraPath, timeline: &Timeline) -> Result<Arc<Self>> {
+        let count = timeline.segment_count();
+        let mut curves = vec_with_room(count)?;
+        let mut starts = vec_with_room(count + 1)?;
+        let mut length = 0.0;
+        starts.push(0.0);
+        for segment in 0..count {
+            curves.push(*timeline.curve(segment));
+            length += timeline.segment_length(segment);
+            starts.push(length);
+        }
+        room(size_of::<Self>() + 2 * size_of::<usize>())?;
+        let end = direction_at(path, path.points.len() - 1);
+        Ok(Arc::new(Self {
+            curves,
+            starts,
+            closed: path.closed,
+            end: end.unwrap_or(DVec3::Z),
+        }))
+    }
+
+    fn length(&self) -> f64 {
+        self.starts[self.curves.len()]
+    }
+
+    /// The place at a length from the start of a segment on.
+    fn place(&self, segment: usize, behind: f64) -> Option<DVec3> {
+        let mut s = self.starts[segment] + behind;
+        if self.closed {
+            s %= self.length();
+        } else if s >= self.length() {
+            let last = &self.curves[self.curves.len() - 1];
+            return Some(last.point(1.0) + (s - self.length()) * self.end);
+        }
+        let at = self.starts.partition_point(|&start| start <= s).max(1) - 1;
+        let at = at.min(self.curves.len() - 1);
+        let arc = ArcLength::new(&self.curves[at]).ok()?;
+        Some(self.curves[at].point(arc.parameter_at(s - self.starts[at])))
+    }
+}
+
+/// A section that looks along its way.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Ahead {
+    pub rail: Arc<Rail>,
+    /// The segment along which it leads and its length; none where it stays.
+    pub segment: Option<(usize, f64)>,
+    /// How far ahead; 0: along the tangent.
+    pub distance: f64,
+    /// The view where the way has no direction at all.
+    pub still: DVec3,
+    /// Roll in radians in powers of φ.
+    pub roll: [f64; 4],
+}
+
+impl Ahead {
+    /// The direction at φ, if the way has one there.
+    pub(super) fn direction(&self, phi: f64) -> Option<DVec3> {
+        let Some((segment, length)) = self.segment else {
+            return Some(self.still);
+        };
+        let curve = &self.rail.curves[segment];
+        let arc = ArcLength::new(curve).ok()?;
+        let t = arc.parameter_at(phi * length);
+        if self.distance > 0.0 {
+            let there = self.rail.place(segment, phi * length + self.distance)?;
+            let offset = there - curve.point(t);
+            return (offset.length() > NO_TANGENT * self.distance).then(|| unit(offset));
+        }
+        if phi <= 0.0 || phi >= 1.0 {
+            return end_direction(curve, phi >= 1.0);
+        }
+        let derivative = curve.derivative(t);
+        let size = curve.a.length() + curve.b.length() + curve.c.length();
+        (derivative.length() > NO_TANGENT * size).then(|| unit(derivative))
+    }
+}
+
+#[cfg(test)]
+#[path = "ahead_tests.rs"]
+mod tests;

@@ -1,0 +1,283 @@
+/*
+ * Tangents and kinds of the curve, points that keep the motion, easing, fixed
+ * frames, views along the way.
+ */
+#include "check.h"
+
+static const double a_nan = NAN;
+
+static V_PATH *three_points(void)
+{
+    V_PATH *path = new_path();
+    const double middle[3] = {0.1, -0.3, -0.4};
+    V_ORIENTATION o;
+
+    OK(v_path_insert_point(path, 1, middle));
+    v_orientation_init(&o);
+    o.zoom = 60;
+    o.target[0] = 0.9;
+    o.roll = 25;
+    o.speed[0] = 5;
+    o.speed[1] = 20;
+    OK(v_path_set_orientation(path, 1, 0, &o));
+    return path;
+}
+
+static size_t frames_of(const V_PATH *path)
+{
+    size_t count = 0;
+    OK(v_path_frame_count(path, &count));
+    return count;
+}
+
+static V_POSE *poses_of(const V_PATH *path, size_t count)
+{
+    V_POSE *poses = calloc(count, sizeof *poses);
+    OK(v_path_sample(path, 1, poses, count));
+    return poses;
+}
+
+static void tangents(void)
+{
+    V_PATH *path = three_points();
+    double before[3], after[3], again[3], place[2][3];
+    int own = -7, at;
+
+    OK(v_path_curve_point(path, 0, 0.3, place[0]));
+    for (at = 0; at < 3; at++) {
+        OK(v_path_get_tangents(path, at, before, after, &own));
+        CHECK(own == 0);
+        OK(v_path_set_tangents(path, at, before, after));
+        OK(v_path_get_tangents(path, at, again, NULL, &own));
+        CHECK(own == 1 && memcmp(before, again, sizeof before) == 0);
+    }
+    OK(v_path_curve_point(path, 0, 0.3, place[1]));
+    CHECK(memcmp(place[0], place[1], sizeof place[0]) == 0);
+    after[0] = 2;
+    OK(v_path_set_tangents(path, 0, before, after));
+    OK(v_path_curve_point(path, 0, 0.3, place[1]));
+    CHECK(memcmp(place[0], place[1], sizeof place[0]) != 0);
+    OK(v_path_set_tangents(path, 0, NULL, NULL));
+    OK(v_path_curve_point(path, 0, 0.3, place[1]));
+    CHECK(memcmp(place[0], place[1], sizeof place[0]) == 0);
+    after[1] = a_nan;
+    STATUS(V_ERR_ARGUMENT, v_path_set_tangents(path, 0, before, after));
+    after[1] = 2e9;
+    STATUS(V_ERR_RANGE, v_path_set_tangents(path, 0, before, after));
+    STATUS(V_ERR_NULL, v_path_set_tangents(path, 0, before, NULL));
+    STATUS(V_ERR_RANGE, v_path_set_tangents(path, 3, NULL, NULL));
+    STATUS(V_ERR_RANGE, v_path_get_tangents(path, -1, before, after, &own));
+    v_path_free(path);
+}
+
+static void kinds(void)
+{
+    V_PATH *path = three_points();
+    const char *kind = NULL;
+    double place[3], length;
+
+    OK(v_path_get_curve(path, &kind));
+    CHECK(strcmp(kind, "tcb") == 0);
+    OK(v_path_set_curve(path, "linear"));
+    OK(v_path_curve_point(path, 0, 0.5, place));
+    NEAR(place[0], -0.25, 1e-15);
+    NEAR(place[1], -0.05, 1e-15);
+    OK(v_path_segment_length(path, 0, &length));
+    NEAR(length, sqrt(0.7 * 0.7 + 0.5 * 0.5 + 1.2 * 1.2), 1e-14);
+    OK(v_path_set_curve(path, "cubic"));
+    OK(v_path_get_curve(path, &kind));
+    CHECK(strcmp(kind, "cubic") == 0);
+    /* Natural, three points: the tangent at the first one is 5/4 of the first
+     * chord less 1/4 of the second. */
+    {
+        double after[3];
+        OK(v_path_get_tangents(path, 0, NULL, after, NULL));
+        NEAR(after[0], 1.25 * 0.7 - 0.25 * 0.5, 1e-14);
+    }
+    STATUS(V_ERR_RANGE, v_path_set_curve(path, "round"));
+    STATUS(V_ERR_NULL, v_path_set_curve(path, NULL));
+    v_path_free(path);
+}
+
+static void the_motion_is_kept(void)
+{
+    V_PATH *path = three_points();
+    size_t count = frames_of(path), i;
+    V_POSE *before = poses_of(path, count), *after;
+    int at = -7, points, k;
+
+    OK(v_path_insert_on_curve(path, (double)count / 3, &at));
+    CHECK(at == 1);
+    OK(v_path_insert_on_curve(path, (double)count * 0.8, NULL));
+    OK(v_path_point_count(path, &points));
+    CHECK(points == 5 && frames_of(path) == count);
+    after = poses_of(path, count);
+    for (i = 0; i < count; i++) {
+        for (k = 0; k < 3; k++) {
+            NEAR(after[i].vrp[k], before[i].vrp[k], 1e-12);
+            NEAR(after[i].vpn[k], before[i].vpn[k], 1e-7);
+            NEAR(after[i].vup[k], before[i].vup[k], 1e-7);
+        }
+        NEAR(after[i].zoom, before[i].zoom, 1e-9);
+    }
+    STATUS(V_ERR_RANGE, v_path_insert_on_curve(path, 1, &at));
+    STATUS(V_ERR_RANGE, v_path_insert_on_curve(path, a_nan, &at));
+    STATUS(V_ERR_RANGE, v_path_insert_on_curve(path, (double)count + 1, &at));
+    OK(v_path_set_modes(path, V_ORIENTATION_BARRY_GOLDMAN, V_ZOOM_SMOOTH));
+    STATUS(V_ERR_ARGUMENT, v_path_insert_on_curve(path, 5, &at));
+    free(before);
+    free(after);
+    v_path_free(path);
+}
+
+static void easing(void)
+{
+    const double pi = acos(-1);
+    V_PATH *path = new_path();
+    double distance, speed, rise, fall, cruise, t;
+    int kind = -7;
+    size_t count, steady = frames_of(path);
+    V_POSE *poses;
+    const double keys[] = {0, 0, 0.25, 0.5, 1, 1};
+
+    for (t = 0; t <= 1; t += 0.125) {
+        OK(v_ease(V_EASE_SINE, 0.5, 0.5, t, &distance, &speed));
+        NEAR(distance, (1 - cos(pi * t)) / 2, 1e-14);
+        NEAR(speed, sin(pi * t) * pi / 2, 1e-14);
+    }
+    OK(v_ease(V_EASE_PARABOLIC, 0.5, 0.5, 0.25, &distance, NULL));
+    NEAR(distance, 0.125, 1e-15);
+    STATUS(V_ERR_RANGE, v_ease(2, 0.5, 0.5, 0.25, &distance, NULL));
+    STATUS(V_ERR_RANGE, v_ease(0, 0.6, 0.5, 0.25, &distance, NULL));
+    STATUS(V_ERR_RANGE, v_ease(0, 0.6, 0.1, 1.25, &distance, NULL));
+    STATUS(V_ERR_ARGUMENT, v_ease(0, a_nan, 0.1, 0.25, &distance, NULL));
+
+    OK(v_path_get_ease(path, 0, 0, &kind, NULL, NULL, NULL));
+    CHECK(kind == -1);
+    OK(v_path_set_ease(path, 0, 0, V_EASE_PARABOLIC, 0.5, 0.5, 50));
+    OK(v_path_get_ease(path, 0, 0, &kind, &rise, &fall, &cruise));
+    CHECK(kind == V_EASE_PARABOLIC && rise == 0.5 && fall == 0.5 && cruise == 50);
+    count = frames_of(path);
+    CHECK(count == 2 * (steady - 1) + 1); /* half the mean speed */
+    poses = poses_of(path, count);
+    NEAR(poses[(count - 1) / 4].vrp[0], -0.6 + 1.2 * 0.125, 1e-12);
+    free(poses);
+    STATUS(V_ERR_RANGE, v_path_set_ease(path, 0, 0, V_EASE_SINE, 0.5, 0.5, 101));
+    STATUS(V_ERR_RANGE, v_path_set_ease(path, 0, 1, V_EASE_SINE, 0.5, 0.5, 50));
+
+    OK(v_path_set_distance(path, 0, 0, keys, 3));
+    OK(v_path_get_ease(path, 0, 0, &kind, NULL, NULL, NULL));
+    CHECK(kind == -1);
+    count = frames_of(path);
+    CHECK(count == steady);
+    poses = poses_of(path, count);
+    NEAR(poses[(count - 1) / 4].vrp[0], 0, 1e-12);
+    free(poses);
+    STATUS(V_ERR_RANGE, v_path_set_distance(path, 0, 0, keys, 2));
+    STATUS(V_ERR_RANGE, v_path_set_distance(path, 0, 0, keys, 33));
+    STATUS(V_ERR_NULL, v_path_set_distance(path, 0, 0, NULL, 3));
+    OK(v_path_set_distance(path, 0, 0, NULL, 0));
+    OK(v_path_set_ease(path, 0, 0, -1, a_nan, 7, 0));
+    CHECK(frames_of(path) == steady);
+    v_path_free(path);
+}
+
+static void fixed_frames(void)
+{
+    V_PATH *path = three_points();
+    size_t frames = 7;
+
+    OK(v_path_get_frames(path, 0, 0, &frames));
+    CHECK(frames == 0);
+    OK(v_path_set_frames(path, 0, 0, 33));
+    OK(v_path_get_frames(path, 0, 0, &frames));
+    CHECK(frames == 33);
+    for (frames = 3; frames < 1000; frames += 83) {
+        OK(v_path_fit_frames(path, 0, 2, frames));
+        CHECK(frames_of(path) == frames);
+    }
+    OK(v_path_set_closed(path, 1));
+    OK(v_path_fit_frames(path, 0, 2, 300));
+    CHECK(frames_of(path) == 300);
+    STATUS(V_ERR_RANGE, v_path_fit_frames(path, 0, 2, 3));
+    CHECK(strstr(v_last_error(), "at least 4") != NULL);
+    STATUS(V_ERR_RANGE, v_path_fit_frames(path, 0, 3, 300));
+    STATUS(V_ERR_RANGE, v_path_set_frames(path, 0, 0, (size_t)-1));
+    CHECK(frames_of(path) == 300);
+    v_path_free(path);
+}
+
+static void along_the_way(void)
+{
+    V_PATH *path = three_points();
+    V_ORIENTATION o = {sizeof o};
+    V_POSE pose;
+    double to[3], length;
+    int at, k;
+
+    OK(v_path_set_curve(path, "linear"));
+    for (at = 0; at < 3; at++)
+        OK(v_path_set_ahead(path, at, 0, 0));
+    OK(v_path_pose(path, 4.5, &pose));
+    OK(v_path_get_position(path, 1, to));
+    OK(v_path_segment_length(path, 0, &length));
+    NEAR(pose.vpn[0], 0.7 / length, 1e-12);
+    NEAR(pose.vpn[1], -0.5 / length, 1e-12);
+    NEAR(pose.vpn[2], -1.2 / length, 1e-12);
+    /* What the struct has no place for stays. */
+    OK(v_path_get_orientation(path, 0, 0, &o));
+    o.zoom = 40;
+    OK(v_path_set_orientation(path, 0, 0, &o));
+    OK(v_path_pose(path, 1, &pose));
+    NEAR(pose.vpn[0], 0.7 / length, 1e-12);
+    OK(v_path_set_ahead(path, 0, 0, -1));
+    OK(v_path_get_orientation(path, 0, 0, &o));
+    CHECK(o.absolute == 0);
+    for (k = 0; k < 3; k++)
+        NEAR(o.target[k], 0.4 * pose.vpn[k], 1e-12);
+    STATUS(V_ERR_ARGUMENT, v_path_set_ahead(path, 0, 0, a_nan));
+    STATUS(V_ERR_RANGE, v_path_set_ahead(path, 0, 0, 2e9));
+    STATUS(V_ERR_RANGE, v_path_set_ahead(path, 0, 1, 0));
+    v_path_free(path);
+}
+
+/* All of it comes back from a file. */
+static void saved(const char *folder)
+{
+    V_PATH *path = three_points(), *read = NULL;
+    char file[4096];
+    const double keys[] = {0, 0, 0.25, 0.5, 1, 1};
+    size_t count, i;
+    V_POSE *a, *b;
+
+    OK(v_path_set_ease(path, 0, 0, V_EASE_SINE, 0.3, 0.2, 80));
+    OK(v_path_insert_on_curve(path, 20, NULL));
+    OK(v_path_set_distance(path, 2, 0, keys, 3));
+    OK(v_path_fit_frames(path, 0, 3, 241));
+    OK(v_path_set_ahead(path, 3, 0, 0.1));
+    snprintf(file, sizeof file, "%s/shape.vid", folder);
+    OK(v_path_save(path, file));
+    OK(v_path_load(file, &read));
+    count = frames_of(path);
+    CHECK(count == 241 && frames_of(read) == count);
+    a = poses_of(path, count);
+    b = poses_of(read, count);
+    for (i = 0; i < count; i++)
+        CHECK(memcmp(&a[i], &b[i], sizeof a[i]) == 0);
+    free(a);
+    free(b);
+    v_path_free(path);
+    v_path_free(read);
+}
+
+int main(int argc, char **argv)
+{
+    tangents();
+    kinds();
+    the_motion_is_kept();
+    easing();
+    fixed_frames();
+    along_the_way();
+    saved(argc > 1 ? argv[1] : ".");
+    return failures != 0;
+}

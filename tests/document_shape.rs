@@ -1,0 +1,198 @@
+//! Tangents, pace, fixed frames, views along the way and points that keep the motion,
+//! as edits and in files: each is taken back to the last bit, and comes back
+//! from its file to the last bit.
+
+mod common;
+
+use common::Random;
+use glam::DVec3;
+use vides::document::{Document, Edit};
+use vides::path::{CurveKind, Ease, EaseKind, Own, Pace, Tangents, own};
+
+fn document(random: &mut Random) -> Document {
+    let path = random.path(50.0);
+    Document::from_parts(path, Default::default()).expect("a path")
+}
+
+/// A change of what an orientation owns.
+fn owning(document: &Document, point: usize, change: impl FnOnce(&mut Own)) -> Edit {
+    let mut orientation = document.path().points[point].orientations[0].clone();
+    orientation.own = orientation.own.with(change).expect("memory");
+    Edit::SetOrientation {
+        point,
+        at: 0,
+        orientation,
+    }
+}
+
+fn edits(random: &mut Random, document: &Document) -> Vec<Edit> {
+    let at = random.below(document.path().points.len());
+    let mut vector = || DVec3::new(random.between(-1.0, 1.0), -0.0, random.between(-1.0, 1.0));
+    let tangents = Tangents {
+        before: vector(),
+        after: vector(),
+    };
+    let ease = Ease {
+        kind: EaseKind::Parabolic,
+        rise: random.between(0.0, 0.5),
+        fall: random.between(0.0, 0.5),
+        cruise: random.between(1.0, 100.0),
+    };
+    let keys = [[0.0, 0.0], [random.between(0.1, 0.9), 0.3], [1.0, 1.0]];
+    let last = document.path().points.len() - 1;
+    let frames = document.timeline(|t| t.frame_count()).unwrap().unwrap_or(1);
+    let frame = random.between(1.0, frames as f64);
+    vec![
+        Edit::SetTangents {
+            at,
+            tangents: Some(tangents),
+        },
+        Edit::SetCurveKind(CurveKind::Cubic),
+        owning(document, at, |own| own.pace = Pace::Ease(ease)),
+        owning(document, at, |own| own.pace = own::distance(&keys).unwrap()),
+        owning(document, at, |own| own.frames = 77),
+        owning(document, at, |own| own.ahead = Some(0.25)),
+        Edit::InsertOnCurve { frame },
+        Edit::FitFrames {
+            first: 0,
+            last,
+            frames: frames + 500,
+        },
+    ]
+}
+
+#[test]
+fn each_edit_is_undone_and_saved_to_the_last_bit() {
+    let mut random = Random::new(71);
+    let (mut done, mut inserted) = (0, 0);
+    for _ in 0..150 {
+        let mut document = document(&mut random);
+        for k in 0..8 {
+            let edit = edits(&mut random, &document).swap_remove(k);
+            let inserts = matches!(edit, Edit::InsertOnCurve { .. });
+            let before = document.to_toml().unwrap();
+            if document.apply(edit.clone()).is_err() {
+                assert_eq!(document.to_toml().unwrap(), before);
+                continue;
+            }
+            let after = document.to_toml().unwrap();
+            let undone = document.undo();
+            assert_eq!(document.to_toml().unwrap(), before, "{edit:?}");
+            assert_eq!(undone, after != before);
+            if undone {
+                assert!(document.redo());
+            }
+            assert_eq!(document.to_toml().unwrap(), after, "{edit:?}");
+            let read = Document::from_toml(&after).unwrap();
+            assert_eq!(read.path(), document.path());
+            assert_eq!(read.to_toml().unwrap(), after);
+            done += 1;
+            inserted += usize::from(inserts);
+        }
+    }
+    assert!(done > 900 && inserted > 60, "{done} {inserted}");
+}
+
+#[test]
+fn what_an_insertion_left_goes_with_the_values_that_are_changed() {
+    let mut document = Document::new();
+    let change = |document: &mut Document, point: usize, zoom: Option<f64>, speed: Option<f64>| {
+        let mut orientation = document.path().points[point].orientations[0].clone();
+        orientation.zoom = zoom.unwrap_or(orientation.zoom);
+        orientation.speeds[3] = speed.unwrap_or(orientation.speeds[3]);
+        document
+            .apply(Edit::SetOrientation {
+                point,
+                at: 0,
+                orientation,
+            })
+            .unwrap();
+    };
+    change(&mut document, 0, None, Some(10.0));
+    change(&mut document, 1, Some(80.0), None);
+    document.apply(Edit::InsertOnCurve { frame: 40.0 }).unwrap();
+    let own = |document: &Document| Own::clone(&document.path().points[1].orientations[0].own);
+    assert_eq!(document.selection().point, 1);
+    assert!(own(&document).zoom_slope.is_some() && matches!(own(&document).pace, Pace::Part(_)));
+    change(&mut document, 1, Some(30.0), None);
+    assert!(own(&document).zoom_slope.is_none() && matches!(own(&document).pace, Pace::Part(_)));
+    change(&mut document, 1, None, Some(77.0));
+    assert!(own(&document).pace == Pace::Speeds);
+}
+
+#[test]
+fn a_wrong_value_is_told_with_its_line() {
+    let file = |orientation: &str, point: &str| {
+        format!(
+            "version = 1\n[[point]]\nposition = [0.0, 0.0, 0.0]\n{point}\n[[point.orientation]]\n{orientation}\n[[point]]\nposition = [1.0, 0.0, 0.0]\n"
+        )
+    };
+    let refused = |text: &str| Document::from_toml(text).unwrap_err().to_string();
+    for (orientation, said) in [
+        (
+            "frames = -1",
+            "line 6: frames: must lie between 0 and 100000000",
+        ),
+        (
+            "ahead = -0.5",
+            "line 6: ahead: the distance ahead must lie between 0 and 1e9",
+        ),
+        (
+            "ease = { kind = \"bouncy\" }",
+            "line 6: kind: must be \"sine\" or \"parabolic\"",
+        ),
+        (
+            "ease = { rise = 0.7, fall = 0.4 }",
+            "line 6: ease: the shares of time for speeding up and slowing down must not be negative, and together not exceed 1",
+        ),
+        (
+            "distance = [[0.0, 0.0], [0.5, 0.5]]",
+            "line 6: distance: the keys of a given distance must lead from 0, 0 to 1, 1, with both numbers increasing",
+        ),
+        (
+            "ease = { rise = 0.5 }\ndistance = [[0.0, 0.0], [1.0, 1.0]]",
+            "line 6: ease: an orientation has either an ease, a distance or a part of a pace",
+        ),
+        (
+            "pace_part = { from = 0.5, to = 0.5, ease = {} }",
+            "line 6: pace_part: a part must begin and end between 0 and 1, its end after its start",
+        ),
+        (
+            "pace_part = { from = 0.5 }",
+            "line 6: pace_part: a part needs its whole: speed_curve, ease or distance",
+        ),
+        (
+            "velocity_degrees = { reach = [0, 0, 0] }",
+            "line 6: velocity_degrees: both reach and leave must be given",
+        ),
+        (
+            "zoom_slope_mm = 1e7",
+            "line 6: zoom_slope_mm: a velocity or slope must not exceed 1000000",
+        ),
+        (
+            "turning_part = { control = [[1, 0, 0, 0]] }",
+            "line 6: control: expected 4 quaternions, found 1",
+        ),
+        (
+            "turning_part = { control = [[2, 0, 0, 0], [1, 0, 0, 0], [1, 0, 0, 0], [1, 0, 0, 0]] }",
+            "line 6: turning_part: the control quaternions of a turning must have length 1",
+        ),
+    ] {
+        let found = refused(&file(orientation, ""));
+        // Of two keys the alphabetically later one complains.
+        assert!(
+            found == said || found.ends_with(&said[20..]),
+            "{orientation}: {found}"
+        );
+    }
+    let found = refused(&file(
+        "",
+        "tangents = { before = [0, 0, 0], after = [0, 0] }",
+    ));
+    assert_eq!(found, "line 4: after: expected 3 numbers, found 2");
+    let found = refused("version = 1\ncurve = \"round\"\n");
+    assert_eq!(
+        found,
+        "line 2: curve: must be \"tcb\", \"cubic\" or \"linear\""
+    );
+}
