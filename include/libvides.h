@@ -102,6 +102,16 @@
 #define V_ZOOM_LINEAR 1
 
 
+/* ---- Kinds of easing, see v_ease() ------------------------------------------- */
+
+/**
+ * V_EASE_SINE       the speed rises and falls as a quarter of a sine
+ * V_EASE_PARABOLIC  it rises and falls as a straight line
+ */
+#define V_EASE_SINE 0
+#define V_EASE_PARABOLIC 1
+
+
 /* ---- The types of the interface of 1994 -------------------------------------- */
 
 /**
@@ -427,9 +437,11 @@ void v_free_liste(V_KAMERAPAR *first);
 
 /**
  * A host with an Xt or Motif main loop needs none of these: its windows are
- * served by it. Any other host watches one descriptor among its own, or calls
- * v_main_loop(). All of them concern the windows that the calling thread has
- * opened. A host that does nothing of the kind finds a hint on standard error.
+ * served by it, also where it asks XtAppPending() first, unless it takes
+ * XtIMXEvent only. Any other host, also one with Xt under a select() of its own,
+ * watches one descriptor among its own, or calls v_main_loop(). All of them
+ * concern the windows that the calling thread has opened. A host that does
+ * nothing of the kind finds a hint on standard error.
  *
  * The descriptor to be watched with select(), poll() or the like: when it is
  * readable, call v_dispatch(). It stays the same and open as long as the
@@ -668,7 +680,9 @@ int v_path_insert_orientation(V_PATH *path,
 int v_path_remove_orientation(V_PATH *path, int point, int at);
 
 /**
- * Changes all values of an orientation; o is copied.
+ * Changes all values of an orientation; o is copied. What an orientation may
+ * have besides (ease, given distance, fixed frames, a view along the way)
+ * stays.
  * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
  */
@@ -689,6 +703,19 @@ int v_path_get_orientation(const V_PATH *path, int point, int at, V_ORIENTATION 
  * V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_absolute(V_PATH *path, int point, int at, int absolute);
+
+/**
+ * Lets an orientation look along the way, and no longer at its target; up is
+ * the vertical, turned by the roll. A section between two orientations that
+ * look equally far ahead follows its way exactly.
+ *
+ * distance  0: along the tangent; greater: at the place so far ahead on the
+ *     curve, behind the end of which it looks on straight; less: no longer
+ *     ahead, but in the direction in which it looked, as an offset. At most 1e9
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+ */
+int v_path_set_ahead(V_PATH *path, int point, int at, double distance);
 
 
 /* ---- What holds for the whole path ------------------------------------------- */
@@ -804,6 +831,173 @@ int v_path_set_first_frame(V_PATH *path, int number);
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_first_frame(const V_PATH *path, int *number);
+
+
+/* ---- Kind of the curve, tangents --------------------------------------------- */
+
+/**
+ * Sets how the curve leads through the points: "tcb" by tension, continuity
+ * and bias (Kochanek and Bartels 1984; the default), "cubic" as a cubic spline
+ * with a continuous second derivative, "linear" straight. Tangents that points
+ * own hold in each.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_set_curve(V_PATH *path, const char *kind);
+
+/**
+ * How the curve leads through the points, see v_path_set_curve(). The text is
+ * the library's and stays.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ */
+int v_path_get_curve(const V_PATH *path, const char **kind);
+
+/**
+ * Gives a support point tangents of its own: the derivatives with which the
+ * curve reaches it (before) and leaves it (after), a segment counting 1. Both
+ * NULL: none of its own, those by the kind of the curve again. Each coordinate
+ * is finite and at most 1e9.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+ */
+int v_path_set_tangents(V_PATH *path,
+                        int at,
+                        const double before[3],
+                        const double after[3]);
+
+/**
+ * The tangents with which the curve passes a support point, and whether they
+ * are its own (1) or not (0). At an end of an open path both are that of the
+ * one side. Setting what this gives changes no bit of the curve (of a cubic
+ * spline no more than rounding). Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_get_tangents(const V_PATH *path,
+                        int at,
+                        double before[3],
+                        double after[3],
+                        int *own);
+
+/**
+ * Inserts a support point on the curve where the camera is at a frame, and
+ * keeps the motion: the curve, every pose and the number of frames stay. It
+ * comes to lie at the nearest whole frame within the section (in a section of
+ * one frame where it is asked for, and there are two then). So that nothing
+ * changes, the points beside it own their tangents from then on, and
+ * orientations their angular velocity, their slopes of zoom and roll, and a
+ * part of the old pace.
+ *
+ * frame  from 1 to the number of frames, not at a key and not in a pan; the
+ *     orientation mode must not be V_ORIENTATION_BARRY_GOLDMAN
+ * at     the number of the new point; may be NULL
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_insert_on_curve(V_PATH *path, double frame, int *at);
+
+
+/* ---- Pace -------------------------------------------------------------------- */
+
+/**
+ * Speeding up, cruising and slowing down as a function.
+ *
+ * kind  V_EASE_SINE or V_EASE_PARABOLIC
+ * rise, fall  shares of the time for speeding up and slowing down, not
+ *     negative, together at most 1
+ * t     from 0 to 1
+ * distance  the share of the way at t, 0 to 1
+ * speed     its derivative
+ * Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_ARGUMENT, V_ERR_RANGE.
+ */
+int v_ease(int kind,
+           double rise,
+           double fall,
+           double t,
+           double *distance,
+           double *speed);
+
+/**
+ * Lets the section that begins with an orientation speed up, cruise and slow
+ * down, in place of its ten speeds or a given distance.
+ *
+ * kind  V_EASE_SINE, V_EASE_PARABOLIC, or -1: the ten speeds again, the other
+ *     values are not looked at
+ * rise, fall  shares of the time, as in v_ease()
+ * cruise  the cruising speed, 1 to 100
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+ */
+int v_path_set_ease(V_PATH *path,
+                    int point,
+                    int at,
+                    int kind,
+                    double rise,
+                    double fall,
+                    double cruise);
+
+/**
+ * How the section that begins with an orientation eases, see v_path_set_ease();
+ * kind -1 and zeros where it does not. Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_get_ease(const V_PATH *path,
+                    int point,
+                    int at,
+                    int *kind,
+                    double *rise,
+                    double *fall,
+                    double *cruise);
+
+/**
+ * Gives the section that begins with an orientation its distance as a function
+ * of time, in place of its ten speeds or an ease: keys joined smoothly, without
+ * going back.
+ *
+ * time_way  pairs (share of the time, share of the way), from 0, 0 to 1, 1, both
+ *     increasing
+ * keys      how many pairs, 2 to 32; 0: the ten speeds again, time_way is not
+ *     looked at
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+ */
+int v_path_set_distance(V_PATH *path,
+                        int point,
+                        int at,
+                        const double *time_way,
+                        size_t keys);
+
+
+/* ---- Fixed frames ------------------------------------------------------------ */
+
+/**
+ * Gives the section that begins with an orientation so many frames, whatever
+ * its length; 0: by its length again. A section in which nothing changes has
+ * none all the same.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ */
+int v_path_set_frames(V_PATH *path, int point, int at, size_t frames);
+
+/**
+ * The fixed frames of the section that begins with an orientation; 0: by length.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_get_frames(const V_PATH *path, int point, int at, size_t *frames);
+
+/**
+ * Fixes the frames of all moving sections from the first orientation of one
+ * support point to the last one of another, so that from the first pose to the
+ * last there are exactly frames, holds included. Each section has one, the rest
+ * goes in proportion to what they had, by largest remainder, ties to the
+ * earlier. With 0 and the last point v_path_frame_count() is then exactly
+ * frames, closed paths with the way back to the first point; on a closed path
+ * first_point may lie behind last_point. Too few are refused, v_last_error()
+ * names the least possible number.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ */
+int v_path_fit_frames(V_PATH *path, int first_point, int last_point, size_t frames);
 
 
 /* ---- The curve --------------------------------------------------------------- */

@@ -5,9 +5,11 @@ use egui::{
     Align, Align2, Color32, FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 
+use super::playhead::Missing;
 use super::state::Editor;
 use super::texts::Language;
 use super::theme;
+use crate::path::ahead;
 
 /// One value: as it is written, and how wide it may become.
 struct Column {
