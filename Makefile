@@ -141,7 +141,7 @@ check-c: libs
 	tests/c/run.sh $(LIB)
 
 check-linking: libs
-	@mk/need.sh c++=g++ /usr/include/Xm/Xm.h=libmotif-dev
+	@mk/need.sh c++=g++ tcc=tcc /usr/include/Xm/Xm.h=libmotif-dev
 	tests/linking/run.sh $(LIB) include
 
 # Calls as no host should make them; and a library that panics when it is told

@@ -15,6 +15,7 @@ use egui::{
 use super::folder::{Folder, MAX_ENTRIES, fits, is_hidden};
 use super::modal;
 use crate::editor::filing::{Purpose, readable, short};
+use crate::editor::folders;
 use crate::editor::refusals::of_system;
 use crate::editor::state::Editor;
 use crate::editor::texts::fill;
@@ -250,7 +251,7 @@ impl FileWindow {
             if up.on_hover_text(texts.up_hint).clicked() {
                 done.go = above;
             }
-            let home = std::env::home_dir().filter(|home| !home.as_os_str().is_empty());
+            let home = folders::home();
             let button = ui.add_enabled(home.is_some(), Button::new(texts.home).min_size(size));
             if button.on_hover_text(texts.home_hint).clicked() {
                 done.go = home;
@@ -413,7 +414,7 @@ impl FileWindow {
     /// A typed place: `~` is the personal directory, others begin where the
     /// window is.
     fn resolved(&self, typed: &str) -> PathBuf {
-        let home = std::env::home_dir();
+        let home = folders::home();
         match (typed.strip_prefix('~'), home) {
             (Some(""), Some(home)) => home,
             (Some(rest), Some(home)) if rest.starts_with('/') => {
