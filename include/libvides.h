@@ -21,6 +21,9 @@
  *   it does not concern windows. A path may be read by several threads at once;
  *   to change it ("any thread that has the path for itself") needs the caller's
  *   own lock. Windows belong to the thread that opened them.
+ * - The library starts no thread, but for one while it looks up the name of
+ *   another machine whose display was asked for. That one takes no signal of
+ *   the program's, calls none of its functions, and ends with the answer.
  * - An X server that goes away, or that never was there, does a program no
  *   harm: its windows are gone, v_last_error() tells, the program goes on.
  * - Points, orientations, segments, sections and presets are counted from 0,
