@@ -21,7 +21,11 @@ SHELL = /bin/sh
 .SUFFIXES:
 .DELETE_ON_ERROR:
 # The steps of a target run in the order written; cargo itself works in parallel.
+# Only the checks of `make test` run side by side, as many as JOBS.
+ifeq ($(filter side-by-side,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
+endif
+JOBS ?= 2
 
 PREFIX ?= /usr/local
 DESTDIR ?=
@@ -49,7 +53,7 @@ X_TOOLS = python3=python3 Xvfb=xvfb xauth=xauth xdotool=xdotool xprop=x11-utils 
     xwd=x11-apps /usr/include/Xm/Xm.h=libmotif-dev
 LINT = -D warnings
 
-.PHONY: all libs demo test bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header clean FORCE \
+.PHONY: all libs demo test bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header clean side-by-side FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-calls check-x check-demo check-install check-docs check-dependencies \
 	check-hosts soak-hosts
@@ -65,17 +69,13 @@ toolchain:
 
 libs: toolchain $(LIB)/libvides.a
 
-# cargo knows best whether something changed; if not, it leaves the file alone.
-# A crate type per call: with several in Cargo.toml, link-time optimisation is
-# off without a word.
-$(RELEASE)/libvides.a: FORCE
-	$(CARGO) rustc --release --locked --features capi --lib --crate-type staticlib
+# cargo knows best whether something changed; if not, it leaves the files alone.
+# One call for both: their link-time optimisations take a processor each.
+$(RELEASE)/libvides_archive.a $(RELEASE)/vides &: FORCE
+	$(CARGO) build --release --locked -p vides-archive -p vides --features vides/cli --lib --bin vides
 
-$(LIB)/libvides.a: $(RELEASE)/libvides.a $(wildcard mk/*)
-	mk/libraries.sh $(RELEASE)/libvides.a $(LIB) $(VERSION)
-
-$(RELEASE)/vides: FORCE
-	$(CARGO) build --release --locked --features cli --bin vides
+$(LIB)/libvides.a: $(RELEASE)/libvides_archive.a $(wildcard mk/*)
+	mk/libraries.sh $(RELEASE)/libvides_archive.a $(LIB) $(VERSION)
 
 header: toolchain
 	UPDATE_HEADER=1 $(CARGO) test --locked --all-features --test header
@@ -92,7 +92,7 @@ demo: all
 	$(CC) -std=c89 -pedantic -Wall -Wextra -Iinclude -o $(DEMO)/headless \
 	    c_examples/headless.c -L$(LIB) -lvides -lm
 	LD_LIBRARY_PATH=$(abspath $(LIB)) $(DEMO)/headless examples/pyramid.vid >$(DEMO)/list.txt
-	$(CARGO) run --quiet --locked --profile test --all-features --example picture -- \
+	$(CARGO) run --quiet --release --locked -p vides-picture -- \
 	    examples/pyramid.vid $(DEMO)/pyramid.svg
 	$(CC) -Iinclude -o $(DEMO)/pyramid_motif c_examples/pyramid_motif.c \
 	    -L$(LIB) -lvides -lm -lXm -lXt -lX11
@@ -113,9 +113,15 @@ demo: all
 
 # ---- Checks, the cheap ones first -----------------------------------------------
 
-test: toolchain check-format check-lints check-rust check-c check-linking \
-	check-calls check-x check-demo check-install check-docs check-dependencies
+# Side by side, since much of it is waiting or has one thread; each check's words
+# come when it is done.
+test: toolchain check-format
+	@$(MAKE) -j$(JOBS) --output-sync=target side-by-side
 	@echo 'make test: every check passed'
+
+# Compiling, then what takes longest, comes first.
+side-by-side: check-lints all check-rust check-calls check-x check-c \
+	check-linking check-demo check-install check-docs check-dependencies
 
 check-format:
 	@command -v cargo-fmt >/dev/null || mk/component.sh rustfmt
@@ -137,7 +143,7 @@ check-c: libs
 	tests/c/run.sh $(LIB)
 
 check-linking: libs
-	@mk/need.sh c++=g++ /usr/include/Xm/Xm.h=libmotif-dev
+	@mk/need.sh c++=g++ tcc=tcc /usr/include/Xm/Xm.h=libmotif-dev
 	tests/linking/run.sh $(LIB) include
 
 # Calls as no host should make them; and a library that panics when it is told
@@ -156,8 +162,10 @@ check-x: all
 	    xrdb=x11-xserver-utils /usr/include/GL/freeglut.h=freeglut3-dev
 	tests/x/run.sh $(LIB)
 
-# What a new user types first, where there is no display.
-check-demo:
+# What a new user types first, where there is no display; and once more, over
+# what the first time left.
+check-demo: all
+	env -u DISPLAY $(MAKE) demo
 	env -u DISPLAY $(MAKE) demo
 
 check-install: all
@@ -167,13 +175,11 @@ check-install: all
 check-docs:
 	RUSTDOCFLAGS='$(LINT)' $(CARGO) doc --locked --workspace --all-features --no-deps --document-private-items
 
-# Licences, sources and duplicates; that the fuzzer's own lock file fits. Known weaknesses of dependencies are asked
-# for apart (`cargo deny check advisories`): they come from the network and
-# change without a change here.
+# Licences, sources and duplicates; that the fuzzer's own lock file fits. Known
+# weaknesses of dependencies are asked for apart (`cargo deny check advisories`):
+# they come from the network and change without a change here.
 check-dependencies:
-	@command -v cargo-deny >/dev/null || [ -x $(TOOLS)/bin/cargo-deny ] || \
-	    $(CARGO) install --locked --root $(TOOLS) --target-dir $(TOOLS)/build cargo-deny
-	PATH="$$PATH:$(abspath $(TOOLS))/bin" $(CARGO) deny --locked check bans licenses sources
+	mk/deny.sh $(TOOLS) --locked check bans licenses sources
 	$(CARGO) metadata --locked --format-version 1 --manifest-path fuzz/Cargo.toml >/dev/null
 
 # Hosts of other toolkits. Their packages are large: not in `make test`.

@@ -21,6 +21,10 @@
  *   it does not concern windows. Several threads may read and change one
  *   path at once: each call sees it as it is between two others. Windows belong to
  *   the thread that opened them.
+ * - The library starts no thread for its own work. One looks up the name of another
+ *   machine whose display was asked for, and in a program with Xt one looks whether
+ *   windows are served until that is known. They take no signal of the program's,
+ *   call none of its functions, and end by themselves.
  * - An X server that goes away, or that never was there, does a program no
  *   harm: its windows are gone, v_last_error() tells, the program goes on.
  * - Points, orientations, segments, sections and presets are counted from 0,

@@ -2,8 +2,9 @@
 # Installs what is missing: need.sh WHAT=PACKAGE...
 #
 # WHAT is a command, a file with its whole path, or a Python module as
-# `python3:MODULE` or `/usr/bin/python3:MODULE`; PACKAGE the Debian package that brings it. What is there costs nothing. Without root or sudo the
-# packages are named, and nothing is done.
+# `python3:MODULE` or `/usr/bin/python3:MODULE`; PACKAGE the Debian package that brings
+# it. What is there costs nothing. Without root or sudo the packages are named, and
+# nothing is done.
 set -eu
 
 packages=
@@ -17,6 +18,11 @@ for pair; do
     packages="$packages ${pair#*=}"
 done
 [ -n "$packages" ] || exit 0
+# Checks run side by side, and the package manager only once: who comes later
+# waits, and looks again.
+if [ -z "${VIDES_NEED:-}" ] && command -v flock >/dev/null 2>&1; then
+    exec flock "$0" env VIDES_NEED=alone "$0" "$@"
+fi
 
 if ! command -v apt-get >/dev/null 2>&1; then
     echo "Please install (names as in Debian):$packages" >&2

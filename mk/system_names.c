@@ -9,6 +9,7 @@
  * `libraries.sh` finds the names, writes the list SYSTEM_NAMES and compiles
  * this file with it; the stubs become local to the library.
  */
+#define _GNU_SOURCE
 #include <dlfcn.h>
 #include <gnu/lib-names.h>
 #include SYSTEM_NAMES
@@ -45,9 +46,9 @@ EACH_SYSTEM_NAME
 EACH_SYSTEM_NAME
 #undef NAME
 
-/* Weak: a fully static program has none, and no host's name to fear either
- * unless it asked for it. */
-extern __typeof__(dlopen) dlopen __attribute__((weak));
+/* Weak: a fully static program may have none, and no host's name to fear either.
+ * `dlopen` is asked for by name, since the linker warns of every static program
+ * that mentions it. */
 extern __typeof__(dlsym) dlsym __attribute__((weak));
 
 static const struct {
@@ -63,13 +64,16 @@ static const struct {
  * priorities up to 100 belong to the system). */
 __attribute__((constructor(101))) static void find(void) {
     void *library[2];
+    void *(*open)(const char *, int);
     unsigned i, k;
 
-    if (!dlopen || !dlsym) return;
-    library[0] = dlopen(LIBC_SO, RTLD_LAZY | RTLD_NOLOAD);
+    if (!dlsym) return;
+    open = (void *(*)(const char *, int))dlsym(RTLD_DEFAULT, "dlopen");
+    if (!open) return;
+    library[0] = open(LIBC_SO, RTLD_LAZY | RTLD_NOLOAD);
     if (!library[0]) return;
     /* Not there yet where the host has all the names that we call in it. */
-    library[1] = dlopen(LIBM_SO, RTLD_LAZY);
+    library[1] = open(LIBM_SO, RTLD_LAZY);
     for (i = 0; i < sizeof names / sizeof *names; i++) {
         for (k = 0; k < 2; k++) {
             void *address = library[k] ? dlsym(library[k], names[i].name) : 0;

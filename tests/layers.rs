@@ -24,6 +24,8 @@ const ARROWS: &[(&str, &[&str])] = &[
             "vides-x11",
         ],
     ),
+    ("vides-archive", &["vides"]),
+    ("vides-picture", &["vides"]),
     ("vides", &["vides-document", "vides-engine", "vides-window"]),
 ];
 

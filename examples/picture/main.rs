@@ -1,7 +1,7 @@
 //! Draws a path: where it leads in space, and how fast.
 //!
 //! ```sh
-//! cargo run --release --example picture -- FLIGHT.vid PICTURE.svg
+//! cargo run --release -p vides-picture -- FLIGHT.vid PICTURE.svg
 //! ```
 //!
 //! It stands on the library's public interface: [`vides::document::Document`]

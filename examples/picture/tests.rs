@@ -9,7 +9,7 @@ use vides::path::{CameraPath, SupportPoint};
 
 use super::{HEIGHT, WIDTH, picture};
 
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 fn pyramid() -> Document {
     Document::load(&Path::new(ROOT).join("examples/pyramid.vid")).unwrap()
@@ -184,7 +184,7 @@ fn the_picture_in_the_documentation_is_current() {
         for (a, b) in a.iter().zip(&b) {
             assert!(
                 (a - b).abs() < 0.05,
-                "{a} was {b}; anew: cargo run --example picture -- examples/pyramid.vid docs/pyramid.svg"
+                "{a} was {b}; anew: cargo run -p vides-picture -- examples/pyramid.vid docs/pyramid.svg"
             );
         }
     }

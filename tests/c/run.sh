@@ -3,7 +3,8 @@
 #
 # Each test is linked against the archive and against the shared library, and
 # run plainly, under AddressSanitizer and UBSan, and under valgrind. One line
-# for each; the exit status is the number of failures.
+# for each; the exit status is the number of failures. AT_ONCE side by side (as
+# many as there are processors).
 set -u
 
 libraries=$(realpath "$1")
@@ -14,20 +15,20 @@ cc=${CC:-cc}
 cxx=${CXX:-c++}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-failed=0
+touch "$work/failed" # a line for each
 
 # result NAME COMMAND...: the command must succeed; its output is shown if not.
 result() {
-    local name=$1
+    local name=$1 output
     shift
-    if "$@" >"$work/output" 2>&1; then
-        echo "c: ok: $name"
-        # What a test says of itself: figures, and what it could not try here.
-        sed -n 's/^note: /c:     /p' "$work/output"
+    output=$(mktemp "$work/output.XXXX")
+    if "$@" >"$output" 2>&1; then
+        # With what a test says of itself: figures, and what it could not try here.
+        printf '%s\n' "c: ok: $name" "$(sed -n 's/^note: /c:     /p' "$output")" | sed '/^$/d'
     else
-        failed=$((failed + 1))
+        echo "$name" >>"$work/failed"
         echo "c: FAILED: $name"
-        sed 's/^/    /' "$work/output" | head -n 40
+        sed 's/^/    /' "$output" | head -n 40
     fi
 }
 
@@ -76,16 +77,17 @@ run() { # NAME PROGRAM WRAPPER...
 check() { # NAME
     local name=$1 source=$here/$1.c kind library program sanitized=yes
     # A test that replaces malloc cannot have it replaced again; one that fails
-    # system calls would fail those of the tools, one that kills need not be slow.
-    case $name in memory | faults | saving) sanitized=no ;; esac
+    # system calls would fail those of the tools, one that kills need not be slow,
+    # one that counts threads would count theirs.
+    case $name in memory | faults | saving | lookup) sanitized=no ;; esac
     for kind in archive shared; do
         library=$libraries/libvides.a
         [ $kind = shared ] && library=$libraries/libvides.so
         program=$work/$name-$kind
-        if ! compile "$program" "$library" "$source" 2>"$work/output"; then
-            failed=$((failed + 1))
+        if ! compile "$program" "$library" "$source" 2>"$program.output"; then
+            echo "$name" >>"$work/failed"
             echo "c: FAILED: $name, $kind: does not compile"
-            sed 's/^/    /' "$work/output"
+            sed 's/^/    /' "$program.output"
             continue
         fi
         run "$name, $kind" "$program"
@@ -116,9 +118,13 @@ if [ $# -eq 0 ]; then
     header "$cxx" -x c++ -std=c++20 -pedantic "$here/silent.c"
     result "header: parameters" no_parameter_is_a_function_of_libc
     result "header: includes" only_stddef
-    set -- layout errors handles editing shape orientations poses list memory threads files saving faults process toolbox whole windows
+    set -- layout errors handles editing shape orientations poses list memory threads lookup files saving faults process toolbox whole windows
 fi
+# Side by side.
 for name; do
-    check "$name"
+    while [ "$(jobs -rp | wc -l)" -ge "${AT_ONCE:-$(nproc)}" ]; do wait -n; done
+    check "$name" &
 done
+wait
+failed=$(wc -l <"$work/failed")
 exit $((failed > 100 ? 100 : failed))

@@ -14,6 +14,7 @@
 #
 #     SEEDS  of hostile (1), CALLS for each of its rounds (600)
 #     KINDS  of the library (archive shared), WAYS (plain sanitizers)
+#     AT_ONCE  so many side by side (4), since much of their time is waiting
 set -u
 
 libraries=$(realpath "$1")
@@ -23,7 +24,7 @@ root=$here/../..
 cc=${CC:-cc}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-failed=0
+touch "$work/failed" # a line for each
 
 "$here/documented.sh" "$root/include/libvides.h" >"$work/documented.h" || exit 99
 
@@ -69,12 +70,13 @@ without_server() {
 
 # result NAME COMMAND...: the command must succeed; its output is shown if not.
 result() {
-    local name=$1 output=$work/output
+    local name=$1 output
+    output=$(mktemp "$work/output.XXXX")
     shift
     if "$@" >"$output" 2>&1; then
         echo "calls: ok: $name: $(grep -a ' faults' "$output" | tail -n 1)"
     else
-        failed=$((failed + 1))
+        echo "$name" >>"$work/failed"
         echo "calls: FAILED: $name"
         grep -avE '^(vides:|thread|wanted by|note: run with|$)' "$output" | cut -c 1-400 | head -n 80 | sed 's/^/    /'
     fi
@@ -104,6 +106,18 @@ hand_over() { # NAME PROGRAM
     result "$1" with_server "$2" FOLDER
 }
 
+one() { # TEST KIND WAY LIBRARY
+    local name="$1, $2, $3" program=$work/$1-$2-$3 flags=()
+    [ "$3" = sanitizers ] && flags=(-fsanitize=address,undefined -fno-sanitize-recover=undefined)
+    if build "$program" "$4" "$1" "${flags[@]}" 2>"$program.output"; then
+        "$1" "$name" "$program"
+    else
+        echo "$name" >>"$work/failed"
+        echo "calls: FAILED: $name: does not compile"
+        head -n 20 "$program.output" | sed 's/^/    /'
+    fi
+}
+
 [ $# -gt 0 ] || set -- hostile reentry odd_hosts
 for test; do
     for kind in ${KINDS:-archive shared}; do
@@ -116,16 +130,11 @@ for test; do
             inject-archive-sanitizers | inject-shared-plain) continue ;;
             hand_over-*-sanitizers) continue ;;
             esac
-            flags=()
-            [ $way = sanitizers ] && flags=(-fsanitize=address,undefined -fno-sanitize-recover=undefined)
-            if build "$work/$test-$kind-$way" "$library" "$test" "${flags[@]}" 2>"$work/output"; then
-                "$test" "$test, $kind, $way" "$work/$test-$kind-$way"
-            else
-                failed=$((failed + 1))
-                echo "calls: FAILED: $test, $kind, $way: does not compile"
-                head -n 20 "$work/output" | sed 's/^/    /'
-            fi
+            while [ "$(jobs -rp | wc -l)" -ge "${AT_ONCE:-4}" ]; do wait -n; done
+            one "$test" "$kind" "$way" "$library" &
         done
     done
 done
+wait
+failed=$(wc -l <"$work/failed")
 exit $((failed > 100 ? 100 : failed))

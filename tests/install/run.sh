@@ -69,11 +69,11 @@ for name in window path; do
     # shellcheck disable=SC2046 (pkg-config's answer is several words)
     check "README's $name program, shared" \
         "$cc" "${warnings[@]}" $(config --cflags) -o "$work/$name-shared" "$work/$name.c" \
-        $(config --libs) -lm
+        $(config --libs)
     # shellcheck disable=SC2046
     check "README's $name program, archive" \
         "$cc" "${warnings[@]}" $(config --cflags) -o "$work/$name-archive" "$work/$name.c" \
-        "$stage/usr/lib/libvides.a" $(config --libs-only-l --static | sed 's/-lvides//')
+        $(config --libs | sed 's|-lvides|-l:libvides.a|')
     check "README's $name program: the shared one asks for libvides.so.1" same libvides.so.1 \
         "$(readelf -dW "$work/$name-shared" | sed -n 's/.*NEEDED.*\[\(libvides.*\)\]/\1/p')"
     check "README's $name program: the other one does not" same "" \

@@ -128,6 +128,11 @@ mkdir -p "$work/trial" "$work/other"
     exit 1
 }
 
+# What the linker warns of in a static program, of a library.
+warned_of() { # trial|vides
+    if [ "$1" = vides ]; then echo Using getaddrinfo; fi
+}
+
 hosts() { # WHICH FOLDER
     local which=$1 kind link
     shared=$2
@@ -177,6 +182,18 @@ hosts() { # WHICH FOLDER
             check "$name: two Rust libraries ($order)" says_well "$work/host"
         done
 
+        # Its own linker knows no variables of threads, which the archive has.
+        check "$name: tcc compiles" \
+            tcc -Wall -Werror -I"$here" -I"$include" -c -o "$work/tcc.o" "$here/plain.c"
+        check "$name: tcc's host links" \
+            "$cc" -o "$work/host" "$work/tcc.o" "$work/use.o" -lvides -lm
+        check "$name: tcc's host" says_well "$work/host"
+        if [ $kind = shared ]; then
+            check "$name: tcc links" tcc -I"$here" -I"$include" -o "$work/host" \
+                "$here/plain.c" "$here/use_$which.c" -L"$link" -lvides -lm
+            check "$name: tcc's own host" says_well "$work/host"
+        fi
+
         check "$name: without position independence" \
             "$cc" -no-pie -o "$work/host" "$work/plain.o" "$work/use.o" -lvides -lm
         check "$name: without position independence" says_well "$work/host"
@@ -188,6 +205,9 @@ hosts() { # WHICH FOLDER
             for static in -static -static-pie; do
                 check "$name: $static" \
                     "$cc" $static -o "$work/host" "$work/plain.o" "$work/use.o" -lvides -lm
+                # A display's name on the network is the system's to look up.
+                check "$name: $static: the one warning" same "$(warned_of "$which")" \
+                    "$(grep -o "Using '[^']*'" "$work/output" | sort -u | xargs)"
                 check "$name: $static" says_well "$work/host"
             done
         fi

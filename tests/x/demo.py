@@ -5,7 +5,9 @@ Leaves a picture of each step and the poses in the folders FOLDER/en and
 FOLDER/de. The poses must be the same.
 """
 
+import concurrent.futures
 import os
+import shutil
 import sys
 import tempfile
 
@@ -189,7 +191,7 @@ def play(server, program, folder):
     count = int(line.split()[0])
     with open(os.path.join(folder, "poses.txt"), "w", encoding="ascii") as out:
         out.write("\n".join(program.said[1:count + 1]) + "\n")
-    print(f"  poses.txt: {count} poses, as the host got them")
+    print(f"  {os.path.basename(folder)}/poses.txt: {count} poses, as the host got them")
     player.press_host(1)
     program.expect("pose 1:")
     server.press(player.window, "ctrl+s")
@@ -198,7 +200,7 @@ def play(server, program, folder):
     server.type(os.path.join(folder, "flight.vid"))
     server.xdotool("key", "Return")
     wait(lambda: os.path.exists(os.path.join(folder, "flight.vid")), "the saved path")
-    print("  flight.vid: the path, as the window saved it")
+    print(f"  {os.path.basename(folder)}/flight.vid: the path, as the window saved it")
     server.press(player.window, "alt+F4")
     program.expect("the editor asks")
     player.window = None
@@ -208,7 +210,9 @@ def play(server, program, folder):
 
 def demo(binary, folder, locale):
     """In one language."""
-    os.makedirs(folder, exist_ok=True)
+    # The window would ask before it writes over an earlier flight.
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
     with tempfile.TemporaryDirectory(prefix="vides-demo-") as work:
         server = Server(work, screen="1400x860x24")
         server.env["LC_ALL"] = locale
@@ -228,8 +232,11 @@ def demo(binary, folder, locale):
 def main():
     """See the top."""
     binary, folder = map(os.path.abspath, sys.argv[1:3])
-    flights = [demo(binary, os.path.join(folder, language), locale)
-               for language, locale in (("en", "en_GB.UTF-8"), ("de", "de_DE.UTF-8"))]
+    # Side by side: most of the time is waiting.
+    with concurrent.futures.ThreadPoolExecutor() as pool:
+        flights = list(pool.map(
+            lambda one: demo(binary, os.path.join(folder, one[0]), one[1]),
+            (("en", "en_GB.UTF-8"), ("de", "de_DE.UTF-8"))))
     check(flights[0] == flights[1], "the flight depends on the language")
 
 

@@ -45,6 +45,13 @@ impl Folders {
     }
 }
 
+/// The user's own folder, as the environment has it: the system's list of users
+/// cannot be asked from a static program.
+pub(super) fn home() -> Option<PathBuf> {
+    let home = PathBuf::from(std::env::var_os("HOME")?);
+    (!home.as_os_str().is_empty()).then_some(home)
+}
+
 /// The name of a setup file unless another is chosen.
 pub(super) const SETUP_NAME: &str = "setup.toml";
 

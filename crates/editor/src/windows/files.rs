@@ -16,6 +16,7 @@ use super::folder::{Folder, MAX_ENTRIES, fits, is_hidden};
 use super::modal;
 use crate::document::export::Format;
 use crate::filing::{Purpose, readable, short};
+use crate::folders;
 use crate::refusals::of_system;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -251,7 +252,7 @@ impl FileWindow {
             if up.on_hover_text(texts.up_hint).clicked() {
                 done.go = above;
             }
-            let home = std::env::home_dir().filter(|home| !home.as_os_str().is_empty());
+            let home = folders::home();
             let button = ui.add_enabled(home.is_some(), Button::new(texts.home).min_size(size));
             if button.on_hover_text(texts.home_hint).clicked() {
                 done.go = home;
@@ -453,7 +454,7 @@ impl FileWindow {
     /// A typed place: `~` is the personal directory, others begin where the
     /// window is.
     fn resolved(&self, typed: &str) -> PathBuf {
-        let home = std::env::home_dir();
+        let home = folders::home();
         match (typed.strip_prefix('~'), home) {
             (Some(""), Some(home)) => home,
             (Some(rest), Some(home)) if rest.starts_with('/') => {
