@@ -260,9 +260,9 @@ fn base_speeds_stand_in_for_the_files() {
     };
     assert_eq!(frames(&[]), 1 + 7 + 5 + 3 + 2);
     assert_eq!(frames(&["--move-frames", "70"]), 1 + 70 + 5 + 3 + 2);
-    assert_eq!(frames(&["--orient-speed", "50"]), 1 + 7 + 50 + 3 + 2);
-    assert_eq!(frames(&["--zoom-speed=30"]), 1 + 7 + 5 + 30 + 2);
-    assert_eq!(frames(&["--winkel-speed", "2e1"]), 1 + 7 + 5 + 3 + 20);
+    assert_eq!(frames(&["--turn-frames", "50"]), 1 + 7 + 50 + 3 + 2);
+    assert_eq!(frames(&["--zoom-frames=30"]), 1 + 7 + 5 + 30 + 2);
+    assert_eq!(frames(&["--roll-frames", "2e1"]), 1 + 7 + 5 + 3 + 20);
 }
 
 #[test]
@@ -420,9 +420,9 @@ fn bad_usage_is_told() {
         &["sample", PYRAMID, "--move-frames"],
         &["sample", PYRAMID, "--move-frames", "fast"],
         &["sample", PYRAMID, "--move-frames", "0"],
-        &["sample", PYRAMID, "--orient-speed", "-5"],
-        &["sample", PYRAMID, "--zoom-speed", "nan"],
-        &["sample", PYRAMID, "--winkel-speed", "inf"],
+        &["sample", PYRAMID, "--turn-frames", "-5"],
+        &["sample", PYRAMID, "--zoom-frames", "nan"],
+        &["sample", PYRAMID, "--roll-frames", "inf"],
     ];
     for arguments in bad {
         complaint(&run(arguments), 2);
