@@ -34,6 +34,7 @@ fn polished(made: &str) -> String {
         // Said by the typedef that follows.
         .replace("struct v_path;\n\n", "")
         .replace("struct v_editor;\n\n", "")
+        .replace("struct v_scene;\n\n", "")
         // Constants that share a comment stand together.
         .replace("\n\n#define V_", "\n#define V_")
         .replace("\n\n\n", "\n\n");

@@ -363,6 +363,17 @@ impl Document {
         Self::from_parts(path, info)
     }
 
+    /// As [`Document::load`]; of a scene the path of the camera that is shown. To
+    /// save it to the same file would lose the rest.
+    ///
+    /// # Errors
+    /// As [`Document::load`]; [`crate::Error::Argument`] if the scene has no
+    /// camera on a path.
+    pub fn load_shown(file: &Path) -> Result<Self> {
+        let (path, info) = vid::load_shown(file)?;
+        Self::from_parts(path, info)
+    }
+
     /// The document in what `reader` gives, to its end; `name` stands for it
     /// in messages.
     ///

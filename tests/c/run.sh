@@ -116,7 +116,7 @@ if [ $# -eq 0 ]; then
     header "$cxx" -x c++ -std=c++20 -pedantic "$here/silent.c"
     result "header: parameters" no_parameter_is_a_function_of_libc
     result "header: includes" only_stddef
-    set -- layout errors handles editing orientations poses list memory threads files saving faults process toolbox windows
+    set -- layout errors handles editing orientations poses list memory threads files saving faults process toolbox scene windows
 fi
 for name; do
     check "$name"

@@ -51,7 +51,7 @@ use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
 use crate::scene::Scene;
 
-pub(super) use read::{from_toml, scene_from_toml};
+pub(super) use read::{from_toml, scene_from_toml, shown_from_toml};
 pub(super) use scene_write::scene_to_toml;
 pub(super) use write::to_toml;
 
@@ -66,6 +66,12 @@ const ROOM: usize = 32 << 10;
 pub(super) fn load(file: &Path) -> Result<(CameraPath, Info)> {
     let text = read_text(file, MAX_FILE_BYTES)?;
     from_toml(&text).map_err(|error| error.at(file.display().to_string()))
+}
+
+/// Reads a path from a file: of a scene that of the camera that is shown.
+pub(super) fn load_shown(file: &Path) -> Result<(CameraPath, Info)> {
+    let text = read_text(file, MAX_FILE_BYTES)?;
+    shown_from_toml(&text).map_err(|error| error.at(file.display().to_string()))
 }
 
 /// Reads a scene from a file.
