@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 14] = [
+const SOURCES: [&str; 18] = [
     "status",
     "types",
     "legacy",
@@ -17,6 +17,10 @@ const SOURCES: [&str; 14] = [
     "settings",
     "curve",
     "poses",
+    "scene_types",
+    "scene",
+    "scene_tracks",
+    "scene_states",
     "editor",
     "quaternions",
     "splines",
