@@ -338,13 +338,13 @@ struct v_mesh {
     const double *xyz;
     size_t points;
     /** three bytes a point; NULL: no colours */
-    const uint8_t *rgb;
+    const unsigned char *rgb;
     /** two indices a line; NULL: none */
-    const uint32_t *lines;
+    const unsigned int *lines;
     /** number of indices, even */
     size_t line_ends;
     /** three indices a triangle; NULL: none */
-    const uint32_t *triangles;
+    const unsigned int *triangles;
     /** number of indices, a multiple of 3 */
     size_t corners;
 };

@@ -319,3 +319,26 @@ fn large_scenes_load_in_time_that_grows_with_them() {
         1e3 * start.elapsed().as_secs_f64()
     );
 }
+
+/// The car of the examples drives, and the camera looks at it.
+#[test]
+fn the_example_plays() {
+    let document = SceneDocument::load("examples/car.vid".as_ref()).unwrap();
+    let scene = &document.scene;
+    assert_eq!(scene.frame_range(), (1.0, 76.0));
+    let [car, camera] = ["car", "camera"].map(|name| scene.find(name).unwrap());
+    let mut states = vec![vides::scene::NodeState::default(); scene.nodes().len()];
+    for frame in 1..200 {
+        let mut troubles = vides::scene::Troubles::default();
+        scene
+            .evaluate(f64::from(frame), &mut states, &mut troubles)
+            .unwrap();
+        assert!(troubles.first().is_none());
+        let place = DVec3::from_slice(&states[car].matrix[12..15]);
+        let pose = states[camera].pose;
+        let view = (place - DVec3::from(pose.vrp)).normalize();
+        assert!((view - DVec3::from(pose.vpn)).length() < 1e-12);
+    }
+    let back = SceneDocument::from_toml(&document.to_toml().unwrap()).unwrap();
+    assert_eq!(back, document);
+}

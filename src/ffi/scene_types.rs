@@ -2,7 +2,7 @@
 
 #![allow(dead_code)]
 
-use std::ffi::c_int;
+use std::ffi::{c_int, c_uchar, c_uint};
 use std::mem::offset_of;
 
 use super::types::V_POSE;
@@ -125,13 +125,13 @@ pub struct v_mesh {
     pub xyz: *const f64,
     pub points: usize,
     /// three bytes a point; NULL: no colours
-    pub rgb: *const u8,
+    pub rgb: *const c_uchar,
     /// two indices a line; NULL: none
-    pub lines: *const u32,
+    pub lines: *const c_uint,
     /// number of indices, even
     pub line_ends: usize,
     /// three indices a triangle; NULL: none
-    pub triangles: *const u32,
+    pub triangles: *const c_uint,
     /// number of indices, a multiple of 3
     pub corners: usize,
 }

@@ -135,13 +135,13 @@ impl Reader {
         if !self.has("node") {
             let drafts = std::mem::take(&mut self.scene);
             let (path, info) = self.path(end)?;
-            return Ok((drafts.mark(Scene::of_path(path)?)?, info));
+            return Ok((drafts.mark(Scene::of_path(path)?, end.text)?, info));
         }
         if let Some(key) = OF_PATH.into_iter().find(|key| self.has(key)) {
             let reason = message!("in a scene \"{0}\" belongs to the path of a node", key);
             return Err(end.complain(end.text.len(), reason));
         }
-        Ok((self.scene.finish()?, self.info))
+        Ok((self.scene.finish(end.text)?, self.info))
     }
 
     fn path(self, end: Source<'_>) -> Result<(CameraPath, Info)> {
