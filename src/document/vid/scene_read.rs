@@ -134,8 +134,8 @@ impl Drafts {
                 draft.pins,
             ));
         }
-        let mut scene =
-            Scene::from_nodes(nodes).map_err(|(node, error)| placed(rests[node].0, error))?;
+        let mut scene = Scene::from_nodes(nodes)
+            .map_err(|(node, error)| placed(rests.get(node).map_or(0, |rest| rest.0), error))?;
         let mut pins = Vec::new();
         for (node, (_, shapes, weights, tracks, own_pins)) in rests.into_iter().enumerate() {
             for (place, shape) in shapes {
@@ -230,7 +230,7 @@ fn draft(table: Field<'_>, orientations: &mut usize) -> Result<Draft> {
     let name = node_name(name)?;
     let place = |error| match error {
         // What stands behind the line, with the name before it.
-        Error::Format(_) | Error::Memory | Error::Limit(_) => error,
+        Error::Format(_) | Error::Memory => error,
         other => placed(
             table.line(),
             other.at(message!("node \"{0}\"", name.as_str())),
