@@ -9,15 +9,19 @@ use super::pointers::{Out, index, slice_mut};
 use super::scene::{read, text};
 use super::scene_tracks::mesh_points;
 use super::scene_types::{V_NODE_STATE, V_SCENE};
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK, set_last_error};
+use super::status::{
+    Answer, Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK, clear_last_error, set_last_error,
+};
 use crate::document::SceneDocument;
 use crate::error::vec_with_room;
 use crate::scene::{Channel, NodeState, Troubles};
 
 const SMALL: Failure = Failure::Border(V_ERR_SIZE, "the array is too small");
 
-/// After a success: what a host's interpolation did wrong.
+/// After a success: what a host's interpolation did wrong; and nothing of what its
+/// own calls left as their last error.
 fn tell(document: &SceneDocument, troubles: &Troubles) {
+    clear_last_error();
     if let Some((node, message)) = troubles.first() {
         let name = document
             .scene

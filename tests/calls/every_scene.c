@@ -289,7 +289,7 @@ CALL(v_scene_set_track)
     const char *channel = one_of(channels, 4), *way = one_of(ways, 6);
     const double *frames = increasing(keys), *values = numbers(3 * keys, 0, 1);
     return v_scene_set_track(of, node, channel, way, frames, values, NULL, (size_t)keys,
-                             whole(0, 63));
+                             whole(V_AFTER_HOLD, V_AFTER_OFFSET));
 }
 
 CALL(v_scene_get_track)
