@@ -131,30 +131,37 @@ CALL(v_node_init)
     return 0;
 }
 
-/* A call that gives a scene: it is not kept. */
+/* A scene that a call gives is kept until the next one: a call ends with its own
+ * function. */
+static V_SCENE *made_last;
+
+static void drop_made(void)
+{
+    make_stale(made_last);
+    v_scene_free(made_last);
+    made_last = NULL;
+}
+
 static int gave(V_SCENE **made, int status)
 {
-    V_SCENE *given_scene = status == V_OK ? *made : NULL;
-    if (status == V_OK) {
-        v_scene_free(given_scene);
-        make_stale(given_scene);
-    }
+    if (status == V_OK)
+        made_last = *made;
     return status;
 }
 
 CALL(v_scene_new)
 {
     V_SCENE **made = result(sizeof *made, 0);
-    int status = v_scene_new(made);
-    return status == V_OK ? gave(made, status) : status;
+    drop_made();
+    return gave(made, v_scene_new(made));
 }
 
 CALL(v_scene_load)
 {
     const char *file = a_file("a.vid");
     V_SCENE **made = result(sizeof *made, 0);
-    int status = v_scene_load(file, made);
-    return status == V_OK ? gave(made, status) : status;
+    drop_made();
+    return gave(made, v_scene_load(file, made));
 }
 
 CALL(v_scene_save)
@@ -167,8 +174,8 @@ CALL(v_scene_clone)
 {
     const V_SCENE *from = a_scene();
     V_SCENE **made = result(sizeof *made, 0);
-    int status = v_scene_clone(from, made);
-    return status == V_OK ? gave(made, status) : status;
+    drop_made();
+    return gave(made, v_scene_clone(from, made));
 }
 
 CALL(v_scene_free)

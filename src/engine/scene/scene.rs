@@ -219,10 +219,9 @@ impl Scene {
                 new[node] = None;
             }
         }
-        let mut next = 0;
-        for number in new.iter_mut().filter_map(Option::as_mut) {
+        let kept = new.iter_mut().filter_map(Option::as_mut);
+        for (next, number) in kept.enumerate() {
             *number = next;
-            next += 1;
         }
         names.extend(self.names.iter().filter_map(|&node| new[node]));
         let mut old = 0;
