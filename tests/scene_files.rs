@@ -279,7 +279,7 @@ fn large_scenes_load_in_time_that_grows_with_them() {
         let mut scene = Scene::new();
         for k in 0..count {
             let mut node = Node::new(&format!("node {k}"), Kind::Group);
-            node.parent = (k > 0).then(|| k / 10);
+            node.parent = (k > 0).then_some(k / 10);
             let node = scene.add(node).unwrap();
             let keys = track("position", "linear", &[1.0, 2.0], &[k as f64; 6], &[]);
             scene.set_track(node, keys).unwrap();
