@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 16] = [
+const SOURCES: [&str; 20] = [
     "status",
     "types",
     "legacy",
@@ -19,6 +19,10 @@ const SOURCES: [&str; 16] = [
     "pace",
     "curve",
     "poses",
+    "scene_types",
+    "scene",
+    "scene_tracks",
+    "scene_states",
     "editor",
     "quaternions",
     "splines",
@@ -36,6 +40,7 @@ fn polished(made: &str) -> String {
         // Said by the typedef that follows.
         .replace("struct v_path;\n\n", "")
         .replace("struct v_editor;\n\n", "")
+        .replace("struct v_scene;\n\n", "")
         // Constants that share a comment stand together.
         .replace("\n\n#define V_", "\n#define V_")
         .replace("\n\n\n", "\n\n");

@@ -224,7 +224,7 @@ fn thousand_trees() {
             node.rest.rotation = DQuat::from_xyzw(v.x, v.y, v.z, w);
             node.rest.scale = random.vector(0.6, 1.5);
             for k in 0..3 {
-                if random.whole() % 4 == 0 {
+                if random.whole().is_multiple_of(4) {
                     node.rest.scale[k] = -node.rest.scale[k];
                 }
             }

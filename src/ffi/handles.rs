@@ -44,6 +44,8 @@ const INVALID: Failure = Failure::Border(
 pub(super) const KIND_PATH: usize = 1;
 /// The kind of the handles `V_EDITOR *`.
 pub(super) const KIND_EDITOR: usize = 2;
+/// The kind of the handles `V_SCENE *`.
+pub(super) const KIND_SCENE: usize = 3;
 
 /// All objects of one kind that C holds. `C` is the opaque type in the header.
 pub(super) struct Handles<T, C> {

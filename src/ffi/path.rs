@@ -135,17 +135,19 @@ pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
     });
 }
 
-/// Reads a path from a .vid file. file is a name as open() takes it. *path is
-/// the caller's, to be freed with v_path_free().
+/// Reads a path from a .vid file; of a scene (v_scene_load()) that of its first
+/// camera on a path. file is a name as open() takes it. *path is the caller's, to
+/// be freed with v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
-/// line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
+/// line and reason in v_last_error()), V_ERR_ARGUMENT (a scene without such a
+/// camera), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
 /// runs out while the text itself is read or parsed ends the program.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
         let path = Out::new(path)?;
         // SAFETY: a text ended by zero, as the header says.
-        let document = Document::load(unsafe { file_name(file) }?)?;
+        let document = Document::load_shown(unsafe { file_name(file) }?)?;
         let made = keep(document.without_history())?;
         // SAFETY: room for a handle, as the header says.
         unsafe { path.write(made) };

@@ -85,6 +85,37 @@
     F(v_path_to_list, STATUS, V_OK, 0) \
     F(v_path_write_ascii, STATUS, V_OK, 0) \
     F(v_path_write_ascii_to_memory, STATUS, V_OK, 0) \
+    F(v_node_init, NOTHING, V_OK, 0) \
+    F(v_scene_new, STATUS, V_OK, 0) \
+    F(v_scene_load, STATUS, V_OK, 0) \
+    F(v_scene_save, STATUS, V_OK, 0) \
+    F(v_scene_clone, STATUS, V_OK, 0) \
+    F(v_scene_free, NOTHING, V_OK, 0) \
+    F(v_scene_node_count, STATUS, V_OK, 0) \
+    F(v_scene_add_node, STATUS, V_OK, 0) \
+    F(v_scene_remove_node, STATUS, V_OK, 0) \
+    F(v_scene_find_node, STATUS, V_OK, 0) \
+    F(v_scene_get_name, STATUS, V_OK, 0) \
+    F(v_scene_set_name, STATUS, V_OK, 0) \
+    F(v_scene_get_node, STATUS, V_OK, 0) \
+    F(v_scene_set_node, STATUS, V_OK, 0) \
+    F(v_scene_set_path, STATUS, V_OK, 0) \
+    F(v_scene_get_path, STATUS, V_OK, 0) \
+    F(v_scene_set_marker, STATUS, V_OK, 0) \
+    F(v_scene_pin, STATUS, V_OK, 0) \
+    F(v_scene_set_track, STATUS, V_OK, 0) \
+    F(v_scene_get_track, STATUS, V_OK, 0) \
+    F(v_register_interpolation, STATUS, V_OK, 0) \
+    F(v_scene_set_geometry, STATUS, V_OK, 0) \
+    F(v_scene_add_shape, STATUS, V_OK, 0) \
+    F(v_scene_add_deformation, STATUS, V_OK, 0) \
+    F(v_scene_remove_deformation, STATUS, V_OK, 0) \
+    F(v_deform, STATUS, V_OK, 0) \
+    F(v_scene_frame_range, STATUS, V_OK, 0) \
+    F(v_scene_evaluate, STATUS, V_OK, 0) \
+    F(v_scene_sample, STATUS, V_OK, 0) \
+    F(v_scene_value, STATUS, V_OK, 0) \
+    F(v_scene_vertices, STATUS, V_OK, 0) \
     F(v_editor_options_init, NOTHING, V_OK, 0) \
     F(v_editor_open, STATUS, V_OK, 1) \
     F(v_editor_close, STATUS, V_OK, 1) \

@@ -2,8 +2,9 @@
 //! path, by the fuzzer in `fuzz/`, so that both ask the same.
 
 use vides::Error;
-use vides::document::Document;
+use vides::document::{Document, SceneDocument};
 use vides::path::{Pose, Sampler};
+use vides::scene::{Kind, NodeState, Troubles};
 
 /// Frames that are looked at, from each end of the sequence.
 const LOOKED_AT: usize = 64;
@@ -15,6 +16,7 @@ const LOOKED_AT: usize = 64;
 /// # Panics
 /// If any of that does not hold.
 pub(crate) fn check(bytes: &[u8]) {
+    check_scene(bytes);
     let mut reader = bytes;
     let document = match Document::load_from(&mut reader, "a.vid") {
         Ok(document) => document,
@@ -31,6 +33,45 @@ pub(crate) fn check(bytes: &[u8]) {
         Ok(sampler) => check_poses(sampler),
         Err(Error::Limit(reason)) => assert!(reason.to_string().contains("frames"), "{reason}"),
         Err(error) => panic!("a path in order gives no poses: {error}"),
+    }
+}
+
+/// The same for a scene: refused with one sentence, or saved and loaded without a
+/// bit changing, with finite states at any frame.
+fn check_scene(bytes: &[u8]) {
+    let mut reader = bytes;
+    let document = match SceneDocument::load_from(&mut reader, "a.vid") {
+        Ok(document) => document,
+        // A path that is too long is none for a node.
+        Err(Error::Limit(_)) => return,
+        Err(error) => return check_refusal(bytes, &error),
+    };
+    let text = document.to_toml().expect("a text");
+    let again = SceneDocument::from_toml(&text)
+        .unwrap_or_else(|error| panic!("saved and then refused: {error}\n{text}"));
+    assert_eq!(again, document, "{text}");
+    assert_eq!(again.to_toml().expect("a text"), text);
+    let scene = &document.scene;
+    let mut states = vec![NodeState::default(); scene.nodes().len()];
+    let (first, last) = scene.frame_range();
+    let middle = first + (last - first) / 2.0;
+    for frame in [-1e9, first, middle, last, last + 0.5, 1e9] {
+        let mut troubles = Troubles::default();
+        scene
+            .evaluate(frame, &mut states, &mut troubles)
+            .expect("states");
+        for state in &states {
+            let finite = |numbers: &[f64]| numbers.iter().all(|number| number.is_finite());
+            assert!(finite(&state.matrix) && finite(&state.pose.vrp) && finite(&state.colour));
+            assert!(finite(&state.pose.vpn) && finite(&state.pose.vup) && finite(&state.cone));
+        }
+        for node in 0..states.len() {
+            if let Kind::Object(object) = &scene.nodes()[node].kind {
+                let mut points = vec![Default::default(); object.mesh().points.len()];
+                let done = scene.vertices(node, frame, &mut points, &mut troubles);
+                done.expect("points");
+            }
+        }
     }
 }
 

@@ -366,6 +366,31 @@ impl Document {
         loaded.map_err(|error| error.at(file.display().to_string()))
     }
 
+    /// As [`Document::load`]; of a scene the path of the camera that is shown. To
+    /// save it to the same file would lose the rest.
+    ///
+    /// # Errors
+    /// As [`Document::load`]; [`crate::Error::Argument`] if the scene has no
+    /// camera on a path.
+    pub fn load_shown(file: &Path) -> Result<Self> {
+        let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
+        let (path, info, alone) =
+            vid::shown_from_toml(&text).map_err(|error| error.at(file.display().to_string()))?;
+        let document = Self::from_parts(path, info)?;
+        if alone {
+            document.read_from(&text)
+        } else {
+            Ok(document)
+        }
+    }
+
+    /// The document with what its text has besides: which one it was, and comments.
+    fn read_from(mut self, text: &str) -> Result<Self> {
+        self.read = Some(Contents::of(text.as_bytes()));
+        self.content.comments = Comments::of(text)?;
+        Ok(self)
+    }
+
     /// The document in what `reader` gives, to its end; `name` stands for it
     /// in messages.
     ///
@@ -382,14 +407,12 @@ impl Document {
     /// [`crate::Error::Format`] with line and reason.
     pub fn from_toml(text: &str) -> Result<Self> {
         let (path, info) = vid::from_toml(text)?;
-        let mut document = Self::from_parts(path, info)?;
-        document.read = Some(Contents::of(text.as_bytes()));
-        document.content.comments = Comments::of(text)?;
-        Ok(document)
+        Self::from_parts(path, info)?.read_from(text)
     }
 
     /// The text of a `.vid` file, with the comments of the text that the document was read
-    /// from, each at what it stood at; those of removed points have gone with them. Loading it gives the same document, bit by bit.
+    /// from, each at what it stood at; those of removed points have gone with them.
+    /// Loading it gives the same document, bit by bit.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].

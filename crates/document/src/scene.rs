@@ -4,11 +4,11 @@ use std::io::Read;
 use std::path::Path;
 
 use super::info::Info;
-use super::{prepare, vid};
+use super::vid;
 use crate::error::{Error, Result, message, room};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
-use vides_engine::scene::{Kind, Scene};
+use vides_engine::scene::Scene;
 
 /// A scene and what its file says besides. A file with a path alone is the scene
 /// of one camera on it, and the other way round.
@@ -102,27 +102,5 @@ impl SceneDocument {
             scene: self.scene.clone(),
             info,
         })
-    }
-
-    /// The number of the camera that is shown: the first one on a path, else the
-    /// first one.
-    #[must_use]
-    pub fn shown_camera(&self) -> Option<usize> {
-        let nodes = self.scene.nodes();
-        let cameras = || {
-            let all = nodes.iter().enumerate();
-            all.filter(|(_, node)| matches!(node.kind, Kind::Camera(_)))
-        };
-        let moving = cameras().find(|(_, node)| node.path().is_some());
-        moving.or_else(|| cameras().next()).map(|(at, _)| at)
-    }
-
-    /// A path in the form that documents keep, for a node.
-    ///
-    /// # Errors
-    /// What is wrong with it.
-    pub fn prepared(mut path: CameraPath) -> Result<CameraPath> {
-        prepare::normalise(&mut path)?;
-        Ok(path)
     }
 }

@@ -71,9 +71,14 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// Its line in the file.
+    /// Its line in the file. To find it takes time in proportion to the file.
     pub fn line(&self) -> usize {
         self.source.line(self.offset)
+    }
+
+    /// Its place in the file: a byte offset.
+    pub fn place(&self) -> usize {
+        self.source.start + self.offset
     }
 
     /// Whether it is an array.

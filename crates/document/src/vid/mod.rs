@@ -53,7 +53,7 @@ use crate::limits::MAX_FILE_BYTES;
 use vides_engine::scene::Scene;
 
 pub(super) use comments::Comments;
-pub(super) use read::{from_toml, scene_from_toml};
+pub(super) use read::{from_toml, scene_from_toml, shown_from_toml};
 pub(super) use scene_write::scene_to_toml;
 pub(super) use write::to_toml;
 

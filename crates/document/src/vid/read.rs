@@ -8,7 +8,7 @@ use super::field::{Field, Source, fields};
 use super::own;
 use super::pieces;
 use super::scene_read::Drafts;
-use crate::error::{Result, message, vec_with_room};
+use crate::error::{Error, Result, message, vec_with_room};
 use crate::info::{self, Info, ObjectPoint, Space};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
@@ -56,7 +56,7 @@ const OF_PATH: [&str; 6] = [
 /// The path and what the file says besides.
 pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
     let (reader, end) = Reader::of(text)?;
-    if reader.has("node") || reader.has("marker") {
+    if reader.is_scene() {
         let reason = message!(
             "this is a scene with {0} nodes, not a path alone",
             reader.scene.count()
@@ -66,19 +66,28 @@ pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
     reader.path(end)
 }
 
+/// The path that is shown of a scene, what the file says besides, and whether that is
+/// all there is.
+pub(crate) fn shown_from_toml(text: &str) -> Result<(CameraPath, Info, bool)> {
+    let (reader, end) = Reader::of(text)?;
+    if !reader.is_scene() {
+        let (path, info) = reader.path(end)?;
+        return Ok((path, info, true));
+    }
+    let (scene, info) = reader.scene(end)?;
+    let shown = scene.shown_camera().and_then(|at| scene.nodes()[at].path());
+    match shown {
+        Some(follow) => Ok((follow.path().clone(), info, false)),
+        None => Err(Error::Argument(message!(
+            "this scene has no camera on a path"
+        ))),
+    }
+}
+
 /// The scene and what the file says besides.
 pub(crate) fn scene_from_toml(text: &str) -> Result<(Scene, Info)> {
-    let (mut reader, end) = Reader::of(text)?;
-    if !reader.has("node") {
-        let drafts = std::mem::take(&mut reader.scene);
-        let (path, info) = reader.path(end)?;
-        return Ok((drafts.mark(Scene::of_path(path)?)?, info));
-    }
-    if let Some(key) = OF_PATH.into_iter().find(|key| reader.has(key)) {
-        let reason = message!("in a scene \"{0}\" belongs to the path of a node", key);
-        return Err(end.complain(text.len(), reason));
-    }
-    Ok((reader.scene.finish()?, reader.info))
+    let (reader, end) = Reader::of(text)?;
+    reader.scene(end)
 }
 
 /// What has been read so far.
@@ -120,6 +129,23 @@ impl Reader {
         KEYS.iter()
             .zip(self.seen)
             .any(|(known, seen)| seen && *known == key)
+    }
+
+    fn is_scene(&self) -> bool {
+        self.has("node") || self.has("marker")
+    }
+
+    fn scene(mut self, end: Source<'_>) -> Result<(Scene, Info)> {
+        if !self.has("node") {
+            let drafts = std::mem::take(&mut self.scene);
+            let (path, info) = self.path(end)?;
+            return Ok((drafts.mark(Scene::of_path(path)?, end.text)?, info));
+        }
+        if let Some(key) = OF_PATH.into_iter().find(|key| self.has(key)) {
+            let reason = message!("in a scene \"{0}\" belongs to the path of a node", key);
+            return Err(end.complain(end.text.len(), reason));
+        }
+        Ok((self.scene.finish(end.text)?, self.info))
     }
 
     fn path(self, end: Source<'_>) -> Result<(CameraPath, Info)> {

@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 
-use super::field::Field;
+use super::field::{Field, Source};
 use super::read::{base_speeds, one_line, orientation_mode, points, presets, zoom_mode};
 use crate::error::{Error, Message, Result, message, vec_with_room};
 use crate::limits;
@@ -22,12 +22,13 @@ pub(super) struct Drafts {
     markers: Vec<(usize, String, f64)>,
 }
 
-/// A name and the line in which it stands.
+/// A name and its place in the file. (Lines are counted where one is complained
+/// of: to count them for each node would take the square of the file.)
 type Named = (usize, String);
 
 /// A node that does not know its parent yet.
 struct Draft {
-    line: usize,
+    place: usize,
     node: Node,
     shapes: Vec<(usize, Shape)>,
     weights: Option<(usize, Vec<f64>)>,
@@ -75,7 +76,7 @@ impl Drafts {
                 let most = limits::MAX_MARKERS;
                 return Err(table.error(message!("a scene has at most {0} markers", most)));
             }
-            self.markers.push((table.line(), name, frame));
+            self.markers.push((table.place(), name, frame));
         }
         Ok(())
     }
@@ -95,19 +96,21 @@ impl Drafts {
     }
 
     /// The scene of all nodes.
-    pub(super) fn finish(mut self) -> Result<Scene> {
+    pub(super) fn finish(mut self, text: &str) -> Result<Scene> {
+        let source = Source { text, start: 0 };
+        let placed = |place, error| placed(source.line(place), error);
         let drafts = std::mem::take(&mut self.nodes);
         let mut numbers: Vec<usize> = vec_with_room(drafts.len())?;
         numbers.extend(0..drafts.len());
         numbers.sort_by(|&a, &b| drafts[a].node.name.cmp(&drafts[b].node.name));
         let find = |named: &Option<Named>, what: Message| {
-            let Some((line, name)) = named else {
+            let Some((place, name)) = named else {
                 return Ok(None);
             };
             let found = numbers.binary_search_by(|&at| drafts[at].node.name.cmp(name));
             found.map(|at| Some(numbers[at])).map_err(|_| {
                 let reason = message!("there is no node \"{0}\"", name.as_str());
-                at_line(*line, message!("{0}: {1}", what, reason))
+                source.complain(*place, message!("{0}: {1}", what, reason))
             })
         };
         let mut links = vec_with_room(drafts.len())?;
@@ -124,58 +127,59 @@ impl Drafts {
             draft.node.aim = aim;
             nodes.push(draft.node);
             rests.push((
-                draft.line,
+                draft.place,
                 draft.shapes,
                 draft.weights,
                 draft.tracks,
                 draft.pins,
             ));
         }
-        let mut scene =
-            Scene::from_nodes(nodes).map_err(|(node, error)| placed(rests[node].0, error))?;
+        let mut scene = Scene::from_nodes(nodes)
+            .map_err(|(node, error)| placed(rests.get(node).map_or(0, |rest| rest.0), error))?;
         let mut pins = Vec::new();
         for (node, (_, shapes, weights, tracks, own_pins)) in rests.into_iter().enumerate() {
-            for (line, shape) in shapes {
+            for (place, shape) in shapes {
                 scene
                     .add_shape(node, shape)
-                    .map_err(|e| placed(line, at_node(&scene, node, e)))?;
+                    .map_err(|e| placed(place, at_node(&scene, node, e)))?;
             }
-            if let Some((line, weights)) = weights {
+            if let Some((place, weights)) = weights {
                 scene
                     .set_weights(node, &weights)
-                    .map_err(|e| placed(line, at_node(&scene, node, e)))?;
+                    .map_err(|e| placed(place, at_node(&scene, node, e)))?;
             }
-            for (line, track) in tracks {
-                let place = message!("channel \"{0}\"", track.channel().to_string());
+            for (place, track) in tracks {
+                let channel = message!("channel \"{0}\"", track.channel().to_string());
                 if scene.nodes()[node].keys().track(track.channel()).is_some() {
                     let twice = Error::Argument(message!("this was given further up already"));
-                    return Err(placed(line, at_node(&scene, node, twice.at(place))));
+                    return Err(placed(place, at_node(&scene, node, twice.at(channel))));
                 }
                 scene
                     .set_track(node, track)
-                    .map_err(|e| placed(line, at_node(&scene, node, e.at(place))))?;
+                    .map_err(|e| placed(place, at_node(&scene, node, e.at(channel))))?;
             }
             pins.extend(own_pins.into_iter().map(|pin| (node, pin)));
         }
-        let mut scene = self.mark(scene)?;
-        for (node, (line, point, marker)) in pins {
+        let mut scene = self.mark(scene, text)?;
+        for (node, (place, point, marker)) in pins {
             scene
                 .pin(node, point, Some(&marker))
-                .map_err(|e| placed(line, at_node(&scene, node, e)))?;
+                .map_err(|e| placed(place, at_node(&scene, node, e)))?;
         }
         Ok(scene)
     }
 
     /// Puts the markers into a scene.
-    pub(super) fn mark(self, mut scene: Scene) -> Result<Scene> {
-        for (line, name, frame) in self.markers {
+    pub(super) fn mark(self, mut scene: Scene, text: &str) -> Result<Scene> {
+        let source = Source { text, start: 0 };
+        for (place, name, frame) in self.markers {
             if scene.markers().iter().any(|marker| marker.name == name) {
                 let reason = message!("there is a marker \"{0}\" already", name);
-                return Err(at_line(line, reason));
+                return Err(source.complain(place, reason));
             }
             scene
                 .set_marker(&name, frame)
-                .map_err(|e| placed(line, e))?;
+                .map_err(|e| placed(source.line(place), e))?;
         }
         Ok(scene)
     }
@@ -226,14 +230,14 @@ fn draft(table: Field<'_>, orientations: &mut usize) -> Result<Draft> {
     let name = node_name(name)?;
     let place = |error| match error {
         // What stands behind the line, with the name before it.
-        Error::Format(_) | Error::Memory | Error::Limit(_) => error,
+        Error::Format(_) | Error::Memory => error,
         other => placed(
             table.line(),
             other.at(message!("node \"{0}\"", name.as_str())),
         ),
     };
     let mut draft = Draft {
-        line: table.line(),
+        place: table.place(),
         node: Node::new(&name, kind(table)?),
         shapes: Vec::new(),
         weights: None,
@@ -247,8 +251,8 @@ fn draft(table: Field<'_>, orientations: &mut usize) -> Result<Draft> {
         let rest = &mut node.rest;
         match field.key {
             "name" | "kind" => {}
-            "parent" => draft.parent = Some((field.line(), field.text()?.to_owned())),
-            "aim" => draft.aim = Some((field.line(), field.text()?.to_owned())),
+            "parent" => draft.parent = Some((field.place(), field.text()?.to_owned())),
+            "aim" => draft.aim = Some((field.place(), field.text()?.to_owned())),
             "pivot" => node.pivot = field.vector()?,
             "position" => rest.position = field.vector()?,
             "rotation" => {
@@ -298,17 +302,17 @@ fn draft(table: Field<'_>, orientations: &mut usize) -> Result<Draft> {
             }
             "shape" => {
                 for element in field.elements()? {
-                    draft.shapes.push((element.line(), shape(element)?));
+                    draft.shapes.push((element.place(), shape(element)?));
                 }
             }
-            "weights" => draft.weights = Some((field.line(), numbers(field, None)?)),
+            "weights" => draft.weights = Some((field.place(), numbers(field, None)?)),
             "path" => {
                 let path = path(field, orientations, &mut draft.pins)?;
                 field.checked(node.set_path(Some(path)))?;
             }
             "track" => {
                 for element in field.elements()? {
-                    draft.tracks.push((element.line(), track(element, &name)?));
+                    draft.tracks.push((element.place(), track(element, &name)?));
                 }
             }
             _ => return Err(field.unknown(&KEYS)),
@@ -547,7 +551,7 @@ fn pin(table: Field<'_>) -> Result<(usize, usize, String)> {
         }
     }
     match (point, marker) {
-        (Some(point), Some(marker)) => Ok((table.line(), point, marker)),
+        (Some(point), Some(marker)) => Ok((table.place(), point, marker)),
         _ => Err(table.error(message!("a pin has a point and a marker"))),
     }
 }

@@ -34,6 +34,7 @@ mod output;
 mod position;
 mod questions;
 mod reasons;
+mod reasons_scene;
 mod rescue;
 mod setup;
 mod space;

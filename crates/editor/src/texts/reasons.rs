@@ -7,6 +7,7 @@
 
 use super::Language;
 use super::errors::Errors;
+use super::reasons_scene::SENTENCES as OF_SCENES;
 use crate::error::{Kind, Message, Part, fill};
 
 /// English, German.
@@ -533,7 +534,9 @@ fn translated(sentence: &str) -> Option<&'static str> {
         let said = sentence.split(", expected ").next().unwrap_or(sentence);
         find(PARSER, said)
     };
-    find(SENTENCES, sentence).or_else(parser)
+    find(SENTENCES, sentence)
+        .or_else(|| find(OF_SCENES, sentence))
+        .or_else(parser)
 }
 
 #[cfg(test)]
@@ -570,13 +573,14 @@ mod tests {
         for folder in ["src", "crates"] {
             said(&root.join(folder), &mut found);
         }
-        let here: BTreeSet<String> = SENTENCES.iter().map(|(e, _)| (*e).to_owned()).collect();
-        assert_eq!(here.len(), SENTENCES.len(), "one stands here twice");
+        let all = || SENTENCES.iter().chain(OF_SCENES);
+        let here: BTreeSet<String> = all().map(|(e, _)| (*e).to_owned()).collect();
+        assert_eq!(here.len(), all().count(), "one stands here twice");
         let missing: Vec<_> = found.difference(&here).collect();
         assert!(missing.is_empty(), "not translated: {missing:#?}");
         let unsaid: Vec<_> = here.difference(&found).collect();
         assert!(unsaid.is_empty(), "said by nobody: {unsaid:#?}");
-        for (english, german) in SENTENCES {
+        for (english, german) in all() {
             assert_eq!(placeholders(english), placeholders(german), "{english}");
         }
     }

@@ -44,7 +44,7 @@ enum Form {
     /// `axis_u axis_v u0 v0 phi_min phi_max` (lecture).
     Polar,
     /// 64 points, first index fastest.
-    FreeForm,
+    Lattice,
 }
 
 const FORMS: [Form; 6] = [
@@ -53,7 +53,7 @@ const FORMS: [Form; 6] = [
     Form::Twist,
     Form::Bend,
     Form::Polar,
-    Form::FreeForm,
+    Form::Lattice,
 ];
 
 impl Form {
@@ -62,14 +62,14 @@ impl Form {
             Self::Bulge | Self::Taper => "taper",
             Self::Twist => "twist",
             Self::Bend | Self::Polar => "bend",
-            Self::FreeForm => "free-form",
+            Self::Lattice => "free-form",
         }
     }
 
     /// Axes that the parameters begin with.
     const fn axes(self) -> usize {
         match self {
-            Self::FreeForm => 0,
+            Self::Lattice => 0,
             Self::Polar => 2,
             _ => 1,
         }
@@ -88,7 +88,7 @@ impl Form {
                 ("phi_min", 4, 1),
                 ("phi_max", 5, 1),
             ],
-            Self::FreeForm => &[("points", 0, 3 * LATTICE)],
+            Self::Lattice => &[("points", 0, 3 * LATTICE)],
         }
     }
 
@@ -199,7 +199,7 @@ impl Deformation {
                 let angles = [p[4].to_radians(), p[5].to_radians()];
                 bend::polar(bounds, [axis(0), axis(1)], [p[2], p[3]], angles, points);
             }
-            Form::FreeForm => free_form::apply(bounds, p, points),
+            Form::Lattice => free_form::apply(bounds, p, points),
         }
     }
 }

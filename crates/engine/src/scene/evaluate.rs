@@ -70,6 +70,17 @@ impl Scene {
         self.run(&self.order, frame, states, troubles, Search::Back)
     }
 
+    /// Sees that all paths are ready to be sampled: nothing but memory could be
+    /// missing, and then nothing has been written yet.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] or [`Error::Range`] for the frame, [`Error::Memory`].
+    pub fn prepare(&self, frame: f64) -> Result<()> {
+        check_frame(frame)?;
+        let mut paths = self.nodes.iter().filter_map(Node::path);
+        paths.try_for_each(super::FollowPath::prepare)
+    }
+
     /// The states of one node at the frames `first`, `first + step` and so on.
     ///
     /// # Errors

@@ -84,6 +84,14 @@ impl FollowPath {
         self.count
     }
 
+    /// Computes what sampling needs, once.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub(super) fn prepare(&self) -> Result<()> {
+        self.plan.sampler(&self.path).map(|_| ())
+    }
+
     /// The pose at a frame of the scene, by the path's own evaluation.
     ///
     /// # Errors

@@ -142,6 +142,19 @@ impl Scene {
             .binary_search_by(|&node| self.nodes[node].name.as_str().cmp(name))
     }
 
+    /// The number of the camera that is shown: the first one on a path, else the
+    /// first one.
+    #[must_use]
+    pub fn shown_camera(&self) -> Option<usize> {
+        let nodes = &self.nodes;
+        let cameras = || {
+            let all = nodes.iter().enumerate();
+            all.filter(|(_, node)| matches!(node.kind, Kind::Camera(_)))
+        };
+        let moving = cameras().find(|(_, node)| node.path().is_some());
+        moving.or_else(|| cameras().next()).map(|(at, _)| at)
+    }
+
     /// Adds a node behind the others.
     ///
     /// # Errors
@@ -206,10 +219,9 @@ impl Scene {
                 new[node] = None;
             }
         }
-        let mut next = 0;
-        for number in new.iter_mut().filter_map(Option::as_mut) {
+        let kept = new.iter_mut().filter_map(Option::as_mut);
+        for (next, number) in kept.enumerate() {
             *number = next;
-            next += 1;
         }
         names.extend(self.names.iter().filter_map(|&node| new[node]));
         let mut old = 0;

@@ -1,0 +1,618 @@
+//! Scenes as handles, and their nodes.
+
+use std::cell::{Cell, UnsafeCell};
+use std::ffi::{CStr, c_char, c_int};
+use std::sync::RwLock;
+
+use glam::{DQuat, DVec3};
+
+use super::border::border;
+use super::handles::{Handles, KIND_SCENE};
+use super::path;
+use super::pointers::{self, GrowingOut, Out, check, file_name, index, read_growing};
+use super::scene_types::*;
+use super::status::{
+    Answer, Failure, V_ERR_ARGUMENT, V_ERR_BUSY, V_ERR_INTERNAL, V_ERR_RANGE, V_OK,
+};
+use super::types::V_PATH;
+use crate::document::{Document, Info, SceneDocument};
+use crate::error::{Error, Result, sentence};
+use crate::inject;
+use crate::limits::MAX_NAME_BYTES;
+use crate::scene::{Beyond, Camera, FollowPath, Kind, Light, Node, Object, Values};
+
+/// All scenes that C holds.
+static SCENES: Handles<RwLock<SceneDocument>, V_SCENE> = Handles::new(KIND_SCENE);
+
+const SPOILED: Failure = Failure::Border(
+    V_ERR_INTERNAL,
+    "this scene is unusable since a fault inside the library",
+);
+
+const BUSY: Failure = Failure::Border(
+    V_ERR_BUSY,
+    "a scene cannot be used within an interpolation of the host's",
+);
+
+thread_local! {
+    /// How many of the host's interpolations run on this thread: a scene is read
+    /// meanwhile, and its lock would wait for itself.
+    static ASKED: Cell<u32> = const { Cell::new(0) };
+}
+
+/// Runs a host's interpolation.
+pub(super) fn asked<R>(run: impl FnOnce() -> R) -> R {
+    struct Out;
+    impl Drop for Out {
+        fn drop(&mut self) {
+            ASKED.set(ASKED.get() - 1);
+        }
+    }
+    ASKED.set(ASKED.get() + 1);
+    let _out = Out;
+    run()
+}
+
+fn found(scene: *const V_SCENE) -> Answer<super::counted::Counted<RwLock<SceneDocument>>> {
+    if scene.is_null() {
+        check(scene)?;
+    }
+    let found = SCENES.get(scene)?;
+    if ASKED.get() > 0 {
+        return Err(BUSY);
+    }
+    Ok(found)
+}
+
+/// Reads a scene. Several threads may at once.
+pub(super) fn read<R>(
+    scene: *const V_SCENE,
+    look: impl FnOnce(&SceneDocument) -> Answer<R>,
+) -> Answer<R> {
+    let scene = found(scene)?;
+    let scene = scene.read().map_err(|_| SPOILED)?;
+    inject::point(inject::Place::Path);
+    look(&scene)
+}
+
+/// Changes a scene.
+pub(super) fn edit<R>(
+    scene: *mut V_SCENE,
+    change: impl FnOnce(&mut SceneDocument) -> Answer<R>,
+) -> Answer<R> {
+    let scene = found(scene)?;
+    let mut scene = scene.write().map_err(|_| SPOILED)?;
+    inject::point(inject::Place::Path);
+    change(&mut scene)
+}
+
+fn keep(scene: SceneDocument) -> Answer<*mut V_SCENE> {
+    SCENES.insert(RwLock::new(scene))
+}
+
+/// A text from C.
+///
+/// # Safety
+/// A pointer that is not NULL points to a text ended by a zero byte that stays
+/// as it is while `'a` lasts.
+pub(super) unsafe fn text<'a>(text: *const c_char) -> Answer<&'a str> {
+    check(text)?;
+    // SAFETY: not NULL, and the caller's word for the rest.
+    let text = unsafe { CStr::from_ptr(text) };
+    text.to_str()
+        .map_err(|_| Failure::Border(V_ERR_ARGUMENT, "a text is not UTF-8"))
+}
+
+/// Room for a name or the name of an interpolation, ended by zero.
+const LENT_BYTES: usize = MAX_NAME_BYTES + 16;
+
+/// A text for C: of the library, until the thread's next one. No allocation.
+pub(super) fn lend(text: &str) -> *const c_char {
+    thread_local! {
+        static LENT: UnsafeCell<[u8; LENT_BYTES]> = const { UnsafeCell::new([0; LENT_BYTES]) };
+    }
+    LENT.with(|lent| {
+        // SAFETY: the cell belongs to this thread, and the reference ends here.
+        let lent = unsafe { &mut *lent.get() };
+        let length = text.len().min(LENT_BYTES - 1);
+        lent[..length].copy_from_slice(&text.as_bytes()[..length]);
+        lent[length] = 0;
+        lent.as_ptr().cast()
+    })
+}
+
+/// A node's link from C: −1 is none.
+fn link(value: c_int) -> Answer<Option<usize>> {
+    if value == -1 {
+        Ok(None)
+    } else {
+        index(value).map(Some)
+    }
+}
+
+fn unlink(value: Option<usize>) -> Answer<c_int> {
+    value.map_or(Ok(-1), pointers::count)
+}
+
+/// What stands behind a motion's end, by C's number of it.
+pub(super) fn beyond(after: c_int) -> Answer<Beyond> {
+    match after {
+        V_AFTER_HOLD => Ok(Beyond::Hold),
+        V_AFTER_REPEAT => Ok(Beyond::Repeat),
+        V_AFTER_PINGPONG => Ok(Beyond::PingPong),
+        V_AFTER_OFFSET => Ok(Beyond::Offset),
+        _ => Err(Failure::Border(
+            V_ERR_RANGE,
+            "after must be one of V_AFTER_...",
+        )),
+    }
+}
+
+fn light(light: c_int) -> Answer<Light> {
+    match light {
+        V_LIGHT_DIRECTIONAL => Ok(Light::Directional),
+        V_LIGHT_POINT => Ok(Light::Point),
+        V_LIGHT_SPOT => Ok(Light::Spot),
+        _ => Err(Failure::Border(
+            V_ERR_RANGE,
+            "a light must be one of V_LIGHT_...",
+        )),
+    }
+}
+
+/// A node from C; what its kind does not have is as in a new one.
+fn node(given: &V_NODE) -> Answer<Node> {
+    let kind = match given.kind {
+        V_NODE_GROUP => Kind::Group,
+        V_NODE_OBJECT => Kind::Object(Object::default()),
+        V_NODE_LIGHT => Kind::Light(light(given.light)?),
+        V_NODE_CAMERA => Kind::Camera(Camera {
+            near: given.near_plane,
+            far: given.far_plane,
+        }),
+        _ => {
+            return Err(Failure::Border(
+                V_ERR_RANGE,
+                "a node's kind must be one of V_NODE_...",
+            ));
+        }
+    };
+    let [w, x, y, z] = given.rotation;
+    let mut rest = Values {
+        position: given.position.into(),
+        rotation: DQuat::from_xyzw(x, y, z, w),
+        scale: given.scale.into(),
+        visible: given.visible != 0,
+        ..Values::default()
+    };
+    if matches!(kind, Kind::Camera(_)) {
+        (rest.zoom, rest.roll) = (given.zoom, given.roll);
+    }
+    if matches!(kind, Kind::Light(_)) {
+        (rest.intensity, rest.cone) = (given.intensity, given.cone);
+    }
+    if matches!(kind, Kind::Light(_) | Kind::Object(_)) {
+        rest.colour = given.colour;
+    }
+    let aim = if kind.looks() { link(given.aim)? } else { None };
+    let pivot = if kind.looks() {
+        DVec3::ZERO
+    } else {
+        given.pivot.into()
+    };
+    let mut node = Node::default();
+    node.parent = link(given.parent)?;
+    (node.kind, node.rest, node.aim, node.pivot) = (kind, rest, aim, pivot);
+    Ok(node)
+}
+
+/// A node for C.
+fn node_for_c(node: &Node) -> Answer<V_NODE> {
+    let (rest, q) = (&node.rest, node.rest.rotation);
+    let camera = match node.kind {
+        Kind::Camera(camera) => camera,
+        _ => Camera::default(),
+    };
+    Ok(V_NODE {
+        size: size_of::<V_NODE>(),
+        kind: match node.kind {
+            Kind::Group => V_NODE_GROUP,
+            Kind::Object(_) => V_NODE_OBJECT,
+            Kind::Light(_) => V_NODE_LIGHT,
+            Kind::Camera(_) => V_NODE_CAMERA,
+        },
+        parent: unlink(node.parent)?,
+        visible: c_int::from(rest.visible),
+        aim: unlink(node.aim)?,
+        pivot: node.pivot.to_array(),
+        position: rest.position.to_array(),
+        rotation: [q.w, q.x, q.y, q.z],
+        scale: rest.scale.to_array(),
+        zoom: rest.zoom,
+        roll: rest.roll,
+        light: match node.kind {
+            Kind::Light(Light::Point) => V_LIGHT_POINT,
+            Kind::Light(Light::Spot) => V_LIGHT_SPOT,
+            _ => V_LIGHT_DIRECTIONAL,
+        },
+        colour: rest.colour,
+        intensity: rest.intensity,
+        cone: rest.cone,
+        near_plane: camera.near,
+        far_plane: camera.far,
+    })
+}
+
+/// A node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, in
+/// none, aiming at none, zoom 24, white, intensity 1, a cone of 20 and 30
+/// degrees, planes at 0.01 and 1000. Sets size. A kind that is none stays as it
+/// is and is refused where the node is used.
+/// Any thread; from callbacks too. NULL does no harm; v_last_error() tells.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
+    border((), || {
+        let out = Out::new(node)?;
+        let made = V_NODE {
+            kind,
+            ..node_for_c(&Node::default())?
+        };
+        // SAFETY: room for a node, as the header says.
+        unsafe { out.write(made) };
+        Ok(())
+    });
+}
+
+/// A new scene: one camera, "camera", on the path of v_path_new(), from frame 1
+/// on. *scene is the caller's, to be freed with v_scene_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(scene)?;
+        let made = keep(SceneDocument::try_new()?)?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// Reads a scene from a .vid file; one with a path alone is that of a camera on
+/// it. file is a name as open() takes it. *scene is the caller's, to be freed
+/// with v_scene_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
+/// line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
+/// runs out while the text itself is read or parsed ends the program.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SCENE) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(scene)?;
+        // SAFETY: a text ended by zero, as the header says.
+        let made = keep(SceneDocument::load(unsafe { file_name(file) }?)?)?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// Writes a scene into a .vid file, as v_path_save() writes a path: afterwards
+/// the file is wholly the old or wholly the new one.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
+/// V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the file is
+/// opened or written may end the program; the old file stays.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let file = unsafe { file_name(file) }?;
+        read(scene, |document| Ok(document.save(file)?))?;
+        Ok(V_OK)
+    })
+}
+
+/// An independent copy of a scene; geometry is shared until one of them changes
+/// it. *copy is the caller's, to be freed with v_scene_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY,
+/// V_ERR_MEMORY, V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_SCENE) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(copy)?;
+        let made = keep(read(scene, |document| Ok(document.try_clone()?))?)?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// Frees a scene, see v_path_free(). NULL is no error.
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
+    border((), || {
+        if !scene.is_null() {
+            SCENES.remove(scene)?;
+        }
+        Ok(())
+    });
+}
+
+/// ==== Nodes ====
+///
+/// How many nodes a scene has.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(count)?;
+        let nodes = read(scene, |document| {
+            pointers::count(document.scene.nodes().len())
+        })?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.write(nodes) };
+        Ok(V_OK)
+    })
+}
+
+/// Adds a node behind the others; *node is its number (NULL: not wanted). name
+/// is unique in its scene: UTF-8, one line, not empty.
+/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_BUSY, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_add_node(
+    scene: *mut V_SCENE,
+    name: *const c_char,
+    values: *const V_NODE,
+    node: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::optional(node)?;
+        // SAFETY: a text ended by zero and a node, as the header says.
+        let (name, given) = unsafe { (text(name)?, read_growing(values)?) };
+        let mut made = self::node(&given)?;
+        made.name = copy(name)?;
+        let number = edit(scene, |document| Ok(document.scene.add(made)?))?;
+        let number = pointers::count(number)?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.write(number) };
+        Ok(V_OK)
+    })
+}
+
+/// A text, or [`Error::Memory`]; one that is too long is refused before.
+pub(super) fn copy(text: &str) -> Result<String> {
+    crate::path::camera_path::check_name(text)?;
+    let mut copy = String::new();
+    copy.try_reserve_exact(text.len())?;
+    copy.push_str(text);
+    Ok(copy)
+}
+
+/// Removes a node with all that is in it. The numbers behind move up; who aimed
+/// at one of them aims at none.
+/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let node = index(node)?;
+        edit(scene, |document| Ok(document.scene.remove(node)?))?;
+        Ok(V_OK)
+    })
+}
+
+/// The number of the node with this name.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
+/// such node), V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_find_node(
+    scene: *const V_SCENE,
+    name: *const c_char,
+    node: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(node)?;
+        // SAFETY: a text ended by zero, as the header says.
+        let name = unsafe { text(name) }?;
+        let number = read(scene, |document| {
+            let found = document.scene.find(name).ok_or_else(|| {
+                Error::Argument(sentence(format_args!("there is no node \"{name}\"")))
+            })?;
+            pointers::count(found)
+        })?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.write(number) };
+        Ok(V_OK)
+    })
+}
+
+/// A node's name. The text belongs to the library and is valid until the same
+/// thread's next call of this function or of v_scene_get_track().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+/// V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_get_name(
+    scene: *const V_SCENE,
+    node: c_int,
+    name: *mut *const c_char,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (out, node) = (Out::new(name)?, index(node)?);
+        let lent = read(scene, |document| Ok(lend(&document.scene.node(node)?.name)))?;
+        // SAFETY: room for a pointer, as the header says.
+        unsafe { out.write(lent) };
+        Ok(V_OK)
+    })
+}
+
+/// Gives a node another name, see v_scene_add_node().
+/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_name(
+    scene: *mut V_SCENE,
+    node: c_int,
+    name: *const c_char,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let (name, node) = (unsafe { text(name) }?, index(node)?);
+        edit(scene, |document| Ok(document.scene.set_name(node, name)?))?;
+        Ok(V_OK)
+    })
+}
+
+/// A node at rest. values->size must be set.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+/// V_ERR_RANGE, V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_get_node(
+    scene: *const V_SCENE,
+    node: c_int,
+    values: *mut V_NODE,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a node as its size says, as the header demands.
+        let (out, node) = (unsafe { GrowingOut::new(values) }?, index(node)?);
+        let found = read(scene, |document| node_for_c(document.scene.node(node)?))?;
+        // SAFETY: as above.
+        unsafe { out.write(found) };
+        Ok(V_OK)
+    })
+}
+
+/// Gives a node other values; its kind stays. With another parent it stays where
+/// it is in the world at the scene's first frame: position, rotation and scale
+/// are taken as of the old parent. A node that moves can only be given to a
+/// parent that lies as the old one does.
+/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (cycles among them), V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_node(
+    scene: *mut V_SCENE,
+    node: c_int,
+    values: *const V_NODE,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let node = index(node)?;
+        // SAFETY: a node, as the header says.
+        let given = unsafe { read_growing(values) }?;
+        let mut made = self::node(&given)?;
+        edit(scene, |document| {
+            made.rest.aim_weight = document.scene.node(node)?.rest.aim_weight;
+            Ok(document.scene.set_node(node, &made)?)
+        })?;
+        Ok(V_OK)
+    })
+}
+
+/// ==== What moves a node ====
+///
+/// Gives a node a path to follow, copied; NULL: none. Its pose n is shown at the
+/// scene's frame start_frame + n - 1. after: V_AFTER_HOLD, V_AFTER_REPEAT or
+/// V_AFTER_PINGPONG, before the path too. A path moves position, rotation and
+/// zoom, in the parent's coordinates; a node that has a track of one of them
+/// takes none.
+/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_path(
+    scene: *mut V_SCENE,
+    node: c_int,
+    path: *const V_PATH,
+    start_frame: f64,
+    after: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (node, after) = (index(node)?, beyond(after)?);
+        let follow = if path.is_null() {
+            None
+        } else {
+            let copy = path::read(path, |document| Ok(document.try_clone()?))?;
+            let (path, _) = copy.into_parts();
+            Some(FollowPath::new(path, start_frame, after)?)
+        };
+        edit(scene, |document| {
+            Ok(document.scene.set_path(node, follow)?)
+        })?;
+        Ok(V_OK)
+    })
+}
+
+/// A copy of the path that a node follows. *path is the caller's, to be freed
+/// with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it
+/// follows none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_get_path(
+    scene: *const V_SCENE,
+    node: c_int,
+    path: *mut *mut V_PATH,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (out, node) = (Out::new(path)?, index(node)?);
+        let copy = read(scene, |document| {
+            let found = document
+                .scene
+                .node(node)?
+                .path()
+                .ok_or(Failure::Border(V_ERR_ARGUMENT, "this node follows no path"))?;
+            crate::error::room(document.scene.weight())?;
+            Ok(Document::from_parts(found.path().clone(), Info::default())?)
+        })?;
+        let made = path::keep(copy.without_history())?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// Sets a marker, or moves the one of this name (UTF-8, one line, not empty).
+/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_marker(
+    scene: *mut V_SCENE,
+    name: *const c_char,
+    frame: f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let name = unsafe { text(name) }?;
+        edit(scene, |document| {
+            Ok(document.scene.set_marker(name, frame)?)
+        })?;
+        Ok(V_OK)
+    })
+}
+
+/// Pins a support point of a node's path to a marker; NULL frees it. Pins are
+/// kept and saved.
+/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_pin(
+    scene: *mut V_SCENE,
+    node: c_int,
+    point: c_int,
+    marker: *const c_char,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (node, point) = (index(node)?, index(point)?);
+        let marker = if marker.is_null() {
+            None
+        } else {
+            // SAFETY: a text ended by zero, as the header says.
+            Some(unsafe { text(marker) }?)
+        };
+        edit(scene, |document| {
+            Ok(document.scene.pin(node, point, marker)?)
+        })?;
+        Ok(V_OK)
+    })
+}

@@ -1,0 +1,235 @@
+//! The scene at a frame.
+
+use std::ffi::{c_char, c_int};
+
+use glam::DVec3;
+
+use super::border::border;
+use super::pointers::{Out, index, slice_mut};
+use super::scene::{read, text};
+use super::scene_tracks::mesh_points;
+use super::scene_types::{V_NODE_STATE, V_SCENE};
+use super::status::{
+    Answer, Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK, clear_last_error, set_last_error,
+};
+use crate::document::SceneDocument;
+use crate::error::vec_with_room;
+use crate::scene::{Channel, NodeState, Troubles};
+
+const SMALL: Failure = Failure::Border(V_ERR_SIZE, "the array is too small");
+
+/// After a success: what a host's interpolation did wrong; and nothing of what its
+/// own calls left as their last error.
+fn tell(document: &SceneDocument, troubles: &Troubles) {
+    clear_last_error();
+    if let Some((node, message)) = troubles.first() {
+        let name = document
+            .scene
+            .nodes()
+            .get(node)
+            .map_or("", |node| &node.name);
+        set_last_error(format_args!("node \"{name}\": {message}"));
+    }
+}
+
+/// The engine's states in the host's memory.
+///
+/// # Safety
+/// A pointer that is not NULL points to room for so many states.
+unsafe fn states<'a>(states: *mut V_NODE_STATE, count: usize) -> Answer<&'a mut [NodeState]> {
+    // SAFETY: the same memory (`scene_types` holds that), any bits of which are
+    // numbers; the caller's word for the rest.
+    unsafe { slice_mut(states.cast::<NodeState>(), count) }
+}
+
+/// ==== The scene at a frame ====
+///
+/// The first and the last frame of all paths and keys; 1 and 1 if nothing moves.
+/// Each result may be NULL.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_frame_range(
+    scene: *const V_SCENE,
+    first: *mut f64,
+    last: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (first, last) = (Out::optional(first)?, Out::optional(last)?);
+        let range = read(scene, |document| Ok(document.scene.frame_range()))?;
+        // SAFETY: room for a double each, as the header says.
+        unsafe {
+            first.write(range.0);
+            last.write(range.1);
+        }
+        Ok(V_OK)
+    })
+}
+
+/// The states of all nodes at a frame, any finite number, by the nodes' numbers.
+/// *count (NULL: not wanted) is how many. states NULL: only that.
+///
+/// A channel whose interpolation is the host's and is not registered, fails or
+/// gives no finite number steps from key to key: the rest plays, the answer is
+/// V_OK, and v_last_error() tells.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
+/// than the nodes), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_evaluate(
+    scene: *const V_SCENE,
+    frame: f64,
+    states: *mut V_NODE_STATE,
+    capacity: usize,
+    count: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::optional(count)?;
+        Out::optional(states)?;
+        let nodes = read(scene, |document| {
+            let nodes = document.scene.nodes().len();
+            if states.is_null() || nodes == 0 {
+                crate::scene::motion::check_frame(frame)?;
+                return Ok(nodes);
+            }
+            if nodes > capacity {
+                return Err(SMALL);
+            }
+            // The only thing that fails later is memory: seen to before.
+            document.scene.prepare(frame)?;
+            // SAFETY: room for so many states, as the header says.
+            let room = unsafe { self::states(states, nodes) }?;
+            let mut troubles = Troubles::default();
+            document.scene.evaluate(frame, room, &mut troubles)?;
+            tell(document, &troubles);
+            Ok(nodes)
+        })?;
+        // SAFETY: room for a size_t, as the header says.
+        unsafe { out.write(nodes) };
+        Ok(V_OK)
+    })
+}
+
+/// count states of one node, at the frames first, first + step and so on. What
+/// v_scene_evaluate() says of a host's interpolation holds here too.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_sample(
+    scene: *const V_SCENE,
+    node: c_int,
+    first: f64,
+    step: f64,
+    states: *mut V_NODE_STATE,
+    count: usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let node = index(node)?;
+        if count > 0 {
+            super::pointers::check(states)?;
+        }
+        read(scene, |document| {
+            document.scene.node(node)?;
+            document.scene.prepare(first)?;
+            let room = if count == 0 {
+                &mut []
+            } else {
+                // SAFETY: room for so many states, as the header says.
+                unsafe { self::states(states, count) }?
+            };
+            let mut troubles = Troubles::default();
+            document
+                .scene
+                .sample(node, first, step, room, &mut troubles)?;
+            tell(document, &troubles);
+            Ok(())
+        })?;
+        Ok(V_OK)
+    })
+}
+
+/// The numbers of a channel (see v_scene_set_track()) at a frame, with or without
+/// a track; *width (NULL: not wanted) is how many. values NULL: only that. What
+/// v_scene_evaluate() says of a host's interpolation holds here too.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
+/// than the channel has), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_value(
+    scene: *const V_SCENE,
+    node: c_int,
+    channel: *const c_char,
+    frame: f64,
+    values: *mut f64,
+    capacity: usize,
+    width: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (out, node) = (Out::optional(width)?, index(node)?);
+        Out::optional(values)?;
+        // SAFETY: a text ended by zero, as the header says.
+        let channel = Channel::parse(unsafe { text(channel) }?)?;
+        let numbers = read(scene, |document| {
+            let mut troubles = Troubles::default();
+            let value = document.scene.value(node, &channel, frame, &mut troubles)?;
+            tell(document, &troubles);
+            Ok(value)
+        })?;
+        if !values.is_null() {
+            if numbers.len() > capacity {
+                return Err(SMALL);
+            }
+            // SAFETY: room for so many numbers, as the header says.
+            unsafe { slice_mut(values, numbers.len()) }?.copy_from_slice(&numbers);
+        }
+        // SAFETY: room for a size_t, as the header says.
+        unsafe { out.write(numbers.len()) };
+        Ok(V_OK)
+    })
+}
+
+/// The points of an object at a frame, morphed and deformed, in the node's own
+/// coordinates: three numbers each, capacity counts points; *points (NULL: not
+/// wanted) is how many. xyz NULL: only that. What v_scene_evaluate() says of a
+/// host's interpolation holds here too.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more
+/// points than room), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_vertices(
+    scene: *const V_SCENE,
+    node: c_int,
+    frame: f64,
+    xyz: *mut f64,
+    capacity: usize,
+    points: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (out, node) = (Out::optional(points)?, index(node)?);
+        Out::optional(xyz)?;
+        let count = read(scene, |document| {
+            let count = mesh_points(&document.scene.node(node)?.kind);
+            if !xyz.is_null() && count > capacity {
+                return Err(SMALL);
+            }
+            let mut all = vec_with_room(count)?;
+            all.resize(count, DVec3::ZERO);
+            let mut troubles = Troubles::default();
+            document
+                .scene
+                .vertices(node, frame, &mut all, &mut troubles)?;
+            if !xyz.is_null() && count > 0 {
+                // SAFETY: room for so many points, as the header says.
+                let room = unsafe { slice_mut(xyz, 3 * count) }?;
+                for (room, point) in room.chunks_exact_mut(3).zip(&all) {
+                    room.copy_from_slice(&point.to_array());
+                }
+            }
+            tell(document, &troubles);
+            Ok(count)
+        })?;
+        // SAFETY: room for a size_t, as the header says.
+        unsafe { out.write(count) };
+        Ok(V_OK)
+    })
+}

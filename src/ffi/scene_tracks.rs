@@ -1,0 +1,548 @@
+//! Tracks, the host's own interpolations, objects and deformations.
+
+use std::ffi::{c_char, c_int, c_void};
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::border::border;
+use super::pointers::{Out, index, read_array, read_growing, slice, slice_mut};
+use super::scene::{asked, beyond, copy, edit, lend, read, text};
+use super::scene_types::*;
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_ERR_SIZE, V_OK};
+use crate::deform::{Bounds, Deformation};
+use crate::error::{Error, Result, room, vec_with_room};
+use crate::limits::{MAX_KEYS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SCENE_NUMBERS};
+use crate::scene::host::{self, Function};
+use crate::scene::{Beyond, Channel, Interpolation, Kind, Mesh, Shape, Track};
+
+/// Numbers from C, copied.
+///
+/// # Safety
+/// A pointer that is not NULL points to so many numbers.
+unsafe fn numbers(from: *const f64, count: usize) -> Answer<Vec<f64>> {
+    // SAFETY: the caller's word.
+    let from = unsafe { slice(from, count) }?;
+    let mut copy = vec_with_room(count)?;
+    copy.extend_from_slice(from);
+    Ok(copy)
+}
+
+/// Points from C, copied.
+///
+/// # Safety
+/// A pointer that is not NULL points to three numbers for each.
+unsafe fn points(xyz: *const f64, count: usize) -> Answer<Vec<DVec3>> {
+    if count == 0 {
+        return Ok(Vec::new());
+    }
+    most(count, MAX_MESH_POINTS, "points")?;
+    // SAFETY: the caller's word.
+    let from = unsafe { slice(xyz, 3 * count) }?;
+    let mut points = vec_with_room(count)?;
+    points.extend(from.chunks_exact(3).map(DVec3::from_slice));
+    Ok(points)
+}
+
+fn most(count: usize, limit: usize, what: &str) -> Answer<()> {
+    if count > limit {
+        let words = crate::error::sentence(format_args!("at most {limit} {what} are taken"));
+        return Err(Error::Limit(words).into());
+    }
+    Ok(())
+}
+
+/// Numbers of a key from C, which tells the channel and the interpolation.
+fn width(scene: *const V_SCENE, node: usize, channel: &Channel, euler: bool) -> Answer<usize> {
+    read(scene, |document| {
+        let width = channel.width(document.scene.node(node)?)?;
+        Ok(if euler { 3 } else { width })
+    })
+}
+
+/// ==== Tracks ====
+///
+/// Sets the keys of a channel in place of older ones; with 0 keys there is none
+/// any more.
+///
+/// channel: "position", "rotation" (w x y z), "scale", "visible" (0 or 1); of
+/// cameras "zoom", "roll"; of lights "colour", "intensity", "cone"; of objects
+/// "colour", "weights" (one for each shape) and "deformation.N.NAME" (N from 0;
+/// NAME as v_deform() lists them); of cameras and lights "aim_weight" (0 to 1);
+/// and "value:NAME" or "value:NAME:W", W numbers (1 to 16) for the host.
+///
+/// interpolation: "step", "linear", "ramp", "sine", "parabolic", "catmull-rom",
+/// "hermite", "tcb", "cubic" (not of rotations), "host:NAME"; of rotations also
+/// "euler-linear" and "euler-catmull-rom", with three numbers a key: yaw, pitch
+/// and roll in degrees. "visible" takes "step" alone.
+///
+/// frames: strictly increasing. values: keys x width numbers, key by key. shape:
+/// for "hermite" each key's tangent before and after it (2 x width, per frame);
+/// for "tcb" tension, continuity and bias; else NULL. after: what follows the
+/// last key, V_AFTER_..., and what goes before the first one, V_BEFORE_...
+/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_track(
+    scene: *mut V_SCENE,
+    node: c_int,
+    channel: *const c_char,
+    interpolation: *const c_char,
+    frames: *const f64,
+    values: *const f64,
+    shape: *const f64,
+    keys: usize,
+    after: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let node = index(node)?;
+        // SAFETY: a text ended by zero, as the header says.
+        let channel = Channel::parse(unsafe { text(channel) }?)?;
+        if keys == 0 {
+            edit(scene, |document| {
+                Ok(document.scene.remove_track(node, &channel)?)
+            })?;
+            return Ok(V_OK);
+        }
+        // SAFETY: a text ended by zero, as the header says.
+        let interpolation = Interpolation::parse(unsafe { text(interpolation) }?)?;
+        let (before, after) = both(after)?;
+        most(keys, MAX_KEYS, "keys")?;
+        let euler = matches!(
+            interpolation,
+            Interpolation::EulerLinear | Interpolation::EulerCatmullRom
+        );
+        let width = width(scene, node, &channel, euler)?;
+        most(keys.saturating_mul(width), MAX_SCENE_NUMBERS, "numbers")?;
+        // SAFETY: as many numbers as the header says.
+        let (frames, values) = unsafe { (numbers(frames, keys)?, numbers(values, keys * width)?) };
+        let shaped = match interpolation {
+            Interpolation::Hermite => 2 * width,
+            Interpolation::Tcb => 3,
+            _ => 0,
+        };
+        let shape = if shaped == 0 {
+            Vec::new()
+        } else {
+            // SAFETY: as many numbers as the header says.
+            unsafe { numbers(shape, keys * shaped) }?
+        };
+        let track = Track::new(channel, interpolation, frames, values, shape)?;
+        let track = track.with_beyond(before, after)?;
+        edit(scene, |document| {
+            Ok(document.scene.set_track(node, track)?)
+        })?;
+        Ok(V_OK)
+    })
+}
+
+/// What goes before and after, from C's one number.
+fn both(after: c_int) -> Answer<(Beyond, Beyond)> {
+    if !(0..64).contains(&after) {
+        return Err(Failure::Border(
+            V_ERR_RANGE,
+            "after must be one of V_AFTER_..., with one of V_BEFORE_... at most",
+        ));
+    }
+    Ok((beyond(after >> 4)?, beyond(after & 15)?))
+}
+
+fn number_of(beyond: Beyond) -> c_int {
+    match beyond {
+        Beyond::Hold => V_AFTER_HOLD,
+        Beyond::Repeat => V_AFTER_REPEAT,
+        Beyond::PingPong => V_AFTER_PINGPONG,
+        Beyond::Offset => V_AFTER_OFFSET,
+    }
+}
+
+/// The keys of a channel as they were set; *keys is how many, 0 if there is no
+/// track (then *interpolation is ""). capacity is the number of keys that
+/// frames, values and shape have room for; each of them may be NULL, as any
+/// other result. The text belongs to the library and is valid until the same
+/// thread's next call of this function or of v_scene_get_name().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more keys than room), V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_get_track(
+    scene: *const V_SCENE,
+    node: c_int,
+    channel: *const c_char,
+    interpolation: *mut *const c_char,
+    capacity: usize,
+    frames: *mut f64,
+    values: *mut f64,
+    shape: *mut f64,
+    keys: *mut usize,
+    after: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (name, count) = (Out::optional(interpolation)?, Out::optional(keys)?);
+        let (after, node) = (Out::optional(after)?, index(node)?);
+        for room in [frames, values, shape] {
+            Out::optional(room)?;
+        }
+        // SAFETY: a text ended by zero, as the header says.
+        let channel = Channel::parse(unsafe { text(channel) }?)?;
+        read(scene, |document| {
+            let node = document.scene.node(node)?;
+            let Some(track) = node.keys().track(&channel) else {
+                channel.width(node)?;
+                // SAFETY: room for each result, as the header says.
+                unsafe {
+                    name.write(lend(""));
+                    count.write(0);
+                    after.write(V_AFTER_HOLD);
+                }
+                return Ok(());
+            };
+            let wanted = [
+                (frames, track.frames()),
+                (values, track.values()),
+                (shape, track.shape()),
+            ];
+            let any = wanted.iter().any(|(room, _)| !room.is_null());
+            if any && track.frames().len() > capacity {
+                return Err(Failure::Border(
+                    V_ERR_SIZE,
+                    "the arrays are too small for the keys of this track",
+                ));
+            }
+            for (room, numbers) in wanted {
+                if !room.is_null() && !numbers.is_empty() {
+                    // SAFETY: room for so many keys, as the header says.
+                    unsafe { slice_mut(room, numbers.len()) }?.copy_from_slice(numbers);
+                }
+            }
+            let (before, behind) = track.beyond();
+            let lent = lend(&track.interpolation().to_string());
+            // SAFETY: room for each result, as the header says.
+            unsafe {
+                name.write(lent);
+                count.write(track.frames().len());
+                after.write(number_of(behind) | number_of(before) << 4);
+            }
+            Ok(())
+        })?;
+        Ok(V_OK)
+    })
+}
+
+/// Computes the value of a channel at a frame between its first and its last key:
+/// frames of the keys, their values key by key, width numbers each. Writes width
+/// numbers to value and returns V_OK; any other answer, or a number that is not
+/// finite, and the channel steps from key to key.
+pub type V_INTERPOLATE = Option<
+    unsafe extern "C" fn(
+        frames: *const f64,
+        values: *const f64,
+        width: usize,
+        keys: usize,
+        frame: f64,
+        value: *mut f64,
+        user: *mut c_void,
+    ) -> c_int,
+>;
+
+/// A function of the host's.
+struct Host {
+    function: unsafe extern "C" fn(
+        *const f64,
+        *const f64,
+        usize,
+        usize,
+        f64,
+        *mut f64,
+        *mut c_void,
+    ) -> c_int,
+    user: *mut c_void,
+}
+
+// SAFETY: the header tells the host that any thread which evaluates a scene
+// calls the function with this pointer, which nobody here follows.
+unsafe impl Send for Host {}
+// SAFETY: as above.
+unsafe impl Sync for Host {}
+
+impl Host {
+    fn ask(&self, question: host::Question<'_>, value: &mut [f64]) -> bool {
+        let status = asked(|| {
+            // SAFETY: the host's own function, with arrays as the header says.
+            unsafe {
+                (self.function)(
+                    question.frames.as_ptr(),
+                    question.values.as_ptr(),
+                    question.width,
+                    question.frames.len(),
+                    question.frame,
+                    value.as_mut_ptr(),
+                    self.user,
+                )
+            }
+        });
+        status == V_OK
+    }
+}
+
+/// Makes a function known as the interpolation "host:NAME" of every scene of the
+/// process, in place of an older one; NULL takes it away. It is called by
+/// whatever thread evaluates a scene, and must not use scenes itself.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_register_interpolation(
+    name: *const c_char,
+    function: V_INTERPOLATE,
+    user: *mut c_void,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let name = unsafe { text(name) }?;
+        let function = match function {
+            None => None,
+            Some(function) => {
+                room(256)?;
+                let host = Host { function, user };
+                let function: Arc<Function> =
+                    Arc::new(move |question: host::Question<'_>, value: &mut [f64]| {
+                        host.ask(question, value)
+                    });
+                Some(function)
+            }
+        };
+        host::register(name, function)?;
+        Ok(V_OK)
+    })
+}
+
+/// ==== Objects ====
+///
+/// Sets the geometry of an object, copied. A mesh has as many points as the
+/// object's shapes, if it has any.
+/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_BUSY, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_geometry(
+    scene: *mut V_SCENE,
+    node: c_int,
+    mesh: *const V_MESH,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let node = index(node)?;
+        // SAFETY: a mesh, as the header says.
+        let mesh = unsafe { self::mesh(mesh) }?;
+        edit(scene, |document| Ok(document.scene.set_mesh(node, mesh)?))?;
+        Ok(V_OK)
+    })
+}
+
+/// A mesh from C, copied.
+///
+/// # Safety
+/// A pointer that is not NULL points to a mesh whose arrays are as long as it says.
+unsafe fn mesh(mesh: *const V_MESH) -> Answer<Mesh> {
+    // SAFETY: the caller's word.
+    let given = unsafe { read_growing(mesh) }?;
+    // SAFETY: the caller's word, for each of the arrays.
+    unsafe {
+        let points = points(given.xyz, given.points)?;
+        let mut colours = Vec::new();
+        if !given.rgb.is_null() && !points.is_empty() {
+            let from = slice(given.rgb, 3 * points.len())?;
+            colours = vec_with_room(points.len())?;
+            colours.extend(from.chunks_exact(3).map(|c| [c[0], c[1], c[2]]));
+        }
+        Ok(Mesh {
+            lines: indices(given.lines, given.line_ends)?,
+            triangles: indices(given.triangles, given.corners)?,
+            points,
+            colours,
+        })
+    }
+}
+
+/// Indices from C in groups.
+///
+/// # Safety
+/// A pointer that is not NULL points to so many indices.
+unsafe fn indices<const N: usize>(from: *const u32, count: usize) -> Answer<Vec<[u32; N]>> {
+    if count == 0 {
+        return Ok(Vec::new());
+    }
+    most(count, MAX_MESH_CORNERS, "indices")?;
+    // SAFETY: the caller's word.
+    let (groups, rest) = unsafe { slice(from, count) }?.as_chunks::<N>();
+    if !rest.is_empty() {
+        return Err(Failure::Border(
+            V_ERR_RANGE,
+            "indices of lines come in twos, of triangles in threes",
+        ));
+    }
+    let mut copy = vec_with_room(groups.len())?;
+    copy.extend_from_slice(groups);
+    Ok(copy)
+}
+
+/// Adds a shape to an object: other places for all its points. Its weight is 0;
+/// the channel "weights" has one number for each shape, and the mesh takes what
+/// is left of 1.
+/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_add_shape(
+    scene: *mut V_SCENE,
+    node: c_int,
+    name: *const c_char,
+    xyz: *const f64,
+    points: usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let node = index(node)?;
+        // SAFETY: a text ended by zero and so many points, as the header says.
+        let shape = unsafe {
+            Shape {
+                name: copy(text(name)?)?,
+                points: self::points(xyz, points)?,
+                colours: Vec::new(),
+            }
+        };
+        edit(scene, |document| {
+            Ok(document.scene.add_shape(node, shape)?)
+        })?;
+        Ok(V_OK)
+    })
+}
+
+/// A deformation from C and its box.
+///
+/// # Safety
+/// As the header says of v_deform().
+unsafe fn deformation(
+    kind: *const c_char,
+    parameters: *const f64,
+    count: usize,
+) -> Answer<Deformation> {
+    most(count, 3 * crate::deform::LATTICE, "parameters")?;
+    // SAFETY: the caller's word.
+    let (kind, parameters) = unsafe { (text(kind)?, slice(parameters, count)?) };
+    Ok(Deformation::new(kind, parameters)?)
+}
+
+fn bounds(corners: [f64; 6]) -> Result<Bounds> {
+    let [a, b, c, d, e, f] = corners;
+    Bounds::new(DVec3::new(a, b, c), DVec3::new(d, e, f))
+}
+
+/// Adds a deformation (see v_deform()) to an object, behind the others; *at is
+/// its number (NULL: not wanted). box NULL: the bounds of the geometry at rest.
+/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// V_ERR_MEMORY.
+/// cbindgen:ptrs-as-arrays=[[box; 6]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_add_deformation(
+    scene: *mut V_SCENE,
+    node: c_int,
+    kind: *const c_char,
+    parameters: *const f64,
+    count: usize,
+    r#box: *const f64,
+    at: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (out, node) = (Out::optional(at)?, index(node)?);
+        // SAFETY: as the header says.
+        let deformation = unsafe { deformation(kind, parameters, count) }?;
+        let bounds = if r#box.is_null() {
+            None
+        } else {
+            // SAFETY: six doubles, as the header says.
+            Some(bounds(unsafe { read_array(r#box) }?)?)
+        };
+        let number = edit(scene, |document| {
+            Ok(document.scene.add_deformation(node, deformation, bounds)?)
+        })?;
+        let number = super::pointers::count(number)?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.write(number) };
+        Ok(V_OK)
+    })
+}
+
+/// Removes a deformation with its tracks. The numbers behind move up, in the
+/// names of channels too.
+/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_remove_deformation(
+    scene: *mut V_SCENE,
+    node: c_int,
+    at: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (node, at) = (index(node)?, index(at)?);
+        edit(scene, |document| {
+            Ok(document.scene.remove_deformation(node, at)?)
+        })?;
+        Ok(V_OK)
+    })
+}
+
+/// Deforms points in place. u, v, w run from -1 to 1 along the box (min x y z,
+/// max x y z); a flat side gives coordinate 0 and stays. Axes are 0, 1, 2, angles
+/// degrees. In brackets the names of what can move, see v_scene_set_track().
+///
+/// "taper"      axis a [a]: the other two times 1 + (a-1)(1-u^2)
+/// "taper"      axis r0 r1 [r0 r1]: from r0 at one end to r1 at the other
+/// "twist"      axis angle [angle]: about the axis, from 0 to angle
+/// "bend"       axis angle [angle]: about the axis; the middle stays
+/// "bend"       axis_u axis_v u0 v0 phi_min phi_max [the last four]: u becomes
+///              the angle about (u0, v0), v - v0 the distance from it
+/// "free-form"  64 points, 3 numbers each [points]: a Bezier volume over the box,
+///              the first index fastest; (-1, -1, -1), (-1/3, -1, -1) ... is the
+///              identity. Points outside the box stay
+///
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// cbindgen:ptrs-as-arrays=[[box; 6]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_deform(
+    kind: *const c_char,
+    parameters: *const f64,
+    count: usize,
+    r#box: *const f64,
+    xyz: *mut f64,
+    points: usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: as the header says.
+        let deformation = unsafe { deformation(kind, parameters, count) }?;
+        // SAFETY: six doubles, as the header says.
+        let bounds = bounds(unsafe { read_array(r#box) }?)?;
+        // SAFETY: so many points, as the header says.
+        let mut deformed = unsafe { self::points(xyz, points) }?;
+        for &point in &deformed {
+            crate::path::camera_path::check_coordinates(point)?;
+        }
+        deformation.apply(&bounds, &mut deformed);
+        if points > 0 {
+            // SAFETY: so many points, as the header says.
+            let out = unsafe { slice_mut(xyz, 3 * points) }?;
+            for (out, point) in out.chunks_exact_mut(3).zip(deformed) {
+                out.copy_from_slice(&point.to_array());
+            }
+        }
+        Ok(V_OK)
+    })
+}
+
+/// Points of an object's mesh.
+pub(super) fn mesh_points(kind: &Kind) -> usize {
+    match kind {
+        Kind::Object(object) => object.mesh().points.len(),
+        _ => 0,
+    }
+}

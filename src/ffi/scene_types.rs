@@ -1,0 +1,193 @@
+//! The structs of scenes that C sees; see `types.rs`.
+
+#![allow(dead_code)]
+
+use std::ffi::{c_int, c_uchar, c_uint};
+use std::mem::offset_of;
+use std::ptr;
+
+use super::pointers::Growing;
+use super::types::V_POSE;
+use crate::scene::NodeState;
+
+pub struct v_scene {
+    _private: (),
+}
+
+/// ==== Scenes ====
+///
+/// Everything that moves on one timeline, by a handle (see V_PATH): a tree of
+/// nodes. Whoever made it frees it with v_scene_free(). Nodes are numbered from 0.
+///
+/// Within a function of v_register_interpolation() functions of scenes but
+/// v_scene_free() answer V_ERR_BUSY.
+pub type V_SCENE = v_scene;
+
+/// The kinds of node.
+pub const V_NODE_GROUP: c_int = 0;
+pub const V_NODE_OBJECT: c_int = 1;
+pub const V_NODE_LIGHT: c_int = 2;
+pub const V_NODE_CAMERA: c_int = 3;
+
+/// The kinds of light.
+pub const V_LIGHT_DIRECTIONAL: c_int = 0;
+pub const V_LIGHT_POINT: c_int = 1;
+pub const V_LIGHT_SPOT: c_int = 2;
+
+/// How a motion goes on when it is over: its end stays; all over again (the
+/// period is the last frame less the first, at the seam the last value counts);
+/// back and forth; all over again from where it ended.
+///
+/// A path does the same before it begins. A track holds its first value there,
+/// unless one of V_BEFORE_... is added: V_AFTER_REPEAT | V_BEFORE_PINGPONG.
+pub const V_AFTER_HOLD: c_int = 0;
+pub const V_AFTER_REPEAT: c_int = 1;
+pub const V_AFTER_PINGPONG: c_int = 2;
+pub const V_AFTER_OFFSET: c_int = 3;
+pub const V_BEFORE_REPEAT: c_int = 16;
+pub const V_BEFORE_PINGPONG: c_int = 32;
+pub const V_BEFORE_OFFSET: c_int = 48;
+
+/// A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot), its
+/// world matrix that of its parent times the local one. Lights and cameras look
+/// along their own +z axis, +y up, and have pivot 0. What another kind of node
+/// does not have is not looked at.
+///
+/// Set size to sizeof (V_NODE) before any call, see V_ORIENTATION;
+/// v_node_init() does it.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct v_node {
+    /// sizeof (V_NODE)
+    pub size: usize,
+    /// V_NODE_GROUP, V_NODE_OBJECT, V_NODE_LIGHT or V_NODE_CAMERA
+    pub kind: c_int,
+    /// the node that it is in; -1: none
+    pub parent: c_int,
+    /// 0 hides it and all that is in it
+    pub visible: c_int,
+    /// lights and cameras: the node to whose pivot it looks; -1: none
+    pub aim: c_int,
+    /// the point that stays when the node turns and scales
+    pub pivot: [f64; 3],
+    pub position: [f64; 3],
+    /// w x y z, of any length but 0
+    pub rotation: [f64; 4],
+    pub scale: [f64; 3],
+    /// cameras: 1 to 100, see V_POSE
+    pub zoom: f64,
+    /// cameras: degrees, turns up about the view
+    pub roll: f64,
+    /// lights: V_LIGHT_DIRECTIONAL, V_LIGHT_POINT or V_LIGHT_SPOT
+    pub light: c_int,
+    /// lights and objects: linear red, green, blue, each 0 or more
+    pub colour: [f64; 3],
+    /// lights: 0 or more
+    pub intensity: f64,
+    /// lights: half angles in degrees, inner and outer, 0 to 90
+    pub cone: [f64; 2],
+    /// cameras: > 0
+    pub near_plane: f64,
+    /// cameras: > near_plane
+    pub far_plane: f64,
+}
+
+pub type V_NODE = v_node;
+
+/// A node at a frame. This layout will never change.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct v_node_state {
+    /// from the node's coordinates into the world's, column by column
+    pub matrix: [f64; 16],
+    /// cameras and lights; of others all 0
+    pub pose: V_POSE,
+    /// lights and objects
+    pub colour: [f64; 3],
+    /// lights
+    pub intensity: f64,
+    /// lights: half angles in degrees, inner and outer
+    pub cone: [f64; 2],
+    /// 1 if it and all that it is in is to be seen, else 0
+    pub visible: c_int,
+}
+
+pub type V_NODE_STATE = v_node_state;
+
+/// Points, and what connects them: with neither lines nor triangles points
+/// alone.
+///
+/// Set size to sizeof (V_MESH) before any call, see V_ORIENTATION.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct v_mesh {
+    /// sizeof (V_MESH)
+    pub size: usize,
+    /// three numbers a point
+    pub xyz: *const f64,
+    pub points: usize,
+    /// three bytes a point; NULL: no colours
+    pub rgb: *const c_uchar,
+    /// two indices a line; NULL: none
+    pub lines: *const c_uint,
+    /// number of indices, even
+    pub line_ends: usize,
+    /// three indices a triangle; NULL: none
+    pub triangles: *const c_uint,
+    /// number of indices, a multiple of 3
+    pub corners: usize,
+}
+
+pub type V_MESH = v_mesh;
+
+// SAFETY: of C's layout, `size` first, numbers only.
+unsafe impl Growing for V_NODE {
+    const FIRST: usize = size_of::<V_NODE>();
+    /// Every field is known since version 1.0; v_node_init() tells what is meant.
+    const DEFAULTS: Self = Self {
+        size: size_of::<V_NODE>(),
+        kind: 0,
+        parent: -1,
+        visible: 1,
+        aim: -1,
+        pivot: [0.0; 3],
+        position: [0.0; 3],
+        rotation: [1.0, 0.0, 0.0, 0.0],
+        scale: [1.0; 3],
+        zoom: 24.0,
+        roll: 0.0,
+        light: 0,
+        colour: [1.0; 3],
+        intensity: 1.0,
+        cone: [0.0; 2],
+        near_plane: 0.0,
+        far_plane: 0.0,
+    };
+}
+
+// SAFETY: of C's layout, `size` first, pointers and numbers only.
+unsafe impl Growing for V_MESH {
+    const FIRST: usize = size_of::<V_MESH>();
+    const DEFAULTS: Self = Self {
+        size: size_of::<V_MESH>(),
+        xyz: ptr::null(),
+        points: 0,
+        rgb: ptr::null(),
+        lines: ptr::null(),
+        line_ends: 0,
+        triangles: ptr::null(),
+        corners: 0,
+    };
+}
+
+// States are filled in place in the host's memory.
+const _: () = {
+    assert!(size_of::<v_node_state>() == size_of::<NodeState>());
+    assert!(align_of::<v_node_state>() == align_of::<NodeState>());
+    assert!(offset_of!(v_node_state, matrix) == offset_of!(NodeState, matrix));
+    assert!(offset_of!(v_node_state, pose) == offset_of!(NodeState, pose));
+    assert!(offset_of!(v_node_state, colour) == offset_of!(NodeState, colour));
+    assert!(offset_of!(v_node_state, intensity) == offset_of!(NodeState, intensity));
+    assert!(offset_of!(v_node_state, cone) == offset_of!(NodeState, cone));
+    assert!(offset_of!(v_node_state, visible) == offset_of!(NodeState, visible));
+};

@@ -1,0 +1,344 @@
+//! Scenes in `.vid` files: bit by bit there and back, every complaint with its
+//! line, and a camera alone as it always was.
+
+use glam::{DQuat, DVec3};
+use vides::deform::{Bounds, Deformation};
+use vides::document::{Document, SceneDocument};
+use vides::path::CameraPath;
+use vides::scene::{
+    Beyond, Camera, Channel, FollowPath, Interpolation, Kind, Light, Mesh, Node, Object, Scene,
+    Shape, Track,
+};
+
+fn track(
+    channel: &str,
+    interpolation: &str,
+    frames: &[f64],
+    values: &[f64],
+    shape: &[f64],
+) -> Track {
+    Track::new(
+        Channel::parse(channel).unwrap(),
+        Interpolation::parse(interpolation).unwrap(),
+        frames.to_vec(),
+        values.to_vec(),
+        shape.to_vec(),
+    )
+    .unwrap()
+}
+
+/// A scene with everything in it, and numbers that are hard to write.
+fn everything() -> SceneDocument {
+    let mut scene = Scene::new();
+    let mut world = Node::new("world", Kind::Group);
+    world.rest.position = DVec3::new(0.1 + 0.2, -0.0, 1e-300);
+    world.rest.rotation = DQuat::from_xyzw(1e-17, 0.3, -0.4, 5.0);
+    world.rest.visible = false;
+    world.pivot = DVec3::new(-0.0, 1.0, 1.0 / 3.0);
+    let world = scene.add(world).unwrap();
+    let mut body = Node::new("the \"body\"", Kind::Object(Object::default()));
+    body.parent = Some(world);
+    let body = scene.add(body).unwrap();
+    let points = vec![
+        DVec3::ZERO,
+        DVec3::X / 3.0,
+        DVec3::new(0.0, -0.0, 7e-5),
+        DVec3::ONE,
+    ];
+    let mesh = Mesh {
+        points: points.clone(),
+        colours: vec![[0, 128, 255]; 4],
+        lines: vec![[0, 1], [2, 3]],
+        triangles: vec![[0, 1, 2]],
+    };
+    scene.set_mesh(body, mesh).unwrap();
+    for name in ["happy", ""] {
+        let shape = Shape {
+            name: name.to_owned(),
+            points: points.iter().map(|p| *p * 1.1).collect(),
+            colours: Vec::new(),
+        };
+        scene.add_shape(body, shape).unwrap();
+    }
+    scene.set_weights(body, &[0.25, -0.0]).unwrap();
+    let bounds = Bounds::new(DVec3::splat(-0.1), DVec3::new(1.0, 2.0, -0.1)).unwrap();
+    let twist = Deformation::new("twist", &[2.0, 33.3]).unwrap();
+    scene.add_deformation(body, twist, Some(bounds)).unwrap();
+    let taper = Deformation::new("taper", &[0.0, 1.0, 0.5]).unwrap();
+    scene.add_deformation(body, taper, None).unwrap();
+    for track in [
+        track("weights", "linear", &[1.0, 9.5], &[0.0, 0.1, 1.0, 0.2], &[]),
+        track(
+            "deformation.0.angle",
+            "sine",
+            &[1.0, 2.0],
+            &[0.0, 720.0],
+            &[],
+        ),
+        track(
+            "rotation",
+            "euler-linear",
+            &[0.0, 10.0],
+            &[0.0, 0.0, 0.0, 0.0, 720.0, 0.0],
+            &[],
+        ),
+        track(
+            "position",
+            "hermite",
+            &[-5.0, 10.0],
+            &[0.1; 6],
+            &[1.0 / 3.0; 12],
+        ),
+        track("scale", "tcb", &[1.0, 2.0, 4.0], &[1.0; 9], &[0.3; 9]),
+        track("colour", "host:mine", &[1.0], &[1.0, 0.5, 0.0], &[]),
+        track(
+            "value:wind:2",
+            "cubic",
+            &[1.0, 2.0, 4.0],
+            &[1.0, 2.0, 5.0, 0.0, 1.0, 2.0],
+            &[],
+        ),
+        track("visible", "step", &[1.0, 2.0], &[1.0, 0.0], &[]),
+    ] {
+        let track = track.with_beyond(Beyond::Hold, Beyond::Repeat).unwrap();
+        scene.set_track(body, track).unwrap();
+    }
+    let mut lamp = Node::new("lamp", Kind::Light(Light::Spot));
+    lamp.rest.cone = [10.0, 20.5];
+    lamp.rest.intensity = 3.0;
+    lamp.rest.colour = [1.0, 0.9, 0.1];
+    lamp.aim = Some(body);
+    let lamp = scene.add(lamp).unwrap();
+    let path = || CameraPath {
+        closed: true,
+        ..CameraPath::default()
+    };
+    scene
+        .set_path(
+            lamp,
+            Some(FollowPath::new(path(), 12.5, Beyond::PingPong).unwrap()),
+        )
+        .unwrap();
+    let camera = Kind::Camera(Camera {
+        near: 0.5,
+        far: 70.0,
+    });
+    let mut camera = Node::new("camera", camera);
+    camera.rest.zoom = 35.5;
+    camera.rest.roll = -20.0;
+    let camera = scene.add(camera).unwrap();
+    let mut follow = CameraPath::default();
+    follow.presets[3].tension = -0.0;
+    scene
+        .set_path(
+            camera,
+            Some(FollowPath::new(follow, 1.0, Beyond::Hold).unwrap()),
+        )
+        .unwrap();
+    // A parent further down.
+    let mut late = Node::new("late", Kind::Group);
+    late.pivot = DVec3::ONE;
+    let late = scene.add(late).unwrap();
+    let mut moved = scene.nodes()[world].clone();
+    moved.parent = Some(late);
+    scene.set_node(world, &moved).unwrap();
+    scene.set_marker("meet", 40.0).unwrap();
+    scene.set_marker("again", 0.1).unwrap();
+    scene.pin(lamp, 1, Some("meet")).unwrap();
+    scene.pin(camera, 0, Some("again")).unwrap();
+    let mut document = SceneDocument::try_new().unwrap();
+    document.scene = scene;
+    document.info.title = "everything".to_owned();
+    document.info.fps = 24.0;
+    document
+}
+
+#[test]
+fn every_bit_comes_back() {
+    let document = everything();
+    let text = document.to_toml().unwrap();
+    let back = SceneDocument::from_toml(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    assert_eq!(back, document);
+    // `==` takes −0 for 0; the text does not.
+    assert_eq!(back.to_toml().unwrap(), text);
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("scene.vid");
+    document.save(&file).unwrap();
+    assert_eq!(SceneDocument::load(&file).unwrap(), document);
+}
+
+#[test]
+fn a_camera_alone_is_todays_file() {
+    let document = SceneDocument::try_new().unwrap();
+    let plain = Document::new().to_toml().unwrap();
+    assert_eq!(document.to_toml().unwrap(), plain);
+    assert_eq!(SceneDocument::from_toml(&plain).unwrap(), document);
+    // One number more, and it is a scene.
+    let mut zoomed = document.try_clone().unwrap();
+    let mut camera = zoomed.scene.nodes()[0].clone();
+    camera.rest.roll = -0.0;
+    zoomed.scene.set_node(0, &camera).unwrap();
+    let text = zoomed.to_toml().unwrap();
+    assert!(text.contains("roll_degrees = -0.0\n"));
+    let back = SceneDocument::from_toml(&text).unwrap();
+    assert_eq!(back.to_toml().unwrap(), text);
+    let error = Document::from_toml(&text).unwrap_err().to_string();
+    assert!(
+        error.contains("this is a scene with 1 nodes, not a path alone"),
+        "{error}"
+    );
+    // Nothing at all is a scene too.
+    let mut empty = SceneDocument::try_new().unwrap();
+    empty.scene.remove(0).unwrap();
+    let text = empty.to_toml().unwrap();
+    assert_eq!(SceneDocument::from_toml(&text).unwrap(), empty);
+}
+
+#[test]
+fn complaints_name_line_node_channel_and_key() {
+    let cases = [
+        (
+            "[[node]]\nkind = \"group\"\n",
+            "line 2: node: this node has no name",
+        ),
+        (
+            "[[node]]\nname = \"a\"\n",
+            "line 2: node: this node has no kind",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"car\"\n",
+            "line 4: kind: must be \"group\"",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"group\"\nzoom = 3\n",
+            "line 5: unknown key \"zoom\"",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"group\"\nparent = \"b\"\n",
+            "line 5: parent: there is no node \"b\"",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"group\"\nparent = \"a\"\n",
+            "line 2: node \"a\": it cannot be in itself",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"group\"\nparent = \"b\"\n[[node]]\nname = \"b\"\nkind = \"group\"\nparent = \"a\"\n",
+            "cannot be in",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"group\"\n[[node]]\nname = \"a\"\nkind = \"group\"\n",
+            "line 5: there is a node \"a\" already",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"group\"\n[[node.track]]\nchannel = \"position\"\ninterpolation = \"linear\"\nframes = [1, 1]\nvalues = [[0,0,0],[0,0,0]]\n",
+            "line 5: node \"a\": channel \"position\": key 2: its frame must lie behind",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"group\"\n[[node.track]]\nchannel = \"zoom\"\ninterpolation = \"linear\"\nframes = [1]\nvalues = [5]\n",
+            "line 5: node \"a\": channel \"zoom\": a group has no channel \"zoom\"",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"group\"\n[[node.track]]\nchannel = \"position\"\ninterpolation = \"linear\"\nframes = [1, 2]\nvalues = [[0,0,0],[0,0]]\n",
+            "line 9: values: expected 3 numbers, found 2",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"group\"\n[[node.track]]\nchannel = \"position\"\ninterpolation = \"linear\"\nframes = [1, 2]\nvalues = [[0,0,nan],[0,0,0]]\n",
+            "line 9: values: the number must be finite",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"object\"\n[node.mesh]\npoints = [[0,0,0]]\ntriangles = [[0,0,1]]\n",
+            "there is no point 1 among 1",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"camera\"\nnear = 3\nfar = 2\n",
+            "line 2: node \"a\": a camera's near plane",
+        ),
+        (
+            "closed = true\n[[node]]\nname = \"a\"\nkind = \"group\"\n",
+            "in a scene \"closed\" belongs to the path of a node",
+        ),
+        (
+            "[[marker]]\nname = \"m\"\n",
+            "line 2: marker: a marker has a name and a frame",
+        ),
+        (
+            "[[node]]\nname = \"a\"\nkind = \"group\"\n[node.path]\npins = [{ point = 0, marker = \"m\" }]\n[[node.path.point]]\nposition = [0,0,0]\n[[node.path.point]]\nposition = [1,0,0]\n",
+            "line 6: node \"a\": there is no marker \"m\"",
+        ),
+    ];
+    for (text, want) in cases {
+        let text = format!("version = 1\n{text}");
+        let error = SceneDocument::from_toml(&text).unwrap_err().to_string();
+        assert!(error.contains(want), "{text}\n{error}\nwant {want}");
+    }
+}
+
+#[test]
+fn large_scenes_load_in_time_that_grows_with_them() {
+    let make = |count: usize| {
+        let mut scene = Scene::new();
+        for k in 0..count {
+            let mut node = Node::new(&format!("node {k}"), Kind::Group);
+            node.parent = (k > 0).then_some(k / 10);
+            let node = scene.add(node).unwrap();
+            let keys = track("position", "linear", &[1.0, 2.0], &[k as f64; 6], &[]);
+            scene.set_track(node, keys).unwrap();
+        }
+        let mut document = SceneDocument::try_new().unwrap();
+        document.scene = scene;
+        document
+    };
+    let time = |count: usize| {
+        let document = make(count);
+        let text = document.to_toml().unwrap();
+        let start = std::time::Instant::now();
+        assert_eq!(SceneDocument::from_toml(&text).unwrap(), document);
+        start.elapsed().as_secs_f64()
+    };
+    let best = |count| (0..3).map(|_| time(count)).fold(f64::INFINITY, f64::min);
+    let (few, many) = (best(1_000), best(10_000));
+    println!(
+        "1,000 nodes {:.1} ms, 10,000 nodes {:.1} ms",
+        1e3 * few,
+        1e3 * many
+    );
+    assert!(many < 40.0 * few, "{few} {many}");
+    let frames: Vec<f64> = (0..1_000_000).map(f64::from).collect();
+    let mut document = make(1);
+    let keys = track("roll", "linear", &frames, &frames, &[]);
+    let camera = document
+        .scene
+        .add(Node::new("eye", Kind::Camera(Camera::default())))
+        .unwrap();
+    document.scene.set_track(camera, keys).unwrap();
+    let text = document.to_toml().unwrap();
+    let start = std::time::Instant::now();
+    assert_eq!(SceneDocument::from_toml(&text).unwrap(), document);
+    println!(
+        "1,000,000 keys {:.0} ms",
+        1e3 * start.elapsed().as_secs_f64()
+    );
+}
+
+/// The car of the examples drives, and the camera looks at it.
+#[test]
+fn the_example_plays() {
+    let document = SceneDocument::load("examples/car.vid".as_ref()).unwrap();
+    let scene = &document.scene;
+    assert_eq!(scene.frame_range(), (1.0, 76.0));
+    let [car, camera] = ["car", "camera"].map(|name| scene.find(name).unwrap());
+    let mut states = vec![vides::scene::NodeState::default(); scene.nodes().len()];
+    for frame in 1..200 {
+        let mut troubles = vides::scene::Troubles::default();
+        scene
+            .evaluate(f64::from(frame), &mut states, &mut troubles)
+            .unwrap();
+        assert!(troubles.first().is_none());
+        let place = DVec3::from_slice(&states[car].matrix[12..15]);
+        let pose = states[camera].pose;
+        let view = (place - DVec3::from(pose.vrp)).normalize();
+        assert!((view - DVec3::from(pose.vpn)).length() < 1e-12);
+    }
+    let back = SceneDocument::from_toml(&document.to_toml().unwrap()).unwrap();
+    assert_eq!(back, document);
+}
