@@ -10,7 +10,7 @@ use vides::document::{Document, Edit};
 use vides::path::{CurveKind, Ease, EaseKind, Own, Pace, Tangents, own};
 
 fn document(random: &mut Random) -> Document {
-    let path = random.path();
+    let path = random.path(30.0);
     Document::from_parts(path, Default::default()).expect("a path")
 }
 
@@ -63,7 +63,7 @@ fn edits(random: &mut Random, document: &Document) -> Vec<Edit> {
 
 #[test]
 fn each_edit_is_undone_and_saved_to_the_last_bit() {
-    let mut random = Random(71);
+    let mut random = Random::new(71);
     let (mut done, mut inserted) = (0, 0);
     for _ in 0..150 {
         let mut document = document(&mut random);
@@ -129,9 +129,18 @@ fn a_wrong_value_is_told_with_its_line() {
     };
     let refused = |text: &str| Document::from_toml(text).unwrap_err().to_string();
     for (orientation, said) in [
-        ("frames = -1", "line 6: frames: must lie between 0 and 100000000"),
-        ("ahead = -0.5", "line 6: ahead: the distance ahead must lie between 0 and 1e9"),
-        ("ease = { kind = \"bouncy\" }", "line 6: kind: must be \"sine\" or \"parabolic\""),
+        (
+            "frames = -1",
+            "line 6: frames: must lie between 0 and 100000000",
+        ),
+        (
+            "ahead = -0.5",
+            "line 6: ahead: the distance ahead must lie between 0 and 1e9",
+        ),
+        (
+            "ease = { kind = \"bouncy\" }",
+            "line 6: kind: must be \"sine\" or \"parabolic\"",
+        ),
         (
             "ease = { rise = 0.7, fall = 0.4 }",
             "line 6: ease: the shares of time for speeding up and slowing down must not be negative, and together not exceed 1",
@@ -156,7 +165,10 @@ fn a_wrong_value_is_told_with_its_line() {
             "velocity_degrees = { reach = [0, 0, 0] }",
             "line 6: velocity_degrees: both reach and leave must be given",
         ),
-        ("zoom_slope_mm = 1e7", "line 6: zoom_slope_mm: a velocity or slope must not exceed 1000000"),
+        (
+            "zoom_slope_mm = 1e7",
+            "line 6: zoom_slope_mm: a velocity or slope must not exceed 1000000",
+        ),
         (
             "turning_part = { control = [[1, 0, 0, 0]] }",
             "line 6: control: expected 4 quaternions, found 1",
@@ -168,10 +180,19 @@ fn a_wrong_value_is_told_with_its_line() {
     ] {
         let found = refused(&file(orientation, ""));
         // Of two keys the alphabetically later one complains.
-        assert!(found == said || found.ends_with(&said[20..]), "{orientation}: {found}");
+        assert!(
+            found == said || found.ends_with(&said[20..]),
+            "{orientation}: {found}"
+        );
     }
-    let found = refused(&file("", "tangents = { before = [0, 0, 0], after = [0, 0] }"));
+    let found = refused(&file(
+        "",
+        "tangents = { before = [0, 0, 0], after = [0, 0] }",
+    ));
     assert_eq!(found, "line 4: after: expected 3 numbers, found 2");
     let found = refused("version = 1\ncurve = \"round\"\n");
-    assert_eq!(found, "line 2: curve: must be \"tcb\", \"cubic\" or \"linear\"");
+    assert_eq!(
+        found,
+        "line 2: curve: must be \"tcb\", \"cubic\" or \"linear\""
+    );
 }

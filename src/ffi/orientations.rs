@@ -222,14 +222,7 @@ pub unsafe extern "C" fn v_path_get_orientation(
         let out = Out::new(o)?;
         // SAFETY: not NULL, and every version begins with `size`.
         check_size::<V_ORIENTATION>(unsafe { ptr::read(&raw const (*o).size) })?;
-        let values = read(path, |document| {
-            let orientations = &self::point(document, point)?.1.orientations;
-            Ok(orientations.get(index(at)?).map(to_c).ok_or_else(|| {
-                Error::Range(sentence(format_args!(
-                    "point {point} has no orientation {at}, counted from 0"
-                )))
-            })?)
-        })?;
+        let values = read(path, |document| Ok(to_c(orientation(document, point, at)?)))?;
         // SAFETY: room for the struct: its size says so.
         unsafe { out.write(values) };
         Ok(V_OK)
