@@ -787,8 +787,8 @@ int v_path_set_tangents(V_PATH *path,
 /**
  * The tangents with which the curve passes a support point, and whether they
  * are its own (1) or not (0). At an end of an open path both are that of the
- * one side. Setting what this gives changes no bit of the curve next to the
- * point. Each result may be NULL.
+ * one side. Setting what this gives changes no bit of the curve (of a cubic
+ * spline no more than rounding). Each result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_tangents(const V_PATH *path,
