@@ -115,6 +115,33 @@
 #define V_EASE_SINE 0
 #define V_EASE_PARABOLIC 1
 
+/** The kinds of node. */
+#define V_NODE_GROUP 0
+#define V_NODE_OBJECT 1
+#define V_NODE_LIGHT 2
+#define V_NODE_CAMERA 3
+
+/** The kinds of light. */
+#define V_LIGHT_DIRECTIONAL 0
+#define V_LIGHT_POINT 1
+#define V_LIGHT_SPOT 2
+
+/**
+ * How a motion goes on when it is over: its end stays; all over again (the
+ * period is the last frame less the first, at the seam the last value counts);
+ * back and forth; all over again from where it ended.
+ *
+ * A path does the same before it begins. A track holds its first value there,
+ * unless one of V_BEFORE_... is added: V_AFTER_REPEAT | V_BEFORE_PINGPONG.
+ */
+#define V_AFTER_HOLD 0
+#define V_AFTER_REPEAT 1
+#define V_AFTER_PINGPONG 2
+#define V_AFTER_OFFSET 3
+#define V_BEFORE_REPEAT 16
+#define V_BEFORE_PINGPONG 32
+#define V_BEFORE_OFFSET 48
+
 
 /* ---- The types of the interface of 1994 -------------------------------------- */
 
@@ -241,6 +268,122 @@ struct v_pose {
 };
 
 typedef struct v_pose V_POSE;
+
+/**
+ * A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot), its
+ * world matrix that of its parent times the local one. Lights and cameras look
+ * along their own +z axis, +y up, and have pivot 0. What another kind of node
+ * does not have is not looked at.
+ *
+ * Set size to sizeof (V_NODE) before any call, see V_ORIENTATION;
+ * v_node_init() does it.
+ */
+struct v_node {
+    /** sizeof (V_NODE) */
+    size_t size;
+    /** V_NODE_GROUP, V_NODE_OBJECT, V_NODE_LIGHT or V_NODE_CAMERA */
+    int kind;
+    /** the node that it is in; -1: none */
+    int parent;
+    /** 0 hides it and all that is in it */
+    int visible;
+    /** lights and cameras: the node to whose pivot it looks; -1: none */
+    int aim;
+    /** the point that stays when the node turns and scales */
+    double pivot[3];
+    double position[3];
+    /** w x y z, of any length but 0 */
+    double rotation[4];
+    double scale[3];
+    /** cameras: 1 to 100, see V_POSE */
+    double zoom;
+    /** cameras: degrees, turns up about the view */
+    double roll;
+    /** lights: V_LIGHT_DIRECTIONAL, V_LIGHT_POINT or V_LIGHT_SPOT */
+    int light;
+    /** lights and objects: linear red, green, blue, each 0 or more */
+    double colour[3];
+    /** lights: 0 or more */
+    double intensity;
+    /** lights: half angles in degrees, inner and outer, 0 to 90 */
+    double cone[2];
+    /** cameras: > 0 */
+    double near_plane;
+    /** cameras: > near_plane */
+    double far_plane;
+};
+
+typedef struct v_node V_NODE;
+
+
+/* ---- Scenes ------------------------------------------------------------------ */
+
+/**
+ * Everything that moves on one timeline, by a handle (see V_PATH): a tree of
+ * nodes. Whoever made it frees it with v_scene_free(). Nodes are numbered from 0.
+ *
+ * Within a function of v_register_interpolation() functions of scenes but
+ * v_scene_free() answer V_ERR_BUSY.
+ */
+typedef struct v_scene V_SCENE;
+
+/**
+ * Computes the value of a channel at a frame between its first and its last key:
+ * frames of the keys, their values key by key, width numbers each. Writes width
+ * numbers to value and returns V_OK; any other answer, or a number that is not
+ * finite, and the channel steps from key to key.
+ */
+typedef int (*V_INTERPOLATE)(const double *frames,
+                             const double *values,
+                             size_t width,
+                             size_t keys,
+                             double frame,
+                             double *value,
+                             void *user);
+
+/**
+ * Points, and what connects them: with neither lines nor triangles points
+ * alone.
+ *
+ * Set size to sizeof (V_MESH) before any call, see V_ORIENTATION.
+ */
+struct v_mesh {
+    /** sizeof (V_MESH) */
+    size_t size;
+    /** three numbers a point */
+    const double *xyz;
+    size_t points;
+    /** three bytes a point; NULL: no colours */
+    const unsigned char *rgb;
+    /** two indices a line; NULL: none */
+    const unsigned int *lines;
+    /** number of indices, even */
+    size_t line_ends;
+    /** three indices a triangle; NULL: none */
+    const unsigned int *triangles;
+    /** number of indices, a multiple of 3 */
+    size_t corners;
+};
+
+typedef struct v_mesh V_MESH;
+
+/** A node at a frame. This layout will never change. */
+struct v_node_state {
+    /** from the node's coordinates into the world's, column by column */
+    double matrix[16];
+    /** cameras and lights; of others all 0 */
+    V_POSE pose;
+    /** lights and objects */
+    double colour[3];
+    /** lights */
+    double intensity;
+    /** lights: half angles in degrees, inner and outer */
+    double cone[2];
+    /** 1 if it and all that it is in is to be seen, else 0 */
+    int visible;
+};
+
+typedef struct v_node_state V_NODE_STATE;
 
 
 /* ---- Editor windows ---------------------------------------------------------- */
@@ -520,10 +663,12 @@ int v_path_clone(const V_PATH *path, V_PATH **copy);
 void v_path_free(V_PATH *path);
 
 /**
- * Reads a path from a .vid file. file is a name as open() takes it. *path is
- * the caller's, to be freed with v_path_free().
+ * Reads a path from a .vid file; of a scene (v_scene_load()) that of its first
+ * camera on a path. file is a name as open() takes it. *path is the caller's, to
+ * be freed with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
- * line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
+ * line and reason in v_last_error()), V_ERR_ARGUMENT (a scene without such a
+ * camera), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
  * runs out while the text itself is read or parsed ends the program.
  */
 int v_path_load(const char *file, V_PATH **path);
@@ -1140,6 +1285,381 @@ int v_path_write_ascii_to_memory(const V_PATH *path,
                                  char *text,
                                  size_t capacity,
                                  size_t *length);
+
+/**
+ * A node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, in
+ * none, aiming at none, zoom 24, white, intensity 1, a cone of 20 and 30
+ * degrees, planes at 0.01 and 1000. Sets size. A kind that is none stays as it
+ * is and is refused where the node is used.
+ * Any thread; from callbacks too. NULL does no harm; v_last_error() tells.
+ */
+void v_node_init(V_NODE *node, int kind);
+
+/**
+ * A new scene: one camera, "camera", on the path of v_path_new(), from frame 1
+ * on. *scene is the caller's, to be freed with v_scene_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
+ */
+int v_scene_new(V_SCENE **scene);
+
+/**
+ * Reads a scene from a .vid file; one with a path alone is that of a camera on
+ * it. file is a name as open() takes it. *scene is the caller's, to be freed
+ * with v_scene_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
+ * line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
+ * runs out while the text itself is read or parsed ends the program.
+ */
+int v_scene_load(const char *file, V_SCENE **scene);
+
+/**
+ * Writes a scene into a .vid file, as v_path_save() writes a path: afterwards
+ * the file is wholly the old or wholly the new one.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
+ * V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the file is
+ * opened or written may end the program; the old file stays.
+ */
+int v_scene_save(const V_SCENE *scene, const char *file);
+
+/**
+ * An independent copy of a scene; geometry is shared until one of them changes
+ * it. *copy is the caller's, to be freed with v_scene_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY,
+ * V_ERR_MEMORY, V_ERR_LIMIT.
+ */
+int v_scene_clone(const V_SCENE *scene, V_SCENE **copy);
+
+/**
+ * Frees a scene, see v_path_free(). NULL is no error.
+ * Any thread; from callbacks too.
+ */
+void v_scene_free(V_SCENE *scene);
+
+
+/* ---- Nodes ------------------------------------------------------------------- */
+
+/**
+ * How many nodes a scene has.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ */
+int v_scene_node_count(const V_SCENE *scene, int *count);
+
+/**
+ * Adds a node behind the others; *node is its number (NULL: not wanted). name
+ * is unique in its scene: UTF-8, one line, not empty.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_BUSY, V_ERR_MEMORY.
+ */
+int v_scene_add_node(V_SCENE *scene,
+                     const char *name,
+                     const V_NODE *values,
+                     int *node);
+
+/**
+ * Removes a node with all that is in it. The numbers behind move up; who aimed
+ * at one of them aims at none.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+ */
+int v_scene_remove_node(V_SCENE *scene, int node);
+
+/**
+ * The number of the node with this name.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
+ * such node), V_ERR_BUSY.
+ */
+int v_scene_find_node(const V_SCENE *scene, const char *name, int *node);
+
+/**
+ * A node's name. The text belongs to the library and is valid until the same
+ * thread's next call of this function or of v_scene_get_track().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_BUSY.
+ */
+int v_scene_get_name(const V_SCENE *scene, int node, const char **name);
+
+/**
+ * Gives a node another name, see v_scene_add_node().
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
+ */
+int v_scene_set_name(V_SCENE *scene, int node, const char *name);
+
+/**
+ * A node at rest. values->size must be set.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+ * V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_get_node(const V_SCENE *scene, int node, V_NODE *values);
+
+/**
+ * Gives a node other values; its kind stays. With another parent it stays where
+ * it is in the world at the scene's first frame: position, rotation and scale
+ * are taken as of the old parent. A node that moves can only be given to a
+ * parent that lies as the old one does.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (cycles among them), V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ */
+int v_scene_set_node(V_SCENE *scene, int node, const V_NODE *values);
+
+
+/* ---- What moves a node ------------------------------------------------------- */
+
+/**
+ * Gives a node a path to follow, copied; NULL: none. Its pose n is shown at the
+ * scene's frame start_frame + n - 1. after: V_AFTER_HOLD, V_AFTER_REPEAT or
+ * V_AFTER_PINGPONG, before the path too. A path moves position, rotation and
+ * zoom, in the parent's coordinates; a node that has a track of one of them
+ * takes none.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
+ */
+int v_scene_set_path(V_SCENE *scene,
+                     int node,
+                     const V_PATH *path,
+                     double start_frame,
+                     int after);
+
+/**
+ * A copy of the path that a node follows. *path is the caller's, to be freed
+ * with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it
+ * follows none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ */
+int v_scene_get_path(const V_SCENE *scene, int node, V_PATH **path);
+
+/**
+ * Sets a marker, or moves the one of this name (UTF-8, one line, not empty).
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
+ */
+int v_scene_set_marker(V_SCENE *scene, const char *name, double frame);
+
+/**
+ * Pins a support point of a node's path to a marker; NULL frees it. Pins are
+ * kept and saved.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
+ */
+int v_scene_pin(V_SCENE *scene, int node, int point, const char *marker);
+
+
+/* ---- Tracks ------------------------------------------------------------------ */
+
+/**
+ * Sets the keys of a channel in place of older ones; with 0 keys there is none
+ * any more.
+ *
+ * channel: "position", "rotation" (w x y z), "scale", "visible" (0 or 1); of
+ * cameras "zoom", "roll"; of lights "colour", "intensity", "cone"; of objects
+ * "colour", "weights" (one for each shape) and "deformation.N.NAME" (N from 0;
+ * NAME as v_deform() lists them); of cameras and lights "aim_weight" (0 to 1);
+ * and "value:NAME" or "value:NAME:W", W numbers (1 to 16) for the host.
+ *
+ * interpolation: "step", "linear", "ramp", "sine", "parabolic", "catmull-rom",
+ * "hermite", "tcb", "cubic" (not of rotations), "host:NAME"; of rotations also
+ * "euler-linear" and "euler-catmull-rom", with three numbers a key: yaw, pitch
+ * and roll in degrees. "visible" takes "step" alone.
+ *
+ * frames: strictly increasing. values: keys x width numbers, key by key. shape:
+ * for "hermite" each key's tangent before and after it (2 x width, per frame);
+ * for "tcb" tension, continuity and bias; else NULL. after: what follows the
+ * last key, V_AFTER_..., and what goes before the first one, V_BEFORE_...
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
+ */
+int v_scene_set_track(V_SCENE *scene,
+                      int node,
+                      const char *channel,
+                      const char *interpolation,
+                      const double *frames,
+                      const double *values,
+                      const double *shape,
+                      size_t keys,
+                      int after);
+
+/**
+ * The keys of a channel as they were set; *keys is how many, 0 if there is no
+ * track (then *interpolation is ""). capacity is the number of keys that
+ * frames, values and shape have room for; each of them may be NULL, as any
+ * other result. The text belongs to the library and is valid until the same
+ * thread's next call of this function or of v_scene_get_name().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more keys than room), V_ERR_BUSY.
+ */
+int v_scene_get_track(const V_SCENE *scene,
+                      int node,
+                      const char *channel,
+                      const char **interpolation,
+                      size_t capacity,
+                      double *frames,
+                      double *values,
+                      double *shape,
+                      size_t *keys,
+                      int *after);
+
+/**
+ * Makes a function known as the interpolation "host:NAME" of every scene of the
+ * process, in place of an older one; NULL takes it away. It is called by
+ * whatever thread evaluates a scene, and must not use scenes itself.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
+ */
+int v_register_interpolation(const char *name, V_INTERPOLATE function, void *user);
+
+
+/* ---- Objects ----------------------------------------------------------------- */
+
+/**
+ * Sets the geometry of an object, copied. A mesh has as many points as the
+ * object's shapes, if it has any.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_BUSY, V_ERR_MEMORY.
+ */
+int v_scene_set_geometry(V_SCENE *scene, int node, const V_MESH *mesh);
+
+/**
+ * Adds a shape to an object: other places for all its points. Its weight is 0;
+ * the channel "weights" has one number for each shape, and the mesh takes what
+ * is left of 1.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
+ */
+int v_scene_add_shape(V_SCENE *scene,
+                      int node,
+                      const char *name,
+                      const double *xyz,
+                      size_t points);
+
+/**
+ * Adds a deformation (see v_deform()) to an object, behind the others; *at is
+ * its number (NULL: not wanted). box NULL: the bounds of the geometry at rest.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
+ */
+int v_scene_add_deformation(V_SCENE *scene,
+                            int node,
+                            const char *kind,
+                            const double *parameters,
+                            size_t count,
+                            const double box[6],
+                            int *at);
+
+/**
+ * Removes a deformation with its tracks. The numbers behind move up, in the
+ * names of channels too.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+ */
+int v_scene_remove_deformation(V_SCENE *scene, int node, int at);
+
+/**
+ * Deforms points in place. u, v, w run from -1 to 1 along the box (min x y z,
+ * max x y z); a flat side gives coordinate 0 and stays. Axes are 0, 1, 2, angles
+ * degrees. In brackets the names of what can move, see v_scene_set_track().
+ *
+ * "taper"      axis a [a]: the other two times 1 + (a-1)(1-u^2)
+ * "taper"      axis r0 r1 [r0 r1]: from r0 at one end to r1 at the other
+ * "twist"      axis angle [angle]: about the axis, from 0 to angle
+ * "bend"       axis angle [angle]: about the axis; the middle stays
+ * "bend"       axis_u axis_v u0 v0 phi_min phi_max [the last four]: u becomes
+ *              the angle about (u0, v0), v - v0 the distance from it
+ * "free-form"  64 points, 3 numbers each [points]: a Bezier volume over the box,
+ *              the first index fastest; (-1, -1, -1), (-1/3, -1, -1) ... is the
+ *              identity. Points outside the box stay
+ *
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_deform(const char *kind,
+             const double *parameters,
+             size_t count,
+             const double box[6],
+             double *xyz,
+             size_t points);
+
+
+/* ---- The scene at a frame ---------------------------------------------------- */
+
+/**
+ * The first and the last frame of all paths and keys; 1 and 1 if nothing moves.
+ * Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_BUSY.
+ */
+int v_scene_frame_range(const V_SCENE *scene, double *first, double *last);
+
+/**
+ * The states of all nodes at a frame, any finite number, by the nodes' numbers.
+ * *count (NULL: not wanted) is how many. states NULL: only that.
+ *
+ * A channel whose interpolation is the host's and is not registered, fails or
+ * gives no finite number steps from key to key: the rest plays, the answer is
+ * V_OK, and v_last_error() tells.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
+ * than the nodes), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
+ */
+int v_scene_evaluate(const V_SCENE *scene,
+                     double frame,
+                     V_NODE_STATE *states,
+                     size_t capacity,
+                     size_t *count);
+
+/**
+ * count states of one node, at the frames first, first + step and so on. What
+ * v_scene_evaluate() says of a host's interpolation holds here too.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ */
+int v_scene_sample(const V_SCENE *scene,
+                   int node,
+                   double first,
+                   double step,
+                   V_NODE_STATE *states,
+                   size_t count);
+
+/**
+ * The numbers of a channel (see v_scene_set_track()) at a frame, with or without
+ * a track; *width (NULL: not wanted) is how many. values NULL: only that. What
+ * v_scene_evaluate() says of a host's interpolation holds here too.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
+ * than the channel has), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * V_ERR_MEMORY.
+ */
+int v_scene_value(const V_SCENE *scene,
+                  int node,
+                  const char *channel,
+                  double frame,
+                  double *values,
+                  size_t capacity,
+                  size_t *width);
+
+/**
+ * The points of an object at a frame, morphed and deformed, in the node's own
+ * coordinates: three numbers each, capacity counts points; *points (NULL: not
+ * wanted) is how many. xyz NULL: only that. What v_scene_evaluate() says of a
+ * host's interpolation holds here too.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more
+ * points than room), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
+ * V_ERR_MEMORY.
+ */
+int v_scene_vertices(const V_SCENE *scene,
+                     int node,
+                     double frame,
+                     double *xyz,
+                     size_t capacity,
+                     size_t *points);
 
 /**
  * The options' defaults: size, and everything else NULL or 0. NULL does

@@ -78,7 +78,7 @@ impl Raw {
             turning: Tcb::new(self.x[5], 0.0, -0.0),
             speeds,
             hold: (self.b % 3) as u32,
-            own: vides::path::MayOwn::default(),
+            ..Orientation::default()
         }
     }
 

@@ -10,7 +10,7 @@ use vides::document::{Document, Edit};
 use vides::path::{CurveKind, Ease, EaseKind, Own, Pace, Tangents, own};
 
 fn document(random: &mut Random) -> Document {
-    let path = random.path(50.0);
+    let path = random.path(30.0);
     Document::from_parts(path, Default::default()).expect("a path")
 }
 
@@ -108,6 +108,12 @@ fn what_an_insertion_left_goes_with_the_values_that_are_changed() {
             })
             .unwrap();
     };
+    // Two keys alone are joined by a straight line, which needs no slope.
+    let position = DVec3::new(0.1, 0.9, 0.0);
+    document
+        .apply(Edit::InsertPoint { at: 2, position })
+        .unwrap();
+    change(&mut document, 2, Some(25.0), None);
     change(&mut document, 0, None, Some(10.0));
     change(&mut document, 1, Some(80.0), None);
     document.apply(Edit::InsertOnCurve { frame: 40.0 }).unwrap();

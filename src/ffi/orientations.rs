@@ -231,14 +231,7 @@ pub unsafe extern "C" fn v_path_get_orientation(
     border(V_ERR_INTERNAL, || {
         // SAFETY: a struct as its size says, as the header demands.
         let out = unsafe { GrowingOut::new(o) }?;
-        let values = read(path, |document| {
-            let orientations = &self::point(document, point)?.1.orientations;
-            Ok(orientations.get(index(at)?).map(to_c).ok_or_else(|| {
-                Error::Range(sentence(format_args!(
-                    "point {point} has no orientation {at}, counted from 0"
-                )))
-            })?)
-        })?;
+        let values = read(path, |document| Ok(to_c(orientation(document, point, at)?)))?;
         // SAFETY: as above.
         unsafe { out.write(values) };
         Ok(V_OK)

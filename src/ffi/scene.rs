@@ -355,7 +355,7 @@ pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c
 
 /// Adds a node behind the others; *node is its number (NULL: not wanted). name
 /// is unique in its scene: UTF-8, one line, not empty.
-/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
 /// V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -390,7 +390,7 @@ pub(super) fn copy(text: &str) -> Result<String> {
 
 /// Removes a node with all that is in it. The numbers behind move up; who aimed
 /// at one of them aims at none.
-/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
@@ -446,7 +446,7 @@ pub unsafe extern "C" fn v_scene_get_name(
 }
 
 /// Gives a node another name, see v_scene_add_node().
-/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -486,7 +486,7 @@ pub unsafe extern "C" fn v_scene_get_node(
 /// it is in the world at the scene's first frame: position, rotation and scale
 /// are taken as of the old parent. A node that moves can only be given to a
 /// parent that lies as the old one does.
-/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (cycles among them), V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -515,7 +515,7 @@ pub unsafe extern "C" fn v_scene_set_node(
 /// V_AFTER_PINGPONG, before the path too. A path moves position, rotation and
 /// zoom, in the parent's coordinates; a node that has a track of one of them
 /// takes none.
-/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -571,7 +571,7 @@ pub unsafe extern "C" fn v_scene_get_path(
 }
 
 /// Sets a marker, or moves the one of this name (UTF-8, one line, not empty).
-/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -592,7 +592,7 @@ pub unsafe extern "C" fn v_scene_set_marker(
 
 /// Pins a support point of a node's path to a marker; NULL frees it. Pins are
 /// kept and saved.
-/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]

@@ -80,7 +80,7 @@ fn width(scene: *const V_SCENE, node: usize, channel: &Channel, euler: bool) -> 
 /// for "hermite" each key's tangent before and after it (2 x width, per frame);
 /// for "tcb" tension, continuity and bias; else NULL. after: what follows the
 /// last key, V_AFTER_..., and what goes before the first one, V_BEFORE_...
-/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -320,7 +320,7 @@ pub unsafe extern "C" fn v_register_interpolation(
 ///
 /// Sets the geometry of an object, copied. A mesh has as many points as the
 /// object's shapes, if it has any.
-/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
 /// V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -388,7 +388,7 @@ unsafe fn indices<const N: usize>(from: *const u32, count: usize) -> Answer<Vec<
 /// Adds a shape to an object: other places for all its points. Its weight is 0;
 /// the channel "weights" has one number for each shape, and the mesh takes what
 /// is left of 1.
-/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -438,7 +438,7 @@ fn bounds(corners: [f64; 6]) -> Result<Bounds> {
 
 /// Adds a deformation (see v_deform()) to an object, behind the others; *at is
 /// its number (NULL: not wanted). box NULL: the bounds of the geometry at rest.
-/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
@@ -474,7 +474,7 @@ pub unsafe extern "C" fn v_scene_add_deformation(
 
 /// Removes a deformation with its tracks. The numbers behind move up, in the
 /// names of channels too.
-/// Any thread that has the scene for itself; from callbacks too. V_ERR_NULL,
+/// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_deformation(

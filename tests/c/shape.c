@@ -33,7 +33,10 @@ static size_t frames_of(const V_PATH *path)
 static V_POSE *poses_of(const V_PATH *path, size_t count)
 {
     V_POSE *poses = calloc(count, sizeof *poses);
-    OK(v_path_sample(path, 1, poses, count));
+    size_t found = 0;
+
+    OK(v_path_sample(path, poses, count, &found));
+    CHECK(found == count);
     return poses;
 }
 
@@ -210,11 +213,12 @@ static void fixed_frames(void)
 static void along_the_way(void)
 {
     V_PATH *path = three_points();
-    V_ORIENTATION o = {sizeof o};
+    V_ORIENTATION o;
     V_POSE pose;
     double to[3], length;
     int at, k;
 
+    v_orientation_init(&o);
     OK(v_path_set_curve(path, "linear"));
     for (at = 0; at < 3; at++)
         OK(v_path_set_ahead(path, at, 0, 0));

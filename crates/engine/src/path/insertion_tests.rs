@@ -14,7 +14,7 @@ pub(crate) fn random_path(random: &mut Random, round: usize) -> CameraPath {
     }
     let target = 3.0 * vector(random);
     // Not a closed path of two points: it runs straight there and back.
-    let closed = round % 3 == 0;
+    let closed = round.is_multiple_of(3);
     let count = 2 + usize::from(closed) + (random.unit() * 5.0) as usize;
     let points = (0..count).map(|_| {
         let orientations = 1 + (random.unit() * 1.5) as usize;
@@ -92,12 +92,12 @@ pub(crate) fn random_path(random: &mut Random, round: usize) -> CameraPath {
             CurveKind::Cubic,
             CurveKind::Linear,
         ][round % 4],
-        orientation_mode: if round % 7 == 0 {
+        orientation_mode: if round.is_multiple_of(7) {
             OrientationMode::Slerp
         } else {
             OrientationMode::Tcb
         },
-        zoom_mode: if round % 5 == 0 {
+        zoom_mode: if round.is_multiple_of(5) {
             ZoomMode::Linear
         } else {
             ZoomMode::Smooth

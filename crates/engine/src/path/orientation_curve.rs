@@ -10,7 +10,7 @@ use glam::{DQuat, DVec3};
 use super::ahead::{Ahead, Rail, end_direction};
 use super::camera_path::{OrientationMode, Target, Tcb};
 use super::hermite::Cubic;
-use super::own::TurningPart;
+use super::own::{MayOwn, TurningPart};
 use super::quaternion_spline::{
     barry_goldman_between, bezier, bezier_control, end_velocity, key_velocities, mean_velocity,
     reflect,
@@ -41,25 +41,25 @@ const SWING: f64 = 0.45;
 pub(super) struct Key {
     pub position: DVec3,
     pub target: Target,
-    /// Looks so far along the way and not at its target.
-    pub ahead: Option<f64>,
     pub view: DVec3,
     /// Radians.
     pub roll: f64,
     pub turning: Tcb,
     /// With the sign that continues the key before it.
     pub q: DQuat,
-    /// Angular velocities of its own on S³, reaching and leaving.
-    pub velocities: Option<(DVec3, DVec3)>,
-    /// How the section behind it turns, if it is a part of another curve.
-    pub part: Option<TurningPart>,
-    /// Slope of the roll of its own, radians.
-    pub roll_slope: Option<f64>,
-    /// Slope of the zoom of its own.
-    pub zoom_slope: Option<f64>,
+    /// What it has besides.
+    pub own: MayOwn,
 }
 
 impl Key {
+    /// Angular velocities of its own on S³, reaching and leaving.
+    fn velocities(&self) -> Option<(DVec3, DVec3)> {
+        // On S³ a rotation counts half.
+        let half = |degrees: DVec3| degrees * (0.5 * 1f64.to_radians());
+        let own = self.own.velocities?;
+        Some((half(own.reach), half(own.leave)))
+    }
+
     pub(super) fn up(&self) -> DVec3 {
         orientation::up_from_roll(self.view, self.roll)
     }
@@ -368,7 +368,7 @@ fn work<'a>(keys: &'a mut [Key], legs: &'a [Leg<'a>], rail: Option<Arc<Rail>>) -
 }
 
 fn kind(from: &Key, to: &Key) -> Kind {
-    match (from.ahead, to.ahead) {
+    match (from.own.ahead, to.own.ahead) {
         (None, None) => {}
         (Some(a), Some(b)) if a == b => return Kind::Ahead(a),
         _ => return Kind::Free,
@@ -433,7 +433,7 @@ impl Work<'_> {
 
     /// The part of another curve that a free leg is, if it leads from key to key.
     fn part(&self, leg: usize, a: DQuat, b: DQuat) -> Option<Turning> {
-        let TurningPart { control, from, to } = self.keys[leg].part?;
+        let TurningPart { control, from, to } = self.keys[leg].own.turning?;
         let meets = |share, key: DQuat| bezier(&control, share).dot(key).abs() > 1.0 - SAME_KEY;
         (meets(from, a) && meets(to, b)).then_some(Turning::Part(control, [from, to]))
     }
@@ -468,7 +468,7 @@ impl Work<'_> {
     fn velocities(&self, key: usize) -> (DVec3, DVec3) {
         let before = self.ring.before_key(key);
         let after = self.ring.after_key(key);
-        if let Some((reach, leave)) = self.keys[key].velocities {
+        if let Some((reach, leave)) = self.keys[key].velocities() {
             let limited = |omega: DVec3, leg: Option<usize>| {
                 leg.map_or(omega, |leg| {
                     omega * self.factor(omega, leg, self.swing(leg))
@@ -535,7 +535,7 @@ impl Work<'_> {
                 let omega = match self.ring.after_key(inner) {
                     None => mean(leg),
                     Some(next) => {
-                        let own = self.keys[inner].velocities.map(|(reach, _)| reach);
+                        let own = self.keys[inner].velocities().map(|(reach, _)| reach);
                         let there = own.or_else(|| self.taken(next, false));
                         let there =
                             there.unwrap_or_else(|| self.free_velocities(inner, Tcb::default()).0);
@@ -548,7 +548,7 @@ impl Work<'_> {
                 let omega = match self.ring.before_key(leg) {
                     None => mean(leg),
                     Some(last) => {
-                        let own = self.keys[leg].velocities.map(|(_, leave)| leave);
+                        let own = self.keys[leg].velocities().map(|(_, leave)| leave);
                         let there = own.or_else(|| self.taken(last, true));
                         let there =
                             there.unwrap_or_else(|| self.free_velocities(leg, Tcb::default()).1);
@@ -620,7 +620,10 @@ impl Work<'_> {
                 monotone_cubic::slopes(&steps, &rises, all && self.ring.closed(), &mut slopes);
                 for (k, slope) in slopes.iter_mut().enumerate() {
                     let key = (start + k) % self.ring.keys;
-                    *slope = self.keys[key].roll_slope.unwrap_or(*slope);
+                    *slope = self.keys[key]
+                        .own
+                        .roll_slope
+                        .map_or(*slope, f64::to_radians);
                 }
                 for (k, step) in steps.iter().enumerate() {
                     let at = (start + k) % legs;

@@ -3,8 +3,6 @@
 
 use std::sync::{Arc, OnceLock};
 
-use glam::DVec3;
-
 use super::ahead::{self, Rail};
 use super::arc_length;
 use super::camera_path::{CameraPath, ZoomMode};
@@ -117,7 +115,7 @@ impl<'a> Layout<'a> {
             keys.push(key);
             poses.push(pose);
         }
-        let ahead = keys.iter().any(|key| key.ahead.is_some());
+        let ahead = keys.iter().any(|key| key.own.ahead.is_some());
         let rail = if ahead {
             Some(Rail::new(path, timeline)?)
         } else {
@@ -286,18 +284,10 @@ fn key(path: &CameraPath, point: usize, orientation: usize) -> (Key, Pose) {
     let key = Key {
         position: point.position,
         target: orientation.target,
-        ahead: orientation.own.ahead,
         view,
         roll,
         turning: orientation.turning,
-        velocities: orientation.own.velocities.map(|own| {
-            // On S³ a rotation counts half.
-            let half = |degrees: DVec3| degrees * (0.5 * 1f64.to_radians());
-            (half(own.reach), half(own.leave))
-        }),
-        part: orientation.own.turning,
-        roll_slope: orientation.own.roll_slope.map(f64::to_radians),
-        zoom_slope: orientation.own.zoom_slope,
+        own: orientation.own.clone(),
         q: orientation::quaternion_from_view(view, up),
     };
     let pose = Pose {
@@ -329,7 +319,7 @@ pub(super) fn zoom_slopes(
     monotone_cubic::slopes(&steps, &rises, path.closed, &mut slopes);
     for (k, slope) in slopes.iter_mut().enumerate() {
         let key = &keys[k % keys.len()];
-        if let Some(own) = key.zoom_slope {
+        if let Some(own) = key.own.zoom_slope {
             let before = match k {
                 0 => path.closed.then(|| ways.len() - 1),
                 k => Some(k - 1),
