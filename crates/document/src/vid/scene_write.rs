@@ -236,7 +236,7 @@ fn path(out: &mut Text, follow: &FollowPath, pins: &[Pin]) -> fmt::Result {
     let speeds = path.speeds;
     writeln!(out, "\n[node.path.base_speeds]")?;
     writeln!(out, "move_frames = {:?}", speeds.movement)?;
-    writeln!(out, "orient_frames = {:?}", speeds.turning)?;
+    writeln!(out, "turn_frames = {:?}", speeds.turning)?;
     writeln!(out, "zoom_frames = {:?}", speeds.zoom)?;
     writeln!(out, "roll_frames = {:?}", speeds.rolling)?;
     writeln!(out, "\n[node.path.presets]")?;

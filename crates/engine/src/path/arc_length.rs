@@ -64,6 +64,33 @@ fn speeds<V: Vector>(curve: &Cubic, middle: f64, half: f64) -> [f64; NODES] {
     speeds
 }
 
+/// A fit that leaves the speed at a piece's end by more than this, as a share of the
+/// whole length, has missed a reversal between the end and the node next to it: none of
+/// the nodes sees such a kink, and the last coefficients are small. It is off by δ·ε/2
+/// then, where ε, at most 0.005, is what lies between kink and end; so this is enough for
+/// [`TOLERANCE`], and far above rounding.
+const END_TOLERANCE: f64 = 1e-12;
+
+/// Whether the fit of a piece is exact to rounding: by its last coefficients, and at
+/// both ends.
+#[inline(always)]
+fn fits(curve: &Cubic, middle: f64, half: f64, series: &[f64; NODES], tolerance: f64) -> bool {
+    if chebyshev::tail(series) > tolerance {
+        return false;
+    }
+    let (mut even, mut odd) = (0.0, 0.0);
+    for pair in series.chunks_exact(2) {
+        even += pair[0];
+        odd += pair[1];
+    }
+    let missed = |t: f64, fitted: f64| {
+        let derivative = (3.0 * curve.a * t + 2.0 * curve.b) * t + curve.c;
+        (derivative.length() * half - fitted).abs()
+    };
+    let allowed = tolerance * (END_TOLERANCE / TOLERANCE);
+    missed(middle - half, even - odd) <= allowed && missed(middle + half, even + odd) <= allowed
+}
+
 /// ∫ over [−1, 1] of a Chebyshev series.
 #[inline(always)]
 fn integral(series: &[f64; NODES]) -> f64 {
@@ -156,7 +183,7 @@ fn length_of<V: Vector>(curve: &Cubic) -> f64 {
         let series = chebyshev::series::<V>(&speeds::<V>(curve, middle, half));
         let part = integral(&series);
         let tolerance = *tolerance.get_or_insert(TOLERANCE * part);
-        if chebyshev::tail(&series) > tolerance && halving.halve(middle, half) {
+        if !fits(curve, middle, half, &series, tolerance) && halving.halve(middle, half) {
             continue;
         }
         total += part;
@@ -182,7 +209,7 @@ pub(super) fn measure<V: Vector>(curve: &Cubic, pieces: &mut Vec<Piece>) -> Resu
             }
             tolerance = TOLERANCE * length;
         }
-        if chebyshev::tail(&series) > tolerance && halving.halve(middle, half) {
+        if !fits(curve, middle, half, &series, tolerance) && halving.halve(middle, half) {
             continue;
         }
         let speed = chebyshev::powers::<V>(&series);

@@ -202,6 +202,38 @@ fn closed_forms() {
     );
 }
 
+/// A straight way that runs back at t = r: the length is |v|·(r² + (1 − r)²)/2.
+#[test]
+fn a_reversal_is_seen_wherever_it_lies() {
+    let v = DVec3::new(1.0, -2.0, 0.5);
+    let mut random = Random(29);
+    for round in 0..20_000 {
+        // Near the ends of pieces no node sees it.
+        let reversal = match round % 4 {
+            0 => random.unit(),
+            1 => 0.004 * random.unit(),
+            2 => 1.0 - 0.004 * random.unit(),
+            _ => 0.25 * f64::from(1 + round % 3) + 0.004 * (random.unit() - 0.5),
+        };
+        let curve = Cubic {
+            a: DVec3::ZERO,
+            b: 0.5 * v,
+            c: -reversal * v,
+            d: DVec3::ZERO,
+            end: (0.5 - reversal) * v,
+        };
+        let rest = 1.0 - reversal;
+        let exact = 0.5 * v.length() * (reversal * reversal + rest * rest);
+        let measured = length::<f64>(&curve);
+        assert!((measured - exact).abs() <= 1e-12 * exact, "{reversal}");
+        let arc = ArcLength::new(&curve).expect("memory");
+        assert!((arc.length() - exact).abs() <= 1e-12 * exact, "{reversal}");
+        let half = arc.length_at(reversal);
+        let way = 0.5 * v.length() * reversal * reversal;
+        assert!((half - way).abs() <= 1e-12 * exact, "{reversal}: {half}");
+    }
+}
+
 #[test]
 fn lengths_add_up_and_the_inverse_comes_back() {
     let mut random = Random(2);

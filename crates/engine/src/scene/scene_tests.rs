@@ -184,6 +184,8 @@ proptest! {
         shares in prop::collection::vec(0.0..1.0f64, 8),
         closed: bool,
     ) {
+        // A view needs a direction.
+        prop_assume!(points.iter().all(|(_, offset, _, _)| *offset != [0.0; 3]));
         let mut path = CameraPath { closed, ..CameraPath::default() };
         path.points = points.into_iter().map(|(position, offset, roll, zoom)| {
             let mut point = SupportPoint::new(position.into());
@@ -197,7 +199,10 @@ proptest! {
         let last = sampler.frame_count() as f64;
         let mut scene = Scene::of_path(path.clone()).unwrap();
         scene.set_path(0, Some(FollowPath::new(path, start, Beyond::Repeat).unwrap())).unwrap();
-        prop_assert_eq!(scene.frame_range(), (start, start + last - 1.0));
+        let (first, end) = scene.frame_range();
+        prop_assert_eq!(first, start);
+        // The sum in one order or the other.
+        prop_assert!((end - (start + (last - 1.0))).abs() <= 1e-12 * last.max(100.0));
         for share in shares {
             let frame = start + share * (last - 1.0);
             // A frame that the sum of start and share has just passed the end by.
