@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs every benchmark and prints the Markdown table of the README.
+"""Runs every benchmark and prints the Markdown tables of docs/accuracy_and_speed.md.
 
     python3 benches/table.py            # all of it, some eight minutes
     python3 benches/table.py --no-peers # without other libraries
