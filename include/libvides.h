@@ -13,13 +13,14 @@
  * - Results are written through pointers, and only if all went well.
  * - A pointer must not be NULL where the comment does not say that it may; it
  *   gives V_ERR_NULL. The library keeps no pointer that it is given, but those
- *   of v_haupt() and the callbacks and user of v_editor_open().
- * - Whoever makes a path or opens an editor window frees it. Nothing else that
+ *   of v_haupt() and the callbacks and user of v_editor_open() and
+ *   v_register_interpolation().
+ * - Whoever makes a path or a scene or opens an editor window frees it. Nothing else that
  *   the library returns needs to be freed, but the lists of the interface of
  *   1994.
  * - Every function may be called from within callbacks, and from any thread if
  *   it does not concern windows. Several threads may read and change one
- *   path at once: each call sees it as it is between two others. Windows belong to
+ *   path or scene at once: each call sees it as it is between two others. Windows belong to
  *   the thread that opened them.
  * - The library starts no thread for its own work. One looks up the name of another
  *   machine whose display was asked for, and in a program with Xt one looks whether
@@ -218,7 +219,8 @@ typedef struct v_path V_PATH;
  *
  * A struct that begins with size may grow at its end in later versions. Set
  * size to sizeof the struct before any call, also where the library fills in
- * the rest; v_orientation_init() does it. Any other value is V_ERR_SIZE.
+ * the rest; v_orientation_init() does it. A host compiled with
+ * an earlier 1.x may have a shorter one; any other value is V_ERR_SIZE.
  */
 struct v_orientation {
     /** sizeof (V_ORIENTATION) */
@@ -322,8 +324,8 @@ typedef struct v_node V_NODE;
  * Everything that moves on one timeline, by a handle (see V_PATH): a tree of
  * nodes. Whoever made it frees it with v_scene_free(). Nodes are numbered from 0.
  *
- * Within a function of v_register_interpolation() functions of scenes but
- * v_scene_free() answer V_ERR_BUSY.
+ * Within a function of v_register_interpolation() those that take a V_SCENE, but
+ * v_scene_free(), answer V_ERR_BUSY.
  */
 typedef struct v_scene V_SCENE;
 
@@ -456,7 +458,7 @@ struct v_editor_options {
     void *user;
     /**
      * what the program is called: the first half of WM_CLASS, by which a desktop
-     * groups its windows; UTF-8; NULL: the name of the running program
+     * groups its windows, and unsaved work finds back to it; UTF-8; NULL: the name of the running program
      */
     const char *application;
 };
@@ -664,8 +666,9 @@ void v_path_free(V_PATH *path);
 
 /**
  * Reads a path from a .vid file; of a scene (v_scene_load()) that of its first
- * camera on a path. file is a name as open() takes it. *path is the caller's, to
- * be freed with v_path_free().
+ * camera on a path: to save it to that file would lose the rest of the scene. file
+ * is a name as open() takes it. *path is the caller's, to be freed with
+ * v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
  * line and reason in v_last_error()), V_ERR_ARGUMENT (a scene without such a
  * camera), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
@@ -674,13 +677,15 @@ void v_path_free(V_PATH *path);
 int v_path_load(const char *file, V_PATH **path);
 
 /**
- * Reads a path from the text of a .vid file in memory, size bytes of UTF-8; a zero
- * behind them is not needed. *path is the caller's, to be freed with v_path_free().
+ * Reads a path from the text of a .vid file in memory, as v_path_load() does; size
+ * bytes of UTF-8, a zero behind them is not needed. *path is the caller's, to be freed with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason
- * in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that runs out while the
- * text is parsed ends the program.
+ * in v_last_error()), V_ERR_ARGUMENT (a scene without such a camera), V_ERR_MEMORY,
+ * V_ERR_LIMIT. Memory that runs out while the text is parsed ends the program.
  */
-int v_path_load_from_memory(const char *text, size_t size, V_PATH **path);
+int v_path_load_from_memory(const char *text,
+                            size_t size,
+                            V_PATH **path);
 
 /**
  * Writes a path into a .vid file. Whatever happens, the file is afterwards
@@ -1508,7 +1513,8 @@ int v_scene_get_track(const V_SCENE *scene,
 /**
  * Makes a function known as the interpolation "host:NAME" of every scene of the
  * process, in place of an older one; NULL takes it away. It is called by
- * whatever thread evaluates a scene, and must not use scenes itself.
+ * whatever thread evaluates a scene, must not use scenes itself, and returns to its
+ * caller: no longjmp() and no exception may leave it.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT,
  * V_ERR_MEMORY.
  */
@@ -1617,7 +1623,7 @@ int v_scene_evaluate(const V_SCENE *scene,
                      size_t *count);
 
 /**
- * count states of one node, at the frames first, first + step and so on. What
+ * count states of one node, at the frames first, first + frame_step and so on. What
  * v_scene_evaluate() says of a host's interpolation holds here too.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
@@ -1625,7 +1631,7 @@ int v_scene_evaluate(const V_SCENE *scene,
 int v_scene_sample(const V_SCENE *scene,
                    int node,
                    double first,
-                   double step,
+                   double frame_step,
                    V_NODE_STATE *states,
                    size_t count);
 
@@ -1663,10 +1669,20 @@ int v_scene_vertices(const V_SCENE *scene,
 
 /**
  * The options' defaults: size, and everything else NULL or 0. NULL does
- * nothing but set v_last_error().
+ * nothing but set v_last_error(). In C a macro of this name hands the struct's size
+ * on to v_editor_options_init_sized(); the function itself, for other languages,
+ * fills in the options of version 1.0, to user.
  * Any thread; from callbacks too.
  */
 void v_editor_options_init(V_EDITOR_OPTIONS *options);
+
+/**
+ * As v_editor_options_init(), for a struct that is size bytes long: at least as
+ * long as in version 1.0. What is behind the fields that the library knows is not
+ * touched, and size is set to what was filled in.
+ * Any thread; from callbacks too.
+ */
+void v_editor_options_init_sized(V_EDITOR_OPTIONS *options, size_t size);
 
 /**
  * Opens an editor window and returns at once; how it is served then, see
@@ -1833,5 +1849,9 @@ int v_pose_gl_matrix(const V_POSE *pose, double m[16]);
 #ifdef __cplusplus
 }
 #endif
+
+/* Tells the library which fields the program knows. */
+#define v_editor_options_init(options) \
+    v_editor_options_init_sized(options, sizeof(V_EDITOR_OPTIONS))
 
 #endif  /* LIBVIDES_H */

@@ -10,7 +10,7 @@ import os
 import sys
 from collections import defaultdict
 
-FOLDERS = ["crates/engine/src/math", "crates/engine/src/path", "crates/document/src", "src/ffi"]
+FOLDERS = ["crates/engine/src/math", "crates/engine/src/path", "crates/engine/src/scene", "crates/engine/src/deform", "crates/document/src", "src/ffi"]
 
 
 def first_line_of_tests(name):

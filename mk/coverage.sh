@@ -63,5 +63,5 @@ KINDS=archive WAYS=plain tests/calls/run.sh "$place/library" hostile reentry odd
 
 "$tools/llvm-profdata" merge -sparse "$place"/profiles/*.profraw -o "$place/all.profdata"
 "$tools/llvm-cov" export -skip-functions -instr-profile "$place/all.profdata" \
-    "${objects[@]}" -sources crates/engine/src/math crates/engine/src/path crates/document/src src/ffi >"$place/all.json"
+    "${objects[@]}" -sources crates/engine/src/math crates/engine/src/path crates/engine/src/scene crates/engine/src/deform crates/document/src src/ffi >"$place/all.json"
 python3 mk/coverage.py "$place/all.json" "$@"

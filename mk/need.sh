@@ -7,6 +7,10 @@
 # nothing is done.
 set -eu
 
+# What another check is installing just now may be there in part.
+if [ -z "${VIDES_NEED:-}" ] && command -v flock >/dev/null 2>&1; then
+    flock -s "$0" true
+fi
 packages=
 for pair; do
     what=${pair%%=*}

@@ -44,6 +44,12 @@ fn polished(made: &str) -> String {
         // Constants that share a comment stand together.
         .replace("\n\n#define V_", "\n#define V_")
         .replace("\n\n\n", "\n\n");
+    // What cbindgen puts at the end belongs within the guard.
+    let end = "#endif  /* LIBVIDES_H */\n";
+    let made = match made.split_once(end) {
+        Some((before, trailer)) => format!("{before}{}\n{end}", trailer.trim_start()),
+        None => made,
+    };
     let lines: Vec<&str> = made.lines().collect();
     let mut header = String::new();
     let mut at = 0;

@@ -111,6 +111,7 @@ fn everything() -> SceneDocument {
     let lamp = scene.add(lamp).unwrap();
     let path = || CameraPath {
         closed: true,
+        curve: vides::path::CurveKind::Cubic,
         ..CameraPath::default()
     };
     scene
@@ -173,6 +174,10 @@ fn a_camera_alone_is_todays_file() {
     let plain = Document::new().to_toml().unwrap();
     assert_eq!(document.to_toml().unwrap(), plain);
     assert_eq!(SceneDocument::from_toml(&plain).unwrap(), document);
+    // Its comments stay, through a scene too.
+    let told = plain.replace("\nclosed", "\n# Open at both ends.\nclosed");
+    let of_scene = SceneDocument::from_toml(&told).unwrap();
+    assert_eq!(of_scene.try_clone().unwrap().to_toml().unwrap(), told);
     // One number more, and it is a scene.
     let mut zoomed = document.try_clone().unwrap();
     let mut camera = zoomed.scene.nodes()[0].clone();

@@ -14,7 +14,7 @@ use super::handles::{Handles, KIND_EDITOR};
 use super::host_loop;
 use super::object::{Warnings, object};
 use super::path::{keep, read};
-use super::pointers::{self, Growing, Out, check, file_name, read_growing};
+use super::pointers::{self, Growing, Out, check, file_name, init, read_growing};
 use super::status::{
     Answer, Failure, V_ERR_ARGUMENT, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_OK,
 };
@@ -74,15 +74,27 @@ fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
 }
 
 /// The options' defaults: size, and everything else NULL or 0. NULL does
-/// nothing but set v_last_error().
+/// nothing but set v_last_error(). In C a macro of this name hands the struct's size
+/// on to v_editor_options_init_sized(); the function itself, for other languages,
+/// fills in the options of version 1.0, to user.
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
     border((), || {
-        let out = Out::new(options)?;
-        // SAFETY: room for the options, as the header says.
-        unsafe { out.write(V_EDITOR_OPTIONS::DEFAULTS) };
-        Ok(())
+        // SAFETY: room for the options of version 1.0, as the header says.
+        unsafe { init(options, V_EDITOR_OPTIONS::DEFAULTS, V_EDITOR_OPTIONS::FIRST) }
+    });
+}
+
+/// As v_editor_options_init(), for a struct that is size bytes long: at least as
+/// long as in version 1.0. What is behind the fields that the library knows is not
+/// touched, and size is set to what was filled in.
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_editor_options_init_sized(options: *mut V_EDITOR_OPTIONS, size: usize) {
+    border((), || {
+        // SAFETY: room for so much of the options, as the header says.
+        unsafe { init(options, V_EDITOR_OPTIONS::DEFAULTS, size) }
     });
 }
 
@@ -241,12 +253,21 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             hand_over: options.on_poses.is_some(),
             fixed_speeds: !unset,
             folders: editor::Folders::of_environment(),
-            program: instance::host_program(options.file.is_null()),
+            program: program(options, application.as_deref()),
         },
         display,
         application,
         warning: warnings.said().cloned(),
     })
+}
+
+/// The host, by what it calls itself.
+fn program(options: &V_EDITOR_OPTIONS, application: Option<&str>) -> editor::Program {
+    let mut program = instance::host_program(options.file.is_null());
+    if let Some(name) = application.filter(|name| !name.is_empty()) {
+        name.clone_into(&mut program.name);
+    }
+    program
 }
 
 /// A text of the host's, copied; NULL is none.

@@ -35,7 +35,7 @@ macro_rules! enter {
             #[cfg(all(target_arch = "x86_64", not(miri)))]
             {
                 type Enter = unsafe extern "C" fn(Function $(, $kind)*) -> $result;
-                // The frame takes the function and up to five arguments that are no
+                // The frame takes the function and up to six arguments that are no
                 // floating-point numbers; those pass by.
                 let enter = std::mem::transmute::<unsafe extern "C" fn(), Enter>(
                     $crate::ffi::enter::vides_enter,
@@ -87,6 +87,8 @@ mod frame {
         "mov rdx, rcx",
         "mov rcx, r8",
         "mov r8, r9",
+        // The sixth is the first on the stack; where there is none, nobody looks.
+        "mov r9, [rsp + 16]",
         "call rax",
         "add rsp, 8",
         ".cfi_adjust_cfa_offset -8",

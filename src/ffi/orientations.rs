@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::border::border;
 use super::path::{edit, edit_by, read};
-use super::pointers::{Growing, GrowingOut, Out, count, index, read_growing};
+use super::pointers::{Growing, GrowingOut, Out, count, index, init, read_growing};
 use super::points::point;
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::{V_ORIENTATION, V_PATH};
@@ -118,10 +118,8 @@ unsafe fn read_orientation(o: *const V_ORIENTATION) -> Answer<Orientation> {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
     border((), || {
-        let o = Out::new(o)?;
-        // SAFETY: room for the struct, as the header says.
-        unsafe { o.write(V_ORIENTATION::DEFAULTS) };
-        Ok(())
+        // SAFETY: room for the struct of version 1.0, as the header says.
+        unsafe { init(o, V_ORIENTATION::DEFAULTS, V_ORIENTATION::FIRST) }
     });
 }
 

@@ -136,8 +136,9 @@ pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
 }
 
 /// Reads a path from a .vid file; of a scene (v_scene_load()) that of its first
-/// camera on a path. file is a name as open() takes it. *path is the caller's, to
-/// be freed with v_path_free().
+/// camera on a path: to save it to that file would lose the rest of the scene. file
+/// is a name as open() takes it. *path is the caller's, to be freed with
+/// v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
 /// line and reason in v_last_error()), V_ERR_ARGUMENT (a scene without such a
 /// camera), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
@@ -155,11 +156,11 @@ pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH
     })
 }
 
-/// Reads a path from the text of a .vid file in memory, size bytes of UTF-8; a zero
-/// behind them is not needed. *path is the caller's, to be freed with v_path_free().
+/// Reads a path from the text of a .vid file in memory, as v_path_load() does; size
+/// bytes of UTF-8, a zero behind them is not needed. *path is the caller's, to be freed with v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason
-/// in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that runs out while the
-/// text is parsed ends the program.
+/// in v_last_error()), V_ERR_ARGUMENT (a scene without such a camera), V_ERR_MEMORY,
+/// V_ERR_LIMIT. Memory that runs out while the text is parsed ends the program.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load_from_memory(
     text: *const c_char,
@@ -170,7 +171,7 @@ pub unsafe extern "C" fn v_path_load_from_memory(
         let path = Out::new(path)?;
         // SAFETY: as many bytes, as the header says.
         let mut text = unsafe { slice(text.cast::<u8>(), size) }?;
-        let document = Document::load_from(&mut text, "memory")?;
+        let document = Document::load_shown_from(&mut text, "memory")?;
         let made = keep(document.without_history())?;
         // SAFETY: room for a handle, as the header says.
         unsafe { path.write(made) };

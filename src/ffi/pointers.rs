@@ -274,6 +274,19 @@ unsafe fn size_of_host<T: Growing>(pointer: *const T) -> Answer<usize> {
     ))
 }
 
+/// Fills in a struct of the host's that is `size` long: as far as both know it. The
+/// functions of version 1.0 that take no size write what a host of 1.0 has.
+///
+/// # Safety
+/// `pointer` is NULL or points to `size` bytes for a struct of that version.
+pub(super) unsafe fn init<T: Growing>(pointer: *mut T, value: T, size: usize) -> Answer<()> {
+    check(pointer)?;
+    let size = size.clamp(T::FIRST, size_of::<T>());
+    // SAFETY: the caller's word.
+    unsafe { GrowingOut { pointer, size }.write(value) };
+    Ok(())
+}
+
 /// A struct of a host that may have been compiled with an earlier 1.x: the fields
 /// that it does not know have their defaults.
 ///

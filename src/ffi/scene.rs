@@ -9,7 +9,9 @@ use glam::{DQuat, DVec3};
 use super::border::border;
 use super::handles::{Handles, KIND_SCENE};
 use super::path;
-use super::pointers::{self, GrowingOut, Out, check, file_name, index, read_growing};
+use super::pointers::{
+    self, Growing, GrowingOut, Out, check, file_name, index, init, read_growing,
+};
 use super::scene_types::*;
 use super::status::{
     Answer, Failure, V_ERR_ARGUMENT, V_ERR_BUSY, V_ERR_INTERNAL, V_ERR_RANGE, V_OK,
@@ -251,14 +253,12 @@ fn node_for_c(node: &Node) -> Answer<V_NODE> {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
     border((), || {
-        let out = Out::new(node)?;
         let made = V_NODE {
             kind,
             ..node_for_c(&Node::default())?
         };
-        // SAFETY: room for a node, as the header says.
-        unsafe { out.write(made) };
-        Ok(())
+        // SAFETY: room for a node of version 1.0, as the header says.
+        unsafe { init(node, made, V_NODE::FIRST) }
     });
 }
 

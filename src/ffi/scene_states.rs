@@ -95,12 +95,14 @@ pub unsafe extern "C" fn v_scene_evaluate(
             if nodes > capacity {
                 return Err(SMALL);
             }
-            // The only thing that fails later is memory: seen to before.
             document.scene.prepare(frame)?;
-            // SAFETY: room for so many states, as the header says.
-            let room = unsafe { self::states(states, nodes) }?;
+            // Not in place: a host's function may fail half way, and looks at no array.
+            let mut made = vec_with_room(nodes)?;
+            made.resize(nodes, NodeState::default());
             let mut troubles = Troubles::default();
-            document.scene.evaluate(frame, room, &mut troubles)?;
+            document.scene.evaluate(frame, &mut made, &mut troubles)?;
+            // SAFETY: room for so many states, as the header says.
+            unsafe { self::states(states, nodes) }?.copy_from_slice(&made);
             tell(document, &troubles);
             Ok(nodes)
         })?;
@@ -110,7 +112,7 @@ pub unsafe extern "C" fn v_scene_evaluate(
     })
 }
 
-/// count states of one node, at the frames first, first + step and so on. What
+/// count states of one node, at the frames first, first + frame_step and so on. What
 /// v_scene_evaluate() says of a host's interpolation holds here too.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
@@ -119,7 +121,7 @@ pub unsafe extern "C" fn v_scene_sample(
     scene: *const V_SCENE,
     node: c_int,
     first: f64,
-    step: f64,
+    frame_step: f64,
     states: *mut V_NODE_STATE,
     count: usize,
 ) -> c_int {
@@ -131,16 +133,16 @@ pub unsafe extern "C" fn v_scene_sample(
         read(scene, |document| {
             document.scene.node(node)?;
             document.scene.prepare(first)?;
-            let room = if count == 0 {
-                &mut []
-            } else {
-                // SAFETY: room for so many states, as the header says.
-                unsafe { self::states(states, count) }?
-            };
+            let mut made = vec_with_room(count)?;
+            made.resize(count, NodeState::default());
             let mut troubles = Troubles::default();
             document
                 .scene
-                .sample(node, first, step, room, &mut troubles)?;
+                .sample(node, first, frame_step, &mut made, &mut troubles)?;
+            if count > 0 {
+                // SAFETY: room for so many states, as the header says.
+                unsafe { self::states(states, count) }?.copy_from_slice(&made);
+            }
             tell(document, &troubles);
             Ok(())
         })?;

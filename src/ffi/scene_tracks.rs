@@ -268,17 +268,18 @@ unsafe impl Sync for Host {}
 impl Host {
     fn ask(&self, question: host::Question<'_>, value: &mut [f64]) -> bool {
         let status = asked(|| {
+            let function = self.function;
             // SAFETY: the host's own function, with arrays as the header says.
             unsafe {
-                (self.function)(
-                    question.frames.as_ptr(),
-                    question.values.as_ptr(),
-                    question.width,
-                    question.frames.len(),
-                    question.frame,
-                    value.as_mut_ptr(),
-                    self.user,
-                )
+                enter!("interpolation", function(
+                    question.frames.as_ptr() => *const f64,
+                    question.values.as_ptr() => *const f64,
+                    question.width => usize,
+                    question.frames.len() => usize,
+                    question.frame => f64,
+                    value.as_mut_ptr() => *mut f64,
+                    self.user => *mut c_void,
+                ) -> c_int)
             }
         });
         status == V_OK
@@ -287,7 +288,8 @@ impl Host {
 
 /// Makes a function known as the interpolation "host:NAME" of every scene of the
 /// process, in place of an older one; NULL takes it away. It is called by
-/// whatever thread evaluates a scene, and must not use scenes itself.
+/// whatever thread evaluates a scene, must not use scenes itself, and returns to its
+/// caller: no longjmp() and no exception may leave it.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]

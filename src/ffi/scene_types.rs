@@ -19,8 +19,8 @@ pub struct v_scene {
 /// Everything that moves on one timeline, by a handle (see V_PATH): a tree of
 /// nodes. Whoever made it frees it with v_scene_free(). Nodes are numbered from 0.
 ///
-/// Within a function of v_register_interpolation() functions of scenes but
-/// v_scene_free() answer V_ERR_BUSY.
+/// Within a function of v_register_interpolation() those that take a V_SCENE, but
+/// v_scene_free(), answer V_ERR_BUSY.
 pub type V_SCENE = v_scene;
 
 /// The kinds of node.

@@ -106,7 +106,8 @@ pub type V_POSE = v_pose;
 ///
 /// A struct that begins with size may grow at its end in later versions. Set
 /// size to sizeof the struct before any call, also where the library fills in
-/// the rest; v_orientation_init() does it. Any other value is V_ERR_SIZE.
+/// the rest; v_orientation_init() does it. A host compiled with
+/// an earlier 1.x may have a shorter one; any other value is V_ERR_SIZE.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_orientation {
@@ -229,7 +230,7 @@ pub struct v_editor_options {
     /// the host's, handed on to the callbacks
     pub user: *mut c_void,
     /// what the program is called: the first half of WM_CLASS, by which a desktop
-    /// groups its windows; UTF-8; NULL: the name of the running program
+    /// groups its windows, and unsaved work finds back to it; UTF-8; NULL: the name of the running program
     pub application: *const c_char,
 }
 

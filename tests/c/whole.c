@@ -147,7 +147,12 @@ static void shorter_structs(void)
     V_EDITOR *editor = NULL;
 
     CHECK(sizeof *options < sizeof(V_EDITOR_OPTIONS));
-    options->size = sizeof *options;
+    v_editor_options_init_sized((V_EDITOR_OPTIONS *)options, sizeof *options);
+    CHECK(options->size == sizeof *options && options->user == NULL);
+    /* As a program in another language calls it. */
+    options->user = options;
+    (v_editor_options_init)((V_EDITOR_OPTIONS *)options);
+    CHECK(options->size == sizeof *options && options->user == NULL);
     options->display = ":none";
     /* As far as the display, which is not there. */
     STATUS(V_ERR_DISPLAY, v_editor_open((V_EDITOR_OPTIONS *)options, &editor));

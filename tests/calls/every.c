@@ -89,6 +89,12 @@ CALL(v_set_app_context) { return v_set_app_context(result(64, 0)); }
 
 CALL(v_editor_options_init)
 {
+    (v_editor_options_init)(result(sizeof(V_EDITOR_OPTIONS), 0));
+    return 0;
+}
+
+CALL(v_editor_options_init_sized)
+{
     v_editor_options_init(result(sizeof(V_EDITOR_OPTIONS), 0));
     return 0;
 }

@@ -117,6 +117,7 @@
     F(v_scene_value, STATUS, V_OK, 0) \
     F(v_scene_vertices, STATUS, V_OK, 0) \
     F(v_editor_options_init, NOTHING, V_OK, 0) \
+    F(v_editor_options_init_sized, NOTHING, V_OK, 0) \
     F(v_editor_open, STATUS, V_OK, 1) \
     F(v_editor_close, STATUS, V_OK, 1) \
     F(v_editor_get_path, STATUS, V_OK, 1) \

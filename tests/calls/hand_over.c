@@ -2,7 +2,7 @@
  * Memory runs out while a window hands over: every single allocation fails in
  * turn, once and from then on until the poses are ready: hand_over FOLDER
  *
- * Linked with a library that tells when that is (src/inject.rs). The host is not
+ * Linked with a library that tells when that is (crates/engine/src/inject.rs). The host is not
  * called, its list is as it was, nothing is left behind; the window works on, and
  * when there is memory again it hands over.
  */

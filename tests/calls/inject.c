@@ -2,7 +2,7 @@
  * The library panics, in every export and wherever a window is at work:
  * inject FOLDER
  *
- * Linked with a library that is built for it (src/inject.rs). An export answers
+ * Linked with a library that is built for it (crates/engine/src/inject.rs). An export answers
  * V_ERR_INTERNAL and has written nothing; a window closes, and its owner is
  * told. The host lives, and everything else works as before.
  */

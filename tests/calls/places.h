@@ -1,5 +1,5 @@
 /*
- * Where a library that is built for it (src/inject.rs) can be told to panic, or
+ * Where a library that is built for it (crates/engine/src/inject.rs) can be told to panic, or
  * tells that it came by.
  */
 #ifndef PLACES_H

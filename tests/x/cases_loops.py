@@ -233,8 +233,8 @@ def throws(place, callback, key):
     """The program ends, and says why before."""
     server = place.server()
     program = place.program(server, "throws", callback)
-    window = server.new_window()
-    server.press(window, key)
+    if key:
+        server.press(server.new_window(), key)
     program.expect(f"caught within {callback}")
     status = program.ends()
     check(status == 134, f"exit status {status}")
@@ -248,7 +248,7 @@ def throws(place, callback, key):
 
 
 for _callback, _key in (("rueck", "alt+u"), ("ende", "ctrl+q"),
-                        ("on_poses", "alt+u"), ("on_close", "ctrl+q")):
+                        ("on_poses", "alt+u"), ("on_close", "ctrl+q"), ("interpolation", None)):
     def _case(place, callback=_callback, key=_key):
         throws(place, callback, key)
 

@@ -194,7 +194,7 @@ def a_hosts_speeds_stand(place):
     wait(lambda: os.path.exists(place.path("saved.vid")), "the file")
     saved = wait(lambda: open(place.path("saved.vid"), encoding="utf-8").read(), "its text")
     speeds = re.findall(r"^(\w+)_frames = (\S+)$", saved, re.MULTILINE)
-    wanted = {"move": 50, "orient": 60, "zoom": 70, "roll": 80}
+    wanted = {"move": 50, "turn": 60, "zoom": 70, "roll": 80}
     check({name: float(value) for name, value in speeds if name in wanted} == wanted, f"{speeds}")
     host.leave()
 

@@ -374,11 +374,24 @@ impl Document {
     /// camera on a path.
     pub fn load_shown(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        let (path, info, alone) =
-            vid::shown_from_toml(&text).map_err(|error| error.at(file.display().to_string()))?;
+        Self::shown(&text).map_err(|error| error.at(file.display().to_string()))
+    }
+
+    /// As [`Document::load_shown`], of what `reader` gives; `name` stands for it in
+    /// messages.
+    ///
+    /// # Errors
+    /// As [`Document::load_shown`].
+    pub fn load_shown_from(reader: &mut dyn Read, name: &str) -> Result<Self> {
+        let text = vid::read_from(reader, name)?;
+        Self::shown(&text).map_err(|error| error.at(name))
+    }
+
+    fn shown(text: &str) -> Result<Self> {
+        let (path, info, alone) = vid::shown_from_toml(text)?;
         let document = Self::from_parts(path, info)?;
         if alone {
-            document.read_from(&text)
+            document.read_from(text)
         } else {
             Ok(document)
         }

@@ -4,7 +4,7 @@ use std::io::Read;
 use std::path::Path;
 
 use super::info::Info;
-use super::vid;
+use super::vid::{self, Comments};
 use crate::error::{Error, Result, message, room};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
@@ -12,12 +12,21 @@ use vides_engine::scene::Scene;
 
 /// A scene and what its file says besides. A file with a path alone is the scene
 /// of one camera on it, and the other way round.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct SceneDocument {
     /// Everything that moves.
     pub scene: Scene,
     /// What the file says besides.
     pub info: Info,
+    /// Those of the file, if it had a path alone.
+    comments: Comments,
+}
+
+/// Comments make no difference.
+impl PartialEq for SceneDocument {
+    fn eq(&self, other: &Self) -> bool {
+        self.scene == other.scene && self.info == other.info
+    }
 }
 
 impl SceneDocument {
@@ -29,6 +38,7 @@ impl SceneDocument {
         Ok(Self {
             scene: Scene::of_path(CameraPath::try_new()?)?,
             info: Info::default(),
+            comments: Comments::default(),
         })
     }
 
@@ -38,8 +48,8 @@ impl SceneDocument {
     /// [`Error::Io`] if it cannot be read; [`Error::Format`] with file, line and
     /// reason if its contents are not what they should be.
     pub fn load(file: &Path) -> Result<Self> {
-        let (scene, info) = vid::load_scene(file)?;
-        Self::from_parts(scene, info)
+        let text = vid::read_text(file, MAX_FILE_BYTES)?;
+        Self::from_toml(&text).map_err(|error| error.at(file.display().to_string()))
     }
 
     /// The scene in what `reader` gives, to its end; `name` stands for it in
@@ -48,8 +58,8 @@ impl SceneDocument {
     /// # Errors
     /// As [`SceneDocument::load`].
     pub fn load_from(reader: &mut dyn Read, name: &str) -> Result<Self> {
-        let (scene, info) = vid::load_scene_from(reader, name)?;
-        Self::from_parts(scene, info)
+        let text = vid::read_from(reader, name)?;
+        Self::from_toml(&text).map_err(|error| error.at(name))
     }
 
     /// The scene in the text of a `.vid` file.
@@ -57,14 +67,18 @@ impl SceneDocument {
     /// # Errors
     /// [`Error::Format`] with line and reason.
     pub fn from_toml(text: &str) -> Result<Self> {
-        let (scene, info) = vid::scene_from_toml(text)?;
-        Self::from_parts(scene, info)
-    }
-
-    fn from_parts(scene: Scene, mut info: Info) -> Result<Self> {
+        let (scene, mut info) = vid::scene_from_toml(text)?;
         info.check()?;
         info.normalise();
-        Ok(Self { scene, info })
+        let comments = match vid::alone(&scene) {
+            Some(_) => Comments::of(text)?,
+            None => Comments::default(),
+        };
+        Ok(Self {
+            scene,
+            info,
+            comments,
+        })
     }
 
     /// The text of a `.vid` file. Loading it gives the same scene, bit by bit.
@@ -72,7 +86,7 @@ impl SceneDocument {
     /// # Errors
     /// [`Error::Memory`]; [`Error::Limit`] if it is longer than what is read.
     pub fn to_toml(&self) -> Result<String> {
-        let text = vid::scene_to_toml(&self.scene, &self.info)?;
+        let text = vid::scene_to_toml(&self.scene, &self.info, &self.comments)?;
         if text.len() as u64 > MAX_FILE_BYTES {
             return Err(Error::Limit(message!(
                 "the file is larger than the {0} MiB that are read",
@@ -101,6 +115,7 @@ impl SceneDocument {
         Ok(Self {
             scene: self.scene.clone(),
             info,
+            comments: self.comments.try_clone()?,
         })
     }
 }

@@ -47,14 +47,12 @@ use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
 use super::NotAFile;
-use super::info::Info;
 use crate::error::{Error, Result, message, room, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
-use vides_engine::scene::Scene;
 
 pub(super) use comments::Comments;
 pub(super) use read::{from_toml, scene_from_toml, shown_from_toml};
-pub(super) use scene_write::scene_to_toml;
+pub(super) use scene_write::{alone, scene_to_toml};
 pub(super) use write::to_toml;
 
 /// The version of the format that is written, and the newest that is read.
@@ -67,18 +65,6 @@ const ROOM: usize = 32 << 10;
 /// The text that a reader gives, to its end.
 pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
     read_all(reader, name, 0, MAX_FILE_BYTES)
-}
-
-/// Reads a scene from a file.
-pub(super) fn load_scene(file: &Path) -> Result<(Scene, Info)> {
-    let text = read_text(file, MAX_FILE_BYTES)?;
-    scene_from_toml(&text).map_err(|error| error.at(file.display().to_string()))
-}
-
-/// Reads a scene from what a reader gives, to its end.
-pub(super) fn load_scene_from(reader: &mut dyn Read, name: &str) -> Result<(Scene, Info)> {
-    let text = read_all(reader, name, 0, MAX_FILE_BYTES)?;
-    scene_from_toml(&text).map_err(|error| error.at(name))
 }
 
 /// The text of a regular file of at most `most` bytes.

@@ -44,8 +44,9 @@ const KEYS: [&str; 16] = [
 const REPEATED: [&str; 3] = ["point", "marker", "node"];
 
 /// Those that belong to a path: in a scene its nodes have them.
-const OF_PATH: [&str; 6] = [
+const OF_PATH: [&str; 7] = [
     "closed",
+    "curve",
     "orientation_mode",
     "zoom_mode",
     "base_speeds",

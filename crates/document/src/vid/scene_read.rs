@@ -3,7 +3,9 @@
 use glam::{DQuat, DVec3};
 
 use super::field::{Field, Source};
-use super::read::{base_speeds, one_line, orientation_mode, points, presets, zoom_mode};
+use super::read::{
+    base_speeds, curve_kind, one_line, orientation_mode, points, presets, zoom_mode,
+};
 use crate::error::{Error, Message, Result, message, vec_with_room};
 use crate::limits;
 use crate::path::CameraPath;
@@ -513,6 +515,7 @@ fn path(
             "start_frame" => start = field.number()?,
             "beyond" => after = beyond(field)?,
             "closed" => path.closed = field.boolean()?,
+            "curve" => path.curve = curve_kind(field)?,
             "orientation_mode" => path.orientation_mode = orientation_mode(field)?,
             "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
             "base_speeds" => path.speeds = base_speeds(field)?,
@@ -528,6 +531,7 @@ fn path(
                     "start_frame",
                     "beyond",
                     "closed",
+                    "curve",
                     "orientation_mode",
                     "zoom_mode",
                     "base_speeds",

@@ -4,8 +4,8 @@ use std::fmt::{self, Write};
 
 use super::comments::Comments;
 use super::write::{
-    Quoted, Shape as TcbShape, Text, Vector, head, list, orientation_mode, point, space, to_toml,
-    zoom_mode,
+    Quoted, Shape as TcbShape, Text, Vector, curve, head, list, orientation_mode, point, space,
+    to_toml, zoom_mode,
 };
 use crate::error::{Error, Result};
 use crate::info::Info;
@@ -17,9 +17,9 @@ use vides_engine::scene::{
 
 /// The text of a scene. One that is nothing but a camera on a path is written as
 /// that path; of nodes, values with the default of a new one are left out.
-pub(crate) fn scene_to_toml(scene: &Scene, info: &Info) -> Result<String> {
+pub(crate) fn scene_to_toml(scene: &Scene, info: &Info, comments: &Comments) -> Result<String> {
     if let Some(path) = alone(scene) {
-        return to_toml(path.path(), info, &Comments::default());
+        return to_toml(path.path(), info, comments);
     }
     let mut out = Text(String::new());
     // Nothing here fails but for want of memory.
@@ -28,7 +28,7 @@ pub(crate) fn scene_to_toml(scene: &Scene, info: &Info) -> Result<String> {
 }
 
 /// The path of a scene that has nothing else.
-fn alone(scene: &Scene) -> Option<&FollowPath> {
+pub(crate) fn alone(scene: &Scene) -> Option<&FollowPath> {
     let [node] = scene.nodes() else {
         return None;
     };
@@ -223,6 +223,7 @@ fn path(out: &mut Text, follow: &FollowPath, pins: &[Pin]) -> fmt::Result {
     )?;
     writeln!(out, "beyond = \"{}\"", follow.beyond().name())?;
     writeln!(out, "closed = {}", path.closed)?;
+    curve(out, path)?;
     writeln!(out, "orientation_mode = \"{}\"", orientation_mode(path))?;
     writeln!(out, "zoom_mode = \"{}\"", zoom_mode(path))?;
     rows(out, "pins", pins, |out, pin| {

@@ -37,14 +37,7 @@ impl Write for Text {
 fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
     head(out, info)?;
     writeln!(out, "closed = {}", path.closed)?;
-    let curve = match path.curve {
-        CurveKind::Tcb => None,
-        CurveKind::Cubic => Some("cubic"),
-        CurveKind::Linear => Some("linear"),
-    };
-    if let Some(curve) = curve {
-        writeln!(out, "curve = \"{curve}\"")?;
-    }
+    curve(out, path)?;
     writeln!(out, "orientation_mode = \"{}\"", orientation_mode(path))?;
     writeln!(out, "zoom_mode = \"{}\"", zoom_mode(path))?;
 
@@ -64,6 +57,15 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
     path.points
         .iter()
         .try_for_each(|point| self::point(out, "point", point))
+}
+
+/// The kind of the curve, if it is not that of a new path.
+pub(super) fn curve(out: &mut Text, path: &CameraPath) -> fmt::Result {
+    match path.curve {
+        CurveKind::Tcb => Ok(()),
+        CurveKind::Cubic => writeln!(out, "curve = \"cubic\""),
+        CurveKind::Linear => writeln!(out, "curve = \"linear\""),
+    }
 }
 
 /// What stands before all else.
