@@ -136,7 +136,7 @@ check-rust:
 	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip \
 	    setxkbmap=x11-xkb-utils /usr/share/X11/locale/compose.dir=libx11-data
 	@mk/locale.sh
-	$(CARGO) test --locked --workspace --all-features
+	env -u MAKEFLAGS $(CARGO) test --locked --workspace --all-features
 
 check-c: libs
 	@mk/need.sh c++=g++ valgrind=valgrind

@@ -495,15 +495,15 @@ pub unsafe extern "C" fn v_scene_remove_deformation(
 
 /// Deforms points in place. u, v, w run from -1 to 1 along the box (min x y z,
 /// max x y z); a flat side gives coordinate 0 and stays. Axes are 0, 1, 2, angles
-/// degrees. In brackets the names of what can move, see v_scene_set_track().
+/// degrees. In parentheses the names of what can move, see v_scene_set_track().
 ///
-/// "taper"      axis a [a]: the other two times 1 + (a-1)(1-u^2)
-/// "taper"      axis r0 r1 [r0 r1]: from r0 at one end to r1 at the other
-/// "twist"      axis angle [angle]: about the axis, from 0 to angle
-/// "bend"       axis angle [angle]: about the axis; the middle stays
-/// "bend"       axis_u axis_v u0 v0 phi_min phi_max [the last four]: u becomes
+/// "taper"      axis a (a): the other two times 1 + (a-1)(1-u^2)
+/// "taper"      axis r0 r1 (r0 r1): from r0 at one end to r1 at the other
+/// "twist"      axis angle (angle): about the axis, from 0 to angle
+/// "bend"       axis angle (angle): about the axis; the middle stays
+/// "bend"       axis_u axis_v u0 v0 phi_min phi_max (the last four): u becomes
 ///              the angle about (u0, v0), v - v0 the distance from it
-/// "free-form"  64 points, 3 numbers each [points]: a Bezier volume over the box,
+/// "free-form"  64 points, 3 numbers each (points): a Bezier volume over the box,
 ///              the first index fastest; (-1, -1, -1), (-1/3, -1, -1) ... is the
 ///              identity. Points outside the box stay
 ///

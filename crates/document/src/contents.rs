@@ -54,7 +54,7 @@ impl Contents {
     }
 }
 
-/// As a line of text, to be read by [`Contents::from_str`].
+/// As a line of text, to be read by [`FromStr`](std::str::FromStr).
 impl std::fmt::Display for Contents {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(out, "{} {:016x}", self.bytes, self.hash)

@@ -34,7 +34,7 @@ pub enum Edit {
     DivideSegment {
         /// The segment.
         segment: usize,
-        /// 1…[`crate::limits::MAX_DIVISION`] new points.
+        /// 1…[`vides_engine::limits::MAX_DIVISION`] new points.
         points: usize,
     },
     /// A new point on the curve where the camera is at a frame, at the nearest
@@ -78,7 +78,7 @@ pub enum Edit {
         /// Where to.
         position: DVec3,
     },
-    /// Names a point; one line, at most [`crate::limits::MAX_NAME_BYTES`].
+    /// Names a point; one line, at most [`vides_engine::limits::MAX_NAME_BYTES`].
     SetName {
         /// The point.
         at: usize,

@@ -81,7 +81,7 @@ impl Document {
     /// As [`Document::new`] where memory may run out.
     ///
     /// # Errors
-    /// [`crate::Error::Memory`].
+    /// [`vides_engine::Error::Memory`].
     pub fn try_new() -> Result<Self> {
         Ok(Self::with(CameraPath::try_new()?, Info::default()))
     }
@@ -89,7 +89,7 @@ impl Document {
     /// A document of this path.
     ///
     /// # Errors
-    /// The first value that is not as [`crate::path::camera_path`] and
+    /// The first value that is not as [`vides_engine::path::camera_path`] and
     /// [`Info`] demand, with its place.
     pub fn from_parts(mut path: CameraPath, mut info: Info) -> Result<Self> {
         prepare::normalise(&mut path)?;
@@ -140,7 +140,7 @@ impl Document {
     /// A copy with the same selection, without the history.
     ///
     /// # Errors
-    /// [`crate::Error::Memory`].
+    /// [`vides_engine::Error::Memory`].
     pub fn try_clone(&self) -> Result<Self> {
         let path = self.content.path.try_clone()?;
         let mut copy = Self::with(path, self.content.info.try_clone()?);
@@ -193,7 +193,7 @@ impl Document {
     /// cannot be undone by itself and leaves the document unmodified.
     ///
     /// # Errors
-    /// [`crate::Error::Range`] if there is no such point or orientation.
+    /// [`vides_engine::Error::Range`] if there is no such point or orientation.
     pub fn select(&mut self, point: usize, orientation: usize) -> Result<()> {
         prepare::orientation(&self.content.path, point, orientation)?;
         self.selection = Selection::at(point, orientation);
@@ -341,7 +341,7 @@ impl Document {
     /// Lengths and frames, brought up to date.
     ///
     /// # Errors
-    /// [`crate::Error::Memory`].
+    /// [`vides_engine::Error::Memory`].
     pub fn timeline<R>(&self, f: impl FnOnce(&Timeline) -> R) -> Result<R> {
         self.plan.timeline(&self.content.path, f)
     }
@@ -349,7 +349,7 @@ impl Document {
     /// Everything prepared for sampling.
     ///
     /// # Errors
-    /// [`crate::Error::Memory`], or [`crate::Error::Limit`] if the path yields
+    /// [`vides_engine::Error::Memory`], or [`vides_engine::Error::Limit`] if the path yields
     /// more than [`limits::MAX_FRAMES`] frames.
     pub fn sampler(&self) -> Result<&Sampler> {
         self.plan.sampler(&self.content.path)
@@ -358,7 +358,7 @@ impl Document {
     /// The document in a `.vid` file.
     ///
     /// # Errors
-    /// [`crate::Error::Io`] if it cannot be read; [`crate::Error::Format`] with
+    /// [`vides_engine::Error::Io`] if it cannot be read; [`vides_engine::Error::Format`] with
     /// file, line and reason if its contents are not what they should be.
     pub fn load(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
@@ -370,7 +370,7 @@ impl Document {
     /// save it to the same file would lose the rest.
     ///
     /// # Errors
-    /// As [`Document::load`]; [`crate::Error::Argument`] if the scene has no
+    /// As [`Document::load`]; [`vides_engine::Error::Argument`] if the scene has no
     /// camera on a path.
     pub fn load_shown(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
@@ -417,7 +417,7 @@ impl Document {
     /// The document in the text of a `.vid` file.
     ///
     /// # Errors
-    /// [`crate::Error::Format`] with line and reason.
+    /// [`vides_engine::Error::Format`] with line and reason.
     pub fn from_toml(text: &str) -> Result<Self> {
         let (path, info) = vid::from_toml(text)?;
         Self::from_parts(path, info)?.read_from(text)
@@ -428,7 +428,7 @@ impl Document {
     /// Loading it gives the same document, bit by bit.
     ///
     /// # Errors
-    /// [`crate::Error::Memory`].
+    /// [`vides_engine::Error::Memory`].
     pub fn to_toml(&self) -> Result<String> {
         let content = &self.content;
         vid::to_toml(&content.path, &content.info, &content.comments)
@@ -438,7 +438,7 @@ impl Document {
     /// [`Document::mark_saved`] when it is the file being edited.
     ///
     /// # Errors
-    /// [`crate::Error::Io`] with the file and what the system said; the old
+    /// [`vides_engine::Error::Io`] with the file and what the system said; the old
     /// file is whole then.
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.to_toml()?.as_bytes())

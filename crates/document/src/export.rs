@@ -63,8 +63,8 @@ pub struct Options {
 /// Writes all poses of a document.
 ///
 /// # Errors
-/// [`crate::Error::Io`] if `out` fails, [`crate::Error::Limit`] if the path
-/// yields too many frames, [`crate::Error::Memory`].
+/// [`vides_engine::Error::Io`] if `out` fails, [`vides_engine::Error::Limit`] if the path
+/// yields too many frames, [`vides_engine::Error::Memory`].
 pub fn write(
     document: &Document,
     options: Options,

@@ -2,7 +2,7 @@
 //! Anhang A), drawn by egui.
 //!
 //! Every change of the path is an edit of [`vides_document`], so that it can
-//! be taken back, and every word comes from [`texts`]. One file per panel and
+//! be taken back, and every word comes from `texts`. One file per panel and
 //! per sub-window. What leaves the window (poses for the host, closing) is a
 //! [`Request`]; whoever runs the editor sees to it.
 //!

@@ -157,7 +157,7 @@ impl Window {
     /// Does what there is to do.
     ///
     /// # Errors
-    /// [`crate::Error::Display`]: the screen is gone, and the window with it.
+    /// [`vides_engine::Error::Display`]: the screen is gone, and the window with it.
     pub(super) fn turn(&mut self, id: Id, host: &Rc<dyn Host>) -> Result<Turn> {
         let news = self.screen.poll()?;
         inject::point(Place::Turn);

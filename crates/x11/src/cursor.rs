@@ -37,7 +37,7 @@ impl Cursors {
     /// theme's name and size stand there.
     ///
     /// # Errors
-    /// [`crate::Error::Display`] if the server is gone.
+    /// [`vides_engine::Error::Display`] if the server is gone.
     pub(super) fn apply(
         &mut self,
         connection: &Connection,

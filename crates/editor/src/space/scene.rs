@@ -131,7 +131,7 @@ impl Scene {
     /// Brings everything up to date.
     ///
     /// # Errors
-    /// [`crate::Error::Memory`].
+    /// [`vides_engine::Error::Memory`].
     pub(super) fn update(&mut self, document: &Document, look: &Look<'_>) -> Result<()> {
         let seen = look.seen();
         let other_look = self.seen.as_ref() != Some(&seen);
@@ -391,7 +391,7 @@ fn cross(
 /// above everything else.
 ///
 /// # Errors
-/// [`crate::Error::Memory`].
+/// [`vides_engine::Error::Memory`].
 pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
     let path = document.path();
     let at = document.selection().point;

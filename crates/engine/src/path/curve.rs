@@ -2,7 +2,7 @@
 //! tangents. A point that owns its tangents has those, whatever the kind.
 //!
 //! Cubic splines are solved where they are asked for: the influence of a point
-//! shrinks by 2 + √3 with each point between, so that beyond [`REACH`] of them
+//! shrinks by 2 + √3 with each point between, so that beyond `REACH` of them
 //! it is below rounding. So a segment costs the same on a path of any length,
 //! and depends on no more of it than that.
 
