@@ -36,16 +36,20 @@ pub(super) fn read<R>(path: *const V_PATH, look: impl FnOnce(&Document) -> Answe
     look(&document)
 }
 
-/// Changes a path: all of the edit or nothing.
-pub(super) fn edit(path: *mut V_PATH, edit: Edit) -> Answer<c_int> {
+/// Works on a path that nobody else reads or changes meanwhile.
+fn change<R>(path: *mut V_PATH, work: impl FnOnce(&mut Document) -> Answer<R>) -> Answer<R> {
     if path.is_null() {
         check(path)?;
     }
     let document = PATHS.get(path)?;
     let mut document = document.write().map_err(|_| SPOILED)?;
     inject::point(inject::Place::Path);
-    document.apply(edit)?;
-    Ok(V_OK)
+    work(&mut document)
+}
+
+/// Changes a path: all of the edit or nothing.
+pub(super) fn edit(path: *mut V_PATH, edit: Edit) -> Answer<c_int> {
+    edit_by(path, |_| Ok(edit))
 }
 
 /// As [`edit`], with an edit that depends on what the path is.
@@ -53,15 +57,11 @@ pub(super) fn edit_by(
     path: *mut V_PATH,
     edit: impl FnOnce(&Document) -> Answer<Edit>,
 ) -> Answer<c_int> {
-    if path.is_null() {
-        check(path)?;
-    }
-    let document = PATHS.get(path)?;
-    let mut document = document.write().map_err(|_| SPOILED)?;
-    inject::point(inject::Place::Path);
-    let edit = edit(&document)?;
-    document.apply(edit)?;
-    Ok(V_OK)
+    change(path, |document| {
+        let edit = edit(document)?;
+        document.apply(edit)?;
+        Ok(V_OK)
+    })
 }
 
 /// As [`edit`], and then looks at the path.
@@ -70,14 +70,10 @@ pub(super) fn edit_and<R>(
     edit: Edit,
     look: impl FnOnce(&Document) -> R,
 ) -> Answer<R> {
-    if path.is_null() {
-        check(path)?;
-    }
-    let document = PATHS.get(path)?;
-    let mut document = document.write().map_err(|_| SPOILED)?;
-    inject::point(inject::Place::Path);
-    document.apply(edit)?;
-    Ok(look(&document))
+    change(path, |document| {
+        document.apply(edit)?;
+        Ok(look(document))
+    })
 }
 
 /// Changes what a path says besides its poses.
