@@ -560,7 +560,7 @@ pub unsafe extern "C" fn v_scene_get_path(
                 .node(node)?
                 .path()
                 .ok_or(Failure::Border(V_ERR_ARGUMENT, "this node follows no path"))?;
-            crate::error::room(document.scene.weight())?;
+            crate::error::can_allocate(document.scene.weight())?;
             Ok(Document::from_parts(found.path().clone(), Info::default())?)
         })?;
         let made = path::keep(copy.without_history())?;

@@ -11,7 +11,7 @@ use super::scene::{asked, beyond, copy, edit, lend, read, text};
 use super::scene_types::*;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_ERR_SIZE, V_OK};
 use crate::deform::{Bounds, Deformation};
-use crate::error::{Error, Result, room, vec_with_room};
+use crate::error::{Error, Result, can_allocate, vec_with_room};
 use crate::limits::{MAX_KEYS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SCENE_NUMBERS};
 use crate::scene::host::{self, Function};
 use crate::scene::{Beyond, Channel, Interpolation, Kind, Mesh, Shape, Track};
@@ -304,7 +304,7 @@ pub unsafe extern "C" fn v_register_interpolation(
         let function = match function {
             None => None,
             Some(function) => {
-                room(256)?;
+                can_allocate(256)?;
                 let host = Host { function, user };
                 let function: Arc<Function> =
                     Arc::new(move |question: host::Question<'_>, value: &mut [f64]| {

@@ -8,7 +8,7 @@ use std::os::unix::fs::{MetadataExt, OpenOptionsExt, PermissionsExt};
 use std::path::{Path, PathBuf};
 
 use super::{Contents, NotAFile};
-use crate::error::{Error, Result, room};
+use crate::error::{Error, Result, can_allocate};
 
 /// Bytes that are written at once.
 const BUFFER: usize = 32 << 10;
@@ -62,7 +62,7 @@ fn replace(
     write: &mut dyn FnMut(&mut dyn Write) -> Result<()>,
     may: &dyn Fn(&Path) -> bool,
 ) -> Result<bool> {
-    room(ROOM)?;
+    can_allocate(ROOM)?;
     let io = |error| failed(file, error);
     let target = destination(file).map_err(io)?;
     let old = match fs::metadata(&target) {

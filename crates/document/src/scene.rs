@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::info::Info;
 use super::vid::{self, Comments};
-use crate::error::{Error, Result, message, room};
+use crate::error::{Error, Result, can_allocate, message};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
 use vides_engine::scene::Scene;
@@ -111,7 +111,7 @@ impl SceneDocument {
     /// [`Error::Memory`].
     pub fn try_clone(&self) -> Result<Self> {
         let info = self.info.try_clone()?;
-        room(self.scene.weight())?;
+        can_allocate(self.scene.weight())?;
         Ok(Self {
             scene: self.scene.clone(),
             info,

@@ -32,8 +32,8 @@ pub(super) struct Picture {
     pub(super) lines: Arc<Lines>,
 }
 
-/// Shows the pane if it is open; `room` is the movement window.
-pub(super) fn show(editor: &mut Editor, context: &Context, room: Rect) {
+/// Shows the pane if it is open; `viewport` is the movement window.
+pub(super) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
     editor.camera_picture = None;
     if !editor.setup.camera_view {
         return;
@@ -46,22 +46,22 @@ pub(super) fn show(editor: &mut Editor, context: &Context, room: Rect) {
         .corner_radius(4)
         .inner_margin(1);
     let id = egui::Id::unique("camera view");
-    let width = first_width(room);
+    let width = first_width(viewport);
     let mut pane = egui::Window::new(editor.texts().space.camera_view)
         .id(id)
         .title_bar(false)
         .frame(frame)
         .resizable([true, false])
-        .constrain_to(room)
+        .constrain_to(viewport)
         .pivot(Align2::RIGHT_TOP)
-        .default_pos(corner(room))
+        .default_pos(corner(viewport))
         .default_width(width)
         .min_width(WIDTH / 2.0);
     // Where no hand has moved it, it goes along with the window's size.
     let known: Option<Placed> = context.data(|data| data.get_temp(id));
-    if known.is_some_and(|known| !known.by_hand && known.room != room) {
+    if known.is_some_and(|known| !known.by_hand && known.viewport != viewport) {
         pane = pane
-            .current_pos(corner(room))
+            .current_pos(corner(viewport))
             .min_width(width)
             .max_width(width);
     }
@@ -70,10 +70,11 @@ pub(super) fn show(editor: &mut Editor, context: &Context, room: Rect) {
     };
     let rect = shown.response.rect;
     let held = context.input(|input| input.pointer.any_down());
-    let by_hand = known
-        .is_some_and(|known| known.by_hand || (held && known.room == room && known.rect != rect));
+    let by_hand = known.is_some_and(|known| {
+        known.by_hand || (held && known.viewport == viewport && known.rect != rect)
+    });
     let placed = Placed {
-        room,
+        viewport,
         rect,
         by_hand,
     };
@@ -97,20 +98,20 @@ pub(super) fn follow(editor: &mut Editor) -> Option<Arc<Lines>> {
 #[derive(Clone, Copy, Debug)]
 struct Placed {
     /// The movement window.
-    room: Rect,
+    viewport: Rect,
     rect: Rect,
     /// Somebody has put it there.
     by_hand: bool,
 }
 
 /// Where its upper right corner is at first.
-fn corner(room: Rect) -> Pos2 {
-    room.right_top() + vec2(-12.0, 12.0)
+fn corner(viewport: Rect) -> Pos2 {
+    viewport.right_top() + vec2(-12.0, 12.0)
 }
 
 /// How wide its picture is at first.
-fn first_width(room: Rect) -> f32 {
-    WIDTH.min(room.width() * 0.27).max(WIDTH / 2.0)
+fn first_width(viewport: Rect) -> f32 {
+    WIDTH.min(viewport.width() * 0.27).max(WIDTH / 2.0)
 }
 
 fn contents(editor: &mut Editor, ui: &mut Ui) {

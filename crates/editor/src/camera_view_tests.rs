@@ -122,10 +122,13 @@ fn the_pane_goes_along_with_the_window() {
     };
     for size in [SMALL, LARGE, SMALL] {
         resize(&mut window, size);
-        let (rect, room) = pane(&window);
-        assert!((rect.width() - first_width(room)).abs() < 4.0, "{rect:?}");
-        let away = rect.right_top() - corner(room);
-        assert!(away.length() < 4.0, "{rect:?} in {room:?}");
+        let (rect, viewport) = pane(&window);
+        assert!(
+            (rect.width() - first_width(viewport)).abs() < 4.0,
+            "{rect:?}"
+        );
+        let away = rect.right_top() - corner(viewport);
+        assert!(away.length() < 4.0, "{rect:?} in {viewport:?}");
     }
     let (small, _) = pane(&window);
     let from = small.center();

@@ -241,7 +241,7 @@ impl Editor {
         match self.document.apply(edit) {
             Ok(()) => {
                 self.message = None;
-                self.tell_doubts();
+                self.tell_ambiguities();
                 true
             }
             Err(error) => {

@@ -12,8 +12,8 @@
 #![forbid(unsafe_code)]
 
 mod actions;
+mod ambiguities;
 mod camera_view;
-mod doubts;
 mod filing;
 mod folders;
 mod fonts;

@@ -303,7 +303,7 @@ impl Editor {
         self.document.end_step();
         self.message.take_if(|message| !message.error);
         if self.message.is_none() {
-            self.tell_doubts();
+            self.tell_ambiguities();
         }
     }
 

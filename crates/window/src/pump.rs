@@ -8,7 +8,7 @@
 //! brings it back at once.
 
 use super::registry::Lost;
-use super::window::Wish;
+use super::window::HostRequest;
 use super::{Id, registry};
 use crate::error::Result;
 use crate::inject;
@@ -59,23 +59,23 @@ fn round(lost: &mut Option<Lost>) -> bool {
 
 /// One window's turn, and what it wants of the host.
 fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
-    let Some(turn) = registry::work(id, lost, |window, host| window.turn(id, host)) else {
+    let Some(polled) = registry::work(id, lost, |window, host| window.poll(id, host)) else {
         // Gone by a fault: there may be work for those that are left.
         return true;
     };
-    let turn = match turn {
-        Ok(turn) => turn,
+    let polled = match polled {
+        Ok(polled) => polled,
         Err(error) => {
             registry::lose(id, None, Lost::screen(&error), lost);
             return true;
         }
     };
-    match turn.wish {
-        None => return turn.busy,
-        Some(Wish::HandOver) => {
+    match polled.request {
+        None => return polled.busy,
+        Some(HostRequest::HandOver) => {
             registry::call(id, lost, |host| host.hand_over(id));
         }
-        Some(Wish::Close) => {
+        Some(HostRequest::Close) => {
             if registry::call(id, lost, |host| host.may_close(id)) == Some(true) {
                 registry::close_for_the_user(id);
             }

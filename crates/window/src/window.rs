@@ -1,9 +1,9 @@
 //! One window at work: input from the screen to the editor, the editor's
 //! picture through the raster back to the screen.
 //!
-//! A [`Window::turn`] does what there is to do at the moment and never waits.
+//! A [`Window::poll`] does what there is to do at the moment and never waits.
 //! What only the host can do (take poses, agree to the closing) comes out of
-//! it as a [`Wish`], one at a time, for the host may change everything before
+//! it as a [`HostRequest`], one at a time, for the host may change everything before
 //! the next.
 
 use std::ops::Range;
@@ -81,16 +81,16 @@ struct Picture {
     painted: bool,
 }
 
-/// What a turn ended with.
-pub(super) struct Turn {
+/// What polling ended with.
+pub(super) struct Polled {
     /// Something was done: more may have come meanwhile.
     pub(super) busy: bool,
     /// What the host must be called for.
-    pub(super) wish: Option<Wish>,
+    pub(super) request: Option<HostRequest>,
 }
 
 /// What only the host can do.
-pub(super) enum Wish {
+pub(super) enum HostRequest {
     /// It takes the poses that were made ready.
     HandOver,
     /// May the window close?
@@ -158,7 +158,7 @@ impl Window {
     ///
     /// # Errors
     /// [`vides_engine::Error::Display`]: the screen is gone, and the window with it.
-    pub(super) fn turn(&mut self, id: Id, host: &Rc<dyn Host>) -> Result<Turn> {
+    pub(super) fn poll(&mut self, id: Id, host: &Rc<dyn Host>) -> Result<Polled> {
         let news = self.screen.poll()?;
         inject::point(Place::Turn);
         if news.input {
@@ -176,23 +176,23 @@ impl Window {
         if news.shown {
             self.in_flight = false;
         }
-        let mut turn = Turn {
+        let mut polled = Polled {
             busy: news.input || news.close || news.new_buffer || news.shown || news.more,
-            wish: None,
+            request: None,
         };
         let now = Instant::now();
         if !self.in_flight && (self.fresh || self.due.is_some_and(|due| due <= now)) {
-            turn.busy = true;
+            polled.busy = true;
             self.pass(now)?;
         }
-        turn.wish = self.next_wish(id, host);
-        if news.close && turn.wish.is_none() {
+        polled.request = self.next_host_request(id, host);
+        if news.close && polled.request.is_none() {
             // There is a question, which nobody sees behind other windows.
             self.screen.raise()?;
         }
-        turn.busy |= self.paint()?;
+        polled.busy |= self.paint()?;
         self.screen.flush()?;
-        Ok(turn)
+        Ok(polled)
     }
 
     /// Makes a picture of what there is now.
@@ -352,10 +352,10 @@ impl Window {
     }
 
     /// What the editor wants done outside, made ready for the host.
-    fn next_wish(&mut self, id: Id, host: &Rc<dyn Host>) -> Option<Wish> {
+    fn next_host_request(&mut self, id: Id, host: &Rc<dyn Host>) -> Option<HostRequest> {
         loop {
             match self.editor.next_request()? {
-                Request::Close => return Some(Wish::Close),
+                Request::Close => return Some(HostRequest::Close),
                 Request::HandOver => {
                     self.fresh = true;
                     inject::point(Place::HandOver);
@@ -367,7 +367,7 @@ impl Window {
                     let ready = count.is_ok();
                     self.editor.handed_over(count);
                     if ready {
-                        return Some(Wish::HandOver);
+                        return Some(HostRequest::HandOver);
                     }
                 }
             }

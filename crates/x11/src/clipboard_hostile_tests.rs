@@ -12,7 +12,7 @@ use x11rb::wrapper::ConnectionExt as _;
 use x11rb::{CURRENT_TIME, NONE};
 
 use super::clipboard::Selection;
-use super::clipboard_tests::{Desk, long, notify, push};
+use super::clipboard_tests::{Fixture, long, notify, push};
 use super::connection::Connection;
 use super::testing::{Server, until};
 use super::{incoming, outgoing};
@@ -69,33 +69,33 @@ impl Owner {
 #[test]
 fn owners_that_mean_it_ill_cost_neither_time_nor_memory() {
     let server = Server::start();
-    let mut desk = Desk::new(&server);
+    let mut fixture = Fixture::new(&server);
     let owner = Owner::new(&server);
     let atoms = *owner.connection.atoms();
-    let ends = |desk: &mut Desk, what: &str| {
+    let ends = |fixture: &mut Fixture, what: &str| {
         until(what, || {
             push(&owner.connection);
-            desk.poll();
-            desk.is_quiet().then_some(())
+            fixture.poll();
+            fixture.is_quiet().then_some(())
         });
-        assert_eq!(desk.pasted(), None, "{what}");
+        assert_eq!(fixture.pasted(), None, "{what}");
     };
 
     // No answer at all.
-    desk.request(Selection::Clipboard);
+    fixture.request(Selection::Clipboard);
     owner.request();
-    desk.poll();
-    assert!(!desk.is_quiet());
-    desk.give_up_after(Duration::from_secs(4));
-    assert!(!desk.is_quiet());
-    desk.give_up_after(Duration::from_secs(6));
-    assert!(desk.is_quiet());
+    fixture.poll();
+    assert!(!fixture.is_quiet());
+    fixture.give_up_after(Duration::from_secs(4));
+    assert!(!fixture.is_quiet());
+    fixture.give_up_after(Duration::from_secs(6));
+    assert!(fixture.is_quiet());
 
     // More requests than anybody makes.
     for _ in 0..100 {
-        desk.request(Selection::Clipboard);
+        fixture.request(Selection::Clipboard);
     }
-    desk.give_up_after(Duration::from_secs(6));
+    fixture.give_up_after(Duration::from_secs(6));
     let waiting = || matches!(owner.event(), Some(Event::SelectionRequest(_)));
     let mut asked = 0;
     until("eight requests", || {
@@ -105,18 +105,18 @@ fn owners_that_mean_it_ill_cost_neither_time_nor_memory() {
     assert!(!waiting());
 
     // An answer without a property; wrong kinds; numbers instead of text.
-    desk.request(Selection::Clipboard);
+    fixture.request(Selection::Clipboard);
     let request = owner.request();
     owner.notify(&request, request.property);
-    ends(&mut desk, "nothing");
+    ends(&mut fixture, "nothing");
     for kind in [atoms.TARGETS, atoms.ATOM_PAIR, AtomEnum::PIXMAP.into()] {
-        desk.request(Selection::Clipboard);
+        fixture.request(Selection::Clipboard);
         let request = owner.request();
         owner.write(&request, kind, b"text");
         owner.notify(&request, request.property);
-        ends(&mut desk, "a wrong kind");
+        ends(&mut fixture, "a wrong kind");
     }
-    desk.request(Selection::Clipboard);
+    fixture.request(Selection::Clipboard);
     let request = owner.request();
     owner
         .connection
@@ -130,26 +130,26 @@ fn owners_that_mean_it_ill_cost_neither_time_nor_memory() {
         .unwrap()
         .ignore_error();
     owner.notify(&request, request.property);
-    ends(&mut desk, "numbers");
+    ends(&mut fixture, "numbers");
 
     // Bytes that are no UTF-8 do not end in a panic; what is text stays.
-    desk.request(Selection::Clipboard);
+    fixture.request(Selection::Clipboard);
     let request = owner.request();
     owner.write(&request, atoms.UTF8_STRING, b"a\xFF\xFEb\0");
     owner.notify(&request, request.property);
     let pasted = until("text", || {
-        desk.poll();
-        desk.pasted()
+        fixture.poll();
+        fixture.pasted()
     });
     assert_eq!(pasted, "a\u{FFFD}\u{FFFD}b");
 
     // One that knows Latin-1 only.
-    desk.request(Selection::Clipboard);
+    fixture.request(Selection::Clipboard);
     let mut request = owner.request();
     while request.target != u32::from(AtomEnum::STRING) {
         owner.notify(&request, NONE);
         request = until("the next target", || {
-            desk.poll();
+            fixture.poll();
             match owner.event() {
                 Some(Event::SelectionRequest(event)) => Some(event),
                 _ => None,
@@ -159,13 +159,13 @@ fn owners_that_mean_it_ill_cost_neither_time_nor_memory() {
     owner.write(&request, AtomEnum::STRING.into(), b"Gr\xFC\xDFe");
     owner.notify(&request, request.property);
     let pasted = until("text", || {
-        desk.poll();
-        desk.pasted()
+        fixture.poll();
+        fixture.pasted()
     });
     assert_eq!(pasted, "Grüße");
 
     // A property that is too large.
-    desk.request(Selection::Clipboard);
+    fixture.request(Selection::Clipboard);
     let request = owner.request();
     owner.write(
         &request,
@@ -173,10 +173,10 @@ fn owners_that_mean_it_ill_cost_neither_time_nor_memory() {
         &vec![b'x'; MAX_CLIPBOARD_BYTES + 1],
     );
     owner.notify(&request, request.property);
-    ends(&mut desk, "a huge property");
+    ends(&mut fixture, "a huge property");
 
     // Pieces of which the first announces too much.
-    desk.request(Selection::Clipboard);
+    fixture.request(Selection::Clipboard);
     let request = owner.request();
     let announce = |size: u32| {
         owner
@@ -193,17 +193,17 @@ fn owners_that_mean_it_ill_cost_neither_time_nor_memory() {
     };
     announce(u32::MAX);
     owner.notify(&request, request.property);
-    ends(&mut desk, "a boastful owner");
+    ends(&mut fixture, "a boastful owner");
 }
 
 #[test]
 fn pieces_without_an_end_end() {
     let server = Server::start();
-    let mut desk = Desk::new(&server);
+    let mut fixture = Fixture::new(&server);
     let owner = Owner::new(&server);
     let atoms = *owner.connection.atoms();
-    let begin = |desk: &mut Desk| {
-        desk.request(Selection::Clipboard);
+    let begin = |fixture: &mut Fixture| {
+        fixture.request(Selection::Clipboard);
         let request = owner.request();
         outgoing::listen(&owner.connection, request.requestor, true).unwrap();
         owner
@@ -219,57 +219,57 @@ fn pieces_without_an_end_end() {
         owner.notify(&request, request.property);
         request
     };
-    let taken = |desk: &mut Desk| {
-        desk.poll();
+    let taken = |fixture: &mut Fixture| {
+        fixture.poll();
         matches!(owner.event(), Some(Event::PropertyNotify(event)) if event.state == Property::DELETE)
     };
 
     // Large ones, until it is too much.
-    let request = begin(&mut desk);
+    let request = begin(&mut fixture);
     let piece = vec![b'x'; 1 << 20];
     let mut pieces = 0;
     until("the end", || {
-        if taken(&mut desk) {
+        if taken(&mut fixture) {
             owner.write(&request, atoms.UTF8_STRING, &piece);
             owner.connection.flush().unwrap();
             pieces += 1;
         }
-        desk.is_quiet().then_some(())
+        fixture.is_quiet().then_some(())
     });
     assert!(pieces << 20 <= MAX_CLIPBOARD_BYTES + (2 << 20), "{pieces}");
-    assert_eq!(desk.pasted(), None);
+    assert_eq!(fixture.pasted(), None);
 
     // Small ones, each just in time, until it has lasted too long.
-    let request = begin(&mut desk);
+    let request = begin(&mut fixture);
     for _ in 0..3 {
-        until("a deletion", || taken(&mut desk).then_some(()));
+        until("a deletion", || taken(&mut fixture).then_some(()));
         owner.write(&request, atoms.UTF8_STRING, b"y");
         owner.connection.flush().unwrap();
     }
-    desk.give_up_after(Duration::from_secs(61));
-    assert!(desk.is_quiet());
-    assert_eq!(desk.pasted(), None);
+    fixture.give_up_after(Duration::from_secs(61));
+    assert!(fixture.is_quiet());
+    assert_eq!(fixture.pasted(), None);
 
     // It stops in the middle; what comes later finds nobody.
-    let request = begin(&mut desk);
-    until("a deletion", || taken(&mut desk).then_some(()));
-    desk.give_up_after(Duration::from_secs(6));
+    let request = begin(&mut fixture);
+    until("a deletion", || taken(&mut fixture).then_some(()));
+    fixture.give_up_after(Duration::from_secs(6));
     owner.write(&request, atoms.UTF8_STRING, b"late");
     owner.notify(&request, request.property);
     for _ in 0..20 {
-        desk.poll();
+        fixture.poll();
         std::thread::sleep(Duration::from_millis(1));
     }
-    assert_eq!(desk.pasted(), None);
+    assert_eq!(fixture.pasted(), None);
 
     // And all is well afterwards.
-    let request = begin(&mut desk);
+    let request = begin(&mut fixture);
     for piece in ["ab", "c€"] {
-        until("a deletion", || taken(&mut desk).then_some(()));
+        until("a deletion", || taken(&mut fixture).then_some(()));
         owner.write(&request, atoms.UTF8_STRING, piece.as_bytes());
         owner.connection.flush().unwrap();
     }
-    until("a deletion", || taken(&mut desk).then_some(()));
+    until("a deletion", || taken(&mut fixture).then_some(()));
     owner
         .connection
         .change_property8(
@@ -282,8 +282,8 @@ fn pieces_without_an_end_end() {
         .unwrap();
     owner.connection.flush().unwrap();
     let pasted = until("the text", || {
-        desk.poll();
-        desk.pasted()
+        fixture.poll();
+        fixture.pasted()
     });
     assert_eq!(pasted, "abc€");
 }
@@ -291,12 +291,12 @@ fn pieces_without_an_end_end() {
 #[test]
 fn requestors_are_served_within_bounds() {
     let server = Server::start();
-    let mut desk = Desk::new(&server);
-    desk.own(Selection::Clipboard, &long());
+    let mut fixture = Fixture::new(&server);
+    fixture.own(Selection::Clipboard, &long());
     let other = Owner::new(&server);
     let atoms = *other.connection.atoms();
     // The other took the clipboard as it began; it is taken back.
-    desk.own(Selection::Clipboard, &long());
+    fixture.own(Selection::Clipboard, &long());
     let ask = |window: Window, target: Atom, property: Atom| {
         other
             .connection
@@ -304,9 +304,9 @@ fn requestors_are_served_within_bounds() {
             .unwrap();
         other.connection.flush().unwrap();
     };
-    let answer = |desk: &mut Desk| {
+    let answer = |fixture: &mut Fixture| {
         until("an answer", || {
-            desk.poll();
+            fixture.poll();
             match other.event() {
                 Some(Event::SelectionNotify(event)) => Some(event.property),
                 _ => None,
@@ -334,7 +334,7 @@ fn requestors_are_served_within_bounds() {
         )
         .unwrap();
     ask(other.window, atoms.MULTIPLE, property);
-    assert_eq!(answer(&mut desk), property);
+    assert_eq!(answer(&mut fixture), property);
     let asked = other
         .connection
         .get_property(false, other.window, property, AtomEnum::ANY, 0, 100)
@@ -354,33 +354,33 @@ fn requestors_are_served_within_bounds() {
     for number in 0..100 {
         ask(other.window, atoms.UTF8_STRING, number + 1);
     }
-    let begun = (0..100).filter(|_| answer(&mut desk) != NONE).count();
+    let begun = (0..100).filter(|_| answer(&mut fixture) != NONE).count();
     assert_eq!(begun, 16);
-    desk.give_up_after(Duration::from_secs(6));
-    assert!(desk.is_quiet());
+    fixture.give_up_after(Duration::from_secs(6));
+    assert!(fixture.is_quiet());
     // One that goes away in the middle.
     let window = other.connection.generate_id().unwrap();
     incoming::create(&other.connection, window, EventMask::NO_EVENT).unwrap();
     ask(window, atoms.UTF8_STRING, property);
-    assert_eq!(answer(&mut desk), property);
-    assert!(!desk.is_quiet());
+    assert_eq!(answer(&mut fixture), property);
+    assert!(!fixture.is_quiet());
     other.connection.destroy_window(window).unwrap();
     other.connection.flush().unwrap();
     until("quiet", || {
-        desk.poll();
-        desk.is_quiet().then_some(())
+        fixture.poll();
+        fixture.is_quiet().then_some(())
     });
     // A request in the name of a window of ours must not make it deaf.
-    let ours = desk.connection.generate_id().unwrap();
-    incoming::create(&desk.connection, ours, EventMask::PROPERTY_CHANGE).unwrap();
-    desk.connection.flush().unwrap();
+    let ours = fixture.connection.generate_id().unwrap();
+    incoming::create(&fixture.connection, ours, EventMask::PROPERTY_CHANGE).unwrap();
+    fixture.connection.flush().unwrap();
     ask(ours, atoms.UTF8_STRING, property);
     for _ in 0..20 {
-        desk.poll();
+        fixture.poll();
         std::thread::sleep(Duration::from_millis(1));
     }
-    let asked = desk.connection.get_window_attributes(ours).unwrap();
+    let asked = fixture.connection.get_window_attributes(ours).unwrap();
     let mask = asked.reply().unwrap().your_event_mask;
     assert_eq!(mask, EventMask::PROPERTY_CHANGE);
-    assert!(desk.is_quiet());
+    assert!(fixture.is_quiet());
 }

@@ -21,13 +21,13 @@ use super::incoming;
 use super::testing::{Server, until};
 
 /// One program with a clipboard of ours.
-pub(super) struct Desk {
+pub(super) struct Fixture {
     pub(super) connection: Connection,
     clipboard: Clipboard,
     heard: Vec<Input>,
 }
 
-impl Desk {
+impl Fixture {
     pub(super) fn new(server: &Server) -> Self {
         let connection = Connection::open(Some(server.display())).unwrap();
         connection.settle();
@@ -114,7 +114,7 @@ fn name(which: Selection) -> &'static str {
 }
 
 /// What xclip makes of our selection.
-fn xclip_reads(server: &Server, desk: &mut Desk, which: Selection, target: &str) -> Vec<u8> {
+fn xclip_reads(server: &Server, fixture: &mut Fixture, which: Selection, target: &str) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("text");
     let mut xclip = server
@@ -124,12 +124,12 @@ fn xclip_reads(server: &Server, desk: &mut Desk, which: Selection, target: &str)
         .spawn()
         .unwrap();
     until("xclip", || {
-        desk.poll();
+        fixture.poll();
         xclip.try_wait().unwrap()
     });
     until("quiet", || {
-        desk.poll();
-        desk.is_quiet().then_some(())
+        fixture.poll();
+        fixture.is_quiet().then_some(())
     });
     std::fs::read(file).unwrap()
 }
@@ -152,15 +152,18 @@ const BOTH: [Selection; 2] = [Selection::Clipboard, Selection::Primary];
 #[test]
 fn others_read_what_we_own() {
     let server = Server::start();
-    let mut desk = Desk::new(&server);
+    let mut fixture = Fixture::new(&server);
     for which in BOTH {
-        desk.own(which, "a = 1 €");
+        fixture.own(which, "a = 1 €");
         assert_eq!(
-            xclip_reads(&server, &mut desk, which, "UTF8_STRING"),
+            xclip_reads(&server, &mut fixture, which, "UTF8_STRING"),
             "a = 1 €".as_bytes()
         );
-        assert_eq!(xclip_reads(&server, &mut desk, which, "STRING"), b"a = 1 ?");
-        let targets = xclip_reads(&server, &mut desk, which, "TARGETS");
+        assert_eq!(
+            xclip_reads(&server, &mut fixture, which, "STRING"),
+            b"a = 1 ?"
+        );
+        let targets = xclip_reads(&server, &mut fixture, which, "TARGETS");
         let targets = String::from_utf8(targets).unwrap();
         for target in [
             "UTF8_STRING",
@@ -171,58 +174,58 @@ fn others_read_what_we_own() {
         ] {
             assert!(targets.lines().any(|line| line == target), "{targets}");
         }
-        assert_eq!(xclip_reads(&server, &mut desk, which, "image/png"), b"");
+        assert_eq!(xclip_reads(&server, &mut fixture, which, "image/png"), b"");
         let long = long();
-        desk.own(which, &long);
-        assert!(xclip_reads(&server, &mut desk, which, "UTF8_STRING") == long.as_bytes());
+        fixture.own(which, &long);
+        assert!(xclip_reads(&server, &mut fixture, which, "UTF8_STRING") == long.as_bytes());
     }
 }
 
 #[test]
 fn we_read_what_others_own() {
     let server = Server::start();
-    let mut desk = Desk::new(&server);
+    let mut fixture = Fixture::new(&server);
     let long = long();
     for which in BOTH {
         for text in ["kurz: ß", &long] {
             let mut xclip = xclip_owns(&server, which, text.as_bytes());
             // xclip becomes the owner when it has read everything.
             let selection = match which {
-                Selection::Clipboard => desk.connection.atoms().CLIPBOARD,
+                Selection::Clipboard => fixture.connection.atoms().CLIPBOARD,
                 Selection::Primary => AtomEnum::PRIMARY.into(),
             };
             until("an owner", || {
-                let asked = desk.connection.get_selection_owner(selection).unwrap();
+                let asked = fixture.connection.get_selection_owner(selection).unwrap();
                 (asked.reply().unwrap().owner != NONE).then_some(())
             });
-            desk.request(which);
+            fixture.request(which);
             let pasted = until("the text", || {
-                desk.poll();
-                desk.pasted()
+                fixture.poll();
+                fixture.pasted()
             });
             assert!(pasted == text, "{} bytes", pasted.len());
-            assert!(desk.is_quiet());
+            assert!(fixture.is_quiet());
             xclip.kill().unwrap();
             xclip.wait().unwrap();
             until("no owner", || {
-                let asked = desk.connection.get_selection_owner(selection).unwrap();
+                let asked = fixture.connection.get_selection_owner(selection).unwrap();
                 (asked.reply().unwrap().owner == NONE).then_some(())
             });
         }
         // Nobody owns it any more: the server says so at once.
-        desk.request(which);
+        fixture.request(which);
         until("quiet", || {
-            desk.poll();
-            desk.is_quiet().then_some(())
+            fixture.poll();
+            fixture.is_quiet().then_some(())
         });
-        assert_eq!(desk.pasted(), None);
+        assert_eq!(fixture.pasted(), None);
     }
 }
 
 #[test]
 fn two_windows_of_one_thread_share_texts() {
     let server = Server::start();
-    let (mut one, mut two) = (Desk::new(&server), Desk::new(&server));
+    let (mut one, mut two) = (Fixture::new(&server), Fixture::new(&server));
     let long = long();
     one.own(Selection::Clipboard, &long);
     one.own(Selection::Primary, "marked");
@@ -260,13 +263,14 @@ fn two_windows_of_one_thread_share_texts() {
 #[test]
 fn a_clipboard_manager_takes_the_text_over() {
     let server = Server::start();
-    let mut desk = Desk::new(&server);
+    let mut fixture = Fixture::new(&server);
     let long = long();
-    desk.own(Selection::Clipboard, &long);
+    fixture.own(Selection::Clipboard, &long);
     // Without a manager there is nothing to wait for.
     let begun = Instant::now();
-    let hand_over = |desk: &mut Desk, limit| desk.clipboard.hand_over(&desk.connection, limit);
-    hand_over(&mut desk, Duration::from_secs(10)).unwrap();
+    let hand_over =
+        |fixture: &mut Fixture, limit| fixture.clipboard.hand_over(&fixture.connection, limit);
+    hand_over(&mut fixture, Duration::from_secs(10)).unwrap();
     assert!(begun.elapsed() < Duration::from_secs(5));
 
     let (ready, is_ready) = channel();
@@ -277,11 +281,11 @@ fn a_clipboard_manager_takes_the_text_over() {
         is_ready.recv().unwrap();
         // One that does nothing holds nobody up for long.
         let begun = Instant::now();
-        hand_over(&mut desk, Duration::from_millis(50)).unwrap();
+        hand_over(&mut fixture, Duration::from_millis(50)).unwrap();
         assert!(begun.elapsed() < Duration::from_secs(5));
         go.send(()).unwrap();
-        hand_over(&mut desk, Duration::from_secs(20)).unwrap();
-        hand_over(&mut desk, Duration::from_secs(20)).unwrap();
+        hand_over(&mut fixture, Duration::from_secs(20)).unwrap();
+        hand_over(&mut fixture, Duration::from_secs(20)).unwrap();
         go.send(()).unwrap();
         for text in served.join().unwrap() {
             assert!(text == long);
@@ -292,7 +296,7 @@ fn a_clipboard_manager_takes_the_text_over() {
 /// Takes over the clipboard's text twice: for the request that is waiting when
 /// it is told to go, and for one more.
 fn serve_as_manager(server: &Server, ready: &Sender<()>, go: &Receiver<()>) -> Vec<String> {
-    let mut manager = Desk::new(server);
+    let mut manager = Fixture::new(server);
     let window = manager.connection.generate_id().unwrap();
     incoming::create(&manager.connection, window, EventMask::NO_EVENT).unwrap();
     let role = manager.connection.atoms().CLIPBOARD_MANAGER;

@@ -14,14 +14,14 @@ use super::testing::{PATIENCE, Server, until};
 use super::{MOST_EVENTS, Options, Window, first_deed};
 
 /// A window with two fields, one above the other.
-struct Desk<'a> {
+struct Fixture<'a> {
     server: &'a Server,
     window: Window,
     egui: egui::Context,
     fields: [String; 2],
 }
 
-impl<'a> Desk<'a> {
+impl<'a> Fixture<'a> {
     fn new(server: &'a Server) -> Self {
         let options = Options {
             display: Some(server.display().to_owned()),
@@ -30,14 +30,14 @@ impl<'a> Desk<'a> {
             size: [300.0, 200.0],
             smallest: [100.0, 80.0],
         };
-        let mut desk = Self {
+        let mut fixture = Self {
             server,
             window: Window::open(&options).unwrap(),
             egui: egui::Context::default(),
             fields: <[String; 2]>::default(),
         };
-        desk.until("a visible window", |desk| desk.window.visible());
-        desk
+        fixture.until("a visible window", |fixture| fixture.window.visible());
+        fixture
     }
 
     /// One turn as the owner of a window does it, without the painting.
@@ -158,38 +158,38 @@ impl TryParse for Shape {
 #[test]
 fn texts_are_typed_copied_marked_and_pasted() {
     let server = Server::start();
-    let mut desk = Desk::new(&server);
-    desk.run("setxkbmap", &["-layout", "de"]);
+    let mut fixture = Fixture::new(&server);
+    fixture.run("setxkbmap", &["-layout", "de"]);
     // A click into the first field, then ´ and e, @ by AltGr, and umlauts.
-    desk.xdotool(&["mousemove", "100", "20", "click", "1"]);
-    desk.xdotool(&[
+    fixture.xdotool(&["mousemove", "100", "20", "click", "1"]);
+    fixture.xdotool(&[
         "key", "21", "key", "26", "keydown", "108", "key", "24", "keyup", "108",
     ]);
-    desk.xdotool(&["key", "48", "key", "47", "key", "20"]);
-    desk.holds(0, "é@äöß");
+    fixture.xdotool(&["key", "48", "key", "47", "key", "20"]);
+    fixture.holds(0, "é@äöß");
     // Copied and marked, then cut.
-    desk.xdotool(&["key", "ctrl+a", "key", "ctrl+c"]);
-    assert_eq!(desk.xclip("clipboard"), "é@äöß");
-    assert_eq!(desk.xclip("primary"), "é@äöß");
-    desk.xdotool(&["key", "ctrl+x"]);
-    desk.holds(0, "");
+    fixture.xdotool(&["key", "ctrl+a", "key", "ctrl+c"]);
+    assert_eq!(fixture.xclip("clipboard"), "é@äöß");
+    assert_eq!(fixture.xclip("primary"), "é@äöß");
+    fixture.xdotool(&["key", "ctrl+x"]);
+    fixture.holds(0, "");
     // Our own text, by both keys.
-    desk.xdotool(&["key", "ctrl+v", "key", "shift+Insert"]);
-    desk.holds(0, "é@äößé@äöß");
+    fixture.xdotool(&["key", "ctrl+v", "key", "shift+Insert"]);
+    fixture.holds(0, "é@äößé@äöß");
     // Another program's, and its marked text where one clicks.
-    let mut xclip = desk.owned_by_xclip("clipboard", "12 €");
-    desk.xdotool(&["key", "ctrl+a", "key", "ctrl+v"]);
-    desk.holds(0, "12 €");
+    let mut xclip = fixture.owned_by_xclip("clipboard", "12 €");
+    fixture.xdotool(&["key", "ctrl+a", "key", "ctrl+v"]);
+    fixture.holds(0, "12 €");
     xclip.kill().unwrap();
     xclip.wait().unwrap();
-    let mut xclip = desk.owned_by_xclip("primary", "marked");
-    desk.xdotool(&["mousemove", "100", "65", "click", "2"]);
-    desk.holds(1, "marked");
-    assert_eq!(desk.fields[0], "12 €");
+    let mut xclip = fixture.owned_by_xclip("primary", "marked");
+    fixture.xdotool(&["mousemove", "100", "65", "click", "2"]);
+    fixture.holds(1, "marked");
+    assert_eq!(fixture.fields[0], "12 €");
     // Beside the fields the button pastes nothing, and asks for nothing.
-    desk.xdotool(&["mousemove", "100", "150", "click", "2"]);
-    assert!(desk.window.clipboard.deadline().is_none());
-    assert_eq!(desk.fields, ["12 €", "marked"]);
+    fixture.xdotool(&["mousemove", "100", "150", "click", "2"]);
+    assert!(fixture.window.clipboard.deadline().is_none());
+    assert_eq!(fixture.fields, ["12 €", "marked"]);
     xclip.kill().unwrap();
     xclip.wait().unwrap();
 }
@@ -244,27 +244,27 @@ fn one_deed_at_a_time_and_writing_at_once() {
 #[test]
 fn the_pointer_has_the_wanted_shape() {
     let server = Server::start();
-    let mut desk = Desk::new(&server);
-    desk.xdotool(&["mousemove", "100", "150"]);
-    let plain = desk.shape();
-    desk.xdotool(&["mousemove", "100", "20"]);
-    let text = desk.shape();
+    let mut fixture = Fixture::new(&server);
+    fixture.xdotool(&["mousemove", "100", "150"]);
+    let plain = fixture.shape();
+    fixture.xdotool(&["mousemove", "100", "20"]);
+    let text = fixture.shape();
     assert_ne!(plain, text);
-    desk.xdotool(&["mousemove", "100", "21"]);
-    assert_eq!(desk.shape(), text);
-    desk.xdotool(&["mousemove", "100", "150"]);
-    assert_eq!(desk.shape(), plain);
+    fixture.xdotool(&["mousemove", "100", "21"]);
+    assert_eq!(fixture.shape(), text);
+    fixture.xdotool(&["mousemove", "100", "150"]);
+    assert_eq!(fixture.shape(), plain);
     // Every shape there is; the server would complain of one that is none.
-    let window = desk.window.frame.window;
+    let window = fixture.window.frame.window;
     for icon in CursorIcon::ALL {
         let Window {
             connection,
             cursors,
             resources,
             ..
-        } = &mut desk.window;
+        } = &mut fixture.window;
         cursors.apply(connection, resources, window, icon).unwrap();
-        let before = desk.shape();
+        let before = fixture.shape();
         if icon == CursorIcon::None {
             assert_eq!(before.width, 1);
         } else {
@@ -273,7 +273,7 @@ fn the_pointer_has_the_wanted_shape() {
             assert!(before.width > 1 || moves, "{icon:?}");
         }
     }
-    while let Some(event) = desk.window.connection.poll_for_event().unwrap() {
+    while let Some(event) = fixture.window.connection.poll_for_event().unwrap() {
         if let x11rb::protocol::Event::Error(error) = event {
             panic!("{error:?}");
         }

@@ -13,7 +13,7 @@ use super::keyboard::Keyboard;
 use super::testing::{Server, until};
 
 /// A window with the keyboard, and what egui would hear of it.
-struct Desk {
+struct Fixture {
     server: Server,
     connection: Connection,
     keyboard: Keyboard,
@@ -21,7 +21,7 @@ struct Desk {
     heard: Vec<Input>,
 }
 
-impl Desk {
+impl Fixture {
     fn new(layout: &str, extension: bool) -> Self {
         let server = Server::start();
         server.run("setxkbmap", &["-layout", layout]);
@@ -150,10 +150,10 @@ const SENTENCE: &str = "The quick (brown) fox: 3.14 & {x}_[y] ~ \\/|<>!?";
 #[test]
 fn text_is_heard_as_it_was_typed() {
     for extension in [true, false] {
-        let mut desk = Desk::new("us", extension);
-        let heard = desk.type_with(&["type", "--args", "1", "--delay", "5", SENTENCE]);
+        let mut fixture = Fixture::new("us", extension);
+        let heard = fixture.type_with(&["type", "--args", "1", "--delay", "5", SENTENCE]);
         assert_eq!(text(&heard), SENTENCE, "extension {extension}");
-        assert_eq!(desk.keyboard.modifiers(), Modifiers::NONE);
+        assert_eq!(fixture.keyboard.modifiers(), Modifiers::NONE);
         // Each key that went down went up again, and none twice.
         let mut down = Vec::new();
         for event in &heard {
@@ -181,32 +181,34 @@ fn layouts_levels_dead_keys_and_sequences() {
     const ALT_GR: &str = "108";
     const SHIFT: &str = "50";
     for extension in [true, false] {
-        let mut desk = Desk::new("de", extension);
+        let mut fixture = Fixture::new("de", extension);
         // z where others have y, and the umlauts.
-        let heard = desk.keys(&[29, 52, 47, 48, 34, 20]);
+        let heard = fixture.keys(&[29, 52, 47, 48, 34, 20]);
         assert_eq!(text(&heard), "zyöäüß", "extension {extension}");
         let keys: Vec<Key> = pressed(&heard).iter().map(|(key, _)| *key).collect();
         assert_eq!(keys[..2], [Key::Z, Key::Y]);
-        let heard = desk.type_with(&["keydown", SHIFT, "key", "47", "key", "16", "keyup", SHIFT]);
+        let heard =
+            fixture.type_with(&["keydown", SHIFT, "key", "47", "key", "16", "keyup", SHIFT]);
         assert_eq!(text(&heard), "Ö/");
-        let heard = desk.type_with(&[
+        let heard = fixture.type_with(&[
             "keydown", ALT_GR, "key", "24", "key", "26", "key", "16", "keyup", ALT_GR,
         ]);
         assert_eq!(text(&heard), "@€{");
         assert!(pressed(&heard).iter().all(|(_, held)| held.is_none()));
         // ´ e, ` a, ^ and space, ´ and backspace.
-        let heard = desk.keys(&[21, 26, 49, 32, 49, 65, 21, 22, 26]);
+        let heard = fixture.keys(&[21, 26, 49, 32, 49, 65, 21, 22, 26]);
         assert_eq!(text(&heard), "éô^e", "extension {extension}");
         assert_eq!(pressed(&heard), [(Key::E, Modifiers::NONE)]);
         // With a text being edited no more, a dead key is nothing.
-        desk.keyboard.set_editing(false);
-        assert_eq!(text(&desk.keys(&[21, 26])), "e");
-        desk.keyboard.set_editing(true);
-        desk.server
+        fixture.keyboard.set_editing(false);
+        assert_eq!(text(&fixture.keys(&[21, 26])), "e");
+        fixture.keyboard.set_editing(true);
+        fixture
+            .server
             .run("setxkbmap", &["-layout", "de", "-option", "compose:rctrl"]);
-        let heard = desk.keys(&[105, 26, 53]);
+        let heard = fixture.keys(&[105, 26, 53]);
         assert_eq!(text(&heard), "x", "extension {extension}");
-        let heard = desk.type_with(&[
+        let heard = fixture.type_with(&[
             "key", "105", "key", "94", "keydown", SHIFT, "key", "19", "keyup", SHIFT,
         ]);
         assert_eq!(text(&heard), "≤", "extension {extension}");
@@ -226,7 +228,7 @@ fn held(names: &str) -> Modifiers {
 #[test]
 fn commands_are_no_text() {
     for extension in [true, false] {
-        let mut desk = Desk::new("us", extension);
+        let mut fixture = Fixture::new("us", extension);
         for (keys, key, with) in [
             ("alt+d", Key::D, "alt"),
             ("ctrl+z", Key::Z, "ctrl"),
@@ -235,12 +237,12 @@ fn commands_are_no_text() {
             ("ctrl+alt+v", Key::V, "ctrl alt"),
             ("shift+Tab", Key::Tab, "shift"),
         ] {
-            let events = desk.type_with(&["key", keys]);
+            let events = fixture.type_with(&["key", keys]);
             assert_eq!(pressed(&events), [(key, held(with))], "{keys} {extension}");
             assert_eq!(text(&events), "", "{keys} {extension}");
         }
-        assert_eq!(pressed(&desk.type_with(&["key", "super+a"])).len(), 1);
-        assert_eq!(desk.keyboard.modifiers(), Modifiers::NONE);
+        assert_eq!(pressed(&fixture.type_with(&["key", "super+a"])).len(), 1);
+        assert_eq!(fixture.keyboard.modifiers(), Modifiers::NONE);
         for (keys, event) in [
             ("ctrl+c", Some(Input::Copy)),
             ("ctrl+Insert", Some(Input::Copy)),
@@ -250,10 +252,10 @@ fn commands_are_no_text() {
             ("ctrl+v", None),
             ("shift+Insert", None),
         ] {
-            let events = desk.type_with(&["key", keys]);
+            let events = fixture.type_with(&["key", keys]);
             assert_eq!(pressed(&events), [], "{keys} {extension}");
             assert_eq!(text(&events), "", "{keys} {extension}");
-            let paste = desk.keyboard.take_paste();
+            let paste = fixture.keyboard.take_paste();
             assert_eq!(paste.is_some(), event.is_none(), "{keys} {extension}");
             if let Some(event) = event {
                 let times = events.iter().filter(|heard| **heard == event).count();
@@ -266,13 +268,13 @@ fn commands_are_no_text() {
 #[test]
 fn the_keypad_follows_num_lock() {
     for extension in [true, false] {
-        let mut desk = Desk::new("us", extension);
-        let events = desk.keys(&[79, 91, 86, 104]);
+        let mut fixture = Fixture::new("us", extension);
+        let events = fixture.keys(&[79, 91, 86, 104]);
         let keys = [Key::Home, Key::Delete, Key::Plus, Key::Enter];
         assert_eq!(pressed(&events), keys.map(|key| (key, Modifiers::NONE)));
         assert_eq!(text(&events), "+", "extension {extension}");
-        desk.type_with(&["key", "Num_Lock"]);
-        let events = desk.keys(&[79, 91, 86, 104]);
+        fixture.type_with(&["key", "Num_Lock"]);
+        let events = fixture.keys(&[79, 91, 86, 104]);
         let keys = [Key::Num7, Key::Period, Key::Plus, Key::Enter];
         assert_eq!(pressed(&events), keys.map(|key| (key, Modifiers::NONE)));
         assert_eq!(text(&events), "7.+", "extension {extension}");
@@ -282,48 +284,56 @@ fn the_keypad_follows_num_lock() {
 #[test]
 fn other_alphabets_keep_their_shortcuts() {
     for layout in ["ru", "gr", "de,ru"] {
-        let mut desk = Desk::new(layout, true);
+        let mut fixture = Fixture::new(layout, true);
         if layout == "de,ru" {
-            desk.server.run("setxkbmap", &["-layout", "ru,de"]);
+            fixture.server.run("setxkbmap", &["-layout", "ru,de"]);
         }
-        let events = desk.keys(&[54]);
+        let events = fixture.keys(&[54]);
         let sign = if layout == "gr" { "ψ" } else { "с" };
         assert_eq!(text(&events), sign);
         assert_eq!(pressed(&events), [(Key::C, Modifiers::NONE)]);
-        let events = desk.type_with(&["keydown", "37", "key", "54", "keyup", "37"]);
+        let events = fixture.type_with(&["keydown", "37", "key", "54", "keyup", "37"]);
         assert!(events.contains(&Input::Copy), "{layout}");
         // By place where nothing else is known, by letter where it is.
         let key = if layout == "de,ru" { Key::Z } else { Key::Y };
-        assert_eq!(pressed(&desk.keys(&[29])), [(key, Modifiers::NONE)]);
+        assert_eq!(pressed(&fixture.keys(&[29])), [(key, Modifiers::NONE)]);
     }
 }
 
 #[test]
 fn another_keymap_is_taken_over_at_once() {
     for extension in [true, false] {
-        let mut desk = Desk::new("us", extension);
-        assert_eq!(text(&desk.keys(&[29, 47])), "y;");
-        desk.server.run("setxkbmap", &["-layout", "de"]);
-        assert_eq!(text(&desk.keys(&[29, 47])), "zö", "extension {extension}");
-        desk.server.run("setxkbmap", &["-layout", "fr"]);
-        assert_eq!(text(&desk.keys(&[24, 11])), "aé", "extension {extension}");
+        let mut fixture = Fixture::new("us", extension);
+        assert_eq!(text(&fixture.keys(&[29, 47])), "y;");
+        fixture.server.run("setxkbmap", &["-layout", "de"]);
+        assert_eq!(
+            text(&fixture.keys(&[29, 47])),
+            "zö",
+            "extension {extension}"
+        );
+        fixture.server.run("setxkbmap", &["-layout", "fr"]);
+        assert_eq!(
+            text(&fixture.keys(&[24, 11])),
+            "aé",
+            "extension {extension}"
+        );
     }
     // The second group, as an event's state has it (xdotool knows the first
     // only).
-    let mut desk = Desk::new("us,de", true);
-    assert_eq!(text(&desk.keys(&[29])), "y");
+    let mut fixture = Fixture::new("us,de", true);
+    assert_eq!(text(&fixture.keys(&[29])), "y");
     for (group, sign) in [(0, "y"), (1, "z"), (2, "y"), (3, "z"), (0, "y")] {
         let down = Event::KeyPress(event(29, 1, group << 13));
         let up = Event::KeyRelease(event(29, 2, group << 13));
         let mut heard = Vec::new();
         for event in [down, up] {
-            let (keyboard, connection) = (&mut desk.keyboard, &desk.connection);
+            let (keyboard, connection) = (&mut fixture.keyboard, &fixture.connection);
             keyboard.handle(connection, &event, &mut heard).unwrap();
         }
         assert_eq!(text(&heard), sign, "group {group}");
     }
     // Signs that no key has, put onto a spare key for the moment.
-    let events = desk.type_with(&["type", "--args", "1", "--delay", "400", "жλ😀"]);
+    let events = fixture.type_with(&["type", "--args", "1", "--delay", "400", "жλ😀"]);
     assert_eq!(text(&events), "жλ😀");
 }
 
@@ -349,10 +359,10 @@ fn event(keycode: u8, time: u32, state: u16) -> KeyPressEvent {
 #[test]
 fn a_held_key_repeats_and_goes_up_once() {
     for extension in [true, false] {
-        let mut desk = Desk::new("us", extension);
+        let mut fixture = Fixture::new("us", extension);
         let mut heard = Vec::new();
         let mut hear = |events: &[Event]| {
-            let (keyboard, connection) = (&mut desk.keyboard, &desk.connection);
+            let (keyboard, connection) = (&mut fixture.keyboard, &fixture.connection);
             for event in events {
                 keyboard.handle(connection, event, &mut heard).unwrap();
             }
@@ -398,16 +408,18 @@ fn a_held_key_repeats_and_goes_up_once() {
 #[test]
 fn without_the_keyboard_no_key_is_held() {
     for extension in [true, false] {
-        let mut desk = Desk::new("us", extension);
-        let events = desk.type_with(&["keydown", "ctrl", "keydown", "k"]);
+        let mut fixture = Fixture::new("us", extension);
+        let events = fixture.type_with(&["keydown", "ctrl", "keydown", "k"]);
         assert_eq!(pressed(&events), [(Key::K, held("ctrl"))]);
-        assert_eq!(desk.keyboard.modifiers(), held("ctrl"));
+        assert_eq!(fixture.keyboard.modifiers(), held("ctrl"));
         let focus = InputFocus::NONE;
-        let asked = desk.connection.set_input_focus(focus, 0u32, CURRENT_TIME);
+        let asked = fixture
+            .connection
+            .set_input_focus(focus, 0u32, CURRENT_TIME);
         asked.unwrap();
         until("the loss", || {
-            desk.poll();
-            (desk.keyboard.modifiers() == Modifiers::NONE).then_some(())
+            fixture.poll();
+            (fixture.keyboard.modifiers() == Modifiers::NONE).then_some(())
         });
         let up = |event: &&Input| {
             matches!(
@@ -419,22 +431,22 @@ fn without_the_keyboard_no_key_is_held() {
                 }
             )
         };
-        assert_eq!(desk.heard.iter().filter(up).count(), 1);
+        assert_eq!(fixture.heard.iter().filter(up).count(), 1);
         // Whatever happens meanwhile is none of ours.
-        let before = desk.heard.len();
-        desk.server.run("xdotool", &["keyup", "k", "key", "x"]);
-        desk.poll();
-        assert_eq!(desk.heard.len(), before);
+        let before = fixture.heard.len();
+        fixture.server.run("xdotool", &["keyup", "k", "key", "x"]);
+        fixture.poll();
+        assert_eq!(fixture.heard.len(), before);
         // Back again, control is held still.
         let focus = InputFocus::PARENT;
-        let asked = desk
+        let asked = fixture
             .connection
-            .set_input_focus(focus, desk.window, CURRENT_TIME);
+            .set_input_focus(focus, fixture.window, CURRENT_TIME);
         // Before the keys of another program come in.
         asked.unwrap().check().unwrap();
-        desk.heard.clear();
-        let events = desk.type_with(&["key", "j", "keyup", "ctrl"]);
+        fixture.heard.clear();
+        let events = fixture.type_with(&["key", "j", "keyup", "ctrl"]);
         assert_eq!(pressed(&events), [(Key::J, held("ctrl"))]);
-        assert_eq!(desk.keyboard.modifiers(), Modifiers::NONE);
+        assert_eq!(fixture.keyboard.modifiers(), Modifiers::NONE);
     }
 }

@@ -13,7 +13,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::error::{Result, room};
+use crate::error::{Result, can_allocate};
 use crate::limits::MAX_FILE_BYTES;
 
 /// The comments that every file has; `#` stands nowhere else in what is written, but in
@@ -90,7 +90,7 @@ impl Comments {
             return Ok(comments);
         }
         // At most so many, none longer than the text in all.
-        room(marks.saturating_mul(2 * size_of::<Comment>() + 128) + 2 * text.len())?;
+        can_allocate(marks.saturating_mul(2 * size_of::<Comment>() + 128) + 2 * text.len())?;
         statements(text, |statement| {
             let before = kept(statement.before) + &kept(&statement.within);
             let behind = statement.behind;
@@ -195,7 +195,9 @@ impl Comments {
             return Ok(text);
         }
         // A statement has ten letters at least.
-        room((text.len() / 10 + self.all.len()) * 2 * size_of::<(Place<'_>, Range<usize>)>())?;
+        can_allocate(
+            (text.len() / 10 + self.all.len()) * 2 * size_of::<(Place<'_>, Range<usize>)>(),
+        )?;
         let mut ranges = Vec::new();
         let mut places = HashMap::new();
         statements(&text, |statement| {

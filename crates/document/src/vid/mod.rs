@@ -47,7 +47,7 @@ use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
 use super::NotAFile;
-use crate::error::{Error, Result, message, room, vec_with_room};
+use crate::error::{Error, Result, can_allocate, message, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
 
 pub(super) use comments::Comments;
@@ -73,7 +73,7 @@ pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
 /// [`Error::Io`], [`Error::Limit`], [`Error::Memory`]; [`Error::Format`] if it
 /// is no UTF-8. Each names the file.
 pub fn read_text(file: &Path, most: u64) -> Result<String> {
-    room(ROOM)?;
+    can_allocate(ROOM)?;
     let place = file.display().to_string();
     let io = |source| Error::Io {
         place: file.display().to_string(),

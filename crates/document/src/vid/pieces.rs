@@ -13,7 +13,7 @@ use toml::de::{DeTable, Error as ParseError};
 
 use super::field::Source;
 use super::weight;
-use crate::error::{Error, Result, message, room};
+use crate::error::{Error, Result, can_allocate, message};
 use crate::limits::{MAX_COMMENT_BYTES, MAX_PARSE_BYTES};
 
 /// Bytes of a piece, at least. A fuzzer's files are small, and are to be cut too.
@@ -72,6 +72,6 @@ fn parse_to(source: Source<'_>, end: usize) -> Result<Result<DeTable<'_>, ParseE
     }
     // The parser cannot give up when memory runs out: see that there is enough,
     // for copies of its texts too.
-    room(memory + piece.len())?;
+    can_allocate(memory + piece.len())?;
     Ok(DeTable::parse(piece).map(toml::Spanned::into_inner))
 }

@@ -120,7 +120,7 @@ impl Keys {
         }
         let seen = Some(look.seen());
         if self.now != self.cameras || self.seen != seen {
-            let mut strokes = Strokes::new(look.projection, look.room);
+            let mut strokes = Strokes::new(look.projection, look.viewport);
             let color = look.colours.of(Element::Cameras).gamma_multiply(0.8);
             for seen in &self.now {
                 camera(&mut strokes, look, seen, CAMERA[0], THIN, color);
@@ -137,7 +137,7 @@ impl Keys {
 /// each other.
 fn collect(document: &Document, look: &Look<'_>, cameras: &mut Vec<Camera>) {
     let selection = document.selection();
-    let room = look.room.expand(40.0);
+    let viewport = look.viewport.expand(40.0);
     let mut last: Option<DVec2> = None;
     for (index, point) in document.path().points.iter().enumerate() {
         let image = look.projection.image(point.position);
@@ -145,7 +145,7 @@ fn collect(document: &Document, look: &Look<'_>, cameras: &mut Vec<Camera>) {
         if !current && last.is_some_and(|last| last.distance(image) < APART) {
             continue;
         }
-        if !room.contains(to_pos(image)) {
+        if !viewport.contains(to_pos(image)) {
             continue;
         }
         last = Some(image);
@@ -157,7 +157,7 @@ fn collect(document: &Document, look: &Look<'_>, cameras: &mut Vec<Camera>) {
 
 /// The current orientation as a small camera that stands out.
 pub(super) fn current_key(document: &Document, look: &Look<'_>) -> Lines {
-    let mut strokes = Strokes::new(look.projection, look.room);
+    let mut strokes = Strokes::new(look.projection, look.viewport);
     let selection = document.selection();
     if look.shown.has(Element::Cameras)
         && let Some(seen) = Camera::at(document, selection.point, selection.orientation)

@@ -20,7 +20,7 @@ fn all_orientations_of_the_path_are_shown() {
     let colours = crate::setup::Colours::DARK;
     let look = |shown| Look {
         projection: &projection,
-        room: Rect::from_min_size(pos2(0.0, 0.0), vec2(900.0, 700.0)),
+        viewport: Rect::from_min_size(pos2(0.0, 0.0), vec2(900.0, 700.0)),
         pixels_per_point: 1.0,
         colours: &colours,
         shown,

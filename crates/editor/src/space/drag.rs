@@ -239,7 +239,7 @@ pub(super) fn roll_towards(projection: &Projection, view: DVec3, way: DVec2) -> 
 mod tests {
     use proptest::prelude::*;
 
-    use super::super::projection::tests::{in_cube, room, view};
+    use super::super::projection::tests::{in_cube, view, viewport};
     use super::*;
     use crate::path::Orientation;
 
@@ -298,7 +298,7 @@ mod tests {
         fn a_point_follows_the_pointer(
             view in view(), from in in_cube(), axis in 0..3usize, pointer in pointer(),
         ) {
-            let projection = Projection::new(&view, room());
+            let projection = Projection::new(&view, viewport());
             let wanted = Axis::ALL[axis];
             let freedom = Freedom::of_button(&projection, wanted);
             let axis = freedom.fixed.index();
@@ -329,7 +329,7 @@ mod tests {
             view in prop_oneof![view(), along_an_axis()],
             from in in_cube(), axis in 0..3usize, pointer in pointer(),
         ) {
-            let projection = Projection::new(&view, room());
+            let projection = Projection::new(&view, viewport());
             let kept = Axis::ALL[axis];
             let freedom = Freedom::of_key(&projection, kept);
             let mut document = document(&[from, -from], Target::Relative(DVec3::X));
@@ -362,7 +362,7 @@ mod tests {
         fn what_snaps_lies_on_the_grid(
             view in view(), from in in_cube(), axis in 0..3usize, pointer in pointer(),
         ) {
-            let projection = Projection::new(&view, room());
+            let projection = Projection::new(&view, viewport());
             let freedom = Freedom::of_button(&projection, Axis::ALL[axis]);
             let mut document = document(&[from, -from], Target::Relative(DVec3::X));
             let held = Handle::Point(0);
@@ -386,7 +386,7 @@ mod tests {
             view in view(), at in in_cube(), target in in_cube(), axis in 0..3usize,
             absolute: bool, pointer in pointer(),
         ) {
-            let projection = Projection::new(&view, room());
+            let projection = Projection::new(&view, viewport());
             let freedom = Freedom::of_button(&projection, Axis::ALL[axis]);
             let (fixed, axis) = (freedom.fixed, freedom.fixed.index());
             let target = if absolute { Target::Absolute(target) } else { Target::Relative(target) };
@@ -414,7 +414,7 @@ mod tests {
         fn vup_points_to_the_pointer(
             view in view(), at in in_cube(), target in in_cube(), pointer in pointer(),
         ) {
-            let projection = Projection::new(&view, room());
+            let projection = Projection::new(&view, viewport());
             let mut document = document(&[at, -at], Target::Relative(target));
             let direction = orientation::unit(target);
             let freedom = Freedom::of_button(&projection, Axis::X);
@@ -440,7 +440,7 @@ mod tests {
 
     #[test]
     fn the_thesiss_bisection_finds_the_same_roll() {
-        let projection = Projection::new(&crate::setup::View::default(), room());
+        let projection = Projection::new(&crate::setup::View::default(), viewport());
         let view = orientation::unit(DVec3::new(0.3, -0.2, -0.8));
         let image =
             |roll: f64| projection.image_of_way(orientation::up_from_roll(view, roll.to_radians()));
@@ -470,7 +470,7 @@ mod tests {
 
     #[test]
     fn at_the_centre_of_the_circle_nothing_turns() {
-        let projection = Projection::new(&crate::setup::View::default(), room());
+        let projection = Projection::new(&crate::setup::View::default(), viewport());
         let view = orientation::unit(DVec3::new(0.3, -0.2, -0.8));
         assert_eq!(roll_towards(&projection, view, DVec2::ZERO), None);
     }
@@ -478,7 +478,7 @@ mod tests {
     #[test]
     fn what_is_gone_is_not_moved() {
         let document = document(&[DVec3::X, DVec3::Y], Target::Relative(DVec3::X));
-        let projection = Projection::new(&crate::setup::View::default(), room());
+        let projection = Projection::new(&crate::setup::View::default(), viewport());
         let held = Handle::Point(7);
         let freedom = Freedom::of_button(&projection, Axis::X);
         let found = outcome(&document, &projection, held, freedom, false, DVec2::ZERO);

@@ -11,14 +11,14 @@ use std::ops::Range;
 use egui::epaint::ClippedShape;
 use egui::{Context, Event, LayerId, Painter, Pos2, RawInput, Rect};
 
-use super::{draw, hand};
+use super::{draw, pointer};
 use crate::state::Editor;
 
 /// Where the space was painted in the last pass.
 #[derive(Clone, Debug)]
 pub(super) struct Canvas {
     pub(super) layer: LayerId,
-    pub(super) room: Rect,
+    pub(super) viewport: Rect,
     /// Which of the layer's shapes these are. The layer is the lowest one, so
     /// they have the same numbers among all.
     pub(super) shapes: Range<usize>,
@@ -39,15 +39,15 @@ pub(crate) fn follow(
     if context.input(|last| window(&last.raw) != window(input)) {
         return None;
     }
-    if !editor.space.hand.moves() || editor.playing.is_playing() {
+    if !editor.space.pointer.moves() || editor.playing.is_playing() {
         return None;
     }
     let canvas = editor.space.canvas.clone()?;
     let atlas = || context.fonts(|fonts| fonts.font_image_size());
     let before = atlas();
-    hand::motion(editor, context, canvas.room, to);
-    let painter = Painter::new(context.clone(), canvas.layer, canvas.room);
-    draw(editor, &painter, canvas.room);
+    pointer::motion(editor, context, canvas.viewport, to);
+    let painter = Painter::new(context.clone(), canvas.layer, canvas.viewport);
+    draw(editor, &painter, canvas.viewport);
     let shapes = context.graphics_mut(|layers| layers.drain(&[], &Default::default()));
     // A number of a point that was not shown before may have made the picture
     // of all letters larger: only a pass hands over the new one.

@@ -7,7 +7,7 @@ use egui::{
 };
 use egui_kittest::Harness;
 
-use super::tests::{image, motion, press, pyramid_window, release, room, tips};
+use super::tests::{image, motion, press, pyramid_window, release, tips, viewport};
 use super::*;
 use crate::raster::{self, Raster, Target};
 
@@ -86,11 +86,11 @@ fn follows_as_a_pass_shows(button: PointerButton, place: impl Fn(&Harness<'_, Ed
         motion(&mut harness, from + way);
         let shown = meshes(&harness, &harness.output().shapes);
         let shown = pixels(&harness, &mut raster, &shown);
-        let room = room(&harness);
+        let viewport = viewport(&harness);
         for y in 0..800 {
             for x in 0..1200 {
                 let at = y * 1200 + x;
-                let inside = room.contains(egui::pos2(x as f32 + 0.5, y as f32 + 0.5));
+                let inside = viewport.contains(egui::pos2(x as f32 + 0.5, y as f32 + 0.5));
                 let wanted = if inside { shown[at] } else { before[at] };
                 assert_eq!(exchanged[at], wanted, "step {step}: {x}, {y}");
             }
@@ -123,7 +123,7 @@ fn the_tip_of_vup() {
 #[test]
 fn the_view() {
     follows_as_a_pass_shows(PointerButton::Primary, |harness| {
-        room(harness).right_bottom() - vec2(60.0, 60.0)
+        viewport(harness).right_bottom() - vec2(60.0, 60.0)
     });
 }
 

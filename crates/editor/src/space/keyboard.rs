@@ -9,7 +9,7 @@ use egui::{Key, Modifiers};
 use glam::DVec3;
 
 use super::drag::{self, Handle};
-use super::hand::{Desk, WHEEL, make_current, resize, tell_place};
+use super::pointer::{PointerContext, WHEEL, make_current, resize, tell_place};
 use super::projection::{Axis, Projection};
 use crate::document::Edit;
 use crate::setup::View;
@@ -31,7 +31,12 @@ pub(super) const NUDGES: [Key; 8] = [
 ];
 
 /// Takes a key that was pressed while the movement window has the keyboard.
-pub(super) fn press(editor: &mut Editor, desk: &Desk<'_>, key: Key, modifiers: Modifiers) {
+pub(super) fn press(
+    editor: &mut Editor,
+    surface: &PointerContext<'_>,
+    key: Key,
+    modifiers: Modifiers,
+) {
     if modifiers.command {
         let view = &mut editor.setup.view;
         match key {
@@ -49,7 +54,7 @@ pub(super) fn press(editor: &mut Editor, desk: &Desk<'_>, key: Key, modifiers: M
         return;
     }
     let step = STEPS[usize::from(modifiers.shift)];
-    let projection = Projection::new(&editor.setup.view, desk.room);
+    let projection = Projection::new(&editor.setup.view, surface.viewport);
     let what = if modifiers.alt {
         Handle::Vpn
     } else {
@@ -68,11 +73,11 @@ pub(super) fn press(editor: &mut Editor, desk: &Desk<'_>, key: Key, modifiers: M
         }
         Key::Comma => nudge_roll(editor, -100.0 * step),
         Key::Period => nudge_roll(editor, 100.0 * step),
-        Key::Plus | Key::Equals => resize(&mut editor.setup.view, desk.room, None, WHEEL),
-        Key::Minus => resize(&mut editor.setup.view, desk.room, None, 1.0 / WHEEL),
+        Key::Plus | Key::Equals => resize(&mut editor.setup.view, surface.viewport, None, WHEEL),
+        Key::Minus => resize(&mut editor.setup.view, surface.viewport, None, 1.0 / WHEEL),
         Key::Num0 | Key::Home => editor.setup.view = View::default(),
-        Key::Space => editor.play_or_pause(desk.context),
-        Key::L => editor.switch_loops(desk.context),
+        Key::Space => editor.play_or_pause(surface.context),
+        Key::L => editor.switch_loops(surface.context),
         Key::C => editor.setup.camera_view = !editor.setup.camera_view,
         Key::N => step_point(editor, if modifiers.shift { -1 } else { 1 }),
         Key::O => step_orientation(editor, if modifiers.shift { -1 } else { 1 }),
@@ -154,9 +159,9 @@ fn nudge_roll(editor: &mut Editor, degrees: f64) {
 }
 
 fn nudge_by(editor: &mut Editor, what: Handle, edit: Edit) {
-    if !(editor.space.hand.nudging && editor.document.in_step()) {
+    if !(editor.space.pointer.nudging && editor.document.in_step()) {
         editor.document.begin_step();
-        editor.space.hand.nudging = true;
+        editor.space.pointer.nudging = true;
     }
     if editor.edit(edit) {
         tell_place(editor, what);
@@ -165,7 +170,7 @@ fn nudge_by(editor: &mut Editor, what: Handle, edit: Edit) {
 
 /// Ends the step that the keys opened.
 pub(super) fn end_nudge(editor: &mut Editor) {
-    if std::mem::take(&mut editor.space.hand.nudging) {
+    if std::mem::take(&mut editor.space.pointer.nudging) {
         editor.let_go();
     }
 }

@@ -25,11 +25,11 @@ pub(super) struct PointMenu {
 }
 
 /// Shows the menu if it is open, and opens it if the hand asks for it.
-pub(super) fn show(editor: &mut Editor, ui: &Ui, room: Rect) {
-    let mut asked = editor.space.hand.menu.take();
+pub(super) fn show(editor: &mut Editor, ui: &Ui, viewport: Rect) {
+    let mut asked = editor.space.pointer.menu.take();
     let id = ui.scope_id().with("point menu");
     let context = ui.ctx();
-    let projection = super::Projection::new(&editor.setup.view, room);
+    let projection = super::Projection::new(&editor.setup.view, viewport);
     // Shift-F10 stands for the menu key everywhere.
     if asked.is_none()
         && !Popup::is_any_open(context)
@@ -38,7 +38,7 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, room: Rect) {
         let at = editor.document.selection().point;
         if let Some(point) = editor.document.path().points.get(at) {
             let place = projection.pos(point.position);
-            asked = Some((room.clamp(place), Some(Handle::Point(at))));
+            asked = Some((viewport.clamp(place), Some(Handle::Point(at))));
         }
     }
     let open = asked.map(|(at, what)| {

@@ -220,8 +220,8 @@ fn seen_from_the_right_z_runs_to_the_left() {
         tilt: 0.0,
         ..View::default()
     };
-    let room = egui::Rect::from_min_size(pos2(0.0, 0.0), vec2(400.0, 300.0));
-    let projection = super::Projection::new(&view, room);
+    let viewport = egui::Rect::from_min_size(pos2(0.0, 0.0), vec2(400.0, 300.0));
+    let projection = super::Projection::new(&view, viewport);
     assert!(projection.toward().abs_diff_eq(glam::DVec3::X, 1e-12));
     assert!(projection.image_of_way(glam::DVec3::Z).x < 0.0);
 }

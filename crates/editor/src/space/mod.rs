@@ -3,18 +3,18 @@
 //!
 //! [`projection`] says where something is seen, [`picking`] what lies under
 //! the pointer, [`drag`] what a motion makes of it: three pieces of arithmetic
-//! that are tested without a window. [`hand`] and [`keyboard`] take the events,
+//! that are tested without a window. [`pointer`] and [`keyboard`] take the events,
 //! [`scene`], [`cameras`], [`ribbon`] and [`overlay`] draw, [`sliders`] stand
 //! around, [`menu`] is a point's menu.
 
 mod cameras;
 mod drag;
 mod follow;
-mod hand;
 mod keyboard;
 mod menu;
 mod overlay;
 mod picking;
+mod pointer;
 mod projection;
 mod ribbon;
 mod scene;
@@ -32,7 +32,7 @@ use self::cameras::Keys;
 use self::drag::Handle;
 use self::follow::Canvas;
 pub(super) use self::follow::follow;
-use self::hand::{Desk, Hand};
+use self::pointer::{PointerContext, PointerController};
 use self::projection::Projection;
 use self::ribbon::Ribbon;
 use self::scene::{Look, Scene};
@@ -47,7 +47,7 @@ use crate::raster::Lines;
 /// What the movement window remembers.
 #[derive(Debug, Default)]
 pub(super) struct Space {
-    hand: Hand,
+    pointer: PointerController,
     scene: Scene,
     keys: Keys,
     ribbon: Ribbon,
@@ -60,12 +60,12 @@ pub(super) struct Space {
 impl Space {
     /// A step of the document is open for keys that are held down.
     pub(super) fn keeps_step_open(&self) -> bool {
-        self.hand.nudging
+        self.pointer.nudging
     }
 
     /// A handle or the view is dragged.
     pub(super) fn moves(&self) -> bool {
-        self.hand.moves()
+        self.pointer.moves()
     }
 
     /// Which shapes of the last pass are those of the space.
@@ -75,12 +75,12 @@ impl Space {
     }
 }
 
-/// Shows the movement window in all the room that is left.
+/// Shows the movement window in all the space that is left.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     playing::show(editor, ui);
-    let room = sliders::show(editor, ui);
-    view(editor, ui, room);
-    camera_view::show(editor, ui.ctx(), room);
+    let viewport = sliders::show(editor, ui);
+    view(editor, ui, viewport);
+    camera_view::show(editor, ui.ctx(), viewport);
 }
 
 /// What mouse and keys do here beside what the thesis names: hand, meaning.
@@ -118,8 +118,8 @@ pub(super) fn cube() -> impl Iterator<Item = (DVec3, DVec3)> {
 /// A small picture of a path in a movement space of this size as a new window sees it:
 /// the edges of the space, and the curve as one line, from the upper left corner.
 pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec<Pos2>) {
-    let room = Rect::from_min_size(Pos2::ZERO, size);
-    let projection = Projection::new(&View::default(), room);
+    let viewport = Rect::from_min_size(Pos2::ZERO, size);
+    let projection = Projection::new(&View::default(), viewport);
     let edges = cube().map(|(from, to)| [from, to].map(|end| projection.pos(end)));
     let curve = document.timeline(|timeline| {
         let segments = timeline.segment_count();
@@ -141,9 +141,9 @@ pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec
 const THUMBNAIL_PIECES: usize = 400;
 
 /// The part in which the space is seen.
-fn view(editor: &mut Editor, ui: &mut Ui, room: Rect) {
+fn view(editor: &mut Editor, ui: &mut Ui, viewport: Rect) {
     let response = ui.interact(
-        room,
+        viewport,
         ui.scope_id().with("movement"),
         Sense::click_and_drag(),
     );
@@ -152,7 +152,7 @@ fn view(editor: &mut Editor, ui: &mut Ui, room: Rect) {
     let context = ui.ctx().clone();
     let layer = ui.layer_id();
     let mine = |at| {
-        room.contains(at)
+        viewport.contains(at)
             && context.layer_id_at(at).is_none_or(|found| found == layer)
             && context.memory(|memory| memory.top_modal_layer().is_none())
     };
@@ -163,58 +163,58 @@ fn view(editor: &mut Editor, ui: &mut Ui, room: Rect) {
     let filter = EventFilter {
         horizontal_arrows: true,
         vertical_arrows: true,
-        escape: editor.space.hand.dragged().is_some(),
+        escape: editor.space.pointer.dragged().is_some(),
         ..EventFilter::default()
     };
     context.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
-    let desk = Desk {
+    let surface = PointerContext {
         context: &context,
-        room,
+        viewport,
         mine: &mine,
         keyboard: response.has_focus() && !egui::Popup::is_any_open(&context),
     };
-    Hand::work(editor, &desk);
-    if response.double_clicked() && editor.space.hand.hover.is_none() {
+    PointerController::work(editor, &surface);
+    if response.double_clicked() && editor.space.pointer.hover.is_none() {
         editor.setup.view = super::setup::View::default();
     }
     if response.hovered() || response.dragged() {
-        context.set_cursor_icon(editor.space.hand.cursor());
+        context.set_cursor_icon(editor.space.pointer.cursor());
     }
-    menu::show(editor, ui, room);
+    menu::show(editor, ui, viewport);
     let shapes = |context: &Context| {
         context.graphics(|graphics| graphics.get(layer).map_or(0, |list| list.next_idx().0))
     };
     let start = shapes(&context);
-    draw(editor, &ui.painter_at(room), room);
+    draw(editor, &ui.painter_at(viewport), viewport);
     editor.space.canvas = Some(Canvas {
         layer,
-        room,
+        viewport,
         shapes: start..shapes(&context),
     });
 }
 
 /// Paints what stands in the space.
-fn draw(editor: &mut Editor, painter: &Painter, room: Rect) {
-    let projection = Projection::new(&editor.setup.view, room);
+fn draw(editor: &mut Editor, painter: &Painter, viewport: Rect) {
+    let projection = Projection::new(&editor.setup.view, viewport);
     let look = Look {
         projection: &projection,
-        room,
+        viewport,
         pixels_per_point: f64::from(painter.pixels_per_point()),
         colours: editor.setup.colours(),
         shown: &editor.setup.shown,
     };
-    painter.rect_filled(room, 0.0, look.colours.of(Element::Background));
+    painter.rect_filled(viewport, 0.0, look.colours.of(Element::Background));
     let add_shared = |lines: &Arc<Lines>| {
         if !lines.lines.is_empty() {
-            painter.add(Lines::shape(lines, room));
+            painter.add(Lines::shape(lines, viewport));
         }
     };
     let add = |lines: Lines| add_shared(&Arc::new(lines));
     let document = &editor.document;
-    let hand = &editor.space.hand;
-    let dragged = hand.dragged();
+    let pointer = &editor.space.pointer;
+    let dragged = pointer.dragged();
     let through = dragged.and_then(|(what, freedom)| {
-        let place = hand::place_held(editor, what)?;
+        let place = pointer::place_held(editor, what)?;
         Some((place, freedom))
     });
     if let Some((through, freedom)) = through {
@@ -228,7 +228,7 @@ fn draw(editor: &mut Editor, painter: &Painter, room: Rect) {
     if editor.setup.shown.has(Element::Ribbon) && editor.space.ribbon.update(document).is_ok() {
         editor.space.ribbon.paint(painter, &look);
     }
-    editor.space.scene.paint(painter, room);
+    editor.space.scene.paint(painter, viewport);
     add(cameras::current_key(document, &look));
     if let Some((through, freedom)) = through {
         add(overlay::guides(&look, through, freedom));
@@ -244,7 +244,7 @@ fn draw(editor: &mut Editor, painter: &Painter, room: Rect) {
         add(overlay::circle(&look, &tips));
         overlay::arrows(painter, &look, &tips);
         let held = dragged.map(|(what, _)| what);
-        if let Some(handle) = held.or(hand.hover)
+        if let Some(handle) = held.or(pointer.hover)
             && let Some((at, color)) = overlay::place_of(document, &look, &tips, handle)
         {
             add(overlay::ring(&look, at, color, held.is_some()));
@@ -253,17 +253,17 @@ fn draw(editor: &mut Editor, painter: &Painter, room: Rect) {
     if let Some(color) = look.of(Element::Player)
         && let Some((camera, true)) = editor.camera()
     {
-        let mut strokes = Strokes::new(look.projection, room);
+        let mut strokes = Strokes::new(look.projection, viewport);
         cameras::camera(&mut strokes, &look, &camera, 44.0, 1.8, color);
         add(strokes.finish());
     }
-    let pointed = match hand.hover {
+    let pointed = match pointer.hover {
         Some(Handle::Point(at)) => Some(at),
         _ => None,
     };
     overlay::numbers(painter, document, &look, pointed);
     overlay::directions(painter, &look);
-    if let Some(hint) = hand.hint(editor.texts(), &projection) {
+    if let Some(hint) = pointer.hint(editor.texts(), &projection) {
         overlay::hint(painter, &look, &hint, editor.setup.theme().palette().weak);
     }
     if let Some(error) = trouble {

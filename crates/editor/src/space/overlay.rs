@@ -52,7 +52,7 @@ fn corners(look: &Look<'_>, radius: f64) -> impl Iterator<Item = (DVec2, DVec2)>
 
 /// The circle on which the tip of VUP runs.
 pub(super) fn circle(look: &Look<'_>, tips: &Tips) -> Lines {
-    let mut strokes = Strokes::new(look.projection, look.room);
+    let mut strokes = Strokes::new(look.projection, look.viewport);
     if let Some(color) = look.of(Element::Circle) {
         let (u, v) = orientation::level_axes(tips.view);
         let corners = corners(look, VUP_LENGTH * look.projection.scale());
@@ -66,14 +66,14 @@ pub(super) fn circle(look: &Look<'_>, tips: &Tips) -> Lines {
 
 /// The arrows of the current camera.
 pub(super) fn arrows(painter: &Painter, look: &Look<'_>, tips: &Tips) {
-    let mut shafts = Strokes::new(look.projection, look.room);
+    let mut shafts = Strokes::new(look.projection, look.viewport);
     let mut heads = Vec::new();
     for (element, tip) in [(Element::Vpn, tips.target), (Element::Vup, tips.up_tip)] {
         if let Some(color) = look.of(element) {
             arrow(&mut shafts, &mut heads, look, [tips.position, tip], color);
         }
     }
-    painter.add(Lines::shape(&Arc::new(shafts.finish()), look.room));
+    painter.add(Lines::shape(&Arc::new(shafts.finish()), look.viewport));
     painter.extend(heads);
 }
 
@@ -99,7 +99,7 @@ fn arrow(
     let way = (to - from) / length;
     // The shaft ends within the head, so that no gap shows.
     shafts.flat(from, to - way * (head * 0.8), ARROW, color);
-    if look.room.expand(24.0).contains(to_pos(to)) {
+    if look.viewport.expand(24.0).contains(to_pos(to)) {
         let side = way.perp() * HEAD[1];
         let foot = to - way * head;
         // A notched head: its two halves, since it is not convex.
@@ -114,7 +114,7 @@ fn arrow(
 /// The axes through a point that is dragged, and the border of the plane in
 /// which it moves or the line along which it does, out to the faces of the cube.
 pub(super) fn guides(look: &Look<'_>, through: DVec3, freedom: Freedom) -> Lines {
-    let mut strokes = Strokes::new(look.projection, look.room);
+    let mut strokes = Strokes::new(look.projection, look.viewport);
     // Of a point that lies outside, as far as the point.
     let low = through.min(DVec3::NEG_ONE);
     let high = through.max(DVec3::ONE);
@@ -172,7 +172,7 @@ pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, freedom:
 
 /// The answer to the pointer: a ring around what would be taken hold of.
 pub(super) fn ring(look: &Look<'_>, at: DVec3, color: Color32, held: bool) -> Lines {
-    let mut strokes = Strokes::new(look.projection, look.room);
+    let mut strokes = Strokes::new(look.projection, look.viewport);
     let centre = look.projection.image(at);
     let fill = color.gamma_multiply(if held { 0.35 } else { 0.2 });
     strokes.disc(centre, RING, fill);
@@ -200,7 +200,7 @@ pub(super) fn place_of(
     }
 }
 
-/// The numbers of the points, from 1, as far as there is room for them; the
+/// The numbers of the points, from 1, as far as there is viewport for them; the
 /// current one and the one under the pointer always, that one with its name.
 pub(super) fn numbers(
     painter: &Painter,
@@ -213,18 +213,21 @@ pub(super) fn numbers(
     };
     let current = document.selection().point;
     let points = &document.path().points;
-    // Whether a number stands in a cell of the room, with a row of cells around.
-    let (wide, high) = (look.room.width() / CELL[0], look.room.height() / CELL[1]);
+    // Whether a number stands in a cell of the viewport, with a row of cells around.
+    let (wide, high) = (
+        look.viewport.width() / CELL[0],
+        look.viewport.height() / CELL[1],
+    );
     let (wide, high) = (wide as usize + 3, high as usize + 3);
     let mut taken = vec![false; wide * high];
     let mut put = |at: usize, always: bool| {
         let Some(point) = points.get(at) else { return };
         let image = look.projection.image(point.position);
         let pos = to_pos(image);
-        if !look.room.contains(pos) {
+        if !look.viewport.contains(pos) {
             return;
         }
-        let way = pos - look.room.min;
+        let way = pos - look.viewport.min;
         let cell = (way.y / CELL[1]) as usize * wide + (way.x / CELL[0]) as usize;
         let rows = (0..3).filter_map(|row| taken.get(cell + row * wide..)?.get(..3));
         if !always && rows.flatten().any(|&taken| taken) {
@@ -329,17 +332,17 @@ fn label(
 
 /// A hint in the upper left corner, where it covers least.
 pub(super) fn hint(painter: &Painter, look: &Look<'_>, text: &str, color: Color32) {
-    let pos = look.room.left_top() + vec2(12.0, 10.0);
+    let pos = look.viewport.left_top() + vec2(12.0, 10.0);
     let text = text.to_owned();
     label(painter, pos, Align2::LEFT_TOP, text, 11.0, color, look);
 }
 
-/// The three directions, small, in a corner of the room.
+/// The three directions, small, in a corner of the viewport.
 pub(super) fn directions(painter: &Painter, look: &Look<'_>) {
     let Some(color) = look.of(Element::Numbers) else {
         return;
     };
-    let centre = from_pos(look.room.left_bottom()) + DVec2::new(40.0, -40.0);
+    let centre = from_pos(look.viewport.left_bottom()) + DVec2::new(40.0, -40.0);
     let length = 24.0 / look.projection.scale();
     // The one that points at the viewer is painted last.
     let mut axes = Axis::ALL;

@@ -85,7 +85,7 @@ pub(super) fn pick(
 
 #[cfg(test)]
 mod tests {
-    use super::super::projection::tests::room;
+    use super::super::projection::tests::viewport;
     use super::*;
     use crate::document::Edit;
     use crate::setup::View;
@@ -100,7 +100,7 @@ mod tests {
             document.apply(Edit::InsertPoint { at, position }).unwrap();
         }
         document.select(0, 0).unwrap();
-        (document, Projection::new(&View::default(), room()))
+        (document, Projection::new(&View::default(), viewport()))
     }
 
     #[test]
@@ -153,7 +153,7 @@ mod tests {
                 tilt,
                 ..View::default()
             };
-            let projection = Projection::new(&view, room());
+            let projection = Projection::new(&view, viewport());
             let image = projection.image(tip);
             assert!(image.distance(projection.image(tips.position)) < 1e-6);
             let found = pick(&document, &projection, &Shown::default(), image, true);

@@ -52,7 +52,7 @@ impl Axis {
 /// is seen at less than two degrees.
 pub(super) const EDGE_ON: f64 = 0.035;
 
-/// How much of the room is left free around the largest cube.
+/// How much of the viewport is left free around the largest cube.
 const MARGIN: f64 = 0.98;
 
 /// From the movement space to the screen.
@@ -71,19 +71,19 @@ pub(super) struct Projection {
 }
 
 impl Projection {
-    /// The movement space as it is seen in `room`.
-    pub(super) fn new(view: &View, room: Rect) -> Self {
+    /// The movement space as it is seen in `viewport`.
+    pub(super) fn new(view: &View, viewport: Rect) -> Self {
         let (sin, cos) = view.rotation.to_radians().sin_cos();
         let (sin_tilt, cos_tilt) = view.tilt.to_radians().sin_cos();
         let right = DVec3::new(cos, 0.0, sin);
         let upright = DVec3::new(sin * sin_tilt, cos_tilt, -cos * sin_tilt);
         let toward = DVec3::new(-sin * cos_tilt, sin_tilt, cos * cos_tilt);
-        let [width, height] = [room.width(), room.height()].map(|x| f64::from(x.max(1.0)));
+        let [width, height] = [viewport.width(), viewport.height()].map(|x| f64::from(x.max(1.0)));
         // The farthest that a corner gets from the middle, however turned.
         let [wide, high] = [2.0f64.sqrt(), 3.0f64.sqrt()];
         let fitting = MARGIN * (width / (2.0 * wide)).min(height / (2.0 * high));
         let scale = view.size * fitting;
-        let centre = room.center();
+        let centre = viewport.center();
         Self {
             middle: DVec2::new(
                 f64::from(centre.x) + scale * view.shift[0],
@@ -245,7 +245,7 @@ pub(super) mod tests {
         prop::array::uniform3(-1.0..=1.0f64).prop_map(DVec3::from_array)
     }
 
-    pub(in super::super) fn room() -> Rect {
+    pub(in super::super) fn viewport() -> Rect {
         Rect::from_min_size(pos2(263.0, 71.0), vec2(884.5, 611.0))
     }
 
@@ -256,8 +256,8 @@ pub(super) mod tests {
             tilt: 0.0,
             ..View::default()
         };
-        let p = Projection::new(&view, room());
-        let middle = from_pos(room().center());
+        let p = Projection::new(&view, viewport());
+        let middle = from_pos(viewport().center());
         assert_eq!(p.image(DVec3::ZERO), middle);
         assert_eq!(p.image(DVec3::Z), middle);
         assert_eq!(p.image(DVec3::X), middle + DVec2::X * p.scale());
@@ -266,7 +266,7 @@ pub(super) mod tests {
 
     #[test]
     fn tilted_one_looks_from_above() {
-        let p = Projection::new(&View::default(), room());
+        let p = Projection::new(&View::default(), viewport());
         assert!(p.toward().y > 0.3);
         // The near edge of the floor is lower on the screen than the far one.
         let z = DVec3::new(0.0, 0.0, 1.0);
@@ -276,14 +276,14 @@ pub(super) mod tests {
     proptest! {
         #[test]
         fn it_is_the_product_of_the_matrices(view in view(), point in in_cube()) {
-            let p = Projection::new(&view, room());
+            let p = Projection::new(&view, viewport());
             // Rodrigues-checked rotations of the thesis's chapter 2, then x to
             // the right and y up, as it stands there. The view turns the world
             // the other way round than the camera.
             let turn: DMat4 = rotation_x(view.tilt.to_radians())
                 * rotation_y(-(-view.rotation).to_radians());
             let eye = turn.transform_point3(point);
-            let expected = from_pos(room().center())
+            let expected = from_pos(viewport().center())
                 + DVec2::new(eye.x + view.shift[0], -(eye.y + view.shift[1])) * p.scale();
             prop_assert!((p.image(point) - expected).length() < 1e-9);
             // The viewer stands where z grows.
@@ -292,14 +292,14 @@ pub(super) mod tests {
 
         #[test]
         fn y_stays_upright_and_the_cube_fits(view in view()) {
-            let p = Projection::new(&view, room());
+            let p = Projection::new(&view, viewport());
             prop_assert_eq!(p.image_of_way(DVec3::Y).x, 0.0);
             prop_assert!(p.image_of_way(DVec3::Y).y <= 0.0);
             let fitted = View { size: 1.0, shift: [0.0; 2], ..view };
-            let p = Projection::new(&fitted, room());
+            let p = Projection::new(&fitted, viewport());
             for (axis, signs) in cube_edges() {
                 for corner in edge_ends(axis, signs) {
-                    prop_assert!(room().contains(p.pos(corner)));
+                    prop_assert!(viewport().contains(p.pos(corner)));
                 }
             }
         }
@@ -309,7 +309,7 @@ pub(super) mod tests {
             view in view(), point in in_cube(), axis in 0..3usize,
             way in prop::array::uniform2(-300.0..300.0f64),
         ) {
-            let p = Projection::new(&view, room());
+            let p = Projection::new(&view, viewport());
             let fixed = Axis::ALL[axis];
             let image = p.image(point) + DVec2::from_array(way);
             match p.point_in_plane(point, fixed, image) {
@@ -323,7 +323,7 @@ pub(super) mod tests {
 
         #[test]
         fn hidden_edges_are_those_behind_the_cube(view in view(), along in 0.02..0.98f64) {
-            let p = Projection::new(&view, room());
+            let p = Projection::new(&view, viewport());
             // Near an edge-on face the ray below is too short to tell.
             prop_assume!(Axis::ALL.iter().all(|&axis| p.share_seen(axis) > 1e-3));
             let mut hidden = 0;
@@ -350,13 +350,13 @@ pub(super) mod tests {
             tilt: 0.0,
             ..View::default()
         };
-        let p = Projection::new(&flat, room());
+        let p = Projection::new(&flat, viewport());
         let image = from_pos(pos2(500.0, 400.0));
         assert_eq!(p.point_in_plane(DVec3::ZERO, Axis::X, image), None);
         assert_eq!(p.point_in_plane(DVec3::ZERO, Axis::Y, image), None);
         assert!(p.point_in_plane(DVec3::ZERO, Axis::Z, image).is_some());
         let above = View { tilt: 90.0, ..flat };
-        let p = Projection::new(&above, room());
+        let p = Projection::new(&above, viewport());
         assert!(p.point_in_plane(DVec3::ZERO, Axis::Y, image).is_some());
         assert_eq!(p.point_in_plane(DVec3::ZERO, Axis::Z, image), None);
     }

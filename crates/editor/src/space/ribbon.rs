@@ -158,7 +158,7 @@ impl Ribbon {
         self.ribs.push(rib(1, true)?);
         let mut end = 1;
         let mut old = old.into_iter();
-        for ((section, first), mark) in moving.zip(sampler.marks()).take(sections) {
+        for ((section, first), mark) in moving.zip(sampler.fingerprints()).take(sections) {
             end = first + section.frames - 1;
             let start = self.ribs.len();
             match old.next().filter(|old| old.mark == mark) {
@@ -244,7 +244,7 @@ impl Ribbon {
         let surfaces = made.iter().filter(|(mesh, _)| !mesh.is_empty());
         painter.extend(surfaces.map(|(mesh, _)| Shape::Mesh(Arc::clone(mesh))));
         let lines = made.iter().filter(|(_, all)| !all.lines.is_empty());
-        painter.extend(lines.map(|(_, all)| Lines::shape(all, look.room)));
+        painter.extend(lines.map(|(_, all)| Lines::shape(all, look.viewport)));
     }
 
     /// The surface and the lines of each piece.
@@ -268,7 +268,7 @@ impl Ribbon {
 
 /// The surface and the lines of a piece.
 fn make(ribs: &[Rib], look: &Look<'_>, color: Color32) -> (Arc<Mesh>, Arc<Lines>) {
-    let mut strokes = Strokes::new(look.projection, look.room);
+    let mut strokes = Strokes::new(look.projection, look.viewport);
     let mut mesh = Mesh::default();
     let surface = color.gamma_multiply(0.13);
     let (edge, fringe) = (color.gamma_multiply(0.5), color.gamma_multiply(0.6));
@@ -317,7 +317,7 @@ fn add_quad(
     color: Color32,
 ) {
     let corners = [before[0], before[1], ends[1], ends[0]].map(|p| look.projection.pos(p));
-    if !corners.iter().any(|&corner| look.room.contains(corner)) {
+    if !corners.iter().any(|&corner| look.viewport.contains(corner)) {
         return;
     }
     let Ok(first) = u32::try_from(mesh.vertices.len()) else {

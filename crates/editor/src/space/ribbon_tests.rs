@@ -4,7 +4,7 @@ use proptest::prelude::*;
 
 use super::super::cameras::Keys;
 use super::super::projection::Projection;
-use super::super::projection::tests::{room, view};
+use super::super::projection::tests::{view, viewport};
 use super::super::scene::tests::{Eye, document, edit};
 use super::super::tests::pyramid;
 use super::*;
@@ -30,8 +30,8 @@ proptest! {
             let _ = document.apply(edit);
             match also {
                 0 => { document.undo(); }
-                1 => eye.projection = Projection::new(&views[1], room()),
-                2 => eye.projection = Projection::new(&views[2], room()),
+                1 => eye.projection = Projection::new(&views[1], viewport()),
+                2 => eye.projection = Projection::new(&views[2], viewport()),
                 3 => { let _ = document.select(7, 0); }
                 _ => {}
             }

@@ -50,7 +50,7 @@ const SEGMENT: f32 = 2.6;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Look<'a> {
     pub(super) projection: &'a Projection,
-    pub(super) room: Rect,
+    pub(super) viewport: Rect,
     pub(super) pixels_per_point: f64,
     pub(super) colours: &'a Colours,
     pub(super) shown: &'a Shown,
@@ -60,7 +60,7 @@ pub(super) struct Look<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Seen {
     projection: Projection,
-    room: Rect,
+    viewport: Rect,
     pixels_per_point: f64,
     colours: Colours,
     shown: Shown,
@@ -70,7 +70,7 @@ impl Look<'_> {
     pub(super) fn seen(&self) -> Seen {
         Seen {
             projection: *self.projection,
-            room: self.room,
+            viewport: self.viewport,
             pixels_per_point: self.pixels_per_point,
             colours: *self.colours,
             shown: *self.shown,
@@ -167,10 +167,10 @@ impl Scene {
     }
 
     /// Paints curve and crosses.
-    pub(super) fn paint(&self, painter: &Painter, room: Rect) {
+    pub(super) fn paint(&self, painter: &Painter, viewport: Rect) {
         let add = |lines: &Arc<Lines>| {
             if !lines.lines.is_empty() {
-                painter.add(Lines::shape(lines, room));
+                painter.add(Lines::shape(lines, viewport));
             }
         };
         self.chunks.iter().for_each(|chunk| add(&chunk.curve));
@@ -246,19 +246,20 @@ impl Chunk {
         if other_knots || self.stray != stray {
             self.knots.clear();
             self.pieces.clear();
-            let mut room = Vec::new();
+            let mut viewport = Vec::new();
             for segment in first..end.min(path.segment_count()) {
-                room.clear();
+                viewport.clear();
                 let curve = curve::segment(path, segment);
-                pieces(&curve, stray, &mut room)?;
+                pieces(&curve, stray, &mut viewport)?;
                 let skip = usize::from(!self.pieces.is_empty());
-                self.pieces.try_reserve(room.len())?;
-                self.pieces.extend(room.iter().skip(skip).map(|&(_, p)| p));
+                self.pieces.try_reserve(viewport.len())?;
+                self.pieces
+                    .extend(viewport.iter().skip(skip).map(|&(_, p)| p));
             }
             self.stray = stray;
             self.knots.extend(knots(path, index));
         }
-        let mut strokes = Strokes::new(look.projection, look.room);
+        let mut strokes = Strokes::new(look.projection, look.viewport);
         let merge = MERGE / look.pixels_per_point;
         stroke_curve(
             &mut strokes,
@@ -268,7 +269,7 @@ impl Chunk {
             CURVE,
         );
         self.curve = Arc::new(strokes.finish());
-        let mut strokes = Strokes::new(look.projection, look.room);
+        let mut strokes = Strokes::new(look.projection, look.viewport);
         if let Some(color) = look.of(Element::Crosses) {
             let merge = MERGE_CROSSES / look.pixels_per_point;
             let mut last = DVec2::INFINITY;
@@ -288,12 +289,12 @@ impl Chunk {
 
 /// The straight pieces of a segment. One that leads far out of the movement
 /// space is drawn as exactly as its size allows.
-fn pieces(curve: &Cubic, stray: f64, room: &mut Vec<(f64, DVec3)>) -> Result<()> {
+fn pieces(curve: &Cubic, stray: f64, viewport: &mut Vec<(f64, DVec3)>) -> Result<()> {
     let size = [curve.a, curve.b, curve.c, curve.d]
         .map(|v| v.abs().max_element())
         .into_iter()
         .fold(0.0, f64::max);
-    tessellate(curve, stray.max(size * 1e-6), room)
+    tessellate(curve, stray.max(size * 1e-6), viewport)
 }
 
 /// Points without those that are seen nearer than `merge` to the last one kept;
@@ -395,13 +396,13 @@ fn cross(
 pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
     let path = document.path();
     let at = document.selection().point;
-    let mut strokes = Strokes::new(look.projection, look.room);
+    let mut strokes = Strokes::new(look.projection, look.viewport);
     if at < path.segment_count()
         && let Some(color) = look.of(Element::Segment)
     {
-        let mut room = Vec::new();
-        pieces(&curve::segment(path, at), look.stray(), &mut room)?;
-        let points: Vec<DVec3> = room.into_iter().map(|(_, point)| point).collect();
+        let mut viewport = Vec::new();
+        pieces(&curve::segment(path, at), look.stray(), &mut viewport)?;
+        let points: Vec<DVec3> = viewport.into_iter().map(|(_, point)| point).collect();
         let outside = look.of(Element::Outside);
         stroke_curve(
             &mut strokes,
@@ -421,7 +422,7 @@ pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
 
 /// What does not move by itself: cube and object.
 fn still(object: &Object, look: &Look<'_>) -> Lines {
-    let mut strokes = Strokes::new(look.projection, look.room);
+    let mut strokes = Strokes::new(look.projection, look.viewport);
     if let Some(color) = look.of(Element::Cube) {
         cube(&mut strokes, look, color);
     }

@@ -3,7 +3,7 @@
 use egui::{pos2, vec2};
 use proptest::prelude::*;
 
-use super::super::projection::tests::{room, view};
+use super::super::projection::tests::{view, viewport};
 use super::*;
 use crate::document::Edit;
 use crate::path::SupportPoint;
@@ -18,7 +18,7 @@ pub(in crate::space) struct Eye {
 impl Eye {
     pub(in crate::space) fn new(view: &View) -> Self {
         Self {
-            projection: Projection::new(view, room()),
+            projection: Projection::new(view, viewport()),
             colours: Colours::DARK,
             shown: Shown::default(),
         }
@@ -27,7 +27,7 @@ impl Eye {
     pub(in crate::space) fn look(&self) -> Look<'_> {
         Look {
             projection: &self.projection,
-            room: room(),
+            viewport: viewport(),
             pixels_per_point: 1.0,
             colours: &self.colours,
             shown: &self.shown,
@@ -80,8 +80,8 @@ proptest! {
             let _ = document.apply(edit);
             match also {
                 0 => { document.undo(); }
-                1 => eye.projection = Projection::new(&views[1], room()),
-                2 => eye.projection = Projection::new(&views[2], room()),
+                1 => eye.projection = Projection::new(&views[1], viewport()),
+                2 => eye.projection = Projection::new(&views[2], viewport()),
                 _ => {}
             }
             kept.update(&document, &eye.look()).unwrap();
@@ -104,12 +104,12 @@ proptest! {
         let document = Document::from_parts(path, crate::document::Info::default()).unwrap();
         let mut eye = Eye::new(&view);
         // Cutting at the border is tested elsewhere.
-        let wide = Rect::from_center_size(room().center(), vec2(1e5, 1e5));
+        let wide = Rect::from_center_size(viewport().center(), vec2(1e5, 1e5));
         for element in [Element::Cube, Element::Crosses, Element::Outside] {
             eye.shown.set(element, false);
         }
         let mut scene = Scene::default();
-        scene.update(&document, &Look { room: wide, ..eye.look() }).unwrap();
+        scene.update(&document, &Look { viewport: wide, ..eye.look() }).unwrap();
         let lines = &scene.chunks[0].curve.lines;
         let away = |p: DVec2| lines.iter().map(|line| {
             let [a, b] = [line.from, line.to].map(super::super::projection::from_pos);
@@ -276,10 +276,10 @@ fn points_far_outside_cost_little() {
     let mut scene = Scene::default();
     scene.update(&document, &eye.look()).unwrap();
     assert!(scene.chunks[0].pieces.len() < 20_000);
-    let room = room().expand(25.0);
+    let viewport = viewport().expand(25.0);
     for line in scene.all().iter().flatten() {
         for end in [line.from, line.to] {
-            assert!(room.contains(pos2(end.x, end.y)), "{end}");
+            assert!(viewport.contains(pos2(end.x, end.y)), "{end}");
         }
     }
 }

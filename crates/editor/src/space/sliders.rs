@@ -3,7 +3,7 @@
 
 use egui::{Align, Layout, Rect, Slider, SliderOrientation, Ui, UiBuilder, pos2};
 
-use super::hand::resize;
+use super::pointer::resize;
 use crate::number::{Entry, Number};
 use crate::setup::View;
 use crate::state::Editor;
@@ -28,7 +28,7 @@ enum Part {
     Tilt,
 }
 
-/// Shows the sliders and gives back the room between them.
+/// Shows the sliders and gives back the viewport between them.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) -> Rect {
     let all = ui.available_rect_before_wrap();
     ui.advance_cursor_after_rect(all);
@@ -66,7 +66,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) -> Rect {
 }
 
 /// A row: name, slider, number.
-fn along(editor: &mut Editor, ui: &mut Ui, part: Part, room: Rect) {
+fn along(editor: &mut Editor, ui: &mut Ui, part: Part, viewport: Rect) {
     let text = match part {
         Part::Size => editor.texts().space.size,
         _ => editor.texts().space.rotate,
@@ -81,8 +81,8 @@ fn along(editor: &mut Editor, ui: &mut Ui, part: Part, room: Rect) {
     );
     ui.spacing_mut().item_spacing.x = GAP;
     ui.spacing_mut().slider_width = (ui.available_width() - NUMBER - GAP).max(40.0);
-    slide(editor, ui, part, room);
-    number(editor, ui, part, room);
+    slide(editor, ui, part, viewport);
+    number(editor, ui, part, viewport);
 }
 
 impl Part {
@@ -95,9 +95,9 @@ impl Part {
         }
     }
 
-    fn set(self, view: &mut View, room: Rect, value: f64) {
+    fn set(self, view: &mut View, viewport: Rect, value: f64) {
         match self {
-            Self::Size => resize(view, room, None, value / 100.0 / view.size),
+            Self::Size => resize(view, viewport, None, value / 100.0 / view.size),
             Self::Rotation => view.rotation = value,
             Self::Tilt => view.tilt = value,
         }
@@ -113,7 +113,7 @@ impl Part {
     }
 }
 
-fn slide(editor: &mut Editor, ui: &mut Ui, part: Part, room: Rect) {
+fn slide(editor: &mut Editor, ui: &mut Ui, part: Part, viewport: Rect) {
     let texts = &editor.texts().space;
     let (name, tip) = match part {
         Part::Size => (texts.size, texts.size_tip),
@@ -134,16 +134,16 @@ fn slide(editor: &mut Editor, ui: &mut Ui, part: Part, room: Rect) {
     ui.ctx()
         .accesskit_node_builder(response.id, |node| node.set_label(name));
     if response.changed() {
-        part.set(&mut editor.setup.view, room, value);
+        part.set(&mut editor.setup.view, viewport, value);
     }
     if response.double_clicked() {
-        part.set(&mut editor.setup.view, room, part.of(&View::default()));
+        part.set(&mut editor.setup.view, viewport, part.of(&View::default()));
     }
     response.on_hover_text(tip);
 }
 
 /// The number beside it, to be dragged or typed.
-fn number(editor: &mut Editor, ui: &mut Ui, part: Part, room: Rect) {
+fn number(editor: &mut Editor, ui: &mut Ui, part: Part, viewport: Rect) {
     let texts = &editor.texts().space;
     let (name, unit) = match part {
         Part::Size => (texts.size, " %"),
@@ -163,7 +163,7 @@ fn number(editor: &mut Editor, ui: &mut Ui, part: Part, room: Rect) {
         .steps(1.0, 0.5)
         .show(ui, editor.language(), id, NUMBER);
     match entry {
-        Entry::Drag(value) | Entry::Set(value) => part.set(&mut editor.setup.view, room, value),
+        Entry::Drag(value) | Entry::Set(value) => part.set(&mut editor.setup.view, viewport, value),
         Entry::Begin => editor.space.view_before = Some(editor.setup.view),
         Entry::Cancel => {
             if let Some(view) = editor.space.view_before.take() {

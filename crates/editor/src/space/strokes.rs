@@ -1,4 +1,4 @@
-//! Straight pieces on the screen: cut at the room that is seen, dashed, put
+//! Straight pieces on the screen: cut at the space that is seen, dashed, put
 //! on whole pixels where that makes them crisp.
 
 use egui::{Color32, Rect};
@@ -10,7 +10,7 @@ use crate::raster::{Line, Lines};
 /// Lengths of a dash and of the gap after it, in points.
 const DASH: [f64; 2] = [5.0, 4.0];
 
-/// Collects lines; what lies outside the room is left out, so that what comes
+/// Collects lines; what lies outside the viewport is left out, so that what comes
 /// to the raster has coordinates of a reasonable size.
 #[derive(Debug)]
 pub(super) struct Strokes<'a> {
@@ -23,14 +23,14 @@ pub(super) struct Strokes<'a> {
 }
 
 impl<'a> Strokes<'a> {
-    /// None yet; `room` is what is seen.
-    pub(super) fn new(projection: &'a Projection, room: Rect) -> Self {
+    /// None yet; `viewport` is what is seen.
+    pub(super) fn new(projection: &'a Projection, viewport: Rect) -> Self {
         // Wide enough that no round end and no join shows at the border.
-        let room = room.expand(24.0);
+        let viewport = viewport.expand(24.0);
         Self {
             projection,
-            low: from_pos(room.min),
-            high: from_pos(room.max),
+            low: from_pos(viewport.min),
+            high: from_pos(viewport.max),
             out: Lines::default(),
             phase: 0.0,
         }
@@ -163,7 +163,7 @@ pub(super) fn in_pixel(coordinate: f64, pixels_per_point: f64) -> f64 {
 mod tests {
     use proptest::prelude::*;
 
-    use super::super::projection::tests::room;
+    use super::super::projection::tests::viewport;
     use super::*;
     use crate::setup::View;
 
@@ -198,9 +198,9 @@ mod tests {
         /// Dashes are laid along the whole row, wherever it is divided.
         #[test]
         fn dashes_go_on_from_piece_to_piece(parts in prop::collection::vec(0.1..30.0f64, 1..12)) {
-            let projection = Projection::new(&View::default(), room());
-            let mut strokes = Strokes::new(&projection, room());
-            let start = from_pos(room().min);
+            let projection = Projection::new(&View::default(), viewport());
+            let mut strokes = Strokes::new(&projection, viewport());
+            let start = from_pos(viewport().min);
             let mut x = 0.0;
             for part in &parts {
                 let at = |x: f64| start + DVec2::X * x;

@@ -55,15 +55,15 @@ pub(crate) fn window<'a>(editor: Editor, size: Vec2, scale: f32) -> Harness<'a, 
     harness
 }
 
-/// The room of the movement window.
-pub(super) fn room(harness: &Harness<'_, Editor>) -> Rect {
+/// The viewport of the movement window.
+pub(super) fn viewport(harness: &Harness<'_, Editor>) -> Rect {
     let name = harness.state().texts().space.name;
     harness.get_by_label(name).rect()
 }
 
 /// Where a point of the movement space is seen.
 pub(crate) fn image(harness: &Harness<'_, Editor>, at: DVec3) -> Pos2 {
-    Projection::new(&harness.state().setup.view, room(harness)).pos(at)
+    Projection::new(&harness.state().setup.view, viewport(harness)).pos(at)
 }
 
 pub(crate) fn motion(harness: &mut Harness<'_, Editor>, to: Pos2) {
@@ -181,7 +181,7 @@ pub(super) fn text(harness: &Harness<'_, Editor>) -> String {
 
 /// An empty place.
 pub(super) fn empty(harness: &Harness<'_, Editor>) -> Pos2 {
-    room(harness).left_bottom() + vec2(150.0, -60.0)
+    viewport(harness).left_bottom() + vec2(150.0, -60.0)
 }
 
 #[test]
@@ -199,7 +199,7 @@ fn each_button_drags_in_its_plane_and_a_drag_is_one_step() {
             let pointer = start + vec2(-4.0, 3.0) * f32::from(step);
             motion(&mut harness, pointer);
             let now = position(&harness, 4);
-            let seen = Projection::new(&harness.state().setup.view, room(&harness)).image(now);
+            let seen = Projection::new(&harness.state().setup.view, viewport(&harness)).image(now);
             assert!(seen.distance(from_pos(pointer)) < 1e-6, "{axis:?}");
             let index = axis.index();
             assert_eq!(now[index].to_bits(), from[index].to_bits());
@@ -333,7 +333,7 @@ fn the_tip_of_vpn_moves_in_a_plane_too() {
             panic!("it stays absolute");
         };
         assert_eq!(now[axis.index()].to_bits(), tip[axis.index()].to_bits());
-        let projection = Projection::new(&harness.state().setup.view, room(&harness));
+        let projection = Projection::new(&harness.state().setup.view, viewport(&harness));
         assert!(projection.image(now).distance(from_pos(end)) < 1e-6);
         assert!(message(&harness).unwrap().0.starts_with("Target"));
         release(&mut harness, end, which);
@@ -587,7 +587,7 @@ fn a_drag_stops_before_the_target() {
     motion(&mut harness, near);
     let last = position(&harness, 0);
     // Far out both coordinates end at the faces: exactly where the target is.
-    let far = room(&harness).right_top() + vec2(400.0, -900.0);
+    let far = viewport(&harness).right_top() + vec2(400.0, -900.0);
     motion(&mut harness, far);
     assert_eq!(position(&harness, 0), last);
     let (said, error) = message(&harness).unwrap();

@@ -160,7 +160,7 @@ pub fn vec_with_room<T>(capacity: usize) -> Result<Vec<T>> {
 /// back. For what follows and cannot be told to give up, as parts of the standard
 /// library; nobody but another thread comes in between.
 #[doc(hidden)]
-pub fn room(bytes: usize) -> Result<()> {
+pub fn can_allocate(bytes: usize) -> Result<()> {
     // Shown to the compiler as used: else it leaves the question out.
     std::hint::black_box(vec_with_room::<u8>(bytes)?);
     Ok(())

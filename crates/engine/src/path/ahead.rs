@@ -11,7 +11,7 @@ use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
 use super::timeline::Timeline;
-use crate::error::{Result, room, vec_with_room};
+use crate::error::{Result, can_allocate, vec_with_room};
 use crate::math::orientation::unit;
 
 /// A tangent shorter than this share of the curve's own size is none.
@@ -145,7 +145,7 @@ impl Rail {
             length += timeline.segment_length(segment);
             starts.push(length);
         }
-        room(size_of::<Self>() + 2 * size_of::<usize>())?;
+        can_allocate(size_of::<Self>() + 2 * size_of::<usize>())?;
         let end = direction_at(path, path.points.len() - 1);
         Ok(Arc::new(Self {
             curves,

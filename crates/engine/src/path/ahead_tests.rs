@@ -58,12 +58,12 @@ fn the_tangent_is_where_the_camera_goes() {
             let moved = (4.0 * far(1e-3) - far(2e-3)) / 3.0;
             // At rest and where the way turns sharply differences tell little; how
             // much, two of them tell.
-            let doubt = (far(1e-3) - far(2e-3)).length() / moved.length();
-            if doubt < 1e-5 {
+            let ambiguity = (far(1e-3) - far(2e-3)).length() / moved.length();
+            if ambiguity < 1e-5 {
                 let error = (unit(moved) - view).length();
                 assert!(
-                    error < 10.0 * doubt + 1e-8,
-                    "{round} {frame}: {error} {doubt}"
+                    error < 10.0 * ambiguity + 1e-8,
+                    "{round} {frame}: {error} {ambiguity}"
                 );
                 seen += 1;
             }

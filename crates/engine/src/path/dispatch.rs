@@ -8,8 +8,8 @@
 use super::arc_length;
 use super::fill::{self, Scratch};
 use super::hermite::Cubic;
-use super::leg::Leg;
 use super::pose::Pose;
+use super::section_sampler::SectionSampler;
 use crate::error::Result;
 use crate::math::vector;
 
@@ -40,12 +40,12 @@ macro_rules! widest {
 /// # Errors
 /// [`crate::Error::Memory`].
 pub(super) fn fill(
-    leg: &Leg,
+    section: &SectionSampler,
     scratch: &mut Scratch,
     first: usize,
     poses: &mut [Pose],
 ) -> Result<()> {
-    widest!(fill, fill, (leg: &Leg, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()>)
+    widest!(fill, fill, (section: &SectionSampler, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()>)
 }
 
 /// See [`arc_length::length`].

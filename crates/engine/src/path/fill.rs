@@ -9,9 +9,9 @@
 use glam::DVec3;
 
 use super::arc_length;
-use super::leg::{Leg, Way};
 use super::orientation_curve::{AT_TARGET, Turning};
 use super::pose::Pose;
+use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::speed_curve::{INTERVALS, SpeedCurve};
 use super::tables::{Fit, Tables, quaternions};
 use super::timing::Timing;
@@ -89,23 +89,23 @@ const KEEP: usize = 1024;
 /// [`crate::Error::Memory`].
 #[inline(always)]
 pub(super) fn fill<V: Vector>(
-    leg: &Leg,
+    section: &SectionSampler,
     scratch: &mut Scratch,
     first: usize,
     poses: &mut [Pose],
 ) -> Result<()> {
-    if let Turning::Ahead(_) = leg.turning {
-        return fill_plainly::<V>(leg, scratch, first, poses);
+    if let Turning::Ahead(_) = section.turning {
+        return fill_plainly::<V>(section, scratch, first, poses);
     }
-    let tables = match leg.tables.get() {
+    let tables = match section.tables.get() {
         Some(tables) => tables,
-        None if leg.frames >= KEEP => {
+        None if section.frames >= KEEP => {
             let mut tables = Tables::default();
-            tables.build::<V>(leg)?;
-            leg.tables.get_or_init(|| tables)
+            tables.build::<V>(section)?;
+            section.tables.get_or_init(|| tables)
         }
         None => {
-            scratch.tables.build::<V>(leg)?;
+            scratch.tables.build::<V>(section)?;
             &scratch.tables
         }
     };
@@ -114,11 +114,11 @@ pub(super) fn fill<V: Vector>(
     let mut number = first;
     for poses in poses.chunks_mut(BLOCK) {
         let count = poses.len();
-        shares::<V>(leg, number, count, &mut block.phi);
-        if let Some(way) = &leg.way {
+        shares::<V>(section, number, count, &mut block.phi);
+        if let Some(way) = &section.way {
             parameters::<V>(way, tables, count, block);
         }
-        match &leg.turning {
+        match &section.turning {
             Turning::Kept(..) | Turning::Ahead(_) => {}
             Turning::Tracked(_, roll) => {
                 let [sin, cos, ..] = &mut block.q;
@@ -128,9 +128,9 @@ pub(super) fn fill<V: Vector>(
             }
             turning => turned::<V>(turning, tables, count, block),
         }
-        write::<V>(leg, block, records, past_caches, poses);
-        if let Turning::Tracked(target, _) = leg.turning {
-            mend(leg, target, &block.phi, poses)?;
+        write::<V>(section, block, records, past_caches, poses);
+        if let Turning::Tracked(target, _) = section.turning {
+            resolve_singularities(section, target, &block.phi, poses)?;
         }
         number += count;
     }
@@ -143,16 +143,16 @@ pub(super) fn fill<V: Vector>(
 /// [`fill`] for what has no fast way.
 #[inline(always)]
 fn fill_plainly<V: Vector>(
-    leg: &Leg,
+    section: &SectionSampler,
     scratch: &mut Scratch,
     first: usize,
     poses: &mut [Pose],
 ) -> Result<()> {
     let phi = &mut scratch.block.phi;
     for (number, poses) in (first..).step_by(BLOCK).zip(poses.chunks_mut(BLOCK)) {
-        shares::<V>(leg, number, poses.len(), phi);
+        shares::<V>(section, number, poses.len(), phi);
         for (pose, &phi) in poses.iter_mut().zip(phi.iter()) {
-            *pose = leg.pose(phi)?;
+            *pose = section.pose(phi)?;
         }
     }
     Ok(())
@@ -161,15 +161,15 @@ fn fill_plainly<V: Vector>(
 /// φ of each frame.
 #[inline(always)]
 #[allow(clippy::cast_precision_loss)]
-fn shares<V: Vector>(leg: &Leg, number: usize, count: usize, phi: &mut Row) {
+fn shares<V: Vector>(section: &SectionSampler, number: usize, count: usize, phi: &mut Row) {
     const COUNTING: [f64; 8] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
-    let scale = V::splat(1.0 / leg.frames as f64);
+    let scale = V::splat(1.0 / section.frames as f64);
     let counting = V::load(&COUNTING);
     for k in (0..count).step_by(V::LANES) {
         let frame = V::splat((number + k) as f64).add(counting);
         frame.mul(scale).min(V::splat(1.0)).store(&mut phi[k..]);
     }
-    if let Some([timing]) = leg.speed.as_deref() {
+    if let Some([timing]) = section.speed.as_deref() {
         match timing.plain_curve() {
             Some(speed) => paced_shares::<V>(speed, count, phi),
             None => plain_shares(timing, &mut phi[..count]),
@@ -247,7 +247,7 @@ fn store_each<V: Vector>(values: [V; AT_ONCE], to: &mut [f64]) {
 
 /// The curve's parameter of each frame.
 #[inline(always)]
-fn parameters<V: Vector>(way: &Way, tables: &Tables, count: usize, block: &mut Block) {
+fn parameters<V: Vector>(way: &ArcLengthCurve, tables: &Tables, count: usize, block: &mut Block) {
     let Block { phi, s, t, .. } = block;
     let mut from = 0;
     let mut piece = tables.place.partition_point(|fit| fit.end <= phi[0]);
@@ -349,7 +349,7 @@ fn view_at_target<V: Vector>(offset: [V; 3], sin: V, cos: V) -> [V; 6] {
 /// Everything known of the frames becomes poses.
 #[inline(always)]
 fn write<V: Vector>(
-    leg: &Leg,
+    section: &SectionSampler,
     block: &Block,
     records: &mut Records,
     past_caches: bool,
@@ -359,13 +359,16 @@ fn write<V: Vector>(
     let numbers = Pose::as_numbers(poses);
     if past_caches {
         for k in (0..count).step_by(V::LANES) {
-            V::store_records(write_vector::<V>(leg, block, k), &mut records.0[10 * k..]);
+            V::store_records(
+                write_vector::<V>(section, block, k),
+                &mut records.0[10 * k..],
+            );
         }
         V::stream(&records.0[..10 * count], numbers);
         return;
     }
     for k in (0..count).step_by(V::LANES) {
-        let row = write_vector::<V>(leg, block, k);
+        let row = write_vector::<V>(section, block, k);
         if k + V::LANES <= count {
             V::store_records(row, &mut numbers[10 * k..]);
         } else {
@@ -378,8 +381,8 @@ fn write<V: Vector>(
 
 /// One vector of poses, number by number.
 #[inline(always)]
-fn write_vector<V: Vector>(leg: &Leg, block: &Block, k: usize) -> [V; 10] {
-    let place = if let Some(Way { curve, .. }) = &leg.way {
+fn write_vector<V: Vector>(section: &SectionSampler, block: &Block, k: usize) -> [V; 10] {
+    let place = if let Some(ArcLengthCurve { curve, .. }) = &section.way {
         let t = V::load(&block.t[k..]);
         [
             horner::<V, 4>(&[curve.d.x, curve.c.x, curve.b.x, curve.a.x], t),
@@ -387,11 +390,11 @@ fn write_vector<V: Vector>(leg: &Leg, block: &Block, k: usize) -> [V; 10] {
             horner::<V, 4>(&[curve.d.z, curve.c.z, curve.b.z, curve.a.z], t),
         ]
     } else {
-        let p = leg.position;
+        let p = section.position;
         [V::splat(p.x), V::splat(p.y), V::splat(p.z)]
     };
     let q = &block.q;
-    let view = match &leg.turning {
+    let view = match &section.turning {
         Turning::Kept(view, up) => [
             V::splat(view.x),
             V::splat(view.y),
@@ -416,7 +419,7 @@ fn write_vector<V: Vector>(leg: &Leg, block: &Block, k: usize) -> [V; 10] {
             V::load(&q[3][k..]),
         ]),
     };
-    let zoom = horner::<V, 4>(&leg.zoom, V::load(&block.phi[k..]));
+    let zoom = horner::<V, 4>(&section.zoom, V::load(&block.phi[k..]));
     [
         place[0], place[1], place[2], view[0], view[1], view[2], view[3], view[4], view[5], zoom,
     ]
@@ -424,7 +427,12 @@ fn write_vector<V: Vector>(leg: &Leg, block: &Block, k: usize) -> [V; 10] {
 
 /// Computes those tracked frames the plain way that lie at the target, or
 /// straight above or below it.
-fn mend(leg: &Leg, target: DVec3, phi: &Row, poses: &mut [Pose]) -> Result<()> {
+fn resolve_singularities(
+    section: &SectionSampler,
+    target: DVec3,
+    phi: &Row,
+    poses: &mut [Pose],
+) -> Result<()> {
     for (pose, &phi) in poses.iter_mut().zip(phi) {
         let offset = (target - DVec3::from(pose.vrp)).abs().max_element();
         // Twice the bounds, since the plain way measures with other rounding.
@@ -433,7 +441,7 @@ fn mend(leg: &Leg, target: DVec3, phi: &Row, poses: &mut [Pose]) -> Result<()> {
         if far && level {
             continue;
         }
-        let plain = leg.pose(phi)?;
+        let plain = section.pose(phi)?;
         (pose.vpn, pose.vup) = (plain.vpn, plain.vup);
     }
     Ok(())

@@ -14,10 +14,10 @@ use glam::{DQuat, DVec3};
 use super::arc_length::ArcLength;
 use super::camera_path::{CameraPath, Orientation, OrientationMode, SupportPoint, Target, Tcb};
 use super::curve;
-use super::leg::Leg;
 use super::orientation_curve::{Rates, Turning, rates};
 use super::own::{Pace, PacePart, Tangents, TurningPart, Velocities, Whole};
 use super::sampling::{Layout, Sampler, zoom_slopes};
+use super::section_sampler::SectionSampler;
 use super::timeline::{Change, Timeline};
 use super::timing::Timing;
 use crate::error::{Error, Result, message, vec_with_room};
@@ -65,20 +65,20 @@ pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     let timeline = Timeline::new(path)?;
     let sampler = Sampler::new(path, &timeline)?;
     let (index, u) = find(path, &timeline, &sampler, frame)?;
-    let leg = &sampler.legs()[index];
+    let sampled = &sampler.sections()[index];
     let section = section_of(&timeline, index);
     let begin = timeline.section(section);
     let at = begin.point + 1;
     let mut new = path.try_clone()?;
     new.points.try_reserve_exact(1)?;
-    let (point, wanted) = divide(path, &timeline, section, leg, u)?;
+    let (point, wanted) = divide(path, &timeline, section, sampled, u)?;
     new.points.insert(at, point);
     let here = &mut new.points[begin.point].orientations[begin.orientation];
     let timing = timeline.timing(path, section)?;
     let old = &path.points[begin.point].orientations[begin.orientation];
     let whole = (timeline.facing_speeds(path, section), old);
     take_part(here, whole, &timing, [0.0, u])?;
-    let turning = turning_part(&leg.turning, [0.0, leg.phi(u)]);
+    let turning = turning_part(&sampled.turning, [0.0, sampled.phi(u)]);
     here.own = here.own.with(|own| own.turning = turning)?;
     let fixed = old.own.frames;
     if fixed > 0 {
@@ -104,14 +104,14 @@ pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     })
 }
 
-/// The section of the leg with this number.
-fn section_of(timeline: &Timeline, leg: usize) -> usize {
+/// The section that is the so-many-th of those with frames.
+fn section_of(timeline: &Timeline, number: usize) -> usize {
     let moving = |section: &usize| timeline.section(*section).change != Change::Nothing;
     let mut sections = (0..timeline.section_count()).filter(moving);
-    sections.nth(leg).unwrap_or(0)
+    sections.nth(number).unwrap_or(0)
 }
 
-/// The leg that is divided, and at which share of its time.
+/// The section that is divided, and at which share of its time.
 #[allow(clippy::cast_precision_loss)]
 fn find(
     path: &CameraPath,
@@ -126,30 +126,31 @@ fn find(
             frames
         )));
     }
-    let legs = sampler.legs();
-    let index = legs.partition_point(|leg| (leg.start + leg.frames) as f64 <= frame);
+    let sections = sampler.sections();
+    let index =
+        sections.partition_point(|sampled| (sampled.start + sampled.frames) as f64 <= frame);
     let at_a_key = || {
         Error::Range(message!(
             "at frame {0} the camera is at a key already",
             frame
         ))
     };
-    let leg = legs.get(index).ok_or_else(at_a_key)?;
-    let within = frame - leg.start as f64;
+    let sampled = sections.get(index).ok_or_else(at_a_key)?;
+    let within = frame - sampled.start as f64;
     if within <= 0.0 {
         return Err(at_a_key());
     }
     let begin = timeline.section(section_of(timeline, index));
     let last = path.points[begin.point].orientations.len() - 1;
-    if leg.way.is_none() || begin.orientation != last {
+    if sampled.way.is_none() || begin.orientation != last {
         return Err(Error::Range(message!(
             "at frame {0} the camera turns at point {1}, there is no way to divide",
             frame,
             begin.point + 1
         )));
     }
-    let frames = leg.frames as f64;
-    let share = if leg.frames > 1 {
+    let frames = sampled.frames as f64;
+    let share = if sampled.frames > 1 {
         within.round().clamp(1.0, frames - 1.0) / frames
     } else {
         within
@@ -176,14 +177,14 @@ fn divide(
     path: &CameraPath,
     timeline: &Timeline,
     section: usize,
-    leg: &Leg,
+    sampled: &SectionSampler,
     u: f64,
 ) -> Result<(SupportPoint, Wanted)> {
     let begin = timeline.section(section);
     let source = &path.points[begin.point];
     let old = &source.orientations[begin.orientation];
     let cubic = timeline.curve(begin.point);
-    let phi = leg.phi(u);
+    let phi = sampled.phi(u);
     let arc = ArcLength::new(cubic)?;
     let t = arc.parameter_at(phi * arc.length());
     let position = cubic.point(t);
@@ -193,12 +194,12 @@ fn divide(
             "the place is too near to a point of the path"
         )));
     }
-    let pose = leg.pose(phi)?;
+    let pose = sampled.pose(phi)?;
     let (view, up) = (DVec3::from(pose.vpn), DVec3::from(pose.vup));
     let seen = Target::Relative(view * old.target.offset_from(source.position).length());
-    let roll_there = leg.turning_slope(phi);
+    let roll_there = sampled.turning_slope(phi);
     let duration = timeline_duration(&begin);
-    let (target, roll) = match &leg.turning {
+    let (target, roll) = match &sampled.turning {
         Turning::Kept(..) => (
             Target::Relative(old.target.offset_from(source.position)),
             old.roll,
@@ -217,7 +218,7 @@ fn divide(
         speeds: old.speeds,
         hold: 0,
         own: old.own.for_a_copy()?.with(|own| {
-            if !matches!(leg.turning, Turning::Ahead(_)) {
+            if !matches!(sampled.turning, Turning::Ahead(_)) {
                 own.ahead = None;
             }
         })?,
@@ -225,7 +226,7 @@ fn divide(
     let timing = timeline.timing(path, section)?;
     let whole = (timeline.facing_speeds(path, section), old);
     take_part(&mut orientation, whole, &timing, [u, 1.0])?;
-    let turning = turning_part(&leg.turning, [phi, 1.0]);
+    let turning = turning_part(&sampled.turning, [phi, 1.0]);
     orientation.own = orientation.own.with(|own| own.turning = turning)?;
     let mut orientations = vec_with_room(1)?;
     orientations.push(orientation);
@@ -238,9 +239,9 @@ fn divide(
             after: slope * rest,
         },
         reach: cubic.derivative(1.0) * rest,
-        velocity: angular_velocity(&leg.turning, phi) / duration,
+        velocity: angular_velocity(&sampled.turning, phi) / duration,
         roll_slope: roll_there.1 / duration,
-        zoom_slope: leg.zoom_slope(phi) / duration,
+        zoom_slope: sampled.zoom_slope(phi) / duration,
     };
     let point = SupportPoint {
         position,
@@ -398,18 +399,18 @@ struct Keys {
 impl Keys {
     fn new(path: &CameraPath, timeline: &Timeline) -> Result<Self> {
         let mut layout = Layout::new(path, timeline)?;
-        let zoom = zoom_slopes(path, &layout.keys, &layout.ways, &layout.poses)?;
+        let zoom = zoom_slopes(path, &layout.keys, &layout.spans, &layout.poses)?;
         let count = layout.keys.len();
         let mut steps = vec_with_room(count)?;
         for key in 0..count {
             let beside = [
-                layout.ways.get(key),
-                layout.ways.get((key + count - 1) % count),
+                layout.spans.get(key),
+                layout.spans.get((key + count - 1) % count),
             ];
             let longest = beside.into_iter().flatten().map(|way| way.duration);
             steps.push(longest.fold(0.0, f64::max));
         }
-        let rates = rates(&mut layout.keys, &layout.ways, layout.rail)?;
+        let rates = rates(&mut layout.keys, &layout.spans, layout.rail)?;
         Ok(Self { rates, zoom, steps })
     }
 }
@@ -419,12 +420,12 @@ fn keep_rates(
     path: &CameraPath,
     timeline: &Timeline,
     new: &mut CameraPath,
-    leg: usize,
+    segment: usize,
     wanted: &Wanted,
     changed: &mut Vec<usize>,
 ) -> Result<()> {
     let old = Keys::new(path, timeline)?;
-    let middle = leg + 1;
+    let middle = segment + 1;
     for _ in 0..ROUNDS {
         let timeline = Timeline::new(new)?;
         let is = Keys::new(new, &timeline)?;

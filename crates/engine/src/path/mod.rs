@@ -4,7 +4,7 @@
 //! [`camera_path`] is the data. [`kochanek_bartels`] makes curves of it,
 //! [`arc_length`] and [`speed_curve`] their length and pace, [`timeline`] the
 //! sections with their frames; then the curve times are known, and with them
-//! `orientation_curve`. [`sampling`] walks through it all: `leg` is the plain
+//! `orientation_curve`. [`sampling`] walks through it all: `section` is the plain
 //! way to one pose, `fill` with `tables` and `arcs` the fast way to many, held
 //! against the plain one. [`plan`] keeps what was computed while a path is
 //! edited, since a person moves one point of thousands at a time.
@@ -16,6 +16,7 @@
 //! below it.
 
 pub mod ahead;
+pub mod ambiguity;
 pub mod arc_length;
 mod arcs;
 pub mod bezier;
@@ -24,20 +25,19 @@ pub mod catmull_rom;
 pub mod cubic_spline;
 pub mod curve;
 mod dispatch;
-pub mod doubts;
 pub mod ease;
 mod fill;
 pub mod fit_frames;
 pub mod hermite;
 pub mod insertion;
 pub mod kochanek_bartels;
-mod leg;
 mod orientation_curve;
 pub mod own;
 pub mod plan;
 pub mod pose;
 pub mod quaternion_spline;
 pub mod sampling;
+mod section_sampler;
 pub mod speed_curve;
 mod tables;
 pub mod tessellation;
@@ -47,11 +47,11 @@ pub mod timing;
 #[cfg(test)]
 mod test_support;
 
+pub use ambiguity::{Ambiguity, ambiguity};
 pub use camera_path::{
     BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, SupportPoint,
     Target, Tcb, ZoomMode,
 };
-pub use doubts::{Doubt, doubt};
 pub use ease::{Ease, EaseKind};
 pub use own::{MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Velocities, Whole};
 pub use plan::Plan;

@@ -67,7 +67,7 @@ impl Key {
 
 /// One section that has frames: the way from one key to the next.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Leg<'a> {
+pub(super) struct Span<'a> {
     /// Curve time that it takes.
     pub duration: f64,
     /// Its curve and the length of it, if the camera moves.
@@ -230,30 +230,30 @@ impl Kind {
     }
 }
 
-/// Neighbours of keys and legs, around the ends of a closed path. There is one
-/// leg fewer than keys, or as many if the path is closed.
+/// Neighbours of keys and spans, around the ends of a closed path. There is one
+/// span fewer than keys, or as many if the path is closed.
 #[derive(Clone, Copy)]
 struct Ring {
     keys: usize,
-    legs: usize,
+    spans: usize,
 }
 
 impl Ring {
     fn closed(self) -> bool {
-        self.keys == self.legs
+        self.keys == self.spans
     }
     fn before_key(self, key: usize) -> Option<usize> {
         if key > 0 {
             Some(key - 1)
         } else {
-            self.closed().then_some(self.legs - 1)
+            self.closed().then_some(self.spans - 1)
         }
     }
     fn after_key(self, key: usize) -> Option<usize> {
-        (key < self.legs).then_some(key)
+        (key < self.spans).then_some(key)
     }
-    fn end_of(self, leg: usize) -> usize {
-        (leg + 1) % self.keys
+    fn end_of(self, span: usize) -> usize {
+        (span + 1) % self.keys
     }
 }
 
@@ -261,32 +261,32 @@ impl Ring {
 struct Work<'a> {
     ring: Ring,
     keys: &'a [Key],
-    legs: &'a [Leg<'a>],
+    spans: &'a [Span<'a>],
     kinds: Vec<Kind>,
-    /// Mean angular velocity of each leg, and its angle on S³.
+    /// Mean angular velocity of each span, and its angle on S³.
     means: Vec<(DVec3, f64)>,
     /// −1 where the last key of a closed path reaches the first with its sign changed.
     wrap: f64,
-    /// Roll of each tracked leg: powers of φ.
+    /// Roll of each tracked span: powers of φ.
     rolls: Vec<[f64; 4]>,
     /// The whole curve, where a key looks along it.
     rail: Option<Arc<Rail>>,
 }
 
-/// Works out how the camera turns in each leg, and fixes the signs of the keys.
+/// Works out how the camera turns in each span, and fixes the signs of the keys.
 ///
 /// # Errors
 /// [`crate::Error::Memory`].
 pub(super) fn turnings(
     keys: &mut [Key],
-    legs: &[Leg<'_>],
+    spans: &[Span<'_>],
     mode: OrientationMode,
     rail: Option<Arc<Rail>>,
 ) -> Result<Vec<Turning>> {
-    let work = work(keys, legs, rail)?;
-    let mut turnings = vec_with_room(legs.len())?;
-    for leg in 0..legs.len() {
-        turnings.push(work.turning(leg, mode));
+    let work = work(keys, spans, rail)?;
+    let mut turnings = vec_with_room(spans.len())?;
+    for span in 0..spans.len() {
+        turnings.push(work.turning(span, mode));
     }
     Ok(turnings)
 }
@@ -308,10 +308,10 @@ pub(super) struct Rates {
 /// [`crate::Error::Memory`].
 pub(super) fn rates(
     keys: &mut [Key],
-    legs: &[Leg<'_>],
+    spans: &[Span<'_>],
     rail: Option<Arc<Rail>>,
 ) -> Result<Vec<Rates>> {
-    let work = work(keys, legs, rail)?;
+    let work = work(keys, spans, rail)?;
     let mut rates = vec_with_room(work.keys.len())?;
     for key in 0..work.keys.len() {
         let (reach, leave) = work.velocities(key);
@@ -322,14 +322,18 @@ pub(super) fn rates(
             acts: [work.ring.before_key(key), work.ring.after_key(key)]
                 .into_iter()
                 .flatten()
-                .any(|leg| work.kinds[leg] == Kind::Free),
+                .any(|span| work.kinds[span] == Kind::Free),
         });
     }
     Ok(rates)
 }
 
 /// Everything but the turnings themselves.
-fn work<'a>(keys: &'a mut [Key], legs: &'a [Leg<'a>], rail: Option<Arc<Rail>>) -> Result<Work<'a>> {
+fn work<'a>(
+    keys: &'a mut [Key],
+    spans: &'a [Span<'a>],
+    rail: Option<Arc<Rail>>,
+) -> Result<Work<'a>> {
     for i in 1..keys.len() {
         let before = keys[i - 1].q;
         keys[i].q = continue_sign(before, keys[i].q).0;
@@ -337,7 +341,7 @@ fn work<'a>(keys: &'a mut [Key], legs: &'a [Leg<'a>], rail: Option<Arc<Rail>>) -
     let keys = &*keys;
     let ring = Ring {
         keys: keys.len(),
-        legs: legs.len(),
+        spans: spans.len(),
     };
     let mut wrap = 1.0;
     if ring.closed() && !keys.is_empty() {
@@ -348,19 +352,19 @@ fn work<'a>(keys: &'a mut [Key], legs: &'a [Leg<'a>], rail: Option<Arc<Rail>>) -
     let mut work = Work {
         ring,
         keys,
-        legs,
-        kinds: vec_with_room(legs.len())?,
-        means: vec_with_room(legs.len())?,
+        spans,
+        kinds: vec_with_room(spans.len())?,
+        means: vec_with_room(spans.len())?,
         wrap,
-        rolls: vec_with_room(legs.len())?,
+        rolls: vec_with_room(spans.len())?,
         rail,
     };
-    for leg in 0..legs.len() {
-        let (from, to) = (&keys[leg], &keys[ring.end_of(leg)]);
-        let (a, b) = work.ends(leg);
+    for span in 0..spans.len() {
+        let (from, to) = (&keys[span], &keys[ring.end_of(span)]);
+        let (a, b) = work.ends(span);
         work.kinds.push(kind(from, to));
         work.means
-            .push((mean_velocity(a, b, legs[leg].duration), angle(a, b)));
+            .push((mean_velocity(a, b, spans[span].duration), angle(a, b)));
         work.rolls.push([0.0; 4]);
     }
     work.run_rolls()?;
@@ -385,70 +389,76 @@ fn kind(from: &Key, to: &Key) -> Kind {
 }
 
 impl Work<'_> {
-    /// Quaternions at both ends of a leg, with signs that belong together.
-    fn ends(&self, leg: usize) -> (DQuat, DQuat) {
-        let end = self.ring.end_of(leg);
-        let sign = if end <= leg { self.wrap } else { 1.0 };
-        (self.keys[leg].q, self.keys[end].q * sign)
+    /// Quaternions at both ends of a span, with signs that belong together.
+    fn ends(&self, span: usize) -> (DQuat, DQuat) {
+        let end = self.ring.end_of(span);
+        let sign = if end <= span { self.wrap } else { 1.0 };
+        (self.keys[span].q, self.keys[end].q * sign)
     }
 
-    fn turning(&self, leg: usize, mode: OrientationMode) -> Turning {
-        let (a, b) = self.ends(leg);
-        match (self.kinds[leg], mode) {
-            (Kind::Kept, _) => Turning::Kept(self.keys[leg].view, self.keys[leg].up()),
-            (Kind::Tracked(target), _) => Turning::Tracked(target, self.rolls[leg]),
-            (Kind::Ahead(_), _) => match self.along(leg) {
+    fn turning(&self, span: usize, mode: OrientationMode) -> Turning {
+        let (a, b) = self.ends(span);
+        match (self.kinds[span], mode) {
+            (Kind::Kept, _) => Turning::Kept(self.keys[span].view, self.keys[span].up()),
+            (Kind::Tracked(target), _) => Turning::Tracked(target, self.rolls[span]),
+            (Kind::Ahead(_), _) => match self.along(span) {
                 Some(ahead) => Turning::Ahead(ahead),
                 // There is always a rail where a key looks ahead.
-                None => Turning::Kept(self.keys[leg].view, self.keys[leg].up()),
+                None => Turning::Kept(self.keys[span].view, self.keys[span].up()),
             },
             (Kind::Free, OrientationMode::Slerp) => Turning::Arc([a, b]),
-            (Kind::Free, OrientationMode::BarryGoldman) => self.barry_goldman(leg),
+            (Kind::Free, OrientationMode::BarryGoldman) => self.barry_goldman(span),
             (Kind::Free, OrientationMode::Tcb) => {
-                if let Some(part) = self.part(leg, a, b) {
+                if let Some(part) = self.part(span, a, b) {
                     return part;
                 }
-                let (_, leave) = self.velocities(leg);
-                let (reach, _) = self.velocities(self.ring.end_of(leg));
-                Turning::Bezier(bezier_control(a, b, leave, reach, self.legs[leg].duration))
+                let (_, leave) = self.velocities(span);
+                let (reach, _) = self.velocities(self.ring.end_of(span));
+                Turning::Bezier(bezier_control(
+                    a,
+                    b,
+                    leave,
+                    reach,
+                    self.spans[span].duration,
+                ))
             }
         }
     }
 
-    /// A leg that looks along its way.
-    fn along(&self, leg: usize) -> Option<Ahead> {
-        let Kind::Ahead(distance) = self.kinds[leg] else {
+    /// A span that looks along its way.
+    fn along(&self, span: usize) -> Option<Ahead> {
+        let Kind::Ahead(distance) = self.kinds[span] else {
             return None;
         };
         Some(Ahead {
             rail: self.rail.clone()?,
-            segment: self.legs[leg]
+            segment: self.spans[span]
                 .way
-                .map(|(_, length)| (self.legs[leg].segment, length)),
+                .map(|(_, length)| (self.spans[span].segment, length)),
             distance,
-            still: self.keys[leg].view,
-            roll: self.rolls[leg],
+            still: self.keys[span].view,
+            roll: self.rolls[span],
         })
     }
 
-    /// The part of another curve that a free leg is, if it leads from key to key.
-    fn part(&self, leg: usize, a: DQuat, b: DQuat) -> Option<Turning> {
-        let TurningPart { control, from, to } = self.keys[leg].own.turning?;
+    /// The part of another curve that a free span is, if it leads from key to key.
+    fn part(&self, span: usize, a: DQuat, b: DQuat) -> Option<Turning> {
+        let TurningPart { control, from, to } = self.keys[span].own.turning?;
         let meets = |share, key: DQuat| bezier(&control, share).dot(key).abs() > 1.0 - SAME_KEY;
         (meets(from, a) && meets(to, b)).then_some(Turning::Part(control, [from, to]))
     }
 
-    /// The four keys and knots around a leg, time counted in the leg's own φ.
-    fn barry_goldman(&self, leg: usize) -> Turning {
-        let (a, b) = self.ends(leg);
-        let scale = 1.0 / self.legs[leg].duration;
-        let end = self.ring.end_of(leg);
-        let (before, t0) = match self.ring.before_key(leg) {
+    /// The four keys and knots around a span, time counted in the span's own φ.
+    fn barry_goldman(&self, span: usize) -> Turning {
+        let (a, b) = self.ends(span);
+        let scale = 1.0 / self.spans[span].duration;
+        let end = self.ring.end_of(span);
+        let (before, t0) = match self.ring.before_key(span) {
             Some(other) => {
                 // Brought to the sign that continues to `a`.
                 let (q, reached) = self.ends(other);
                 let sign = if reached == a { 1.0 } else { -1.0 };
-                (q * sign, -self.legs[other].duration * scale)
+                (q * sign, -self.spans[other].duration * scale)
             }
             None => (reflect(b, a), -1.0),
         };
@@ -456,7 +466,7 @@ impl Work<'_> {
             Some(other) => {
                 let (left, q) = self.ends(other);
                 let sign = if left == b { 1.0 } else { -1.0 };
-                (q * sign, 1.0 + self.legs[other].duration * scale)
+                (q * sign, 1.0 + self.spans[other].duration * scale)
             }
             None => (reflect(a, b), 2.0),
         };
@@ -469,90 +479,90 @@ impl Work<'_> {
         let before = self.ring.before_key(key);
         let after = self.ring.after_key(key);
         if let Some((reach, leave)) = self.keys[key].velocities() {
-            let limited = |omega: DVec3, leg: Option<usize>| {
-                leg.map_or(omega, |leg| {
-                    omega * self.factor(omega, leg, self.swing(leg))
+            let limited = |omega: DVec3, span: Option<usize>| {
+                span.map_or(omega, |span| {
+                    omega * self.factor(omega, span, self.swing(span))
                 })
             };
             return (limited(reach, before), limited(leave, after));
         }
         let taken = [
-            before.and_then(|leg| self.taken(leg, true)),
-            after.and_then(|leg| self.taken(leg, false)),
+            before.and_then(|span| self.taken(span, true)),
+            after.and_then(|span| self.taken(span, false)),
         ];
         if let Some(omega) = taken.into_iter().flatten().next() {
-            let limited = |leg: Option<usize>| {
-                leg.map_or(omega, |leg| {
-                    omega * self.factor(omega, leg, self.swing(leg))
+            let limited = |span: Option<usize>| {
+                span.map_or(omega, |span| {
+                    omega * self.factor(omega, span, self.swing(span))
                 })
             };
             return (limited(before), limited(after));
         }
         let (reach, leave) = self.free_velocities(key, self.keys[key].turning);
         let mut scale = 1.0f64;
-        for (omega, leg) in [(reach, before), (leave, after)] {
-            if let Some(leg) = leg {
-                let (_, theta) = self.means[leg];
+        for (omega, span) in [(reach, before), (leave, after)] {
+            if let Some(span) = span {
+                let (_, theta) = self.means[span];
                 let bound = theta.min(SWING * (std::f64::consts::PI - theta));
-                scale = scale.min(self.factor(omega, leg, bound));
+                scale = scale.min(self.factor(omega, span, bound));
             }
         }
         (reach * scale, leave * scale)
     }
 
-    /// The angle by which a third of the leg may swing out.
-    fn swing(&self, leg: usize) -> f64 {
-        let (_, theta) = self.means[leg];
+    /// The angle by which a third of the span may swing out.
+    fn swing(&self, span: usize) -> f64 {
+        let (_, theta) = self.means[span];
         SWING * (std::f64::consts::PI - theta)
     }
 
-    /// Slope of the roll at a key beside a tracked leg.
+    /// Slope of the roll at a key beside a tracked span.
     fn roll_slope(&self, key: usize) -> Option<f64> {
-        let tracked = |leg: &usize| self.kinds[*leg].is_level();
-        if let Some(leg) = self.ring.after_key(key).filter(tracked) {
-            return Some(self.rolls[leg][1] / self.legs[leg].duration);
+        let tracked = |span: &usize| self.kinds[*span].is_level();
+        if let Some(span) = self.ring.after_key(key).filter(tracked) {
+            return Some(self.rolls[span][1] / self.spans[span].duration);
         }
-        let leg = self.ring.before_key(key).filter(tracked)?;
-        let roll = &self.rolls[leg];
-        Some((roll[1] + 2.0 * roll[2] + 3.0 * roll[3]) / self.legs[leg].duration)
+        let span = self.ring.before_key(key).filter(tracked)?;
+        let roll = &self.rolls[span];
+        Some((roll[1] + 2.0 * roll[2] + 3.0 * roll[3]) / self.spans[span].duration)
     }
 
-    /// What ω is to be scaled by, so that a third of the leg turns by `bound`
+    /// What ω is to be scaled by, so that a third of the span turns by `bound`
     /// at the most.
-    fn factor(&self, omega: DVec3, leg: usize, bound: f64) -> f64 {
-        let third = omega.length() * self.legs[leg].duration / 3.0;
+    fn factor(&self, omega: DVec3, span: usize, bound: f64) -> f64 {
+        let third = omega.length() * self.spans[span].duration / 3.0;
         if third > bound { bound / third } else { 1.0 }
     }
 
-    /// Kochanek and Bartels at a key all of whose legs are free.
+    /// Kochanek and Bartels at a key all of whose spans are free.
     fn free_velocities(&self, key: usize, tcb: Tcb) -> (DVec3, DVec3) {
-        let step = |leg: usize| self.legs[leg].duration;
-        let mean = |leg: usize| self.means[leg].0;
+        let step = |span: usize| self.spans[span].duration;
+        let mean = |span: usize| self.means[span].0;
         match (self.ring.before_key(key), self.ring.after_key(key)) {
             (Some(a), Some(b)) => key_velocities(tcb, mean(a), mean(b), step(a), step(b)),
-            (None, Some(leg)) => {
-                let inner = self.ring.end_of(leg);
+            (None, Some(span)) => {
+                let inner = self.ring.end_of(span);
                 let omega = match self.ring.after_key(inner) {
-                    None => mean(leg),
+                    None => mean(span),
                     Some(next) => {
                         let own = self.keys[inner].velocities().map(|(reach, _)| reach);
                         let there = own.or_else(|| self.taken(next, false));
                         let there =
                             there.unwrap_or_else(|| self.free_velocities(inner, Tcb::default()).0);
-                        end_velocity(tcb.tension, mean(leg), there)
+                        end_velocity(tcb.tension, mean(span), there)
                     }
                 };
                 (omega, omega)
             }
-            (Some(leg), None) => {
-                let omega = match self.ring.before_key(leg) {
-                    None => mean(leg),
+            (Some(span), None) => {
+                let omega = match self.ring.before_key(span) {
+                    None => mean(span),
                     Some(last) => {
-                        let own = self.keys[leg].velocities().map(|(_, leave)| leave);
+                        let own = self.keys[span].velocities().map(|(_, leave)| leave);
                         let there = own.or_else(|| self.taken(last, true));
                         let there =
-                            there.unwrap_or_else(|| self.free_velocities(leg, Tcb::default()).1);
-                        end_velocity(tcb.tension, mean(leg), there)
+                            there.unwrap_or_else(|| self.free_velocities(span, Tcb::default()).1);
+                        end_velocity(tcb.tension, mean(span), there)
                     }
                 };
                 (omega, omega)
@@ -561,25 +571,25 @@ impl Work<'_> {
         }
     }
 
-    /// The velocity that a leg which is not free has at its end or start.
-    fn taken(&self, leg: usize, at_end: bool) -> Option<DVec3> {
-        match self.kinds[leg] {
+    /// The velocity that a span which is not free has at its end or start.
+    fn taken(&self, span: usize, at_end: bool) -> Option<DVec3> {
+        match self.kinds[span] {
             Kind::Free => None,
             Kind::Kept => Some(DVec3::ZERO),
             Kind::Ahead(_) => {
-                let turned = self.along(leg)?.velocity(at_end);
-                Some(turned / self.legs[leg].duration)
+                let turned = self.along(span)?.velocity(at_end);
+                Some(turned / self.spans[span].duration)
             }
             Kind::Tracked(target) => {
-                let key = &self.keys[if at_end { self.ring.end_of(leg) } else { leg }];
-                let roll = &self.rolls[leg];
-                let duration = self.legs[leg].duration;
+                let key = &self.keys[if at_end { self.ring.end_of(span) } else { span }];
+                let roll = &self.rolls[span];
+                let duration = self.spans[span].duration;
                 let slope = if at_end {
                     roll[1] + 2.0 * roll[2] + 3.0 * roll[3]
                 } else {
                     roll[1]
                 };
-                let velocity = self.legs[leg].way.map_or(DVec3::ZERO, |(curve, length)| {
+                let velocity = self.spans[span].way.map_or(DVec3::ZERO, |(curve, length)| {
                     end_direction(curve, at_end).unwrap_or(DVec3::ZERO) * (length / duration)
                 });
                 Some(0.5 * tracking_velocity(target - key.position, velocity, slope / duration))
@@ -587,30 +597,30 @@ impl Work<'_> {
         }
     }
 
-    /// Rolls of the tracked legs: one monotone cubic through each run of them.
+    /// Rolls of the tracked spans: one monotone cubic through each run of them.
     fn run_rolls(&mut self) -> Result<()> {
-        let legs = self.legs.len();
-        let tracked = |kinds: &[Kind], leg: usize| kinds[leg % legs].is_level();
-        let all = (0..legs).all(|leg| tracked(&self.kinds, leg));
+        let spans = self.spans.len();
+        let tracked = |kinds: &[Kind], span: usize| kinds[span % spans].is_level();
+        let all = (0..spans).all(|span| tracked(&self.kinds, span));
         let around = self.ring.closed() && !all;
-        // On a ring the counting begins behind a leg that is not tracked.
+        // On a ring the counting begins behind a span that is not tracked.
         let first = if around {
-            (0..legs)
-                .find(|&leg| !tracked(&self.kinds, leg))
+            (0..spans)
+                .find(|&span| !tracked(&self.kinds, span))
                 .unwrap_or(0)
         } else {
             0
         };
-        let mut steps: Vec<f64> = vec_with_room(legs)?;
-        let mut rises: Vec<f64> = vec_with_room(legs)?;
-        let mut slopes: Vec<f64> = vec_with_room(legs + 1)?;
+        let mut steps: Vec<f64> = vec_with_room(spans)?;
+        let mut rises: Vec<f64> = vec_with_room(spans)?;
+        let mut slopes: Vec<f64> = vec_with_room(spans + 1)?;
         let mut start = first;
-        for leg in first..=first + legs {
-            if leg < first + legs && tracked(&self.kinds, leg) {
-                let from = &self.keys[leg % legs.max(1)];
-                let to = &self.keys[self.ring.end_of(leg % legs)];
+        for span in first..=first + spans {
+            if span < first + spans && tracked(&self.kinds, span) {
+                let from = &self.keys[span % spans.max(1)];
+                let to = &self.keys[self.ring.end_of(span % spans)];
                 let turn = orientation::wrap_degrees((to.roll - from.roll).to_degrees());
-                steps.push(self.legs[leg % legs].duration);
+                steps.push(self.spans[span % spans].duration);
                 rises.push(turn.to_radians());
                 continue;
             }
@@ -626,7 +636,7 @@ impl Work<'_> {
                         .map_or(*slope, f64::to_radians);
                 }
                 for (k, step) in steps.iter().enumerate() {
-                    let at = (start + k) % legs;
+                    let at = (start + k) % spans;
                     let roll = self.keys[at].roll;
                     self.rolls[at] =
                         monotone_cubic::cubic(roll, rises[k], *step, slopes[k], slopes[k + 1]);
@@ -634,7 +644,7 @@ impl Work<'_> {
                 steps.clear();
                 rises.clear();
             }
-            start = leg + 1;
+            start = span + 1;
         }
         Ok(())
     }

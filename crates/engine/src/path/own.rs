@@ -12,7 +12,7 @@ use glam::{DQuat, DVec3};
 
 use super::camera_path::{check_coordinates, check_speed};
 use super::ease::Ease;
-use crate::error::{Error, Result, message, room};
+use crate::error::{Error, Result, can_allocate, message};
 use crate::limits;
 
 /// With which derivatives the curve passes a point, per segment parameter.
@@ -362,7 +362,7 @@ impl MayOwn {
             return Ok(Self(None));
         }
         // A counted pointer cannot be refused when memory has run out.
-        room(size_of::<Own>() + 2 * size_of::<usize>())?;
+        can_allocate(size_of::<Own>() + 2 * size_of::<usize>())?;
         Ok(Self(Some(Arc::new(own))))
     }
 
@@ -426,6 +426,6 @@ impl MayOwn {
 /// As [`check_distance`]; [`Error::Memory`].
 pub fn distance(keys: &[[f64; 2]]) -> Result<Pace> {
     check_distance(keys)?;
-    room(size_of_val(keys) + 2 * size_of::<usize>())?;
+    can_allocate(size_of_val(keys) + 2 * size_of::<usize>())?;
     Ok(Pace::Distance(keys.into()))
 }

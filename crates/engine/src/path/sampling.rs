@@ -8,9 +8,9 @@ use super::arc_length;
 use super::camera_path::{CameraPath, ZoomMode};
 use super::dispatch;
 use super::fill::Scratch;
-use super::leg::{Leg, Way};
 use super::orientation_curve::{self, Key, turnings};
 use super::pose::Pose;
+use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::timeline::{Change, Timeline};
 use crate::error::{Error, Result, message, try_box, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_ZOOM, MIN_ZOOM};
@@ -20,8 +20,8 @@ use crate::math::{monotone_cubic, orientation};
 /// that it was made from.
 #[derive(Debug)]
 pub struct Sampler {
-    legs: Vec<Leg>,
-    /// Poses of the keys: the one in which leg k begins, and the last one.
+    sections: Vec<SectionSampler>,
+    /// Poses of the keys: the one in which section k begins, and the last one.
     keys: Vec<Pose>,
     /// Number of the first own pose of each section.
     first_frames: Vec<usize>,
@@ -30,12 +30,12 @@ pub struct Sampler {
 
 /// What is known of a path before its turning and its zoom.
 pub(super) struct Layout<'a> {
-    pub legs: Vec<Leg>,
-    /// The key in which leg k begins; of an open path also the last one.
+    pub sections: Vec<SectionSampler>,
+    /// The key in which section k begins; of an open path also the last one.
     pub keys: Vec<Key>,
     /// Their poses; of a closed path the first one again at the end.
     pub poses: Vec<Pose>,
-    pub ways: Vec<orientation_curve::Leg<'a>>,
+    pub spans: Vec<orientation_curve::Span<'a>>,
     /// The whole curve, where a key looks along it.
     pub rail: Option<Arc<Rail>>,
     first_frames: Vec<usize>,
@@ -48,18 +48,18 @@ impl<'a> Layout<'a> {
     /// [`Error::Memory`].
     #[allow(clippy::cast_precision_loss)]
     pub(super) fn new(path: &CameraPath, timeline: &'a Timeline) -> Result<Self> {
-        let sections = timeline.section_count();
-        let moving = (0..sections)
+        let count = timeline.section_count();
+        let moving = (0..count)
             .filter(|&section| timeline.section(section).change != Change::Nothing)
             .count();
-        let mut first_frames = vec_with_room(sections)?;
+        let mut first_frames = vec_with_room(count)?;
         let mut keys: Vec<Key> = vec_with_room(moving + 1)?;
         let mut poses: Vec<Pose> = vec_with_room(moving + 1)?;
-        let mut ways: Vec<orientation_curve::Leg<'_>> = vec_with_room(moving)?;
-        let mut legs: Vec<Leg> = vec_with_room(moving)?;
+        let mut spans: Vec<orientation_curve::Span<'_>> = vec_with_room(moving)?;
+        let mut sections: Vec<SectionSampler> = vec_with_room(moving)?;
 
         let mut number = 1;
-        for index in 0..sections {
+        for index in 0..count {
             let section = timeline.section(index);
             let point = &path.points[section.point];
             let orientation = &point.orientations[section.orientation];
@@ -81,12 +81,12 @@ impl<'a> Layout<'a> {
             let curve = timeline.curve(section.point.min(timeline.segment_count() - 1));
             // A way that cannot be measured as it stands is no way to be seen.
             let curve = (length > 100.0 * arc_length::TINY).then_some(curve);
-            ways.push(orientation_curve::Leg {
+            spans.push(orientation_curve::Span {
                 duration: section.frames as f64 * section.mean_speed / BASE_SPEED,
                 way: curve.map(|curve| (curve, length)),
                 segment: section.point.min(timeline.segment_count() - 1),
             });
-            legs.push(Leg {
+            sections.push(SectionSampler {
                 start: number,
                 frames: section.frames,
                 speed: if section.constant_speed {
@@ -94,7 +94,7 @@ impl<'a> Layout<'a> {
                 } else {
                     Some(try_box(timeline.timing(path, index)?)?)
                 },
-                way: curve.map(|&curve| Way { curve, length }),
+                way: curve.map(|&curve| ArcLengthCurve { curve, length }),
                 position: point.position,
                 turning: orientation_curve::Turning::Kept(glam::DVec3::Z, glam::DVec3::Y),
                 zoom: [pose.zoom, 0.0, 0.0, 0.0],
@@ -122,10 +122,10 @@ impl<'a> Layout<'a> {
             None
         };
         Ok(Self {
-            legs,
+            sections,
             keys,
             poses,
-            ways,
+            spans,
             rail,
             first_frames,
         })
@@ -140,30 +140,30 @@ impl Sampler {
     pub fn new(path: &CameraPath, timeline: &Timeline) -> Result<Self> {
         let frames = timeline.frame_count()?;
         let Layout {
-            mut legs,
+            mut sections,
             mut keys,
             poses,
-            ways,
+            spans,
             rail,
             first_frames,
         } = Layout::new(path, timeline)?;
-        let turnings = turnings(&mut keys, &ways, path.orientation_mode, rail)?;
-        for (leg, turning) in legs.iter_mut().zip(turnings) {
-            leg.turning = turning;
+        let turnings = turnings(&mut keys, &spans, path.orientation_mode, rail)?;
+        for (section, turning) in sections.iter_mut().zip(turnings) {
+            section.turning = turning;
         }
-        let slopes = zoom_slopes(path, &keys, &ways, &poses)?;
-        for (k, leg) in legs.iter_mut().enumerate() {
+        let slopes = zoom_slopes(path, &keys, &spans, &poses)?;
+        for (k, section) in sections.iter_mut().enumerate() {
             let (zoom, rise) = (poses[k].zoom, poses[k + 1].zoom - poses[k].zoom);
-            leg.zoom = match path.zoom_mode {
+            section.zoom = match path.zoom_mode {
                 ZoomMode::Linear => [zoom, rise, 0.0, 0.0],
                 ZoomMode::Smooth => {
-                    let (step, from, to) = (ways[k].duration, slopes[k], slopes[k + 1]);
+                    let (step, from, to) = (spans[k].duration, slopes[k], slopes[k + 1]);
                     monotone_cubic::cubic(zoom, rise, step, from, to)
                 }
             };
         }
         Ok(Self {
-            legs,
+            sections,
             keys: poses,
             first_frames,
             frames,
@@ -171,8 +171,8 @@ impl Sampler {
     }
 
     /// What is between the keys.
-    pub(super) fn legs(&self) -> &[Leg] {
-        &self.legs
+    pub(super) fn sections(&self) -> &[SectionSampler] {
+        &self.sections
     }
 
     /// All frames, at least 1.
@@ -195,8 +195,8 @@ impl Sampler {
     /// A number for each section in which something changes, in their order: the same
     /// where all poses between its two keys are the same, in this path or in another
     /// one. Others have the same by a chance of about 2⁻⁶⁴.
-    pub fn marks(&self) -> impl Iterator<Item = u64> {
-        self.legs.iter().map(Leg::mark)
+    pub fn fingerprints(&self) -> impl Iterator<Item = u64> {
+        self.sections.iter().map(SectionSampler::fingerprint)
     }
 
     /// Fills `poses` with the frames `first`, `first + 1`, … (numbered from 1).
@@ -214,25 +214,25 @@ impl Sampler {
         let mut scratch = Scratch::new(poses.len());
         let mut rest = poses;
         let mut number = first;
-        // The leg whose own poses end at or after the first one wanted.
+        // The section whose own poses end at or after the first one wanted.
         let mut index = self
-            .legs
-            .partition_point(|leg| leg.start + leg.frames < number);
+            .sections
+            .partition_point(|section| section.start + section.frames < number);
         while !rest.is_empty() {
-            let Some(leg) = self.legs.get(index) else {
-                rest.fill(self.keys[self.legs.len()]);
+            let Some(section) = self.sections.get(index) else {
+                rest.fill(self.keys[self.sections.len()]);
                 break;
             };
-            // The key in which the leg begins, as long as it rests.
-            let resting = (leg.start + 1).saturating_sub(number).min(rest.len());
+            // The key in which the section begins, as long as it rests.
+            let resting = (section.start + 1).saturating_sub(number).min(rest.len());
             let (held, after) = rest.split_at_mut(resting);
             held.fill(self.keys[index]);
             number += resting;
             // Poses between the two keys, then the second key itself.
-            let between = (leg.start + leg.frames - number).min(after.len());
+            let between = (section.start + section.frames - number).min(after.len());
             let (moved, after) = after.split_at_mut(between);
             if between > 0 {
-                dispatch::fill(leg, &mut scratch, number - leg.start, moved)?;
+                dispatch::fill(section, &mut scratch, number - section.start, moved)?;
             }
             number += between;
             rest = after;
@@ -258,19 +258,19 @@ impl Sampler {
             )));
         }
         let index = self
-            .legs
-            .partition_point(|leg| ((leg.start + leg.frames) as f64) < frame);
-        let Some(leg) = self.legs.get(index) else {
-            return Ok(self.keys[self.legs.len()]);
+            .sections
+            .partition_point(|section| ((section.start + section.frames) as f64) < frame);
+        let Some(section) = self.sections.get(index) else {
+            return Ok(self.keys[self.sections.len()]);
         };
-        let within = frame - leg.start as f64;
+        let within = frame - section.start as f64;
         if within <= 0.0 {
             return Ok(self.keys[index]);
         }
-        if within >= leg.frames as f64 {
+        if within >= section.frames as f64 {
             return Ok(self.keys[index + 1]);
         }
-        leg.pose(leg.phi(within / leg.frames as f64))
+        section.pose(section.phi(within / section.frames as f64))
     }
 }
 
@@ -304,27 +304,27 @@ fn key(path: &CameraPath, point: usize, orientation: usize) -> (Key, Pose) {
 pub(super) fn zoom_slopes(
     path: &CameraPath,
     keys: &[Key],
-    ways: &[orientation_curve::Leg<'_>],
+    spans: &[orientation_curve::Span<'_>],
     poses: &[Pose],
 ) -> Result<Vec<f64>> {
-    if ways.is_empty() || path.zoom_mode == ZoomMode::Linear {
+    if spans.is_empty() || path.zoom_mode == ZoomMode::Linear {
         return Ok(Vec::new());
     }
-    let mut steps: Vec<f64> = vec_with_room(ways.len())?;
-    let mut rises: Vec<f64> = vec_with_room(ways.len())?;
-    let mut slopes: Vec<f64> = vec_with_room(ways.len() + 1)?;
-    steps.extend(ways.iter().map(|way| way.duration));
+    let mut steps: Vec<f64> = vec_with_room(spans.len())?;
+    let mut rises: Vec<f64> = vec_with_room(spans.len())?;
+    let mut slopes: Vec<f64> = vec_with_room(spans.len() + 1)?;
+    steps.extend(spans.iter().map(|way| way.duration));
     rises.extend(poses.windows(2).map(|pair| pair[1].zoom - pair[0].zoom));
-    slopes.resize(ways.len() + 1, 0.0);
+    slopes.resize(spans.len() + 1, 0.0);
     monotone_cubic::slopes(&steps, &rises, path.closed, &mut slopes);
     for (k, slope) in slopes.iter_mut().enumerate() {
         let key = &keys[k % keys.len()];
         if let Some(own) = key.own.zoom_slope {
             let before = match k {
-                0 => path.closed.then(|| ways.len() - 1),
+                0 => path.closed.then(|| spans.len() - 1),
                 k => Some(k - 1),
             };
-            let after = if k < ways.len() {
+            let after = if k < spans.len() {
                 Some(k)
             } else {
                 path.closed.then_some(0)

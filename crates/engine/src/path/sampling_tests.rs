@@ -68,8 +68,8 @@ fn near(a: &Pose, b: &Pose) -> bool {
     pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-12)
 }
 
-/// Fills poses of a leg from a frame on.
-type Fill<'a> = &'a dyn Fn(&Leg, &mut Scratch, usize, &mut [Pose]) -> Result<()>;
+/// Fills poses of a section from a frame on.
+type Fill<'a> = &'a dyn Fn(&SectionSampler, &mut Scratch, usize, &mut [Pose]) -> Result<()>;
 
 fn against_the_plain_way(name: &str, fill: Fill<'_>) {
     let never = Pose {
@@ -84,31 +84,31 @@ fn against_the_plain_way(name: &str, fill: Fill<'_>) {
     // To Miri all three are the same, and it is slow.
     for (mode, closed) in paths.into_iter().take(if cfg!(miri) { 1 } else { 3 }) {
         let sampler = prepared(&path(mode, closed));
-        for (index, leg) in sampler.legs.iter().enumerate() {
+        for (index, section) in sampler.sections.iter().enumerate() {
             // The plain way measures the curve for each pose: few for Miri.
             let step = if cfg!(miri) { 83 } else { 1 };
-            let frames = (1..=leg.frames).step_by(step);
+            let frames = (1..=section.frames).step_by(step);
             let plain = frames.map(|frame| {
-                let u = frame as f64 / leg.frames as f64;
-                (frame, leg.pose(leg.phi(u)).expect("memory"))
+                let u = frame as f64 / section.frames as f64;
+                (frame, section.pose(section.phi(u)).expect("memory"))
             });
             let plain: Vec<(usize, Pose)> = plain.collect();
-            let mut poses = vec![never; leg.frames + 2];
+            let mut poses = vec![never; section.frames + 2];
             // In one go, and past the caches in two.
-            for (at_once, asked) in [(leg.frames, 1), (leg.frames / 2 + 1, usize::MAX)] {
+            for (at_once, asked) in [(section.frames, 1), (section.frames / 2 + 1, usize::MAX)] {
                 let mut scratch = Scratch::new(asked);
                 poses.fill(never);
-                for first in (1..=leg.frames).step_by(at_once) {
-                    let end = (first + at_once).min(leg.frames + 1);
-                    fill(leg, &mut scratch, first, &mut poses[first..end]).expect("memory");
+                for first in (1..=section.frames).step_by(at_once) {
+                    let end = (first + at_once).min(section.frames + 1);
+                    fill(section, &mut scratch, first, &mut poses[first..end]).expect("memory");
                 }
-                assert!(poses[0] == never && poses[leg.frames + 1] == never);
+                assert!(poses[0] == never && poses[section.frames + 1] == never);
                 for (frame, plain) in &plain {
                     let pose = &poses[*frame];
                     assert!(
                         near(pose, plain),
                         "{name}, {mode:?}, section {index}, frame {frame} of {}: {pose:?} is not {plain:?}",
-                        leg.frames
+                        section.frames
                     );
                 }
             }
@@ -141,14 +141,14 @@ fn the_path_has_every_kind_of_section() {
     let (mut tracked, mut kept, mut free, mut short, mut fitted) = (0, 0, 0, 0, 0);
     for closed in [false, true] {
         let sampler = prepared(&path(OrientationMode::Tcb, closed));
-        for leg in &sampler.legs {
-            match leg.turning {
+        for section in &sampler.sections {
+            match section.turning {
                 orientation_curve::Turning::Tracked(..) => tracked += 1,
                 orientation_curve::Turning::Kept(..) => kept += 1,
                 _ => free += 1,
             }
-            short += usize::from(leg.frames < 4);
-            fitted += usize::from(leg.frames > 128);
+            short += usize::from(section.frames < 4);
+            fitted += usize::from(section.frames > 128);
         }
     }
     assert!(tracked > 0 && kept > 0 && free > 0 && short > 0 && fitted > 0);
@@ -157,7 +157,7 @@ fn the_path_has_every_kind_of_section() {
 /// Something done to a path, and what it is called.
 type Done = (&'static str, fn(&mut CameraPath));
 
-/// What has the same mark has the same poses; what a change does not reach keeps both.
+/// What has the same fingerprint has the same poses; what a change does not reach keeps both.
 #[test]
 fn a_mark_tells_whether_a_section_has_other_poses() {
     let changes: [Done; 8] = [
@@ -176,16 +176,21 @@ fn a_mark_tells_whether_a_section_has_other_poses() {
         ("a rest", |path| path.points[2].orientations[0].hold = 7),
         ("nothing", |_| {}),
     ];
-    let seen = |path: &CameraPath| -> Vec<(u64, Vec<Pose>)> {
-        let sampler = prepared(path);
-        let own = sampler.legs.iter().zip(sampler.marks()).map(|(leg, mark)| {
-            let few = if cfg!(miri) { 2 } else { usize::MAX };
-            let mut poses = vec![Pose::default(); (leg.frames - 1).min(few)];
-            sampler.sample(leg.start + 1, &mut poses).expect("memory");
-            (mark, poses)
-        });
-        own.collect()
-    };
+    let seen =
+        |path: &CameraPath| -> Vec<(u64, Vec<Pose>)> {
+            let sampler = prepared(path);
+            let own = sampler.sections.iter().zip(sampler.fingerprints()).map(
+                |(section, fingerprint)| {
+                    let few = if cfg!(miri) { 2 } else { usize::MAX };
+                    let mut poses = vec![Pose::default(); (section.frames - 1).min(few)];
+                    sampler
+                        .sample(section.start + 1, &mut poses)
+                        .expect("memory");
+                    (fingerprint, poses)
+                },
+            );
+            own.collect()
+        };
     let base = path(OrientationMode::Tcb, false);
     let before = seen(&base);
     let some = if cfg!(miri) { 1 } else { changes.len() };

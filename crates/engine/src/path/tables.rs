@@ -5,8 +5,8 @@
 
 use super::arc_length::{self, Piece};
 use super::arcs::ShortBezier;
-use super::leg::{Leg, Way};
 use super::orientation_curve::Turning;
+use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use crate::error::Result;
 use crate::math::chebyshev::{self, NODES};
 use crate::math::vector::Vector;
@@ -50,20 +50,20 @@ pub(super) struct Tables {
 impl Tables {
     /// Prepares a section, using the memory of these tables again.
     #[inline(always)]
-    pub(super) fn build<V: Vector>(&mut self, leg: &Leg) -> Result<()> {
+    pub(super) fn build<V: Vector>(&mut self, section: &SectionSampler) -> Result<()> {
         self.arc.clear();
         self.place.clear();
         self.turn.clear();
-        self.bezier = match &leg.turning {
+        self.bezier = match &section.turning {
             Turning::Bezier(control) => ShortBezier::new(control),
             _ => None,
         };
-        if let Some(way) = &leg.way {
+        if let Some(way) = &section.way {
             arc_length::measure::<V>(&way.curve, &mut self.arc)?;
-            self.fit_place::<V>(way, leg.frames)?;
+            self.fit_place::<V>(way, section.frames)?;
         }
-        if leg.turning.quaternion(0.0).is_some() {
-            self.fit_turning::<V>(&leg.turning, leg.frames)?;
+        if section.turning.quaternion(0.0).is_some() {
+            self.fit_turning::<V>(&section.turning, section.frames)?;
         }
         Ok(())
     }
@@ -71,7 +71,7 @@ impl Tables {
     /// The inverse of the arc length is as smooth as the arc length itself, so
     /// its pieces are tried first; they may have to be halved further.
     #[inline(always)]
-    fn fit_place<V: Vector>(&mut self, way: &Way, frames: usize) -> Result<()> {
+    fn fit_place<V: Vector>(&mut self, way: &ArcLengthCurve, frames: usize) -> Result<()> {
         for index in 0..self.arc.len() {
             let start = self.arc[index].start_share(way.length);
             let end = match self.arc.get(index + 1) {
@@ -102,7 +102,7 @@ impl Tables {
     #[inline(always)]
     fn fit_parameter<V: Vector>(
         &self,
-        way: &Way,
+        way: &ArcLengthCurve,
         middle: f64,
         half: f64,
     ) -> Option<[[f64; NODES]; 1]> {

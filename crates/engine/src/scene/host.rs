@@ -3,7 +3,7 @@
 
 use std::sync::{Arc, PoisonError, RwLock};
 
-use crate::error::{Error, Result, message, room};
+use crate::error::{Error, Result, can_allocate, message};
 use crate::path::camera_path::check_name;
 
 /// What such a function is asked.
@@ -35,7 +35,7 @@ static FUNCTIONS: RwLock<Vec<(String, Arc<Function>)>> = RwLock::new(Vec::new())
 /// [`Error::Memory`].
 pub fn register(name: &str, function: Option<Arc<Function>>) -> Result<()> {
     check_function_name(name)?;
-    room(name.len())?;
+    can_allocate(name.len())?;
     let mut all = FUNCTIONS.write().unwrap_or_else(PoisonError::into_inner);
     let known = all.iter().position(|(known, _)| known == name);
     // Dropped when the lock is free again: what it owns may come back here.

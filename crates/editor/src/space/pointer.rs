@@ -28,7 +28,7 @@ pub(super) const WHEEL: f64 = 1.1;
 
 /// What the hand is at.
 #[derive(Debug, Default)]
-pub(super) struct Hand {
+pub(super) struct PointerController {
     /// A button is down.
     hold: Option<Hold>,
     /// Keys that move something are down; a step of the document is open.
@@ -71,16 +71,16 @@ struct Hold {
 }
 
 /// Where the hand works.
-pub(super) struct Desk<'a> {
+pub(super) struct PointerContext<'a> {
     pub(super) context: &'a Context,
-    pub(super) room: Rect,
+    pub(super) viewport: Rect,
     /// Whether the pointer at a place means the movement window.
     pub(super) mine: &'a dyn Fn(Pos2) -> bool,
     /// Whether the keyboard does.
     pub(super) keyboard: bool,
 }
 
-impl Hand {
+impl PointerController {
     /// A button is down.
     pub(super) fn is_busy(&self) -> bool {
         self.hold.is_some()
@@ -118,8 +118,8 @@ impl Hand {
     }
 
     /// Takes the events of a pass.
-    pub(super) fn work(editor: &mut Editor, desk: &Desk<'_>) {
-        let events = desk.context.input(|input| input.events.clone());
+    pub(super) fn work(editor: &mut Editor, surface: &PointerContext<'_>) {
+        let events = surface.context.input(|input| input.events.clone());
         let mut events = events.into_iter().peekable();
         while let Some(event) = events.next() {
             // Of a row of motions only where it leads to counts.
@@ -128,20 +128,20 @@ impl Hand {
                 (Event::PointerMoved(_), Some(Event::PointerMoved(_)))
             );
             if !more {
-                take(editor, desk, event);
+                take(editor, surface, event);
             }
         }
         // Ctrl may come and go while the pointer rests.
-        let snaps = desk.context.input(|input| input.modifiers.ctrl);
-        if let Some(hold) = editor.space.hand.hold
+        let snaps = surface.context.input(|input| input.modifiers.ctrl);
+        if let Some(hold) = editor.space.pointer.hold
             && hold.moved
             && hold.snaps != snaps
         {
-            motion(editor, desk.context, desk.room, hold.now);
+            motion(editor, surface.context, surface.viewport, hold.now);
         }
         // The release may have been lost with the window's focus.
-        let (down, nudged) = desk.context.input(|input| {
-            let hold = editor.space.hand.hold;
+        let (down, nudged) = surface.context.input(|input| {
+            let hold = editor.space.pointer.hold;
             let down = hold.is_none_or(|hold| input.pointer.button_down(hold.button));
             let nudged = NUDGES.iter().any(|&key| input.key_down(key));
             (down, nudged)
@@ -152,12 +152,12 @@ impl Hand {
         if !nudged {
             keyboard::end_nudge(editor);
         }
-        let projection = Projection::new(&editor.setup.view, desk.room);
-        let hand = &editor.space.hand;
-        let pointer = desk.context.input(|input| input.pointer.latest_pos());
+        let projection = Projection::new(&editor.setup.view, surface.viewport);
+        let hand = &editor.space.pointer;
+        let pointer = surface.context.input(|input| input.pointer.latest_pos());
         let hover = match (&hand.hold, pointer) {
             (Some(hold), _) => hold.what,
-            (None, Some(at)) if (desk.mine)(at) => picking::pick(
+            (None, Some(at)) if (surface.mine)(at) => picking::pick(
                 &editor.document,
                 &projection,
                 &editor.setup.shown,
@@ -166,7 +166,7 @@ impl Hand {
             ),
             _ => None,
         };
-        editor.space.hand.hover = hover;
+        editor.space.pointer.hover = hover;
     }
 
     /// The shape of the pointer.
@@ -181,15 +181,15 @@ impl Hand {
     }
 }
 
-fn take(editor: &mut Editor, desk: &Desk<'_>, event: Event) {
+fn take(editor: &mut Editor, surface: &PointerContext<'_>, event: Event) {
     match event {
         Event::PointerButton {
             pos,
             button,
             pressed: true,
             modifiers,
-        } if editor.space.hand.hold.is_none() && (desk.mine)(pos) => {
-            press(editor, desk, pos, button, modifiers);
+        } if editor.space.pointer.hold.is_none() && (surface.mine)(pos) => {
+            press(editor, surface, pos, button, modifiers);
         }
         Event::PointerButton {
             pos,
@@ -198,17 +198,17 @@ fn take(editor: &mut Editor, desk: &Desk<'_>, event: Event) {
             ..
         } if editor
             .space
-            .hand
+            .pointer
             .hold
             .is_some_and(|hold| hold.button == button) =>
         {
-            motion(editor, desk.context, desk.room, pos);
+            motion(editor, surface.context, surface.viewport, pos);
             release(editor);
         }
-        Event::PointerMoved(pos) => motion(editor, desk.context, desk.room, pos),
+        Event::PointerMoved(pos) => motion(editor, surface.context, surface.viewport, pos),
         Event::MouseWheel { unit, delta, .. } => {
-            let at = desk.context.input(|input| input.pointer.latest_pos());
-            if let Some(at) = at.filter(|&at| (desk.mine)(at)) {
+            let at = surface.context.input(|input| input.pointer.latest_pos());
+            if let Some(at) = at.filter(|&at| (surface.mine)(at)) {
                 let steps = match unit {
                     MouseWheelUnit::Line => f64::from(delta.y),
                     MouseWheelUnit::Point => f64::from(delta.y) / 50.0,
@@ -216,7 +216,7 @@ fn take(editor: &mut Editor, desk: &Desk<'_>, event: Event) {
                 };
                 resize(
                     &mut editor.setup.view,
-                    desk.room,
+                    surface.viewport,
                     Some(at),
                     WHEEL.powf(steps),
                 );
@@ -226,9 +226,10 @@ fn take(editor: &mut Editor, desk: &Desk<'_>, event: Event) {
             key: Key::Escape,
             pressed: true,
             ..
-        } if editor.space.hand.hold.is_some() => {
+        } if editor.space.pointer.hold.is_some() => {
             cancel(editor);
-            desk.context
+            surface
+                .context
                 .input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
         }
         Event::Key {
@@ -238,15 +239,15 @@ fn take(editor: &mut Editor, desk: &Desk<'_>, event: Event) {
             ..
         } => {
             if let Some(kept) = axis_of(key)
-                && let Some(hold) = &mut editor.space.hand.hold
+                && let Some(hold) = &mut editor.space.pointer.hold
                 && matches!(hold.what, Some(Handle::Point(_) | Handle::Vpn))
             {
-                let projection = Projection::new(&editor.setup.view, desk.room);
+                let projection = Projection::new(&editor.setup.view, surface.viewport);
                 hold.freedom = Freedom::of_key(&projection, kept);
                 let now = hold.now;
-                motion(editor, desk.context, desk.room, now);
-            } else if desk.keyboard && editor.space.hand.hold.is_none() {
-                keyboard::press(editor, desk, key, modifiers);
+                motion(editor, surface.context, surface.viewport, now);
+            } else if surface.keyboard && editor.space.pointer.hold.is_none() {
+                keyboard::press(editor, surface, key, modifiers);
             }
         }
         _ => {}
@@ -265,12 +266,12 @@ fn axis_of(key: Key) -> Option<Axis> {
 
 fn press(
     editor: &mut Editor,
-    desk: &Desk<'_>,
+    surface: &PointerContext<'_>,
     pos: Pos2,
     button: PointerButton,
     modifiers: Modifiers,
 ) {
-    let held = desk.context.input(|input| {
+    let held = surface.context.input(|input| {
         [Key::X, Key::Y, Key::Z]
             .into_iter()
             .find(|&key| input.key_down(key))
@@ -281,7 +282,7 @@ fn press(
     };
     keyboard::end_nudge(editor);
     let left = button == PointerButton::Primary;
-    let projection = Projection::new(&editor.setup.view, desk.room);
+    let projection = Projection::new(&editor.setup.view, surface.viewport);
     let freedom = match held {
         Some(kept) if left => Freedom::of_key(&projection, kept),
         _ => Freedom::of_button(&projection, plane),
@@ -301,7 +302,7 @@ fn press(
     if let Some(Handle::Point(at)) = what {
         make_current(editor, at);
     }
-    editor.space.hand.hold = Some(Hold {
+    editor.space.pointer.hold = Some(Hold {
         button,
         pressed: pos,
         now: pos,
@@ -324,8 +325,8 @@ pub(super) fn make_current(editor: &mut Editor, at: usize) {
     }
 }
 
-pub(super) fn motion(editor: &mut Editor, context: &Context, room: Rect, pos: Pos2) {
-    let Some(mut hold) = editor.space.hand.hold else {
+pub(super) fn motion(editor: &mut Editor, context: &Context, viewport: Rect, pos: Pos2) {
+    let Some(mut hold) = editor.space.pointer.hold else {
         return;
     };
     let modifiers = context.input(|input| input.modifiers);
@@ -337,7 +338,7 @@ pub(super) fn motion(editor: &mut Editor, context: &Context, room: Rect, pos: Po
     if !hold.moved {
         let way = pos - hold.pressed;
         if way.x.abs().max(way.y.abs()) <= STILL {
-            editor.space.hand.hold = Some(hold);
+            editor.space.pointer.hold = Some(hold);
             return;
         }
         hold.moved = true;
@@ -345,22 +346,22 @@ pub(super) fn motion(editor: &mut Editor, context: &Context, room: Rect, pos: Po
             editor.document.begin_step();
         }
     }
-    editor.space.hand.hold = Some(hold);
+    editor.space.pointer.hold = Some(hold);
     match hold.what {
-        Some(what) => pull(editor, room, what, &hold),
-        None => turn(&mut editor.setup.view, room, &hold),
+        Some(what) => pull(editor, viewport, what, &hold),
+        None => turn(&mut editor.setup.view, viewport, &hold),
     }
 }
 
 /// Brings what is held under the pointer.
-fn pull(editor: &mut Editor, room: Rect, what: Handle, hold: &Hold) {
+fn pull(editor: &mut Editor, viewport: Rect, what: Handle, hold: &Hold) {
     // Somebody else ended the step (an undo while the button is down): what
     // follows would not belong to it.
     if !editor.document.in_step() {
-        editor.space.hand.hold = None;
+        editor.space.pointer.hold = None;
         return;
     }
-    let projection = Projection::new(&editor.setup.view, room);
+    let projection = Projection::new(&editor.setup.view, viewport);
     let texts = &editor.texts().space;
     let pointer = from_pos(hold.now) + hold.lag;
     let (document, freedom) = (&editor.document, hold.freedom);
@@ -402,11 +403,11 @@ pub(super) fn tell_place(editor: &mut Editor, what: Handle) {
 }
 
 /// Turns or shifts the space by a drag in its empty part.
-fn turn(view: &mut View, room: Rect, hold: &Hold) {
+fn turn(view: &mut View, viewport: Rect, hold: &Hold) {
     let way = from_pos(hold.now) - from_pos(hold.pressed);
     let mut changed = hold.view;
     if hold.shifts {
-        let scale = Projection::new(&hold.view, room).scale();
+        let scale = Projection::new(&hold.view, viewport).scale();
         changed.shift[0] += way.x / scale;
         changed.shift[1] -= way.y / scale;
     } else {
@@ -418,11 +419,11 @@ fn turn(view: &mut View, room: Rect, hold: &Hold) {
 
 /// Changes the size. What lies under the pointer stays there; the smaller the
 /// space gets, the more it comes back to the middle.
-pub(super) fn resize(view: &mut View, room: Rect, pointer: Option<Pos2>, factor: f64) {
+pub(super) fn resize(view: &mut View, viewport: Rect, pointer: Option<Pos2>, factor: f64) {
     let size = (view.size * factor).clamp(View::MIN_SIZE, View::MAX_SIZE);
     if let Some(pointer) = pointer.filter(|_| size > view.size) {
-        let away = from_pos(pointer) - from_pos(room.center());
-        let unit = Projection::new(view, room).scale();
+        let away = from_pos(pointer) - from_pos(viewport.center());
+        let unit = Projection::new(view, viewport).scale();
         let grown = unit * size / view.size;
         view.shift[0] += away.x / grown - away.x / unit;
         view.shift[1] -= away.y / grown - away.y / unit;
@@ -436,7 +437,7 @@ pub(super) fn resize(view: &mut View, room: Rect, pointer: Option<Pos2>, factor:
 }
 
 fn release(editor: &mut Editor) {
-    let Some(hold) = editor.space.hand.hold.take() else {
+    let Some(hold) = editor.space.pointer.hold.take() else {
         return;
     };
     if hold.moved {
@@ -444,13 +445,13 @@ fn release(editor: &mut Editor) {
             editor.let_go();
         }
     } else if hold.button == PointerButton::Secondary {
-        editor.space.hand.menu = Some((hold.pressed, hold.what));
+        editor.space.pointer.menu = Some((hold.pressed, hold.what));
     }
 }
 
 /// Takes back what was begun.
 fn cancel(editor: &mut Editor) {
-    let Some(hold) = editor.space.hand.hold.take() else {
+    let Some(hold) = editor.space.pointer.hold.take() else {
         return;
     };
     if hold.moved {

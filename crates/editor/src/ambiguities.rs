@@ -3,20 +3,20 @@
 
 use super::state::Editor;
 use super::texts::fill;
-use crate::path::{Doubt, doubt};
+use crate::path::{Ambiguity, ambiguity};
 
 impl Editor {
-    /// Says in the output field what is in doubt, if anything is.
-    pub(super) fn tell_doubts(&mut self) {
-        if let Some(words) = self.doubts() {
+    /// Says in the output field what is in ambiguity, if anything is.
+    pub(super) fn tell_ambiguities(&mut self) {
+        if let Some(words) = self.ambiguities() {
             self.say(words);
         }
     }
 
-    fn doubts(&self) -> Option<String> {
+    fn ambiguities(&self) -> Option<String> {
         let at = self.document.selection();
         let path = self.document.path();
-        let (section, doubt) = self
+        let (section, ambiguity) = self
             .document
             .timeline(|timeline| {
                 let count = timeline.section_count();
@@ -26,7 +26,8 @@ impl Editor {
                     on => Some(on - 1),
                 };
                 let found = |section: usize| {
-                    doubt(path, timeline, section).map(|doubt| (timeline.section(section), doubt))
+                    ambiguity(path, timeline, section)
+                        .map(|ambiguity| (timeline.section(section), ambiguity))
                 };
                 on.and_then(found).or_else(|| to.and_then(found))
             })
@@ -38,10 +39,10 @@ impl Editor {
             ((section.point + 1) % path.points.len(), 0)
         };
         let texts = &self.texts().output;
-        let text = match doubt {
-            Doubt::HalfTurn => texts.half_turn,
-            Doubt::AtTarget => texts.at_target,
-            Doubt::OverTarget => texts.over_target,
+        let text = match ambiguity {
+            Ambiguity::HalfTurn => texts.half_turn,
+            Ambiguity::AtTarget => texts.at_target,
+            Ambiguity::OverTarget => texts.over_target,
         };
         let from = self.name_of(section.point, section.orientation);
         Some(fill(text, &[&from, &self.name_of(next.0, next.1)]))

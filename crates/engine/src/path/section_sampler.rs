@@ -17,14 +17,14 @@ use crate::error::Result;
 
 /// The curve of a section and its length.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Way {
+pub(super) struct ArcLengthCurve {
     pub curve: Cubic,
     pub length: f64,
 }
 
 /// One section that has frames.
 #[derive(Debug)]
-pub(super) struct Leg {
+pub(super) struct SectionSampler {
     /// Number of the last pose before its own: the key in which it begins.
     pub start: usize,
     /// Its frames, ≥ 1; the last one is the key in which it ends.
@@ -32,7 +32,7 @@ pub(super) struct Leg {
     /// None where the speed is constant.
     pub speed: Option<Box<[Timing]>>,
     /// Where the camera moves; None where it stays at `position`.
-    pub way: Option<Way>,
+    pub way: Option<ArcLengthCurve>,
     pub position: DVec3,
     pub turning: Turning,
     /// Zoom in powers of φ.
@@ -41,68 +41,68 @@ pub(super) struct Leg {
     pub tables: OnceLock<Tables>,
 }
 
-impl Leg {
+impl SectionSampler {
     /// The same number for all that has the same poses of its own, wherever in the
     /// path it lies.
-    pub(super) fn mark(&self) -> u64 {
-        let mut mark = Mark::default();
-        mark.add([self.frames as f64]);
+    pub(super) fn fingerprint(&self) -> u64 {
+        let mut fingerprint = Fingerprint::default();
+        fingerprint.add([self.frames as f64]);
         if let Some(speed) = &self.speed {
-            speed[0].each_number(&mut |numbers| mark.add(numbers));
+            speed[0].each_number(&mut |numbers| fingerprint.add(numbers));
         }
         match &self.way {
-            None => mark.add(self.position.to_array()),
-            Some(Way { curve, length }) => {
-                mark.add([*length]);
+            None => fingerprint.add(self.position.to_array()),
+            Some(ArcLengthCurve { curve, length }) => {
+                fingerprint.add([*length]);
                 let all = [curve.a, curve.b, curve.c, curve.d, curve.end];
-                all.into_iter().for_each(|v| mark.add(v.to_array()));
+                all.into_iter().for_each(|v| fingerprint.add(v.to_array()));
             }
         }
-        let quaternions = |mark: &mut Mark, all: &[DQuat]| {
-            all.iter().for_each(|q| mark.add(q.to_array()));
+        let quaternions = |fingerprint: &mut Fingerprint, all: &[DQuat]| {
+            all.iter().for_each(|q| fingerprint.add(q.to_array()));
         };
         match &self.turning {
             Turning::Bezier(control) => {
-                mark.add([1.0]);
-                quaternions(&mut mark, control);
+                fingerprint.add([1.0]);
+                quaternions(&mut fingerprint, control);
             }
             Turning::Part(control, ends) => {
-                mark.add([6.0]);
-                quaternions(&mut mark, control);
-                mark.add(*ends);
+                fingerprint.add([6.0]);
+                quaternions(&mut fingerprint, control);
+                fingerprint.add(*ends);
             }
             Turning::Arc(ends) => {
-                mark.add([2.0]);
-                quaternions(&mut mark, ends);
+                fingerprint.add([2.0]);
+                quaternions(&mut fingerprint, ends);
             }
             Turning::BarryGoldman(keys, knots) => {
-                mark.add([3.0]);
-                quaternions(&mut mark, keys);
-                mark.add(*knots);
+                fingerprint.add([3.0]);
+                quaternions(&mut fingerprint, keys);
+                fingerprint.add(*knots);
             }
             Turning::Kept(view, up) => {
-                mark.add([4.0]);
-                mark.add(view.to_array());
-                mark.add(up.to_array());
+                fingerprint.add([4.0]);
+                fingerprint.add(view.to_array());
+                fingerprint.add(up.to_array());
             }
             Turning::Ahead(ahead) => {
-                mark.add([7.0, ahead.distance]);
-                mark.add(ahead.still.to_array());
-                mark.add(ahead.roll);
+                fingerprint.add([7.0, ahead.distance]);
+                fingerprint.add(ahead.still.to_array());
+                fingerprint.add(ahead.roll);
                 // What lies ahead, wherever it turns.
                 for k in 0..=8 {
                     let seen = ahead.direction(f64::from(k) / 8.0);
-                    mark.add(seen.unwrap_or(DVec3::ZERO).to_array());
+                    fingerprint.add(seen.unwrap_or(DVec3::ZERO).to_array());
                 }
             }
             Turning::Tracked(target, roll) => {
-                mark.add([5.0]);
-                mark.add(target.to_array());
-                mark.add(*roll);
+                fingerprint.add([5.0]);
+                fingerprint.add(target.to_array());
+                fingerprint.add(*roll);
             }
         }
-        mark.add(self.zoom);
-        mark.0
+        fingerprint.add(self.zoom);
+        fingerprint.0
     }
 
     /// φ at `u` = frame / frames: share of the way and of the curve time.
@@ -116,7 +116,7 @@ impl Leg {
         (3.0 * c[3] * phi + 2.0 * c[2]) * phi + c[1]
     }
 
-    /// Roll at φ of a tracked leg in radians, and its derivative; else zeros.
+    /// Roll at φ of a tracked section in radians, and its derivative; else zeros.
     pub(super) fn turning_slope(&self, phi: f64) -> (f64, f64) {
         match &self.turning {
             Turning::Tracked(_, c) | Turning::Ahead(Ahead { roll: c, .. }) => (
@@ -150,9 +150,9 @@ impl Leg {
 
 /// A fingerprint of numbers, by their bits and their order.
 #[derive(Default)]
-struct Mark(u64);
+struct Fingerprint(u64);
 
-impl Mark {
+impl Fingerprint {
     fn add<const N: usize>(&mut self, numbers: [f64; N]) {
         for number in numbers {
             // Both halves of the product: every bit reaches every other one. The

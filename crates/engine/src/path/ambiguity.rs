@@ -12,9 +12,9 @@ use super::timeline::{Change, Timeline};
 use crate::math::orientation::quaternion_from_roll;
 use crate::math::quaternion::continue_sign;
 
-/// What is in doubt.
+/// What is in ambiguity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Doubt {
+pub enum Ambiguity {
     /// The orientations are half a turn apart: the camera may turn either way.
     HalfTurn,
     /// The camera comes to the target that it looks at.
@@ -27,12 +27,12 @@ pub enum Doubt {
 /// Looks along a curve at so many places before it looks closer.
 const PLACES: usize = 64;
 
-/// What is in doubt in a section.
+/// What is in ambiguity in a section.
 ///
 /// # Panics
 /// If there is no such section.
 #[must_use]
-pub fn doubt(path: &CameraPath, timeline: &Timeline, section: usize) -> Option<Doubt> {
+pub fn ambiguity(path: &CameraPath, timeline: &Timeline, section: usize) -> Option<Ambiguity> {
     let begin = timeline.section(section);
     let here = &path.points[begin.point];
     let from = &here.orientations[begin.orientation];
@@ -58,18 +58,18 @@ pub fn doubt(path: &CameraPath, timeline: &Timeline, section: usize) -> Option<D
             };
             let begins = (begin.point, begin.orientation);
             let (a, b) = (key(begins, from), key(next, to));
-            continue_sign(a, b).1.then_some(Doubt::HalfTurn)
+            continue_sign(a, b).1.then_some(Ambiguity::HalfTurn)
         }
     }
 }
 
 /// Whether a curve leads through a target, or straight above or below it.
-fn met(curve: &Cubic, target: DVec3) -> Option<Doubt> {
+fn met(curve: &Cubic, target: DVec3) -> Option<Ambiguity> {
     let flat = DVec3::new(1.0, 0.0, 1.0);
     if nearest(curve, target, DVec3::ONE) < AT_TARGET {
-        Some(Doubt::AtTarget)
+        Some(Ambiguity::AtTarget)
     } else if nearest(curve, target, flat) < AT_TARGET {
-        Some(Doubt::OverTarget)
+        Some(Ambiguity::OverTarget)
     } else {
         None
     }
@@ -126,7 +126,7 @@ mod tests {
         }
     }
 
-    fn doubts(points: Vec<SupportPoint>) -> Vec<Option<Doubt>> {
+    fn ambiguities(points: Vec<SupportPoint>) -> Vec<Option<Ambiguity>> {
         let path = CameraPath {
             points,
             ..CameraPath::default()
@@ -134,7 +134,7 @@ mod tests {
         path.check().unwrap();
         let timeline = Timeline::new(&path).unwrap();
         (0..timeline.section_count())
-            .map(|section| doubt(&path, &timeline, section))
+            .map(|section| ambiguity(&path, &timeline, section))
             .collect()
     }
 
@@ -144,20 +144,20 @@ mod tests {
         let looks = |target| vec![orientation(target, 0.0)];
         let ahead = looks(relative(0.0, 0.0, -0.4));
         for (target, roll, wanted) in [
-            (relative(0.0, 0.0, 1.0), 0.0, Some(Doubt::HalfTurn)),
-            (relative(0.0, 0.0, -2.0), 180.0, Some(Doubt::HalfTurn)),
+            (relative(0.0, 0.0, 1.0), 0.0, Some(Ambiguity::HalfTurn)),
+            (relative(0.0, 0.0, -2.0), 180.0, Some(Ambiguity::HalfTurn)),
             (relative(0.0, 0.0, -2.0), 179.9, None),
             (relative(1e-9, 0.0, 1.0), 0.0, None),
             (relative(1.0, 0.0, 0.0), 0.0, None),
         ] {
             let there = vec![orientation(target, roll)];
-            let moving = doubts(vec![
+            let moving = ambiguities(vec![
                 point(-0.5, 0.0, 0.0, ahead.clone()),
                 point(0.5, 0.0, 0.0, there.clone()),
             ]);
             assert_eq!(moving, [wanted], "{target:?} {roll}");
             let both = [ahead.clone(), there].concat();
-            let panning = doubts(vec![
+            let panning = ambiguities(vec![
                 point(-0.5, 0.0, 0.0, both),
                 point(0.5, 0.0, 0.0, looks(target)),
             ]);
@@ -170,14 +170,14 @@ mod tests {
         let target = DVec3::new(0.1, 0.2, 0.3);
         let along = |y: f64, z: f64| {
             let looks = vec![orientation(Target::Absolute(target), 0.0)];
-            doubts(vec![
+            ambiguities(vec![
                 point(-0.7, y, z, looks.clone()),
                 point(0.9, y, z, looks.clone()),
             ])
         };
-        assert_eq!(along(0.2, 0.3), [Some(Doubt::AtTarget)]);
-        assert_eq!(along(0.6, 0.3), [Some(Doubt::OverTarget)]);
-        assert_eq!(along(-0.6, 0.3), [Some(Doubt::OverTarget)]);
+        assert_eq!(along(0.2, 0.3), [Some(Ambiguity::AtTarget)]);
+        assert_eq!(along(0.6, 0.3), [Some(Ambiguity::OverTarget)]);
+        assert_eq!(along(-0.6, 0.3), [Some(Ambiguity::OverTarget)]);
         assert_eq!(along(0.2, 0.3 + 1e-6), [None]);
         assert_eq!(along(0.6, 0.3 - 1e-6), [None]);
         // Bent ways, wherever on them the target lies.
@@ -199,11 +199,23 @@ mod tests {
                 .unwrap()
                 .curve(1)
                 .point((f64::from(k) + 0.5) / 200.0);
-            assert_eq!(doubts(bent(on_it))[1], Some(Doubt::AtTarget), "{k}");
+            assert_eq!(
+                ambiguities(bent(on_it))[1],
+                Some(Ambiguity::AtTarget),
+                "{k}"
+            );
             let below = on_it - DVec3::new(0.0, 0.25, 0.0);
-            assert_eq!(doubts(bent(below))[1], Some(Doubt::OverTarget), "{k}");
+            assert_eq!(
+                ambiguities(bent(below))[1],
+                Some(Ambiguity::OverTarget),
+                "{k}"
+            );
             let beside = on_it + DVec3::new(0.0, 0.0, 0.01);
-            assert_ne!(doubts(bent(beside))[1], Some(Doubt::AtTarget), "{k}");
+            assert_ne!(
+                ambiguities(bent(beside))[1],
+                Some(Ambiguity::AtTarget),
+                "{k}"
+            );
         }
     }
 
@@ -211,7 +223,7 @@ mod tests {
     fn a_camera_that_stands_meets_nothing() {
         let looks = |roll| orientation(Target::Absolute(DVec3::ZERO), roll);
         let still = vec![looks(0.0), looks(30.0)];
-        let found = doubts(vec![
+        let found = ambiguities(vec![
             point(0.5, 0.5, 0.5, still.clone()),
             point(0.6, 0.5, 0.5, still),
         ]);
