@@ -202,8 +202,8 @@ pub struct v_editor_options {
     /// of the path
     pub object: *const V_OBJEKT_LIST,
     pub object_count: c_int,
-    /// frames for a way of length 1 and so on, see v_path_set_base_frames(). All
-    /// 0: those of the path. Else they are the host's: the window keeps them and
+    /// frames for a way of one half size and so on, see v_path_set_base_frames().
+    /// All 0: those of the path. Else they are the host's: the window keeps them and
     /// ignores a loaded file's
     pub move_frames: f64,
     pub turn_frames: f64,
