@@ -10,19 +10,12 @@ use super::path::{edit, read};
 use super::pointers::{self, GrowingOut, Out, read_growing, read_vector};
 use super::quaternions::view;
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
-use super::types::{V_ORIENTATION, V_PATH, V_POSE};
+use super::types::{V_ORIENTATION, V_PATH, V_POSE, V_UP_Y, V_UP_Z};
 use crate::document::Edit;
 use crate::error::Error;
 use crate::math::orientation::roll_from_up;
 use crate::path::camera_path::check_zoom;
 use crate::path::{Space, Up};
-
-/// ==== Which axis stands upright, see v_path_set_space() ====
-///
-/// V_UP_Y  y; the default
-/// V_UP_Z  z
-pub const V_UP_Y: c_int = 1;
-pub const V_UP_Z: c_int = 2;
 
 pub(super) fn up_from_c(up: c_int) -> Answer<Up> {
     match up {

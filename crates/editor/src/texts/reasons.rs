@@ -394,10 +394,7 @@ const SENTENCES: &[Pair] = &[
         "this must stand before the first point or node",
         "das muss vor dem ersten Punkt oder Knoten stehen",
     ),
-    (
-        "must be \"y\" or \"z\"",
-        "muss \"y\" oder \"z\" sein",
-    ),
+    ("must be \"y\" or \"z\"", "muss \"y\" oder \"z\" sein"),
     (
         "the frames per second must be greater than 0 and at most 100000",
         "die Bilder pro Sekunde müssen größer als 0 und höchstens 100000 sein",
@@ -413,6 +410,10 @@ const SENTENCES: &[Pair] = &[
     (
         "control characters are not allowed",
         "Steuerzeichen sind nicht erlaubt",
+    ),
+    (
+        "the wireframe of an object has at most {0} points",
+        "ein Drahtmodell hat höchstens {0} Punkte",
     ),
     (
         "an object has at most {0} points",
