@@ -13,7 +13,6 @@ use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::{V_ORIENTATION, V_PATH, V_POSE, V_UP_Y, V_UP_Z};
 use crate::document::Edit;
 use crate::error::Error;
-use crate::math::orientation::roll_from_up;
 use crate::path::camera_path::check_zoom;
 use crate::path::{Space, Up};
 
@@ -116,7 +115,7 @@ pub unsafe extern "C" fn v_orientation_from_pose(
         let (view, up) = view(vpn, vup)?;
         result.absolute = 0;
         result.target = view.to_array();
-        result.roll = roll_from_up(axes.upright(view), axes.upright(up)).to_degrees();
+        result.roll = axes.roll_from_up(view, up).to_degrees();
         result.zoom = pose.zoom;
         // SAFETY: as above.
         unsafe { out.write(result) };

@@ -10,7 +10,8 @@ use super::setup::{Setup, Theme};
 use super::state::{Editor, Request};
 use super::texts::fill;
 use super::windows::{
-    self, ColourWindow, CurveWindow, DisplayWindow, HelpWindow, PointsWindow, SpeedWindow,
+    self, ColourWindow, CurveWindow, DisplayWindow, HelpWindow, PointsWindow, SpaceWindow,
+    SpeedWindow,
 };
 use crate::document::{Edit, Selection};
 use crate::path::{Orientation, Target};
@@ -80,6 +81,8 @@ pub(super) enum Action {
     Colours,
     /// Open the display window.
     Display,
+    /// Open the space window.
+    Space,
     /// Ask for a setup file and load it.
     LoadSetup,
     /// Load a recent file.
@@ -231,6 +234,7 @@ impl Editor {
             Action::SpeedCurve => windows::open::<SpeedWindow>(self, context),
             Action::Colours => windows::open::<ColourWindow>(self, context),
             Action::Display => windows::open::<DisplayWindow>(self, context),
+            Action::Space => windows::open::<SpaceWindow>(self, context),
             Action::Recent(number) => self.ask_before(Then::Recent(number)),
             Action::Restore(number) => self.ask_before(Then::Restore(number)),
             Action::LoadSetup => self.choose_file(Purpose::LoadSetup),

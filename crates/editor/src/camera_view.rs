@@ -21,7 +21,7 @@ const ASPECT: f32 = 1.5;
 /// Width of the picture at first, in points.
 const WIDTH: f32 = 228.0;
 
-/// The nearest thing that is seen, in units of the movement space.
+/// The nearest thing that is seen, in half sizes of the movement space.
 const FRONT: f64 = 1e-3;
 
 /// Shows the pane if it is open; `viewport` is the movement window.
@@ -166,13 +166,17 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
     let mut lines = Lines::default();
     // Behind the farthest corner and beyond the object.
     let object = &editor.document.info().object;
+    let space = editor.document.path().space;
+    // Counted from its middle in half sizes: what is far away loses no digits.
+    let local = |place: DVec3| (place - space.centre) / space.half_size;
     let farthest = object
         .iter()
-        .map(|point| point.position.abs().max_element())
+        .map(|point| local(point.position).abs().max_element())
         .fold(1.0, f64::max);
-    let back = 4.0 * (farthest + camera.position.abs().max_element()) + 1.0;
+    let position = local(camera.position);
+    let back = 4.0 * (farthest + position.abs().max_element()) + 1.0;
     let view = View::from_pose(
-        camera.position,
+        position,
         camera.view,
         camera.up,
         camera.zoom,
@@ -184,6 +188,7 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
         return lines;
     };
     let mut add = |from: DVec3, to: DVec3, width: f32, color: Color32| {
+        let [from, to] = [from, to].map(local);
         if let Some([from, to]) = seen(&matrix, FRONT / back, from, to) {
             lines.lines.push(Line {
                 from: on_picture(from, picture),
@@ -197,7 +202,7 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
     let shown = &editor.setup.shown;
     if shown.has(Element::Cube) {
         let color = colours.of(Element::Cube).gamma_multiply(0.7);
-        for (from, to) in super::space::cube() {
+        for (from, to) in super::space::cube(space) {
             add(from, to, 1.0, color);
         }
     }

@@ -185,6 +185,7 @@ fn edit(editor: &Editor) -> Vec<Entry> {
         )
         .only_if(editor.copied.is_some(), output.nothing_copied),
         Entry::new(texts.aim_all, hints.aim_all, Action::AimAll),
+        Entry::new(texts.space, hints.space, Action::Space).apart(),
     ]
 }
 

@@ -20,6 +20,7 @@ use egui::{
 
 use super::texts::{Language, fill};
 use super::theme;
+use crate::path::Space;
 
 /// What a hand did to a number.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,6 +84,12 @@ struct Typing {
     frame: u64,
 }
 
+/// Decimals that show a thousandth of a space.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+pub(super) fn decimals(half_size: f64) -> usize {
+    (3.0 - half_size.log10().floor()).clamp(0.0, 17.0) as usize
+}
+
 impl<'a> Number<'a> {
     /// A number with a name that tells what it is (for who cannot see the
     /// panel, and for tests), and its value; none shows a dash.
@@ -139,6 +146,15 @@ impl<'a> Number<'a> {
     pub(super) fn pending(mut self) -> Self {
         self.pending = true;
         self
+    }
+
+    /// A place or a length in a space: its decimals, steps and range.
+    pub(super) fn in_space(self, space: Space) -> Self {
+        let (half_size, far) = (space.half_size, space.farthest());
+        let far = space.centre.abs().max_element() + far;
+        self.decimals(decimals(half_size))
+            .steps(0.01 * half_size, 0.005 * half_size)
+            .range(-far..=far)
     }
 
     /// By how much an arrow key changes it, and a point of dragging.

@@ -5,6 +5,7 @@ use egui::{
     Align, Align2, Color32, FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 
+use super::number::decimals;
 use super::playhead::Missing;
 use super::state::Editor;
 use super::texts::Language;
@@ -160,7 +161,8 @@ fn columns(editor: &Editor) -> Vec<Column> {
         }
         Missing::Point | Missing::Orientation => orientation.view(shown.position),
     };
-    let three = |v: [f64; 3]| v.map(|value| language.number(value, 3)).to_vec();
+    let three = |v: [f64; 3], digits| v.map(|value| language.number(value, digits)).to_vec();
+    let space = decimals(editor.document.path().space.half_size);
     let at = editor.document.selection().point;
     let number = if shown.has_no_point() {
         // On the way.
@@ -169,6 +171,11 @@ fn columns(editor: &Editor) -> Vec<Column> {
     } else {
         (at + 1).to_string()
     };
+    let mut position = three(shown.position.to_array(), space);
+    let unit = &editor.document.info().unit;
+    if !unit.is_empty() {
+        position.push(unit.clone());
+    }
     vec![
         Column {
             label: texts.point,
@@ -177,12 +184,12 @@ fn columns(editor: &Editor) -> Vec<Column> {
         },
         Column {
             label: texts.position,
-            values: three(shown.position.to_array()),
+            values: position,
             widest: "−0.000",
         },
         Column {
             label: texts.view,
-            values: three(view.to_array()),
+            values: three(view.to_array(), 3),
             widest: "−0.000",
         },
         Column {

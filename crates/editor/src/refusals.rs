@@ -88,11 +88,13 @@ pub(super) fn of_edit(
             orientation.on_position.to_owned()
         }
         (Kind::Move | Kind::Insert | Kind::Orientation, Error::Range(_)) => {
-            let (low, high) = (
-                bound(-limits::MAX_COORDINATE),
-                bound(limits::MAX_COORDINATE),
-            );
-            fill(position.too_far, &[&low, &high])
+            let space = document.path().space;
+            let centre = space.centre.abs().max_element();
+            let far = space.farthest();
+            fill(
+                position.too_far,
+                &[&bound(-far - centre), &bound(far + centre)],
+            )
         }
         (_, Error::Memory) => texts.errors.memory.to_owned(),
         (_, other) => fill(texts.errors.refused, &[&reason_of(language, other)]),

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{Key, heading_with_room, keys, round, share, words};
 use crate::actions::Action;
 use crate::document::Edit;
-use crate::limits::{MAX_COORDINATE, PRESETS};
+use crate::limits::PRESETS;
 use crate::number::Number;
 use crate::path::CurveParameters;
 use crate::playhead::{Missing, Shown};
@@ -162,7 +162,7 @@ pub(super) fn three_numbers(
                 .label(letter)
                 .hint(hint)
                 .faint(missing)
-                .range(-MAX_COORDINATE..=MAX_COORDINATE)
+                .in_space(editor.document.path().space)
                 .show(ui, editor.language(), &format!("{id}.{letter}"), width);
             let entry = entry.map(|value| {
                 let mut new = vector;

@@ -16,7 +16,7 @@ use crate::path::{Pose, ahead};
 use crate::raster::Lines;
 use crate::setup::Element;
 
-/// Length of a camera's edges on the screen, in points, and at most in units
+/// Length of a camera's edges on the screen, in points, and at most in half sizes
 /// of the movement space.
 const CAMERA: [f64; 2] = [26.0, 0.16];
 
@@ -57,7 +57,11 @@ impl Camera {
         Some(Self {
             position: point.position,
             view,
-            up: orientation::up_from_roll(view, orientation.roll.to_radians()),
+            up: document
+                .path()
+                .space
+                .up
+                .up_from_roll(view, orientation.roll.to_radians()),
             zoom: orientation.zoom,
         })
     }
@@ -85,7 +89,7 @@ pub(super) fn camera(
     color: Color32,
 ) {
     let length = (points / look.projection.scale()).min(CAMERA[1] * points / CAMERA[0]);
-    let corners = camera.corners(length);
+    let corners = camera.corners(length * look.projection.space().half_size);
     for k in 0..4 {
         strokes.line(camera.position, corners[k], width, color);
         strokes.line(corners[k], corners[(k + 1) % 4], width, color);

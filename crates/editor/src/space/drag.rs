@@ -9,7 +9,7 @@ use crate::document::{Document, Edit};
 use crate::math::orientation;
 use crate::path::Target;
 
-/// Length of the VUP arrow, in the units of the movement space.
+/// Length of the VUP arrow, in half sizes of the movement space.
 pub(super) const VUP_LENGTH: f64 = 0.25;
 
 /// Something that can be taken hold of.
@@ -24,7 +24,7 @@ pub(super) enum Handle {
 }
 
 /// What a drag that snaps goes by: a fifth of what lies between two lines of the
-/// floor, so many steps for a unit.
+/// floor, so many steps for a half size.
 const SNAP: f64 = 5.0 * FLOOR as f64 / 2.0;
 
 /// The same for a roll, in degrees.
@@ -95,13 +95,16 @@ fn follow(
         None => projection.point_in_plane(point, freedom.fixed, pointer)?,
         Some(axis) => projection.point_on_line(point, axis, pointer)?,
     };
-    for axis in freedom.moving() {
-        let coordinate = &mut found[axis.index()];
+    let space = projection.space();
+    let (low, high) = (space.low(), space.high());
+    for at in freedom.moving().map(Axis::index) {
+        let (coordinate, centre) = (&mut found[at], space.centre[at]);
         if snaps {
-            *coordinate = (*coordinate * SNAP).round() / SNAP;
+            let steps = ((*coordinate - centre) / space.half_size * SNAP).round();
+            *coordinate = centre + steps * space.half_size / SNAP;
         }
         // Zero without a sign: it is shown.
-        *coordinate = coordinate.clamp(-1.0, 1.0) + 0.0;
+        *coordinate = coordinate.clamp(low[at], high[at]) + 0.0;
     }
     Some(found)
 }
@@ -219,7 +222,7 @@ pub(super) fn circle_share(projection: &Projection, view: DVec3) -> f64 {
 /// follows from way × (a·cos φ − b·sin φ) = 0 at once, where the thesis halves
 /// an interval (6.2.3).
 pub(super) fn roll_towards(projection: &Projection, view: DVec3, way: DVec2) -> Option<f64> {
-    let (u, v) = orientation::level_axes(view);
+    let (u, v) = projection.space().up.level_axes(view);
     let (a, b) = (projection.image_of_way(v), projection.image_of_way(u));
     let (sin, cos) = (way.perp_dot(a), way.perp_dot(b));
     if !(sin != 0.0 || cos != 0.0) {

@@ -11,11 +11,13 @@ use glam::DVec3;
 use super::drag::{self, Handle};
 use super::pointer::{PointerContext, WHEEL, make_current, resize, tell_place};
 use super::projection::{Axis, Projection};
+use super::projection_of;
 use crate::document::Edit;
 use crate::setup::View;
 use crate::state::Editor;
 
-/// What an arrow key moves by; the larger one with Shift.
+/// What an arrow key moves by, in half sizes of the space; the larger one with
+/// Shift.
 const STEPS: [f64; 2] = [0.01, 0.1];
 
 /// The keys that move something a step.
@@ -54,7 +56,7 @@ pub(super) fn press(
         return;
     }
     let step = STEPS[usize::from(modifiers.shift)];
-    let projection = Projection::new(&editor.setup.view, surface.viewport);
+    let projection = projection_of(editor, surface.viewport);
     let what = if modifiers.alt {
         Handle::Vpn
     } else {
@@ -63,13 +65,13 @@ pub(super) fn press(
     match key {
         Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown => {
             let (axis, sign) = direction_of(&projection, key);
-            nudge(editor, what, axis, sign * step);
+            nudge(editor, &projection, what, axis, sign * step);
         }
         Key::PageUp | Key::PageDown => {
             let axis = projection.facing();
             let away = -projection.toward()[axis.index()].signum();
             let sign = if key == Key::PageUp { away } else { -away };
-            nudge(editor, what, axis, sign * step);
+            nudge(editor, &projection, what, axis, sign * step);
         }
         Key::Comma => nudge_roll(editor, -100.0 * step),
         Key::Period => nudge_roll(editor, 100.0 * step),
@@ -110,18 +112,20 @@ fn direction_of(projection: &Projection, key: Key) -> (Axis, f64) {
 
 /// Moves a coordinate by a step; repeated while the key is down, it is one step
 /// of the history.
-fn nudge(editor: &mut Editor, what: Handle, axis: Axis, by: f64) {
+fn nudge(editor: &mut Editor, projection: &Projection, what: Handle, axis: Axis, by: f64) {
     let selection = editor.document.selection();
     let Some(point) = editor.document.path().points.get(selection.point) else {
         return;
     };
+    let space = projection.space();
+    let (low, high) = (space.low()[axis.index()], space.high()[axis.index()]);
     let moved = |from: DVec3| {
         let mut to = from;
         let at = &mut to[axis.index()];
         // Steps of a hundredth stay hundredths. One that lies outside the
         // cube goes no farther.
-        let wanted = ((*at + by) * 1e9).round() / 1e9 + 0.0;
-        *at = wanted.clamp(at.min(-1.0), at.max(1.0));
+        let wanted = rounded(*at + by * space.half_size, space.half_size) + 0.0;
+        *at = wanted.clamp(at.min(low), at.max(high));
         to
     };
     let edit = match what {
@@ -134,6 +138,19 @@ fn nudge(editor: &mut Editor, what: Handle, axis: Axis, by: f64) {
     };
     if let Some(edit) = edit {
         nudge_by(editor, what, edit);
+    }
+}
+
+/// A coordinate to nine digits behind the first one of the half size.
+#[allow(clippy::cast_possible_truncation)]
+fn rounded(value: f64, half_size: f64) -> f64 {
+    let digits = 9 - half_size.log10().floor() as i32;
+    // By a power of ten that is a whole number, and so exact.
+    let power = 10f64.powi(digits.abs());
+    if digits >= 0 {
+        (value * power).round() / power
+    } else {
+        (value / power).round() * power
     }
 }
 

@@ -10,9 +10,10 @@ use super::picking::REACH;
 use super::projection::from_pos;
 use crate::actions::Action;
 use crate::document::Edit;
-use crate::path::Target;
+use crate::path::{Target, Up};
 use crate::setup::{Element, View};
 use crate::state::Editor;
+use crate::texts::fill;
 
 /// Where the menu is, and for what.
 #[derive(Clone, Copy, Debug, Default)]
@@ -29,7 +30,7 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, viewport: Rect) {
     let mut asked = editor.space.pointer.menu.take();
     let id = ui.scope_id().with("point menu");
     let context = ui.ctx();
-    let projection = super::Projection::new(&editor.setup.view, viewport);
+    let projection = super::projection_of(editor, viewport);
     // Shift-F10 stands for the menu key everywhere.
     if asked.is_none()
         && !Popup::is_any_open(context)
@@ -154,6 +155,11 @@ fn entries(editor: &mut Editor, ui: &mut Ui) {
 /// From where the space can be seen.
 fn views(editor: &mut Editor, ui: &mut Ui) {
     let (texts, hints) = (&editor.texts().space, &editor.texts().menu_hints);
+    let [right, upright, front] = match editor.document.path().space.up {
+        Up::Y => ["x", "y", "z"],
+        Up::Z => ["y", "z", "x"],
+    };
+    let along = |axis: &str| fill(hints.view_along, &[&axis]);
     let whole = View::default();
     let seen_from = |rotation: f64, tilt: f64| View {
         rotation,
@@ -161,10 +167,10 @@ fn views(editor: &mut Editor, ui: &mut Ui) {
         ..whole
     };
     let views = [
-        (texts.view_reset, hints.view_reset, whole),
-        (texts.view_front, hints.view_front, seen_from(0.0, 0.0)),
-        (texts.view_right, hints.view_right, seen_from(-90.0, 0.0)),
-        (texts.view_above, hints.view_above, seen_from(0.0, 90.0)),
+        (texts.view_reset, hints.view_reset.to_owned(), whole),
+        (texts.view_front, along(front), seen_from(0.0, 0.0)),
+        (texts.view_right, along(right), seen_from(-90.0, 0.0)),
+        (texts.view_above, along(upright), seen_from(0.0, 90.0)),
     ];
     for (text, hint, view) in views {
         if ui.button(text).on_hover_text(hint).clicked() {

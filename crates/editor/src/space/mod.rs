@@ -38,6 +38,7 @@ use super::state::Editor;
 use super::texts::Texts;
 use super::{camera_view, playing};
 use crate::document::Document;
+use crate::path;
 use crate::raster::Lines;
 
 /// What the movement window remembers.
@@ -96,10 +97,10 @@ pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 17] {
     ]
 }
 
-/// The edges of the movement space.
-pub(super) fn cube() -> impl Iterator<Item = (DVec3, DVec3)> {
-    projection::cube_edges().map(|(along, signs)| {
-        let [from, to] = projection::edge_ends(along, signs);
+/// The edges of a movement space.
+pub(super) fn cube(space: path::Space) -> impl Iterator<Item = (DVec3, DVec3)> {
+    projection::cube_edges().map(move |(along, signs)| {
+        let [from, to] = projection::edge_ends(space, along, signs);
         (from, to)
     })
 }
@@ -108,8 +109,9 @@ pub(super) fn cube() -> impl Iterator<Item = (DVec3, DVec3)> {
 /// the edges of the space, and the curve as one line, from the upper left corner.
 pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec<Pos2>) {
     let viewport = Rect::from_min_size(Pos2::ZERO, size);
-    let projection = Projection::new(&View::default(), viewport);
-    let edges = cube().map(|(from, to)| [from, to].map(|end| projection.pos(end)));
+    let space = document.path().space;
+    let projection = Projection::of(&View::default(), viewport, space);
+    let edges = cube(space).map(|(from, to)| [from, to].map(|end| projection.pos(end)));
     let curve = document.timeline(|timeline| {
         let segments = timeline.segment_count();
         // As many as there are dots along the picture, and then some.
@@ -173,9 +175,15 @@ fn view(editor: &mut Editor, ui: &mut Ui, viewport: Rect) {
     draw(editor, &ui.painter_at(viewport), viewport);
 }
 
+/// The movement space as it is seen.
+fn projection_of(editor: &Editor, viewport: Rect) -> Projection {
+    let space = editor.document.path().space;
+    Projection::of(&editor.setup.view, viewport, space)
+}
+
 /// Paints what stands in the space.
 fn draw(editor: &mut Editor, painter: &Painter, viewport: Rect) {
-    let projection = Projection::new(&editor.setup.view, viewport);
+    let projection = projection_of(editor, viewport);
     let look = Look {
         projection: &projection,
         viewport,
@@ -261,3 +269,5 @@ mod memory_tests;
 mod menu_tests;
 #[cfg(test)]
 pub(super) mod tests;
+#[cfg(test)]
+mod world_tests;

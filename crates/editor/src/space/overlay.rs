@@ -15,7 +15,6 @@ use super::projection::{Axis, from_pos, to_pos};
 use super::scene::{Look, THIN};
 use super::strokes::Strokes;
 use crate::document::Document;
-use crate::math::orientation;
 use crate::raster::Lines;
 use crate::setup::Element;
 use crate::theme;
@@ -54,9 +53,11 @@ fn corners(look: &Look<'_>, radius: f64) -> impl Iterator<Item = (DVec2, DVec2)>
 pub(super) fn circle(look: &Look<'_>, tips: &Tips) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     if let Some(color) = look.of(Element::Circle) {
-        let (u, v) = orientation::level_axes(tips.view);
+        let space = look.projection.space();
+        let (u, v) = space.up.level_axes(tips.view);
+        let radius = VUP_LENGTH * space.half_size;
         let corners = corners(look, VUP_LENGTH * look.projection.scale());
-        let at = |turn: DVec2| tips.position + (v * turn.x - u * turn.y) * VUP_LENGTH;
+        let at = |turn: DVec2| tips.position + (v * turn.x - u * turn.y) * radius;
         for (from, to) in corners {
             strokes.line(at(from), at(to), THIN, color);
         }
@@ -116,8 +117,8 @@ fn arrow(
 pub(super) fn guides(look: &Look<'_>, through: DVec3, freedom: Freedom) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     // Of a point that lies outside, as far as the point.
-    let low = through.min(DVec3::NEG_ONE);
-    let high = through.max(DVec3::ONE);
+    let space = look.projection.space();
+    let (low, high) = (through.min(space.low()), through.max(space.high()));
     let plane = look.of(Element::Plane);
     if let (Some(color), None) = (plane, freedom.along) {
         let [a, b] = freedom.fixed.others().map(Axis::index);
@@ -157,10 +158,14 @@ pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, freedom:
         return;
     };
     let [a, b] = freedom.fixed.others().map(Axis::index);
-    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[at_a, at_b]| {
+    let faces = [
+        look.projection.space().low(),
+        look.projection.space().high(),
+    ];
+    let corners = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[at_a, at_b]: [usize; 2]| {
         let mut corner = through;
-        corner[a] = at_a;
-        corner[b] = at_b;
+        corner[a] = faces[at_a][a];
+        corner[b] = faces[at_b][b];
         look.projection.pos(corner)
     });
     painter.add(Shape::convex_polygon(
@@ -343,7 +348,7 @@ pub(super) fn directions(painter: &Painter, look: &Look<'_>) {
         return;
     };
     let centre = from_pos(look.viewport.left_bottom()) + DVec2::new(40.0, -40.0);
-    let length = 24.0 / look.projection.scale();
+    let length = 24.0 / look.projection.scale() * look.projection.space().half_size;
     // The one that points at the viewer is painted last.
     let mut axes = Axis::ALL;
     axes.sort_by(|a, b| {

@@ -5,7 +5,6 @@ use glam::{DVec2, DVec3};
 use super::drag::{Handle, VUP_LENGTH, tip_of};
 use super::projection::Projection;
 use crate::document::Document;
-use crate::math::orientation;
 use crate::setup::{Element, Shown};
 
 /// How far from something the pointer may be to take hold of it: pixels of an
@@ -34,13 +33,14 @@ pub(super) fn tips(document: &Document) -> Option<Tips> {
     let current = point.orientations.get(selection.orientation)?;
     let position = point.position;
     let view = current.view(position);
-    let up = orientation::up_from_roll(view, current.roll.to_radians());
+    let space = document.path().space;
+    let up = space.up.up_from_roll(view, current.roll.to_radians());
     Some(Tips {
         position,
         view,
         up,
         target: tip_of(current.target, position),
-        up_tip: position + up * VUP_LENGTH,
+        up_tip: position + up * (VUP_LENGTH * space.half_size),
     })
 }
 

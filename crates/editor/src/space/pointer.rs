@@ -7,7 +7,9 @@ use glam::{DVec2, DVec3};
 use super::drag::{self, Freedom, Handle, Outcome};
 use super::keyboard::{self, NUDGES};
 use super::picking;
-use super::projection::{Axis, Projection, from_pos};
+use super::projection::{Axis, Projection, from_pos, scale};
+use super::projection_of;
+use crate::number::decimals;
 use crate::path::Target;
 use crate::setup::View;
 use crate::state::Editor;
@@ -152,7 +154,7 @@ impl PointerController {
         if !nudged {
             keyboard::end_nudge(editor);
         }
-        let projection = Projection::new(&editor.setup.view, surface.viewport);
+        let projection = projection_of(editor, surface.viewport);
         let hand = &editor.space.pointer;
         let pointer = surface.context.input(|input| input.pointer.latest_pos());
         let hover = match (&hand.hold, pointer) {
@@ -238,11 +240,11 @@ fn take(editor: &mut Editor, surface: &PointerContext<'_>, event: Event) {
             modifiers,
             ..
         } => {
+            let projection = projection_of(editor, surface.viewport);
             if let Some(kept) = axis_of(key)
                 && let Some(hold) = &mut editor.space.pointer.hold
                 && matches!(hold.what, Some(Handle::Point(_) | Handle::Vpn))
             {
-                let projection = Projection::new(&editor.setup.view, surface.viewport);
                 hold.freedom = Freedom::of_key(&projection, kept);
                 let now = hold.now;
                 motion(editor, surface.context, surface.viewport, now);
@@ -282,7 +284,7 @@ fn press(
     };
     keyboard::end_nudge(editor);
     let left = button == PointerButton::Primary;
-    let projection = Projection::new(&editor.setup.view, surface.viewport);
+    let projection = projection_of(editor, surface.viewport);
     let freedom = match held {
         Some(kept) if left => Freedom::of_key(&projection, kept),
         _ => Freedom::of_button(&projection, plane),
@@ -361,7 +363,7 @@ fn pull(editor: &mut Editor, viewport: Rect, what: Handle, hold: &Hold) {
         editor.space.pointer.hold = None;
         return;
     }
-    let projection = Projection::new(&editor.setup.view, viewport);
+    let projection = projection_of(editor, viewport);
     let texts = &editor.texts().space;
     let pointer = from_pos(hold.now) + hold.lag;
     let (document, freedom) = (&editor.document, hold.freedom);
@@ -386,7 +388,8 @@ pub(super) fn tell_place(editor: &mut Editor, what: Handle) {
         return;
     };
     let texts = &editor.texts().space;
-    let number = |value: f64| editor.language().number(value, 3);
+    let decimals = decimals(editor.document.path().space.half_size);
+    let number = |value: f64| editor.language().number(value, decimals);
     let place = |text: &str, v: DVec3| fill(text, &[&number(v.x), &number(v.y), &number(v.z)]);
     let text = match what {
         Handle::Point(_) => place(texts.position_at, point.position),
@@ -407,7 +410,7 @@ fn turn(view: &mut View, viewport: Rect, hold: &Hold) {
     let way = from_pos(hold.now) - from_pos(hold.pressed);
     let mut changed = hold.view;
     if hold.shifts {
-        let scale = Projection::new(&hold.view, viewport).scale();
+        let scale = scale(&hold.view, viewport);
         changed.shift[0] += way.x / scale;
         changed.shift[1] -= way.y / scale;
     } else {
@@ -423,7 +426,7 @@ pub(super) fn resize(view: &mut View, viewport: Rect, pointer: Option<Pos2>, fac
     let size = (view.size * factor).clamp(View::MIN_SIZE, View::MAX_SIZE);
     if let Some(pointer) = pointer.filter(|_| size > view.size) {
         let away = from_pos(pointer) - from_pos(viewport.center());
-        let unit = Projection::new(view, viewport).scale();
+        let unit = scale(view, viewport);
         let grown = unit * size / view.size;
         view.shift[0] += away.x / grown - away.x / unit;
         view.shift[1] -= away.y / grown - away.y / unit;

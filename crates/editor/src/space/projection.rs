@@ -1,5 +1,5 @@
-//! The parallel projection of the movement space, its y axis upright: rotation
-//! about y, then tilt, then size (thesis 6.2).
+//! The parallel projection of the movement space, its vertical axis upright:
+//! rotation about it, then tilt, then size (thesis 6.2).
 //!
 //! Everything in double precision and in points as egui counts them, so that
 //! what is dragged lies under the pointer however far the view is enlarged.
@@ -7,16 +7,15 @@
 use egui::{Pos2, Rect, pos2};
 use glam::{DVec2, DVec3};
 
+use crate::path::Space;
 use crate::setup::View;
 
-/// One of the world's axes.
+/// One of the world's axes. In an unturned view with y upright x leads to the right
+/// and z towards the viewer; with z upright these are y and x.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Axis {
-    /// To the right in an unturned view.
     X,
-    /// Upwards.
     Y,
-    /// Towards the viewer in an unturned view.
     Z,
 }
 
@@ -58,7 +57,9 @@ const MARGIN: f64 = 0.98;
 /// From the movement space to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Projection {
-    /// Where the middle of the movement space is seen.
+    /// The movement space.
+    space: Space,
+    /// Where its middle is seen.
     middle: DVec2,
     /// Points to the right for a unit along each axis.
     across: DVec3,
@@ -66,39 +67,52 @@ pub(super) struct Projection {
     down: DVec3,
     /// Unit vector towards the viewer.
     toward: DVec3,
-    /// Points for a unit of length across the line of sight.
+    /// Points for a half size of the space across the line of sight.
     scale: f64,
 }
 
+/// Points for a half size of a space across the line of sight.
+pub(super) fn scale(view: &View, viewport: Rect) -> f64 {
+    let [width, height] = [viewport.width(), viewport.height()].map(|x| f64::from(x.max(1.0)));
+    // The farthest that a corner gets from the middle, however turned.
+    let [wide, high] = [2.0f64.sqrt(), 3.0f64.sqrt()];
+    let fitting = MARGIN * (width / (2.0 * wide)).min(height / (2.0 * high));
+    view.size * fitting
+}
+
 impl Projection {
-    /// The movement space as it is seen in `viewport`.
+    /// The space [−1, 1]³ as it is seen in `viewport`.
+    #[cfg(test)]
     pub(super) fn new(view: &View, viewport: Rect) -> Self {
+        Self::of(view, viewport, Space::default())
+    }
+
+    /// A movement space as it is seen in `viewport`.
+    pub(super) fn of(view: &View, viewport: Rect, space: Space) -> Self {
         let (sin, cos) = view.rotation.to_radians().sin_cos();
         let (sin_tilt, cos_tilt) = view.tilt.to_radians().sin_cos();
         let right = DVec3::new(cos, 0.0, sin);
         let upright = DVec3::new(sin * sin_tilt, cos_tilt, -cos * sin_tilt);
         let toward = DVec3::new(-sin * cos_tilt, sin_tilt, cos * cos_tilt);
-        let [width, height] = [viewport.width(), viewport.height()].map(|x| f64::from(x.max(1.0)));
-        // The farthest that a corner gets from the middle, however turned.
-        let [wide, high] = [2.0f64.sqrt(), 3.0f64.sqrt()];
-        let fitting = MARGIN * (width / (2.0 * wide)).min(height / (2.0 * high));
-        let scale = view.size * fitting;
+        let scale = scale(view, viewport);
+        let unit = scale / space.half_size;
         let centre = viewport.center();
         Self {
+            space,
             middle: DVec2::new(
                 f64::from(centre.x) + scale * view.shift[0],
                 f64::from(centre.y) - scale * view.shift[1],
             ),
-            across: right * scale,
-            down: upright * -scale,
-            toward,
+            across: space.up.world(right) * unit,
+            down: space.up.world(upright) * -unit,
+            toward: space.up.world(toward),
             scale,
         }
     }
 
     /// Where a point is seen.
     pub(super) fn image(&self, point: DVec3) -> DVec2 {
-        self.middle + self.image_of_way(point)
+        self.middle + self.image_of_way(point - self.space.centre)
     }
 
     /// How a way is seen: the image of its end less that of its beginning.
@@ -111,7 +125,12 @@ impl Projection {
         to_pos(self.image(point))
     }
 
-    /// Points on the screen for a unit of length across the line of sight.
+    /// The space that is seen.
+    pub(super) fn space(&self) -> Space {
+        self.space
+    }
+
+    /// Points on the screen for a half size of the space across the line of sight.
     pub(super) fn scale(&self) -> f64 {
         self.scale
     }
@@ -139,13 +158,15 @@ impl Projection {
         }
         let [a, b] = fixed.others().map(Axis::index);
         let f = fixed.index();
-        let rest = image - self.middle - DVec2::new(self.across[f], self.down[f]) * point[f];
+        let centre = self.space.centre;
+        let of_f = DVec2::new(self.across[f], self.down[f]);
+        let rest = image - self.middle - of_f * (point[f] - centre[f]);
         let of_a = DVec2::new(self.across[a], self.down[a]);
         let of_b = DVec2::new(self.across[b], self.down[b]);
         let area = of_a.perp_dot(of_b);
         let mut found = point;
-        found[a] = rest.perp_dot(of_b) / area;
-        found[b] = of_a.perp_dot(rest) / area;
+        found[a] = centre[a] + rest.perp_dot(of_b) / area;
+        found[b] = centre[b] + of_a.perp_dot(rest) / area;
         found.is_finite().then_some(found)
     }
 
@@ -205,15 +226,15 @@ pub(super) fn cube_edges() -> impl Iterator<Item = (Axis, [f64; 2])> {
     })
 }
 
-/// The ends of an edge of the cube.
-pub(super) fn edge_ends(along: Axis, signs: [f64; 2]) -> [DVec3; 2] {
+/// The ends of an edge of a space's cube.
+pub(super) fn edge_ends(space: Space, along: Axis, signs: [f64; 2]) -> [DVec3; 2] {
     [-1.0, 1.0].map(|end| {
         let mut corner = DVec3::ZERO;
         corner[along.index()] = end;
         for (axis, sign) in along.others().iter().zip(signs) {
             corner[axis.index()] = sign;
         }
-        corner
+        space.centre + space.half_size * corner
     })
 }
 
@@ -298,7 +319,7 @@ pub(super) mod tests {
             let fitted = View { size: 1.0, shift: [0.0; 2], ..view };
             let p = Projection::new(&fitted, viewport());
             for (axis, signs) in cube_edges() {
-                for corner in edge_ends(axis, signs) {
+                for corner in edge_ends(Space::default(), axis, signs) {
                     prop_assert!(viewport().contains(p.pos(corner)));
                 }
             }
@@ -328,7 +349,7 @@ pub(super) mod tests {
             prop_assume!(Axis::ALL.iter().all(|&axis| p.share_seen(axis) > 1e-3));
             let mut hidden = 0;
             for (axis, signs) in cube_edges() {
-                let [from, to] = edge_ends(axis, signs);
+                let [from, to] = edge_ends(Space::default(), axis, signs);
                 // From a point of the edge straight towards the viewer: hidden
                 // if that way leads through the cube's inside.
                 let start = from.lerp(to, along);

@@ -20,7 +20,7 @@ use crate::path::{Change, Pose, Sampler, Timeline};
 use crate::raster::Lines;
 use crate::setup::Element;
 
-/// Width of the ribbon and length of its fringe, in units of the movement
+/// Width of the ribbon and length of its fringe, in half sizes of the movement
 /// space.
 const WIDTH: f64 = 0.07;
 const FRINGE: f64 = 0.11;
@@ -55,9 +55,9 @@ struct Rib {
 
 impl Rib {
     /// The two ends of it.
-    fn ends(&self) -> [DVec3; 2] {
+    fn ends(&self, half_size: f64) -> [DVec3; 2] {
         let foot = self.camera.position;
-        [foot, foot + self.camera.up * WIDTH]
+        [foot, foot + self.camera.up * (WIDTH * half_size)]
     }
 }
 
@@ -272,12 +272,13 @@ fn make(ribs: &[Rib], look: &Look<'_>, color: Color32) -> (Arc<Mesh>, Arc<Lines>
     let mut mesh = Mesh::default();
     let surface = color.gamma_multiply(0.13);
     let (edge, fringe) = (color.gamma_multiply(0.5), color.gamma_multiply(0.6));
+    let half_size = look.projection.space().half_size;
     let mut last: Option<[DVec3; 2]> = None;
     // On the screen: since the last thread of the fringe, and since the
     // section began.
     let (mut since_thread, mut since_begin) = (f64::INFINITY, 0.0);
     for (at, rib) in ribs.iter().enumerate() {
-        let ends = rib.ends();
+        let ends = rib.ends(half_size);
         let ends_piece = at + 1 == ribs.len();
         if let Some(before) = last {
             let way = [0, 1].map(|k| look.projection.image_of_way(ends[k] - before[k]));
@@ -300,7 +301,7 @@ fn make(ribs: &[Rib], look: &Look<'_>, color: Color32) -> (Arc<Mesh>, Arc<Lines>
         // The next piece begins with one; at the end of all stands a camera.
         if since_thread >= THREAD && !ends_piece {
             since_thread = 0.0;
-            let tip = ends[1] + rib.camera.view * FRINGE;
+            let tip = ends[1] + rib.camera.view * (FRINGE * half_size);
             strokes.line(ends[1], tip, THIN, fringe);
         }
         last = Some(ends);

@@ -82,11 +82,11 @@ impl Look<'_> {
         self.shown.has(element).then(|| self.colours.of(element))
     }
 
-    /// The error bound for curves in units of the movement space: a power of
-    /// two, so that enlarging the view a little changes no piece.
+    /// The error bound for curves in the world: a power of two half sizes, so that
+    /// enlarging the view a little changes no piece.
     fn stray(&self) -> f64 {
         let exact = STRAY / (self.projection.scale() * self.pixels_per_point);
-        exact.log2().floor().exp2()
+        exact.log2().floor().exp2() * self.projection.space().half_size
     }
 }
 
@@ -250,7 +250,7 @@ impl Chunk {
             for segment in first..end.min(path.segment_count()) {
                 viewport.clear();
                 let curve = curve::segment(path, segment);
-                pieces(&curve, stray, &mut viewport)?;
+                pieces(&curve, look, &mut viewport)?;
                 let skip = usize::from(!self.pieces.is_empty());
                 self.pieces.try_reserve(viewport.len())?;
                 self.pieces
@@ -289,12 +289,13 @@ impl Chunk {
 
 /// The straight pieces of a segment. One that leads far out of the movement
 /// space is drawn as exactly as its size allows.
-fn pieces(curve: &Cubic, stray: f64, viewport: &mut Vec<(f64, DVec3)>) -> Result<()> {
-    let size = [curve.a, curve.b, curve.c, curve.d]
+fn pieces(curve: &Cubic, look: &Look<'_>, viewport: &mut Vec<(f64, DVec3)>) -> Result<()> {
+    let from = curve.d - look.projection.space().centre;
+    let size = [curve.a, curve.b, curve.c, from]
         .map(|v| v.abs().max_element())
         .into_iter()
         .fold(0.0, f64::max);
-    tessellate(curve, stray.max(size * 1e-6), viewport)
+    tessellate(curve, look.stray().max(size * 1e-6), viewport)
 }
 
 /// Points without those that are seen nearer than `merge` to the last one kept;
@@ -324,7 +325,9 @@ fn stroke_curve(
     outside: Option<Color32>,
     width: f32,
 ) {
-    let within = |p: DVec3| p.abs().max_element() <= 1.0;
+    let space = strokes.space();
+    let (low, high) = (space.low(), space.high());
+    let within = |p: DVec3| p.cmpge(low).all() && p.cmple(high).all();
     // Without a mark of its own it is one curve.
     let outside = outside.or(inside);
     let marked = outside != inside;
@@ -341,7 +344,7 @@ fn stroke_curve(
             strokes.restart_dashes();
             continue;
         }
-        let [start, end] = part_between(from, to, DVec3::NEG_ONE, DVec3::ONE)
+        let [start, end] = part_between(from, to, low, high)
             .filter(|[start, end]| start < end)
             .unwrap_or([1.0, 1.0]);
         let (enter, leave) = (from.lerp(to, start), from.lerp(to, end));
@@ -401,7 +404,7 @@ pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
         && let Some(color) = look.of(Element::Segment)
     {
         let mut viewport = Vec::new();
-        pieces(&curve::segment(path, at), look.stray(), &mut viewport)?;
+        pieces(&curve::segment(path, at), look, &mut viewport)?;
         let points: Vec<DVec3> = viewport.into_iter().map(|(_, point)| point).collect();
         let outside = look.of(Element::Outside);
         stroke_curve(
@@ -441,9 +444,12 @@ pub(super) const FLOOR: i32 = 8;
 
 fn cube(strokes: &mut Strokes<'_>, look: &Look<'_>, color: Color32) {
     let floor = color.gamma_multiply(0.16);
+    let space = look.projection.space();
     for step in 1..FLOOR {
         let at = 2.0 * f64::from(step) / f64::from(FLOOR) - 1.0;
-        let ends = |way: f64| [DVec3::new(at, -1.0, way), DVec3::new(way, -1.0, at)];
+        let ends = |way: f64| {
+            [DVec3::new(at, -1.0, way), DVec3::new(way, -1.0, at)].map(|p| space.place(p))
+        };
         for (from, to) in ends(-1.0).into_iter().zip(ends(1.0)) {
             strokes.line(from, to, THIN, floor);
         }
@@ -453,7 +459,7 @@ fn cube(strokes: &mut Strokes<'_>, look: &Look<'_>, color: Color32) {
     let mut edges: Vec<_> = cube_edges().collect();
     edges.sort_by_key(|&(axis, signs)| !look.projection.hides_edge(axis, signs));
     for (axis, signs) in edges {
-        let mut ends = edge_ends(axis, signs).map(|end| look.projection.image(end));
+        let mut ends = edge_ends(space, axis, signs).map(|end| look.projection.image(end));
         // Upright edges are upright on the screen: there they fill whole pixels.
         if ends[0].x == ends[1].x {
             let x = in_pixel(ends[0].x, look.pixels_per_point);

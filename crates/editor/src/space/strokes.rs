@@ -5,6 +5,7 @@ use egui::{Color32, Rect};
 use glam::{DVec2, DVec3};
 
 use super::projection::{Projection, from_pos, to_pos};
+use crate::path::Space;
 use crate::raster::{Line, Lines};
 
 /// Lengths of a dash and of the gap after it, in points.
@@ -34,6 +35,11 @@ impl<'a> Strokes<'a> {
             out: Lines::default(),
             phase: 0.0,
         }
+    }
+
+    /// The movement space.
+    pub(super) fn space(&self) -> Space {
+        self.projection.space()
     }
 
     /// What was collected.

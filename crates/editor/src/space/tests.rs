@@ -64,7 +64,7 @@ pub(super) fn viewport(harness: &Harness<'_, Editor>) -> Rect {
 
 /// Where a point of the movement space is seen.
 pub(crate) fn image(harness: &Harness<'_, Editor>, at: DVec3) -> Pos2 {
-    Projection::new(&harness.state().setup.view, viewport(harness)).pos(at)
+    projection_of(harness.state(), viewport(harness)).pos(at)
 }
 
 pub(crate) fn motion(harness: &mut Harness<'_, Editor>, to: Pos2) {
@@ -511,7 +511,7 @@ fn a_held_key_keeps_its_coordinate_where_its_plane_is_seen_edge_on() {
 }
 
 /// Tells of keys that are held.
-fn hold(harness: &mut Harness<'_, Editor>, modifiers: Modifiers) {
+pub(super) fn hold(harness: &mut Harness<'_, Editor>, modifiers: Modifiers) {
     harness.event(Event::ModifiersChanged(modifiers));
     harness.step();
 }

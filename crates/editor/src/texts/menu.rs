@@ -28,6 +28,7 @@ texts! {
         remove_orientation: "Remove this orientation", "Orientierung löschen";
         copy_orientation: "Copy orientation", "Orientierung kopieren";
         paste_orientation: "Paste orientation", "Orientierung einfügen";
+        space: "Space …", "Raum …";
         aim_all: "Aim all cameras at this target", "Alle Kameras auf dieses Ziel richten";
 
         export: "Write to a file …", "In Datei ausgeben …";

@@ -26,6 +26,8 @@ texts! {
             "Diese Orientierung merken, um sie anderswo einzufügen";
         paste_orientation: "Put the copied orientation in place of this one",
             "Die kopierte Orientierung an die Stelle dieser setzen";
+        space: "Where the path lies in the world: centre, size, unit, which axis stands upright",
+            "Wo die Bahn in der Welt liegt: Mittelpunkt, Größe, Einheit, welche Achse senkrecht steht";
         aim_here: "The current orientation becomes absolute and looks at this corner of the object",
             "Die aktuelle Orientierung wird absolut und blickt auf diese Ecke des Objekts";
         aim_all_here: "Every orientation of the path becomes absolute and looks at this corner of the object",
@@ -55,8 +57,6 @@ texts! {
 
         view_reset: "Size, rotation and tilt as in a new window",
             "Größe, Drehung und Kippung wie in einem neuen Fenster";
-        view_front: "Look along the z axis", "Blick längs der z-Achse";
-        view_right: "Look along the x axis", "Blick längs der x-Achse";
-        view_above: "Look along the y axis", "Blick längs der y-Achse";
+        view_along: "Look along the {0} axis", "Blick längs der {0}-Achse";
     }
 }

@@ -38,6 +38,7 @@ mod reasons_scene;
 mod rescue;
 mod setup;
 mod space;
+mod space_window;
 mod speed;
 mod speed_window;
 mod zoom;
@@ -166,6 +167,7 @@ parts! {
     rescue: Rescue;
     setup: Setup;
     space: Space;
+    space_window: SpaceWindow;
     speed: Speed;
     speed_window: SpeedWindow;
     zoom: Zoom;

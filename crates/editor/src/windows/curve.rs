@@ -299,7 +299,9 @@ impl CurveWindow {
                 in_column(ui, texts.position);
                 for (axis, sign) in ["x", "y", "z"].into_iter().enumerate() {
                     let name = format!("{} {sign}", texts.position);
-                    let number = Number::new(&name, position[axis]).label(sign);
+                    let number = Number::new(&name, position[axis])
+                        .label(sign)
+                        .in_space(editor.document.path().space);
                     wrong |= self.number(editor, ui, number, Field::Position(axis));
                 }
                 ui.end_row();
@@ -307,7 +309,10 @@ impl CurveWindow {
                 in_column(ui, &format!("{} ({kind})", texts.orientation)).on_hover_text(hint);
                 for (axis, sign) in ["x", "y", "z"].into_iter().enumerate() {
                     let name = format!("{} {sign}", texts.orientation);
-                    let number = Number::new(&name, target[axis]).label(sign).hint(hint);
+                    let number = Number::new(&name, target[axis])
+                        .label(sign)
+                        .hint(hint)
+                        .in_space(editor.document.path().space);
                     wrong |= self.number(editor, ui, number, Field::Target(axis));
                 }
                 ui.end_row();

@@ -18,6 +18,7 @@ mod pending;
 mod points;
 mod question;
 mod rescue;
+mod space;
 mod speed;
 mod speed_shapes;
 
@@ -30,6 +31,7 @@ pub(super) use help::HelpWindow;
 pub(super) use points::PointsWindow;
 pub(super) use question::Question;
 pub(super) use rescue::RescueWindow;
+pub(super) use space::SpaceWindow;
 pub(super) use speed::SpeedWindow;
 
 use super::keys;
@@ -45,6 +47,7 @@ pub(super) struct Windows {
     pub(super) colours: Option<ColourWindow>,
     pub(super) display: Option<DisplayWindow>,
     pub(super) points: Option<PointsWindow>,
+    pub(super) space: Option<SpaceWindow>,
     pub(super) help: Option<HelpWindow>,
     /// A file is being chosen; nothing else happens meanwhile.
     pub(super) files: Option<FileWindow>,
@@ -103,6 +106,7 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_one::<ColourWindow>(editor, context);
     show_one::<DisplayWindow>(editor, context);
     show_one::<PointsWindow>(editor, context);
+    show_one::<SpaceWindow>(editor, context);
     show_one::<HelpWindow>(editor, context);
     show_one::<RescueWindow>(editor, context);
     if let Some(window) = editor.windows.files.take() {

@@ -208,10 +208,7 @@ fn divide(
             (Target::Absolute(*target), roll_there.0.to_degrees())
         }
         Turning::Ahead(_) => (seen, roll_there.0.to_degrees()),
-        _ => {
-            let [view, up] = [view, up].map(|v| path.space.up.upright(v));
-            (seen, orientation::roll_from_up(view, up).to_degrees())
-        }
+        _ => (seen, path.space.up.roll_from_up(view, up).to_degrees()),
     };
     let mut orientation = Orientation {
         target,

@@ -9,6 +9,7 @@ use super::camera_path::{SupportPoint, Target};
 use super::own::{Tangents, Velocities};
 use crate::error::{Error, Result, message};
 use crate::limits;
+use crate::math::orientation;
 
 /// The axis of the world that stands upright.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
@@ -40,6 +41,25 @@ impl Up {
             Self::Y => v,
             Self::Z => DVec3::new(v.z, v.x, v.y),
         }
+    }
+
+    /// [`orientation::level_axes`] of a view of the world.
+    #[must_use]
+    pub fn level_axes(self, view: DVec3) -> (DVec3, DVec3) {
+        let (u, v) = orientation::level_axes(self.upright(view));
+        (self.world(u), self.world(v))
+    }
+
+    /// [`orientation::up_from_roll`] of a view of the world.
+    #[must_use]
+    pub fn up_from_roll(self, view: DVec3, roll: f64) -> DVec3 {
+        self.world(orientation::up_from_roll(self.upright(view), roll))
+    }
+
+    /// [`orientation::roll_from_up`] of a view of the world.
+    #[must_use]
+    pub fn roll_from_up(self, view: DVec3, up: DVec3) -> f64 {
+        orientation::roll_from_up(self.upright(view), self.upright(up))
     }
 
     /// "y" or "z".

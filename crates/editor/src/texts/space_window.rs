@@ -1,0 +1,35 @@
+//! Texts of the space window.
+
+use super::texts;
+
+texts! {
+    /// Texts of the space window.
+    SpaceWindow {
+        title: "Space", "Raum";
+        centre: "Centre", "Mittelpunkt";
+        centre_hint: "The middle of the movement space in the world",
+            "Die Mitte des Bewegungsraums in der Welt";
+        half_size: "Half size", "Halbe Größe";
+        half_size_hint: "From the middle of the movement space to a face of it; base speeds count ways in it",
+            "Von der Mitte des Bewegungsraums bis zu einer Fläche; Grundgeschwindigkeiten zählen Wege darin";
+        unit: "Unit", "Einheit";
+        unit_hint: "What a length of 1 is called, such as m", "Wie eine Länge von 1 heißt, etwa m";
+        up: "Upright", "Senkrecht";
+        up_hint: "The axis of the world that stands upright", "Die Achse der Welt, die senkrecht steht";
+        path: "The path", "Die Bahn";
+        keep: "keeps its numbers", "behält ihre Zahlen";
+        keep_hint: "All coordinates stay what they are", "Alle Koordinaten bleiben, wie sie sind";
+        fit: "goes along", "geht mit";
+        fit_hint: "It lies in the new space as it did in the old one; the object stays where it is",
+            "Sie liegt im neuen Raum, wie sie im alten lag; das Objekt bleibt, wo es ist";
+        to_object: "Around the object", "Um das Objekt";
+        to_object_hint: "Centre and half size that hold the object", "Mittelpunkt und halbe Größe, die das Objekt fassen";
+        no_object: "This path has no object", "Diese Bahn hat kein Objekt";
+        to_path: "Around the path", "Um die Bahn";
+        to_path_hint: "Centre and half size that hold the path", "Mittelpunkt und halbe Größe, die die Bahn fassen";
+        apply: "Apply", "Übernehmen";
+        apply_hint: "Change the space and leave this window open", "Den Raum ändern und dieses Fenster offen lassen";
+        ok: "OK", "OK";
+        ok_hint: "Change the space and close this window", "Den Raum ändern und dieses Fenster schließen";
+    }
+}

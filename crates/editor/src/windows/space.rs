@@ -1,0 +1,233 @@
+//! Where the path lies in the world: centre and half size of the movement space, the
+//! name of the unit, which axis stands upright. What is entered waits until it is
+//! applied, as one step.
+
+use egui::{Button, Grid, TextEdit, Ui, vec2};
+
+use super::{SubWindow, Windows, row_at_right, sub_window};
+use crate::document::Edit;
+use crate::number::{Entry, Number};
+use crate::path::{Space, Up};
+use crate::state::Editor;
+use crate::theme;
+
+/// Width of a name, of a number, of a button.
+const NAME: f32 = 96.0;
+const NUMBER: f32 = 100.0;
+const BUTTON: f32 = 96.0;
+
+/// The space window.
+#[derive(Debug)]
+pub(crate) struct SpaceWindow {
+    /// What the document had when it was looked at last.
+    of: (Space, String),
+    space: Space,
+    unit: String,
+    /// The path goes along into the new space.
+    fit: bool,
+    /// The space before a number of it is dragged.
+    before: Option<Space>,
+}
+
+impl SubWindow for SpaceWindow {
+    const ID: &'static str = "space";
+
+    fn slot(windows: &mut Windows) -> &mut Option<Self> {
+        &mut windows.space
+    }
+
+    fn new(editor: &Editor) -> Self {
+        let of = known(editor);
+        Self {
+            space: of.0,
+            unit: of.1.clone(),
+            of,
+            fit: false,
+            before: None,
+        }
+    }
+
+    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
+        // Undone, or another file: what waits was meant for the old one.
+        if known(editor) != self.of {
+            *self = Self::new(editor);
+        }
+        let texts = &editor.texts().space_window;
+        let mut done = false;
+        let stays = sub_window(context, Self::ID, texts.title, |ui| {
+            Grid::new("space")
+                .num_columns(2)
+                .spacing(vec2(theme::GAP, theme::GAP))
+                .show(ui, |ui| self.fields(editor, ui));
+            ui.add_space(theme::GAP);
+            ui.horizontal(|ui| self.fitting(editor, ui));
+            ui.add_space(theme::GAP);
+            row_at_right(ui, &[texts.apply, texts.ok], BUTTON, |ui| {
+                let mut button = |text: &str, hint: &str| {
+                    let button = Button::new(text).min_size(vec2(BUTTON, theme::ROW));
+                    ui.add(button).on_hover_text(hint).clicked()
+                };
+                let apply = button(texts.apply, texts.apply_hint);
+                let ok = button(texts.ok, texts.ok_hint);
+                if apply || ok {
+                    done = self.apply(editor) && ok;
+                    context.request_repaint();
+                }
+            });
+        });
+        stays && !done
+    }
+}
+
+/// The space and the unit of the document.
+fn known(editor: &Editor) -> (Space, String) {
+    let document = &editor.document;
+    (document.path().space, document.info().unit.clone())
+}
+
+impl SpaceWindow {
+    fn fields(&mut self, editor: &mut Editor, ui: &mut Ui) {
+        let texts = &editor.texts().space_window;
+        let name = |ui: &mut Ui, text: &str, hint: &str| {
+            ui.horizontal(|ui| {
+                ui.set_width(NAME);
+                ui.label(text).on_hover_text(hint)
+            });
+        };
+        name(ui, texts.centre, texts.centre_hint);
+        ui.horizontal(|ui| {
+            for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+                let called = format!("{} {letter}", texts.centre);
+                let number = Number::new(&called, self.space.centre[axis])
+                    .label(letter)
+                    .hint(texts.centre_hint);
+                let id = format!("space.centre.{axis}");
+                self.number(editor, ui, number, &id, |space, value| {
+                    space.centre[axis] = value;
+                });
+            }
+        });
+        ui.end_row();
+        name(ui, texts.half_size, texts.half_size_hint);
+        ui.horizontal(|ui| {
+            let number =
+                Number::new(texts.half_size, self.space.half_size).hint(texts.half_size_hint);
+            self.number(editor, ui, number, "space.half", |space, value| {
+                space.half_size = value;
+            });
+            ui.label(texts.unit);
+            let edit = TextEdit::singleline(&mut self.unit)
+                .id(egui::Id::unique("space.unit"))
+                .desired_width(ui.available_width())
+                .frame(theme::field(ui))
+                .align(egui::Align2::LEFT_CENTER)
+                .margin(egui::Margin::symmetric(6, 0))
+                .min_size(vec2(0.0, theme::ROW));
+            let response = ui.add(edit).on_hover_text(texts.unit_hint);
+            ui.ctx()
+                .accesskit_node_builder(response.id, |node| node.set_label(texts.unit));
+        });
+        ui.end_row();
+        name(ui, texts.up, texts.up_hint);
+        ui.horizontal(|ui| {
+            for up in [Up::Y, Up::Z] {
+                let choice = theme::choice(ui, self.space.up == up, up.name());
+                if choice.on_hover_text(texts.up_hint).clicked() {
+                    self.space.up = up;
+                }
+            }
+        });
+        ui.end_row();
+        name(ui, texts.path, "");
+        ui.horizontal(|ui| {
+            for (fit, text, hint) in [
+                (false, texts.keep, texts.keep_hint),
+                (true, texts.fit, texts.fit_hint),
+            ] {
+                let choice = theme::choice(ui, self.fit == fit, text);
+                if choice.on_hover_text(hint).clicked() {
+                    self.fit = fit;
+                }
+            }
+        });
+        ui.end_row();
+    }
+
+    /// The spaces that are found for object and path.
+    fn fitting(&mut self, editor: &mut Editor, ui: &mut Ui) {
+        let texts = &editor.texts().space_window;
+        let has_object = !editor.document.info().object.is_empty();
+        let object = ui.add_enabled(has_object, Button::new(texts.to_object));
+        let object = object
+            .on_hover_text(texts.to_object_hint)
+            .on_disabled_hover_text(texts.no_object);
+        let path = ui.button(texts.to_path).on_hover_text(texts.to_path_hint);
+        let found = if object.clicked() {
+            editor.document.space_around_object()
+        } else if path.clicked() {
+            editor.document.space_around_path()
+        } else {
+            return;
+        };
+        match found {
+            Ok(found) => {
+                self.space = Space {
+                    up: self.space.up,
+                    ..found
+                };
+                self.fit = false;
+            }
+            Err(error) => editor.complain_of(&error),
+        }
+    }
+
+    fn number(
+        &mut self,
+        editor: &mut Editor,
+        ui: &mut Ui,
+        number: Number<'_>,
+        id: &str,
+        set: impl Fn(&mut Space, f64),
+    ) {
+        // What waits may be no space at all.
+        let half_size = self.space.half_size.abs();
+        let number = number.in_space(Space {
+            half_size,
+            ..self.space
+        });
+        match number.pending().show(ui, editor.language(), id, NUMBER) {
+            Entry::Idle => {}
+            Entry::Begin => self.before = Some(self.space),
+            Entry::Drag(value) | Entry::Set(value) => set(&mut self.space, value),
+            Entry::End => self.before = None,
+            Entry::Cancel => {
+                if let Some(before) = self.before.take() {
+                    self.space = before;
+                }
+            }
+            Entry::Wrong(text) => editor.complain(text),
+        }
+    }
+
+    /// What waits becomes the document's, as one step. False: it was refused, and
+    /// nothing has changed.
+    fn apply(&mut self, editor: &mut Editor) -> bool {
+        let edit = Edit::SetSpace {
+            space: self.space,
+            fit: self.fit,
+        };
+        let mut info = editor.document.info().clone();
+        info.unit.clone_from(&self.unit);
+        editor.message = None;
+        editor.document.begin_step();
+        let done = editor.edit(edit)
+            && (info == *editor.document.info() || editor.edit(Edit::SetInfo(Box::new(info))));
+        if done {
+            editor.document.end_step();
+        } else {
+            editor.document.cancel_step();
+        }
+        self.of = known(editor);
+        done
+    }
+}
