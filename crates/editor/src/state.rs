@@ -319,16 +319,22 @@ impl Editor {
         self.point()?.orientations.get(at)
     }
 
+    /// The edit that changes the current orientation.
+    pub(super) fn orientation_edit(&self, change: impl FnOnce(&mut Orientation)) -> Option<Edit> {
+        let at = self.document.selection();
+        let mut orientation = self.orientation()?.clone();
+        change(&mut orientation);
+        Some(Edit::SetOrientation {
+            point: at.point,
+            at: at.orientation,
+            orientation,
+        })
+    }
+
     /// Changes the current orientation.
     pub(super) fn set_orientation(&mut self, change: impl FnOnce(&mut Orientation)) {
-        let at = self.document.selection();
-        if let Some(mut orientation) = self.orientation().cloned() {
-            change(&mut orientation);
-            self.edit(Edit::SetOrientation {
-                point: at.point,
-                at: at.orientation,
-                orientation,
-            });
+        if let Some(edit) = self.orientation_edit(change) {
+            self.edit(edit);
         }
     }
 
