@@ -127,6 +127,8 @@ pub fn open(options: Options) -> Result<Id> {
         application: options.application.unwrap_or_else(program::name),
         size: SIZE,
         smallest: SMALLEST,
+        parent: 0,
+        transient_for: 0,
     })?;
     let window = window::Window::new(Box::new(screen), editor, title);
     let id = registry::insert(Box::new(window), options.host)?;
