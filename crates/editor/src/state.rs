@@ -40,6 +40,32 @@ pub struct Options {
     pub folders: Folders,
     /// Whose window it is.
     pub program: Program,
+    /// The host's own view.
+    pub host_view: HostView,
+}
+
+/// What a window begins with of the host's own view, its camera in its picture.
+#[derive(Clone, Debug, Default)]
+pub struct HostView {
+    /// What the window calls it: `program` if none.
+    pub name: Option<String>,
+    /// The host can be asked for it.
+    pub captures: bool,
+}
+
+/// Why the host is told of the camera at the playhead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// Another point or orientation became current.
+    Selected,
+    /// Something is being dragged or was changed.
+    Edited,
+    /// Another frame was chosen.
+    Scrubbed,
+    /// It plays.
+    Played,
+    /// The last of a row of the others: nothing moves any more.
+    Rested,
 }
 
 /// What only whoever runs the editor can do.
@@ -65,6 +91,8 @@ pub struct Editor {
     pub(super) fixed_speeds: bool,
     pub(super) folders: Folders,
     pub(super) program: Program,
+    /// The host's own view.
+    pub(super) host_view: HostView,
     /// What the file contained when it was read or written last; none if there was none.
     pub(super) known: Option<Contents>,
     /// The state that the host has by a hand-over after which nothing is unsaved.
@@ -125,6 +153,7 @@ impl Editor {
             fixed_speeds: options.fixed_speeds,
             folders: options.folders,
             program: options.program,
+            host_view: options.host_view,
             copied: None,
             last_folder: None,
             waiting: None,

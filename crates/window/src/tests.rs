@@ -252,6 +252,7 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         fixed_speeds: true,
         folders: Folders::default(),
         program: crate::host_program(false),
+        host_view: crate::editor::HostView::default(),
     })
     .expect("an editor");
     let screen = Fake {

@@ -387,6 +387,10 @@ const SENTENCES: &[Pair] = &[
         "Steuerzeichen sind nicht erlaubt",
     ),
     (
+        "the wireframe of an object has at most {0} points",
+        "ein Drahtmodell hat höchstens {0} Punkte",
+    ),
+    (
         "an object has at most {0} points",
         "ein Objekt hat höchstens {0} Punkte",
     ),
