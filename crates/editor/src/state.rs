@@ -7,6 +7,7 @@ use std::sync::Arc;
 use super::actions::Action;
 use super::filing::Then;
 use super::folders::Folders;
+use super::host_pane::HostPane;
 use super::number::Entry;
 use super::program::Program;
 use super::recovery::Keeper;
@@ -51,6 +52,8 @@ pub struct HostView {
     pub name: Option<String>,
     /// The host can be asked for it.
     pub captures: bool,
+    /// The host draws what the camera sees.
+    pub fills_pane: bool,
 }
 
 /// Why the host is told of the camera at the playhead.
@@ -93,6 +96,8 @@ pub struct Editor {
     pub(super) program: Program,
     /// The host's own view.
     pub(super) host_view: HostView,
+    /// Where the host draws it.
+    pub(super) host_pane: Option<HostPane>,
     /// What the file contained when it was read or written last; none if there was none.
     pub(super) known: Option<Contents>,
     /// The state that the host has by a hand-over after which nothing is unsaved.
@@ -154,6 +159,7 @@ impl Editor {
             folders: options.folders,
             program: options.program,
             host_view: options.host_view,
+            host_pane: None,
             copied: None,
             last_folder: None,
             waiting: None,

@@ -105,10 +105,10 @@ pub struct Options {
     pub size: [f32; 2],
     /// Smallest useful inner size in points.
     pub smallest: [f32; 2],
-    /// A window of the host's to live in, which it fills then; 0: a top-level window.
-    pub parent: u32,
-    /// The host's window that it belongs to; 0: none.
-    pub transient_for: u32,
+    /// A window of the host's to live in, which it fills then; none: a top-level window.
+    pub parent: Option<u32>,
+    /// The host's window that it belongs to.
+    pub transient_for: Option<u32>,
 }
 
 /// What happened since the last look, beside input for egui.
@@ -201,8 +201,8 @@ impl Window {
         let scale = scale::of(&resources);
         let settings = Settings::ask(&connection)?;
         let home = match options.parent {
-            0 => None,
-            parent => Some(Home::enter(&connection, parent)?),
+            None => None,
+            Some(parent) => Some(Home::enter(&connection, parent)?),
         };
         let place = home.as_ref().map(|(home, size)| (home.parent(), *size));
         let frame = window::create(&connection, &visual, options, scale, place)?;

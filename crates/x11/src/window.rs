@@ -67,8 +67,8 @@ pub(super) fn create(
     home: Option<(u32, (u32, u32))>,
 ) -> Result<Frame> {
     let group = match options.transient_for {
-        0 => None,
-        window => Some(group_of(connection, window)?),
+        None => None,
+        Some(window) => Some(group_of(connection, window)?),
     };
     let frame = make(connection, visual, options, scale, home)?;
     let lost = |error| connection.lost(error);
@@ -234,10 +234,15 @@ fn describe(
         AtomEnum::CARDINAL,
         &icon,
     )?;
-    if group.is_some() {
-        let owner = [options.transient_for];
+    if let Some(owner) = options.transient_for {
         let kind = AtomEnum::WINDOW;
-        connection.change_property32(replace, window, AtomEnum::WM_TRANSIENT_FOR, kind, &owner)?;
+        connection.change_property32(
+            replace,
+            window,
+            AtomEnum::WM_TRANSIENT_FOR,
+            kind,
+            &[owner],
+        )?;
     }
     // It leads a group of its own where the host's windows are not known.
     let leader = [window];

@@ -16,7 +16,7 @@ use crate::{Options, Window};
 /// A window in another.
 fn within(server: &Server, parent: u32) -> crate::error::Result<Window> {
     Window::open(&Options {
-        parent,
+        parent: Some(parent),
         ..options(server.display())
     })
 }
@@ -108,7 +108,7 @@ fn what_is_no_window_is_refused_in_a_sentence() {
     }
     for transient_for in [pixmap, never, 1, u32::MAX] {
         let opened = Window::open(&Options {
-            transient_for,
+            transient_for: Some(transient_for),
             ..options(server.display())
         });
         let error = opened.map(drop).unwrap_err();
@@ -139,13 +139,13 @@ fn it_belongs_to_the_hosts_window_and_its_group() {
         shown.settle();
         shown
     };
-    let first = open(host);
+    let first = open(Some(host));
     let owner = looker.property(first.id(), "WM_TRANSIENT_FOR");
     assert_eq!(owner, host.to_ne_bytes());
     assert_eq!(group(first.id()), host, "it leads a group");
-    let second = open(first.id());
+    let second = open(Some(first.id()));
     assert_eq!(group(second.id()), host, "and is in one");
-    let alone = open(0);
+    let alone = open(None);
     assert_eq!(looker.property(alone.id(), "WM_TRANSIENT_FOR"), b"");
     assert_eq!(group(alone.id()), alone.id());
 }
