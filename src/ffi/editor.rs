@@ -12,7 +12,7 @@ use super::border::border;
 use super::counted::Counted;
 use super::handles::{Handles, KIND_EDITOR};
 use super::host_loop;
-use super::object::{Warnings, object};
+use super::object::object;
 use super::path::{keep, read};
 use super::pointers::{self, Growing, Out, check, file_name, init, read_growing};
 use super::status::{
@@ -20,8 +20,8 @@ use super::status::{
 };
 use super::types::{V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_POSE};
 use crate::document::{Document, Edit};
-use crate::editor::{self, Language};
-use crate::error::{Message, Result, complain, vec_with_room};
+use crate::editor::{self, Language, Warnings};
+use crate::error::{Result, complain, vec_with_room};
 use crate::instance::{self, Gone, Host, Id};
 use crate::path::{BaseSpeeds, Pose, Sampler};
 
@@ -180,7 +180,7 @@ struct Beginning {
     editor: editor::Options,
     display: Option<String>,
     application: Option<String>,
-    warning: Option<Message>,
+    warnings: Warnings,
 }
 
 /// What the options say, in our own types; copies only.
@@ -257,7 +257,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
         },
         display,
         application,
-        warning: warnings.said().cloned(),
+        warnings,
     })
 }
 
@@ -291,7 +291,7 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
         editor: editor.editor,
         display: editor.display,
         application: editor.application,
-        warning: editor.warning,
+        warnings: editor.warnings,
         host: Rc::<Callbacks>::clone(&host),
     })?;
     let handle = EDITORS.insert(Opened {

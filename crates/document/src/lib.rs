@@ -17,6 +17,7 @@ mod change;
 mod contents;
 mod edit;
 mod editing;
+pub mod error;
 pub mod export;
 mod history;
 mod info;
@@ -32,6 +33,7 @@ pub mod vid;
 pub use contents::Contents;
 pub use edit::Edit;
 pub use editing::{Document, Selection};
+pub use error::{Error, Result};
 pub use info::{Info, Object, ObjectPoint, Space};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
@@ -39,4 +41,4 @@ pub use not_a_file::NotAFile;
 pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;
 
-use vides_engine::{error, limits, math, path};
+use vides_engine::{limits, math, path};

@@ -15,9 +15,10 @@ use super::texts::{Language, Texts, fill};
 use super::theme;
 use super::{camera_view, playing, space, windows};
 use crate::document::{Contents, Document, Edit};
-use crate::error::{self, Error, Result};
+use crate::error::{Error, Result};
 use crate::path::{Orientation, SupportPoint};
 use crate::raster::Lines;
+use crate::warning::Warnings;
 
 /// How a window begins.
 #[derive(Debug)]
@@ -227,8 +228,10 @@ impl Editor {
     }
 
     /// Shows in the output field what was wrong with what the host gave.
-    pub fn warn(&mut self, warning: &error::Message) {
-        self.complain(self.language().reason(warning));
+    pub fn warn(&mut self, warnings: &Warnings) {
+        if !warnings.is_empty() {
+            self.complain(self.language().warnings(warnings));
+        }
     }
 
     /// Says how a hand-over went: the number of poses.
