@@ -29,6 +29,7 @@ mod scene;
 mod target;
 #[doc(hidden)]
 pub mod vid;
+mod wireframe;
 
 pub use contents::Contents;
 pub use edit::Edit;

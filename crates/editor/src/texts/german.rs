@@ -262,6 +262,7 @@ german! {
         SplinePoints => "ein Spline hat höchstens {} Punkte", limits::MAX_POINTS;
         QuaternionKeys => "eine Quaternionenkurve hat höchstens 1000000 Schlüssel";
         ObjectPoints => "ein Objekt hat höchstens {} Punkte", limits::MAX_OBJECT_POINTS;
+        WireframePoints => "ein Drahtmodell hat höchstens {} Punkte", limits::MAX_OBJECT_POINTS;
         MeshPoints => "ein Objekt hat höchstens {} Punkte", limits::MAX_MESH_POINTS;
         MeshCorners =>
             "ein Objekt hat höchstens {} Ecken von Dreiecken und ebenso viele Enden von Linien", limits::MAX_MESH_CORNERS;

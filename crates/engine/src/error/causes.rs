@@ -429,6 +429,11 @@ pub enum TooMany {
     QuaternionKeys,
     #[error("an object has at most {} points", limits::MAX_OBJECT_POINTS)]
     ObjectPoints,
+    #[error(
+        "the wireframe of an object has at most {} points",
+        limits::MAX_OBJECT_POINTS
+    )]
+    WireframePoints,
     #[error("an object has at most {} points", limits::MAX_MESH_POINTS)]
     MeshPoints,
     #[error(
