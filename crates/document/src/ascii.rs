@@ -18,7 +18,7 @@ use crate::path::{Pose, Sampler};
 /// the positions into the user's world.
 ///
 /// # Errors
-/// [`vides_engine::Error::Io`] if `out` fails, [`vides_engine::Error::Memory`].
+/// `ErrorKind::Io` if `out` fails, `ErrorKind::Memory`.
 pub fn write_ascii(sampler: &Sampler, space: Option<&Space>, out: &mut dyn Write) -> Result<()> {
     write_with_progress(sampler, space, out, &mut |_, _| {})
 }
@@ -27,7 +27,7 @@ pub fn write_ascii(sampler: &Sampler, space: Option<&Space>, out: &mut dyn Write
 /// ([`save::save_with`]).
 ///
 /// # Errors
-/// [`vides_engine::Error::Io`] naming the file, [`vides_engine::Error::Memory`].
+/// `ErrorKind::Io` naming the file, `ErrorKind::Memory`.
 pub fn write_ascii_file(sampler: &Sampler, space: Option<&Space>, file: &Path) -> Result<()> {
     save::save_with(file, &mut |out| write_ascii(sampler, space, out))
 }

@@ -81,7 +81,7 @@ impl Document {
     /// As [`Document::new`] where memory may run out.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn try_new() -> Result<Self> {
         Ok(Self::with(CameraPath::try_new()?, Info::default()))
     }
@@ -140,7 +140,7 @@ impl Document {
     /// A copy with the same selection, without the history.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn try_clone(&self) -> Result<Self> {
         let path = self.content.path.try_clone()?;
         let mut copy = Self::with(path, self.content.info.try_clone()?);
@@ -193,7 +193,7 @@ impl Document {
     /// cannot be undone by itself and leaves the document unmodified.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Range`] if there is no such point or orientation.
+    /// `ErrorKind::Range` if there is no such point or orientation.
     pub fn select(&mut self, point: usize, orientation: usize) -> Result<()> {
         prepare::orientation(&self.content.path, point, orientation)?;
         self.selection = Selection::at(point, orientation);
@@ -341,7 +341,7 @@ impl Document {
     /// Lengths and frames, brought up to date.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn timeline<R>(&self, f: impl FnOnce(&Timeline) -> R) -> Result<R> {
         Ok(self.plan.timeline(&self.content.path, f)?)
     }
@@ -349,7 +349,7 @@ impl Document {
     /// Everything prepared for sampling.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`], or [`vides_engine::Error::Limit`] if the path yields
+    /// `ErrorKind::Memory`, or `ErrorKind::Limit` if the path yields
     /// more than [`limits::MAX_FRAMES`] frames.
     pub fn sampler(&self) -> Result<&Sampler> {
         Ok(self.plan.sampler(&self.content.path)?)
@@ -358,7 +358,7 @@ impl Document {
     /// The document in a `.vid` file.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Io`] if it cannot be read; [`vides_engine::Error::Format`] with
+    /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with
     /// file, line and reason if its contents are not what they should be.
     pub fn load(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
@@ -370,7 +370,7 @@ impl Document {
     /// save it to the same file would lose the rest.
     ///
     /// # Errors
-    /// As [`Document::load`]; [`vides_engine::Error::Argument`] if the scene has no
+    /// As [`Document::load`]; `ErrorKind::Argument` if the scene has no
     /// camera on a path.
     pub fn load_shown(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
@@ -417,7 +417,7 @@ impl Document {
     /// The document in the text of a `.vid` file.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Format`] with line and reason.
+    /// `ErrorKind::Format` with line and reason.
     pub fn from_toml(text: &str) -> Result<Self> {
         let (path, info) = vid::from_toml(text)?;
         Self::from_parts(path, info)?.read_from(text)
@@ -428,7 +428,7 @@ impl Document {
     /// Loading it gives the same document, bit by bit.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn to_toml(&self) -> Result<String> {
         let content = &self.content;
         vid::to_toml(&content.path, &content.info, &content.comments)
@@ -438,7 +438,7 @@ impl Document {
     /// [`Document::mark_saved`] when it is the file being edited.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Io`] with the file and what the system said; the old
+    /// `ErrorKind::Io` with the file and what the system said; the old
     /// file is whole then.
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.to_toml()?.as_bytes())

@@ -115,7 +115,7 @@ impl Space {
     /// Whether scale, origin and unit can be used.
     ///
     /// # Errors
-    /// [`Error::Range`], [`Error::Argument`] or [`Error::Limit`].
+    /// `ErrorKind::Range`, `ErrorKind::Argument` or `ErrorKind::Limit`.
     pub fn check(&self) -> Result<()> {
         check_scale(self.scale)?;
         check_coordinates(self.origin).map_err(|error| error.at(Place::Origin))?;
@@ -127,7 +127,7 @@ impl Info {
     /// A copy.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub(super) fn try_clone(&self) -> Result<Self> {
         Ok(Self {
             title: copy_text(&self.title)?,
@@ -202,7 +202,7 @@ pub(super) fn check_line(text: &str, place: Place) -> Result<()> {
     crate::path::camera_path::check_name(text).map_err(|error| error.at(place))
 }
 
-/// A copy of a text, or [`Error::Memory`].
+/// A copy of a text, or `ErrorKind::Memory`.
 pub(super) fn copy_text(text: &str) -> Result<String> {
     let mut copy = String::new();
     copy.try_reserve_exact(text.len())?;

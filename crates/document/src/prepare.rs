@@ -191,7 +191,7 @@ pub(super) fn normalise(path: &mut CameraPath) -> Result<()> {
 /// place.
 ///
 /// # Errors
-/// [`Error::Memory`].
+/// `ErrorKind::Memory`.
 pub fn no_longer_ahead(path: &CameraPath, point: usize, at: usize) -> Result<Orientation> {
     let here = &path.points[point];
     let mut new = here.orientations[at].clone();

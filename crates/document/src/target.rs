@@ -19,7 +19,7 @@ const NEAR: f64 = 1.0 / 8192.0;
 /// and one that would lie beyond the largest coordinate is moved in.
 ///
 /// # Errors
-/// [`Error::Range`] if no target within the largest coordinate is seen in
+/// `ErrorKind::Range` if no target within the largest coordinate is seen in
 /// that direction.
 pub(super) fn switched(target: Target, position: DVec3, absolute: bool) -> Result<Target> {
     match (target, absolute) {

@@ -135,7 +135,7 @@ impl Editor {
     /// A window's contents as it opens.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn new(options: Options) -> Result<Self> {
         let known = options.document.read_contents();
         let mut editor = Self {

@@ -163,7 +163,7 @@ fn discard_closed(slot: Option<Slot>) {
 /// Takes in a window.
 ///
 /// # Errors
-/// [`vides_engine::Error::Memory`], [`vides_engine::Error::Limit`] without descriptors.
+/// `ErrorKind::Memory`, `ErrorKind::Limit` without descriptors.
 pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
     let id = Id(NEXT.fetch_add(1, Ordering::Relaxed));
     table(|table| {

@@ -1,6 +1,5 @@
 //! Why there is no window, or no more.
 
-#[doc(hidden)]
 pub(crate) use vides_engine::error::vec_with_room;
 use vides_engine::error::{Error as EngineError, ErrorKind, Text};
 

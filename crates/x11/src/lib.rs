@@ -6,7 +6,7 @@
 //! protocol itself (x11rb). Each window has its own connection, so that what
 //! happens to one concerns no other. Nothing here blocks for longer than a
 //! stated time, raises a signal, or ends the process; if the server goes away
-//! every call says [`vides_engine::Error::Display`].
+//! every call says `ErrorKind::Display`.
 //!
 //! It knows nothing of what the window shows, and nothing of C.
 
@@ -176,7 +176,7 @@ impl Window {
     /// most a few seconds in all.
     ///
     /// # Errors
-    /// [`Error::Display`] with a sentence that names the display and the reason.
+    /// `ErrorKind::Display` with a sentence that names the display and the reason.
     pub fn open(options: &Options) -> Result<Self> {
         let connection = Connection::open(options.display.as_deref())?;
         let setup = connection.setup();
@@ -229,7 +229,7 @@ impl Window {
     /// itself.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn poll(&mut self) -> Result<News> {
         self.alive()?;
         let before = self.events.len();
@@ -334,7 +334,7 @@ impl Window {
     /// Shows these areas of the pixels.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn present(&mut self, areas: &[Area]) -> Result<()> {
         self.alive()?;
         let result = self.surface.show(&self.connection, areas);
@@ -345,7 +345,7 @@ impl Window {
     /// Does what egui wants done outside: cursor, clipboard, primary selection.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn take_output(&mut self, output: egui::PlatformOutput) -> Result<()> {
         self.alive()?;
         let result = self.serve(output);
@@ -377,7 +377,7 @@ impl Window {
     /// Another title.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn set_title(&mut self, title: &str) -> Result<()> {
         self.alive()?;
         let result = window::set_title(&self.connection, self.frame.window, title);
@@ -388,7 +388,7 @@ impl Window {
     /// To the front, with the keyboard.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn raise(&mut self) -> Result<()> {
         self.alive()?;
         let result = window::raise(&self.connection, self.frame.window, self.time);
@@ -400,7 +400,7 @@ impl Window {
     /// descriptor becomes readable when more goes.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn flush(&mut self) -> Result<()> {
         self.alive()?;
         let result = self.send();

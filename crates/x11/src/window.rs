@@ -58,7 +58,7 @@ pub(super) fn watch_desktop(connection: &Connection) -> Result<()> {
 /// Makes a window and shows it.
 ///
 /// # Errors
-/// [`Error::Display`].
+/// `ErrorKind::Display`.
 pub(super) fn create(
     connection: &Connection,
     visual: &Visual,

@@ -2,7 +2,7 @@
 //! The text above a variant is its documentation and what is said in English.
 //!
 //! A new cause: a variant here with its sentence, and its line in German in
-//! the editor's `texts/causes.rs`, which the compiler asks for.
+//! the editor's `texts/german.rs`, which the compiler asks for.
 
 use std::fmt;
 

@@ -35,7 +35,7 @@ impl Tcb {
     /// Each finite and in [−1, 1].
     ///
     /// # Errors
-    /// [`Error::Range`] names the value that is not.
+    /// [`crate::Error::Range`] names the value that is not.
     pub fn check(self) -> Result<()> {
         check_shape(self.tension, Quantity::Tension)?;
         check_shape(self.continuity, Quantity::Continuity)?;
@@ -75,7 +75,7 @@ impl Target {
     /// Finite, in range, and seen in some direction from `position`.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`].
     pub fn check(self, position: DVec3) -> Result<()> {
         let (Self::Absolute(v) | Self::Relative(v)) = self;
         check_coordinates(v)?;
@@ -124,7 +124,7 @@ impl Orientation {
     /// direction.
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`] with the reason.
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`] with the reason.
     pub fn check(&self, position: DVec3) -> Result<()> {
         self.target.check(position)?;
         if !self.roll.is_finite() {
@@ -188,7 +188,7 @@ impl SupportPoint {
     /// As [`SupportPoint::new`] where memory may run out.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn try_new(position: DVec3) -> Result<Self> {
         let mut orientations = vec_with_room(1)?;
         orientations.push(Orientation::default());
@@ -309,7 +309,7 @@ impl CameraPath {
     /// As [`CameraPath::default`] where memory may run out.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn try_new() -> Result<Self> {
         let mut points = vec_with_room(FIRST_POSITIONS.len())?;
         for position in FIRST_POSITIONS {
@@ -334,7 +334,7 @@ impl CameraPath {
     /// A copy.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn try_clone(&self) -> Result<Self> {
         let mut points = vec_with_room(self.points.len())?;
         for point in &self.points {
@@ -393,7 +393,7 @@ impl SupportPoint {
     /// A copy.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn try_clone(&self) -> Result<Self> {
         let mut orientations = vec_with_room(self.orientations.len())?;
         orientations.extend_from_slice(&self.orientations);
@@ -449,7 +449,7 @@ impl SupportPoint {
 /// Finite, and small enough to compute with.
 ///
 /// # Errors
-/// [`Error::Argument`] if not finite, [`Error::Range`] if too large.
+/// [`crate::Error::Argument`] if not finite, [`crate::Error::Range`] if too large.
 pub fn check_coordinates(v: DVec3) -> Result<()> {
     if !v.is_finite() {
         return Err(Invalid::NotFinite(Quantity::Coordinate).into());
@@ -464,7 +464,7 @@ pub fn check_coordinates(v: DVec3) -> Result<()> {
 /// [`limits::MAX_NAME_BYTES`] bytes.
 ///
 /// # Errors
-/// [`Error::Argument`] or [`Error::Limit`].
+/// [`crate::Error::Argument`] or [`crate::Error::Limit`].
 pub fn check_name(name: &str) -> Result<()> {
     if name.len() > limits::MAX_NAME_BYTES {
         return Err(TooMany::NameBytes.into());
@@ -478,7 +478,7 @@ pub fn check_name(name: &str) -> Result<()> {
 /// A tension, continuity or bias (`what` says which): in [−1, 1].
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_shape(value: f64, what: Quantity) -> Result<()> {
     if !(-1.0..=1.0).contains(&value) {
         return Err(OutOfRange::Between(what, -1.0, 1.0).into());
@@ -489,7 +489,7 @@ pub fn check_shape(value: f64, what: Quantity) -> Result<()> {
 /// A zoom: 1…100.
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_zoom(zoom: f64) -> Result<()> {
     if !(limits::MIN_ZOOM..=limits::MAX_ZOOM).contains(&zoom) {
         return Err(OutOfRange::Between(Quantity::Zoom, 1.0, limits::MAX_ZOOM).into());
@@ -500,7 +500,7 @@ pub fn check_zoom(zoom: f64) -> Result<()> {
 /// One value of a speed curve: 1…100.
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_speed(speed: f64) -> Result<()> {
     if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&speed) {
         return Err(OutOfRange::Between(Quantity::CurveSpeed, 1.0, limits::MAX_SPEED).into());
@@ -511,7 +511,7 @@ pub fn check_speed(speed: f64) -> Result<()> {
 /// Frames that a key rests: at most [`limits::MAX_HOLD`].
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_hold(hold: u32) -> Result<()> {
     if hold > limits::MAX_HOLD {
         return Err(OutOfRange::Hold.into());
@@ -522,7 +522,7 @@ pub fn check_hold(hold: u32) -> Result<()> {
 /// One base speed: finite and > 0.
 ///
 /// # Errors
-/// [`Error::Argument`].
+/// [`crate::Error::Argument`].
 pub fn check_base_speed(speed: f64) -> Result<()> {
     if !(speed > 0.0 && speed.is_finite()) {
         return Err(Invalid::BaseSpeed.into());
@@ -533,7 +533,7 @@ pub fn check_base_speed(speed: f64) -> Result<()> {
 /// All four finite and > 0.
 ///
 /// # Errors
-/// [`Error::Argument`] otherwise.
+/// [`crate::Error::Argument`] otherwise.
 pub fn check_speeds(speeds: BaseSpeeds) -> Result<()> {
     let all = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling];
     all.into_iter().try_for_each(check_base_speed)

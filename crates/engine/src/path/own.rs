@@ -28,7 +28,7 @@ impl Tangents {
     /// Finite, and small enough to compute with.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`].
     pub fn check(self) -> Result<()> {
         check_coordinates(self.before)?;
         check_coordinates(self.after)
@@ -69,7 +69,7 @@ impl PacePart {
     /// Everything in range.
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn check(&self) -> Result<()> {
         match &self.of {
             Whole::Speeds {
@@ -106,7 +106,7 @@ pub enum Pace {
 /// (1, 1), both numbers increasing.
 ///
 /// # Errors
-/// [`Error::Range`] or [`Error::Argument`].
+/// [`crate::Error::Range`] or [`crate::Error::Argument`].
 pub fn check_distance(keys: &[[f64; 2]]) -> Result<()> {
     if keys.len() < 2 || keys.len() > limits::MAX_DISTANCE_KEYS {
         return Err(OutOfRange::DistanceKeys.into());
@@ -154,7 +154,7 @@ impl TurningPart {
     /// Unit quaternions, and a part of [0, 1].
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn check(&self) -> Result<()> {
         let unit = |q: &DQuat| q.is_finite() && (q.length() - 1.0).abs() < 1e-6;
         if !self.control.iter().all(unit) {
@@ -209,7 +209,7 @@ impl Own {
     /// Everything finite and in range.
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn check(&self) -> Result<()> {
         match &self.pace {
             Pace::Speeds => {}
@@ -269,7 +269,7 @@ impl Own {
 /// A fixed number of frames, or 0.
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_frames(frames: u32) -> Result<()> {
     if frames as usize > limits::MAX_FRAMES {
         return Err(OutOfRange::SectionFrames.into());
@@ -280,7 +280,7 @@ pub fn check_frames(frames: u32) -> Result<()> {
 /// A distance along the way, ≥ 0.
 ///
 /// # Errors
-/// [`Error::Range`] or [`Error::Argument`].
+/// [`crate::Error::Range`] or [`crate::Error::Argument`].
 pub fn check_ahead(distance: f64) -> Result<()> {
     if !distance.is_finite() {
         return Err(Invalid::NotFinite(Quantity::DistanceAhead).into());
@@ -296,7 +296,7 @@ pub fn check_ahead(distance: f64) -> Result<()> {
 /// Angular velocities and slopes: finite, none beyond [`limits::MAX_RATE`].
 ///
 /// # Errors
-/// [`Error::Range`] or [`Error::Argument`].
+/// [`crate::Error::Range`] or [`crate::Error::Argument`].
 pub fn check_rates(rates: &[f64]) -> Result<()> {
     for rate in rates {
         if !rate.is_finite() {
@@ -333,7 +333,7 @@ impl MayOwn {
     /// The same, changed.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn with(&self, change: impl FnOnce(&mut Own)) -> Result<Self> {
         let mut own = Own::clone(self);
         change(&mut own);
@@ -381,7 +381,7 @@ impl MayOwn {
     /// place alone.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn for_a_copy(&self) -> Result<Self> {
         if self.is_empty() {
             return Ok(Self(None));
@@ -402,7 +402,7 @@ impl MayOwn {
 /// The keys of a given distance, checked.
 ///
 /// # Errors
-/// As [`check_distance`]; [`Error::Memory`].
+/// As [`check_distance`]; [`crate::Error::Memory`].
 pub fn distance(keys: &[[f64; 2]]) -> Result<Pace> {
     check_distance(keys)?;
     can_allocate(size_of_val(keys) + 2 * size_of::<usize>())?;

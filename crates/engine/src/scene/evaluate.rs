@@ -51,8 +51,8 @@ impl Scene {
     /// key to key, the rest of the scene plays.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`] for the frame, [`Error::Range`] if
-    /// `states` are not as many as the nodes, [`Error::Memory`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`] for the frame, the latter if
+    /// `states` are not as many as the nodes, [`crate::Error::Memory`].
     pub fn evaluate(
         &self,
         frame: f64,
@@ -74,7 +74,8 @@ impl Scene {
     /// missing, and then nothing has been written yet.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`] for the frame, [`Error::Memory`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`] for the frame,
+    /// [`crate::Error::Memory`].
     pub fn prepare(&self, frame: f64) -> Result<()> {
         check_frame(frame)?;
         let mut paths = self.nodes.iter().filter_map(Node::path);
@@ -84,7 +85,7 @@ impl Scene {
     /// The states of one node at the frames `first`, `first + step` and so on.
     ///
     /// # Errors
-    /// As [`Scene::evaluate`]; [`Error::Range`] for the node.
+    /// As [`Scene::evaluate`]; [`crate::Error::Range`] for the node.
     pub fn sample(
         &self,
         node: usize,
@@ -110,8 +111,8 @@ impl Scene {
     /// The numbers of a channel of a node at a frame, with or without a track.
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`] if there is no such channel,
-    /// [`Error::Memory`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`] if there is no such channel,
+    /// [`crate::Error::Memory`].
     pub fn value(
         &self,
         node: usize,
@@ -184,8 +185,8 @@ impl Scene {
     /// coordinates: as many as its mesh has.
     ///
     /// # Errors
-    /// [`Error::Range`], [`Error::Argument`] if it is no object or `out` does not
-    /// fit, [`Error::Memory`].
+    /// [`crate::Error::Range`], [`crate::Error::Argument`] if it is no object or `out` does not
+    /// fit, [`crate::Error::Memory`].
     pub fn vertices(
         &self,
         node: usize,
