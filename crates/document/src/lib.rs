@@ -35,7 +35,7 @@ pub use contents::Contents;
 pub use edit::Edit;
 pub use editing::{Document, Selection};
 pub use error::{Error, Result};
-pub use info::{Info, Object, ObjectPoint, Space};
+pub use info::{Info, Object, ObjectPoint};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
 

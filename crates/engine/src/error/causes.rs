@@ -86,6 +86,12 @@ pub enum Invalid {
     #[error("in the orientation mode barry-goldman a new key would change the views around it")]
     NoNewKey,
 
+    // The space.
+    #[error("the centre of the space must be finite")]
+    CentreNotFinite,
+    #[error("a single place has no size that a space could have")]
+    NoSize,
+
     // Views, rotations.
     #[error("every number of a view must be finite")]
     ViewNotFinite,
@@ -279,9 +285,17 @@ pub enum OutOfRange {
     #[error("the place is too near to a point of the path")]
     NearPoint,
 
+    // The space.
+    #[error("the half size of the space must lie between 1e-30 and 1e30")]
+    HalfSize,
+    #[error("the centre of the space must lie within 1e9 half sizes of the world's origin")]
+    Centre,
+    #[error("a coordinate must lie within 1e9 half sizes of the space's centre")]
+    FarFromCentre,
+    #[error("the distance ahead must lie between 0 and 1e9 half sizes of the space")]
+    DistanceAhead,
+
     // What is shown.
-    #[error("the scale must be greater than 0 and at most 1e9")]
-    Scale,
     #[error("the frames per second must be greater than 0 and at most 100000")]
     Fps,
     #[error("the zoom of a view must be positive and finite")]

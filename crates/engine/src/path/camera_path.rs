@@ -5,6 +5,7 @@
 use glam::DVec3;
 
 use super::own::{MayOwn, Tangents};
+use super::space::Space;
 use crate::error::{Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
@@ -75,10 +76,12 @@ impl Target {
     /// Finite, in range, and seen in some direction from `position`.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`] or [`crate::Error::Range`].
-    pub fn check(self, position: DVec3) -> Result<()> {
-        let (Self::Absolute(v) | Self::Relative(v)) = self;
-        check_coordinates(v)?;
+    /// [`Error::Argument`] or [`Error::Range`].
+    pub fn check(self, position: DVec3, space: Space) -> Result<()> {
+        match self {
+            Self::Absolute(target) => space.check_place(target)?,
+            Self::Relative(offset) => space.check_offset(offset)?,
+        }
         if self.offset_from(position) == DVec3::ZERO {
             return Err(Invalid::TargetOnCamera.into());
         }
@@ -105,10 +108,13 @@ pub struct Orientation {
     pub own: MayOwn,
 }
 
+/// What a new orientation looks along, in the space [−1, 1]³.
+const FIRST_OFFSET: DVec3 = DVec3::new(0.0, 0.0, -0.4);
+
 impl Default for Orientation {
     fn default() -> Self {
         Self {
-            target: Target::Relative(DVec3::new(0.0, 0.0, -0.4)),
+            target: Target::Relative(FIRST_OFFSET),
             roll: 0.0,
             zoom: 24.0,
             turning: Tcb::default(),
@@ -120,13 +126,22 @@ impl Default for Orientation {
 }
 
 impl Orientation {
+    /// As in a new path of a space: looks back along its third axis from upright.
+    #[must_use]
+    pub fn new_in(space: Space) -> Self {
+        Self {
+            target: Target::Relative(space.offset(FIRST_OFFSET)),
+            ..Self::default()
+        }
+    }
+
     /// Everything finite and in range. The view from `position` must have a
     /// direction.
     ///
     /// # Errors
-    /// [`crate::Error::Range`] or [`crate::Error::Argument`] with the reason.
-    pub fn check(&self, position: DVec3) -> Result<()> {
-        self.target.check(position)?;
+    /// [`Error::Range`] or [`Error::Argument`] with the reason.
+    pub fn check(&self, position: DVec3, space: Space) -> Result<()> {
+        self.target.check(position, space)?;
         if !self.roll.is_finite() {
             return Err(Invalid::NotFinite(Quantity::Roll).into());
         }
@@ -134,7 +149,7 @@ impl Orientation {
         self.turning.check()?;
         self.speeds.into_iter().try_for_each(check_speed)?;
         check_hold(self.hold)?;
-        self.own.check()
+        self.own.check(space)
     }
 
     /// View direction of a camera at `position`: a unit vector.
@@ -147,7 +162,8 @@ impl Orientation {
 /// A support point: a key position of the curve with its orientations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SupportPoint {
-    /// World coordinates, each of magnitude ≤ [`limits::MAX_COORDINATE`].
+    /// World coordinates, at most [`limits::MAX_COORDINATE`] half sizes from the
+    /// centre of the space.
     pub position: DVec3,
     /// A name for people; the engine does not read it.
     pub name: Option<String>,
@@ -206,7 +222,7 @@ impl SupportPoint {
 /// speed 50. Each finite and > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BaseSpeeds {
-    /// `move_speed`: frames for a way of length 1.
+    /// `move_speed`: frames for a way of one half size of the space.
     pub movement: f64,
     /// `orient_speed`: frames for turning the view by 180°.
     pub turning: f64,
@@ -279,6 +295,8 @@ pub struct CameraPath {
     pub zoom_mode: ZoomMode,
     /// The base speeds.
     pub speeds: BaseSpeeds,
+    /// Where it lies in the world.
+    pub space: Space,
 }
 
 /// The presets of thesis A.6.1.
@@ -328,6 +346,7 @@ impl CameraPath {
             orientation_mode: OrientationMode::default(),
             zoom_mode: ZoomMode::default(),
             speeds: BaseSpeeds::default(),
+            space: Space::default(),
         }
     }
 
@@ -370,6 +389,14 @@ impl CameraPath {
     /// # Errors
     /// The first one that does not, with its place.
     pub fn check(&self) -> Result<()> {
+        self.check_in(self.space)
+    }
+
+    /// As [`CameraPath::check`], if it lay in this space.
+    ///
+    /// # Errors
+    /// As [`CameraPath::check`].
+    pub fn check_in(&self, space: Space) -> Result<()> {
         if self.points.len() < limits::MIN_POINTS {
             return Err(OutOfRange::TooFewSupportPoints.into());
         }
@@ -380,9 +407,10 @@ impl CameraPath {
             preset.check()?;
         }
         check_speeds(self.speeds)?;
+        space.check()?;
         for (index, point) in self.points.iter().enumerate() {
             point
-                .check()
+                .check(space)
                 .map_err(|error| error.at(Place::Point(index + 1)))?;
         }
         Ok(())
@@ -417,8 +445,8 @@ impl SupportPoint {
     ///
     /// # Errors
     /// The first one that does not.
-    pub fn check(&self) -> Result<()> {
-        check_coordinates(self.position)?;
+    pub fn check(&self, space: Space) -> Result<()> {
+        space.check_place(self.position)?;
         if let Some(name) = &self.name {
             check_name(name).map_err(|error| error.at(Place::Name))?;
         }
@@ -431,7 +459,7 @@ impl SupportPoint {
         }
         if let Some(tangents) = self.tangents {
             tangents
-                .check()
+                .check(space)
                 .map_err(|error| error.at(Place::Tangents))?;
         }
         if self.orientations.is_empty() || self.orientations.len() > limits::MAX_ORIENTATIONS {
@@ -439,7 +467,7 @@ impl SupportPoint {
         }
         for (index, orientation) in self.orientations.iter().enumerate() {
             orientation
-                .check(self.position)
+                .check(self.position, space)
                 .map_err(|error| error.at(Place::Orientation(index + 1)))?;
         }
         Ok(())

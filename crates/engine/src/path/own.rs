@@ -10,8 +10,9 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
-use super::camera_path::{check_coordinates, check_speed};
+use super::camera_path::check_speed;
 use super::ease::Ease;
+use super::space::Space;
 use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate};
 use crate::limits;
 
@@ -28,10 +29,10 @@ impl Tangents {
     /// Finite, and small enough to compute with.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`] or [`crate::Error::Range`].
-    pub fn check(self) -> Result<()> {
-        check_coordinates(self.before)?;
-        check_coordinates(self.after)
+    /// [`Error::Argument`] or [`Error::Range`].
+    pub fn check(self, space: Space) -> Result<()> {
+        space.check_offset(self.before)?;
+        space.check_offset(self.after)
     }
 }
 
@@ -142,7 +143,8 @@ pub struct Velocities {
 /// one of them has changed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurningPart {
-    /// Control quaternions of the whole curve.
+    /// Control quaternions of the whole curve, in axes of which y stands upright
+    /// ([`super::Up::upright`]).
     pub control: [DQuat; 4],
     /// Share of its time where the part begins, 0 ≤ from < to.
     pub from: f64,
@@ -209,8 +211,8 @@ impl Own {
     /// Everything finite and in range.
     ///
     /// # Errors
-    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
-    pub fn check(&self) -> Result<()> {
+    /// [`Error::Range`] or [`Error::Argument`].
+    pub fn check(&self, space: Space) -> Result<()> {
         match &self.pace {
             Pace::Speeds => {}
             Pace::Part(part) => part.check()?,
@@ -218,7 +220,8 @@ impl Own {
             Pace::Distance(keys) => check_distance(keys)?,
         }
         check_frames(self.frames)?;
-        self.ahead.map_or(Ok(()), check_ahead)?;
+        self.ahead
+            .map_or(Ok(()), |distance| check_ahead(distance, space))?;
         if let Some(Velocities { reach, leave }) = self.velocities {
             check_rates(&[reach.to_array(), leave.to_array()].concat())?;
         }
@@ -280,15 +283,13 @@ pub fn check_frames(frames: u32) -> Result<()> {
 /// A distance along the way, ≥ 0.
 ///
 /// # Errors
-/// [`crate::Error::Range`] or [`crate::Error::Argument`].
-pub fn check_ahead(distance: f64) -> Result<()> {
+/// [`Error::Range`] or [`Error::Argument`].
+pub fn check_ahead(distance: f64, space: Space) -> Result<()> {
     if !distance.is_finite() {
         return Err(Invalid::NotFinite(Quantity::DistanceAhead).into());
     }
-    if !(0.0..=limits::MAX_COORDINATE).contains(&distance) {
-        return Err(
-            OutOfRange::Between(Quantity::DistanceAhead, 0.0, limits::MAX_COORDINATE).into(),
-        );
+    if !(0.0..=space.farthest()).contains(&distance) {
+        return Err(OutOfRange::DistanceAhead.into());
     }
     Ok(())
 }
