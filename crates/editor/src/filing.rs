@@ -94,6 +94,27 @@ impl Editor {
         }
     }
 
+    /// Loads the file that is open as it is by now.
+    pub(super) fn reload(&mut self) {
+        if let Some(file) = self.file.clone()
+            && let Err(text) = self.load_path(&file)
+        {
+            self.complain(text);
+        }
+    }
+
+    /// Saves under the known name, whatever is there; then goes on.
+    pub(super) fn overwrite(&mut self, then: Option<Then>) {
+        let Some(file) = self.file.clone() else {
+            return;
+        };
+        match (self.save_path(&file), then) {
+            (Ok(()), Some(then)) => self.go_on(then),
+            (Ok(()), None) => {}
+            (Err(text), _) => self.complain(text),
+        }
+    }
+
     /// A file was chosen. What hindered it is given back in words, for the
     /// window that asked.
     ///

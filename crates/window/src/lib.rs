@@ -148,7 +148,8 @@ const SMALLEST: [f32; 2] = [800.0, 600.0];
 /// Opens a window, and returns before anything is drawn.
 ///
 /// # Errors
-/// `ErrorKind::Display` if there is no X server, `ErrorKind::Memory`,
+/// `ErrorKind::Display` if there is no X server, `ErrorKind::Argument`
+/// if a window of the host's is none, `ErrorKind::Memory`,
 /// `ErrorKind::Limit` without descriptors.
 pub fn open(options: Options) -> Result<Id> {
     let mut editor = Editor::new(options.editor)?;
@@ -160,6 +161,8 @@ pub fn open(options: Options) -> Result<Id> {
         application: options.application.unwrap_or_else(program::name),
         size: SIZE,
         smallest: SMALLEST,
+        parent: options.parent,
+        transient_for: options.transient_for,
     })?;
     let window = window::Window::new(Box::new(screen), editor, title);
     let id = registry::insert(Box::new(window), options.host)?;

@@ -95,6 +95,11 @@ impl Connection {
         self.raw.stream().settle();
     }
 
+    /// The name that it was opened by.
+    pub(super) fn display(&self) -> &str {
+        &self.display
+    }
+
     /// Our screen.
     pub(super) fn screen(&self) -> &xproto::Screen {
         &self.raw.setup().roots[self.screen]
