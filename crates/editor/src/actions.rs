@@ -120,6 +120,8 @@ pub(super) enum Action {
     CopySpeeds([f64; SPEEDS]),
     /// Apply what waits in the curve window; true: and close it.
     ApplyCurve(bool),
+    /// Apply what waits in the space window; true: and close it.
+    ApplySpace(bool),
     /// Save, and then go on.
     SaveBefore(Then),
     /// Go on, whatever is lost.
@@ -162,6 +164,7 @@ impl Action {
                 | Self::Language(_)
                 | Self::CopySpeeds(_)
                 | Self::ApplyCurve(_)
+                | Self::ApplySpace(_)
                 | Self::SaveBefore(_)
                 | Self::GoOn(_)
                 | Self::Reload
@@ -290,6 +293,10 @@ impl Editor {
                 self.say(self.texts().speed_window.copied);
             }
             Action::ApplyCurve(closes) => CurveWindow::apply(self, closes),
+            Action::ApplySpace(closes) => {
+                SpaceWindow::apply(self, closes);
+                context.request_repaint();
+            }
             Action::SaveBefore(then) => self.save(Some(then)),
             Action::GoOn(then) => self.go_on(then),
             Action::Reload => self.reload(),

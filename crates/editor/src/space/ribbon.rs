@@ -102,7 +102,7 @@ impl Ribbon {
     /// Brings the poses up to date.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`], or [`vides_engine::Error::Limit`] if there are too
+    /// `ErrorKind::Memory`, or `ErrorKind::Limit` if there are too
     /// many frames; there is no ribbon then.
     pub(super) fn update(&mut self, document: &Document) -> Result<()> {
         let revision = document.revision();

@@ -5,9 +5,11 @@
 use egui::{Button, Grid, TextEdit, Ui, vec2};
 
 use super::{SubWindow, Windows, row_at_right, sub_window};
+use crate::actions::Action;
 use crate::document::Edit;
 use crate::number::{Entry, Number};
 use crate::path::{Space, Up};
+use crate::refusals;
 use crate::state::Editor;
 use crate::theme;
 
@@ -47,20 +49,24 @@ impl SubWindow for SpaceWindow {
         }
     }
 
-    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
+    fn show(
+        &mut self,
+        editor: &Editor,
+        context: &egui::Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
         // Undone, or another file: what waits was meant for the old one.
         if known(editor) != self.of {
             *self = Self::new(editor);
         }
         let texts = &editor.texts().space_window;
-        let mut done = false;
-        let stays = sub_window(context, Self::ID, texts.title, |ui| {
+        sub_window(context, Self::ID, texts.title, |ui| {
             Grid::new("space")
                 .num_columns(2)
                 .spacing(vec2(theme::GAP, theme::GAP))
-                .show(ui, |ui| self.fields(editor, ui));
+                .show(ui, |ui| self.fields(editor, ui, actions));
             ui.add_space(theme::GAP);
-            ui.horizontal(|ui| self.fitting(editor, ui));
+            ui.horizontal(|ui| self.fitting(editor, ui, actions));
             ui.add_space(theme::GAP);
             row_at_right(ui, &[texts.apply, texts.ok], BUTTON, |ui| {
                 let mut button = |text: &str, hint: &str| {
@@ -70,12 +76,10 @@ impl SubWindow for SpaceWindow {
                 let apply = button(texts.apply, texts.apply_hint);
                 let ok = button(texts.ok, texts.ok_hint);
                 if apply || ok {
-                    done = self.apply(editor) && ok;
-                    context.request_repaint();
+                    actions.push(Action::ApplySpace(ok));
                 }
             });
-        });
-        stays && !done
+        })
     }
 }
 
@@ -86,7 +90,7 @@ fn known(editor: &Editor) -> (Space, String) {
 }
 
 impl SpaceWindow {
-    fn fields(&mut self, editor: &mut Editor, ui: &mut Ui) {
+    fn fields(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let texts = &editor.texts().space_window;
         let name = |ui: &mut Ui, text: &str, hint: &str| {
             ui.horizontal(|ui| {
@@ -102,7 +106,7 @@ impl SpaceWindow {
                     .label(letter)
                     .hint(texts.centre_hint);
                 let id = format!("space.centre.{axis}");
-                self.number(editor, ui, number, &id, |space, value| {
+                self.number(editor, ui, number, &id, actions, |space, value| {
                     space.centre[axis] = value;
                 });
             }
@@ -112,7 +116,7 @@ impl SpaceWindow {
         ui.horizontal(|ui| {
             let number =
                 Number::new(texts.half_size, self.space.half_size).hint(texts.half_size_hint);
-            self.number(editor, ui, number, "space.half", |space, value| {
+            self.number(editor, ui, number, "space.half", actions, |space, value| {
                 space.half_size = value;
             });
             ui.label(texts.unit);
@@ -154,7 +158,7 @@ impl SpaceWindow {
     }
 
     /// The spaces that are found for object and path.
-    fn fitting(&mut self, editor: &mut Editor, ui: &mut Ui) {
+    fn fitting(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let texts = &editor.texts().space_window;
         let has_object = !editor.document.info().object.is_empty();
         let object = ui.add_enabled(has_object, Button::new(texts.to_object));
@@ -177,16 +181,20 @@ impl SpaceWindow {
                 };
                 self.fit = false;
             }
-            Err(error) => editor.complain_of(&error),
+            Err(error) => {
+                let text = refusals::reason_of(editor.language(), &error);
+                actions.push(Action::Complain(text));
+            }
         }
     }
 
     fn number(
         &mut self,
-        editor: &mut Editor,
+        editor: &Editor,
         ui: &mut Ui,
         number: Number<'_>,
         id: &str,
+        actions: &mut Vec<Action>,
         set: impl Fn(&mut Space, f64),
     ) {
         // What waits may be no space at all.
@@ -205,19 +213,22 @@ impl SpaceWindow {
                     self.space = before;
                 }
             }
-            Entry::Wrong(text) => editor.complain(text),
+            Entry::Wrong(text) => actions.push(Action::Complain(text)),
         }
     }
 
-    /// What waits becomes the document's, as one step. False: it was refused, and
-    /// nothing has changed.
-    fn apply(&mut self, editor: &mut Editor) -> bool {
+    /// What waits becomes the document's, as one step; `closes`: and the window closes,
+    /// unless it was refused.
+    pub(crate) fn apply(editor: &mut Editor, closes: bool) {
+        let Some(mut window) = editor.windows.space.take() else {
+            return;
+        };
         let edit = Edit::SetSpace {
-            space: self.space,
-            fit: self.fit,
+            space: window.space,
+            fit: window.fit,
         };
         let mut info = editor.document.info().clone();
-        info.unit.clone_from(&self.unit);
+        info.unit.clone_from(&window.unit);
         editor.message = None;
         editor.document.begin_step();
         let done = editor.edit(edit)
@@ -227,7 +238,9 @@ impl SpaceWindow {
         } else {
             editor.document.cancel_step();
         }
-        self.of = known(editor);
-        done
+        window.of = known(editor);
+        if !(closes && done) {
+            editor.windows.space = Some(window);
+        }
     }
 }
