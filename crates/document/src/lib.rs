@@ -18,6 +18,7 @@ mod contents;
 mod edit;
 mod editing;
 pub mod export;
+mod export_node;
 mod history;
 mod info;
 mod not_a_file;
@@ -32,6 +33,7 @@ pub mod vid;
 pub use contents::Contents;
 pub use edit::Edit;
 pub use editing::{Document, Selection};
+pub use export_node::write_node;
 pub use info::{Info, Object, ObjectPoint, Space};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;

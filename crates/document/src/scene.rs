@@ -8,7 +8,7 @@ use super::vid::{self, Comments};
 use crate::error::{Error, Result, can_allocate, message};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
-use vides_engine::scene::Scene;
+use vides_engine::scene::{FollowPath, Scene};
 
 /// A scene and what its file says besides. A file with a path alone is the scene
 /// of one camera on it, and the other way round.
@@ -103,6 +103,12 @@ impl SceneDocument {
     /// whole then. As [`SceneDocument::to_toml`].
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.to_toml()?.as_bytes())
+    }
+
+    /// The path, if one camera on it is all that there is.
+    #[must_use]
+    pub fn path_alone(&self) -> Option<&CameraPath> {
+        vid::alone(&self.scene).map(FollowPath::path)
     }
 
     /// A copy.
