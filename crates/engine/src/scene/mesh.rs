@@ -85,11 +85,24 @@ pub struct Shape {
     pub colours: Vec<[u8; 3]>,
 }
 
+/// The file that a mesh came from, which stands in its place where a scene is saved.
+/// Nothing here opens it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MeshSource {
+    /// Its name.
+    pub file: String,
+    /// How long it was.
+    pub bytes: u64,
+    /// A checksum of its bytes.
+    pub checksum: u64,
+}
+
 /// An object: its mesh, shapes with their weights, and deformations, each with
 /// its box (none: the bounds of the mesh at rest).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Object {
     mesh: Option<Arc<Mesh>>,
+    source: Option<Arc<MeshSource>>,
     bounds: Option<Bounds>,
     shapes: Vec<Arc<Shape>>,
     weights: Vec<f64>,
@@ -127,6 +140,24 @@ impl Object {
         }
         self.bounds = Some(Bounds::of(&mesh.points));
         self.mesh = Some(Arc::new(mesh));
+        self.source = None;
+        Ok(())
+    }
+
+    /// The file that the mesh came from, if that is kept in its place. The mesh is empty
+    /// where the file could not be read.
+    #[must_use]
+    pub fn source(&self) -> Option<&MeshSource> {
+        self.source.as_deref()
+    }
+
+    /// Sets the mesh that a file holds.
+    ///
+    /// # Errors
+    /// As [`Object::set_mesh`].
+    pub fn set_mesh_of(&mut self, source: MeshSource, mesh: Mesh) -> Result<()> {
+        self.set_mesh(mesh)?;
+        self.source = Some(Arc::new(source));
         Ok(())
     }
 
