@@ -74,6 +74,7 @@
  *                 says which
  * V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable
  *                 from now on, everything else goes on
+ * V_ERR_REFUSED   a user said no
  */
 #define V_OK 0
 #define V_ERR_NULL 1
@@ -89,6 +90,22 @@
 #define V_ERR_BUSY 11
 #define V_ERR_CLOSED 12
 #define V_ERR_INTERNAL 13
+#define V_ERR_REFUSED 14
+
+/**
+ * Why on_view is called: another point or orientation became current; something
+ * is being dragged or was changed; another frame was chosen; it plays; nothing
+ * moves any more (the last of a row of the others: time for the good picture).
+ */
+#define V_VIEW_SELECTED 0
+#define V_VIEW_EDITED 1
+#define V_VIEW_SCRUBBED 2
+#define V_VIEW_PLAYED 3
+#define V_VIEW_RESTED 4
+
+/** Which axis is up. */
+#define V_UP_Y 1
+#define V_UP_Z 2
 
 
 /* ---- Modes, see v_path_set_modes() ------------------------------------------- */
@@ -422,12 +439,8 @@ struct v_editor_options {
      * both
      */
     const V_PATH *path;
-    /**
-     * points of an object to be shown, copied; NULL with object_count 0: that
-     * of the path
-     */
-    const V_OBJEKT_LIST *object;
-    int object_count;
+    /** an object to be shown, copied; NULL: that of the path */
+    const V_MESH *object;
     /**
      * frames for a way of length 1 and so on, see v_path_set_base_frames(). All
      * 0: those of the path. Else they are the host's: the window keeps them and
@@ -457,10 +470,62 @@ struct v_editor_options {
     /** the host's, handed on to the callbacks */
     void *user;
     /**
+     * the movement space in the host's world: its centre, half of its edge, and
+     * which axis is up, V_UP_Y or V_UP_Z. Half size 0: that of file or path
+     */
+    double space_centre[3];
+    double space_half_size;
+    int space_up;
+    /**
+     * called with the camera at the playhead whenever that has changed, at most
+     * once for each picture of the window; what came meanwhile is one call. frame
+     * counts from 1. reason is one of V_VIEW_.... The pose is the library's and
+     * valid until it returns. After a call of more than 30 ms the next one waits
+     * as long; the last pose always comes. NULL: none
+     */
+    void (*on_view)(V_EDITOR *editor,
+                    const V_POSE *pose,
+                    double frame,
+                    int reason,
+                    void *user);
+    /**
+     * called when the path in the window has changed: after each step, undo and
+     * redo too, not while a drag goes on. NULL: none
+     */
+    void (*on_change)(V_EDITOR *editor, void *user);
+    /**
+     * "take over the view": the host fills in its own camera and returns 1; 0: it
+     * has none. vpn and vup of any length but 0, not parallel. NULL: that of
+     * v_editor_set_view() is taken
+     */
+    int (*on_capture)(V_EDITOR *editor, V_POSE *pose, void *user);
+    /**
+     * the camera pane opened, changed its size, or closed (window 0): an X window
+     * in which the host may make a child and draw. NULL: the editor draws itself
+     */
+    void (*on_pane)(V_EDITOR *editor,
+                    unsigned long window,
+                    int width,
+                    int height,
+                    void *user);
+    /**
+     * what the window calls the host's view, UTF-8, one line; NULL: "program"
+     */
+    const char *host_name;
+    /** an X window to live in; 0: a top-level window */
+    unsigned long parent;
+    /** the host's window that the editor's belongs to; 0: none */
+    unsigned long transient_for;
+    /**
      * what the program is called: the first half of WM_CLASS, by which a desktop
      * groups its windows, and unsaved work finds back to it; UTF-8; NULL: the name of the running program
      */
     const char *application;
+    /**
+     * not 0: after a hand-over nothing is unsaved. So it is without a file, too,
+     * and in a window of v_haupt()
+     */
+    int hand_over_saves;
 };
 
 typedef struct v_editor_options V_EDITOR_OPTIONS;
@@ -1687,10 +1752,9 @@ void v_editor_options_init_sized(V_EDITOR_OPTIONS *options, size_t size);
 /**
  * Opens an editor window and returns at once; how it is served then, see
  * v_fd(). options may be NULL for the defaults. *editor is the caller's, to be
- * freed with v_editor_close(). If the numbers of the object's points are not
- * 1, 2, 3 ..., the window says so.
+ * freed with v_editor_close().
  *
- * on_poses and on_close run on the thread that opened the window, inside the
+ * The callbacks run on the thread that opened the window, inside the
  * host's event loop, and may call any function of the library. They may come
  * while the host is in a modal dialog of its own, whose loop serves the window,
  * too. They return to their caller: no longjmp() and no exception may leave them. An exception that

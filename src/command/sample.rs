@@ -153,7 +153,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         document
             .scene
             .prepare(document.scene.frame_range().0)
-            .map_err(place)?;
+            .map_err(|error| place(error.into()))?;
         return write_out(out, &mut |out, progress| {
             let name = input::name(file);
             write_node(&document, node, format, out, progress).map_err(|error| error.at(name))

@@ -216,7 +216,7 @@ pub(super) fn register(text: &str) -> Result<(), Failure> {
         };
         status == 0
     };
-    Ok(host::register(name, Some(Arc::new(call)))?)
+    Ok(host::register(name, Some(Arc::new(call))).map_err(vides::Error::from)?)
 }
 
 /// What the dynamic loader says: it names the file.

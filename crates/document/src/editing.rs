@@ -343,7 +343,7 @@ impl Document {
     /// # Errors
     /// [`vides_engine::Error::Memory`].
     pub fn timeline<R>(&self, f: impl FnOnce(&Timeline) -> R) -> Result<R> {
-        self.plan.timeline(&self.content.path, f)
+        Ok(self.plan.timeline(&self.content.path, f)?)
     }
 
     /// Everything prepared for sampling.
@@ -352,7 +352,7 @@ impl Document {
     /// [`vides_engine::Error::Memory`], or [`vides_engine::Error::Limit`] if the path yields
     /// more than [`limits::MAX_FRAMES`] frames.
     pub fn sampler(&self) -> Result<&Sampler> {
-        self.plan.sampler(&self.content.path)
+        Ok(self.plan.sampler(&self.content.path)?)
     }
 
     /// The document in a `.vid` file.
@@ -363,7 +363,7 @@ impl Document {
     pub fn load(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
         let loaded = Self::from_toml(&text);
-        loaded.map_err(|error| error.at(file.display().to_string()))
+        loaded.map_err(|error| error.at(file.display()))
     }
 
     /// As [`Document::load`]; of a scene the path of the camera that is shown. To
@@ -374,7 +374,7 @@ impl Document {
     /// camera on a path.
     pub fn load_shown(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        Self::shown(&text).map_err(|error| error.at(file.display().to_string()))
+        Self::shown(&text).map_err(|error| error.at(file.display()))
     }
 
     /// As [`Document::load_shown`], of what `reader` gives; `name` stands for it in

@@ -10,7 +10,7 @@ use vides_engine::scene::{NodeState, Troubles};
 use super::blocks::{Progress, failed};
 use super::export::{Format, HEADER, push_json_pose, push_json_text};
 use super::{SceneDocument, ascii};
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Place, Result, TooMany, vec_with_room};
 use crate::limits::MAX_FRAMES;
 
 /// States that are evaluated and written at once.
@@ -39,10 +39,7 @@ pub fn write_node(
     let (first, last) = scene.frame_range();
     let all = (last - first).floor() as usize + 1;
     if all > MAX_FRAMES {
-        return Err(Error::Limit(message!(
-            "the scene has more than {0} frames",
-            MAX_FRAMES
-        )));
+        return Err(TooMany::SceneFrames.into());
     }
     let mut states = vec_with_room(BLOCK)?;
     states.resize(BLOCK.min(all), NodeState::default());
@@ -56,7 +53,7 @@ pub fn write_node(
         scene.sample(node, first + done as f64, 1.0, states, &mut troubles)?;
         if let Some(error) = troubles.into_error() {
             let name = scene.node(node)?.name.as_str();
-            return Err(error.at(message!("node \"{0}\"", name)));
+            return Err(error.at(Place::Node(name.into())).into());
         }
         for (at, state) in states.iter().enumerate() {
             let frame = first + (done + at) as f64;

@@ -6,10 +6,11 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::error::{Error, Message, Result, message};
+use crate::error::{OutOfRange, Place, TooMany};
 use crate::limits;
 use crate::path::Pose;
 use crate::path::camera_path::check_coordinates;
+use vides_engine::Result;
 
 /// Everything of a document that the engine does not read.
 #[derive(Debug, Clone, PartialEq)]
@@ -117,8 +118,8 @@ impl Space {
     /// [`Error::Range`], [`Error::Argument`] or [`Error::Limit`].
     pub fn check(&self) -> Result<()> {
         check_scale(self.scale)?;
-        check_coordinates(self.origin).map_err(|error| error.at(message!("the origin")))?;
-        check_line(&self.unit, message!("the unit"))
+        check_coordinates(self.origin).map_err(|error| error.at(Place::Origin))?;
+        check_line(&self.unit, Place::Unit)
     }
 }
 
@@ -157,19 +158,16 @@ impl Info {
     /// # Errors
     /// The first field that is not, with the reason.
     pub fn check(&self) -> Result<()> {
-        check_line(&self.title, message!("the title"))?;
+        check_line(&self.title, Place::Title)?;
         check_comment(&self.comment)?;
         check_fps(self.fps)?;
         self.space.check()?;
         if self.object.len() > limits::MAX_OBJECT_POINTS {
-            return Err(Error::Limit(message!(
-                "an object has at most {0} points",
-                limits::MAX_OBJECT_POINTS
-            )));
+            return Err(TooMany::ObjectPoints.into());
         }
         for (index, point) in self.object.iter().enumerate() {
             check_coordinates(point.position)
-                .map_err(|error| error.at(message!("object point {0}", index + 1)))?;
+                .map_err(|error| error.at(Place::ObjectPoint(index + 1)))?;
         }
         Ok(())
     }
@@ -178,9 +176,7 @@ impl Info {
 /// Scale of a space.
 pub(super) fn check_scale(scale: f64) -> Result<()> {
     if !(scale > 0.0 && scale <= limits::MAX_COORDINATE) {
-        return Err(Error::Range(message!(
-            "the scale must be greater than 0 and at most 1e9"
-        )));
+        return Err(OutOfRange::Scale.into());
     }
     Ok(())
 }
@@ -188,9 +184,7 @@ pub(super) fn check_scale(scale: f64) -> Result<()> {
 /// Frames per second that a film can have.
 pub(super) fn check_fps(fps: f64) -> Result<()> {
     if !(fps > 0.0 && fps <= limits::MAX_FPS) {
-        return Err(Error::Range(message!(
-            "the frames per second must be greater than 0 and at most 100000"
-        )));
+        return Err(OutOfRange::Fps.into());
     }
     Ok(())
 }
@@ -198,17 +192,14 @@ pub(super) fn check_fps(fps: f64) -> Result<()> {
 /// A comment: not too long.
 pub(super) fn check_comment(comment: &str) -> Result<()> {
     if comment.len() > limits::MAX_COMMENT_BYTES {
-        return Err(Error::Limit(message!(
-            "the comment has at most {0} bytes",
-            limits::MAX_COMMENT_BYTES
-        )));
+        return Err(TooMany::CommentBytes.into());
     }
     Ok(())
 }
 
 /// A text that stands on one line: no control characters, not too long.
-pub(super) fn check_line(text: &str, what: Message) -> Result<()> {
-    crate::path::camera_path::check_name(text).map_err(|error| error.at(what))
+pub(super) fn check_line(text: &str, place: Place) -> Result<()> {
+    crate::path::camera_path::check_name(text).map_err(|error| error.at(place))
 }
 
 /// A copy of a text, or [`Error::Memory`].

@@ -17,6 +17,7 @@ mod change;
 mod contents;
 mod edit;
 mod editing;
+pub mod error;
 pub mod export;
 mod export_node;
 mod history;
@@ -29,10 +30,12 @@ mod scene;
 mod target;
 #[doc(hidden)]
 pub mod vid;
+mod wireframe;
 
 pub use contents::Contents;
 pub use edit::Edit;
 pub use editing::{Document, Selection};
+pub use error::{Error, Result};
 pub use export_node::write_node;
 pub use info::{Info, Object, ObjectPoint, Space};
 #[doc(hidden)]
@@ -41,4 +44,4 @@ pub use not_a_file::NotAFile;
 pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;
 
-use vides_engine::{error, limits, math, path};
+use vides_engine::{limits, math, path};

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::info::Info;
 use super::vid::{self, Comments};
-use crate::error::{Error, Result, can_allocate, message};
+use crate::error::{Error, Result, can_allocate};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
 use vides_engine::scene::{FollowPath, Scene};
@@ -49,7 +49,7 @@ impl SceneDocument {
     /// reason if its contents are not what they should be.
     pub fn load(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, MAX_FILE_BYTES)?;
-        Self::from_toml(&text).map_err(|error| error.at(file.display().to_string()))
+        Self::from_toml(&text).map_err(|error| error.at(file.display()))
     }
 
     /// The scene in what `reader` gives, to its end; `name` stands for it in
@@ -88,10 +88,7 @@ impl SceneDocument {
     pub fn to_toml(&self) -> Result<String> {
         let text = vid::scene_to_toml(&self.scene, &self.info, &self.comments)?;
         if text.len() as u64 > MAX_FILE_BYTES {
-            return Err(Error::Limit(message!(
-                "the file is larger than the {0} MiB that are read",
-                MAX_FILE_BYTES >> 20
-            )));
+            return Err(Error::FileTooLarge(MAX_FILE_BYTES >> 20));
         }
         Ok(text)
     }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::error::{Error, Result, message};
+use crate::error::{Refused, Result};
 use crate::limits::MAX_COORDINATE;
 use crate::path::Target;
 
@@ -47,9 +47,7 @@ fn seen_along(offset: DVec3, position: DVec3) -> Result<DVec3> {
     while target.abs().max_element() > MAX_COORDINATE {
         offset *= 0.5;
         if offset.abs().max_element() < least {
-            return Err(Error::Range(message!(
-                "a target in this direction would lie further out than 1e9"
-            )));
+            return Err(Refused::TargetTooFar.into());
         }
         target = position + offset;
     }

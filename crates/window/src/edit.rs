@@ -6,8 +6,8 @@
 use std::path::Path;
 use std::rc::Rc;
 
-use crate::document::Document;
-use crate::editor::{self, Folders};
+use crate::document::{self, Document};
+use crate::editor::{self, Folders, Warnings};
 use crate::error::{Error, Result};
 use crate::path::Sampler;
 use crate::{Gone, Host, Id, Options, document_of, main_loop, open, own_program};
@@ -34,15 +34,18 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
             fixed_speeds: false,
             folders: Folders::of_environment(),
             program: own_program(),
+            host_view: editor::HostView::default(),
         },
         display: None,
         application: None,
-        warning: None,
+        parent: None,
+        transient_for: None,
+        warnings: Warnings::default(),
         host: Rc::new(Nobody),
     })?;
     match main_loop()?.lost {
         None => Ok(()),
-        Some(lost) => Err(Error::Display(lost.why.into())),
+        Some(lost) => Err(Error::Lost(lost.why)),
     }
 }
 
@@ -50,7 +53,7 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
 struct Nobody;
 
 impl Host for Nobody {
-    fn prepare(&self, _: Id, _: &Sampler) -> Result<()> {
+    fn prepare(&self, _: Id, _: &Sampler) -> document::Result<()> {
         Ok(())
     }
 

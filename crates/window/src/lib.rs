@@ -10,6 +10,7 @@
 mod descriptors;
 mod edit;
 mod ending;
+mod error;
 mod hint;
 mod lookout;
 mod program;
@@ -33,16 +34,17 @@ use std::time::Duration;
 
 use vides_document as document;
 pub use vides_editor as editor;
-use vides_engine::{error, inject, path};
+use vides_engine::{inject, path};
 use vides_raster as raster;
 use vides_x11 as x11;
 
 use crate::document::Document;
-use crate::editor::Editor;
-use crate::error::{Error, Message, Result};
-use crate::path::Sampler;
+use crate::editor::{Editor, Warnings};
+use crate::path::{Pose, Sampler};
 
 pub use edit::edit;
+pub use editor::Reason;
+pub use error::{Error, Result};
 pub use program::{host_program, own_program};
 pub use pump::{dispatch, main_loop};
 pub use registry::{Lost, is_open, within_a_call};
@@ -56,13 +58,43 @@ pub trait Host {
     ///
     /// # Errors
     /// Shown in the window; what the host has is as it was.
-    fn prepare(&self, window: Id, sampler: &Sampler) -> Result<()>;
+    fn prepare(&self, window: Id, sampler: &Sampler) -> document::Result<()>;
 
     /// Calls the host with the poses that were made ready last.
     fn hand_over(&self, window: Id);
 
     /// Asks the host whether the window may close.
     fn may_close(&self, window: Id) -> bool;
+
+    /// Whether [`Host::view`] is to be called at all.
+    fn watches(&self) -> bool {
+        false
+    }
+
+    /// Calls the host with the camera at the playhead, at a frame from 1, after that
+    /// has changed: at most once for each picture of the window.
+    fn view(&self, window: Id, pose: &Pose, frame: f64, reason: Reason) {
+        let _ = (window, pose, frame, reason);
+    }
+
+    /// Calls the host after each step that has changed the path, undo and redo too;
+    /// not while a drag goes on.
+    fn changed(&self, window: Id) {
+        let _ = window;
+    }
+
+    /// Asks the host for its own camera, which the user wants to take over; vectors
+    /// of any length. `None`: it has none.
+    fn capture(&self, window: Id) -> Option<Pose> {
+        let _ = window;
+        None
+    }
+
+    /// Calls the host when the camera pane opened or changed its size, in pixels:
+    /// an X window for it to draw in. 0: the pane closed.
+    fn pane(&self, window: Id, pane: u32, size: [u32; 2]) {
+        let _ = (window, pane, size);
+    }
 
     /// A window is about to be gone for this reason, which nobody was told yet.
     /// Calls no host code.
@@ -97,9 +129,12 @@ pub struct Options {
     pub display: Option<String>,
     /// What the program is called; the name of the running one if none.
     pub application: Option<String>,
-    /// A sentence that stands in the output field at first: what was wrong
-    /// with the host's arguments.
-    pub warning: Option<Message>,
+    /// An X window to live in; none: a top-level window.
+    pub parent: Option<u32>,
+    /// The host's X window that this one belongs to.
+    pub transient_for: Option<u32>,
+    /// What was wrong with the host's arguments; stands in the output field at first.
+    pub warnings: Warnings,
     /// Its owner.
     pub host: Rc<dyn Host>,
 }
@@ -117,9 +152,7 @@ const SMALLEST: [f32; 2] = [800.0, 600.0];
 /// [`vides_engine::Error::Limit`] without descriptors.
 pub fn open(options: Options) -> Result<Id> {
     let mut editor = Editor::new(options.editor)?;
-    if let Some(warning) = options.warning {
-        editor.warn(&warning);
-    }
+    editor.warn(&options.warnings);
     let title = editor.window_title();
     let screen = x11::Window::open(&x11::Options {
         display: options.display,
@@ -143,9 +176,9 @@ pub fn open(options: Options) -> Result<Id> {
 ///
 /// # Errors
 /// Those of [`Document::load`].
-pub fn document_of(file: &Path) -> Result<Document> {
+pub fn document_of(file: &Path) -> document::Result<Document> {
     match Document::load(file) {
-        Err(Error::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
+        Err(document::Error::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
             Document::try_new()
         }
         loaded => loaded,

@@ -6,8 +6,8 @@ use std::time::Instant;
 
 use egui::{PlatformOutput, RawInput};
 
-use crate::error::Result;
 use crate::raster::{Area, Target};
+use crate::x11::Result;
 use crate::x11::{News, Window};
 
 /// See the methods of [`Window`].

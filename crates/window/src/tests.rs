@@ -18,10 +18,10 @@ use super::window::Window;
 use super::{Gone, Host, Id, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
 use crate::document::Document;
 use crate::editor::{Editor, Folders, Language, Options};
-use crate::error::{Error, Result};
+use crate::error::EngineError;
 use crate::path::Sampler;
 use crate::raster::{Area, Target};
-use crate::x11::News;
+use crate::x11::{Error, News, Result};
 
 /// What a fake screen does, from outside.
 struct Remote {
@@ -34,11 +34,9 @@ struct Remote {
     dropped: Cell<bool>,
     raised: Cell<bool>,
     deadline: Cell<Option<Instant>>,
-    /// What the hand did since the last pass, and how many passes there were.
+    /// Input since the last pass, and how many passes there were.
     events: RefCell<Vec<egui::Event>>,
     passes: Cell<usize>,
-    /// How often egui ran.
-    runs: Cell<usize>,
     /// Pixels across and down, and those that were shown last.
     size: Cell<[u32; 2]>,
     shown: RefCell<Vec<u32>>,
@@ -60,9 +58,11 @@ impl Remote {
     }
 
     fn hand(&self, event: egui::Event) {
+        let motion = matches!(event, egui::Event::PointerMoved(_));
         self.events.borrow_mut().push(event);
         self.send(News {
-            input: true,
+            input: !motion,
+            motion,
             shown: true,
             ..News::default()
         });
@@ -100,7 +100,7 @@ impl Screen for Fake {
         let _ = self.ours.read(&mut [0; 64]);
         match self.remote.fails.get() {
             Fails::No => {}
-            Fails::Gone => return Err(Error::Display("the X server went away".into())),
+            Fails::Gone => return Err(Error::Destroyed),
             Fails::Panics => panic!("on purpose"),
             Fails::Floods => {
                 return Ok(News {
@@ -152,7 +152,6 @@ impl Screen for Fake {
     }
 
     fn take_output(&mut self, _: PlatformOutput) -> Result<()> {
-        self.remote.runs.set(self.remote.runs.get() + 1);
         Ok(())
     }
 
@@ -185,9 +184,9 @@ struct Calls {
 }
 
 impl Host for Calls {
-    fn prepare(&self, _: Id, _: &Sampler) -> Result<()> {
+    fn prepare(&self, _: Id, _: &Sampler) -> crate::document::Result<()> {
         if self.refuses.get() {
-            return Err(Error::Memory);
+            return Err(EngineError::Memory.into());
         }
         Ok(())
     }
@@ -219,6 +218,7 @@ impl Host for Calls {
 const CLOSE: News = News {
     close: true,
     input: false,
+    motion: false,
     shown: true,
     new_buffer: false,
     more: false,
@@ -238,7 +238,6 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         deadline: Cell::new(None),
         events: RefCell::default(),
         passes: Cell::new(0),
-        runs: Cell::new(0),
         size: Cell::new([64, 64]),
         shown: RefCell::default(),
     });
@@ -252,6 +251,7 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         fixed_speeds: true,
         folders: Folders::default(),
         program: crate::host_program(false),
+        host_view: crate::editor::HostView::default(),
     })
     .expect("an editor");
     let screen = Fake {
@@ -452,10 +452,10 @@ fn a_lost_screen_takes_its_window_alone() {
     let lost = served.lost.expect("told");
     assert_eq!(
         (lost.why.as_str(), lost.fault),
-        ("the X server went away", false)
+        ("the window was closed from outside", false)
     );
     assert_eq!((first.closed.get(), first.asked.get()), (1, 0));
-    assert_eq!(*first.lost.borrow(), ["the X server went away"]);
+    assert_eq!(*first.lost.borrow(), ["the window was closed from outside"]);
     assert!(one.dropped.get() && is_open(id));
     close(id);
 }

@@ -18,6 +18,7 @@ mod connect;
 mod connection;
 mod core_keymap;
 mod cursor;
+mod error;
 mod events;
 mod icon;
 mod incoming;
@@ -60,15 +61,15 @@ use x11rb::connection::{Connection as _, RequestConnection as _};
 use x11rb::protocol::xproto::ImageOrder;
 use x11rb::resource_manager::Database;
 
-use vides_engine::{error, inject, limits};
+use vides_engine::{inject, limits};
 use vides_raster as raster;
 
-use crate::error::{Error, Message, Result, sentence};
 use crate::raster::{Area, Target};
 use clipboard::{Clipboard, Selection};
 pub use connect::without_signals;
 use connection::Connection;
 use cursor::Cursors;
+pub use error::{Cause, Error, Result};
 use keyboard::Keyboard;
 use pixels::Layout;
 use pointer::Pointer;
@@ -106,6 +107,9 @@ pub struct Options {
 pub struct News {
     /// There is input, or the size or the scale changed: egui should run.
     pub input: bool,
+    /// The pointer moved, and nothing else: egui may run a little later, and take
+    /// several motions at once.
+    pub motion: bool,
     /// The user or the window manager wants the window to be closed.
     pub close: bool,
     /// The frame that was in flight has arrived: another may be shown.
@@ -153,7 +157,7 @@ pub struct Window {
     news: News,
     opened: Instant,
     /// Why there is no window any more.
-    lost: Option<Message>,
+    lost: Option<Error>,
 }
 
 /// Who gives the window the keyboard.
@@ -176,9 +180,8 @@ impl Window {
     pub fn open(options: &Options) -> Result<Self> {
         let connection = Connection::open(options.display.as_deref())?;
         let setup = connection.setup();
-        let visual = visual::choose(setup, connection.screen()).ok_or_else(|| {
-            connection.unfit("the screen shows no true colours, which are needed")
-        })?;
+        let visual = visual::choose(setup, connection.screen())
+            .ok_or_else(|| connection.unfit(Cause::NoTrueColour))?;
         let layout = Layout::new(&visual, setup.image_byte_order == ImageOrder::MSB_FIRST);
         connection.maximum_request_bytes(); // asked for long ago; now it is known
         window::watch_desktop(&connection)?;
@@ -233,7 +236,10 @@ impl Window {
         let result = self.drain();
         self.noted(result)?;
         let mut news = std::mem::take(&mut self.news);
-        news.input |= self.events.len() > before;
+        let added = self.events.get(before..).unwrap_or_default();
+        let is_motion = |event: &egui::Event| matches!(event, egui::Event::PointerMoved(_));
+        news.motion |= added.iter().any(is_motion);
+        news.input |= !added.iter().all(is_motion);
         // What was covered meanwhile may be on its way once more.
         news.shown &= self.surface.is_free();
         Ok(news)
@@ -420,7 +426,7 @@ impl Window {
     /// Nothing is asked of a server that is gone.
     fn alive(&self) -> Result<()> {
         match &self.lost {
-            Some(reason) => Err(Error::Display(reason.clone())),
+            Some(error) => Err(error.clone()),
             None => Ok(()),
         }
     }
@@ -428,7 +434,7 @@ impl Window {
     /// Keeps in mind that the window is gone.
     fn noted(&mut self, result: Result<()>) -> Result<()> {
         if let Err(error) = &result {
-            self.lost = Some(sentence(format_args!("{error}")));
+            self.lost = Some(error.clone());
         }
         result
     }

@@ -121,7 +121,7 @@ fn make(connection: &Connection, visual: &Visual, options: &Options, scale: f32)
         .create_gc(context, window, &values)
         .map_err(lost)?;
     if !connection.done(Ok(made))? {
-        return Err(Error::Display("the X server makes no window".into()));
+        return Err(Error::NoWindow);
     }
     Ok(Frame {
         window,

@@ -294,7 +294,7 @@ fn pieces(curve: &Cubic, stray: f64, viewport: &mut Vec<(f64, DVec3)>) -> Result
         .map(|v| v.abs().max_element())
         .into_iter()
         .fold(0.0, f64::max);
-    tessellate(curve, stray.max(size * 1e-6), viewport)
+    Ok(tessellate(curve, stray.max(size * 1e-6), viewport)?)
 }
 
 /// Points without those that are seen nearer than `merge` to the last one kept;

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::error::{Error, Result, message};
+use crate::error::{Invalid, Result};
 use crate::path::camera_path::check_coordinates;
 
 /// A box along the axes.
@@ -21,9 +21,7 @@ impl Bounds {
         check_coordinates(min)?;
         check_coordinates(max)?;
         if min.cmpgt(max).any() {
-            return Err(Error::Argument(message!(
-                "the box must not end before it begins"
-            )));
+            return Err(Invalid::BoxEnds.into());
         }
         Ok(Self { min, max })
     }

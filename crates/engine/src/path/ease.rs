@@ -10,7 +10,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::camera_path::check_speed;
-use crate::error::{Error, Result, message};
+use crate::error::{OutOfRange, Result};
 
 /// How the speed rises and falls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,9 +45,7 @@ impl Ease {
             && self.fall >= 0.0
             && self.rise + self.fall <= 1.0 + 4.0 * f64::EPSILON;
         if !fits {
-            return Err(Error::Range(message!(
-                "the shares of time for speeding up and slowing down must not be negative, and together not exceed 1"
-            )));
+            return Err(OutOfRange::EaseShares.into());
         }
         check_speed(self.cruise)
     }

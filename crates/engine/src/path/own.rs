@@ -12,7 +12,7 @@ use glam::{DQuat, DVec3};
 
 use super::camera_path::{check_coordinates, check_speed};
 use super::ease::Ease;
-use crate::error::{Error, Result, can_allocate, message};
+use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate};
 use crate::limits;
 
 /// With which derivatives the curve passes a point, per segment parameter.
@@ -109,23 +109,16 @@ pub enum Pace {
 /// [`Error::Range`] or [`Error::Argument`].
 pub fn check_distance(keys: &[[f64; 2]]) -> Result<()> {
     if keys.len() < 2 || keys.len() > limits::MAX_DISTANCE_KEYS {
-        return Err(Error::Range(message!(
-            "a given distance has between 2 and {0} keys",
-            limits::MAX_DISTANCE_KEYS
-        )));
+        return Err(OutOfRange::DistanceKeys.into());
     }
     if !keys.as_flattened().iter().all(|number| number.is_finite()) {
-        return Err(Error::Argument(message!(
-            "the keys of a given distance must be finite numbers"
-        )));
+        return Err(Invalid::DistanceNotFinite.into());
     }
     let rising = keys
         .windows(2)
         .all(|pair| pair[1][0] - pair[0][0] >= LEAST_STEP && pair[1][1] > pair[0][1]);
     if !rising || keys[0] != [0.0, 0.0] || keys[keys.len() - 1] != [1.0, 1.0] {
-        return Err(Error::Range(message!(
-            "the keys of a given distance must lead from 0, 0 to 1, 1, with both numbers increasing"
-        )));
+        return Err(OutOfRange::DistanceOrder.into());
     }
     Ok(())
 }
@@ -165,9 +158,7 @@ impl TurningPart {
     pub fn check(&self) -> Result<()> {
         let unit = |q: &DQuat| q.is_finite() && (q.length() - 1.0).abs() < 1e-6;
         if !self.control.iter().all(unit) {
-            return Err(Error::Argument(message!(
-                "the control quaternions of a turning must have length 1"
-            )));
+            return Err(Invalid::ControlNotUnit.into());
         }
         check_part(self.from, self.to)
     }
@@ -178,9 +169,7 @@ fn check_part(from: f64, to: f64) -> Result<()> {
     if 0.0 <= from && from < to && to <= 1.0 {
         return Ok(());
     }
-    Err(Error::Range(message!(
-        "a part must begin and end between 0 and 1, its end after its start"
-    )))
+    Err(OutOfRange::Part.into())
 }
 
 /// What an orientation may have of its own.
@@ -283,10 +272,7 @@ impl Own {
 /// [`Error::Range`].
 pub fn check_frames(frames: u32) -> Result<()> {
     if frames as usize > limits::MAX_FRAMES {
-        return Err(Error::Range(message!(
-            "a section has at most {0} frames",
-            limits::MAX_FRAMES
-        )));
+        return Err(OutOfRange::SectionFrames.into());
     }
     Ok(())
 }
@@ -297,14 +283,12 @@ pub fn check_frames(frames: u32) -> Result<()> {
 /// [`Error::Range`] or [`Error::Argument`].
 pub fn check_ahead(distance: f64) -> Result<()> {
     if !distance.is_finite() {
-        return Err(Error::Argument(message!(
-            "the distance ahead must be a finite number"
-        )));
+        return Err(Invalid::NotFinite(Quantity::DistanceAhead).into());
     }
     if !(0.0..=limits::MAX_COORDINATE).contains(&distance) {
-        return Err(Error::Range(message!(
-            "the distance ahead must lie between 0 and 1e9"
-        )));
+        return Err(
+            OutOfRange::Between(Quantity::DistanceAhead, 0.0, limits::MAX_COORDINATE).into(),
+        );
     }
     Ok(())
 }
@@ -316,15 +300,10 @@ pub fn check_ahead(distance: f64) -> Result<()> {
 pub fn check_rates(rates: &[f64]) -> Result<()> {
     for rate in rates {
         if !rate.is_finite() {
-            return Err(Error::Argument(message!(
-                "a velocity or slope must be a finite number"
-            )));
+            return Err(Invalid::NotFinite(Quantity::Rate).into());
         }
         if rate.abs() > limits::MAX_RATE {
-            return Err(Error::Range(message!(
-                "a velocity or slope must not exceed {0}",
-                limits::MAX_RATE
-            )));
+            return Err(OutOfRange::Exceeds(Quantity::Rate, limits::MAX_RATE).into());
         }
     }
     Ok(())

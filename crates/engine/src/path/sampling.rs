@@ -12,7 +12,7 @@ use super::orientation_curve::{self, Key, turnings};
 use super::pose::Pose;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::timeline::{Change, Timeline};
-use crate::error::{Error, Result, message, try_box, vec_with_room};
+use crate::error::{OutOfRange, Result, try_box, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_ZOOM, MIN_ZOOM};
 use crate::math::{monotone_cubic, orientation};
 
@@ -207,9 +207,7 @@ impl Sampler {
     pub fn sample(&self, first: usize, poses: &mut [Pose]) -> Result<()> {
         let inside = first >= 1 && first <= self.frames + 1;
         if !inside || poses.len() > self.frames + 1 - first {
-            return Err(Error::Range(message!(
-                "a frame must lie between 1 and the number of frames"
-            )));
+            return Err(OutOfRange::FrameOfPath.into());
         }
         let mut scratch = Scratch::new(poses.len());
         let mut rest = poses;
@@ -253,9 +251,7 @@ impl Sampler {
     #[allow(clippy::cast_precision_loss)]
     pub fn pose(&self, frame: f64) -> Result<Pose> {
         if !(frame >= 1.0 && frame <= self.frames as f64) {
-            return Err(Error::Range(message!(
-                "a frame must lie between 1 and the number of frames"
-            )));
+            return Err(OutOfRange::FrameOfPath.into());
         }
         let index = self
             .sections

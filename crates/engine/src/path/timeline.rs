@@ -11,7 +11,7 @@ use super::dispatch;
 use super::hermite::Cubic;
 use super::speed_curve::SpeedCurve;
 use super::timing::{Timing, facing};
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Result, TooMany, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_FRAMES, MAX_ZOOM, MIN_ZOOM};
 use crate::math::{orientation, quaternion};
 
@@ -218,9 +218,7 @@ impl Timeline {
     /// [`Error::Limit`] if there are more than [`MAX_FRAMES`].
     pub fn frame_count(&self) -> Result<usize> {
         if self.frames > MAX_FRAMES {
-            return Err(Error::Limit(message!(
-                "the path would yield more than 100000000 frames; lower the base speeds"
-            )));
+            return Err(TooMany::Frames.into());
         }
         Ok(self.frames)
     }

@@ -11,7 +11,7 @@ use super::node::{Kind, Node, Values};
 use super::scene::Scene;
 use super::state::{NodeState, Troubles};
 use super::vertices::Form;
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, OutOfRange, Place, Result, vec_with_room};
 use crate::math::orientation::view_from_quaternion;
 use crate::path::Pose;
 
@@ -61,11 +61,11 @@ impl Scene {
     ) -> Result<()> {
         check_frame(frame)?;
         if states.len() != self.nodes.len() {
-            return Err(Error::Range(message!(
-                "{0} nodes need as many states, not {1}",
-                self.nodes.len(),
-                states.len()
-            )));
+            return Err(OutOfRange::States {
+                nodes: self.nodes.len(),
+                given: states.len(),
+            }
+            .into());
         }
         self.run(&self.order, frame, states, troubles, Search::Back)
     }
@@ -95,7 +95,7 @@ impl Scene {
     ) -> Result<()> {
         self.node(node)?;
         check_frame(first)?;
-        check_frame(step).map_err(|error| error.at(message!("the step")))?;
+        check_frame(step).map_err(|error| error.at(Place::Step))?;
         check_frame(first + step * states.len().saturating_sub(1) as f64)?;
         let chain = self.chain(node)?;
         let mut scratch = self.scratch()?;
@@ -132,11 +132,11 @@ impl Scene {
                 return Ok(out);
             }
             (Channel::Value { .. }, None) => {
-                return Err(Error::Argument(message!(
-                    "\"{0}\" has no channel \"{1}\"",
-                    node.name.as_str(),
-                    channel.to_string()
-                )));
+                return Err(Invalid::NoChannelOfNode {
+                    node: (&node.name).into(),
+                    channel: (&channel).into(),
+                }
+                .into());
             }
             _ => {}
         }
@@ -196,11 +196,11 @@ impl Scene {
         let form = self.form(node, frame, troubles)?;
         let count = self.mesh_points(node)?;
         if out.len() != count {
-            return Err(Error::Range(message!(
-                "{0} points need as much room, not {1}",
-                count,
-                out.len()
-            )));
+            return Err(OutOfRange::PointRoom {
+                points: count,
+                given: out.len(),
+            }
+            .into());
         }
         form.points(out);
         Ok(())
@@ -282,7 +282,7 @@ impl Scene {
                 None => (own, values.visible),
             };
             if !world.is_finite() {
-                troubles.add(|| message!("its place is too far away or too large to be computed"));
+                troubles.add(|| Invalid::PlaceTooFar);
                 (world, seen) = (DAffine3::IDENTITY, false);
             }
             let mut pose = Pose::default();

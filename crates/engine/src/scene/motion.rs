@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::node::Values;
 use super::state::Troubles;
 use super::time::{Beyond, within};
-use crate::error::{Error, Result, message};
+use crate::error::{Invalid, OutOfRange, Quantity, Result};
 use crate::limits::MAX_COORDINATE;
 use crate::math::orientation::quaternion_from_view;
 use crate::path::{CameraPath, Plan, Pose};
@@ -45,9 +45,7 @@ impl FollowPath {
         path.check()?;
         check_frame(start_frame)?;
         if beyond == Beyond::Offset {
-            return Err(Error::Argument(message!(
-                "a path holds, repeats or goes back and forth; it has no repeat with offset"
-            )));
+            return Err(Invalid::PathWithOffset.into());
         }
         let plan = Plan::new();
         let count = plan.timeline(&path, super::super::path::Timeline::frame_count)??;
@@ -149,10 +147,10 @@ impl Motion for FollowPath {
 /// [`Error::Argument`] or [`Error::Range`].
 pub fn check_frame(frame: f64) -> Result<()> {
     if !frame.is_finite() {
-        return Err(Error::Argument(message!("a frame must be a finite number")));
+        return Err(Invalid::NotFinite(Quantity::Frame).into());
     }
     if frame.abs() > MAX_COORDINATE {
-        return Err(Error::Range(message!("a frame must not exceed 1e9")));
+        return Err(OutOfRange::Exceeds(Quantity::Frame, MAX_COORDINATE).into());
     }
     Ok(())
 }
