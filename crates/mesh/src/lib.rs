@@ -65,6 +65,12 @@ pub enum Error {
     /// The reader was told to stop.
     #[error("reading was stopped")]
     Stopped,
+    /// The ending of the file's name is none of [`Format`]'s.
+    #[error("the names of files with meshes end in .obj, .ply or .stl")]
+    UnknownFormat,
+    /// A warning: the file is not the one that a scene was saved with.
+    #[error("the mesh has changed since the scene was saved")]
+    Changed,
     /// What was read is no mesh of the engine's: too large, or not finite.
     #[error(transparent)]
     Mesh(#[from] vides_engine::Error),

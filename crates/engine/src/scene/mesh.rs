@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::deform::{Bounds, Deformation};
-use crate::error::{Invalid, OutOfRange, Place, Result, TooMany};
+use crate::error::{Invalid, OutOfRange, Place, Result, TooMany, can_allocate};
 use crate::limits::{
     MAX_COORDINATE, MAX_DEFORMATIONS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SHAPES,
 };
@@ -125,10 +125,12 @@ impl Object {
     /// not fit its points.
     pub fn set_mesh(&mut self, mesh: Mesh) -> Result<()> {
         mesh.check()?;
-        if !self.shapes.is_empty() && mesh.points.len() != self.mesh().points.len() {
+        if let Some(shape) = self.shapes.first()
+            && mesh.points.len() != shape.points.len()
+        {
             return Err(Invalid::MeshOfShapes {
                 given: mesh.points.len(),
-                wanted: self.mesh().points.len(),
+                wanted: shape.points.len(),
             }
             .into());
         }
@@ -145,13 +147,14 @@ impl Object {
         self.source.as_deref()
     }
 
-    /// Sets the mesh that a file holds.
+    /// Says which file the mesh came from, or will come from where it is empty; none: it
+    /// is the object's own.
     ///
     /// # Errors
-    /// As [`Object::set_mesh`].
-    pub fn set_mesh_of(&mut self, source: MeshSource, mesh: Mesh) -> Result<()> {
-        self.set_mesh(mesh)?;
-        self.source = Some(Arc::new(source));
+    /// [`Error::Memory`].
+    pub fn set_source(&mut self, source: Option<MeshSource>) -> Result<()> {
+        can_allocate(256)?;
+        self.source = source.map(Arc::new);
         Ok(())
     }
 
@@ -192,7 +195,12 @@ impl Object {
         if self.shapes.len() >= MAX_SHAPES {
             return Err(TooMany::Shapes.into());
         }
-        let count = self.mesh().points.len();
+        // Where the mesh lies in a file that was not read, shapes agree with each other.
+        let count = match self.shapes.first() {
+            Some(other) => other.points.len(),
+            None if self.source.is_some() && self.mesh().points.is_empty() => shape.points.len(),
+            None => self.mesh().points.len(),
+        };
         let colours = shape.colours.len();
         if shape.points.len() != count || (colours != 0 && colours != count) {
             return Err(OutOfRange::ShapePoints {
