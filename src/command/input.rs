@@ -9,7 +9,7 @@ use std::path::Path;
 use vides::document::{Document, SceneDocument};
 use vides::error::reason;
 
-use super::Failure;
+use super::{Failure, complain, one_line};
 
 /// Loads a path; `-` is standard input.
 pub(super) fn load(file: &Path) -> Result<Document, Failure> {
@@ -21,10 +21,14 @@ pub(super) fn load(file: &Path) -> Result<Document, Failure> {
 
 /// Loads a scene, which a path alone is too.
 pub(super) fn load_scene(file: &Path) -> Result<SceneDocument, Failure> {
-    match stream(file)? {
-        Some(mut stream) => Ok(SceneDocument::load_from(&mut stream, &name(file))?),
-        None => Ok(SceneDocument::load(file)?),
+    let document = match stream(file)? {
+        Some(mut stream) => SceneDocument::load_from(&mut stream, &name(file))?,
+        None => SceneDocument::load(file)?,
+    };
+    for warning in document.warnings() {
+        complain(&one_line(&format!("{}: {warning}", name(file))));
     }
+    Ok(document)
 }
 
 /// What is read from one end to the other. `vides info <(make-a-path)`: the library
