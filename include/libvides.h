@@ -442,8 +442,8 @@ struct v_editor_options {
     /** an object to be shown, copied; NULL: that of the path */
     const V_MESH *object;
     /**
-     * frames for a way of length 1 and so on, see v_path_set_base_frames(). All
-     * 0: those of the path. Else they are the host's: the window keeps them and
+     * frames for a way of one half size and so on, see v_path_set_base_frames().
+     * All 0: those of the path. Else they are the host's: the window keeps them and
      * ignores a loaded file's
      */
     double move_frames;
@@ -500,8 +500,16 @@ struct v_editor_options {
      */
     int (*on_capture)(V_EDITOR *editor, V_POSE *pose, void *user);
     /**
-     * the camera pane opened, changed its size, or closed (window 0): an X window
-     * in which the host may make a child and draw. NULL: the editor draws itself
+     * the camera pane opened, changed its size in pixels, or closed (window 0, sizes
+     * 0). The host draws in it what the camera sees, and again at each Expose: in a
+     * child of any visual that it makes there, which is kept at the pane's size, or
+     * in the pane itself, which is of the screen's own visual. A pane is never
+     * destroyed while the process lives. When it closes it is unmapped, a child in
+     * it is put out to the root window, unmapped, and then this is called; when the
+     * editor closes, after its window is gone, in v_editor_close() too. Then the
+     * editor's handle may be freed already; at the end of a thread nobody is called.
+     * On a server without XFIXES or SHAPE there is no pane. NULL: the editor draws
+     * itself
      */
     void (*on_pane)(V_EDITOR *editor,
                     unsigned long window,
@@ -512,9 +520,17 @@ struct v_editor_options {
      * what the window calls the host's view, UTF-8, one line; NULL: "program"
      */
     const char *host_name;
-    /** an X window to live in; 0: a top-level window */
+    /**
+     * an X window of the display to live in, of any depth: the editor is its child
+     * and fills it; 0: a top-level window. If it is destroyed, or the editor's window
+     * is put out to the root, the editor is closed without asking on_close, and what
+     * was unsaved is offered at the next start. V_ERR_ARGUMENT if it is no window
+     */
     unsigned long parent;
-    /** the host's window that the editor's belongs to; 0: none */
+    /**
+     * the host's window that the editor's belongs to, above which a window manager
+     * keeps it; 0: none. V_ERR_ARGUMENT if it is no window
+     */
     unsigned long transient_for;
     /**
      * what the program is called: the first half of WM_CLASS, by which a desktop
@@ -931,6 +947,7 @@ int v_path_set_absolute(V_PATH *path, int point, int at, int absolute);
  * distance  0: along the tangent; greater: at the place so far ahead on the
  *     curve, behind the end of which it looks on straight; less: no longer
  *     ahead, but in the direction in which it looked, as an offset. At most 1e9
+ *     half sizes of the space
  * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
@@ -941,8 +958,9 @@ int v_path_set_ahead(V_PATH *path, int point, int at, double distance);
 
 /**
  * Sets how many poses a path has at speed 50, each finite and > 0: for a way of
- * length 1 (move), for turning by 180 degrees (turn), for the zoom from 1 to 100
- * (zoom), for rolling by 90 degrees (roll). v_haupt() calls them its speeds.
+ * one half size of its space (move), for turning by 180 degrees (turn), for the
+ * zoom from 1 to 100 (zoom), for rolling by 90 degrees (roll). v_haupt() calls
+ * them its speeds.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
  */
 int v_path_set_base_frames(V_PATH *path,
@@ -1050,6 +1068,48 @@ int v_path_set_first_frame(V_PATH *path, int number);
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_first_frame(const V_PATH *path, int *number);
+
+
+/* ---- Where a path lies ------------------------------------------------------- */
+
+/**
+ * The movement space is a cube in the host's world: its centre, half the length of
+ * its edge, and the axis that stands upright (V_UP_Y, V_UP_Z). All places,
+ * offsets, tangents and lengths of a path are the world's own numbers; only base
+ * frames count ways in half sizes, and so do the distances below which nothing
+ * moves, so that they mean the same in metres and in angstroms. A new path has
+ * (0, 0, 0), 1 and V_UP_Y.
+ *
+ * Sets the space; the path's numbers stay what they are. The half size is from
+ * 1e-30 to 1e30; centre, points and targets may be up to 1e9 half sizes away.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a
+ * number that is not finite), V_ERR_RANGE.
+ */
+int v_path_set_space(V_PATH *path,
+                     const double centre[3],
+                     double half_size,
+                     int up);
+
+/**
+ * The space of a path. Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ */
+int v_path_get_space(const V_PATH *path,
+                     double centre[3],
+                     double *half_size,
+                     int *up);
+
+/**
+ * How an orientation must be to look as a camera does in a pose, such as the
+ * host's own: relative, target the pose's vpn, and its roll and zoom; all else in
+ * *orientation stays, so that v_orientation_init() must have filled it in before.
+ * up is the upright axis of the path that it is for (V_UP_Y, V_UP_Z). vpn and vup
+ * may have any length but zero; vup need not be perpendicular to vpn, but not
+ * parallel.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE (zoom, up).
+ */
+int v_orientation_from_pose(const V_POSE *pose, int up, V_ORIENTATION *orientation);
 
 
 /* ---- Kind of the curve, tangents --------------------------------------------- */

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 21] = [
     "status",
     "types",
     "legacy",
@@ -15,6 +15,7 @@ const SOURCES: [&str; 20] = [
     "points",
     "orientations",
     "settings",
+    "space",
     "shape",
     "pace",
     "curve",

@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use vides::document::export::{self, Options, Progress};
+use vides::document::export::{self, Progress};
 use vides::document::save::save_with;
 use vides::document::{Document, Edit, write_node};
 
@@ -26,11 +26,6 @@ pub(super) struct Arguments {
     /// How the poses are written
     #[arg(long, value_enum, default_value_t)]
     format: Format,
-
-    /// Writes positions in the file's own world (its [space]: origin + scale ×
-    /// position) instead of the movement space
-    #[arg(long)]
-    world: bool,
 
     /// A node of a scene, at each of the scene's frames: cameras and lights as
     /// poses, others as matrices (16 numbers, column by column)
@@ -71,7 +66,7 @@ impl From<Format> for export::Format {
 #[derive(Args)]
 #[command(next_help_heading = "Base speeds, instead of the file's; each > 0")]
 struct Speeds {
-    /// Frames for a way of length 1 at speed 50
+    /// Frames for a way of half the space's size at speed 50
     #[arg(long, value_name = "FRAMES", value_parser = base_speed, allow_negative_numbers = true)]
     move_frames: Option<f64>,
 
@@ -163,12 +158,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     arguments.speeds.apply(&mut document).map_err(place)?;
     // Too many frames is a fault of the path: told before any file is touched.
     document.sampler().map_err(place)?;
-    let options = Options {
-        format: arguments.format.into(),
-        world: arguments.world,
-    };
+    let format = arguments.format.into();
     write_out(out, &mut |out, progress| {
-        export::write(&document, options, out, progress)
+        export::write(&document, format, out, progress)
     })
 }
 

@@ -36,7 +36,7 @@ impl<T> Counted<T> {
     /// The first owner of a value.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub(super) fn try_new(value: T) -> Result<Self> {
         // SAFETY: a block is never of size zero: it holds the count.
         let room = unsafe { alloc(Layout::new::<Block<T>>()) }.cast::<Block<T>>();

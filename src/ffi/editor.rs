@@ -15,6 +15,7 @@ use super::host_loop;
 use super::object::wireframe;
 use super::path::{keep, read};
 use super::pointers::{self, Growing, Out, check, file_name, init, read_growing};
+use super::space::up_from_c;
 use super::status::{
     Answer, Failure, V_ERR_ARGUMENT, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_ERR_RANGE, V_OK,
 };
@@ -23,7 +24,7 @@ use crate::document::{Document, Edit};
 use crate::editor::{self, Language};
 use crate::error::{Result, complain, vec_with_room};
 use crate::instance::{self, Gone, Host, Id};
-use crate::path::{BaseSpeeds, Pose, Sampler};
+use crate::path::{BaseSpeeds, Pose, Sampler, Space};
 
 /// All windows that C holds.
 static EDITORS: Handles<Opened, V_EDITOR> = Handles::new(KIND_EDITOR);
@@ -164,6 +165,7 @@ pub unsafe extern "C" fn v_editor_open(
                 poses: RefCell::default(),
                 on_poses: options.on_poses,
                 on_close: options.on_close,
+                on_pane: options.on_pane,
                 user: options.user,
             },
         )?;
@@ -215,6 +217,16 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             instance::document_of(name)?
         }
     };
+    if options.space_half_size != 0.0 {
+        let space = Space {
+            centre: options.space_centre.into(),
+            half_size: options.space_half_size,
+            up: up_from_c(options.space_up)?,
+        };
+        // A new path lies in the space as it does in its own; others have numbers.
+        let fit = options.path.is_null() && document.read_contents().is_none();
+        document.apply(Edit::SetSpace { space, fit })?;
+    }
     // SAFETY: the caller's word.
     let object = unsafe { wireframe(options.object) }?;
     if !object.is_empty() {
@@ -270,6 +282,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             host_view: editor::HostView {
                 name: host_name,
                 captures: options.on_capture.is_some(),
+                fills_pane: options.on_pane.is_some(),
             },
         },
         display,
@@ -427,10 +440,12 @@ struct Callbacks {
     poses: RefCell<Vec<Pose>>,
     on_poses: Option<OnPoses>,
     on_close: Option<OnClose>,
+    on_pane: Option<OnPane>,
     user: *mut c_void,
 }
 
 type OnPoses = unsafe extern "C" fn(*mut V_EDITOR, *const V_POSE, usize, *mut c_void);
+type OnPane = unsafe extern "C" fn(*mut V_EDITOR, c_ulong, c_int, c_int, *mut c_void);
 type OnClose = unsafe extern "C" fn(*mut V_EDITOR, *mut c_void) -> c_int;
 
 impl Host for Callbacks {
@@ -470,6 +485,24 @@ impl Host for Callbacks {
             };
             answer != 0
         })
+    }
+
+    fn pane(&self, _: Id, pane: u32, size: [u32; 2]) {
+        let Some(on_pane) = self.on_pane else {
+            return;
+        };
+        let (handle, user) = (self.handle.get(), self.user);
+        let [width, height] = size.map(|side| c_int::try_from(side).unwrap_or(c_int::MAX));
+        // SAFETY: the host's function.
+        unsafe {
+            enter!("on_pane", on_pane(
+                handle => *mut V_EDITOR,
+                c_ulong::from(pane) => c_ulong,
+                width => c_int,
+                height => c_int,
+                user => *mut c_void,
+            ) -> ());
+        }
     }
 
     fn lost(&self, why: &str) {

@@ -169,7 +169,7 @@ fn rounded(zoom: f64) -> c_int {
 /// the poses number n, n + 1, … (counted from 1).
 ///
 /// # Errors
-/// Those of `fill`, [`Error::Memory`]; the old list is then as it was.
+/// Those of `fill`, `ErrorKind::Memory`; the old list is then as it was.
 ///
 /// # Safety
 /// `first` points to an element of the host's. If its number is not negative,

@@ -388,7 +388,7 @@ pub unsafe extern "C" fn v_scene_add_node(
     })
 }
 
-/// A text, or [`Error::Memory`]; one that is too long is refused before.
+/// A text, or `ErrorKind::Memory`; one that is too long is refused before.
 pub(super) fn copy(text: &str) -> Result<String> {
     crate::path::camera_path::check_name(text)?;
     let mut copy = String::new();

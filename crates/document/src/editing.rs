@@ -13,7 +13,7 @@ use super::prepare;
 use super::vid::{self, Comments};
 use crate::error::Result;
 use crate::limits;
-use crate::path::{CameraPath, Plan, Sampler, Timeline};
+use crate::path::{CameraPath, Plan, Sampler, Space, Timeline};
 
 /// The current point and its current orientation, counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -81,7 +81,7 @@ impl Document {
     /// As [`Document::new`] where memory may run out.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn try_new() -> Result<Self> {
         Ok(Self::with(CameraPath::try_new()?, Info::default()))
     }
@@ -93,7 +93,7 @@ impl Document {
     /// [`Info`] demand, with its place.
     pub fn from_parts(mut path: CameraPath, mut info: Info) -> Result<Self> {
         prepare::normalise(&mut path)?;
-        info.check()?;
+        info.check(path.space)?;
         info.normalise();
         Ok(Self::with(path, info))
     }
@@ -140,7 +140,7 @@ impl Document {
     /// A copy with the same selection, without the history.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn try_clone(&self) -> Result<Self> {
         let path = self.content.path.try_clone()?;
         let mut copy = Self::with(path, self.content.info.try_clone()?);
@@ -193,7 +193,7 @@ impl Document {
     /// cannot be undone by itself and leaves the document unmodified.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Range`] if there is no such point or orientation.
+    /// `ErrorKind::Range` if there is no such point or orientation.
     pub fn select(&mut self, point: usize, orientation: usize) -> Result<()> {
         prepare::orientation(&self.content.path, point, orientation)?;
         self.selection = Selection::at(point, orientation);
@@ -341,7 +341,7 @@ impl Document {
     /// Lengths and frames, brought up to date.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn timeline<R>(&self, f: impl FnOnce(&Timeline) -> R) -> Result<R> {
         Ok(self.plan.timeline(&self.content.path, f)?)
     }
@@ -349,16 +349,42 @@ impl Document {
     /// Everything prepared for sampling.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`], or [`vides_engine::Error::Limit`] if the path yields
+    /// `ErrorKind::Memory`, or `ErrorKind::Limit` if the path yields
     /// more than [`limits::MAX_FRAMES`] frames.
     pub fn sampler(&self) -> Result<&Sampler> {
         Ok(self.plan.sampler(&self.content.path)?)
     }
 
+    /// The smallest space that holds the object, with a tenth to spare.
+    ///
+    /// # Errors
+    /// As [`Space::around`].
+    pub fn space_around_object(&self) -> Result<Space> {
+        let object = self.content.info.object.iter();
+        Ok(Space::around(
+            object.map(|point| point.position),
+            self.path().space.up,
+        )?)
+    }
+
+    /// The smallest space that holds the path's curve, with a tenth to spare.
+    ///
+    /// # Errors
+    /// As [`Space::around`]; [`vides_engine::Error::Memory`].
+    pub fn space_around_path(&self) -> Result<Space> {
+        self.timeline(|timeline| {
+            // So near to one another that what lies between is spared for.
+            let along = (0..timeline.segment_count()).flat_map(|segment| {
+                (0..=16).map(move |k| timeline.curve(segment).point(f64::from(k) / 16.0))
+            });
+            Ok(Space::around(along, self.path().space.up)?)
+        })?
+    }
+
     /// The document in a `.vid` file.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Io`] if it cannot be read; [`vides_engine::Error::Format`] with
+    /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with
     /// file, line and reason if its contents are not what they should be.
     pub fn load(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
@@ -370,7 +396,7 @@ impl Document {
     /// save it to the same file would lose the rest.
     ///
     /// # Errors
-    /// As [`Document::load`]; [`vides_engine::Error::Argument`] if the scene has no
+    /// As [`Document::load`]; `ErrorKind::Argument` if the scene has no
     /// camera on a path.
     pub fn load_shown(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
@@ -417,7 +443,7 @@ impl Document {
     /// The document in the text of a `.vid` file.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Format`] with line and reason.
+    /// `ErrorKind::Format` with line and reason.
     pub fn from_toml(text: &str) -> Result<Self> {
         let (path, info) = vid::from_toml(text)?;
         Self::from_parts(path, info)?.read_from(text)
@@ -428,7 +454,7 @@ impl Document {
     /// Loading it gives the same document, bit by bit.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn to_toml(&self) -> Result<String> {
         let content = &self.content;
         vid::to_toml(&content.path, &content.info, &content.comments)
@@ -438,7 +464,7 @@ impl Document {
     /// [`Document::mark_saved`] when it is the file being edited.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Io`] with the file and what the system said; the old
+    /// `ErrorKind::Io` with the file and what the system said; the old
     /// file is whole then.
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.to_toml()?.as_bytes())

@@ -148,7 +148,7 @@ pub enum Refused {
         orientation + 1
     )]
     OnTarget { point: usize, orientation: usize },
-    #[error("a target in this direction would lie further out than 1e9")]
+    #[error("a target in this direction would lie further out than 1e9 half sizes")]
     TargetTooFar,
     #[error("this scene has no camera on a path")]
     NoCamera,
@@ -219,6 +219,11 @@ pub enum Malformed {
     OneOf(&'static [&'static str]),
     #[error("both {0} and {1} must be given")]
     Both(&'static str, &'static str),
+
+    #[error("a space is given by centre and half_size, and all numbers are the world's")]
+    Space,
+    #[error("this must stand before the first point or node")]
+    BehindPoints,
 
     // Paths.
     #[error("the presets are numbered 0 to 9")]

@@ -38,7 +38,7 @@ pub use edit::Edit;
 pub use editing::{Document, Selection};
 pub use error::{Error, Result};
 pub use export_node::write_node;
-pub use info::{Info, Object, ObjectPoint, Space};
+pub use info::{Info, Object, ObjectPoint};
 pub use mesh_file::load_mesh;
 #[doc(hidden)]
 pub use not_a_file::NotAFile;

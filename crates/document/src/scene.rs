@@ -41,7 +41,7 @@ impl SceneDocument {
     /// One camera on the path that a new window begins with.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn try_new() -> Result<Self> {
         Ok(Self {
             scene: Scene::of_path(CameraPath::try_new()?)?,
@@ -54,7 +54,7 @@ impl SceneDocument {
     /// The scene in a `.vid` file.
     ///
     /// # Errors
-    /// [`Error::Io`] if it cannot be read; [`Error::Format`] with file, line and
+    /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with file, line and
     /// reason if its contents are not what they should be.
     pub fn load(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, MAX_FILE_BYTES)?;
@@ -90,10 +90,10 @@ impl SceneDocument {
     /// The scene in the text of a `.vid` file. Files of meshes are not read.
     ///
     /// # Errors
-    /// [`Error::Format`] with line and reason.
+    /// `ErrorKind::Format` with line and reason.
     pub fn from_toml(text: &str) -> Result<Self> {
         let (scene, mut info) = vid::scene_from_toml(text)?;
-        info.check()?;
+        info.check(scene.space())?;
         info.normalise();
         let comments = match vid::alone(&scene) {
             Some(_) => Comments::of(text)?,
@@ -110,7 +110,7 @@ impl SceneDocument {
     /// The text of a `.vid` file. Loading it gives the same scene, bit by bit.
     ///
     /// # Errors
-    /// [`Error::Memory`]; [`Error::Limit`] if it is longer than what is read.
+    /// `ErrorKind::Memory`; `ErrorKind::Limit` if it is longer than what is read.
     pub fn to_toml(&self) -> Result<String> {
         self.text(None)
     }
@@ -126,7 +126,7 @@ impl SceneDocument {
     /// Saves as a `.vid` file, atomically and durably ([`super::save`]).
     ///
     /// # Errors
-    /// [`Error::Io`] with the file and what the system said; the old file is
+    /// `ErrorKind::Io` with the file and what the system said; the old file is
     /// whole then. As [`SceneDocument::to_toml`].
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.text(Some(folder_of(file)))?.as_bytes())
@@ -141,7 +141,7 @@ impl SceneDocument {
     /// A copy.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn try_clone(&self) -> Result<Self> {
         let info = self.info.try_clone()?;
         can_allocate(self.scene.weight())?;

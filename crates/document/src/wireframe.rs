@@ -10,8 +10,8 @@ impl Object {
     /// with neither its points.
     ///
     /// # Errors
-    /// As [`Mesh::check`]; [`Error::Limit`] for a wireframe of more than
-    /// [`limits::MAX_OBJECT_POINTS`]; [`Error::Memory`].
+    /// As [`Mesh::check`]; `ErrorKind::Limit` for a wireframe of more than
+    /// [`limits::MAX_OBJECT_POINTS`]; `ErrorKind::Memory`.
     pub fn of_mesh(mesh: &Mesh) -> Result<Self> {
         mesh.check()?;
         let mut edges = vec_with_room(3 * mesh.triangles.len())?;

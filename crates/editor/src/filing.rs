@@ -94,6 +94,27 @@ impl Editor {
         }
     }
 
+    /// Loads the file that is open as it is by now.
+    pub(super) fn reload(&mut self) {
+        if let Some(file) = self.file.clone()
+            && let Err(text) = self.load_path(&file)
+        {
+            self.complain(text);
+        }
+    }
+
+    /// Saves under the known name, whatever is there; then goes on.
+    pub(super) fn overwrite(&mut self, then: Option<Then>) {
+        let Some(file) = self.file.clone() else {
+            return;
+        };
+        match (self.save_path(&file), then) {
+            (Ok(()), Some(then)) => self.go_on(then),
+            (Ok(()), None) => {}
+            (Err(text), _) => self.complain(text),
+        }
+    }
+
     /// A file was chosen. What hindered it is given back in words, for the
     /// window that asked.
     ///
@@ -204,11 +225,8 @@ impl Editor {
     pub(super) fn write_poses(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
         let mut count = 0;
-        let options = export::Options {
-            format: export::Format::of_file(file),
-            ..export::Options::default()
-        };
-        match export::write_file(&self.document, options, file, &mut |done, _| count = done) {
+        let format = export::Format::of_file(file);
+        match export::write_file(&self.document, format, file, &mut |done, _| count = done) {
             Ok(()) => {
                 self.say(fill(texts.output.written, &[&count, &short(file)]));
                 Ok(())

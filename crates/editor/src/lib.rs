@@ -18,6 +18,7 @@ mod filing;
 mod folders;
 mod fonts;
 mod frame;
+mod host_pane;
 #[cfg(any(test, fuzzing))]
 pub mod hostile;
 mod keys;
@@ -52,6 +53,7 @@ use vides_engine::{limits, math, path};
 use vides_raster as raster;
 
 pub use folders::Folders;
+pub use host_pane::HostPane;
 pub use program::{Date, Program};
 pub use state::{Editor, HostView, Options, Reason, Request};
 pub use texts::Language;

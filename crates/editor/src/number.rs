@@ -2,7 +2,7 @@
 //! by Tab to be typed into.
 //!
 //! Enter and Tab apply what was typed, with a comma or a point as the decimal
-//! sign; Escape leaves the old value, also while dragging. What is no number,
+//! sign; Escape leaves the old value, also while dragging. What is not a number,
 //! or lies outside the range, is a message and leaves the old value. Arrow up
 //! and down go by one step. While dragging, Shift makes it ten times finer.
 //!
@@ -21,23 +21,38 @@ use egui::{
 use super::texts::{Language, fill};
 use super::theme;
 
-/// What a hand did to a number.
+/// What the user did to a number.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Entry {
+pub(super) enum Entry<T = f64> {
     /// Nothing.
     Idle,
     /// A drag begins: from here on all is one step.
     Begin,
     /// The value while it is dragged.
-    Drag(f64),
+    Drag(T),
     /// The drag is over.
     End,
     /// The drag was broken off: the value before it is wanted.
     Cancel,
     /// A value was typed.
-    Set(f64),
+    Set(T),
     /// What was typed is no good, in words.
     Wrong(String),
+}
+
+impl Entry {
+    /// The same of what the value stands for.
+    pub(super) fn map<T>(self, to: impl FnOnce(f64) -> T) -> Entry<T> {
+        match self {
+            Self::Idle => Entry::Idle,
+            Self::Begin => Entry::Begin,
+            Self::Drag(value) => Entry::Drag(to(value)),
+            Self::End => Entry::End,
+            Self::Cancel => Entry::Cancel,
+            Self::Set(value) => Entry::Set(to(value)),
+            Self::Wrong(text) => Entry::Wrong(text),
+        }
+    }
 }
 
 /// A number to be shown.

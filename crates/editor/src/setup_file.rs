@@ -1,7 +1,8 @@
 //! The setup file (thesis A.5): colours, what is shown, from where.
 //!
 //! TOML, as `.vid` files are, and read as strictly: an unknown key is refused
-//! with its line. What is not given is as in a new window.
+//! with its line. What is not given is as in a new window. Not by `serde`: what it
+//! finds wrong are English sentences, which cannot be said in German.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -40,7 +41,7 @@ const VIEW_KEYS: [&str; 4] = ["rotation_degrees", "tilt_degrees", "size", "shift
 /// Reads a setup.
 ///
 /// # Errors
-/// [`Error::Io`]; [`Error::Format`] with file, line and reason.
+/// `ErrorKind::Io`; `ErrorKind::Format` with file, line and reason.
 pub(super) fn load(file: &Path) -> Result<Setup> {
     let text = read_text(file, MAX_BYTES)?;
     from_toml(&text).map_err(|error| error.at(file.display()))
@@ -49,7 +50,7 @@ pub(super) fn load(file: &Path) -> Result<Setup> {
 /// Saves a setup, atomically; makes the folder if need be.
 ///
 /// # Errors
-/// [`Error::Io`].
+/// `ErrorKind::Io`.
 pub(super) fn write(file: &Path, setup: &Setup) -> Result<()> {
     write_text(file, &to_toml(setup))
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use super::actions::Action;
 use super::filing::Then;
 use super::folders::Folders;
+use super::host_pane::HostPane;
 use super::number::Entry;
 use super::program::Program;
 use super::recovery::Keeper;
@@ -49,6 +50,8 @@ pub struct HostView {
     pub name: Option<String>,
     /// The host can be asked for it.
     pub captures: bool,
+    /// The host draws what the camera sees.
+    pub fills_pane: bool,
 }
 
 /// Why the host is told of the camera at the playhead.
@@ -91,6 +94,8 @@ pub struct Editor {
     pub(super) program: Program,
     /// The host's own view.
     pub(super) host_view: HostView,
+    /// Where the host draws it.
+    pub(super) host_pane: Option<HostPane>,
     /// What the file contained when it was read or written last; none if there was none.
     pub(super) known: Option<Contents>,
     /// The state that the host has by a hand-over after which nothing is unsaved.
@@ -135,7 +140,7 @@ impl Editor {
     /// A window's contents as it opens.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn new(options: Options) -> Result<Self> {
         let known = options.document.read_contents();
         let mut editor = Self {
@@ -150,6 +155,7 @@ impl Editor {
             folders: options.folders,
             program: options.program,
             host_view: options.host_view,
+            host_pane: None,
             copied: None,
             last_folder: None,
             waiting: None,
@@ -276,12 +282,12 @@ impl Editor {
 
     /// Does what was entered into a [`Number`](super::number::Number): one entry
     /// or one drag is one step to be taken back.
-    pub(super) fn enter(&mut self, entry: Entry, edit: impl FnOnce(f64) -> Edit) {
+    pub(super) fn enter(&mut self, entry: Entry<Edit>) {
         match entry {
             Entry::Idle => {}
             Entry::Begin => self.document.begin_step(),
-            Entry::Drag(value) | Entry::Set(value) => {
-                self.edit(edit(value));
+            Entry::Drag(edit) | Entry::Set(edit) => {
+                self.edit(edit);
             }
             Entry::End => self.document.end_step(),
             Entry::Cancel => self.document.cancel_step(),
@@ -322,16 +328,22 @@ impl Editor {
         self.point()?.orientations.get(at)
     }
 
+    /// The edit that changes the current orientation.
+    pub(super) fn orientation_edit(&self, change: impl FnOnce(&mut Orientation)) -> Option<Edit> {
+        let at = self.document.selection();
+        let mut orientation = self.orientation()?.clone();
+        change(&mut orientation);
+        Some(Edit::SetOrientation {
+            point: at.point,
+            at: at.orientation,
+            orientation,
+        })
+    }
+
     /// Changes the current orientation.
     pub(super) fn set_orientation(&mut self, change: impl FnOnce(&mut Orientation)) {
-        let at = self.document.selection();
-        if let Some(mut orientation) = self.orientation().cloned() {
-            change(&mut orientation);
-            self.edit(Edit::SetOrientation {
-                point: at.point,
-                at: at.orientation,
-                orientation,
-            });
+        if let Some(edit) = self.orientation_edit(change) {
+            self.edit(edit);
         }
     }
 

@@ -36,7 +36,7 @@ impl Descriptors {
     /// Both, close-on-exec.
     ///
     /// # Errors
-    /// [`Error::Limit`] where the system gives no more descriptors.
+    /// `ErrorKind::Limit` where the system gives no more descriptors.
     pub(super) fn new() -> Result<Self> {
         // SAFETY: a system call without pointers.
         let epoll = unsafe { owned(libc::epoll_create1(libc::EPOLL_CLOEXEC)) }?;

@@ -17,7 +17,7 @@ use crate::{Gone, Host, Id, Options, document_of, main_loop, open, own_program};
 /// name. Other windows of the calling thread are served meanwhile.
 ///
 /// # Errors
-/// [`Error::Display`] without an X server or if it goes away; those of
+/// `ErrorKind::Display` without an X server or if it goes away; those of
 /// [`Document::load`].
 pub fn edit(file: Option<&Path>) -> Result<()> {
     let document = match file {

@@ -148,8 +148,9 @@ const SMALLEST: [f32; 2] = [800.0, 600.0];
 /// Opens a window, and returns before anything is drawn.
 ///
 /// # Errors
-/// [`vides_engine::Error::Display`] if there is no X server, [`vides_engine::Error::Memory`],
-/// [`vides_engine::Error::Limit`] without descriptors.
+/// `ErrorKind::Display` if there is no X server, `ErrorKind::Argument`
+/// if a window of the host's is none, `ErrorKind::Memory`,
+/// `ErrorKind::Limit` without descriptors.
 pub fn open(options: Options) -> Result<Id> {
     let mut editor = Editor::new(options.editor)?;
     editor.warn(&options.warnings);
@@ -160,6 +161,8 @@ pub fn open(options: Options) -> Result<Id> {
         application: options.application.unwrap_or_else(program::name),
         size: SIZE,
         smallest: SMALLEST,
+        parent: options.parent,
+        transient_for: options.transient_for,
     })?;
     let window = window::Window::new(Box::new(screen), editor, title);
     let id = registry::insert(Box::new(window), options.host)?;
@@ -210,7 +213,7 @@ pub fn change<R>(id: Id, f: impl FnOnce(&mut Document) -> R) -> Option<R> {
 /// same one as long as the thread lives.
 ///
 /// # Errors
-/// [`vides_engine::Error::Limit`] where the system gives no more descriptors.
+/// `ErrorKind::Limit` where the system gives no more descriptors.
 pub fn descriptor() -> Result<RawFd> {
     told();
     registry::descriptor()

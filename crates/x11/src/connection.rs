@@ -50,7 +50,7 @@ impl Connection {
     /// waits no longer than two seconds.
     ///
     /// # Errors
-    /// [`Error::Display`] with a sentence that names the display and the reason.
+    /// `ErrorKind::Display` with a sentence that names the display and the reason.
     pub(super) fn open(display: Option<&str>) -> Result<Self> {
         let display = match display {
             Some(name) => name.to_owned(),
@@ -95,6 +95,11 @@ impl Connection {
         self.raw.stream().settle();
     }
 
+    /// The name that it was opened by.
+    pub(super) fn display(&self) -> &str {
+        &self.display
+    }
+
     /// Our screen.
     pub(super) fn screen(&self) -> &xproto::Screen {
         &self.raw.setup().roots[self.screen]
@@ -124,7 +129,7 @@ impl Connection {
     /// left out.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn next(&self) -> Result<Option<Event>> {
         loop {
             match self.raw.poll_for_event() {
@@ -143,7 +148,7 @@ impl Connection {
     /// error or not in time: neither ends the window.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn answer<R: TryParse>(
         &self,
         question: Result<Cookie<'_, Raw, R>, ConnectionError>,
@@ -160,7 +165,7 @@ impl Connection {
     /// did not say so in time.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn done(&self, asked: Result<VoidCookie<'_, Raw>, ConnectionError>) -> Result<bool> {
         let result = asked.map_err(ReplyError::from).and_then(VoidCookie::check);
         Ok(self.excuse(result.map_err(ReplyOrIdError::from))?.is_some())
@@ -169,7 +174,7 @@ impl Connection {
     /// A result without those failures that do not end the window.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn excuse<T>(&self, result: Result<T, ReplyOrIdError>) -> Result<Option<T>> {
         match result {
             Ok(value) => Ok(Some(value)),

@@ -1,6 +1,5 @@
 //! Why there is no window, or no more.
 
-#[doc(hidden)]
 pub(crate) use vides_engine::error::vec_with_room;
 use vides_engine::error::{Error as EngineError, ErrorKind, Text};
 
@@ -27,6 +26,27 @@ pub enum Error {
         /// What is wrong.
         cause: Cause,
     },
+    /// The host's window for this one to live in is unfit.
+    #[error("the parent, window {parent:#x} of display \"{display}\", {why}")]
+    Parent {
+        /// Its number.
+        parent: u32,
+        /// The display's name.
+        display: Text,
+        /// Why it is unfit.
+        why: &'static str,
+    },
+    /// The host's window that this one should belong to is none.
+    #[error("the window {window:#x} to belong to does not exist on display \"{display}\"")]
+    NoOwner {
+        /// Its number.
+        window: u32,
+        /// The display's name.
+        display: Text,
+    },
+    /// The host took the window out of the one that it lived in.
+    #[error("the host has put the window out of its own")]
+    PutOut,
     /// The server made no window of what was asked.
     #[error("the X server makes no window")]
     NoWindow,
@@ -51,6 +71,8 @@ pub enum Cause {
     NoServer,
     #[error("the screen shows no true colours, which are needed")]
     NoTrueColour,
+    #[error("it cannot keep a pane")]
+    NoKeeper,
     #[error("the X server does not answer")]
     Silent,
     #[error("the X server has no more identifiers")]
@@ -74,6 +96,7 @@ impl Error {
     pub fn kind(&self) -> ErrorKind {
         match self {
             Self::Engine(error) => error.kind(),
+            Self::Parent { .. } | Self::NoOwner { .. } => ErrorKind::Argument,
             _ => ErrorKind::Display,
         }
     }

@@ -70,7 +70,7 @@ pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
 /// The text of a regular file of at most `most` bytes.
 ///
 /// # Errors
-/// [`Error::Io`], [`Error::Limit`], [`Error::Memory`]; [`Error::Format`] if it
+/// `ErrorKind::Io`, `ErrorKind::Limit`, `ErrorKind::Memory`; `ErrorKind::Format` if it
 /// is no UTF-8. Each names the file.
 pub fn read_text(file: &Path, most: u64) -> Result<String> {
     can_allocate(ROOM)?;

@@ -4,11 +4,11 @@ use glam::{DQuat, DVec3};
 
 use super::field::{Field, Source, at_line};
 use super::read::{
-    base_speeds, curve_kind, one_line, orientation_mode, points, presets, zoom_mode,
+    base_speeds, curve_kind, one_line, orientation_mode, points, presets, space, zoom_mode,
 };
 use crate::error::{EngineError, Error, Invalid, Malformed, Place, Result, TooMany, vec_with_room};
 use crate::limits;
-use crate::path::CameraPath;
+use crate::path::{CameraPath, Space};
 use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::scene::motion::check_frame;
 use vides_engine::scene::node::check_node_name;
@@ -78,7 +78,12 @@ impl Drafts {
         Ok(())
     }
 
-    pub(super) fn nodes(&mut self, array: Field<'_>, orientations: &mut usize) -> Result<()> {
+    pub(super) fn nodes(
+        &mut self,
+        array: Field<'_>,
+        orientations: &mut usize,
+        space: Space,
+    ) -> Result<()> {
         let elements = array.elements()?;
         self.nodes
             .try_reserve(elements.len().min(limits::MAX_NODES))?;
@@ -86,7 +91,7 @@ impl Drafts {
             if self.nodes.len() >= limits::MAX_NODES {
                 return Err(table.error(TooMany::Nodes));
             }
-            self.nodes.push(draft(table, orientations)?);
+            self.nodes.push(draft(table, orientations, space)?);
         }
         Ok(())
     }
@@ -216,7 +221,7 @@ const KEYS: [&str; 24] = [
     "track",
 ];
 
-fn draft(table: Field<'_>, orientations: &mut usize) -> Result<Draft> {
+fn draft(table: Field<'_>, orientations: &mut usize, space: Space) -> Result<Draft> {
     let Some(name) = table.find("name")? else {
         return Err(table.error(Malformed::NoName));
     };
@@ -293,7 +298,7 @@ fn draft(table: Field<'_>, orientations: &mut usize) -> Result<Draft> {
             }
             "weights" => draft.weights = Some((field.place(), numbers(field, None)?)),
             "path" => {
-                let path = path(field, orientations, &mut draft.pins)?;
+                let path = path(field, orientations, &mut draft.pins, space)?;
                 field.checked(node.set_path(Some(path)))?;
             }
             "track" => {
@@ -510,11 +515,16 @@ fn path(
     table: Field<'_>,
     orientations: &mut usize,
     pins: &mut Vec<(usize, usize, String)>,
+    space: Space,
 ) -> Result<FollowPath> {
     let mut path = CameraPath {
         points: Vec::new(),
+        space,
         ..CameraPath::default()
     };
+    if let Some(own) = table.find("space")? {
+        self::space(own, &mut path.space, None)?;
+    }
     let (mut start, mut after) = (1.0, Beyond::Hold);
     for field in table.fields()? {
         match field.key {
@@ -526,7 +536,8 @@ fn path(
             "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
             "base_speeds" => path.speeds = base_speeds(field)?,
             "presets" => presets(field, &mut path.presets)?,
-            "point" => points(field, &mut path.points, orientations)?,
+            "point" => points(field, &mut path.points, orientations, path.space)?,
+            "space" => {}
             "pins" => {
                 for element in field.elements()? {
                     pins.push(pin(element)?);
@@ -542,6 +553,7 @@ fn path(
                     "zoom_mode",
                     "base_speeds",
                     "presets",
+                    "space",
                     "point",
                     "pins",
                 ]));

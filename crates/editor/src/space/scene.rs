@@ -131,7 +131,7 @@ impl Scene {
     /// Brings everything up to date.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub(super) fn update(&mut self, document: &Document, look: &Look<'_>) -> Result<()> {
         let seen = look.seen();
         let other_look = self.seen.as_ref() != Some(&seen);
@@ -392,7 +392,7 @@ fn cross(
 /// above everything else.
 ///
 /// # Errors
-/// [`vides_engine::Error::Memory`].
+/// `ErrorKind::Memory`.
 pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
     let path = document.path();
     let at = document.selection().point;

@@ -50,7 +50,6 @@ german! {
         Name => "der Name";
         Title => "der Titel";
         Unit => "die Einheit";
-        Origin => "der Ursprung";
         Position => "die Position";
         Scale => "die Skalierung";
         Pivot => "der Drehpunkt";
@@ -83,6 +82,8 @@ german! {
         ControlNotUnit => "die Kontrollquaternionen einer Drehung müssen die Länge 1 haben";
         NoNewKey =>
             "in der Orientierungsart barry-goldman würde ein neuer Schlüssel die Ansichten ringsum ändern";
+        CentreNotFinite => "der Mittelpunkt des Raums muss endlich sein";
+        NoSize => "ein einzelner Ort hat keine Größe, die ein Raum haben könnte";
         ViewNotFinite => "jede Zahl einer Ansicht muss endlich sein";
         NormalZero => "die Normale der Bildebene darf nicht null sein";
         ViewUpZero => "der Aufwärtsvektor einer Ansicht darf nicht null sein";
@@ -190,7 +191,13 @@ german! {
         Turning { frame, point } =>
             "bei Bild {} dreht sich die Kamera an Punkt {point}, dort gibt es keinen Weg zu teilen", number(*frame);
         NearPoint => "die Stelle liegt zu nah an einem Punkt des Pfads";
-        Scale => "der Maßstab muss größer als 0 und höchstens 1e9 sein";
+        HalfSize => "die halbe Größe des Raums muss zwischen 1e-30 und 1e30 liegen";
+        Centre =>
+            "der Mittelpunkt des Raums darf höchstens 1e9 halbe Größen vom Ursprung der Welt entfernt sein";
+        FarFromCentre =>
+            "eine Koordinate darf höchstens 1e9 halbe Größen vom Mittelpunkt des Raums entfernt sein";
+        DistanceAhead =>
+            "der Abstand voraus muss zwischen 0 und 1e9 halben Größen des Raums liegen";
         Fps => "die Bilder pro Sekunde müssen größer als 0 und höchstens 100000 sein";
         ViewZoom => "der Zoom einer Ansicht muss positiv und endlich sein";
         ViewAspect => "das Seitenverhältnis einer Ansicht muss positiv und endlich sein";

@@ -42,7 +42,7 @@ german! {
         OneOrientationRemains => "die letzte Orientierung eines Punktes lässt sich nicht löschen";
         OnTarget { point, orientation } =>
             "Punkt {} darf nicht auf dem Ziel seiner Orientierung {} liegen", point + 1, orientation + 1;
-        TargetTooFar => "ein Ziel in dieser Richtung läge weiter draußen als 1e9";
+        TargetTooFar => "ein Ziel in dieser Richtung läge weiter draußen als 1e9 halbe Größen";
         NoCamera => "diese Szene hat keine Kamera auf einem Pfad";
     }
     MeshError {
@@ -85,6 +85,9 @@ german! {
         Between { low, high } => "muss zwischen {low} und {high} liegen";
         OneOf(names) => "muss {} sein", one_of(names, "oder");
         Both(a, b) => "{a} und {b} müssen beide angegeben sein";
+        Space =>
+            "ein Raum wird durch centre und half_size angegeben, und alle Zahlen sind die der Welt";
+        BehindPoints => "das muss vor dem ersten Punkt oder Knoten stehen";
         PresetNumber => "die Standardwerte haben die Nummern 0 bis 9";
         TooFewPoints(number) =>
             "eine Bahn braucht mindestens zwei Punkte, jeder mit seinem [[point]]; gefunden: {number}";
@@ -261,9 +264,9 @@ mod tests {
                 "Zeile 1: version: eine ganze Zahl erwartet, gefunden: ein Text",
             ),
             (
-                "version = 1\nspace = { scale = 0 }",
-                "line 2: scale: the scale must be greater than 0 and at most 1e9",
-                "Zeile 2: scale: der Maßstab muss größer als 0 und höchstens 1e9 sein",
+                "version = 1\nfps = 0",
+                "line 2: fps: the frames per second must be greater than 0 and at most 100000",
+                "Zeile 2: fps: die Bilder pro Sekunde müssen größer als 0 und höchstens 100000 sein",
             ),
             (
                 "version = 1\nfps = [",

@@ -31,7 +31,7 @@ impl SubWindow for HelpWindow {
         Self {}
     }
 
-    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
+    fn show(&mut self, editor: &Editor, context: &egui::Context, _: &mut Vec<Action>) -> bool {
         let texts = &editor.texts().help;
         let height = (context.content_rect().height() - 120.0).max(160.0);
         sub_window(context, Self::ID, texts.title, |ui| {
@@ -80,9 +80,9 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 4] {
     mouse.extend(ways.map(|(hand, meaning)| row(hand, meaning)));
     let shortcuts = SHORTCUTS
         .iter()
-        .map(|&(modifiers, key, action)| {
+        .map(|(modifiers, key, action)| {
             (
-                combination(language, modifiers, key),
+                combination(language, *modifiers, *key),
                 meaning(language, action).into(),
             )
         })
@@ -117,7 +117,7 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 4] {
 }
 
 /// What an action does: the words of its menu entry.
-fn meaning(language: Language, action: Action) -> &'static str {
+fn meaning(language: Language, action: &Action) -> &'static str {
     let texts = language.texts();
     let (menu, help, space) = (&texts.menu, &texts.help, &texts.space);
     match action {

@@ -16,7 +16,7 @@ impl Bounds {
     /// A box from its lowest to its highest corner; sides may be flat.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`].
     pub fn new(min: DVec3, max: DVec3) -> Result<Self> {
         check_coordinates(min)?;
         check_coordinates(max)?;

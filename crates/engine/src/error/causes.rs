@@ -2,7 +2,7 @@
 //! The text above a variant is its documentation and what is said in English.
 //!
 //! A new cause: a variant here with its sentence, and its line in German in
-//! the editor's `texts/causes.rs`, which the compiler asks for.
+//! the editor's `texts/german.rs`, which the compiler asks for.
 
 use std::fmt;
 
@@ -85,6 +85,12 @@ pub enum Invalid {
     ControlNotUnit,
     #[error("in the orientation mode barry-goldman a new key would change the views around it")]
     NoNewKey,
+
+    // The space.
+    #[error("the centre of the space must be finite")]
+    CentreNotFinite,
+    #[error("a single place has no size that a space could have")]
+    NoSize,
 
     // Views, rotations.
     #[error("every number of a view must be finite")]
@@ -281,9 +287,17 @@ pub enum OutOfRange {
     #[error("the place is too near to a point of the path")]
     NearPoint,
 
+    // The space.
+    #[error("the half size of the space must lie between 1e-30 and 1e30")]
+    HalfSize,
+    #[error("the centre of the space must lie within 1e9 half sizes of the world's origin")]
+    Centre,
+    #[error("a coordinate must lie within 1e9 half sizes of the space's centre")]
+    FarFromCentre,
+    #[error("the distance ahead must lie between 0 and 1e9 half sizes of the space")]
+    DistanceAhead,
+
     // What is shown.
-    #[error("the scale must be greater than 0 and at most 1e9")]
-    Scale,
     #[error("the frames per second must be greater than 0 and at most 100000")]
     Fps,
     #[error("the zoom of a view must be positive and finite")]

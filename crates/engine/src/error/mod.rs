@@ -79,8 +79,6 @@ pub enum Place {
     Title,
     #[error("the unit")]
     Unit,
-    #[error("the origin")]
-    Origin,
     #[error("the position")]
     Position,
     #[error("the scale")]

@@ -50,7 +50,7 @@ pub fn rotation_z(angle: f64) -> DMat4 {
 /// nothing to turn about x: R_x is then the identity.
 ///
 /// # Errors
-/// [`Error::Argument`] if `axis` is zero or not finite.
+/// [`crate::Error::Argument`] if `axis` is zero or not finite.
 pub fn axis_to_z(axis: DVec3) -> Result<DMat4> {
     if !axis.is_finite() || axis == DVec3::ZERO {
         return Err(Invalid::RotationAxis.into());
@@ -72,7 +72,7 @@ pub fn axis_to_z(axis: DVec3) -> Result<DMat4> {
 /// rotations the other way round.)
 ///
 /// # Errors
-/// [`Error::Argument`] if `axis` is zero or anything is not finite.
+/// [`crate::Error::Argument`] if `axis` is zero or anything is not finite.
 pub fn rotation_about_axis(point: DVec3, axis: DVec3, angle: f64) -> Result<DMat4> {
     if !point.is_finite() || !angle.is_finite() {
         return Err(Invalid::RotationNotFinite.into());

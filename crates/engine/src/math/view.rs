@@ -62,7 +62,7 @@ impl View {
     /// that v ∈ ±12/`zoom` and u ∈ ±`aspect`·12/`zoom`.
     ///
     /// # Errors
-    /// [`Error::Range`] for `zoom`, `aspect`, `front` or `back` out of the
+    /// [`crate::Error::Range`] for `zoom`, `aspect`, `front` or `back` out of the
     /// ranges above, and whatever [`View::check`] finds.
     pub fn from_pose(
         position: DVec3,
@@ -105,8 +105,8 @@ impl View {
     /// Whether the description describes a picture.
     ///
     /// # Errors
-    /// [`Error::Argument`] if anything is not finite, the normal or the up
-    /// vector is zero, or both are parallel; [`Error::Range`] if the window is
+    /// [`crate::Error::Argument`] if anything is not finite, the normal or the up
+    /// vector is zero, or both are parallel; [`crate::Error::Range`] if the window is
     /// empty, the back plane not behind the front plane, or the projection
     /// reference point not before the front plane or in the view plane.
     pub fn check(&self) -> Result<()> {
@@ -151,7 +151,7 @@ impl View {
     /// place in the picture, [−1, 1] each.
     ///
     /// # Errors
-    /// As [`View::check`]; [`Error::Range`] if the numbers are so large or so
+    /// As [`View::check`]; [`crate::Error::Range`] if the numbers are so large or so
     /// close together that the matrix cannot be computed.
     pub fn matrix(&self) -> Result<DMat4> {
         self.check()?;
@@ -253,8 +253,8 @@ pub fn parallel_projection() -> DMat4 {
 /// The matrix is stored by columns, as OpenGL takes it.
 ///
 /// # Errors
-/// [`Error::Argument`] if anything is not finite, `view` or `up` is zero, or
-/// both are parallel; [`Error::Range`] if the position is too large.
+/// [`crate::Error::Argument`] if anything is not finite, `view` or `up` is zero, or
+/// both are parallel; [`crate::Error::Range`] if the position is too large.
 pub fn gl_matrix(position: DVec3, view: DVec3, up: DVec3) -> Result<DMat4> {
     if !(position.is_finite() && view.is_finite() && up.is_finite()) {
         return Err(Invalid::LookNotFinite.into());

@@ -60,8 +60,8 @@ impl Bezier {
     /// single point is a curve that stays there.
     ///
     /// # Errors
-    /// [`Error::Argument`] for no point or one that is not finite,
-    /// [`Error::Limit`] for too many, [`Error::Memory`].
+    /// [`crate::Error::Argument`] for no point or one that is not finite,
+    /// [`crate::Error::Limit`] for too many, [`crate::Error::Memory`].
     pub fn new(control: &[DVec3]) -> Result<Self> {
         if control.is_empty() {
             return Err(Invalid::NoControlPoint.into());
@@ -119,7 +119,7 @@ impl Bezier {
     /// points are the two outer edges of the construction.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn split(&self, t: f64) -> Result<(Self, Self)> {
         let mut before = vec_with_room(self.points.len())?;
         let mut after = vec_with_room(self.points.len())?;

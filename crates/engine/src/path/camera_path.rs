@@ -5,6 +5,7 @@
 use glam::DVec3;
 
 use super::own::{MayOwn, Tangents};
+use super::space::Space;
 use crate::error::{Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
@@ -35,7 +36,7 @@ impl Tcb {
     /// Each finite and in [−1, 1].
     ///
     /// # Errors
-    /// [`Error::Range`] names the value that is not.
+    /// [`crate::Error::Range`] names the value that is not.
     pub fn check(self) -> Result<()> {
         check_shape(self.tension, Quantity::Tension)?;
         check_shape(self.continuity, Quantity::Continuity)?;
@@ -76,9 +77,11 @@ impl Target {
     ///
     /// # Errors
     /// [`Error::Argument`] or [`Error::Range`].
-    pub fn check(self, position: DVec3) -> Result<()> {
-        let (Self::Absolute(v) | Self::Relative(v)) = self;
-        check_coordinates(v)?;
+    pub fn check(self, position: DVec3, space: Space) -> Result<()> {
+        match self {
+            Self::Absolute(target) => space.check_place(target)?,
+            Self::Relative(offset) => space.check_offset(offset)?,
+        }
         if self.offset_from(position) == DVec3::ZERO {
             return Err(Invalid::TargetOnCamera.into());
         }
@@ -105,10 +108,13 @@ pub struct Orientation {
     pub own: MayOwn,
 }
 
+/// What a new orientation looks along, in the space [−1, 1]³.
+const FIRST_OFFSET: DVec3 = DVec3::new(0.0, 0.0, -0.4);
+
 impl Default for Orientation {
     fn default() -> Self {
         Self {
-            target: Target::Relative(DVec3::new(0.0, 0.0, -0.4)),
+            target: Target::Relative(FIRST_OFFSET),
             roll: 0.0,
             zoom: 24.0,
             turning: Tcb::default(),
@@ -120,13 +126,22 @@ impl Default for Orientation {
 }
 
 impl Orientation {
+    /// As in a new path of a space: looks back along its third axis from upright.
+    #[must_use]
+    pub fn new_in(space: Space) -> Self {
+        Self {
+            target: Target::Relative(space.offset(FIRST_OFFSET)),
+            ..Self::default()
+        }
+    }
+
     /// Everything finite and in range. The view from `position` must have a
     /// direction.
     ///
     /// # Errors
     /// [`Error::Range`] or [`Error::Argument`] with the reason.
-    pub fn check(&self, position: DVec3) -> Result<()> {
-        self.target.check(position)?;
+    pub fn check(&self, position: DVec3, space: Space) -> Result<()> {
+        self.target.check(position, space)?;
         if !self.roll.is_finite() {
             return Err(Invalid::NotFinite(Quantity::Roll).into());
         }
@@ -134,7 +149,7 @@ impl Orientation {
         self.turning.check()?;
         self.speeds.into_iter().try_for_each(check_speed)?;
         check_hold(self.hold)?;
-        self.own.check()
+        self.own.check(space)
     }
 
     /// View direction of a camera at `position`: a unit vector.
@@ -147,7 +162,8 @@ impl Orientation {
 /// A support point: a key position of the curve with its orientations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SupportPoint {
-    /// World coordinates, each of magnitude ≤ [`limits::MAX_COORDINATE`].
+    /// World coordinates, at most [`limits::MAX_COORDINATE`] half sizes from the
+    /// centre of the space.
     pub position: DVec3,
     /// A name for people; the engine does not read it.
     pub name: Option<String>,
@@ -188,7 +204,7 @@ impl SupportPoint {
     /// As [`SupportPoint::new`] where memory may run out.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn try_new(position: DVec3) -> Result<Self> {
         let mut orientations = vec_with_room(1)?;
         orientations.push(Orientation::default());
@@ -206,7 +222,7 @@ impl SupportPoint {
 /// speed 50. Each finite and > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BaseSpeeds {
-    /// `move_speed`: frames for a way of length 1.
+    /// `move_speed`: frames for a way of one half size of the space.
     pub movement: f64,
     /// `orient_speed`: frames for turning the view by 180°.
     pub turning: f64,
@@ -279,6 +295,8 @@ pub struct CameraPath {
     pub zoom_mode: ZoomMode,
     /// The base speeds.
     pub speeds: BaseSpeeds,
+    /// Where it lies in the world.
+    pub space: Space,
 }
 
 /// The presets of thesis A.6.1.
@@ -309,7 +327,7 @@ impl CameraPath {
     /// As [`CameraPath::default`] where memory may run out.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn try_new() -> Result<Self> {
         let mut points = vec_with_room(FIRST_POSITIONS.len())?;
         for position in FIRST_POSITIONS {
@@ -328,13 +346,14 @@ impl CameraPath {
             orientation_mode: OrientationMode::default(),
             zoom_mode: ZoomMode::default(),
             speeds: BaseSpeeds::default(),
+            space: Space::default(),
         }
     }
 
     /// A copy.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn try_clone(&self) -> Result<Self> {
         let mut points = vec_with_room(self.points.len())?;
         for point in &self.points {
@@ -370,6 +389,14 @@ impl CameraPath {
     /// # Errors
     /// The first one that does not, with its place.
     pub fn check(&self) -> Result<()> {
+        self.check_in(self.space)
+    }
+
+    /// As [`CameraPath::check`], if it lay in this space.
+    ///
+    /// # Errors
+    /// As [`CameraPath::check`].
+    pub fn check_in(&self, space: Space) -> Result<()> {
         if self.points.len() < limits::MIN_POINTS {
             return Err(OutOfRange::TooFewSupportPoints.into());
         }
@@ -380,9 +407,10 @@ impl CameraPath {
             preset.check()?;
         }
         check_speeds(self.speeds)?;
+        space.check()?;
         for (index, point) in self.points.iter().enumerate() {
             point
-                .check()
+                .check(space)
                 .map_err(|error| error.at(Place::Point(index + 1)))?;
         }
         Ok(())
@@ -393,7 +421,7 @@ impl SupportPoint {
     /// A copy.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn try_clone(&self) -> Result<Self> {
         let mut orientations = vec_with_room(self.orientations.len())?;
         orientations.extend_from_slice(&self.orientations);
@@ -417,8 +445,8 @@ impl SupportPoint {
     ///
     /// # Errors
     /// The first one that does not.
-    pub fn check(&self) -> Result<()> {
-        check_coordinates(self.position)?;
+    pub fn check(&self, space: Space) -> Result<()> {
+        space.check_place(self.position)?;
         if let Some(name) = &self.name {
             check_name(name).map_err(|error| error.at(Place::Name))?;
         }
@@ -431,7 +459,7 @@ impl SupportPoint {
         }
         if let Some(tangents) = self.tangents {
             tangents
-                .check()
+                .check(space)
                 .map_err(|error| error.at(Place::Tangents))?;
         }
         if self.orientations.is_empty() || self.orientations.len() > limits::MAX_ORIENTATIONS {
@@ -439,7 +467,7 @@ impl SupportPoint {
         }
         for (index, orientation) in self.orientations.iter().enumerate() {
             orientation
-                .check(self.position)
+                .check(self.position, space)
                 .map_err(|error| error.at(Place::Orientation(index + 1)))?;
         }
         Ok(())
@@ -449,7 +477,7 @@ impl SupportPoint {
 /// Finite, and small enough to compute with.
 ///
 /// # Errors
-/// [`Error::Argument`] if not finite, [`Error::Range`] if too large.
+/// [`crate::Error::Argument`] if not finite, [`crate::Error::Range`] if too large.
 pub fn check_coordinates(v: DVec3) -> Result<()> {
     if !v.is_finite() {
         return Err(Invalid::NotFinite(Quantity::Coordinate).into());
@@ -464,7 +492,7 @@ pub fn check_coordinates(v: DVec3) -> Result<()> {
 /// [`limits::MAX_NAME_BYTES`] bytes.
 ///
 /// # Errors
-/// [`Error::Argument`] or [`Error::Limit`].
+/// [`crate::Error::Argument`] or [`crate::Error::Limit`].
 pub fn check_name(name: &str) -> Result<()> {
     if name.len() > limits::MAX_NAME_BYTES {
         return Err(TooMany::NameBytes.into());
@@ -478,7 +506,7 @@ pub fn check_name(name: &str) -> Result<()> {
 /// A tension, continuity or bias (`what` says which): in [−1, 1].
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_shape(value: f64, what: Quantity) -> Result<()> {
     if !(-1.0..=1.0).contains(&value) {
         return Err(OutOfRange::Between(what, -1.0, 1.0).into());
@@ -489,7 +517,7 @@ pub fn check_shape(value: f64, what: Quantity) -> Result<()> {
 /// A zoom: 1…100.
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_zoom(zoom: f64) -> Result<()> {
     if !(limits::MIN_ZOOM..=limits::MAX_ZOOM).contains(&zoom) {
         return Err(OutOfRange::Between(Quantity::Zoom, 1.0, limits::MAX_ZOOM).into());
@@ -500,7 +528,7 @@ pub fn check_zoom(zoom: f64) -> Result<()> {
 /// One value of a speed curve: 1…100.
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_speed(speed: f64) -> Result<()> {
     if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&speed) {
         return Err(OutOfRange::Between(Quantity::CurveSpeed, 1.0, limits::MAX_SPEED).into());
@@ -511,7 +539,7 @@ pub fn check_speed(speed: f64) -> Result<()> {
 /// Frames that a key rests: at most [`limits::MAX_HOLD`].
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_hold(hold: u32) -> Result<()> {
     if hold > limits::MAX_HOLD {
         return Err(OutOfRange::Hold.into());
@@ -522,7 +550,7 @@ pub fn check_hold(hold: u32) -> Result<()> {
 /// One base speed: finite and > 0.
 ///
 /// # Errors
-/// [`Error::Argument`].
+/// [`crate::Error::Argument`].
 pub fn check_base_speed(speed: f64) -> Result<()> {
     if !(speed > 0.0 && speed.is_finite()) {
         return Err(Invalid::BaseSpeed.into());
@@ -533,7 +561,7 @@ pub fn check_base_speed(speed: f64) -> Result<()> {
 /// All four finite and > 0.
 ///
 /// # Errors
-/// [`Error::Argument`] otherwise.
+/// [`crate::Error::Argument`] otherwise.
 pub fn check_speeds(speeds: BaseSpeeds) -> Result<()> {
     let all = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling];
     all.into_iter().try_for_each(check_base_speed)

@@ -48,9 +48,9 @@ pub fn segment(p: [DVec3; 4]) -> Cubic {
 /// The open curve through `points`: one segment less than points.
 ///
 /// # Errors
-/// [`Error::Argument`] if there are fewer than two points or one of them or a
-/// given tangent is not finite, [`Error::Limit`] if there are more than
-/// [`MAX_POINTS`], [`Error::Memory`].
+/// [`crate::Error::Argument`] if there are fewer than two points or one of them or a
+/// given tangent is not finite, [`crate::Error::Limit`] if there are more than
+/// [`MAX_POINTS`], [`crate::Error::Memory`].
 pub fn open_curve(points: &[DVec3], ends: EndRule) -> Result<Vec<Cubic>> {
     check(points)?;
     if let EndRule::Tangents(start, end) = ends

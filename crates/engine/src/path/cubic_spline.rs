@@ -33,11 +33,11 @@ impl CubicSpline {
     /// take time and memory in proportion to the points.
     ///
     /// # Errors
-    /// [`Error::Argument`] if there are fewer than two points or not as many
+    /// [`crate::Error::Argument`] if there are fewer than two points or not as many
     /// knots, if anything is not finite, the knots do not rise, or the ends of
-    /// a periodic spline differ; [`Error::Limit`] for more than [`MAX_POINTS`];
-    /// [`Error::Range`] if the knots are so close or far that the curve cannot
-    /// be computed; [`Error::Memory`].
+    /// a periodic spline differ; [`crate::Error::Limit`] for more than [`MAX_POINTS`];
+    /// [`crate::Error::Range`] if the knots are so close or far that the curve cannot
+    /// be computed; [`crate::Error::Memory`].
     pub fn new(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<Self> {
         check(points, knots, ends)?;
         let moments = moments(points, knots, ends)?;

@@ -38,7 +38,7 @@ impl Ease {
     /// Everything in range.
     ///
     /// # Errors
-    /// [`Error::Range`].
+    /// [`crate::Error::Range`].
     pub fn check(&self) -> Result<()> {
         // 0.7 and 0.3 may add up to a little more than 1.
         let fits = self.rise >= 0.0

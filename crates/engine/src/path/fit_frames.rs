@@ -58,8 +58,8 @@ fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> R
 /// numbers can.
 ///
 /// # Errors
-/// [`Error::Range`] if there is no such range, or fewer frames than it must have
-/// or more than it can have; [`Error::Memory`].
+/// [`crate::Error::Range`] if there is no such range, or fewer frames than it must have
+/// or more than it can have; [`crate::Error::Memory`].
 #[allow(
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,

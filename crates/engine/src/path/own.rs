@@ -10,8 +10,9 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
-use super::camera_path::{check_coordinates, check_speed};
+use super::camera_path::check_speed;
 use super::ease::Ease;
+use super::space::Space;
 use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate};
 use crate::limits;
 
@@ -29,9 +30,9 @@ impl Tangents {
     ///
     /// # Errors
     /// [`Error::Argument`] or [`Error::Range`].
-    pub fn check(self) -> Result<()> {
-        check_coordinates(self.before)?;
-        check_coordinates(self.after)
+    pub fn check(self, space: Space) -> Result<()> {
+        space.check_offset(self.before)?;
+        space.check_offset(self.after)
     }
 }
 
@@ -69,7 +70,7 @@ impl PacePart {
     /// Everything in range.
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn check(&self) -> Result<()> {
         match &self.of {
             Whole::Speeds {
@@ -106,7 +107,7 @@ pub enum Pace {
 /// (1, 1), both numbers increasing.
 ///
 /// # Errors
-/// [`Error::Range`] or [`Error::Argument`].
+/// [`crate::Error::Range`] or [`crate::Error::Argument`].
 pub fn check_distance(keys: &[[f64; 2]]) -> Result<()> {
     if keys.len() < 2 || keys.len() > limits::MAX_DISTANCE_KEYS {
         return Err(OutOfRange::DistanceKeys.into());
@@ -142,7 +143,8 @@ pub struct Velocities {
 /// one of them has changed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurningPart {
-    /// Control quaternions of the whole curve.
+    /// Control quaternions of the whole curve, in axes of which y stands upright
+    /// ([`super::Up::upright`]).
     pub control: [DQuat; 4],
     /// Share of its time where the part begins, 0 ≤ from < to.
     pub from: f64,
@@ -154,7 +156,7 @@ impl TurningPart {
     /// Unit quaternions, and a part of [0, 1].
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn check(&self) -> Result<()> {
         let unit = |q: &DQuat| q.is_finite() && (q.length() - 1.0).abs() < 1e-6;
         if !self.control.iter().all(unit) {
@@ -210,7 +212,7 @@ impl Own {
     ///
     /// # Errors
     /// [`Error::Range`] or [`Error::Argument`].
-    pub fn check(&self) -> Result<()> {
+    pub fn check(&self, space: Space) -> Result<()> {
         match &self.pace {
             Pace::Speeds => {}
             Pace::Part(part) => part.check()?,
@@ -218,7 +220,8 @@ impl Own {
             Pace::Distance(keys) => check_distance(keys)?,
         }
         check_frames(self.frames)?;
-        self.ahead.map_or(Ok(()), check_ahead)?;
+        self.ahead
+            .map_or(Ok(()), |distance| check_ahead(distance, space))?;
         if let Some(Velocities { reach, leave }) = self.velocities {
             check_rates(&[reach.to_array(), leave.to_array()].concat())?;
         }
@@ -269,7 +272,7 @@ impl Own {
 /// A fixed number of frames, or 0.
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_frames(frames: u32) -> Result<()> {
     if frames as usize > limits::MAX_FRAMES {
         return Err(OutOfRange::SectionFrames.into());
@@ -281,14 +284,12 @@ pub fn check_frames(frames: u32) -> Result<()> {
 ///
 /// # Errors
 /// [`Error::Range`] or [`Error::Argument`].
-pub fn check_ahead(distance: f64) -> Result<()> {
+pub fn check_ahead(distance: f64, space: Space) -> Result<()> {
     if !distance.is_finite() {
         return Err(Invalid::NotFinite(Quantity::DistanceAhead).into());
     }
-    if !(0.0..=limits::MAX_COORDINATE).contains(&distance) {
-        return Err(
-            OutOfRange::Between(Quantity::DistanceAhead, 0.0, limits::MAX_COORDINATE).into(),
-        );
+    if !(0.0..=space.farthest()).contains(&distance) {
+        return Err(OutOfRange::DistanceAhead.into());
     }
     Ok(())
 }
@@ -296,7 +297,7 @@ pub fn check_ahead(distance: f64) -> Result<()> {
 /// Angular velocities and slopes: finite, none beyond [`limits::MAX_RATE`].
 ///
 /// # Errors
-/// [`Error::Range`] or [`Error::Argument`].
+/// [`crate::Error::Range`] or [`crate::Error::Argument`].
 pub fn check_rates(rates: &[f64]) -> Result<()> {
     for rate in rates {
         if !rate.is_finite() {
@@ -333,7 +334,7 @@ impl MayOwn {
     /// The same, changed.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn with(&self, change: impl FnOnce(&mut Own)) -> Result<Self> {
         let mut own = Own::clone(self);
         change(&mut own);
@@ -381,7 +382,7 @@ impl MayOwn {
     /// place alone.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn for_a_copy(&self) -> Result<Self> {
         if self.is_empty() {
             return Ok(Self(None));
@@ -402,7 +403,7 @@ impl MayOwn {
 /// The keys of a given distance, checked.
 ///
 /// # Errors
-/// As [`check_distance`]; [`Error::Memory`].
+/// As [`check_distance`]; [`crate::Error::Memory`].
 pub fn distance(keys: &[[f64; 2]]) -> Result<Pace> {
     check_distance(keys)?;
     can_allocate(size_of_val(keys) + 2 * size_of::<usize>())?;

@@ -45,7 +45,7 @@ impl<'a> Layout<'a> {
     /// The timeline must be that path's.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     #[allow(clippy::cast_precision_loss)]
     pub(super) fn new(path: &CameraPath, timeline: &'a Timeline) -> Result<Self> {
         let count = timeline.section_count();
@@ -97,6 +97,7 @@ impl<'a> Layout<'a> {
                 way: curve.map(|&curve| ArcLengthCurve { curve, length }),
                 position: point.position,
                 turning: orientation_curve::Turning::Kept(glam::DVec3::Z, glam::DVec3::Y),
+                space: path.space,
                 zoom: [pose.zoom, 0.0, 0.0, 0.0],
                 tables: OnceLock::new(),
             });
@@ -136,7 +137,7 @@ impl Sampler {
     /// Prepares a path; the timeline must be that path's.
     ///
     /// # Errors
-    /// [`Error::Memory`]; [`Error::Limit`] if the path has too many frames.
+    /// [`crate::Error::Memory`]; [`crate::Error::Limit`] if the path has too many frames.
     pub fn new(path: &CameraPath, timeline: &Timeline) -> Result<Self> {
         let frames = timeline.frame_count()?;
         let Layout {
@@ -147,7 +148,7 @@ impl Sampler {
             rail,
             first_frames,
         } = Layout::new(path, timeline)?;
-        let turnings = turnings(&mut keys, &spans, path.orientation_mode, rail)?;
+        let turnings = turnings(&mut keys, &spans, path.orientation_mode, rail, path.space)?;
         for (section, turning) in sections.iter_mut().zip(turnings) {
             section.turning = turning;
         }
@@ -202,8 +203,8 @@ impl Sampler {
     /// Fills `poses` with the frames `first`, `first + 1`, … (numbered from 1).
     ///
     /// # Errors
-    /// [`Error::Range`] if not all of them are frames of the path,
-    /// [`Error::Memory`]; what `poses` holds then is not told.
+    /// [`crate::Error::Range`] if not all of them are frames of the path,
+    /// [`crate::Error::Memory`]; what `poses` holds then is not told.
     pub fn sample(&self, first: usize, poses: &mut [Pose]) -> Result<()> {
         let inside = first >= 1 && first <= self.frames + 1;
         if !inside || poses.len() > self.frames + 1 - first {
@@ -247,7 +248,7 @@ impl Sampler {
     /// The pose at any frame between 1 and the last, also between two frames.
     ///
     /// # Errors
-    /// [`Error::Range`] outside them, [`Error::Memory`].
+    /// [`crate::Error::Range`] outside them, [`crate::Error::Memory`].
     #[allow(clippy::cast_precision_loss)]
     pub fn pose(&self, frame: f64) -> Result<Pose> {
         if !(frame >= 1.0 && frame <= self.frames as f64) {
@@ -272,24 +273,26 @@ impl Sampler {
 
 /// A key of the path, and the pose in which the camera is there.
 fn key(path: &CameraPath, point: usize, orientation: usize) -> (Key, Pose) {
+    let axes = path.space.up;
     let view = ahead::view(path, point, orientation);
     let point = &path.points[point];
     let orientation = &point.orientations[orientation];
     let roll = orientation.roll.to_radians();
-    let up = orientation::up_from_roll(view, roll);
+    let upright = axes.upright(view);
+    let up = orientation::up_from_roll(upright, roll);
     let key = Key {
         position: point.position,
         target: orientation.target,
-        view,
+        view: upright,
         roll,
         turning: orientation.turning,
         own: orientation.own.clone(),
-        q: orientation::quaternion_from_view(view, up),
+        q: orientation::quaternion_from_view(upright, up),
     };
     let pose = Pose {
         vrp: point.position.to_array(),
         vpn: view.to_array(),
-        vup: up.to_array(),
+        vup: axes.world(up).to_array(),
         zoom: orientation.zoom,
     };
     (key, pose)

@@ -32,8 +32,8 @@ pub const MAX_DEPTH: u32 = 10;
 /// What `out` holds already stays; if memory runs out it is left as it was.
 ///
 /// # Errors
-/// [`Error::Argument`] if `error` is not positive and finite, or the curve is
-/// not finite; [`Error::Memory`].
+/// [`crate::Error::Argument`] if `error` is not positive and finite, or the curve is
+/// not finite; [`crate::Error::Memory`].
 pub fn tessellate(curve: &Cubic, error: f64, out: &mut Vec<(f64, DVec3)>) -> Result<()> {
     if !(error > 0.0 && error.is_finite()) {
         return Err(Invalid::DrawnBound.into());

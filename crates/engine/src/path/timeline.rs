@@ -15,7 +15,7 @@ use crate::error::{Result, TooMany, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_FRAMES, MAX_ZOOM, MIN_ZOOM};
 use crate::math::{orientation, quaternion};
 
-/// Less than this is no change: length units, radians, degrees, zoom.
+/// Less than this is no change: half sizes of the space, radians, degrees, zoom.
 const NO_CHANGE: f64 = 1e-9;
 
 /// Share by which a number of frames may miss a half and still be one.
@@ -100,7 +100,7 @@ impl Timeline {
     /// Computes everything for a path that [`CameraPath::check`] accepts.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn new(path: &CameraPath) -> Result<Self> {
         let points = path.points.len();
         let mut first_slot = vec_with_room(points + 1)?;
@@ -153,7 +153,7 @@ impl Timeline {
     /// not be used any more.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn update_point(&mut self, path: &CameraPath, point: usize) -> Result<()> {
         let looks_ahead = |o: &Orientation| o.own.ahead.is_some();
         let ahead = self.ahead || path.points[point].orientations.iter().any(looks_ahead);
@@ -215,7 +215,7 @@ impl Timeline {
     /// All frames of the path, at least 1.
     ///
     /// # Errors
-    /// [`Error::Limit`] if there are more than [`MAX_FRAMES`].
+    /// [`crate::Error::Limit`] if there are more than [`MAX_FRAMES`].
     pub fn frame_count(&self) -> Result<usize> {
         if self.frames > MAX_FRAMES {
             return Err(TooMany::Frames.into());
@@ -313,7 +313,7 @@ impl Timeline {
     /// speeds.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     ///
     /// # Panics
     /// If there is no such section.
@@ -370,7 +370,7 @@ impl Timeline {
         let to = if orientation + 1 < here.orientations.len() {
             &here.orientations[orientation + 1]
         } else {
-            let length = self.segments[point].length;
+            let length = self.segments[point].length / path.space.half_size;
             if length > NO_CHANGE {
                 return (Change::Position, length);
             }
@@ -378,7 +378,9 @@ impl Timeline {
         };
         let (a, b) = self.views(path, (point, orientation));
         if (a - b).length() > NO_CHANGE {
-            let key = |view, roll: f64| orientation::quaternion_from_roll(view, roll.to_radians());
+            let key = |view, roll: f64| {
+                orientation::quaternion_from_roll(path.space.up.upright(view), roll.to_radians())
+            };
             let (a, b) = (key(a, from.roll), key(b, to.roll));
             let angle = quaternion::angle(a, if a.dot(b) < 0.0 { -b } else { b });
             return (Change::View, angle / std::f64::consts::FRAC_PI_2);

@@ -68,7 +68,7 @@ impl Channel {
     /// `value:wind:3` (with three numbers).
     ///
     /// # Errors
-    /// [`Error::Argument`], [`Error::Range`] or [`Error::Limit`].
+    /// [`crate::Error::Argument`], [`crate::Error::Range`] or [`crate::Error::Limit`].
     pub fn parse(name: &str) -> Result<Self> {
         if let Some((_, channel)) = PLAIN.iter().find(|(plain, _)| *plain == name) {
             return Ok(channel.clone());
@@ -120,7 +120,7 @@ impl Channel {
     /// How many numbers it has at a node.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`] if the node has no such channel.
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`] if the node has no such channel.
     pub fn width(&self, node: &Node) -> Result<usize> {
         let none = || {
             Err(Invalid::NoChannelOfKind {

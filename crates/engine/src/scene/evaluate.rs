@@ -51,8 +51,8 @@ impl Scene {
     /// key to key, the rest of the scene plays.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`] for the frame, [`Error::Range`] if
-    /// `states` are not as many as the nodes, [`Error::Memory`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`] for the frame, the latter if
+    /// `states` are not as many as the nodes, [`crate::Error::Memory`].
     pub fn evaluate(
         &self,
         frame: f64,
@@ -74,7 +74,8 @@ impl Scene {
     /// missing, and then nothing has been written yet.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`] for the frame, [`Error::Memory`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`] for the frame,
+    /// [`crate::Error::Memory`].
     pub fn prepare(&self, frame: f64) -> Result<()> {
         check_frame(frame)?;
         let mut paths = self.nodes.iter().filter_map(Node::path);
@@ -84,7 +85,7 @@ impl Scene {
     /// The states of one node at the frames `first`, `first + step` and so on.
     ///
     /// # Errors
-    /// As [`Scene::evaluate`]; [`Error::Range`] for the node.
+    /// As [`Scene::evaluate`]; [`crate::Error::Range`] for the node.
     pub fn sample(
         &self,
         node: usize,
@@ -110,8 +111,8 @@ impl Scene {
     /// The numbers of a channel of a node at a frame, with or without a track.
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`] if there is no such channel,
-    /// [`Error::Memory`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`] if there is no such channel,
+    /// [`crate::Error::Memory`].
     pub fn value(
         &self,
         node: usize,
@@ -184,8 +185,8 @@ impl Scene {
     /// coordinates: as many as its mesh has.
     ///
     /// # Errors
-    /// [`Error::Range`], [`Error::Argument`] if it is no object or `out` does not
-    /// fit, [`Error::Memory`].
+    /// [`crate::Error::Range`], [`crate::Error::Argument`] if it is no object or `out` does not
+    /// fit, [`crate::Error::Memory`].
     pub fn vertices(
         &self,
         node: usize,
@@ -328,8 +329,9 @@ impl Scene {
         search: Search,
     ) -> Result<DQuat> {
         let pivot = self.pivot(target, frame, states)?;
-        let direction = aim::direction(world.translation, pivot);
-        let good = |view: DVec3| !aim::steep(view);
+        let direction = aim::direction(world.translation, pivot, self.space());
+        let up = self.space().up;
+        let good = |view: DVec3| !aim::steep(view, up);
         let own_view = view_from_quaternion(own).0;
         let (view, last) = match direction {
             Some(view) if good(view) => (view, None),
@@ -342,7 +344,7 @@ impl Scene {
                 (view, last.or(Some(own_view)).filter(|&view| good(view)))
             }
         };
-        let aimed = aim::aimed(view, last, values.roll.to_radians());
+        let aimed = aim::aimed(view, last, values.roll.to_radians(), up);
         Ok(aim::blend(own, aimed, values.aim_weight))
     }
 
@@ -375,8 +377,8 @@ impl Scene {
             self.run(&chain, frame, &mut scratch, none, Search::Own)?;
             let eye = self.pivot(at, frame, &scratch)?;
             let pivot = self.pivot(target, frame, &scratch)?;
-            let view = aim::direction(eye, pivot);
-            Ok(view.filter(|&view| !with_yaw || !aim::steep(view)))
+            let view = aim::direction(eye, pivot, self.space());
+            Ok(view.filter(|&view| !with_yaw || !aim::steep(view, self.space().up)))
         };
         for sign in [-1.0, 1.0] {
             for k in 0..STEPS {

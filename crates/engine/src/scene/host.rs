@@ -29,8 +29,8 @@ static FUNCTIONS: RwLock<Vec<(String, Arc<Function>)>> = RwLock::new(Vec::new())
 /// it away. What is being evaluated meanwhile may still call the older one.
 ///
 /// # Errors
-/// [`Error::Argument`] or [`Error::Limit`] for the name, [`Error::Limit`],
-/// [`Error::Memory`].
+/// [`crate::Error::Argument`] or [`crate::Error::Limit`] for the name, [`crate::Error::Limit`],
+/// [`crate::Error::Memory`].
 pub fn register(name: &str, function: Option<Arc<Function>>) -> Result<()> {
     check_function_name(name)?;
     can_allocate(name.len())?;
@@ -65,7 +65,7 @@ pub(super) fn function(name: &str) -> Option<Arc<Function>> {
 /// A name for a function: one line, not empty.
 ///
 /// # Errors
-/// [`Error::Argument`] or [`Error::Limit`].
+/// [`crate::Error::Argument`] or [`crate::Error::Limit`].
 pub(super) fn check_function_name(name: &str) -> Result<()> {
     check_name(name)?;
     if name.is_empty() {

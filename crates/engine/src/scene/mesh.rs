@@ -29,7 +29,7 @@ impl Mesh {
     /// Everything finite, every index that of a point.
     ///
     /// # Errors
-    /// The first thing that is not; [`Error::Limit`] for more than
+    /// The first thing that is not; [`crate::Error::Limit`] for more than
     /// [`crate::limits`] allow.
     pub fn check(&self) -> Result<()> {
         let count = self.points.len();
@@ -121,7 +121,7 @@ impl Object {
     /// Sets the mesh.
     ///
     /// # Errors
-    /// As [`Mesh::check`]; [`Error::Argument`] if the shapes that are there do
+    /// As [`Mesh::check`]; [`crate::Error::Argument`] if the shapes that are there do
     /// not fit its points.
     pub fn set_mesh(&mut self, mesh: Mesh) -> Result<()> {
         mesh.check()?;
@@ -173,7 +173,7 @@ impl Object {
     /// Sets the weights at rest.
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn set_weights(&mut self, weights: &[f64]) -> Result<()> {
         if weights.len() != self.shapes.len() {
             return Err(OutOfRange::ShapeWeights {
@@ -228,7 +228,7 @@ impl Object {
     /// bounds of the mesh at rest.
     ///
     /// # Errors
-    /// [`Error::Limit`], [`Error::Memory`].
+    /// [`crate::Error::Limit`], [`crate::Error::Memory`].
     pub fn add_deformation(
         &mut self,
         deformation: Deformation,

@@ -15,7 +15,7 @@ pub trait Motion {
     /// Sets what moves to what it is at `frame`, any finite number.
     ///
     /// # Errors
-    /// [`Error::Memory`]. What goes wrong with a host's function is put among
+    /// [`crate::Error::Memory`]. What goes wrong with a host's function is put among
     /// the troubles, and the rest moves.
     fn at(&self, frame: f64, values: &mut Values, troubles: &mut Troubles) -> Result<()>;
 
@@ -38,9 +38,9 @@ impl FollowPath {
     /// holds before it and after it.
     ///
     /// # Errors
-    /// What is wrong with the path; [`Error::Argument`] for the start or for
-    /// [`Beyond::Offset`]; [`Error::Limit`] if it has too many frames;
-    /// [`Error::Memory`].
+    /// What is wrong with the path; [`crate::Error::Argument`] for the start or for
+    /// [`Beyond::Offset`]; [`crate::Error::Limit`] if it has too many frames;
+    /// [`crate::Error::Memory`].
     pub fn new(path: CameraPath, start_frame: f64, beyond: Beyond) -> Result<Self> {
         path.check()?;
         check_frame(start_frame)?;
@@ -85,7 +85,7 @@ impl FollowPath {
     /// Computes what sampling needs, once.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub(super) fn prepare(&self) -> Result<()> {
         self.plan.sampler(&self.path).map(|_| ())
     }
@@ -93,7 +93,7 @@ impl FollowPath {
     /// The pose at a frame of the scene, by the path's own evaluation.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn pose(&self, frame: f64) -> Result<Pose> {
         let sampler = self.plan.sampler(&self.path)?;
         let last = self.count as f64;
@@ -144,7 +144,7 @@ impl Motion for FollowPath {
 /// A frame of the timeline: finite, and small enough to compute with.
 ///
 /// # Errors
-/// [`Error::Argument`] or [`Error::Range`].
+/// [`crate::Error::Argument`] or [`crate::Error::Range`].
 pub fn check_frame(frame: f64) -> Result<()> {
     if !frame.is_finite() {
         return Err(Invalid::NotFinite(Quantity::Frame).into());
