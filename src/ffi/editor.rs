@@ -333,7 +333,7 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
         application: editor.application,
         parent: editor.parent,
         transient_for: editor.transient_for,
-        warning: None,
+        warnings: editor::Warnings::default(),
         host: Rc::<Callbacks>::clone(&host),
     })?;
     let handle = EDITORS.insert(Opened {

@@ -39,6 +39,7 @@ mod space;
 mod state;
 mod texts;
 mod theme;
+mod warning;
 mod windows;
 
 #[cfg(test)]
@@ -47,7 +48,8 @@ mod screenshots;
 mod tests;
 
 use vides_document as document;
-use vides_engine::{Error, Result, error, limits, math, path};
+use vides_document::{Error, Result, error};
+use vides_engine::{limits, math, path};
 use vides_raster as raster;
 
 pub use folders::Folders;
@@ -55,3 +57,4 @@ pub use host_pane::HostPane;
 pub use program::{Date, Program};
 pub use state::{Editor, HostView, Options, Reason, Request};
 pub use texts::Language;
+pub use warning::{Warning, Warnings};

@@ -14,8 +14,9 @@ use super::texts::{Language, Texts, fill};
 use super::theme;
 use super::{playing, space, windows};
 use crate::document::{Contents, Document, Edit};
-use crate::error::{self, Error, Result};
+use crate::error::{Error, Result};
 use crate::path::{Orientation, SupportPoint};
+use crate::warning::Warnings;
 
 /// How a window begins.
 #[derive(Debug)]
@@ -139,7 +140,7 @@ impl Editor {
     /// A window's contents as it opens.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn new(options: Options) -> Result<Self> {
         let known = options.document.read_contents();
         let mut editor = Self {
@@ -222,8 +223,10 @@ impl Editor {
     }
 
     /// Shows in the output field what was wrong with what the host gave.
-    pub fn warn(&mut self, warning: &error::Message) {
-        self.complain(self.language().reason(warning));
+    pub fn warn(&mut self, warnings: &Warnings) {
+        if !warnings.is_empty() {
+            self.complain(self.language().warnings(warnings));
+        }
     }
 
     /// Says how a hand-over went: the number of poses.
@@ -325,16 +328,22 @@ impl Editor {
         self.point()?.orientations.get(at)
     }
 
+    /// The edit that changes the current orientation.
+    pub(super) fn orientation_edit(&self, change: impl FnOnce(&mut Orientation)) -> Option<Edit> {
+        let at = self.document.selection();
+        let mut orientation = self.orientation()?.clone();
+        change(&mut orientation);
+        Some(Edit::SetOrientation {
+            point: at.point,
+            at: at.orientation,
+            orientation,
+        })
+    }
+
     /// Changes the current orientation.
     pub(super) fn set_orientation(&mut self, change: impl FnOnce(&mut Orientation)) {
-        let at = self.document.selection();
-        if let Some(mut orientation) = self.orientation().cloned() {
-            change(&mut orientation);
-            self.edit(Edit::SetOrientation {
-                point: at.point,
-                at: at.orientation,
-                orientation,
-            });
+        if let Some(edit) = self.orientation_edit(change) {
+            self.edit(edit);
         }
     }
 

@@ -93,7 +93,7 @@ fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
 /// callback: see [`registry::within_a_call`].
 ///
 /// # Errors
-/// [`vides_engine::Error::Limit`] without descriptors.
+/// `ErrorKind::Limit` without descriptors.
 pub fn main_loop() -> Result<Served> {
     super::told();
     let mut lost = None;

@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 use super::descriptors::Descriptors;
 use super::window::Window;
 use super::{Gone, Host, Id, ending, lookout, thread_end, xt};
-use crate::error::{Error, Result, panic_said};
+use crate::error::{EngineError, Error, Result, panic_said};
 use crate::inject;
 
 /// Ids are given out once in the life of the process.
@@ -106,7 +106,7 @@ impl Table {
             self.descriptors = Some(Descriptors::new()?);
         }
         // Just made if it was not there.
-        self.descriptors.as_mut().ok_or(Error::Memory)
+        self.descriptors.as_mut().ok_or(EngineError::Memory.into())
     }
 }
 
@@ -178,11 +178,11 @@ fn discard_closed(slot: Option<Slot>) {
 /// Takes in a window.
 ///
 /// # Errors
-/// [`vides_engine::Error::Memory`], [`vides_engine::Error::Limit`] without descriptors.
+/// `ErrorKind::Memory`, `ErrorKind::Limit` without descriptors.
 pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
     let id = Id(NEXT.fetch_add(1, Ordering::Relaxed));
     table(|table| {
-        table.slots.try_reserve(1)?;
+        table.slots.try_reserve(1).map_err(EngineError::from)?;
         let descriptors = table.descriptors()?;
         descriptors.watch(window.screen().connection())?;
         descriptors.ring();

@@ -6,9 +6,8 @@ use std::time::Instant;
 
 use egui::{PlatformOutput, RawInput};
 
-use crate::error::Result;
 use crate::raster::{Area, Target};
-use crate::x11::{News, PanePlace, PaneWindow, Window};
+use crate::x11::{News, PanePlace, PaneWindow, Result, Window};
 
 /// See the methods of [`Window`].
 pub(super) trait Screen {

@@ -19,10 +19,10 @@ use super::window::Window;
 use super::{Gone, Host, Id, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
 use crate::document::Document;
 use crate::editor::{Editor, Folders, Language, Options};
-use crate::error::{Error, Result};
+use crate::error::EngineError;
 use crate::path::Sampler;
 use crate::raster::{Area, Target};
-use crate::x11::{News, PanePlace, PaneWindow};
+use crate::x11::{Error, News, PanePlace, PaneWindow, Result};
 
 /// What a fake screen does, from outside.
 struct Remote {
@@ -104,7 +104,7 @@ impl Screen for Fake {
         let _ = self.ours.read(&mut [0; 64]);
         match self.remote.fails.get() {
             Fails::No => {}
-            Fails::Gone => return Err(Error::Display("the X server went away".into())),
+            Fails::Gone => return Err(Error::Destroyed),
             Fails::Panics => panic!("on purpose"),
             Fails::Floods => {
                 return Ok(News {
@@ -205,9 +205,9 @@ struct Calls {
 }
 
 impl Host for Calls {
-    fn prepare(&self, _: Id, _: &Sampler) -> Result<()> {
+    fn prepare(&self, _: Id, _: &Sampler) -> crate::document::Result<()> {
         if self.refuses.get() {
-            return Err(Error::Memory);
+            return Err(EngineError::Memory.into());
         }
         Ok(())
     }
@@ -486,10 +486,10 @@ fn a_lost_screen_takes_its_window_alone() {
     let lost = served.lost.expect("told");
     assert_eq!(
         (lost.why.as_str(), lost.fault),
-        ("the X server went away", false)
+        ("the window was closed from outside", false)
     );
     assert_eq!((first.closed.get(), first.asked.get()), (1, 0));
-    assert_eq!(*first.lost.borrow(), ["the X server went away"]);
+    assert_eq!(*first.lost.borrow(), ["the window was closed from outside"]);
     assert!(one.dropped.get() && is_open(id));
     close(id);
 }

@@ -141,7 +141,7 @@ impl Window {
     /// Does what there is to do.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`]: the screen is gone, and the window with it.
+    /// `ErrorKind::Display`: the screen is gone, and the window with it.
     pub(super) fn poll(&mut self, id: Id, host: &Rc<dyn Host>) -> Result<Polled> {
         let news = self.screen.poll()?;
         inject::point(Place::Turn);

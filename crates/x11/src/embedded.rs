@@ -12,7 +12,7 @@ use x11rb::protocol::xproto::{
 use super::Window;
 use super::connection::Connection;
 use super::events::SENT;
-use crate::error::{Error, Result, sentence};
+use crate::error::{Error, Result};
 
 /// A toolkit that finds the keyboard gone may take it back (GTK 3 does): after so long
 /// we look again …
@@ -37,11 +37,10 @@ impl Home {
     /// # Errors
     /// [`Error::Argument`]: there is no such window, or nothing can live in it.
     pub(super) fn enter(connection: &Connection, parent: u32) -> Result<(Self, (u32, u32))> {
-        let unfit = |why: &str| {
-            Error::Argument(sentence(format_args!(
-                "the parent, window {parent:#x} of display \"{}\", {why}",
-                connection.display()
-            )))
+        let unfit = |why| Error::Parent {
+            parent,
+            display: connection.display().into(),
+            why,
         };
         let attributes = connection.answer(connection.get_window_attributes(parent))?;
         let attributes = attributes.ok_or_else(|| unfit("does not exist"))?;
@@ -89,9 +88,8 @@ impl Window {
                     && event.parent != home.parent
                     && event.response_type & SENT == 0 =>
             {
-                let put_out =
-                    || Error::Display("the host has put the window out of its own".into());
-                let (new, size) = Home::enter(connection, event.parent).map_err(|_| put_out())?;
+                let (new, size) =
+                    Home::enter(connection, event.parent).map_err(|_| Error::PutOut)?;
                 *home = new;
                 size
             }

@@ -69,7 +69,7 @@ impl Window {
                 self.news.shown |= !self.covered;
             }
             Event::DestroyNotify(event) if event.window == ours => {
-                return Err(Error::Display("the window was closed from outside".into()));
+                return Err(Error::Destroyed);
             }
             Event::PropertyNotify(event) if self.settings.note(&self.connection, event) => {}
             Event::PropertyNotify(event) => {
@@ -223,7 +223,7 @@ impl Window {
     fn complaint(&mut self, error: &X11Error) -> Result<()> {
         let ours = error.bad_value == self.frame.window;
         if ours && matches!(error.error_kind, ErrorKind::Window | ErrorKind::Drawable) {
-            return Err(Error::Display("the window was closed from outside".into()));
+            return Err(Error::Destroyed);
         }
         self.news.shown |= self.surface.failed(&self.connection, error)?;
         Ok(())

@@ -120,7 +120,7 @@ impl Keeper {
         let able = can(&connection)?;
         connection.settle();
         if !able {
-            return Err(connection.unfit("it cannot keep a pane"));
+            return Err(connection.unfit(crate::error::Cause::NoKeeper));
         }
         Ok(Self {
             display: display.to_owned(),

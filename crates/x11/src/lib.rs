@@ -6,7 +6,7 @@
 //! protocol itself (x11rb). Each window has its own connection, so that what
 //! happens to one concerns no other. Nothing here blocks for longer than a
 //! stated time, raises a signal, or ends the process; if the server goes away
-//! every call says [`vides_engine::Error::Display`].
+//! every call says `ErrorKind::Display`.
 //!
 //! It knows nothing of what the window shows, and nothing of C.
 
@@ -19,6 +19,7 @@ mod connection;
 mod core_keymap;
 mod cursor;
 mod embedded;
+mod error;
 mod events;
 mod icon;
 mod incoming;
@@ -63,16 +64,16 @@ use x11rb::connection::{Connection as _, RequestConnection as _};
 use x11rb::protocol::xproto::ImageOrder;
 use x11rb::resource_manager::Database;
 
-use vides_engine::{error, inject, limits};
+use vides_engine::{inject, limits};
 use vides_raster as raster;
 
-use crate::error::{Error, Message, Result, sentence};
 use crate::raster::{Area, Target};
 use clipboard::{Clipboard, Selection};
 pub use connect::without_signals;
 use connection::Connection;
 use cursor::Cursors;
 use embedded::Home;
+pub use error::{Cause, Error, Result};
 use keyboard::Keyboard;
 use pane::Pane;
 pub use pane::{PanePlace, PaneWindow};
@@ -170,7 +171,7 @@ pub struct Window {
     news: News,
     opened: Instant,
     /// Why there is no window any more.
-    lost: Option<Message>,
+    lost: Option<Error>,
 }
 
 /// Who gives the window the keyboard.
@@ -189,14 +190,13 @@ impl Window {
     /// most a few seconds in all.
     ///
     /// # Errors
-    /// [`Error::Display`] with a sentence that names the display and the reason;
-    /// [`Error::Argument`] if one of the windows that are named is none.
+    /// `ErrorKind::Display` with a sentence that names the display and the reason;
+    /// `ErrorKind::Argument` if one of the windows that are named is none.
     pub fn open(options: &Options) -> Result<Self> {
         let connection = Connection::open(options.display.as_deref())?;
         let setup = connection.setup();
-        let visual = visual::choose(setup, connection.screen()).ok_or_else(|| {
-            connection.unfit("the screen shows no true colours, which are needed")
-        })?;
+        let visual = visual::choose(setup, connection.screen())
+            .ok_or_else(|| connection.unfit(Cause::NoTrueColour))?;
         let layout = Layout::new(&visual, setup.image_byte_order == ImageOrder::MSB_FIRST);
         connection.maximum_request_bytes(); // asked for long ago; now it is known
         window::watch_desktop(&connection)?;
@@ -251,7 +251,7 @@ impl Window {
     /// itself.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn poll(&mut self) -> Result<News> {
         self.alive()?;
         let before = self.events.len();
@@ -359,7 +359,7 @@ impl Window {
     /// Shows these areas of the pixels.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn present(&mut self, areas: &[Area]) -> Result<()> {
         self.alive()?;
         let result = self.surface.show(&self.connection, areas);
@@ -370,7 +370,7 @@ impl Window {
     /// Does what egui wants done outside: cursor, clipboard, primary selection.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn take_output(&mut self, output: egui::PlatformOutput) -> Result<()> {
         self.alive()?;
         let result = self.serve(output);
@@ -402,7 +402,7 @@ impl Window {
     /// Another title.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn set_title(&mut self, title: &str) -> Result<()> {
         self.alive()?;
         let result = window::set_title(&self.connection, self.frame.window, title);
@@ -413,7 +413,7 @@ impl Window {
     /// To the front, with the keyboard.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn raise(&mut self) -> Result<()> {
         self.alive()?;
         let result = self
@@ -427,7 +427,7 @@ impl Window {
     /// descriptor becomes readable when more goes.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn flush(&mut self) -> Result<()> {
         self.alive()?;
         let result = self.send();
@@ -453,7 +453,7 @@ impl Window {
     /// Nothing is asked of a server that is gone.
     fn alive(&self) -> Result<()> {
         match &self.lost {
-            Some(reason) => Err(Error::Display(reason.clone())),
+            Some(error) => Err(error.clone()),
             None => Ok(()),
         }
     }
@@ -461,7 +461,7 @@ impl Window {
     /// Keeps in mind that the window is gone.
     fn noted<R>(&mut self, result: Result<R>) -> Result<R> {
         if let Err(error) = &result {
-            self.lost = Some(sentence(format_args!("{error}")));
+            self.lost = Some(error.clone());
         }
         result
     }

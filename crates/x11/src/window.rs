@@ -12,7 +12,7 @@ use x11rb::wrapper::ConnectionExt as _;
 use super::connection::Connection;
 use super::visual::Visual;
 use super::{Options, connect, icon, scale};
-use crate::error::{Error, Result, sentence};
+use crate::error::{Error, Result};
 
 /// What is asked of the server to be told.
 pub(super) fn events() -> EventMask {
@@ -58,7 +58,7 @@ pub(super) fn watch_desktop(connection: &Connection) -> Result<()> {
 /// Makes a window and shows it.
 ///
 /// # Errors
-/// [`Error::Display`]; [`Error::Argument`] if the window that it belongs to is none.
+/// `ErrorKind::Display`; `ErrorKind::Argument` if the window that it belongs to is none.
 pub(super) fn create(
     connection: &Connection,
     visual: &Visual,
@@ -82,10 +82,10 @@ pub(super) fn create(
 fn group_of(connection: &Connection, window: u32) -> Result<u32> {
     let exists = connection.answer(connection.get_window_attributes(window))?;
     if exists.is_none() {
-        return Err(Error::Argument(sentence(format_args!(
-            "the window {window:#x} to belong to does not exist on display \"{}\"",
-            connection.display()
-        ))));
+        return Err(Error::NoOwner {
+            window,
+            display: connection.display().into(),
+        });
     }
     let hints = WmHints::get(&**connection, window).map_err(|error| connection.lost(error))?;
     let hints = connection.excuse(hints.reply().map_err(Into::into))?;
@@ -153,7 +153,7 @@ fn make(
         .create_gc(context, window, &values)
         .map_err(lost)?;
     if !connection.done(Ok(made))? {
-        return Err(Error::Display("the X server makes no window".into()));
+        return Err(Error::NoWindow);
     }
     Ok(Frame {
         window,
