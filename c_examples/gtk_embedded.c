@@ -57,6 +57,7 @@ static void realized(GtkWidget *part)
     v_editor_options_init(&options);
     gdk_window_ensure_native(gtk_widget_get_window(part));
     options.parent = GDK_WINDOW_XID(gtk_widget_get_window(part));
+    gdk_display_sync(gtk_widget_get_display(part)); /* the server must know it by now */
     options.on_view = on_view;
     options.on_poses = on_poses;
     if (v_editor_open(&options, &editor) != V_OK)

@@ -50,6 +50,8 @@ build glut_flight "$examples/glut_flight.c" -- -lvides -lm -lglut -lGL
 extra=-std=c99
 build readme_window "$out/window.c" -- -lvides -lm
 
+build glx_pane "$examples/glx_pane.c" -- -lvides -lm -lX11 -lGL
+
 extra=-D_GNU_SOURCE
 build loop_poll "$here/loop_poll.c" "$here/host.c" -- -lvides -lm
 build loop_xt "$here/loop_xt.c" "$here/host.c" -- -lvides -lm -lXt -lX11
