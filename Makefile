@@ -213,10 +213,11 @@ soak-calls: libs
 	@mk/need.sh Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev
 	SEEDS="$$(seq $$(date +%s) $$(($$(date +%s) + 19)))" CALLS=3000 tests/calls/run.sh $(LIB) hostile
 
-# Events for a minute, and 10,000 windows.
+# Events for a minute, 1,000 panes of each kind, and 10,000 windows.
 soak-x: all
 	@mk/need.sh $(X_TOOLS) valgrind=valgrind
 	VIDES_FLOOD=60 tests/x/run.sh $(LIB) events
+	VIDES_PANES=1000 tests/x/run.sh $(LIB) a_host_that_draws
 	LD_LIBRARY_PATH=$(abspath $(LIB)) python3 tests/x/measure.py $(CARGO_TARGET_DIR)/x soak
 
 # Programs of other people's making, from Debian's sources.

@@ -51,6 +51,8 @@ build glut_scene "$examples/glut_scene.c" -- -lvides -lm -lglut -lGL
 extra=-std=c99
 build readme_window "$out/window.c" -- -lvides -lm
 
+build glx_pane "$examples/glx_pane.c" -- -lvides -lm -lX11 -lGL
+
 extra=-D_GNU_SOURCE
 build loop_poll "$here/loop_poll.c" "$here/host.c" -- -lvides -lm
 build loop_xt "$here/loop_xt.c" "$here/host.c" -- -lvides -lm -lXt -lX11
@@ -60,6 +62,11 @@ extra=-std=gnu99
 build ending "$here/ending.c" -- -lvides -lm -lX11 -lpthread
 build thread_ends "$here/thread_ends.c" -- -lvides -lm
 build work "$here/work.c" "$here/../calls/hands.c" -- -lvides -lm -lX11
+build pane "$here/pane.c" -- -lvides -lm -lGL -lX11
+build embedded "$here/embedded.c" -- -lvides -lm -lX11
+extra="-std=gnu99 -g -fsanitize=address,undefined"
+cp "$here/pane.c" "$out/pane_asan.c"
+build pane_asan "$out/pane_asan.c" -- -fsanitize=address,undefined -lvides -lm -lGL -lX11
 
 for kind in archive shared; do
     link=$libraries

@@ -115,7 +115,6 @@ fn contents(editor: &mut Editor, ui: &mut Ui) {
         let lines = picture_of(editor, &camera, picture);
         painter.add(Lines::shape(&Arc::new(lines), picture));
     }
-    let mut above = Vec::new();
     let text = match editor.shown_frame() {
         Some(frame) => fill(texts.camera_at_frame, &[&frame]),
         None => {
@@ -143,19 +142,21 @@ fn contents(editor: &mut Editor, ui: &mut Ui) {
     for (corner, align, text) in corners {
         let galley = painter.layout_no_wrap(text, FontId::proportional(11.0), palette.weak);
         let place = align.anchor_size(corner, galley.size());
-        let label = place.expand2(vec2(3.0, 1.0));
-        painter.rect_filled(label, 3.0, ground);
-        above.push(label);
+        painter.rect_filled(place.expand2(vec2(3.0, 1.0)), 3.0, ground);
         painter.galley(place.min, galley, palette.weak);
     }
-    above.push(close_button(editor, ui, picture));
+    close_button(editor, ui, picture);
     if by_host && !ui.is_sizing_pass() {
-        editor.host_pane = Some(HostPane { picture, above });
+        // All of it is the host's: our labels and the cross lie below.
+        editor.host_pane = Some(HostPane {
+            picture,
+            above: Vec::new(),
+        });
     }
 }
 
-/// A small cross in the corner; where it is.
-fn close_button(editor: &mut Editor, ui: &Ui, rect: Rect) -> Rect {
+/// A small cross in the corner.
+fn close_button(editor: &mut Editor, ui: &Ui, rect: Rect) {
     let place = Rect::from_min_size(rect.right_top() + vec2(-22.0, 2.0), vec2(20.0, 20.0));
     let response = ui.interact(place, ui.scope_id().with("close"), Sense::click());
     let text = editor.texts().space.close_camera_view;
@@ -175,7 +176,6 @@ fn close_button(editor: &mut Editor, ui: &Ui, rect: Rect) -> Rect {
     if response.on_hover_text(text).clicked() {
         editor.setup.camera_view = false;
     }
-    place
 }
 
 /// Cube and object as the camera sees them, in `picture`.
