@@ -21,7 +21,7 @@ mod ffi;
 
 pub use glam;
 pub use vides_document as document;
-pub use vides_engine::{Error, Result, deform, error, limits, math, path, scene};
+pub use vides_engine::{Error, Result, deform, error, limits, math, path, scene, tools};
 #[cfg(feature = "window")]
 pub use vides_window as window;
 

@@ -547,8 +547,24 @@ fn options(text: &str) -> BTreeSet<String> {
 
 #[test]
 fn the_manual_page_knows_every_option_and_no_other() {
-    let helps = [&["--help"][..], &["sample", "--help"], &["info", "--help"]];
-    let text: String = helps.map(|arguments| said(&run(arguments))).concat();
+    const COMMANDS: [&str; 9] = [
+        "sample",
+        "info",
+        "transform",
+        "deform",
+        "extract",
+        "insert",
+        "reverse",
+        "repeat",
+        "blend",
+    ];
+    let mut text = said(&run(&["--help"]));
+    for command in COMMANDS {
+        text += &said(&run(&[command, "--help"]));
+    }
+    for known in vides::tools::moves::MOVES {
+        text += &said(&run(&["move", known.name, "--help"]));
+    }
     let page = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/man/vides.1")).unwrap();
     // Without roff's changes of font and its way to write a minus sign.
     let page = page
@@ -558,7 +574,126 @@ fn the_manual_page_knows_every_option_and_no_other() {
     let from_help = options(&text);
     assert!(from_help.len() >= 10, "{from_help:?}");
     assert_eq!(options(&page), from_help);
-    for command in ["vides sample", "vides info"] {
+    for command in COMMANDS {
         assert!(page.contains(command));
+    }
+}
+
+// ---- Tools ----------------------------------------------------------------------------
+
+/// A file in a folder of this test's own, with what a run wrote there.
+fn written(folder: &Path, name: &str, arguments: &[&str]) -> String {
+    let file = folder.join(name);
+    let mut all = arguments.to_vec();
+    all.extend(["-o", file.to_str().unwrap()]);
+    assert_eq!(said(&run(&all)), "");
+    file.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn an_orbit_is_made_extracted_repeated_and_turned_round() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let orbit = written(
+        folder,
+        "orbit.vid",
+        &[
+            "move",
+            "orbit",
+            "--around",
+            "0,0.5,0",
+            "--radius",
+            "1.2",
+            "--height",
+            "0.4",
+            "--turns",
+            "2",
+            "--seconds",
+            "12",
+        ],
+    );
+    let poses = poses_of(&orbit);
+    assert_eq!(poses.len(), 300);
+    for pose in &poses {
+        assert!((pose.vrp[0].hypot(pose.vrp[2]) - 1.2).abs() < 1e-6);
+        assert!((pose.vrp[1] - 0.9).abs() < 1e-12);
+    }
+    let half = written(folder, "half.vid", &["extract", &orbit, "--points", "1-13"]);
+    let again = written(folder, "again.vid", &["repeat", &half, "3"]);
+    assert_eq!(
+        Document::load(Path::new(&again))
+            .unwrap()
+            .path()
+            .points
+            .len(),
+        37
+    );
+    let back = written(folder, "back.vid", &["reverse", &orbit]);
+    let mut reversed = poses_of(&back);
+    reversed.reverse();
+    for (a, b) in poses.iter().zip(&reversed) {
+        assert!(
+            numbers(a)
+                .iter()
+                .zip(numbers(b))
+                .all(|(a, b)| (a - b).abs() < 1e-9)
+        );
+    }
+    let moved = written(
+        folder,
+        "moved.vid",
+        &["transform", &orbit, "--move", "1,-2,3", "--with-targets"],
+    );
+    for (a, b) in poses.iter().zip(&poses_of(&moved)) {
+        assert!(
+            (b.vrp[0] - a.vrp[0] - 1.0).abs() < 1e-12 && (b.vrp[1] - a.vrp[1] + 2.0).abs() < 1e-12
+        );
+        assert!((b.vpn[0] - a.vpn[0]).abs() < 1e-12);
+    }
+    let blend = written(
+        folder,
+        "blend.vid",
+        &["blend", &orbit, &moved, "--weights", "0.25,0.75"],
+    );
+    let first = poses_of(&blend)[0].vrp;
+    assert!((first[0] - poses[0].vrp[0] - 0.75).abs() < 1e-12);
+    let twisted = written(
+        folder,
+        "twisted.vid",
+        &["deform", &orbit, "twist", "1", "90"],
+    );
+    assert_ne!(poses_of(&twisted)[150].vrp, poses[150].vrp);
+    let joined = written(
+        folder,
+        "joined.vid",
+        &["insert", PYRAMID, &half, "--fit", "turn"],
+    );
+    assert!(poses_of(&joined).len() > poses_of(PYRAMID).len());
+}
+
+#[test]
+fn tools_refuse_what_does_not_do() {
+    for arguments in [
+        &["move", "orbit", "--radius", "0"][..],
+        &["move", "dolly-zoom", "--end-distance", "1e-3"],
+        &["move", "figure-eight", "--height", "0"],
+        &["transform", PYRAMID, "--scale", "0"],
+        &["transform", PYRAMID, "--points", "5-99"],
+        &["deform", PYRAMID, "shear", "1"],
+        &["extract", PYRAMID, "--points", "2-2"],
+        &["repeat", PYRAMID, "0"],
+        &["blend", PYRAMID, PYRAMID, "--weights", "0.5,0.6"],
+        &["insert", PYRAMID, PYRAMID, "--fit", "scale"],
+    ] {
+        sentence(&run(arguments), 1);
+    }
+    for arguments in [
+        &["move", "loop"][..],
+        &["move", "orbit", "--around", "1,2"],
+        &["move", "orbit", "--radius", "nan"],
+        &["extract", PYRAMID],
+        &["deform", PYRAMID, "twist", "1", "90", "--box", "1,2,3"],
+    ] {
+        complaint(&run(arguments), 2);
     }
 }

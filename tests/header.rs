@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 21] = [
     "status",
     "types",
     "legacy",
@@ -18,6 +18,7 @@ const SOURCES: [&str; 20] = [
     "shape",
     "pace",
     "curve",
+    "tools",
     "poses",
     "scene_types",
     "scene",

@@ -8,9 +8,12 @@
 mod edit;
 mod info;
 mod input;
+mod moves;
+mod output;
 mod progress;
 mod sample;
 mod table;
+mod tools;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -51,6 +54,10 @@ enum Command {
         #[arg(value_name = "FILE.vid")]
         file: PathBuf,
     },
+    /// Makes a path by a ready-made move
+    Move(moves::Arguments),
+    #[command(flatten)]
+    Tool(tools::Tool),
 }
 
 /// Why the command ends before its work is done.
@@ -81,6 +88,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Edit { file } => edit::run(file.as_deref()),
         Command::Sample(arguments) => sample::run(&arguments),
         Command::Info { file } => info::run(&file),
+        Command::Move(arguments) => moves::run(&arguments),
+        Command::Tool(tool) => tools::run(&tool),
     })
 }
 

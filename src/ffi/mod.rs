@@ -48,6 +48,7 @@ mod settings;
 mod shape;
 mod splines;
 mod status;
+mod tools;
 mod types;
 mod view;
 

@@ -39,4 +39,4 @@ pub use not_a_file::NotAFile;
 pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;
 
-use vides_engine::{error, limits, math, path};
+use vides_engine::{error, limits, math, path, tools};

@@ -35,6 +35,7 @@ mod position;
 mod questions;
 mod reasons;
 mod reasons_scene;
+mod reasons_tools;
 mod rescue;
 mod setup;
 mod space;

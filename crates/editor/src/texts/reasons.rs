@@ -8,6 +8,7 @@
 use super::Language;
 use super::errors::Errors;
 use super::reasons_scene::SENTENCES as OF_SCENES;
+use super::reasons_tools::SENTENCES as OF_TOOLS;
 use crate::error::{Kind, Message, Part, fill};
 
 /// English, German.
@@ -536,6 +537,7 @@ fn translated(sentence: &str) -> Option<&'static str> {
     };
     find(SENTENCES, sentence)
         .or_else(|| find(OF_SCENES, sentence))
+        .or_else(|| find(OF_TOOLS, sentence))
         .or_else(parser)
 }
 
@@ -573,7 +575,7 @@ mod tests {
         for folder in ["src", "crates"] {
             said(&root.join(folder), &mut found);
         }
-        let all = || SENTENCES.iter().chain(OF_SCENES);
+        let all = || SENTENCES.iter().chain(OF_SCENES).chain(OF_TOOLS);
         let here: BTreeSet<String> = all().map(|(e, _)| (*e).to_owned()).collect();
         assert_eq!(here.len(), all().count(), "one stands here twice");
         let missing: Vec<_> = found.difference(&here).collect();

@@ -6,7 +6,13 @@
 //! table of [`Parameter`]s, from which those callers make their fields, options
 //! and comments. It knows nothing of undo, files or windows.
 
+pub mod blend;
+pub mod block;
+pub mod fit;
+mod keep;
 pub mod moves;
 pub mod parameter;
+mod smooth;
+pub mod transform;
 
 pub use parameter::{Parameter, Unit};
