@@ -697,3 +697,50 @@ fn tools_refuse_what_does_not_do() {
         complaint(&run(arguments), 2);
     }
 }
+
+#[test]
+fn a_sampled_film_becomes_a_path_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let poses = folder.join("poses.csv");
+    let poses = poses.to_str().unwrap();
+    said(&run(&["sample", PYRAMID, "--format", "csv", "-o", poses]));
+    let fitted = written(folder, "fitted.vid", &["fit", poses, "--tolerance", "0.02"]);
+    let (want, got) = (poses_of(PYRAMID), poses_of(&fitted));
+    assert_eq!(got.len(), want.len());
+    for (a, b) in want.iter().zip(&got) {
+        let far = (0..3).map(|k| (a.vrp[k] - b.vrp[k]).powi(2)).sum::<f64>();
+        assert!(far.sqrt() < 0.0201);
+    }
+    sentence(&run(&["fit", PYRAMID]), 1);
+    sentence(&run(&["fit", poses, "--tolerance", "0"]), 1);
+}
+
+#[test]
+fn a_check_tells_by_its_exit_status() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let calm = written(folder, "calm.vid", &["move", "orbit", "--radius", "0.9"]);
+    assert_eq!(said(&run(&["check", &calm])), "");
+    assert_eq!(said(&run(&["check", &calm, "--json"])), "[]\n");
+    let fast = written(
+        folder,
+        "fast.vid",
+        &["move", "orbit", "--radius", "0.9", "--seconds", "3"],
+    );
+    let output = run(&["check", &fast, "--json"]);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(output.stderr.is_empty());
+    let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let turning = found
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|f| f["kind"] == "turning");
+    let value = turning.unwrap()["value"].as_f64().unwrap();
+    assert!((100.0..140.0).contains(&value), "{value}");
+    let text = run(&["check", &fast]);
+    assert_eq!(text.status.code(), Some(3));
+    assert!(String::from_utf8(text.stdout).unwrap().contains("turning"));
+    sentence(&run(&["check", "no such file"]), 1);
+}

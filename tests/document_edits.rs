@@ -10,6 +10,7 @@ use vides::path::{
     Tcb, ZoomMode,
 };
 use vides::tools::block::Fit;
+use vides::tools::check::Limits;
 
 /// Numbers from which an edit is made, whatever its kind.
 #[derive(Debug, Clone)]
@@ -222,6 +223,11 @@ impl Raw {
                 })
                 .collect::<Vec<_>>()
                 .into(),
+            limits: {
+                let mut limits = Limits::default();
+                let _ = limits.set("turning", 90.0 * self.x[0]);
+                limits
+            },
         }
     }
 

@@ -22,6 +22,7 @@
 #![allow(clippy::missing_safety_doc)]
 
 mod border;
+mod checks;
 mod counted;
 mod curve;
 // Its macro is for those below.

@@ -344,7 +344,7 @@ pub unsafe extern "C" fn v_scene_set_geometry(
 ///
 /// # Safety
 /// A pointer that is not NULL points to a mesh whose arrays are as long as it says.
-unsafe fn mesh(mesh: *const V_MESH) -> Answer<Mesh> {
+pub(super) unsafe fn mesh(mesh: *const V_MESH) -> Answer<Mesh> {
     // SAFETY: the caller's word.
     let given = unsafe { read_growing(mesh) }?;
     // SAFETY: the caller's word, for each of the arrays.

@@ -111,10 +111,76 @@ static void blocks(void)
     v_path_free(path);
 }
 
+static void recorded_poses_are_fitted(void)
+{
+    V_PATH *path = orbit(1, 20), *fitted = NULL;
+    static V_POSE poses[500], again[500];
+    size_t count = 0, i;
+    int points;
+
+    OK(v_path_sample(path, poses, 500, &count));
+    CHECK(count == 500);
+    OK(v_path_fit_poses(poses, NULL, count, 25, 0.01, 0.5, &fitted));
+    OK(v_path_point_count(fitted, &points));
+    CHECK(points <= 13);
+    OK(v_path_sample(fitted, again, 500, &count));
+    CHECK(count == 500);
+    for (i = 0; i < count; i++)
+        NEAR(again[i].vrp[0], poses[i].vrp[0], 0.0101);
+    v_path_free(fitted);
+    STATUS(V_ERR_ARGUMENT, v_path_fit_poses(poses, NULL, 2, 25, 0.01, 0.5, &fitted));
+    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, 25, 0, 0.5, &fitted));
+    poses[7].zoom = a_nan;
+    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, 25, 0.01, 0.5, &fitted));
+    v_path_free(path);
+}
+
+static void what_looks_wrong_is_found(void)
+{
+    V_PATH *path = orbit(1, 4);
+    V_FINDING findings[8];
+    V_MESH mesh = {sizeof mesh, NULL, 0, NULL, NULL, 0, NULL, 0};
+    const double corners[9] = {-2, 0, 0.5, 2, 0, 0.5, 0, 3, 0.5};
+    const unsigned triangle[3] = {0, 1, 2};
+    size_t count = 99, i;
+    double limit = 0;
+    int through = 0;
+
+    OK(v_path_check(path, NULL, NULL, 0, &count));
+    CHECK(count > 0 && count <= 8); /* 90 degrees a second */
+    STATUS(V_ERR_SIZE, v_path_check(path, NULL, findings, 0, &count));
+    OK(v_path_check(path, NULL, findings, 8, &count));
+    CHECK(strcmp(findings[count - 1].kind, "turning") == 0
+          || strcmp(findings[0].kind, "turning") == 0
+          || strcmp(findings[count - 1].kind, "space") == 0);
+    OK(v_path_set_limit(path, "turning", 100));
+    OK(v_path_set_limit(path, "space", 10));
+    OK(v_path_get_limit(path, "turning", &limit));
+    CHECK(limit == 100);
+    OK(v_path_check(path, NULL, NULL, 0, &count));
+    CHECK(count == 0);
+    mesh.xyz = corners;
+    mesh.points = 3;
+    mesh.triangles = triangle;
+    mesh.corners = 3;
+    OK(v_path_check(path, &mesh, findings, 8, &count));
+    for (i = 0; i < count; i++)
+        through += strcmp(findings[i].kind, "through") == 0;
+    CHECK(through == 2);
+    mesh.points = 0;
+    mesh.corners = 0;
+    STATUS(V_ERR_ARGUMENT, v_path_check(path, &mesh, findings, 8, &count));
+    STATUS(V_ERR_ARGUMENT, v_path_set_limit(path, "tuning", 1));
+    STATUS(V_ERR_RANGE, v_path_set_limit(path, "turning", -1));
+    v_path_free(path);
+}
+
 int main(void)
 {
     an_orbit_is_round();
     points_are_moved_and_deformed();
     blocks();
+    recorded_poses_are_fitted();
+    what_looks_wrong_is_found();
     return failures != 0;
 }

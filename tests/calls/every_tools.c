@@ -112,3 +112,48 @@ CALL(v_path_blend)
     return made(v_path_blend(given("paths", paths, sizeof paths),
                              given("weights", weights, sizeof weights), 2, blend), blend);
 }
+
+CALL(v_path_fit_poses)
+{
+    V_POSE poses[12];
+    int k;
+    V_PATH **path;
+    const V_POSE *given_poses;
+
+    for (k = 0; k < 12; k++) {
+        const V_POSE pose = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 24};
+        poses[k] = pose;
+        poses[k].vrp[0] = 0.1 * k;
+    }
+    poses[3].vrp[1] = number(-0.1, 0.1);
+    given_poses = given("poses", poses, sizeof poses);
+    path = result(sizeof *path, 0);
+    return made(v_path_fit_poses(given_poses, NULL, 12, number(1, 100), number(0.01, 0.1),
+                                 number(0.1, 2), path), path);
+}
+
+CALL(v_path_check)
+{
+    const V_PATH *path = a_path();
+    return v_path_check(path, NULL, NULL, 0, result(sizeof(size_t), 0));
+}
+
+static const char *a_kind_of_finding(void)
+{
+    static const char *const kinds[] = {"turning", "pole", "clearance", "zoom"};
+    return one_of(kinds, 4);
+}
+
+CALL(v_path_set_limit)
+{
+    V_PATH *path = a_path();
+    const char *kind = a_kind_of_finding();
+    return v_path_set_limit(path, kind, number(0, 3));
+}
+
+CALL(v_path_get_limit)
+{
+    const V_PATH *path = a_path();
+    const char *kind = a_kind_of_finding();
+    return v_path_get_limit(path, kind, result(sizeof(double), 0));
+}

@@ -80,6 +80,10 @@
     F(v_path_reverse, STATUS, V_OK, 0) \
     F(v_path_repeat, STATUS, V_OK, 0) \
     F(v_path_blend, STATUS, -2, 0) \
+    F(v_path_fit_poses, STATUS, V_OK, 0) \
+    F(v_path_check, STATUS, V_OK, 0) \
+    F(v_path_set_limit, STATUS, V_OK, 0) \
+    F(v_path_get_limit, STATUS, V_OK, 0) \
     F(v_path_length, STATUS, V_OK, 0) \
     F(v_path_segment_length, STATUS, V_OK, 0) \
     F(v_path_curve_point, STATUS, V_OK, 0) \

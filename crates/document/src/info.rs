@@ -5,6 +5,7 @@ use std::ops::Deref;
 use std::sync::Arc;
 
 use glam::DVec3;
+use vides_engine::tools::check::Limits;
 
 use crate::error::{Error, Message, Result, message};
 use crate::limits;
@@ -26,6 +27,8 @@ pub struct Info {
     pub space: Space,
     /// Wireframe object, shown for orientation.
     pub object: Object,
+    /// Beyond which values a check tells.
+    pub limits: Limits,
 }
 
 /// Where the movement space lies in the user's world:
@@ -80,6 +83,7 @@ impl Default for Info {
             first_frame: 1,
             space: Space::default(),
             object: Object::default(),
+            limits: Limits::default(),
         }
     }
 }
@@ -139,6 +143,7 @@ impl Info {
                 unit: copy_text(&self.space.unit)?,
             },
             object: self.object.clone(),
+            limits: self.limits,
         })
     }
 

@@ -14,6 +14,7 @@
 pub mod ascii;
 mod blocks;
 mod change;
+mod check;
 mod contents;
 mod edit;
 mod editing;

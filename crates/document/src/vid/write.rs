@@ -88,6 +88,12 @@ pub(super) fn space(out: &mut Text, info: &Info) -> fmt::Result {
     writeln!(out, "scale = {:?}", info.space.scale)?;
     writeln!(out, "origin = {}", Vector(info.space.origin))?;
     writeln!(out, "unit = {}", Quoted(&info.space.unit))?;
+    for (number, (name, limit)) in info.limits.own().enumerate() {
+        if number == 0 {
+            writeln!(out, "\n[check]")?;
+        }
+        writeln!(out, "{name} = {limit:?}")?;
+    }
 
     object(out, &info.object)
 }
@@ -322,6 +328,7 @@ mod tests {
                 unit: "\"".repeat(limits::MAX_NAME_BYTES),
             },
             object: Object::default(),
+            limits: Info::default().limits,
         };
         let rest = size(&path, &info);
         path.points.push(point);

@@ -86,7 +86,9 @@ impl Clearance {
             if crossed || node.min.cmpgt(high).any() || node.max.cmplt(low).any() {
                 return false;
             }
-            crossed |= primitives.iter().any(|primitive| primitive.is_crossed(a, b));
+            crossed |= primitives
+                .iter()
+                .any(|primitive| primitive.is_crossed(a, b));
             true
         });
         crossed
@@ -153,7 +155,9 @@ fn build(primitives: &mut [Primitive], first: usize, nodes: &mut Vec<Node>) {
         return;
     }
     let size = max - min;
-    let axis = (0..3).max_by(|a, b| size[*a].total_cmp(&size[*b])).unwrap_or(0);
+    let axis = (0..3)
+        .max_by(|a, b| size[*a].total_cmp(&size[*b]))
+        .unwrap_or(0);
     let key = |primitive: &Primitive| primitive.0.iter().map(|p| p[axis]).sum::<f64>();
     let middle = primitives.len() / 2;
     primitives.select_nth_unstable_by(middle, |a, b| key(a).total_cmp(&key(b)));
@@ -280,7 +284,10 @@ mod tests {
                 }
             }
             let found = clearance.distance(place, f64::INFINITY).unwrap();
-            assert!(found <= least + 1e-12 && found > least - 0.02, "{found} {least}");
+            assert!(
+                found <= least + 1e-12 && found > least - 0.02,
+                "{found} {least}"
+            );
             assert!(clearance.distance(place, 0.99 * found).is_none());
         }
     }

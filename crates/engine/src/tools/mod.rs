@@ -8,6 +8,8 @@
 
 pub mod blend;
 pub mod block;
+pub mod check;
+pub mod clearance;
 pub mod fit;
 mod keep;
 pub mod moves;
