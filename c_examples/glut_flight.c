@@ -17,13 +17,12 @@
 
 #define FRAME 40 /* milliseconds */
 
-/* What both show: from point to point a line, unless draw is 0. */
-static V_OBJEKT_LIST pyramid[10] = {
-    {{ 0.3f, 0.0f,  0.3f}, 0, 1}, {{ 0.3f, 0.0f, -0.3f}, 1, 2}, {{-0.3f, 0.0f, -0.3f}, 1, 3},
-    {{-0.3f, 0.0f,  0.3f}, 1, 4}, {{ 0.3f, 0.0f,  0.3f}, 1, 5}, {{ 0.0f, 0.5f,  0.0f}, 1, 6},
-    {{ 0.3f, 0.0f, -0.3f}, 1, 7}, {{-0.3f, 0.0f, -0.3f}, 0, 8}, {{ 0.0f, 0.5f,  0.0f}, 1, 9},
-    {{-0.3f, 0.0f,  0.3f}, 1, 10}
+/* What both show: points, and the lines between them. */
+static const double xyz[5][3] = {
+    {0.3, 0.0, 0.3}, {0.3, 0.0, -0.3}, {-0.3, 0.0, -0.3}, {-0.3, 0.0, 0.3}, {0.0, 0.5, 0.0}
 };
+static const unsigned lines[16] = {0, 1, 1, 2, 2, 3, 3, 0, 0, 4, 1, 4, 2, 4, 3, 4};
+static const V_MESH pyramid = {sizeof pyramid, xyz[0], 5, NULL, lines, 16, NULL, 0};
 static V_POSE *flight;     /* a copy of what was handed over */
 static size_t poses, now;
 
@@ -61,12 +60,8 @@ static void display(void)
         glMatrixMode(GL_MODELVIEW);
         glLoadMatrixd(matrix);
         glBegin(GL_LINES);
-        for (i = 1; i < 10; i++) {
-            if (pyramid[i].draw) {
-                glVertex3f(pyramid[i - 1].pos.x, pyramid[i - 1].pos.y, pyramid[i - 1].pos.z);
-                glVertex3f(pyramid[i].pos.x, pyramid[i].pos.y, pyramid[i].pos.z);
-            }
-        }
+        for (i = 0; i < 16; i++)
+            glVertex3dv(xyz[lines[i]]);
         glEnd();
     }
     glutSwapBuffers();
@@ -106,8 +101,7 @@ int main(int argc, char **argv)
 
     v_editor_options_init(&options);
     options.title = "glut_flight";
-    options.object = pyramid;
-    options.object_count = 10;
+    options.object = &pyramid;
     options.on_poses = on_poses;
     if (argc > 1)
         options.file = argv[1];

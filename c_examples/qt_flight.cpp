@@ -18,13 +18,12 @@
 
 #include <libvides.h>
 
-// What both show: from point to point a line, unless draw is 0.
-const V_OBJEKT_LIST PYRAMID[] = {
-    {{ 0.3f, 0.0f,  0.3f}, 0, 1}, {{ 0.3f, 0.0f, -0.3f}, 1, 2}, {{-0.3f, 0.0f, -0.3f}, 1, 3},
-    {{-0.3f, 0.0f,  0.3f}, 1, 4}, {{ 0.3f, 0.0f,  0.3f}, 1, 5}, {{ 0.0f, 0.5f,  0.0f}, 1, 6},
-    {{ 0.3f, 0.0f, -0.3f}, 1, 7}, {{-0.3f, 0.0f, -0.3f}, 0, 8}, {{ 0.0f, 0.5f,  0.0f}, 1, 9},
-    {{-0.3f, 0.0f,  0.3f}, 1, 10}
+// What both show: points, and the lines between them.
+const double XYZ[][3] = {
+    {0.3, 0.0, 0.3}, {0.3, 0.0, -0.3}, {-0.3, 0.0, -0.3}, {-0.3, 0.0, 0.3}, {0.0, 0.5, 0.0}
 };
+const unsigned LINES[][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}};
+const V_MESH PYRAMID = {sizeof PYRAMID, XYZ[0], 5, nullptr, LINES[0], 16, nullptr, 0};
 
 class Flight : public QWidget {
 public:
@@ -66,8 +65,7 @@ private:
         V_EDITOR_OPTIONS options;
         v_editor_options_init(&options);
         options.title = "qt_flight";
-        options.object = PYRAMID;
-        options.object_count = 10;
+        options.object = &PYRAMID;
         options.on_poses = onPoses;
         options.on_close = onClose;
         options.user = this;
@@ -84,23 +82,24 @@ private:
     void paintEvent(QPaintEvent *) override
     {
         QPainter painter(this);
-        QPointF from;
-        bool before = false;
         double m[16];
         if (poses.empty() || v_pose_gl_matrix(&poses[now], m) != V_OK)
             return;
         painter.translate(width() / 2.0, height() / 2.0);
-        for (const V_OBJEKT_LIST &corner : PYRAMID) {
-            const V_PUNKT &p = corner.pos;
-            // The zoom is a focal length in mm of a camera with a picture 24 mm high.
-            const double depth = -(m[2] * p.x + m[6] * p.y + m[10] * p.z + m[14]);
-            const double scale = poses[now].zoom / 24.0 * height() / depth;
-            const QPointF to((m[0] * p.x + m[4] * p.y + m[8] * p.z + m[12]) * scale,
-                             -(m[1] * p.x + m[5] * p.y + m[9] * p.z + m[13]) * scale);
-            if (corner.draw && before && depth > 0.01)
-                painter.drawLine(from, to);
-            from = to;
-            before = depth > 0.01;
+        for (const auto &line : LINES) {
+            QPointF ends[2];
+            bool seen = true;
+            for (int end = 0; end < 2; end++) {
+                const double *p = XYZ[line[end]];
+                // The zoom is a focal length in mm of a camera with a picture 24 mm high.
+                const double depth = -(m[2] * p[0] + m[6] * p[1] + m[10] * p[2] + m[14]);
+                const double scale = poses[now].zoom / 24.0 * height() / depth;
+                ends[end] = QPointF((m[0] * p[0] + m[4] * p[1] + m[8] * p[2] + m[12]) * scale,
+                                    -(m[1] * p[0] + m[5] * p[1] + m[9] * p[2] + m[13]) * scale);
+                seen = seen && depth > 0.01;
+            }
+            if (seen)
+                painter.drawLine(ends[0], ends[1]);
         }
     }
 

@@ -6,7 +6,7 @@ over (Alt-U) are played, 25 a second, round and round. Q ends the program.
 
 import ctypes
 import math
-from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_float, c_int, c_size_t, c_void_p
+from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
 
 import vtkmodules.vtkInteractionStyle
 import vtkmodules.vtkRenderingOpenGL2
@@ -21,9 +21,11 @@ class Pose(ctypes.Structure):
                 ("zoom", c_double)]
 
 
-class Corner(ctypes.Structure):
-    """V_OBJEKT_LIST."""
-    _fields_ = [("pos", c_float * 3), ("draw", ctypes.c_ushort), ("number", c_int)]
+class Mesh(ctypes.Structure):
+    """V_MESH."""
+    _fields_ = [("size", c_size_t), ("xyz", POINTER(c_double)), ("points", c_size_t),
+                ("rgb", c_void_p), ("lines", POINTER(c_uint)), ("line_ends", c_size_t),
+                ("triangles", c_void_p), ("corners", c_size_t)]
 
 
 OnPoses = CFUNCTYPE(None, c_void_p, POINTER(Pose), c_size_t, c_void_p)
@@ -33,7 +35,7 @@ OnClose = CFUNCTYPE(c_int, c_void_p, c_void_p)
 class Options(ctypes.Structure):
     """V_EDITOR_OPTIONS."""
     _fields_ = [("size", c_size_t), ("title", c_char_p), ("file", c_char_p), ("path", c_void_p),
-                ("object", POINTER(Corner)), ("object_count", c_int), ("speeds", c_double * 4),
+                ("object", POINTER(Mesh)), ("speeds", c_double * 4),
                 ("display", c_char_p), ("language", c_char_p), ("on_poses", OnPoses),
                 ("on_close", OnClose), ("user", c_void_p)]
 
@@ -44,13 +46,14 @@ vides.v_editor_open.argtypes = [POINTER(Options), POINTER(c_void_p)]
 vides.v_editor_close.argtypes = [c_void_p]
 
 
-def corners(data):
-    """The faces of a vtkPolyData, as lines that the editor shows."""
-    points = [(data.GetPoint(cell.GetPointId(i % cell.GetNumberOfPoints())), i > 0)
-              for cell in map(data.GetCell, range(data.GetNumberOfCells()))
-              for i in range(cell.GetNumberOfPoints() + 1)]
-    return (Corner * len(points))(*((point, draw, number)
-                                    for number, (point, draw) in enumerate(points, 1)))
+def mesh(data):
+    """The borders of the faces of a vtkPolyData, which the editor shows."""
+    xyz = [x for i in range(data.GetNumberOfPoints()) for x in data.GetPoint(i)]
+    ends = [cell.GetPointId((i + end) % cell.GetNumberOfPoints())
+            for cell in map(data.GetCell, range(data.GetNumberOfCells()))
+            for i in range(cell.GetNumberOfPoints()) for end in (0, 1)]
+    return Mesh(size=ctypes.sizeof(Mesh), xyz=(c_double * len(xyz))(*xyz), points=len(xyz) // 3,
+                lines=(c_uint * len(ends))(*ends), line_ends=len(ends))
 
 
 class Flight:
@@ -72,9 +75,9 @@ class Flight:
         self.interactor.SetRenderWindow(self.window)
         self.editor, self.poses, self.now = c_void_p(), [], 0
         # ctypes forgets a function that nobody holds: these must live as long as the editor.
-        lines = corners(cube.GetOutput())
-        self.options = Options(size=ctypes.sizeof(Options), title=b"vtk_flight", object=lines,
-                               object_count=len(lines), on_poses=OnPoses(self.take),
+        self.mesh = mesh(cube.GetOutput())
+        self.options = Options(size=ctypes.sizeof(Options), title=b"vtk_flight",
+                               object=ctypes.pointer(self.mesh), on_poses=OnPoses(self.take),
                                on_close=OnClose(self.closed))
 
     def run(self):

@@ -74,6 +74,7 @@
  *                 says which
  * V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable
  *                 from now on, everything else goes on
+ * V_ERR_REFUSED   a user said no
  */
 #define V_OK 0
 #define V_ERR_NULL 1
@@ -89,6 +90,22 @@
 #define V_ERR_BUSY 11
 #define V_ERR_CLOSED 12
 #define V_ERR_INTERNAL 13
+#define V_ERR_REFUSED 14
+
+/**
+ * Why on_view is called: another point or orientation became current; something
+ * is being dragged or was changed; another frame was chosen; it plays; nothing
+ * moves any more (the last of a row of the others: time for the good picture).
+ */
+#define V_VIEW_SELECTED 0
+#define V_VIEW_EDITED 1
+#define V_VIEW_SCRUBBED 2
+#define V_VIEW_PLAYED 3
+#define V_VIEW_RESTED 4
+
+/** Which axis is up. */
+#define V_UP_Y 1
+#define V_UP_Z 2
 
 
 /* ---- Modes, see v_path_set_modes() ------------------------------------------- */
@@ -422,15 +439,11 @@ struct v_editor_options {
      * both
      */
     const V_PATH *path;
+    /** an object to be shown, copied; NULL: that of the path */
+    const V_MESH *object;
     /**
-     * points of an object to be shown, copied; NULL with object_count 0: that
-     * of the path
-     */
-    const V_OBJEKT_LIST *object;
-    int object_count;
-    /**
-     * frames for a way of length 1 and so on, see v_path_set_base_frames(). All
-     * 0: those of the path. Else they are the host's: the window keeps them and
+     * frames for a way of one half size and so on, see v_path_set_base_frames().
+     * All 0: those of the path. Else they are the host's: the window keeps them and
      * ignores a loaded file's
      */
     double move_frames;
@@ -457,10 +470,62 @@ struct v_editor_options {
     /** the host's, handed on to the callbacks */
     void *user;
     /**
+     * the movement space in the host's world: its centre, half of its edge, and
+     * which axis is up, V_UP_Y or V_UP_Z. Half size 0: that of file or path
+     */
+    double space_centre[3];
+    double space_half_size;
+    int space_up;
+    /**
+     * called with the camera at the playhead whenever that has changed, at most
+     * once for each picture of the window; what came meanwhile is one call. frame
+     * counts from 1. reason is one of V_VIEW_.... The pose is the library's and
+     * valid until it returns. After a call of more than 30 ms the next one waits
+     * as long; the last pose always comes. NULL: none
+     */
+    void (*on_view)(V_EDITOR *editor,
+                    const V_POSE *pose,
+                    double frame,
+                    int reason,
+                    void *user);
+    /**
+     * called when the path in the window has changed: after each step, undo and
+     * redo too, not while a drag goes on. NULL: none
+     */
+    void (*on_change)(V_EDITOR *editor, void *user);
+    /**
+     * "take over the view": the host fills in its own camera and returns 1; 0: it
+     * has none. vpn and vup of any length but 0, not parallel. NULL: that of
+     * v_editor_set_view() is taken
+     */
+    int (*on_capture)(V_EDITOR *editor, V_POSE *pose, void *user);
+    /**
+     * the camera pane opened, changed its size, or closed (window 0): an X window
+     * in which the host may make a child and draw. NULL: the editor draws itself
+     */
+    void (*on_pane)(V_EDITOR *editor,
+                    unsigned long window,
+                    int width,
+                    int height,
+                    void *user);
+    /**
+     * what the window calls the host's view, UTF-8, one line; NULL: "program"
+     */
+    const char *host_name;
+    /** an X window to live in; 0: a top-level window */
+    unsigned long parent;
+    /** the host's window that the editor's belongs to; 0: none */
+    unsigned long transient_for;
+    /**
      * what the program is called: the first half of WM_CLASS, by which a desktop
      * groups its windows, and unsaved work finds back to it; UTF-8; NULL: the name of the running program
      */
     const char *application;
+    /**
+     * not 0: after a hand-over nothing is unsaved. So it is without a file, too,
+     * and in a window of v_haupt()
+     */
+    int hand_over_saves;
 };
 
 typedef struct v_editor_options V_EDITOR_OPTIONS;
@@ -866,6 +931,7 @@ int v_path_set_absolute(V_PATH *path, int point, int at, int absolute);
  * distance  0: along the tangent; greater: at the place so far ahead on the
  *     curve, behind the end of which it looks on straight; less: no longer
  *     ahead, but in the direction in which it looked, as an offset. At most 1e9
+ *     half sizes of the space
  * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
@@ -876,8 +942,9 @@ int v_path_set_ahead(V_PATH *path, int point, int at, double distance);
 
 /**
  * Sets how many poses a path has at speed 50, each finite and > 0: for a way of
- * length 1 (move), for turning by 180 degrees (turn), for the zoom from 1 to 100
- * (zoom), for rolling by 90 degrees (roll). v_haupt() calls them its speeds.
+ * one half size of its space (move), for turning by 180 degrees (turn), for the
+ * zoom from 1 to 100 (zoom), for rolling by 90 degrees (roll). v_haupt() calls
+ * them its speeds.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
  */
 int v_path_set_base_frames(V_PATH *path,
@@ -985,6 +1052,48 @@ int v_path_set_first_frame(V_PATH *path, int number);
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_first_frame(const V_PATH *path, int *number);
+
+
+/* ---- Where a path lies ------------------------------------------------------- */
+
+/**
+ * The movement space is a cube in the host's world: its centre, half the length of
+ * its edge, and the axis that stands upright (V_UP_Y, V_UP_Z). All places,
+ * offsets, tangents and lengths of a path are the world's own numbers; only base
+ * frames count ways in half sizes, and so do the distances below which nothing
+ * moves, so that they mean the same in metres and in angstroms. A new path has
+ * (0, 0, 0), 1 and V_UP_Y.
+ *
+ * Sets the space; the path's numbers stay what they are. The half size is from
+ * 1e-30 to 1e30; centre, points and targets may be up to 1e9 half sizes away.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a
+ * number that is not finite), V_ERR_RANGE.
+ */
+int v_path_set_space(V_PATH *path,
+                     const double centre[3],
+                     double half_size,
+                     int up);
+
+/**
+ * The space of a path. Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ */
+int v_path_get_space(const V_PATH *path,
+                     double centre[3],
+                     double *half_size,
+                     int *up);
+
+/**
+ * How an orientation must be to look as a camera does in a pose, such as the
+ * host's own: relative, target the pose's vpn, and its roll and zoom; all else in
+ * *orientation stays, so that v_orientation_init() must have filled it in before.
+ * up is the upright axis of the path that it is for (V_UP_Y, V_UP_Z). vpn and vup
+ * may have any length but zero; vup need not be perpendicular to vpn, but not
+ * parallel.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE (zoom, up).
+ */
+int v_orientation_from_pose(const V_POSE *pose, int up, V_ORIENTATION *orientation);
 
 
 /* ---- Kind of the curve, tangents --------------------------------------------- */
@@ -1687,10 +1796,9 @@ void v_editor_options_init_sized(V_EDITOR_OPTIONS *options, size_t size);
 /**
  * Opens an editor window and returns at once; how it is served then, see
  * v_fd(). options may be NULL for the defaults. *editor is the caller's, to be
- * freed with v_editor_close(). If the numbers of the object's points are not
- * 1, 2, 3 ..., the window says so.
+ * freed with v_editor_close().
  *
- * on_poses and on_close run on the thread that opened the window, inside the
+ * The callbacks run on the thread that opened the window, inside the
  * host's event loop, and may call any function of the library. They may come
  * while the host is in a modal dialog of its own, whose loop serves the window,
  * too. They return to their caller: no longjmp() and no exception may leave them. An exception that

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 22] = [
+const SOURCES: [&str; 23] = [
     "status",
     "types",
     "legacy",
@@ -15,6 +15,7 @@ const SOURCES: [&str; 22] = [
     "points",
     "orientations",
     "settings",
+    "space",
     "shape",
     "pace",
     "curve",

@@ -6,6 +6,7 @@ use clap::error::ErrorKind;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use vides::deform::Bounds;
 use vides::document::{Document, Info};
+use vides::path::Space;
 use vides::tools::moves::{MOVES, Move};
 use vides::tools::{Parameter, Unit};
 
@@ -73,7 +74,7 @@ impl Args for Arguments {
                         .long("object")
                         .value_name("FILE.vid")
                         .value_parser(clap::value_parser!(PathBuf))
-                        .help("Fits the defaults to the object in this file"),
+                        .help("Lies in the space of this file, round its object"),
                 )
                 .arg(
                     Arg::new("output")
@@ -138,26 +139,28 @@ impl FromArgMatches for Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let mut space = Space::default();
     let mut info = Info {
         fps: arguments.fps,
         ..Info::default()
     };
-    // The document would say so too, but after a film of that length was made.
-    info.check()?;
     let mut bounds = None;
     if let Some(file) = &arguments.object {
-        let (_, of_file) = input::load(file)?.into_parts();
-        (info.space, info.object) = (of_file.space, of_file.object);
+        let (path, of_file) = input::load(file)?.into_parts();
+        space = path.space;
+        (info.unit, info.object) = (of_file.unit, of_file.object);
         let places: Vec<_> = info.object.iter().map(|point| point.position).collect();
         bounds = (!places.is_empty()).then(|| Bounds::of(&places));
     }
-    let mut numbers = arguments.chosen.defaults(bounds.as_ref())?;
+    // Seconds count with it.
+    info.check(space)?;
+    let mut numbers = arguments.chosen.defaults(bounds.as_ref(), space)?;
     let parameters = arguments.chosen.parameters;
     for (at, given) in &arguments.given {
         let start = Parameter::count(&parameters[..*at]);
         numbers[start..start + given.len()].copy_from_slice(given);
     }
-    let path = arguments.chosen.path(&numbers, arguments.fps)?;
+    let path = arguments.chosen.path(&numbers, space, arguments.fps)?;
     let document = Document::from_parts(path, info)?;
     Output::to(arguments.output.clone()).write(&document)
 }

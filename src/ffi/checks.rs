@@ -119,12 +119,13 @@ pub unsafe extern "C" fn v_path_fit_poses(
 }
 
 /// Looks for what will look wrong in the film. Of each kind there is one finding for
-/// each run of frames, in the order of the frames:
+/// each run of frames, in the order of the frames. Lengths count in half sizes of the
+/// space:
 ///
 /// "space"         the camera is outside the space by more than the limit (0)
 /// "cusp"          curve or pace nearly stop in a section (0.02 of the mean)
 /// "speed-jump"    at a key, in shares of the mean speed (0.5)
-/// "acceleration"  in lengths a second squared (5)
+/// "acceleration"  in half sizes a second squared (10)
 /// "view-jump"     degrees at once (1)
 /// "turning"       degrees a second (60)
 /// "turning-acceleration"  degrees a second squared (300)

@@ -1,7 +1,7 @@
 //! Editor windows by handles: the new interface to what `v_haupt` opens.
 
 use std::cell::{Cell, RefCell};
-use std::ffi::{c_char, c_int, c_void};
+use std::ffi::{c_char, c_int, c_ulong, c_void};
 use std::mem::offset_of;
 use std::path::PathBuf;
 use std::ptr;
@@ -12,18 +12,19 @@ use super::border::border;
 use super::counted::Counted;
 use super::handles::{Handles, KIND_EDITOR};
 use super::host_loop;
-use super::object::{Warnings, object};
+use super::object::wireframe;
 use super::path::{keep, read};
 use super::pointers::{self, Growing, Out, check, file_name, init, read_growing};
+use super::space::up_from_c;
 use super::status::{
-    Answer, Failure, V_ERR_ARGUMENT, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_OK,
+    Answer, Failure, V_ERR_ARGUMENT, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_ERR_RANGE, V_OK,
 };
-use super::types::{V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_POSE};
+use super::types::{V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_POSE, V_UP_Y};
 use crate::document::{Document, Edit};
 use crate::editor::{self, Language};
-use crate::error::{Message, Result, complain, vec_with_room};
+use crate::error::{Result, complain, vec_with_room};
 use crate::instance::{self, Gone, Host, Id};
-use crate::path::{BaseSpeeds, Pose, Sampler};
+use crate::path::{BaseSpeeds, Pose, Sampler, Space};
 
 /// All windows that C holds.
 static EDITORS: Handles<Opened, V_EDITOR> = Handles::new(KIND_EDITOR);
@@ -101,14 +102,13 @@ pub unsafe extern "C" fn v_editor_options_init_sized(options: *mut V_EDITOR_OPTI
 // SAFETY: of C's layout, `size` first; the host's pointers and functions are its
 // word in any version.
 unsafe impl Growing for V_EDITOR_OPTIONS {
-    const FIRST: usize = offset_of!(V_EDITOR_OPTIONS, application);
+    const FIRST: usize = offset_of!(V_EDITOR_OPTIONS, space_centre);
     const DEFAULTS: Self = Self {
         size: size_of::<V_EDITOR_OPTIONS>(),
         title: ptr::null(),
         file: ptr::null(),
         path: ptr::null(),
         object: ptr::null(),
-        object_count: 0,
         move_frames: 0.0,
         turn_frames: 0.0,
         zoom_frames: 0.0,
@@ -118,16 +118,26 @@ unsafe impl Growing for V_EDITOR_OPTIONS {
         on_poses: None,
         on_close: None,
         user: ptr::null_mut(),
+        space_centre: [0.0; 3],
+        space_half_size: 0.0,
+        space_up: V_UP_Y,
+        on_view: None,
+        on_change: None,
+        on_capture: None,
+        on_pane: None,
+        host_name: ptr::null(),
+        parent: 0,
+        transient_for: 0,
         application: ptr::null(),
+        hand_over_saves: 0,
     };
 }
 
 /// Opens an editor window and returns at once; how it is served then, see
 /// v_fd(). options may be NULL for the defaults. *editor is the caller's, to be
-/// freed with v_editor_close(). If the numbers of the object's points are not
-/// 1, 2, 3 ..., the window says so.
+/// freed with v_editor_close().
 ///
-/// on_poses and on_close run on the thread that opened the window, inside the
+/// The callbacks run on the thread that opened the window, inside the
 /// host's event loop, and may call any function of the library. They may come
 /// while the host is in a modal dialog of its own, whose loop serves the window,
 /// too. They return to their caller: no longjmp() and no exception may leave them. An exception that
@@ -180,7 +190,8 @@ struct Beginning {
     editor: editor::Options,
     display: Option<String>,
     application: Option<String>,
-    warning: Option<Message>,
+    parent: Option<u32>,
+    transient_for: Option<u32>,
 }
 
 /// What the options say, in our own types; copies only.
@@ -205,9 +216,18 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             instance::document_of(name)?
         }
     };
-    let mut warnings = Warnings::default();
+    if options.space_half_size != 0.0 {
+        let space = Space {
+            centre: options.space_centre.into(),
+            half_size: options.space_half_size,
+            up: up_from_c(options.space_up)?,
+        };
+        // A new path lies in the space as it does in its own; others have numbers.
+        let fit = options.path.is_null() && document.read_contents().is_none();
+        document.apply(Edit::SetSpace { space, fit })?;
+    }
     // SAFETY: the caller's word.
-    let object = unsafe { object(options.object, options.object_count, &mut warnings) }?;
+    let object = unsafe { wireframe(options.object) }?;
     if !object.is_empty() {
         let mut info = document.info().clone();
         info.object = object;
@@ -224,12 +244,16 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
         document.apply(Edit::SetSpeeds(speeds))?;
     }
     // SAFETY: the caller's word for the texts.
-    let (title, display, language, application) = unsafe {
+    let (title, display, language, application, host_name) = unsafe {
         (
             text(options.title, "the title is not UTF-8")?,
             text(options.display, "the display's name is not UTF-8")?,
             text(options.language, "the language is not \"de\" or \"en\"")?,
             text(options.application, "the application's name is not UTF-8")?,
+            text(
+                options.host_name,
+                "the name of the host's view is not UTF-8",
+            )?,
         )
     };
     let language = match language.as_deref() {
@@ -254,16 +278,30 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             fixed_speeds: !unset,
             folders: editor::Folders::of_environment(),
             program: program(options, application.as_deref()),
+            host_view: editor::HostView {
+                name: host_name,
+                captures: options.on_capture.is_some(),
+            },
         },
         display,
         application,
-        warning: warnings.said().cloned(),
+        parent: x_window(options.parent)?,
+        transient_for: x_window(options.transient_for)?,
     })
+}
+
+/// An X window of the host's, by its number; 0 is none.
+fn x_window(id: c_ulong) -> Answer<Option<u32>> {
+    let id = u32::try_from(id).map_err(|_| {
+        Failure::Border(V_ERR_RANGE, "the number of an X window has at most 32 bits")
+    })?;
+    Ok((id != 0).then_some(id))
 }
 
 /// The host, by what it calls itself.
 fn program(options: &V_EDITOR_OPTIONS, application: Option<&str>) -> editor::Program {
-    let mut program = instance::host_program(options.file.is_null());
+    let saves = options.file.is_null() || options.hand_over_saves != 0;
+    let mut program = instance::host_program(saves);
     if let Some(name) = application.filter(|name| !name.is_empty()) {
         name.clone_into(&mut program.name);
     }
@@ -291,7 +329,9 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
         editor: editor.editor,
         display: editor.display,
         application: editor.application,
-        warning: editor.warning,
+        parent: editor.parent,
+        transient_for: editor.transient_for,
+        warning: None,
         host: Rc::<Callbacks>::clone(&host),
     })?;
     let handle = EDITORS.insert(Opened {

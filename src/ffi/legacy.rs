@@ -121,9 +121,12 @@ fn open(
             fixed_speeds: true,
             folders: editor::Folders::of_environment(),
             program: instance::host_program(true),
+            host_view: editor::HostView::default(),
         },
         display: None,
         application: None,
+        parent: None,
+        transient_for: None,
         warning: warnings.said().cloned(),
         host: Rc::new(host),
     })?;

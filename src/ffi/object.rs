@@ -6,6 +6,7 @@ use std::ffi::c_int;
 use glam::DVec3;
 
 use super::pointers::slice;
+use super::scene_types::V_MESH;
 use super::status::Answer;
 use super::types::V_OBJEKT_LIST;
 use crate::document::{Object, ObjectPoint};
@@ -60,6 +61,19 @@ pub(super) unsafe fn object(
         ));
     }
     Ok(copied.into())
+}
+
+/// A copy of the host's object as a wireframe; NULL is none.
+///
+/// # Safety
+/// A pointer that is not NULL points to a mesh whose arrays are as long as it says.
+pub(super) unsafe fn wireframe(mesh: *const V_MESH) -> Answer<Object> {
+    if mesh.is_null() {
+        return Ok(Object::default());
+    }
+    // SAFETY: the caller's word.
+    let mesh = unsafe { super::scene_tracks::mesh(mesh) }?;
+    Ok(Object::of_mesh(&mesh)?)
 }
 
 /// The host's base speeds: move, orient, zoom, winkel. In the place of one

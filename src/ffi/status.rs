@@ -42,6 +42,7 @@ pub const V_VERSION_PATCH: c_int = 0;
 ///                 says which
 /// V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable
 ///                 from now on, everything else goes on
+/// V_ERR_REFUSED   a user said no
 pub const V_OK: c_int = 0;
 pub const V_ERR_NULL: c_int = 1;
 pub const V_ERR_HANDLE: c_int = 2;
@@ -56,6 +57,7 @@ pub const V_ERR_DISPLAY: c_int = 10;
 pub const V_ERR_BUSY: c_int = 11;
 pub const V_ERR_CLOSED: c_int = 12;
 pub const V_ERR_INTERNAL: c_int = 13;
+pub const V_ERR_REFUSED: c_int = 14;
 
 /// Why a call from C failed.
 #[derive(Debug)]

@@ -12,7 +12,7 @@ use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit, Info};
 use crate::error::{Error, can_allocate, vec_with_room};
-use crate::path::CameraPath;
+use crate::path::{CameraPath, Space};
 use crate::tools::block::{self, Fit};
 use crate::tools::moves::Move;
 use crate::tools::{Parameter, blend};
@@ -64,8 +64,32 @@ fn range(first: c_int, last: c_int) -> Answer<Vec<usize>> {
 /// order below, a place as three; those behind count have their defaults. Headings
 /// are seen from the target: 0 lies towards +z, 90 towards +x.
 ///
-/// move   "orbit"
+/// "orbit"  on a circle round a target
 ///     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
+///     zoom mm (24), seconds (10)
+/// "spiral"  round a target with another radius and height at the end
+///     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
+///     zoom mm (24), seconds (10), end-radius (0.5), end-height (1)
+/// "arc"  on a part of a circle, from one heading to another
+///     around x y z (0), radius (1), height (0.4), from degrees (-45),
+///     to degrees (45), zoom mm (24), seconds (10)
+/// "flyby"  straight past a target that stays in view
+///     around x y z (0), distance (1), height (0.4), from degrees (0),
+///     length (3), zoom mm (24), seconds (10)
+/// "approach"  straight towards a target
+///     around x y z (0), distance (3), end-distance (1), from degrees (0),
+///     rise degrees (15), zoom mm (24), seconds (10)
+/// "dolly-zoom"  towards a target that keeps its size in the picture
+///     around x y z (0), distance (3), end-distance (1), from degrees (0),
+///     rise degrees (15), zoom mm (60), seconds (10)
+/// "crane"  straight up or down beside a target that stays in view
+///     around x y z (0), radius (1), height (-0.2), end-height (1),
+///     from degrees (0), zoom mm (24), seconds (10)
+/// "pan"  turns on the spot
+///     at x y z (0), from degrees (-45), to degrees (45), tilt degrees (0),
+///     zoom mm (24), seconds (10)
+/// "figure-eight"  on an eight that crosses above the target
+///     around x y z (0), radius (1), height (0.4), width (0.8), from degrees (0),
 ///     zoom mm (24), seconds (10)
 ///
 /// *path is the caller's, to be freed with v_path_free().
@@ -91,7 +115,7 @@ pub unsafe extern "C" fn v_path_from_move(
             // SAFETY: so many doubles, as the header says.
             unsafe { slice(parameters, count) }?
         };
-        let made = new_path(found.path(given, Info::default().fps)?)?;
+        let made = new_path(found.path(given, Space::default(), Info::default().fps)?)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { out.write(made) };
         Ok(V_OK)

@@ -7,9 +7,10 @@
 // The header needs all names, the library does not.
 #![allow(dead_code)]
 
-use std::ffi::{c_char, c_int, c_ushort, c_void};
+use std::ffi::{c_char, c_int, c_ulong, c_ushort, c_void};
 use std::mem::offset_of;
 
+use super::scene_types::V_MESH;
 use crate::path::Pose;
 
 /// ==== The types of the interface of 1994 ====
@@ -179,6 +180,19 @@ pub struct v_editor {
 /// it frees it with v_editor_close(), also after the user has closed it.
 pub type V_EDITOR = v_editor;
 
+/// Why on_view is called: another point or orientation became current; something
+/// is being dragged or was changed; another frame was chosen; it plays; nothing
+/// moves any more (the last of a row of the others: time for the good picture).
+pub const V_VIEW_SELECTED: c_int = 0;
+pub const V_VIEW_EDITED: c_int = 1;
+pub const V_VIEW_SCRUBBED: c_int = 2;
+pub const V_VIEW_PLAYED: c_int = 3;
+pub const V_VIEW_RESTED: c_int = 4;
+
+/// Which axis is up.
+pub const V_UP_Y: c_int = 1;
+pub const V_UP_Z: c_int = 2;
+
 /// How an editor window is opened. v_editor_options_init() fills in defaults;
 /// what is pointed to need not live longer than the call of v_editor_open(),
 /// but for user.
@@ -198,12 +212,10 @@ pub struct v_editor_options {
     /// a path to start with, copied; NULL: a new one, or that of file. Not
     /// both
     pub path: *const V_PATH,
-    /// points of an object to be shown, copied; NULL with object_count 0: that
-    /// of the path
-    pub object: *const V_OBJEKT_LIST,
-    pub object_count: c_int,
-    /// frames for a way of length 1 and so on, see v_path_set_base_frames(). All
-    /// 0: those of the path. Else they are the host's: the window keeps them and
+    /// an object to be shown, copied; NULL: that of the path
+    pub object: *const V_MESH,
+    /// frames for a way of one half size and so on, see v_path_set_base_frames().
+    /// All 0: those of the path. Else they are the host's: the window keeps them and
     /// ignores a loaded file's
     pub move_frames: f64,
     pub turn_frames: f64,
@@ -229,9 +241,57 @@ pub struct v_editor_options {
     pub on_close: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void) -> c_int>,
     /// the host's, handed on to the callbacks
     pub user: *mut c_void,
+    /// the movement space in the host's world: its centre, half of its edge, and
+    /// which axis is up, V_UP_Y or V_UP_Z. Half size 0: that of file or path
+    pub space_centre: [f64; 3],
+    pub space_half_size: f64,
+    pub space_up: c_int,
+    /// called with the camera at the playhead whenever that has changed, at most
+    /// once for each picture of the window; what came meanwhile is one call. frame
+    /// counts from 1. reason is one of V_VIEW_.... The pose is the library's and
+    /// valid until it returns. After a call of more than 30 ms the next one waits
+    /// as long; the last pose always comes. NULL: none
+    pub on_view: Option<
+        unsafe extern "C" fn(
+            editor: *mut V_EDITOR,
+            pose: *const V_POSE,
+            frame: f64,
+            reason: c_int,
+            user: *mut c_void,
+        ),
+    >,
+    /// called when the path in the window has changed: after each step, undo and
+    /// redo too, not while a drag goes on. NULL: none
+    pub on_change: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void)>,
+    /// "take over the view": the host fills in its own camera and returns 1; 0: it
+    /// has none. vpn and vup of any length but 0, not parallel. NULL: that of
+    /// v_editor_set_view() is taken
+    pub on_capture: Option<
+        unsafe extern "C" fn(editor: *mut V_EDITOR, pose: *mut V_POSE, user: *mut c_void) -> c_int,
+    >,
+    /// the camera pane opened, changed its size, or closed (window 0): an X window
+    /// in which the host may make a child and draw. NULL: the editor draws itself
+    pub on_pane: Option<
+        unsafe extern "C" fn(
+            editor: *mut V_EDITOR,
+            window: c_ulong,
+            width: c_int,
+            height: c_int,
+            user: *mut c_void,
+        ),
+    >,
+    /// what the window calls the host's view, UTF-8, one line; NULL: "program"
+    pub host_name: *const c_char,
+    /// an X window to live in; 0: a top-level window
+    pub parent: c_ulong,
+    /// the host's window that the editor's belongs to; 0: none
+    pub transient_for: c_ulong,
     /// what the program is called: the first half of WM_CLASS, by which a desktop
     /// groups its windows, and unsaved work finds back to it; UTF-8; NULL: the name of the running program
     pub application: *const c_char,
+    /// not 0: after a hand-over nothing is unsaved. So it is without a file, too,
+    /// and in a window of v_haupt()
+    pub hand_over_saves: c_int,
 }
 
 pub type V_EDITOR_OPTIONS = v_editor_options;

@@ -21,14 +21,22 @@ typedef struct {
     size_t size;
     const char *title, *file;
     const V_PATH *path;
-    const V_OBJEKT_LIST *object;
-    int object_count;
+    const V_MESH *object;
     double move_frames, turn_frames, zoom_frames, roll_frames;
     const char *display, *language;
     void (*on_poses)(V_EDITOR *, const V_POSE *, size_t, void *);
     int (*on_close)(V_EDITOR *, void *);
     void *user;
+    double space_centre[3], space_half_size;
+    int space_up;
+    void (*on_view)(V_EDITOR *, const V_POSE *, double, int, void *);
+    void (*on_change)(V_EDITOR *, void *);
+    int (*on_capture)(V_EDITOR *, V_POSE *, void *);
+    void (*on_pane)(V_EDITOR *, unsigned long, int, int, void *);
+    const char *host_name;
+    unsigned long parent, transient_for;
     const char *application;
+    int hand_over_saves;
 } options;
 
 #define SAME_SIZE(ours, theirs) CHECK(sizeof(ours) == sizeof(theirs))
@@ -92,7 +100,6 @@ int main(void)
     SAME_FIELD(V_EDITOR_OPTIONS, options, file);
     SAME_FIELD(V_EDITOR_OPTIONS, options, path);
     SAME_FIELD(V_EDITOR_OPTIONS, options, object);
-    SAME_FIELD(V_EDITOR_OPTIONS, options, object_count);
     SAME_FIELD(V_EDITOR_OPTIONS, options, move_frames);
     SAME_FIELD(V_EDITOR_OPTIONS, options, turn_frames);
     SAME_FIELD(V_EDITOR_OPTIONS, options, zoom_frames);
@@ -102,12 +109,26 @@ int main(void)
     SAME_FIELD(V_EDITOR_OPTIONS, options, on_poses);
     SAME_FIELD(V_EDITOR_OPTIONS, options, on_close);
     SAME_FIELD(V_EDITOR_OPTIONS, options, user);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, space_centre);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, space_half_size);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, space_up);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, on_view);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, on_change);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, on_capture);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, on_pane);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, host_name);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, parent);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, transient_for);
     SAME_FIELD(V_EDITOR_OPTIONS, options, application);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, hand_over_saves);
     memset(&given, 0xff, sizeof given);
     v_editor_options_init(&given);
     CHECK(given.size == sizeof given && given.title == NULL && given.path == NULL);
-    CHECK(given.object_count == 0 && given.roll_frames == 0 && given.on_close == NULL);
+    CHECK(given.object == NULL && given.roll_frames == 0 && given.on_close == NULL);
     CHECK(given.user == NULL && given.language == NULL && given.on_poses == NULL);
-    CHECK(given.application == NULL);
+    CHECK(given.application == NULL && given.space_half_size == 0 && given.space_up == V_UP_Y);
+    CHECK(given.on_view == NULL && given.on_change == NULL && given.on_capture == NULL);
+    CHECK(given.on_pane == NULL && given.host_name == NULL && given.parent == 0);
+    CHECK(given.transient_for == 0 && given.hand_over_saves == 0);
     return failures != 0;
 }

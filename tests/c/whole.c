@@ -131,8 +131,7 @@ typedef struct {
     size_t size;
     const char *title, *file;
     const V_PATH *path;
-    const V_OBJEKT_LIST *object;
-    int object_count;
+    const V_MESH *object;
     double move_frames, turn_frames, zoom_frames, roll_frames;
     const char *display, *language;
     void (*on_poses)(V_EDITOR *, const V_POSE *, size_t, void *);

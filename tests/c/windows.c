@@ -43,7 +43,9 @@ static void refused(int status, const V_EDITOR_OPTIONS *options)
 
 static void opening(void)
 {
-    V_OBJEKT_LIST object[2] = {{{0, 0, 0}, 0, 1}, {{1, 1, 1}, 1, 2}};
+    double xyz[6] = {0, 0, 0, 1, 1, 1};
+    unsigned line[2] = {0, 1};
+    V_MESH object = {sizeof object, NULL, 2, NULL, NULL, 2, NULL, 0};
     V_PATH *path = new_path();
     V_EDITOR_OPTIONS options, all;
 
@@ -58,8 +60,9 @@ static void opening(void)
     all = options;
     all.title = "Flug \303\274ber die Pyramide";
     all.path = path;
-    all.object = object;
-    all.object_count = 2;
+    object.xyz = xyz;
+    object.lines = line;
+    all.object = &object;
     all.move_frames = all.turn_frames = all.zoom_frames = all.roll_frames = 50;
     all.language = "de";
     all.on_poses = on_poses;
@@ -95,15 +98,25 @@ static void opening(void)
     options.move_frames = NAN;
     refused(V_ERR_ARGUMENT, &options);
     v_editor_options_init(&options);
-    options.object = object;
-    options.object_count = 2;
-    object[1].pos.y = INFINITY;
+    options.object = &object;
+    xyz[4] = INFINITY;
     refused(V_ERR_ARGUMENT, &options);
-    options.object = (V_OBJEKT_LIST *)((char *)object + 1);
+    xyz[4] = 1;
+    line[1] = 2;
+    refused(V_ERR_RANGE, &options);
+    object.size--;
+    refused(V_ERR_SIZE, &options);
+    options.object = (V_MESH *)((char *)&object + 1);
     refused(V_ERR_ARGUMENT, &options);
-    options.object = NULL;
-    options.object_count = 1 << 30;
-    refused(V_ERR_DISPLAY, &options); /* none */
+    v_editor_options_init(&options);
+    options.host_name = "\377";
+    refused(V_ERR_ARGUMENT, &options);
+    v_editor_options_init(&options);
+    options.parent = ~0ul;
+    refused(V_ERR_RANGE, &options);
+    v_editor_options_init(&options);
+    options.transient_for = ~0ul;
+    refused(V_ERR_RANGE, &options);
     v_path_free(path);
     v_editor_options_init(&options);
     options.path = path;

@@ -112,7 +112,7 @@ CALL(v_editor_open)
     options.title = text(titles[below(chance(wild) ? 6 : 3)]);
     options.language = text(languages[below(chance(wild) ? 6 : 3)]);
     options.display = text(displays[chance(wild) ? below(6) : 0]);
-    options.object = an_object(&options.object_count);
+    options.object = chance(50) ? NULL : a_mesh();
     if (chance(50))
         options.path = a_path();
     else if (chance(50))

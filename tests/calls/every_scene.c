@@ -92,7 +92,7 @@ static const V_NODE *a_node_struct(void)
     return given("V_NODE", &node, sizeof node);
 }
 
-static const V_MESH *a_mesh(void)
+const V_MESH *a_mesh(void)
 {
     static const unsigned lines[] = {0, 1, 2, 3};
     V_MESH mesh;

@@ -38,4 +38,7 @@ void keep_editor(V_EDITOR *made);
 
 V_KAMERAPAR *a_list(void);
 
+/* A mesh of a few points. */
+const V_MESH *a_mesh(void);
+
 #endif

@@ -36,6 +36,15 @@ static V_OBJEKT_LIST pyramid[10] = {
     {{-0.3f, 0, 0.3f}, 1, 10}
 };
 
+/* The same as a mesh. */
+static const double pyramid_xyz[] = {
+    0.3, 0.0, 0.3,  0.3, 0.0, -0.3,  -0.3, 0.0, -0.3,  -0.3, 0.0, 0.3,  0.0, 0.5, 0.0
+};
+static const unsigned pyramid_lines[] = {0, 1, 1, 2, 2, 3, 3, 0, 0, 4, 4, 1, 2, 4, 4, 3};
+static const V_MESH pyramid_mesh = {
+    sizeof(V_MESH), pyramid_xyz, 5, NULL, pyramid_lines, 16, NULL, 0
+};
+
 void say(const char *format, ...)
 {
     va_list arguments;
@@ -161,8 +170,7 @@ static void open_editor(int which, const char *file, const char *display, const 
     options.file = file;
     options.display = display;
     options.language = language;
-    options.object = pyramid;
-    options.object_count = 10;
+    options.object = &pyramid_mesh;
     options.on_poses = on_poses;
     options.on_close = on_close;
     options.user = (void *)(size_t)which;

@@ -1,6 +1,5 @@
 //! A document checked: its path against its own space, object and limits.
 
-use glam::DVec3;
 use vides_engine::deform::Bounds;
 use vides_engine::scene::Mesh;
 use vides_engine::tools::check::{Against, Finding, check};
@@ -41,7 +40,7 @@ impl Document {
     /// [`vides_engine::Error::Argument`] for an object without geometry,
     /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
     pub fn check(&self, object: Option<&Mesh>) -> Result<Vec<Finding>> {
-        let info = self.info();
+        let (info, space) = (self.info(), self.path().space);
         let clearance = match object {
             Some(mesh) => Some(Clearance::new(mesh)?),
             None if info.object.is_empty() => None,
@@ -49,7 +48,7 @@ impl Document {
         };
         let against = Against {
             fps: info.fps,
-            space: Some(Bounds::new(DVec3::NEG_ONE, DVec3::ONE)?),
+            space: Some(Bounds::new(space.low(), space.high())?),
             object: clearance.as_ref(),
             limits: info.limits,
         };

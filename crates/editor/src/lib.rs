@@ -51,5 +51,5 @@ use vides_raster as raster;
 
 pub use folders::Folders;
 pub use program::{Date, Program};
-pub use state::{Editor, Options, Request};
+pub use state::{Editor, HostView, Options, Reason, Request};
 pub use texts::Language;

@@ -233,6 +233,7 @@ fn editor(folder: &Path) -> Editor {
             state: Some(folder.to_owned()),
         },
         program: Program::of_tests("tests"),
+        host_view: crate::HostView::default(),
     };
     Editor::new(options).unwrap()
 }

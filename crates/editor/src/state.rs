@@ -1,8 +1,6 @@
 //! The state of one window: what is edited and what is to be seen of it.
 
-use std::ops::Range;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use super::actions::Action;
 use super::filing::Then;
@@ -13,11 +11,10 @@ use super::recovery::Keeper;
 use super::setup::{Element, Setup};
 use super::texts::{Language, Texts, fill};
 use super::theme;
-use super::{camera_view, playing, space, windows};
+use super::{playing, space, windows};
 use crate::document::{Contents, Document, Edit};
 use crate::error::{self, Error, Result};
 use crate::path::{Orientation, SupportPoint};
-use crate::raster::Lines;
 
 /// How a window begins.
 #[derive(Debug)]
@@ -40,6 +37,32 @@ pub struct Options {
     pub folders: Folders,
     /// Whose window it is.
     pub program: Program,
+    /// The host's own view.
+    pub host_view: HostView,
+}
+
+/// What a window begins with of the host's own view, its camera in its picture.
+#[derive(Clone, Debug, Default)]
+pub struct HostView {
+    /// What the window calls it: `program` if none.
+    pub name: Option<String>,
+    /// The host can be asked for it.
+    pub captures: bool,
+}
+
+/// Why the host is told of the camera at the playhead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// Another point or orientation became current.
+    Selected,
+    /// Something is being dragged or was changed.
+    Edited,
+    /// Another frame was chosen.
+    Scrubbed,
+    /// It plays.
+    Played,
+    /// The last of a row of the others: nothing moves any more.
+    Rested,
 }
 
 /// What only whoever runs the editor can do.
@@ -65,6 +88,8 @@ pub struct Editor {
     pub(super) fixed_speeds: bool,
     pub(super) folders: Folders,
     pub(super) program: Program,
+    /// The host's own view.
+    pub(super) host_view: HostView,
     /// What the file contained when it was read or written last; none if there was none.
     pub(super) known: Option<Contents>,
     /// The state that the host has by a hand-over after which nothing is unsaved.
@@ -87,8 +112,6 @@ pub struct Editor {
     pub(super) space: space::Space,
     /// The bar below it.
     pub(super) playing: playing::Playing,
-    /// What the camera sees, where that is shown.
-    pub(super) camera_picture: Option<camera_view::Picture>,
     /// The sub-windows.
     pub(super) windows: windows::Windows,
     /// Files that were open last.
@@ -125,6 +148,7 @@ impl Editor {
             fixed_speeds: options.fixed_speeds,
             folders: options.folders,
             program: options.program,
+            host_view: options.host_view,
             copied: None,
             last_folder: None,
             waiting: None,
@@ -134,7 +158,6 @@ impl Editor {
             setup: Setup::default(),
             space: space::Space::default(),
             playing: playing::Playing::default(),
-            camera_picture: None,
             windows: windows::Windows::default(),
             recent: Vec::new(),
             keeper: None,
@@ -160,40 +183,6 @@ impl Editor {
         self.closing = false;
         super::frame::show(self, ui);
         self.keep_work(ui.ctx());
-    }
-
-    /// Which of the shapes of the last pass, so many in all, are those that
-    /// [`Editor::follow`] makes anew.
-    pub fn shapes_of_space(&self, all: usize) -> Range<usize> {
-        let shapes = self.space.shapes();
-        shapes.start.min(all)..shapes.end.min(all)
-    }
-
-    /// In the place of a pass, where the space alone can follow what the hand
-    /// does: gives the space as it is then. The next pass must be given this
-    /// input, too.
-    pub fn follow(
-        &mut self,
-        context: &egui::Context,
-        input: &egui::RawInput,
-    ) -> Option<Vec<egui::epaint::ClippedShape>> {
-        space::follow(self, context, input)
-    }
-
-    /// A handle or the view is dragged: [`Editor::follow`] shows what becomes of it.
-    pub fn drags_in_space(&self) -> bool {
-        self.space.moves()
-    }
-
-    /// The lines of the camera's picture as shown last, if it is shown.
-    pub fn camera_lines(&self) -> Option<&Arc<Lines>> {
-        self.camera_picture.as_ref().map(|picture| &picture.lines)
-    }
-
-    /// The same as they are now: what [`Editor::follow`] did is seen by the camera,
-    /// too.
-    pub fn follow_by_camera(&mut self) -> Option<Arc<Lines>> {
-        camera_view::follow(self)
     }
 
     /// The oldest request that was not seen to.
@@ -284,12 +273,12 @@ impl Editor {
 
     /// Does what was entered into a [`Number`](super::number::Number): one entry
     /// or one drag is one step to be taken back.
-    pub(super) fn enter(&mut self, entry: Entry, edit: impl FnOnce(f64) -> Edit) {
+    pub(super) fn enter(&mut self, entry: Entry<Edit>) {
         match entry {
             Entry::Idle => {}
             Entry::Begin => self.document.begin_step(),
-            Entry::Drag(value) | Entry::Set(value) => {
-                self.edit(edit(value));
+            Entry::Drag(edit) | Entry::Set(edit) => {
+                self.edit(edit);
             }
             Entry::End => self.document.end_step(),
             Entry::Cancel => self.document.cancel_step(),

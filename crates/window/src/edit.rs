@@ -34,9 +34,12 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
             fixed_speeds: false,
             folders: Folders::of_environment(),
             program: own_program(),
+            host_view: editor::HostView::default(),
         },
         display: None,
         application: None,
+        parent: None,
+        transient_for: None,
         warning: None,
         host: Rc::new(Nobody),
     })?;

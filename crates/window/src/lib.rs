@@ -40,9 +40,10 @@ use vides_x11 as x11;
 use crate::document::Document;
 use crate::editor::Editor;
 use crate::error::{Error, Message, Result};
-use crate::path::Sampler;
+use crate::path::{Pose, Sampler};
 
 pub use edit::edit;
+pub use editor::Reason;
 pub use program::{host_program, own_program};
 pub use pump::{dispatch, main_loop};
 pub use registry::{Lost, is_open, within_a_call};
@@ -63,6 +64,36 @@ pub trait Host {
 
     /// Asks the host whether the window may close.
     fn may_close(&self, window: Id) -> bool;
+
+    /// Whether [`Host::view`] is to be called at all.
+    fn watches(&self) -> bool {
+        false
+    }
+
+    /// Calls the host with the camera at the playhead, at a frame from 1, after that
+    /// has changed: at most once for each picture of the window.
+    fn view(&self, window: Id, pose: &Pose, frame: f64, reason: Reason) {
+        let _ = (window, pose, frame, reason);
+    }
+
+    /// Calls the host after each step that has changed the path, undo and redo too;
+    /// not while a drag goes on.
+    fn changed(&self, window: Id) {
+        let _ = window;
+    }
+
+    /// Asks the host for its own camera, which the user wants to take over; vectors
+    /// of any length. `None`: it has none.
+    fn capture(&self, window: Id) -> Option<Pose> {
+        let _ = window;
+        None
+    }
+
+    /// Calls the host when the camera pane opened or changed its size, in pixels:
+    /// an X window for it to draw in. 0: the pane closed.
+    fn pane(&self, window: Id, pane: u32, size: [u32; 2]) {
+        let _ = (window, pane, size);
+    }
 
     /// A window is about to be gone for this reason, which nobody was told yet.
     /// Calls no host code.
@@ -97,6 +128,10 @@ pub struct Options {
     pub display: Option<String>,
     /// What the program is called; the name of the running one if none.
     pub application: Option<String>,
+    /// An X window to live in; none: a top-level window.
+    pub parent: Option<u32>,
+    /// The host's X window that this one belongs to.
+    pub transient_for: Option<u32>,
     /// A sentence that stands in the output field at first: what was wrong
     /// with the host's arguments.
     pub warning: Option<Message>,

@@ -25,6 +25,7 @@ pub(crate) fn editor(document: Document, language: Language) -> Editor {
         fixed_speeds: false,
         folders: crate::Folders::default(),
         program: crate::Program::of_tests("tests"),
+        host_view: crate::HostView::default(),
     })
     .unwrap()
 }

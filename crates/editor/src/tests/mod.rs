@@ -38,6 +38,7 @@ pub(super) fn options(language: Language) -> Options {
         fixed_speeds: false,
         folders: Folders::default(),
         program: Program::of_tests("tests"),
+        host_view: crate::HostView::default(),
     }
 }
 

@@ -43,6 +43,10 @@ pub(super) const SENTENCES: &[(&str, &str)] = &[
         "there is no next point at which the block could end",
         "es gibt keinen nächsten Punkt, an dem der Baustein enden könnte",
     ),
+    (
+        "the same axis must stand upright in both paths",
+        "in beiden Pfaden muss dieselbe Achse aufrecht stehen",
+    ),
     ("each path needs a weight", "jeder Pfad braucht ein Gewicht"),
     (
         "the weights must sum to 1, not to {0}",
@@ -51,6 +55,37 @@ pub(super) const SENTENCES: &[(&str, &str)] = &[
     (
         "closed paths cannot be blended with open ones",
         "geschlossene Pfade lassen sich nicht mit offenen mischen",
+    ),
+    ("the fit was cancelled", "die Anpassung wurde abgebrochen"),
+    (
+        "tolerance, angle and frames per second must be greater than 0",
+        "Toleranz, Winkel und Bilder je Sekunde müssen größer als 0 sein",
+    ),
+    (
+        "a fit needs at least three poses",
+        "eine Anpassung braucht mindestens drei Posen",
+    ),
+    (
+        "the times of the poses must increase, one for each",
+        "die Zeiten der Posen müssen wachsen, eine für jede",
+    ),
+    ("pose {0}", "Pose {0}"),
+    ("all poses are the same", "alle Posen sind gleich"),
+    (
+        "the poses do not differ by more than the tolerance",
+        "die Posen unterscheiden sich um nicht mehr als die Toleranz",
+    ),
+    (
+        "view and up must be two directions",
+        "Blick und Oben müssen zwei Richtungen sein",
+    ),
+    (
+        "there is no check \"{0}\"",
+        "die Prüfung „{0}“ gibt es nicht",
+    ),
+    (
+        "the object has no geometry",
+        "das Objekt hat keine Geometrie",
     ),
     ("the camera does not move", "die Kamera bewegt sich nicht"),
 ];

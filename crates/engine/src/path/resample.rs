@@ -53,6 +53,7 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
         let position = DVec3::from_array(pose.vrp);
         let view = DVec3::from_array(pose.vpn);
         let mut point = SupportPoint::try_new(position)?;
+        let [level, up] = [view, DVec3::from_array(pose.vup)].map(|v| path.space.up.upright(v));
         point.curve = CurveParameters::Preset(0);
         let along = step * slope.try_normalize().unwrap_or_default();
         point.tangents = Some(Tangents {
@@ -65,7 +66,7 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
         };
         point.orientations[0] = Orientation {
             target,
-            roll: wrap_degrees(roll_from_up(unit(view), DVec3::from_array(pose.vup)).to_degrees()),
+            roll: wrap_degrees(roll_from_up(unit(level), up).to_degrees()),
             zoom: pose.zoom,
             speeds: [section.mean_speed.clamp(1.0, 100.0); crate::limits::SPEEDS],
             ..Orientation::default()

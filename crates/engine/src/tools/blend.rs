@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 
-use super::keep::keep_tangents;
+use super::keep::{check_upright, keep_tangents};
 use crate::error::{Error, Result, message, vec_with_room};
 use crate::math::orientation::wrap_degrees;
 use crate::path::resample::resample;
@@ -36,6 +36,7 @@ pub fn blend(paths: &[&CameraPath], weights: &[f64]) -> Result<CameraPath> {
             "closed paths cannot be blended with open ones"
         )));
     }
+    check_upright(paths)?;
     let count = paths
         .iter()
         .map(|path| path.points.len())

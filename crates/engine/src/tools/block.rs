@@ -11,13 +11,13 @@ use std::sync::Arc;
 
 use glam::{DMat4, DQuat, DVec3};
 
-use super::keep::{keep_tangents, no_point, shape_in, tangents};
+use super::keep::{check_upright, keep_tangents, no_point, shape_in, tangents};
 use super::transform::transform;
 use crate::error::{Error, Result, can_allocate, message, vec_with_room};
 use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
 use crate::path::{
     CameraPath, CurveKind, CurveParameters, Ease, Orientation, Pace, PacePart, SupportPoint,
-    Tangents, Tcb, TurningPart, Velocities, Whole,
+    Tangents, Tcb, TurningPart, Up, Velocities, Whole,
 };
 
 /// How a block is put in.
@@ -104,8 +104,15 @@ fn opened(path: &CameraPath) -> Result<CameraPath> {
 
 /// The rotation that takes one direction to another and leaves level what is
 /// level: about the vertical first, then up or down.
-fn level_turn(from: DVec3, to: DVec3) -> DQuat {
-    let (from, to) = (from.normalize(), to.normalize());
+fn level_turn(axis: Up, from: DVec3, to: DVec3) -> DQuat {
+    let [from, to] = [from, to].map(|v| axis.upright(v.normalize()));
+    let turn = upright_turn(from, to);
+    let v = axis.world(DVec3::new(turn.x, turn.y, turn.z));
+    DQuat::from_xyzw(v.x, v.y, v.z, turn.w)
+}
+
+/// The same where y stands upright.
+fn upright_turn(from: DVec3, to: DVec3) -> DQuat {
     let heading = |v: DVec3| (v.x.hypot(v.z) > 1e-9).then(|| v.x.atan2(v.z));
     let (Some(a), Some(b)) = (heading(from), heading(to)) else {
         return DQuat::from_rotation_arc(from, to);
@@ -157,7 +164,10 @@ fn placing(path: &CameraPath, at: usize, block: &CameraPath, fit: Fit) -> Result
     Ok(match fit {
         Fit::None => DMat4::IDENTITY,
         Fit::Move => DMat4::from_translation(place - start),
-        Fit::Turn => about(level_turn(travel(block, 0)?, travel(path, at)?), 1.0),
+        Fit::Turn => about(
+            level_turn(path.space.up, travel(block, 0)?, travel(path, at)?),
+            1.0,
+        ),
         Fit::Scale => {
             let next = at + 1;
             if next >= path.points.len() && !path.closed {
@@ -170,7 +180,10 @@ fn placing(path: &CameraPath, at: usize, block: &CameraPath, fit: Fit) -> Result
             if !(way.length() > 1e-9 && chord.length() > 1e-9) {
                 return Err(no_direction());
             }
-            about(level_turn(chord, way), way.length() / chord.length())
+            about(
+                level_turn(path.space.up, chord, way),
+                way.length() / chord.length(),
+            )
         }
     })
 }
@@ -192,7 +205,9 @@ pub fn insert(
         return Err(no_point(path, at));
     }
     block.check()?;
+    check_upright(&[path, block])?;
     let mut block = opened(block)?;
+    block.space = path.space;
     let matrix = placing(path, at, &block, fit)?;
     let mut all = vec_with_room(block.points.len())?;
     all.extend(0..block.points.len());

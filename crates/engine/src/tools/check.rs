@@ -1,4 +1,5 @@
-//! What will look wrong in a film, found before anyone renders it.
+//! What will look wrong in a film, found before anyone renders it. Lengths count in
+//! half sizes of the space.
 //!
 //! Positions, views and zoom are looked at frame by frame, as they will be seen:
 //! differences of the first and second order over frames. What lies between frames
@@ -61,8 +62,8 @@ pub const KINDS: [Kind; COUNT] = [
         Unit::One, 1.0, 0.02, "draw the points apart or give them tangents"),
     kind("speed-jump", "the speed jumps at a key by such a share of the mean speed", Unit::One,
         1000.0, 0.5, "ease the section"),
-    kind("acceleration", "the camera accelerates more, in lengths a second squared", Unit::One,
-        MAX_COORDINATE, 5.0, "ease the section or give it more frames"),
+    kind("acceleration", "the camera accelerates more, in half sizes a second squared", Unit::One,
+        MAX_COORDINATE, 10.0, "ease the section or give it more frames"),
     kind("view-jump", "the view jumps by so much", Unit::Degrees, 180.0, 1.0,
         "look ahead by a distance, or round off the corner"),
     kind("turning", "the view turns faster, in degrees a second", Unit::Degrees, 1e6, 60.0,
@@ -341,12 +342,13 @@ impl Scan<'_> {
 
     fn frame(&mut self, here: &Frame, before: [Option<Frame>; 2]) -> Result<()> {
         let (number, fps) = (here.number, self.against.fps);
+        let size = self.path.space.half_size;
         let at = (number, number);
         if let Some(space) = self.against.space {
             let out = (here.place - space.max()).max(space.min() - here.place);
-            self.above("space", at, out.max_element())?;
+            self.above("space", at, out.max_element() / size)?;
         }
-        let view = DVec3::from_array(here.pose.vpn);
+        let view = self.path.space.up.upright(here.pose.vpn.into());
         let pole = view.x.hypot(view.z).atan2(view.y.abs()).to_degrees();
         self.below("pole", at, pole)?;
         let target = self.section_at(number).map(|section| {
@@ -354,13 +356,13 @@ impl Scan<'_> {
             point.orientations[section.orientation].target
         });
         if let Some(Target::Absolute(target)) = target {
-            self.below("target", at, (target - here.place).length())?;
+            self.below("target", at, (target - here.place).length() / size)?;
         } else {
             self.see("target", at, None, -1.0)?;
         }
         if let Some(object) = self.against.object {
-            let near = object.distance(here.place, self.against.limits.of("clearance"));
-            self.see("clearance", at, near, -1.0)?;
+            let near = object.distance(here.place, size * self.against.limits.of("clearance"));
+            self.see("clearance", at, near.map(|near| near / size), -1.0)?;
             let seen = object.is_seen(&picture(&here.pose));
             self.see("nothing-to-see", at, (!seen).then_some(0.0), 1.0)?;
         }
@@ -386,7 +388,7 @@ impl Scan<'_> {
         };
         let three = (number - 2, number);
         let bend = here.place - 2.0 * last.place + first.place;
-        self.above("acceleration", three, bend.length() * fps * fps)?;
+        self.above("acceleration", three, bend.length() / size * fps * fps)?;
         let rate = |a: &Frame, b: &Frame| 2.0 * log(b.turn * a.turn.conjugate());
         let change = (rate(&last, here) - rate(&first, &last)).length();
         self.above(

@@ -46,7 +46,14 @@ const LINE: [[f64; 3]; 3] = [[-0.5, 0.0, 0.8], [0.0, 0.0, 0.8], [0.5, 0.0, 0.8]]
 fn a_quiet_flight_has_nothing() {
     assert!(found(&path(&LINE)).is_empty());
     let orbit = crate::tools::moves::Move::named("orbit").unwrap();
-    assert!(found(&orbit.path(&[], 25.0).unwrap()).is_empty());
+    assert!(
+        found(
+            &orbit
+                .path(&[], crate::path::Space::default(), 25.0)
+                .unwrap()
+        )
+        .is_empty()
+    );
 }
 
 #[test]
@@ -136,7 +143,7 @@ fn acceleration() {
         [0.5, 0.0, 0.5],
         [0.0, 0.0, 0.5],
     ]);
-    fast.speeds.movement = 20.0;
+    fast.speeds.movement = 10.0;
     assert!(found(&fast).contains(&"acceleration"));
     fast.speeds.movement = 200.0;
     assert!(!found(&fast).contains(&"acceleration"));
@@ -259,7 +266,7 @@ fn clearance_through_and_nothing_to_see() {
 #[test]
 fn zoom_and_redundant_keys() {
     let mut path = path(&LINE[..2]);
-    path.points[1].orientations[0].zoom = 80.0;
+    path.points[1].orientations[0].zoom = 90.0;
     assert!(found(&path).contains(&"zoom"));
     path.points[1].orientations[0].zoom = 60.0;
     assert!(!found(&path).contains(&"zoom"));

@@ -28,6 +28,22 @@ pub(super) fn picked(path: &CameraPath, points: &[usize]) -> Result<Vec<bool>> {
     Ok(picked)
 }
 
+/// Rolls are measured against the vertical: paths that are put together have one.
+///
+/// # Errors
+/// [`Error::Argument`].
+pub(super) fn check_upright(paths: &[&CameraPath]) -> Result<()> {
+    if paths
+        .windows(2)
+        .any(|pair| pair[0].space.up != pair[1].space.up)
+    {
+        return Err(Error::Argument(message!(
+            "the same axis must stand upright in both paths"
+        )));
+    }
+    Ok(())
+}
+
 /// There is no such point.
 pub(super) fn no_point(path: &CameraPath, point: usize) -> Error {
     Error::Range(message!(

@@ -4,7 +4,8 @@
 //! cubics of at most 30° with tangents 4·tan(θ/4)·r (Goldapp 1991): their radius
 //! errs by 3.7e-7 of itself. A dolly zoom keeps zoom/distance; both are linear in
 //! the share of the way, so it is exact. Camera heading 0° lies towards +z as seen
-//! from the target, 90° towards +x.
+//! from the target, 90° towards +x where y stands upright, 0° towards +x
+//! and 90° towards +y where z does.
 
 use std::f64::consts::TAU;
 
@@ -16,7 +17,7 @@ use crate::error::{Error, Result, message, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
 use crate::path::fit_frames::fit_frames;
 use crate::path::{
-    CameraPath, CurveParameters, Orientation, SupportPoint, Tangents, Target, Timeline,
+    CameraPath, CurveParameters, Orientation, Space, SupportPoint, Tangents, Target, Timeline,
 };
 
 /// The largest angle of one circular segment.
@@ -289,6 +290,7 @@ const RISE: Parameter = Parameter {
 struct Given<'a> {
     parameters: &'static [Parameter],
     numbers: &'a [f64],
+    space: Space,
 }
 
 impl Given<'_> {
@@ -336,22 +338,25 @@ impl Move {
     }
 
     /// Its numbers unless told, made to fit an object: the middle of its bounds and
-    /// twice the radius of the sphere round them.
+    /// twice the radius of the sphere round them; or a space.
     ///
     /// # Errors
     /// [`Error::Memory`].
-    pub fn defaults(&self, object: Option<&Bounds>) -> Result<Vec<f64>> {
+    pub fn defaults(&self, object: Option<&Bounds>, space: Space) -> Result<Vec<f64>> {
         let mut numbers = Parameter::numbers(self.parameters, &[])?;
-        let Some(bounds) = object else {
-            return Ok(numbers);
-        };
-        let middle = 0.5 * (bounds.min() + bounds.max());
-        let size = (bounds.max() - bounds.min()).length();
+        let (mut middle, mut size) = (space.centre, space.half_size);
+        if let Some(bounds) = object {
+            middle = 0.5 * (bounds.min() + bounds.max());
+            let diagonal = (bounds.max() - bounds.min()).length();
+            if diagonal > 1e-6 * size {
+                size = diagonal;
+            }
+        }
         let mut start = 0;
         for parameter in self.parameters {
-            if parameter.name == AROUND.name {
+            if parameter.width == 3 {
                 numbers[start..start + 3].copy_from_slice(&middle.to_array());
-            } else if parameter.unit == Unit::Length && size > 1e-6 {
+            } else if parameter.unit == Unit::Length {
                 numbers[start] = (numbers[start] * size).clamp(parameter.least, parameter.most);
             }
             start += parameter.width;
@@ -366,15 +371,17 @@ impl Move {
     /// [`Error::Argument`], [`Error::Range`] or [`Error::Limit`] for numbers that do
     /// not do; [`Error::Memory`].
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    pub fn path(&self, given: &[f64], fps: f64) -> Result<CameraPath> {
+    pub fn path(&self, given: &[f64], space: Space, fps: f64) -> Result<CameraPath> {
         let numbers = Parameter::numbers(self.parameters, given)?;
         let given = Given {
             parameters: self.parameters,
             numbers: &numbers,
+            space,
         };
         let points = (self.make)(&given)?;
         let mut path = CameraPath::try_new()?;
         path.points = points;
+        path.space = space;
         path.check()?;
         let seconds = given.number("seconds");
         if seconds > 0.0 {
@@ -412,8 +419,9 @@ fn keep_zoom_linear(path: &mut CameraPath) -> Result<()> {
 /// A point of a move with its one view.
 fn point(given: &Given<'_>, offset: DVec3, tangent: Option<DVec3>) -> Result<SupportPoint> {
     let around = given.place("around");
-    let mut point = SupportPoint::try_new(around + offset)?;
+    let mut point = SupportPoint::try_new(around + given.space.up.world(offset))?;
     point.curve = CurveParameters::Preset(0);
+    let tangent = tangent.map(|tangent| given.space.up.world(tangent));
     point.tangents = tangent.map(|tangent| Tangents {
         before: tangent,
         after: tangent,
@@ -500,8 +508,8 @@ fn pan(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
     for k in 0..=segments as usize {
         let angle = from + (to - from) * (k as f64 / segments);
         let mut point = SupportPoint::try_new(given.place("at"))?;
-        point.orientations[0].target =
-            Target::Relative(tilt.cos() * heading(angle) + tilt.sin() * DVec3::Y);
+        let view = tilt.cos() * heading(angle) + tilt.sin() * DVec3::Y;
+        point.orientations[0].target = Target::Relative(given.space.up.world(view));
         point.orientations[0].zoom = given.number("zoom");
         points.push(point);
     }

@@ -12,13 +12,13 @@ fn poses(path: &CameraPath) -> Vec<Pose> {
 /// A move with some of its numbers set.
 fn made(name: &str, set: &[(&str, &[f64])]) -> Result<CameraPath> {
     let found = Move::named(name).unwrap();
-    let mut numbers = found.defaults(None).unwrap();
+    let mut numbers = found.defaults(None, Space::default()).unwrap();
     for (name, values) in set {
         let (at, parameter) = Parameter::find(found.parameters, name).unwrap();
         assert_eq!(values.len(), parameter.width);
         numbers[at..at + values.len()].copy_from_slice(values);
     }
-    found.path(&numbers, 25.0)
+    found.path(&numbers, Space::default(), 25.0)
 }
 
 fn place(pose: &Pose) -> DVec3 {
@@ -178,9 +178,9 @@ fn numbers_that_do_not_do_are_refused() {
     }
     assert!(Move::named("loop").is_err());
     let orbit = Move::named("orbit").unwrap();
-    assert!(orbit.path(&[0.0; 10], 25.0).is_err());
-    assert!(orbit.path(&[], 25.0).is_ok());
-    assert!(orbit.path(&[0.5, 0.5, 0.5], 25.0).is_ok());
+    assert!(orbit.path(&[0.0; 10], Space::default(), 25.0).is_err());
+    assert!(orbit.path(&[], Space::default(), 25.0).is_ok());
+    assert!(orbit.path(&[0.5, 0.5, 0.5], Space::default(), 25.0).is_ok());
 }
 
 #[test]
@@ -188,7 +188,25 @@ fn an_object_gives_the_place_and_the_size() {
     let bounds = Bounds::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(3.0, 5.0, 9.0)).unwrap();
     let numbers = Move::named("orbit")
         .unwrap()
-        .defaults(Some(&bounds))
+        .defaults(Some(&bounds), Space::default())
         .unwrap();
     assert_eq!(numbers[..5], [2.0, 3.5, 6.0, 7.0, 0.4 * 7.0]);
+}
+
+#[test]
+fn a_space_with_z_upright_has_the_same_move_turned() {
+    use crate::path::Up;
+    let space = Space {
+        centre: DVec3::new(10.0, 20.0, 30.0),
+        half_size: 5.0,
+        up: Up::Z,
+    };
+    let orbit = Move::named("orbit").unwrap();
+    let numbers = orbit.defaults(None, space).unwrap();
+    let path = orbit.path(&numbers, space, 25.0).unwrap();
+    for pose in poses(&path) {
+        let p = place(&pose) - space.centre;
+        assert!((p.x.hypot(p.y) - 5.0).abs() < 1e-5 && (p.z - 2.0).abs() < 1e-12);
+        assert!(pose.vup[2] > 0.9);
+    }
 }

@@ -10,7 +10,7 @@ use super::keep::picked;
 use crate::deform::{Bounds, Deformation};
 use crate::error::{Error, Result, message, vec_with_room};
 use crate::math::orientation::{roll_from_up, unit, up_from_roll, wrap_degrees};
-use crate::path::{CameraPath, Orientation, SupportPoint, Tangents, Target, Velocities, ahead};
+use crate::path::{CameraPath, Orientation, SupportPoint, Tangents, Target, Up, Velocities, ahead};
 
 /// Columns of a matrix without shear are at right angles within this.
 const SQUARE: f64 = 1e-9;
@@ -132,10 +132,15 @@ fn mapped(
         if with_targets {
             for (at, orientation) in new.orientations.iter_mut().enumerate() {
                 let view = ahead::view(path, number, at);
-                *orientation = seen(orientation, (old.position, view), map, &derivative)?;
+                *orientation = seen(
+                    orientation,
+                    (old.position, view),
+                    map,
+                    (&derivative, path.space.up),
+                )?;
             }
         }
-        new.check()
+        new.check(path.space)
             .map_err(|error| error.at(message!("point {0}", number + 1)))?;
         changed.push((number, new));
     }
@@ -147,7 +152,7 @@ fn seen(
     old: &Orientation,
     (position, view): (DVec3, DVec3),
     map: &Map<'_>,
-    derivative: &DMat3,
+    (derivative, axis): (&DMat3, Up),
 ) -> Result<Orientation> {
     let mut new = old.clone();
     new.target = match old.target {
@@ -168,9 +173,11 @@ fn seen(
     } else {
         new.target.offset_from((map.place)(position))
     };
-    let up = *derivative * up_from_roll(view, old.roll.to_radians());
+    let up = axis.world(up_from_roll(axis.upright(view), old.roll.to_radians()));
+    let up = *derivative * up;
     if new_view.cross(up) != DVec3::ZERO {
-        new.roll = wrap_degrees(roll_from_up(unit(new_view), up).to_degrees());
+        new.roll =
+            wrap_degrees(roll_from_up(axis.upright(unit(new_view)), axis.upright(up)).to_degrees());
     }
     if old.own.is_empty() {
         return Ok(new);
@@ -188,7 +195,10 @@ fn seen(
         if !rigid || hand < 0.0 {
             own.turning = None;
         } else if let Some(part) = &mut own.turning {
+            // Its quaternions are those of upright axes.
             let turn = DQuat::from_mat3(&turn);
+            let xyz = axis.upright(DVec3::new(turn.x, turn.y, turn.z));
+            let turn = DQuat::from_xyzw(xyz.x, xyz.y, xyz.z, turn.w);
             part.control = part.control.map(|q| (turn * q).normalize());
         }
     })?;
