@@ -746,3 +746,41 @@ fn a_check_tells_by_its_exit_status() {
     assert!(String::from_utf8(text.stdout).unwrap().contains("turning"));
     sentence(&run(&["check", "no such file"]), 1);
 }
+
+#[test]
+fn a_plot_has_all_its_parts() {
+    let folder = tempfile::tempdir().unwrap();
+    let light = folder.path().join("a.svg");
+    assert_eq!(
+        said(&run(&["plot", PYRAMID, "-o", light.to_str().unwrap()])),
+        ""
+    );
+    let light = fs::read_to_string(light).unwrap();
+    let dark = said(&run(&["plot", PYRAMID, "--dark"]));
+    assert!(light.contains("#ffffff") && !dark.contains("#ffffff"));
+    for text in [light, dark] {
+        assert!(text.starts_with("<svg ") && text.ends_with("</svg>\n"));
+        for part in [
+            "view-0",
+            "view-1",
+            "view-2",
+            "sphere",
+            "findings",
+            "chart-0",
+            "chart-5",
+            "Speed",
+            "Acceleration",
+            "Turning",
+            "Roll",
+            "Zoom",
+            "Clearance",
+        ] {
+            assert!(text.contains(part), "{part}");
+        }
+        assert!(!text.contains("NaN") && !text.contains("inf"));
+        // Every element is closed.
+        assert_eq!(text.matches("<g ").count(), text.matches("</g>").count());
+    }
+    complaint(&run(&["plot", PYRAMID, "-o", "a.gif"]), 2);
+    sentence(&run(&["plot", "no such file"]), 1);
+}

@@ -13,6 +13,7 @@ mod info;
 mod input;
 mod moves;
 mod output;
+mod plot;
 mod progress;
 mod sample;
 mod table;
@@ -61,6 +62,8 @@ enum Command {
     Fit(fit::Arguments),
     /// Tells what will look wrong in a film
     Check(check::Arguments),
+    /// Draws a path, its views and what changes over its frames
+    Plot(plot::Arguments),
     /// Makes a path by a ready-made move
     Move(moves::Arguments),
     #[command(flatten)]
@@ -99,6 +102,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Info { file } => info::run(&file),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
         Command::Move(arguments) => moves::run(&arguments),
         Command::Tool(tool) => tools::run(&tool),
     })
