@@ -20,8 +20,8 @@
 mod ffi;
 
 pub use glam;
-pub use vides_document as document;
-pub use vides_engine::{Error, Result, deform, error, limits, math, path, scene, tools};
+pub use vides_document::{self as document, Error, Result, error};
+pub use vides_engine::{deform, limits, math, path, scene, tools};
 #[cfg(feature = "window")]
 pub use vides_window as window;
 

@@ -56,7 +56,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         true
     })
-    .map_err(|error| error.at(name))?;
+    .map_err(|error| vides::Error::from(error).at(name))?;
     let info = Info {
         fps: arguments.fps,
         ..Info::default()

@@ -24,7 +24,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use vides::error::reason;
+use vides::error::{EngineError, reason};
 
 /// Plans camera paths: a few support points with views become every camera
 /// pose between them.
@@ -82,8 +82,20 @@ enum Failure {
     ReaderGone,
 }
 
+impl From<EngineError> for Failure {
+    fn from(error: EngineError) -> Self {
+        vides::Error::from(error).into()
+    }
+}
+
 impl From<vides::Error> for Failure {
     fn from(error: vides::Error) -> Self {
+        Self::Input(error.to_string())
+    }
+}
+
+impl From<vides::window::Error> for Failure {
+    fn from(error: vides::window::Error) -> Self {
         Self::Input(error.to_string())
     }
 }

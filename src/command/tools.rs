@@ -229,7 +229,7 @@ pub(super) fn run(tool: &Tool) -> Result<(), Failure> {
             let (path, info) = input::load(&arguments.file)?.into_parts();
             let Range { first, last } = arguments.points;
             let block = block::extract(&path, first - 1, last - 1)
-                .map_err(|error| error.at(input::name(&arguments.file)))?;
+                .map_err(|error| vides::Error::from(error).at(input::name(&arguments.file)))?;
             arguments.output.write(&Document::from_parts(block, info)?)
         }
         Tool::Insert(arguments) => {

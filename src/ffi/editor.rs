@@ -165,6 +165,7 @@ pub unsafe extern "C" fn v_editor_open(
                 poses: RefCell::default(),
                 on_poses: options.on_poses,
                 on_close: options.on_close,
+                on_pane: options.on_pane,
                 user: options.user,
             },
         )?;
@@ -281,6 +282,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             host_view: editor::HostView {
                 name: host_name,
                 captures: options.on_capture.is_some(),
+                fills_pane: options.on_pane.is_some(),
             },
         },
         display,
@@ -331,7 +333,7 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
         application: editor.application,
         parent: editor.parent,
         transient_for: editor.transient_for,
-        warning: None,
+        warnings: editor::Warnings::default(),
         host: Rc::<Callbacks>::clone(&host),
     })?;
     let handle = EDITORS.insert(Opened {
@@ -438,10 +440,12 @@ struct Callbacks {
     poses: RefCell<Vec<Pose>>,
     on_poses: Option<OnPoses>,
     on_close: Option<OnClose>,
+    on_pane: Option<OnPane>,
     user: *mut c_void,
 }
 
 type OnPoses = unsafe extern "C" fn(*mut V_EDITOR, *const V_POSE, usize, *mut c_void);
+type OnPane = unsafe extern "C" fn(*mut V_EDITOR, c_ulong, c_int, c_int, *mut c_void);
 type OnClose = unsafe extern "C" fn(*mut V_EDITOR, *mut c_void) -> c_int;
 
 impl Host for Callbacks {
@@ -481,6 +485,24 @@ impl Host for Callbacks {
             };
             answer != 0
         })
+    }
+
+    fn pane(&self, _: Id, pane: u32, size: [u32; 2]) {
+        let Some(on_pane) = self.on_pane else {
+            return;
+        };
+        let (handle, user) = (self.handle.get(), self.user);
+        let [width, height] = size.map(|side| c_int::try_from(side).unwrap_or(c_int::MAX));
+        // SAFETY: the host's function.
+        unsafe {
+            enter!("on_pane", on_pane(
+                handle => *mut V_EDITOR,
+                c_ulong::from(pane) => c_ulong,
+                width => c_int,
+                height => c_int,
+                user => *mut c_void,
+            ) -> ());
+        }
     }
 
     fn lost(&self, why: &str) {

@@ -8,10 +8,10 @@ use super::border::border;
 use super::path::{edit, keep, read};
 use super::pointers::{Out, index, read_array, slice, text};
 use super::scene_tracks::{bounds, deformation};
-use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit, Info};
-use crate::error::{Error, can_allocate, vec_with_room};
+use crate::error::{OutOfRange, can_allocate, vec_with_room};
 use crate::path::{CameraPath, Space};
 use crate::tools::block::{self, Fit};
 use crate::tools::moves::Move;
@@ -44,14 +44,11 @@ fn copy(path: *const V_PATH) -> Answer<CameraPath> {
 fn range(first: c_int, last: c_int) -> Answer<Vec<usize>> {
     let (first, last) = (index(first)?, index(last)?);
     if first > last {
-        return Err(Error::Range(
-            "the first point of a range must not lie behind its last one".into(),
-        )
-        .into());
+        return Err(OutOfRange::PointOrder.into());
     }
     let count = (last - first).saturating_add(1);
     if count > crate::limits::MAX_POINTS {
-        return Err(Error::Range("there are not so many points".into()).into());
+        return Err(Failure::Border(V_ERR_RANGE, "there are not so many points"));
     }
     let mut points = vec_with_room(count)?;
     points.extend(first..=last);
@@ -107,7 +104,10 @@ pub unsafe extern "C" fn v_path_from_move(
         // SAFETY: a text ended by zero, as the header says.
         let found = Move::named(unsafe { text(r#move, NO_NAME) }?)?;
         if count > Parameter::count(found.parameters) {
-            return Err(Error::Range("the move does not take so many numbers".into()).into());
+            return Err(Failure::Border(
+                V_ERR_RANGE,
+                "the move does not take so many numbers",
+            ));
         }
         let given = if count == 0 {
             &[][..]
@@ -243,7 +243,10 @@ pub unsafe extern "C" fn v_path_insert_path(
             V_FIT_TURN => Fit::Turn,
             V_FIT_SCALE => Fit::Scale,
             _ => {
-                return Err(Error::Range("there is no such way to put a path in".into()).into());
+                return Err(Failure::Border(
+                    V_ERR_RANGE,
+                    "there is no such way to put a path in",
+                ));
             }
         };
         let block = copy(block)?;
@@ -294,7 +297,10 @@ pub unsafe extern "C" fn v_path_blend(
     border(V_ERR_INTERNAL, || {
         let out = Out::new(blend)?;
         if count > MOST_PATHS {
-            return Err(Error::Range("so many paths cannot be blended".into()).into());
+            return Err(Failure::Border(
+                V_ERR_RANGE,
+                "so many paths cannot be blended",
+            ));
         }
         // SAFETY: so many handles and doubles, as the header says.
         let (handles, weights) = unsafe { (slice(paths, count)?, slice(weights, count)?) };

@@ -52,6 +52,6 @@ impl Document {
             object: clearance.as_ref(),
             limits: info.limits,
         };
-        check(self.path(), &against)
+        Ok(check(self.path(), &against)?)
     }
 }

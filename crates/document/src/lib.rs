@@ -18,6 +18,7 @@ mod check;
 mod contents;
 mod edit;
 mod editing;
+pub mod error;
 pub mod export;
 mod history;
 mod info;
@@ -34,6 +35,7 @@ mod wireframe;
 pub use contents::Contents;
 pub use edit::Edit;
 pub use editing::{Document, Selection};
+pub use error::{Error, Result};
 pub use info::{Info, Object, ObjectPoint};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
@@ -41,4 +43,4 @@ pub use not_a_file::NotAFile;
 pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;
 
-use vides_engine::{error, limits, math, path, tools};
+use vides_engine::{limits, math, path, tools};

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use super::actions::Action;
 use super::filing::Then;
 use super::folders::Folders;
+use super::host_pane::HostPane;
 use super::number::Entry;
 use super::program::Program;
 use super::recovery::Keeper;
@@ -13,8 +14,9 @@ use super::texts::{Language, Texts, fill};
 use super::theme;
 use super::{playing, space, windows};
 use crate::document::{Contents, Document, Edit};
-use crate::error::{self, Error, Result};
+use crate::error::{Error, Result};
 use crate::path::{Orientation, SupportPoint};
+use crate::warning::Warnings;
 
 /// How a window begins.
 #[derive(Debug)]
@@ -48,6 +50,8 @@ pub struct HostView {
     pub name: Option<String>,
     /// The host can be asked for it.
     pub captures: bool,
+    /// The host draws what the camera sees.
+    pub fills_pane: bool,
 }
 
 /// Why the host is told of the camera at the playhead.
@@ -90,6 +94,8 @@ pub struct Editor {
     pub(super) program: Program,
     /// The host's own view.
     pub(super) host_view: HostView,
+    /// Where the host draws it.
+    pub(super) host_pane: Option<HostPane>,
     /// What the file contained when it was read or written last; none if there was none.
     pub(super) known: Option<Contents>,
     /// The state that the host has by a hand-over after which nothing is unsaved.
@@ -134,7 +140,7 @@ impl Editor {
     /// A window's contents as it opens.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn new(options: Options) -> Result<Self> {
         let known = options.document.read_contents();
         let mut editor = Self {
@@ -149,6 +155,7 @@ impl Editor {
             folders: options.folders,
             program: options.program,
             host_view: options.host_view,
+            host_pane: None,
             copied: None,
             last_folder: None,
             waiting: None,
@@ -216,8 +223,10 @@ impl Editor {
     }
 
     /// Shows in the output field what was wrong with what the host gave.
-    pub fn warn(&mut self, warning: &error::Message) {
-        self.complain(self.language().reason(warning));
+    pub fn warn(&mut self, warnings: &Warnings) {
+        if !warnings.is_empty() {
+            self.complain(self.language().warnings(warnings));
+        }
     }
 
     /// Says how a hand-over went: the number of poses.
@@ -319,16 +328,22 @@ impl Editor {
         self.point()?.orientations.get(at)
     }
 
+    /// The edit that changes the current orientation.
+    pub(super) fn orientation_edit(&self, change: impl FnOnce(&mut Orientation)) -> Option<Edit> {
+        let at = self.document.selection();
+        let mut orientation = self.orientation()?.clone();
+        change(&mut orientation);
+        Some(Edit::SetOrientation {
+            point: at.point,
+            at: at.orientation,
+            orientation,
+        })
+    }
+
     /// Changes the current orientation.
     pub(super) fn set_orientation(&mut self, change: impl FnOnce(&mut Orientation)) {
-        let at = self.document.selection();
-        if let Some(mut orientation) = self.orientation().cloned() {
-            change(&mut orientation);
-            self.edit(Edit::SetOrientation {
-                point: at.point,
-                at: at.orientation,
-                orientation,
-            });
+        if let Some(edit) = self.orientation_edit(change) {
+            self.edit(edit);
         }
     }
 

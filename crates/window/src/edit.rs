@@ -6,8 +6,8 @@
 use std::path::Path;
 use std::rc::Rc;
 
-use crate::document::Document;
-use crate::editor::{self, Folders};
+use crate::document::{self, Document};
+use crate::editor::{self, Folders, Warnings};
 use crate::error::{Error, Result};
 use crate::path::Sampler;
 use crate::{Gone, Host, Id, Options, document_of, main_loop, open, own_program};
@@ -17,7 +17,7 @@ use crate::{Gone, Host, Id, Options, document_of, main_loop, open, own_program};
 /// name. Other windows of the calling thread are served meanwhile.
 ///
 /// # Errors
-/// [`Error::Display`] without an X server or if it goes away; those of
+/// `ErrorKind::Display` without an X server or if it goes away; those of
 /// [`Document::load`].
 pub fn edit(file: Option<&Path>) -> Result<()> {
     let document = match file {
@@ -40,12 +40,12 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
         application: None,
         parent: None,
         transient_for: None,
-        warning: None,
+        warnings: Warnings::default(),
         host: Rc::new(Nobody),
     })?;
     match main_loop()?.lost {
         None => Ok(()),
-        Some(lost) => Err(Error::Display(lost.why.into())),
+        Some(lost) => Err(Error::Lost(lost.why)),
     }
 }
 
@@ -53,7 +53,7 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
 struct Nobody;
 
 impl Host for Nobody {
-    fn prepare(&self, _: Id, _: &Sampler) -> Result<()> {
+    fn prepare(&self, _: Id, _: &Sampler) -> document::Result<()> {
         Ok(())
     }
 

@@ -75,6 +75,11 @@ fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
         Some(HostRequest::HandOver) => {
             registry::call(id, lost, |host| host.hand_over(id));
         }
+        Some(HostRequest::Pane(pane)) => {
+            let (window, size) =
+                pane.map_or((0, [0; 2]), |pane| (pane.window, [pane.width, pane.height]));
+            registry::call(id, lost, |host| host.pane(id, window, size));
+        }
         Some(HostRequest::Close) => {
             if registry::call(id, lost, |host| host.may_close(id)) == Some(true) {
                 registry::close_for_the_user(id);
@@ -88,7 +93,7 @@ fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
 /// callback: see [`registry::within_a_call`].
 ///
 /// # Errors
-/// [`vides_engine::Error::Limit`] without descriptors.
+/// `ErrorKind::Limit` without descriptors.
 pub fn main_loop() -> Result<Served> {
     super::told();
     let mut lost = None;

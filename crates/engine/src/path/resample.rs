@@ -8,7 +8,7 @@ use super::orientation_curve::Turning;
 use super::own::Tangents;
 use super::sampling::Sampler;
 use super::timeline::{Change, Timeline};
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, Result, vec_with_room};
 use crate::math::orientation::{roll_from_up, unit, wrap_degrees};
 
 /// A path of `count` points at equal lengths along the curve of another, with the
@@ -16,8 +16,8 @@ use crate::math::orientation::{roll_from_up, unit, wrap_degrees};
 /// tangents; turns on the spot are left out.
 ///
 /// # Errors
-/// [`Error::Argument`] if the camera does not move; [`Error::Limit`],
-/// [`Error::Memory`].
+/// [`crate::Error::Argument`] if the camera does not move; [`crate::Error::Limit`],
+/// [`crate::Error::Memory`].
 #[allow(clippy::cast_precision_loss)]
 pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
     let timeline = Timeline::new(path)?;
@@ -35,7 +35,7 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
     let mut points = vec_with_room(count)?;
     let (mut begin, mut rest) = (0.0, ways());
     let Some(mut here) = rest.next() else {
-        return Err(Error::Argument(message!("the camera does not move")));
+        return Err(Invalid::NoWay.into());
     };
     for k in 0..count {
         let s = step * k as f64;

@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::keep::{check_upright, keep_tangents};
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
 use crate::math::orientation::wrap_degrees;
 use crate::path::resample::resample;
 use crate::path::{CameraPath, Orientation, Tangents, Target, curve};
@@ -17,24 +17,19 @@ const SUM: f64 = 1e-9;
 /// All else is that of the path with the greatest weight.
 ///
 /// # Errors
-/// [`Error::Argument`] or [`Error::Range`] for weights that are not finite, not one
+/// [`crate::Error::Argument`] or [`crate::Error::Range`] for weights that are not finite, not one
 /// for each path or do not sum to 1, for closed paths among open ones, and where a
-/// blended value is out of its range; [`Error::Memory`].
+/// blended value is out of its range; [`crate::Error::Memory`].
 pub fn blend(paths: &[&CameraPath], weights: &[f64]) -> Result<CameraPath> {
     if paths.is_empty() || paths.len() != weights.len() {
-        return Err(Error::Argument(message!("each path needs a weight")));
+        return Err(Invalid::PathWeights.into());
     }
     let sum: f64 = weights.iter().sum();
     if !((sum - 1.0).abs() <= SUM) {
-        return Err(Error::Range(message!(
-            "the weights must sum to 1, not to {0}",
-            sum
-        )));
+        return Err(OutOfRange::WeightSum(sum).into());
     }
     if paths.iter().any(|path| path.closed != paths[0].closed) {
-        return Err(Error::Argument(message!(
-            "closed paths cannot be blended with open ones"
-        )));
+        return Err(Invalid::ClosedAndOpen.into());
     }
     check_upright(paths)?;
     let count = paths
@@ -73,7 +68,7 @@ pub fn blend(paths: &[&CameraPath], weights: &[f64]) -> Result<CameraPath> {
         }
     }
     path.check()?;
-    keep_tangents(&mut path, &wanted);
+    keep_tangents(&mut path, &wanted)?;
     Ok(path)
 }
 

@@ -13,7 +13,7 @@ use glam::{DMat4, DQuat, DVec3};
 
 use super::keep::{check_upright, keep_tangents, no_point, shape_in, tangents};
 use super::transform::transform;
-use crate::error::{Error, Result, can_allocate, message, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, can_allocate, vec_with_room};
 use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
 use crate::path::{
     CameraPath, CurveKind, CurveParameters, Ease, Orientation, Pace, PacePart, SupportPoint,
@@ -60,9 +60,7 @@ pub fn extract(path: &CameraPath, first: usize, last: usize) -> Result<CameraPat
         return Err(no_point(path, point));
     }
     if first > last && !path.closed {
-        return Err(Error::Range(message!(
-            "the first point of a range must not lie behind its last one"
-        )));
+        return Err(OutOfRange::PointOrder.into());
     }
     let taken = (last + count - first) % count + 1;
     let all = tangents(path)?;
@@ -79,7 +77,7 @@ pub fn extract(path: &CameraPath, first: usize, last: usize) -> Result<CameraPat
         ..*path
     };
     block.check()?;
-    keep_tangents(&mut block, &wanted);
+    keep_tangents(&mut block, &wanted)?;
     Ok(block)
 }
 
@@ -98,7 +96,7 @@ fn opened(path: &CameraPath) -> Result<CameraPath> {
     open.points.try_reserve(1)?;
     open.points.push(end);
     open.closed = false;
-    keep_tangents(&mut open, &wanted);
+    keep_tangents(&mut open, &wanted)?;
     Ok(open)
 }
 
@@ -139,9 +137,7 @@ fn travel(path: &CameraPath, at: usize) -> Result<DVec3> {
 }
 
 fn no_direction() -> Error {
-    Error::Argument(message!(
-        "path and block need a direction and a length there to be joined"
-    ))
+    Invalid::NoDirection.into()
 }
 
 /// The chord beside a point.
@@ -171,9 +167,7 @@ fn placing(path: &CameraPath, at: usize, block: &CameraPath, fit: Fit) -> Result
         Fit::Scale => {
             let next = at + 1;
             if next >= path.points.len() && !path.closed {
-                return Err(Error::Range(message!(
-                    "there is no next point at which the block could end"
-                )));
+                return Err(OutOfRange::NoNextPoint.into());
             }
             let way = path.points[next % path.points.len()].position - place;
             let chord = block.points[block.points.len() - 1].position - start;
@@ -220,10 +214,7 @@ pub fn insert(
     let to = block.points.len() - usize::from(ends);
     let count = to - from;
     if path.points.len() + count > MAX_POINTS {
-        return Err(Error::Limit(message!(
-            "a path has at most {0} support points",
-            MAX_POINTS
-        )));
+        return Err(TooMany::SupportPoints.into());
     }
 
     let (old, mine) = (tangents(path)?, tangents(&block)?);
@@ -303,7 +294,7 @@ pub fn insert(
     }
     let mut path_of_all = CameraPath { points, ..*path };
     path_of_all.check()?;
-    keep_tangents(&mut path_of_all, &wanted);
+    keep_tangents(&mut path_of_all, &wanted)?;
     let mut changed = vec_with_room(path.points.len())?;
     for (number, old) in path.points.iter().enumerate() {
         let new = number + if number > at { count } else { 0 };
@@ -517,18 +508,10 @@ fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
 pub fn repeat(path: &CameraPath, times: usize) -> Result<CameraPath> {
     let count = path.points.len();
     if times == 0 || times > MAX_POINTS {
-        return Err(Error::Range(message!(
-            "{0}: must lie between {1} and {2}",
-            "times",
-            1_usize,
-            MAX_POINTS
-        )));
+        return Err(OutOfRange::NumberBetween("times", 1.0, MAX_POINTS as f64).into());
     }
     if count.saturating_mul(times) > MAX_POINTS {
-        return Err(Error::Limit(message!(
-            "a path has at most {0} support points",
-            MAX_POINTS
-        )));
+        return Err(TooMany::SupportPoints.into());
     }
     let mut all = path.try_clone()?;
     if path.closed {

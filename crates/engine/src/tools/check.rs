@@ -12,7 +12,7 @@ use glam::{DQuat, DVec3};
 use super::clearance::Clearance;
 use super::parameter::{Parameter, Unit};
 use crate::deform::Bounds;
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, Result, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_COORDINATE};
 use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::{angle, continue_sign, log};
@@ -103,13 +103,13 @@ impl Default for Limits {
 impl Limits {
     fn find(name: &str) -> Result<usize> {
         let found = KINDS.iter().position(|kind| kind.limit.name == name);
-        found.ok_or_else(|| Error::Argument(message!("there is no check \"{0}\"", name)))
+        found.ok_or_else(|| Invalid::NoCheck(name.into()).into())
     }
 
     /// A limit by its name.
     ///
     /// # Errors
-    /// [`Error::Argument`] if there is none.
+    /// [`crate::Error::Argument`] if there is none.
     pub fn get(&self, name: &str) -> Result<f64> {
         Ok(self.0[Self::find(name)?])
     }
@@ -117,7 +117,7 @@ impl Limits {
     /// Sets a limit.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`]; nothing is changed then.
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`]; nothing is changed then.
     pub fn set(&mut self, name: &str, limit: f64) -> Result<()> {
         let at = Self::find(name)?;
         KINDS[at].limit.check(limit)?;
@@ -181,7 +181,7 @@ const SUSPECT: f64 = 0.01;
 /// Everything that is found, in the order of the frames.
 ///
 /// # Errors
-/// [`Error::Limit`] if the path has too many frames, [`Error::Memory`].
+/// [`crate::Error::Limit`] if the path has too many frames, [`crate::Error::Memory`].
 pub fn check(path: &CameraPath, against: &Against<'_>) -> Result<Vec<Finding>> {
     let timeline = Timeline::new(path)?;
     let sampler = Sampler::new(path, &timeline)?;

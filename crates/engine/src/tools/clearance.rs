@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, Result, vec_with_room};
 use crate::scene::Mesh;
 
 /// Primitives of a leaf.
@@ -36,8 +36,8 @@ impl Clearance {
     /// Of all triangles and lines of a mesh, or of its points if it has neither.
     ///
     /// # Errors
-    /// [`Error::Argument`] if it has nothing, or as [`Mesh::check`];
-    /// [`Error::Memory`].
+    /// [`crate::Error::Argument`] if it has nothing, or as [`Mesh::check`];
+    /// [`crate::Error::Memory`].
     pub fn new(mesh: &Mesh) -> Result<Self> {
         mesh.check()?;
         let at = |index: u32| mesh.points[index as usize];
@@ -45,7 +45,7 @@ impl Clearance {
         let points = if clouds { mesh.points.len() } else { 0 };
         let count = mesh.triangles.len() + mesh.lines.len() + points;
         if count == 0 {
-            return Err(Error::Argument(message!("the object has no geometry")));
+            return Err(Invalid::NoGeometry.into());
         }
         let mut primitives = vec_with_room(count)?;
         primitives.extend(mesh.triangles.iter().map(|t| Primitive(t.map(at))));

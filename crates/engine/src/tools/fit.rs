@@ -11,7 +11,7 @@
 use glam::{DMat3, DQuat, DVec3};
 
 use super::smooth::{Row, noise, smoothed};
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, OutOfRange, Place, Result, vec_with_room};
 use crate::limits::{MAX_DISTANCE_KEYS, MAX_FPS, MAX_ZOOM, MIN_ZOOM};
 use crate::math::orientation::{quaternion_from_view, roll_from_up, view_from_quaternion};
 use crate::math::quaternion::{angle, continue_sign, exp, log};
@@ -84,10 +84,10 @@ struct Joint {
 /// increasing, or evenly one a frame.
 ///
 /// # Errors
-/// [`Error::Argument`] or [`Error::Range`] for poses that are no path (fewer than
+/// [`crate::Error::Argument`] or [`crate::Error::Range`] for poses that are no path (fewer than
 /// three, all the same, not finite, a view without direction) and tolerances that are
-/// not > 0; [`Error::Argument`] if `progress` ends it; [`Error::Limit`],
-/// [`Error::Memory`].
+/// not > 0; [`crate::Error::Argument`] if `progress` ends it; [`crate::Error::Limit`],
+/// [`crate::Error::Memory`].
 pub fn fit(
     poses: &[Pose],
     seconds: Option<&[f64]>,
@@ -119,7 +119,7 @@ pub fn fit(
         pieces.try_reserve(1)?;
         pieces.push(piece);
         if !progress(at, last) {
-            return Err(Error::Argument(message!("the fit was cancelled")));
+            return Err(Invalid::Cancelled.into());
         }
     }
     data.path(&pieces)
@@ -135,14 +135,10 @@ impl Data {
         if !(fps > 0.0 && fps <= MAX_FPS && tolerance.position > 0.0 && tolerance.angle > 0.0)
             || !(tolerance.position.is_finite() && tolerance.angle <= 180.0)
         {
-            return Err(Error::Range(message!(
-                "tolerance, angle and frames per second must be greater than 0"
-            )));
+            return Err(OutOfRange::Tolerance.into());
         }
         if poses.len() < 3 {
-            return Err(Error::Argument(message!(
-                "a fit needs at least three poses"
-            )));
+            return Err(Invalid::TooFewPoses.into());
         }
         let mut times = vec_with_room(poses.len())?;
         match seconds {
@@ -150,15 +146,13 @@ impl Data {
             Some(seconds) => {
                 times.extend(seconds.iter().map(|when| (when - seconds[0]) * fps));
                 if times.len() != poses.len() || !times.windows(2).all(|pair| pair[1] > pair[0]) {
-                    return Err(Error::Argument(message!(
-                        "the times of the poses must increase, one for each"
-                    )));
+                    return Err(Invalid::PoseTimes.into());
                 }
             }
         }
         let mut raw: Vec<Sample> = vec_with_room(poses.len())?;
         for (k, pose) in poses.iter().enumerate() {
-            let sample = sample(pose).map_err(|error| error.at(message!("pose {0}", k + 1)))?;
+            let sample = sample(pose).map_err(|error| error.at(Place::Pose(k + 1)))?;
             let before = raw.last().map_or(sample.turn, |before| before.turn);
             raw.push(Sample {
                 turn: continue_sign(before, sample.turn).0,
@@ -167,7 +161,7 @@ impl Data {
         }
         let first = poses[0];
         if poses.iter().all(|pose| *pose == first) {
-            return Err(Error::Argument(message!("all poses are the same")));
+            return Err(Invalid::SamePoses.into());
         }
         let mut data = Self {
             times,
@@ -599,9 +593,7 @@ impl Data {
         }
         points.push(self.point(&start, None)?);
         if points.len() == 1 {
-            return Err(Error::Argument(message!(
-                "the poses do not differ by more than the tolerance"
-            )));
+            return Err(Invalid::WithinTolerance.into());
         }
         let mut path = CameraPath::try_new()?;
         path.points = points;
@@ -734,9 +726,7 @@ fn sample(pose: &Pose) -> Result<Sample> {
     check_zoom(pose.zoom)?;
     let side = up.cross(view).try_normalize();
     let (Some(side), Some(view)) = (side, view.try_normalize()) else {
-        return Err(Error::Argument(message!(
-            "view and up must be two directions"
-        )));
+        return Err(Invalid::UpParallel.into());
     };
     let up = DMat3::from_cols(side, view.cross(side), view).y_axis;
     Ok(Sample {

@@ -1,7 +1,7 @@
 //! What tools share: points picked out of a path, and curves that stay while the
 //! points around them change.
 
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
 use crate::path::{CameraPath, CurveKind, CurveParameters, Tangents, curve};
 
 /// Tangents are the same within this share of their length.
@@ -17,7 +17,7 @@ const ROUNDS: usize = 8;
 /// [`Error::Argument`] if there are none, [`Error::Range`], [`Error::Memory`].
 pub(super) fn picked(path: &CameraPath, points: &[usize]) -> Result<Vec<bool>> {
     if points.is_empty() {
-        return Err(Error::Argument(message!("no point is selected")));
+        return Err(Invalid::NothingSelected.into());
     }
     let count = path.points.len();
     let mut picked = vec_with_room(count)?;
@@ -37,20 +37,18 @@ pub(super) fn check_upright(paths: &[&CameraPath]) -> Result<()> {
         .windows(2)
         .any(|pair| pair[0].space.up != pair[1].space.up)
     {
-        return Err(Error::Argument(message!(
-            "the same axis must stand upright in both paths"
-        )));
+        return Err(Invalid::UprightDiffers.into());
     }
     Ok(())
 }
 
 /// There is no such point.
 pub(super) fn no_point(path: &CameraPath, point: usize) -> Error {
-    Error::Range(message!(
-        "there is no point {0}: the path has points 0 to {1}",
+    OutOfRange::NoPoint {
         point,
-        path.points.len() - 1
-    ))
+        last: path.points.len() - 1,
+    }
+    .into()
 }
 
 /// The tangents of all points.
@@ -61,7 +59,10 @@ pub(super) fn tangents(path: &CameraPath) -> Result<Vec<Option<Tangents>>> {
 }
 
 /// Lets those points own their tangents that would have others than is wanted.
-pub(super) fn keep_tangents(path: &mut CameraPath, wanted: &[Option<Tangents>]) {
+///
+/// # Errors
+/// Where a tangent is too long to compute with.
+pub(super) fn keep_tangents(path: &mut CameraPath, wanted: &[Option<Tangents>]) -> Result<()> {
     let last = path.points.len() - 1;
     for _ in 0..ROUNDS {
         let mut settled = true;
@@ -81,9 +82,10 @@ pub(super) fn keep_tangents(path: &mut CameraPath, wanted: &[Option<Tangents>]) 
             }
         }
         if settled || path.curve != CurveKind::Cubic {
-            return;
+            break;
         }
     }
+    path.check()
 }
 
 /// The same shape of the curve at a point of `from` in a path with other presets.

@@ -13,7 +13,7 @@ use glam::DVec3;
 
 use super::parameter::{Parameter, Unit};
 use crate::deform::Bounds;
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
 use crate::path::fit_frames::fit_frames;
 use crate::path::{
@@ -215,10 +215,7 @@ pub const MOVES: &[Move] = &[
             let [zoom, from, to] = given.numbers(["zoom", "distance", "end-distance"]);
             let end = zoom * to / from;
             if !(MIN_ZOOM..=MAX_ZOOM).contains(&end) {
-                return Err(Error::Range(message!(
-                    "the zoom would be {0} at the end; it must lie between 1 and 100",
-                    end
-                )));
+                return Err(OutOfRange::ZoomAtEnd(end).into());
             }
             let mut points = towards(given)?;
             points[1].orientations[0].zoom = end;
@@ -323,17 +320,17 @@ impl Move {
     /// The move of this name.
     ///
     /// # Errors
-    /// [`Error::Argument`] if there is none.
+    /// [`crate::Error::Argument`] if there is none.
     pub fn named(name: &str) -> Result<&'static Self> {
         MOVES
             .iter()
             .find(|known| known.name == name)
             .ok_or_else(|| {
-                Error::Argument(message!(
-                    "there is no move \"{0}\"; known: {1}",
-                    name,
-                    KNOWN
-                ))
+                Invalid::NoMove {
+                    name: name.into(),
+                    known: KNOWN,
+                }
+                .into()
             })
     }
 
@@ -341,7 +338,7 @@ impl Move {
     /// twice the radius of the sphere round them; or a space.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn defaults(&self, object: Option<&Bounds>, space: Space) -> Result<Vec<f64>> {
         let mut numbers = Parameter::numbers(self.parameters, &[])?;
         let (mut middle, mut size) = (space.centre, space.half_size);
@@ -368,8 +365,8 @@ impl Move {
     /// frames of its seconds.
     ///
     /// # Errors
-    /// [`Error::Argument`], [`Error::Range`] or [`Error::Limit`] for numbers that do
-    /// not do; [`Error::Memory`].
+    /// [`crate::Error::Argument`], [`crate::Error::Range`] or [`crate::Error::Limit`] for numbers that do
+    /// not do; [`crate::Error::Memory`].
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub fn path(&self, given: &[f64], space: Space, fps: f64) -> Result<CameraPath> {
         let numbers = Parameter::numbers(self.parameters, given)?;
@@ -464,9 +461,7 @@ fn around(
     angle: f64,
 ) -> Result<Vec<SupportPoint>> {
     if angle == 0.0 {
-        return Err(Error::Range(message!(
-            "the camera must turn by more than 0 degrees"
-        )));
+        return Err(OutOfRange::NoTurn.into());
     }
     let from = given.number("from").to_radians();
     // A whole number of arcs may be rounded up by a hair.
@@ -499,9 +494,7 @@ fn around(
 fn pan(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
     let [from, to, tilt] = given.numbers(["from", "to", "tilt"]).map(f64::to_radians);
     if from == to {
-        return Err(Error::Range(message!(
-            "the camera must turn by more than 0 degrees"
-        )));
+        return Err(OutOfRange::NoTurn.into());
     }
     let segments = ((to - from).abs() / PAN - 1e-9).ceil().max(1.0);
     let mut points = vec_with_room(segments as usize + 1)?;

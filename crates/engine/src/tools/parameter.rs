@@ -1,7 +1,7 @@
 //! What a tool asks for: one table for the window's fields, the command's
 //! options and the header's comment.
 
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
 
 /// What a number counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,21 +73,13 @@ impl Parameter {
     /// One number for it.
     ///
     /// # Errors
-    /// [`Error::Argument`] if it is not finite, [`Error::Range`].
+    /// [`crate::Error::Argument`] if it is not finite, [`crate::Error::Range`].
     pub fn check(&self, number: f64) -> Result<()> {
         if !number.is_finite() {
-            return Err(Error::Argument(message!(
-                "{0}: must be a finite number",
-                self.name
-            )));
+            return Err(Invalid::NumberNotFinite(self.name).into());
         }
         if !(self.least..=self.most).contains(&number) {
-            return Err(Error::Range(message!(
-                "{0}: must lie between {1} and {2}",
-                self.name,
-                self.least,
-                self.most
-            )));
+            return Err(OutOfRange::NumberBetween(self.name, self.least, self.most).into());
         }
         Ok(())
     }
@@ -96,16 +88,16 @@ impl Parameter {
     /// defaults of the rest; checked.
     ///
     /// # Errors
-    /// As [`Parameter::check`]; [`Error::Range`] if there are too many;
-    /// [`Error::Memory`].
+    /// As [`Parameter::check`]; [`crate::Error::Range`] if there are too many;
+    /// [`crate::Error::Memory`].
     pub fn numbers(all: &[Self], given: &[f64]) -> Result<Vec<f64>> {
         let count = Self::count(all);
         if given.len() > count {
-            return Err(Error::Range(message!(
-                "{0} numbers are given where there are at most {1}",
-                given.len(),
-                count
-            )));
+            return Err(OutOfRange::NumbersGiven {
+                given: given.len(),
+                most: count,
+            }
+            .into());
         }
         let mut numbers = vec_with_room(count)?;
         numbers.extend_from_slice(given);

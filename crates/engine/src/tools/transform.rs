@@ -8,7 +8,7 @@ use glam::{DMat3, DMat4, DQuat, DVec3};
 
 use super::keep::picked;
 use crate::deform::{Bounds, Deformation};
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, Place, Result, vec_with_room};
 use crate::math::orientation::{roll_from_up, unit, up_from_roll, wrap_degrees};
 use crate::path::{CameraPath, Orientation, SupportPoint, Tangents, Target, Up, Velocities, ahead};
 
@@ -32,22 +32,18 @@ struct Map<'a> {
 /// A matrix that moves, turns, scales and mirrors.
 ///
 /// # Errors
-/// [`Error::Argument`] if it has a number that is not finite, or if it does
+/// [`crate::Error::Argument`] if it has a number that is not finite, or if it does
 /// anything else: shears, projects, or presses flat.
 pub fn check_matrix(matrix: &DMat4) -> Result<()> {
     if !matrix.is_finite() {
-        return Err(Error::Argument(message!(
-            "each number of a matrix must be finite"
-        )));
+        return Err(Invalid::MatrixNotFinite.into());
     }
     let [x, y, z] = [0, 1, 2].map(|k| matrix.col(k).truncate());
     let square = |a: DVec3, b: DVec3| a.dot(b).abs() <= SQUARE * a.length() * b.length();
     let flat = [x, y, z].iter().any(|column| column.length() < 1e-12);
     let row = matrix.row(3).to_array();
     if flat || row != [0.0, 0.0, 0.0, 1.0] || !square(x, y) || !square(y, z) || !square(z, x) {
-        return Err(Error::Argument(message!(
-            "the matrix must move, turn, scale or mirror, without shear"
-        )));
+        return Err(Invalid::Matrix.into());
     }
     Ok(())
 }
@@ -55,8 +51,8 @@ pub fn check_matrix(matrix: &DMat4) -> Result<()> {
 /// Some points of a path, moved by a matrix.
 ///
 /// # Errors
-/// [`Error::Argument`] as [`check_matrix`], if no point is selected, or where a
-/// point would lie on a target of its own; [`Error::Range`], [`Error::Memory`].
+/// [`crate::Error::Argument`] as [`check_matrix`], if no point is selected, or where a
+/// point would lie on a target of its own; [`crate::Error::Range`], [`crate::Error::Memory`].
 pub fn transform(
     path: &CameraPath,
     points: &[usize],
@@ -141,7 +137,7 @@ fn mapped(
             }
         }
         new.check(path.space)
-            .map_err(|error| error.at(message!("point {0}", number + 1)))?;
+            .map_err(|error| error.at(Place::Point(number + 1)))?;
         changed.push((number, new));
     }
     Ok(changed)
