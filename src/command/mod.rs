@@ -16,6 +16,7 @@ mod output;
 mod plot;
 mod progress;
 mod sample;
+mod scene;
 mod table;
 mod tools;
 
@@ -52,7 +53,8 @@ enum Command {
     },
     /// Writes every camera pose of a path
     Sample(sample::Arguments),
-    /// Shows points, sections, lengths, frames and seconds of a path
+    /// Shows points, sections, lengths, frames and seconds of a path; of a
+    /// scene its nodes and what moves them
     Info {
         /// The path; - is standard input
         #[arg(value_name = "FILE.vid")]
