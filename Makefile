@@ -92,13 +92,12 @@ demo: all
 	$(CC) -std=c89 -pedantic -Wall -Wextra -Iinclude -o $(DEMO)/headless \
 	    c_examples/headless.c -L$(LIB) -lvides -lm
 	LD_LIBRARY_PATH=$(abspath $(LIB)) $(DEMO)/headless examples/pyramid.vid >$(DEMO)/list.txt
-	$(CARGO) run --quiet --release --locked -p vides-picture -- \
-	    examples/pyramid.vid $(DEMO)/pyramid.svg
+	$(RELEASE)/vides plot examples/pyramid.vid -o $(DEMO)/pyramid.svg
 	$(CC) -Iinclude -o $(DEMO)/pyramid_motif c_examples/pyramid_motif.c \
 	    -L$(LIB) -lvides -lm -lXm -lXt -lX11
 	@echo
 	@echo 'A flight around a pyramid, in $(DEMO):'
-	@echo '  pyramid.svg   the path in space, its speed and its turning: open it in a browser'
+	@echo '  pyramid.svg   the path in space, its views, speed and turning: open it in a browser'
 	@echo '  pyramid.txt   every camera pose, one a line, as vides sample writes them'
 	@echo '  list.txt      the same as a C program meets them in its list, forwards and back'
 	@if [ -n "$$DISPLAY" ]; then \

@@ -133,6 +133,20 @@
 #define V_EASE_SINE 0
 #define V_EASE_PARABOLIC 1
 
+
+/* ---- How a block is put in, see v_path_insert_path() ------------------------- */
+
+/**
+ * V_FIT_NONE   as it lies
+ * V_FIT_MOVE   moved, so that it begins where the path is
+ * V_FIT_TURN   turned too, so that it goes on in the direction of travel
+ * V_FIT_SCALE  moved, turned and scaled, so that it also ends at the next point
+ */
+#define V_FIT_NONE 0
+#define V_FIT_MOVE 1
+#define V_FIT_TURN 2
+#define V_FIT_SCALE 3
+
 /** The kinds of node. */
 #define V_NODE_GROUP 0
 #define V_NODE_OBJECT 1
@@ -403,6 +417,26 @@ struct v_node_state {
 };
 
 typedef struct v_node_state V_NODE_STATE;
+
+/** Something that v_path_check() found. It does not grow. */
+struct v_finding {
+    /** its kind, see v_path_check(); the text is the library's and stays */
+    const char *kind;
+    /** poses counted from 1, where it begins */
+    double first_frame;
+    /** and where it ends */
+    double last_frame;
+    /** the support point at which the section begins */
+    int point;
+    /** the orientation of that point with which it begins */
+    int orientation;
+    /** the worst value */
+    double value;
+    /** the limit of its kind */
+    double limit;
+};
+
+typedef struct v_finding V_FINDING;
 
 
 /* ---- Editor windows ---------------------------------------------------------- */
@@ -1315,6 +1349,140 @@ int v_path_point_at_length(const V_PATH *path,
                            double xyz[3]);
 
 
+/* ---- Tools ------------------------------------------------------------------- */
+
+/**
+ * A path by a ready-made move, at 25 frames a second. Its numbers stand in the
+ * order below, a place as three; those behind count have their defaults. Headings
+ * are seen from the target: 0 lies towards +z, 90 towards +x.
+ *
+ * "orbit"  on a circle round a target
+ *     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
+ *     zoom mm (24), seconds (10)
+ * "spiral"  round a target with another radius and height at the end
+ *     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
+ *     zoom mm (24), seconds (10), end-radius (0.5), end-height (1)
+ * "arc"  on a part of a circle, from one heading to another
+ *     around x y z (0), radius (1), height (0.4), from degrees (-45),
+ *     to degrees (45), zoom mm (24), seconds (10)
+ * "flyby"  straight past a target that stays in view
+ *     around x y z (0), distance (1), height (0.4), from degrees (0),
+ *     length (3), zoom mm (24), seconds (10)
+ * "approach"  straight towards a target
+ *     around x y z (0), distance (3), end-distance (1), from degrees (0),
+ *     rise degrees (15), zoom mm (24), seconds (10)
+ * "dolly-zoom"  towards a target that keeps its size in the picture
+ *     around x y z (0), distance (3), end-distance (1), from degrees (0),
+ *     rise degrees (15), zoom mm (60), seconds (10)
+ * "crane"  straight up or down beside a target that stays in view
+ *     around x y z (0), radius (1), height (-0.2), end-height (1),
+ *     from degrees (0), zoom mm (24), seconds (10)
+ * "pan"  turns on the spot
+ *     at x y z (0), from degrees (-45), to degrees (45), tilt degrees (0),
+ *     zoom mm (24), seconds (10)
+ * "figure-eight"  on an eight that crosses above the target
+ *     around x y z (0), radius (1), height (0.4), width (0.8), from degrees (0),
+ *     zoom mm (24), seconds (10)
+ *
+ * *path is the caller's, to be freed with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_from_move(const char *move,
+                     const double *parameters,
+                     size_t count,
+                     V_PATH **path);
+
+/**
+ * Moves, turns, scales and mirrors the support points from first_point to
+ * last_point, tangents that they own with them.
+ *
+ * matrix  column by column, without shear; its last row is 0 0 0 1
+ * with_targets  1: what their cameras see goes along, targets, views and rolls;
+ *     0: absolute targets stay, relative ones keep their direction
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear,
+ * or a point would lie on its own target), V_ERR_RANGE, V_ERR_MEMORY.
+ */
+int v_path_transform(V_PATH *path,
+                     int first_point,
+                     int last_point,
+                     const double matrix[16],
+                     int with_targets);
+
+/**
+ * Deforms the support points from first_point to last_point as v_deform() does,
+ * tangents that they own with them.
+ *
+ * box    NULL: that of the points' positions
+ * with_targets  1: their targets are deformed too; 0: they stay
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_deform(V_PATH *path,
+                  int first_point,
+                  int last_point,
+                  const char *kind,
+                  const double *parameters,
+                  size_t count,
+                  const double box[6],
+                  int with_targets);
+
+/**
+ * The support points from first_point to last_point as a path of their own, open,
+ * with the curve that they have; on a closed path first_point may lie behind
+ * last_point. *block is the caller's, to be freed with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_MEMORY, V_ERR_LIMIT.
+ */
+int v_path_extract(const V_PATH *path,
+                   int first_point,
+                   int last_point,
+                   V_PATH **block);
+
+/**
+ * Puts a path in behind support point at; block stays as it is and may be the same
+ * path. Its curve stays, and all other of the path; at the join both ways have one
+ * direction. But with V_FIT_NONE its first point becomes one with point at, whose
+ * views stay; with V_FIT_SCALE its last one so with the next point. Its targets go
+ * along. A closed block ends where it begins. Names that are there already get a
+ * number.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
+ * direction, or no length to scale), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_insert_path(V_PATH *path, int at, const V_PATH *block, int fit);
+
+/**
+ * Turns the way round: the film shows the same poses in reverse order. Views along
+ * the way look along the new one.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+ */
+int v_path_reverse(V_PATH *path);
+
+/**
+ * The way times times, each beginning where the one before ended, its targets with
+ * it; a closed path goes round so often.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_repeat(V_PATH *path, int times);
+
+/**
+ * The sum of paths times their weights: positions, curve, targets, roll, zoom and
+ * speeds, point by point; paths with different numbers of points are resampled to
+ * the largest of them by length first. All else is that of the path with the
+ * greatest weight.
+ *
+ * weights  count numbers with the sum 1
+ * *blend is the caller's, to be freed with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_blend(V_PATH *const *paths,
+                 const double *weights,
+                 size_t count,
+                 V_PATH **blend);
+
+
 /* ---- Sections and poses ------------------------------------------------------ */
 
 /**
@@ -1806,6 +1974,77 @@ int v_scene_vertices(const V_SCENE *scene,
                      double *xyz,
                      size_t capacity,
                      size_t *points);
+
+/**
+ * A path of few support points that passes recorded poses: each position within
+ * tolerance, each view, up and field of view within angle degrees, at its time. Noise
+ * of up to half of that is taken out.
+ *
+ * seconds  when each pose was taken, increasing; NULL: one a frame
+ * count    at least three
+ * fps      frames in a second of the path
+ * *path is the caller's, to be freed with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (poses that are no
+ * path: all the same, a number that is not finite, a view without direction),
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_fit_poses(const V_POSE *poses,
+                     const double *seconds,
+                     size_t count,
+                     double fps,
+                     double tolerance,
+                     double angle,
+                     V_PATH **path);
+
+/**
+ * Looks for what will look wrong in the film. Of each kind there is one finding for
+ * each run of frames, in the order of the frames. Lengths count in half sizes of the
+ * space:
+ *
+ * "space"         the camera is outside the space by more than the limit (0)
+ * "cusp"          curve or pace nearly stop in a section (0.02 of the mean)
+ * "speed-jump"    at a key, in shares of the mean speed (0.5)
+ * "acceleration"  in half sizes a second squared (10)
+ * "view-jump"     degrees at once (1)
+ * "turning"       degrees a second (60)
+ * "turning-acceleration"  degrees a second squared (300)
+ * "half-turn"     that might go either way
+ * "pole"          degrees from straight up or down, below the limit (3)
+ * "target"        the target is nearer than the limit (0.05)
+ * "clearance"     the object is nearer than the limit (0.02)
+ * "through"       the way leads through a triangle of the object
+ * "nothing-to-see"  nothing of the object in the picture, seconds (1)
+ * "zoom"          mm a second (30)
+ * "redundant"     several keys stand where one would do
+ * "corner"        degrees by which the way turns at a point (60)
+ *
+ * object  what the camera must not come near to, in the coordinates of the path;
+ *     NULL: the path's own object, if it has one
+ * findings  room for capacity of them; *count is how many there are. With a
+ *     capacity too small nothing else is written and the answer is V_ERR_SIZE;
+ *     findings NULL with capacity 0 only asks for *count
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+ * V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
+ */
+int v_path_check(const V_PATH *path,
+                 const V_MESH *object,
+                 V_FINDING *findings,
+                 size_t capacity,
+                 size_t *count);
+
+/**
+ * Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
+ * kind), V_ERR_RANGE.
+ */
+int v_path_set_limit(V_PATH *path, const char *kind, double limit);
+
+/**
+ * The limit of a kind of finding, see v_path_check().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
+ */
+int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
 
 /**
  * The options' defaults: size, and everything else NULL or 0. NULL does

@@ -1,13 +1,16 @@
 //! Every edit, in any order, with good and bad values: the document stays one
 //! that can be saved, and undo and redo restore every bit.
 
-use glam::DVec3;
+use glam::{DMat4, DQuat, DVec3};
 use proptest::prelude::*;
+use vides::deform::Deformation;
 use vides::document::{Document, Edit, Info, ObjectPoint, Selection};
 use vides::path::{
     BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, Space, SupportPoint,
     Target, Tcb, Up, ZoomMode,
 };
+use vides::tools::block::Fit;
+use vides::tools::check::Limits;
 
 /// Numbers from which an edit is made, whatever its kind.
 #[derive(Debug, Clone)]
@@ -32,7 +35,7 @@ fn number() -> impl Strategy<Value = f64> {
     ]
 }
 
-const KINDS: u8 = 21;
+const KINDS: u8 = 26;
 
 fn raw() -> impl Strategy<Value = Raw> {
     (
@@ -161,7 +164,31 @@ impl Raw {
             ),
             17 => Edit::SetInfo(Box::new(self.info())),
             18 => Edit::ReplacePath(Box::new(self.path())),
-            20 => Edit::SetSpace {
+            19 => Edit::TransformPoints {
+                points: vec![at, self.b % points],
+                matrix: DMat4::from_scale_rotation_translation(
+                    DVec3::splat(1.0 + self.x[3]),
+                    DQuat::from_rotation_x(self.x[4]),
+                    self.vector(),
+                ),
+                with_targets: self.flag,
+            },
+            20 => Edit::DeformPoints {
+                points: (0..at).collect(),
+                deformation: Deformation::new("twist", &[1.0, 90.0]).unwrap(),
+                bounds: None,
+                with_targets: self.flag,
+            },
+            // So that paths do not grow for ever.
+            21 if points < 40 => Edit::InsertPath {
+                at,
+                block: Box::new(self.path()),
+                fit: [Fit::None, Fit::Move, Fit::Turn, Fit::Scale][self.b % 4],
+                with_targets: self.flag,
+            },
+            22 => Edit::Reverse,
+            23 if points < 12 => Edit::Repeat(self.b % 4),
+            24 => Edit::SetSpace {
                 space: Space {
                     centre: self.vector(),
                     half_size: self.x[3].abs() * [1.0, 1e-6, 1e6][self.a % 3],
@@ -200,6 +227,11 @@ impl Raw {
                 })
                 .collect::<Vec<_>>()
                 .into(),
+            limits: {
+                let mut limits = Limits::default();
+                let _ = limits.set("turning", 90.0 * self.x[0]);
+                limits
+            },
         }
     }
 
@@ -285,7 +317,7 @@ proptest! {
             }
             assert_sound(&document);
             assert_computed(&document);
-            if content(&document) == content_before && !matches!(raw.kind, 17 | 18) {
+            if content(&document) == content_before && !matches!(raw.kind, 17 | 18 | 22 | 23) {
                 prop_assert_eq!(whole(&document), before);
                 continue;
             }

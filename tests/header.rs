@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 21] = [
+const SOURCES: [&str; 23] = [
     "status",
     "types",
     "legacy",
@@ -19,11 +19,13 @@ const SOURCES: [&str; 21] = [
     "shape",
     "pace",
     "curve",
+    "tools",
     "poses",
     "scene_types",
     "scene",
     "scene_tracks",
     "scene_states",
+    "checks",
     "editor",
     "quaternions",
     "splines",

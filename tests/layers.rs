@@ -26,7 +26,6 @@ const ARROWS: &[(&str, &[&str])] = &[
         ],
     ),
     ("vides-archive", &["vides"]),
-    ("vides-picture", &["vides"]),
     ("vides", &["vides-document", "vides-engine", "vides-window"]),
 ];
 

@@ -3,22 +3,29 @@
 //! a path is computed or a file is read.
 //!
 //! Exit statuses: 0 all was done, or whoever read our output had enough of it;
-//! 1 bad input or a file that cannot be read or written; 2 bad usage.
+//! 1 bad input or a file that cannot be read or written; 2 bad usage; 3 a check
+//! has found something.
 
+mod check;
 mod edit;
+mod fit;
 mod info;
 mod input;
+mod moves;
+mod output;
+mod plot;
 mod progress;
 mod sample;
 mod scene;
 mod table;
+mod tools;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use vides::error::reason;
+use vides::error::{EngineError, reason};
 
 /// Plans camera paths: a few support points with views become every camera
 /// pose between them.
@@ -29,7 +36,7 @@ use vides::error::reason;
     arg_required_else_help = true,
     disable_help_subcommand = true,
     max_term_width = 80,
-    after_help = "Exit status: 0 done, 1 bad input, 2 bad usage."
+    after_help = "Exit status: 0 done, 1 bad input, 2 bad usage, 3 findings of a check."
 )]
 struct Cli {
     #[command(subcommand)]
@@ -53,6 +60,16 @@ enum Command {
         #[arg(value_name = "FILE.vid")]
         file: PathBuf,
     },
+    /// Makes a path of few points of recorded poses
+    Fit(fit::Arguments),
+    /// Tells what will look wrong in a film
+    Check(check::Arguments),
+    /// Draws a path, its views and what changes over its frames
+    Plot(plot::Arguments),
+    /// Makes a path by a ready-made move
+    Move(moves::Arguments),
+    #[command(flatten)]
+    Tool(tools::Tool),
 }
 
 /// Why the command ends before its work is done.
@@ -61,8 +78,16 @@ enum Failure {
     Usage(String),
     /// A file says or is something wrong, or the system refused.
     Input(String),
+    /// All was done, and something is to be told of.
+    Findings,
     /// Whoever read our standard output has closed it (`vides … | head`).
     ReaderGone,
+}
+
+impl From<EngineError> for Failure {
+    fn from(error: EngineError) -> Self {
+        vides::Error::from(error).into()
+    }
 }
 
 impl From<vides::Error> for Failure {
@@ -89,12 +114,18 @@ pub(crate) fn run() -> ExitCode {
         Command::Edit { file } => edit::run(file.as_deref()),
         Command::Sample(arguments) => sample::run(&arguments),
         Command::Info { file } => info::run(&file),
+        Command::Fit(arguments) => fit::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
+        Command::Move(arguments) => moves::run(&arguments),
+        Command::Tool(tool) => tools::run(&tool),
     })
 }
 
 fn conclude(result: Result<(), Failure>) -> ExitCode {
     let (message, status) = match result {
         Ok(()) | Err(Failure::ReaderGone) => return ExitCode::SUCCESS,
+        Err(Failure::Findings) => return ExitCode::from(3),
         Err(Failure::Input(message)) => (message, 1),
         Err(Failure::Usage(message)) => (message, 2),
     };

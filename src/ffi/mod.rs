@@ -22,6 +22,7 @@
 #![allow(clippy::missing_safety_doc)]
 
 mod border;
+mod checks;
 mod counted;
 mod curve;
 // Its macro is for those below.
@@ -49,6 +50,7 @@ mod shape;
 mod space;
 mod splines;
 mod status;
+mod tools;
 mod types;
 mod view;
 

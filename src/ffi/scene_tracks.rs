@@ -449,7 +449,7 @@ pub unsafe extern "C" fn v_scene_add_shape(
 ///
 /// # Safety
 /// As the header says of v_deform().
-unsafe fn deformation(
+pub(super) unsafe fn deformation(
     kind: *const c_char,
     parameters: *const f64,
     count: usize,
@@ -460,7 +460,7 @@ unsafe fn deformation(
     Ok(Deformation::new(kind, parameters)?)
 }
 
-fn bounds(corners: [f64; 6]) -> vides_engine::Result<Bounds> {
+pub(super) fn bounds(corners: [f64; 6]) -> vides_engine::Result<Bounds> {
     let [a, b, c, d, e, f] = corners;
     Bounds::new(DVec3::new(a, b, c), DVec3::new(d, e, f))
 }

@@ -75,6 +75,18 @@
     F(v_path_get_frames, STATUS, V_OK, 0) \
     F(v_path_fit_frames, STATUS, -2, 0) \
     F(v_path_set_ahead, STATUS, V_OK, 0) \
+    F(v_path_from_move, STATUS, V_OK, 0) \
+    F(v_path_transform, STATUS, -2, 0) \
+    F(v_path_deform, STATUS, -2, 0) \
+    F(v_path_extract, STATUS, V_OK, 0) \
+    F(v_path_insert_path, STATUS, -2, 0) \
+    F(v_path_reverse, STATUS, V_OK, 0) \
+    F(v_path_repeat, STATUS, V_OK, 0) \
+    F(v_path_blend, STATUS, -2, 0) \
+    F(v_path_fit_poses, STATUS, V_OK, 0) \
+    F(v_path_check, STATUS, V_OK, 0) \
+    F(v_path_set_limit, STATUS, V_OK, 0) \
+    F(v_path_get_limit, STATUS, V_OK, 0) \
     F(v_path_length, STATUS, V_OK, 0) \
     F(v_path_segment_length, STATUS, V_OK, 0) \
     F(v_path_curve_point, STATUS, V_OK, 0) \

@@ -161,13 +161,17 @@ impl Change {
             Self::Speeds(speeds) => path.speeds == *speeds,
             Self::Closed(closed) => path.closed == *closed,
             Self::CurveKind(curve) => path.curve == *curve,
-            Self::Tangents { at, tangents } => match (path.points[*at].tangents, tangents) {
-                (None, None) => true,
-                (Some(a), Some(b)) => {
-                    same_vector(a.before, b.before) && same_vector(a.after, b.after)
-                }
-                _ => false,
-            },
+            Self::Tangents { at, tangents } => same_tangents(path.points[*at].tangents, *tangents),
+            Self::Point { at, point } => {
+                let there = &path.points[*at];
+                let mut views = there.orientations.iter().zip(&point.orientations);
+                same_vector(there.position, point.position)
+                    && there.name == point.name
+                    && there.curve == point.curve
+                    && same_tangents(there.tangents, point.tangents)
+                    && there.orientations.len() == point.orientations.len()
+                    && views.all(|(a, b)| same_orientation(a, b))
+            }
             Self::Several(changes) => changes.iter().all(|change| change.is_idle(content)),
             Self::Modes(orientation, zoom) => {
                 path.orientation_mode == *orientation && path.zoom_mode == *zoom
@@ -388,6 +392,14 @@ fn same_number(a: f64, b: f64) -> bool {
 
 fn same_vector(a: DVec3, b: DVec3) -> bool {
     a.to_array().map(f64::to_bits) == b.to_array().map(f64::to_bits)
+}
+
+fn same_tangents(a: Option<Tangents>, b: Option<Tangents>) -> bool {
+    match (a, b) {
+        (None, None) => true,
+        (Some(a), Some(b)) => same_vector(a.before, b.before) && same_vector(a.after, b.after),
+        _ => false,
+    }
 }
 
 fn same_tcb(a: Tcb, b: Tcb) -> bool {

@@ -1,6 +1,8 @@
 //! The edits: what each one means.
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
+use vides_engine::deform::{Bounds, Deformation};
+use vides_engine::tools::block::Fit;
 
 use super::info::Info;
 use crate::path::{
@@ -164,4 +166,40 @@ pub enum Edit {
     },
     /// Another path in place of this one; its first point becomes current.
     ReplacePath(Box<CameraPath>),
+    /// Moves, turns, scales or mirrors points; see [`vides_engine::tools::transform`].
+    TransformPoints {
+        /// The points.
+        points: Vec<usize>,
+        /// Without shear.
+        matrix: DMat4,
+        /// Whether what their cameras see goes along.
+        with_targets: bool,
+    },
+    /// Deforms points; see [`vides_engine::tools::transform`].
+    DeformPoints {
+        /// The points.
+        points: Vec<usize>,
+        /// The deformation.
+        deformation: Deformation,
+        /// The box that it is relative to; none: that of the points.
+        bounds: Option<Bounds>,
+        /// Whether their targets are deformed too.
+        with_targets: bool,
+    },
+    /// Puts another path in behind a point; see [`vides_engine::tools::block::insert`].
+    /// Its first new point becomes current.
+    InsertPath {
+        /// The point.
+        at: usize,
+        /// The other path.
+        block: Box<CameraPath>,
+        /// How it is brought to its place.
+        fit: Fit,
+        /// Whether its targets go along.
+        with_targets: bool,
+    },
+    /// Turns the way round; see [`vides_engine::tools::block::reverse`].
+    Reverse,
+    /// The way so many times; see [`vides_engine::tools::block::repeat`].
+    Repeat(usize),
 }

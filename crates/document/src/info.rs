@@ -5,6 +5,7 @@ use std::ops::Deref;
 use std::sync::Arc;
 
 use glam::DVec3;
+use vides_engine::tools::check::Limits;
 
 use crate::error::{OutOfRange, Place, TooMany};
 use crate::limits;
@@ -26,6 +27,8 @@ pub struct Info {
     pub unit: String,
     /// Wireframe object, shown for orientation.
     pub object: Object,
+    /// Beyond which values a check tells.
+    pub limits: Limits,
 }
 
 /// One point of a wireframe object (thesis B.2.2, `V_OBJEKT_LIST`).
@@ -67,6 +70,7 @@ impl Default for Info {
             first_frame: 1,
             unit: String::new(),
             object: Object::default(),
+            limits: Limits::default(),
         }
     }
 }
@@ -84,6 +88,7 @@ impl Info {
             first_frame: self.first_frame,
             unit: copy_text(&self.unit)?,
             object: self.object.clone(),
+            limits: self.limits,
         })
     }
 

@@ -14,6 +14,7 @@
 pub mod ascii;
 mod blocks;
 mod change;
+mod check;
 mod contents;
 mod edit;
 mod editing;
@@ -48,4 +49,4 @@ pub use scene::SceneDocument;
 
 pub use vides_mesh as mesh;
 
-use vides_engine::{limits, math, path};
+use vides_engine::{limits, math, path, tools};

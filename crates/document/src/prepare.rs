@@ -9,7 +9,7 @@ use super::editing::Selection;
 use super::place;
 use super::target;
 use crate::error::{
-    End, Error, OutOfRange, Place, Quantity, Refused, Result, TooMany, vec_with_room,
+    End, Error, OutOfRange, Place, Quantity, Refused, Result, TooMany, can_allocate, vec_with_room,
 };
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
@@ -21,6 +21,7 @@ use crate::path::space::Move;
 use crate::path::{
     CameraPath, CurveParameters, Orientation, Pace, Space, SupportPoint, Target, Timeline,
 };
+use crate::tools::{block, transform};
 
 /// The record of an edit, and the selection after it if it sets one.
 pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<Selection>)> {
@@ -168,6 +169,32 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             info.normalise();
             Change::Info(info)
         }
+        Edit::ReplacePath(path) => return replaced(content, *path),
+        Edit::TransformPoints {
+            points,
+            matrix,
+            with_targets,
+        } => exchanged(transform::transform(path, &points, &matrix, with_targets)?)?,
+        Edit::DeformPoints {
+            points,
+            deformation,
+            bounds,
+            with_targets,
+        } => exchanged(transform::deform(
+            path,
+            &points,
+            &deformation,
+            bounds,
+            with_targets,
+        )?)?,
+        Edit::InsertPath {
+            at,
+            block,
+            fit,
+            with_targets,
+        } => return put_in(content, block::insert(path, at, &block, fit, with_targets)?),
+        Edit::Reverse => return replaced(content, block::reverse(path)?),
+        Edit::Repeat(times) => return replaced(content, block::repeat(path, times)?),
         Edit::SetSpace { space, fit } => {
             space.check()?;
             content.info.check(space)?;
@@ -178,13 +205,57 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
                 Change::Space(space)
             }
         }
-        Edit::ReplacePath(mut path) => {
-            normalise(&mut path)?;
-            content.info.check(path.space)?;
-            return Ok((Change::Path(path, 0), Some(Selection::default())));
-        }
     };
     Ok((change, None))
+}
+
+/// The record of another path.
+fn replaced(content: &Content, mut path: CameraPath) -> Result<(Change, Option<Selection>)> {
+    normalise(&mut path)?;
+    content.info.check(path.space)?;
+    can_allocate(size_of::<CameraPath>())?;
+    Ok((Change::Path(Box::new(path), 0), Some(Selection::default())))
+}
+
+/// The records of points with other values.
+fn exchanged(points: transform::Changed) -> Result<Change> {
+    let mut changes = vec_with_room(points.len())?;
+    for (at, point) in points {
+        changes.push(Change::Point { at, point });
+    }
+    Ok(Change::Several(changes))
+}
+
+/// The records of a block that is put in.
+fn put_in(content: &Content, inserted: block::Inserted) -> Result<(Change, Option<Selection>)> {
+    let block::Inserted {
+        at,
+        count,
+        mut path,
+        changed,
+    } = inserted;
+    let orientations = count_orientations(&path.points) - content.orientations;
+    check_room(content, count, orientations)?;
+    let mut take = |at: usize| std::mem::replace(&mut path.points[at], SupportPoint::nowhere());
+    let mut changes = vec_with_room(1 + changed.len())?;
+    if count > 0 {
+        let mut points = vec_with_room(count)?;
+        points.extend((at..at + count).map(&mut take));
+        points.iter_mut().for_each(bring_into_form);
+        changes.push(Change::InsertPoints {
+            at,
+            points,
+            removal: 0,
+        });
+    }
+    for at in changed {
+        let point = take(at);
+        changes.push(Change::Point { at, point });
+    }
+    Ok((
+        Change::Several(changes),
+        Some(Selection::at(at.min(path.points.len() - 1), 0)),
+    ))
 }
 
 /// Checks a whole path and brings it into the form that documents keep: rolls
@@ -192,13 +263,15 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
 pub(super) fn normalise(path: &mut CameraPath) -> Result<()> {
     path.check()?;
     check_all_orientations(count_orientations(&path.points))?;
-    for point in &mut path.points {
-        point.name = point.name.take().filter(|name| !name.is_empty());
-        for orientation in &mut point.orientations {
-            orientation.roll = wrap_degrees(orientation.roll);
-        }
-    }
+    path.points.iter_mut().for_each(bring_into_form);
     Ok(())
+}
+
+fn bring_into_form(point: &mut SupportPoint) {
+    point.name = point.name.take().filter(|name| !name.is_empty());
+    for orientation in &mut point.orientations {
+        orientation.roll = wrap_degrees(orientation.roll);
+    }
 }
 
 /// An orientation that looks along the way, with the offset of that view in its

@@ -20,8 +20,9 @@ use crate::path::{
     SupportPoint, Target, Tcb, Up, ZoomMode, space,
 };
 use vides_engine::scene::Scene;
+use vides_engine::tools::check::Limits;
 
-const KEYS: [&str; 16] = [
+const KEYS: [&str; 17] = [
     "version",
     "title",
     "comment",
@@ -34,6 +35,7 @@ const KEYS: [&str; 16] = [
     "base_speeds",
     "presets",
     "space",
+    "check",
     "object",
     "point",
     "marker",
@@ -197,6 +199,7 @@ impl Reader {
                 "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
                 "base_speeds" => path.speeds = base_speeds(field)?,
                 "presets" => presets(field, &mut path.presets)?,
+                "check" => info.limits = limits_of_checks(field)?,
                 "object" => info.object = object(field, path.space)?.into(),
                 "point" => points(field, &mut path.points, &mut self.orientations, path.space)?,
                 "marker" => self.scene.markers(field)?,
@@ -341,6 +344,15 @@ pub(super) fn space(
         }
     }
     table.checked(space.check())
+}
+
+fn limits_of_checks(table: Field<'_>) -> Result<Limits> {
+    let mut limits = Limits::default();
+    for field in table.fields()? {
+        let limit = field.number()?;
+        field.checked(limits.set(field.key, limit))?;
+    }
+    Ok(limits)
 }
 
 fn object(table: Field<'_>, space: Space) -> Result<Vec<ObjectPoint>> {

@@ -87,6 +87,12 @@ pub(super) fn space(out: &mut Text, space: Space, info: &Info) -> fmt::Result {
     writeln!(out, "\n{}\n[space]", OURS[2])?;
     place(out, space)?;
     writeln!(out, "unit = {}", Quoted(&info.unit))?;
+    for (number, (name, limit)) in info.limits.own().enumerate() {
+        if number == 0 {
+            writeln!(out, "\n[check]")?;
+        }
+        writeln!(out, "{name} = {limit:?}")?;
+    }
 
     object(out, &info.object)
 }
@@ -330,6 +336,7 @@ mod tests {
             first_frame: i32::MIN,
             unit: "\"".repeat(limits::MAX_NAME_BYTES),
             object: Object::default(),
+            limits: Info::default().limits,
         };
         let rest = size(&path, &info);
         path.points.push(point);

@@ -55,6 +55,7 @@ german! {
         Pivot => "der Drehpunkt";
         Step => "die Schrittweite";
         Tangents => "die Tangenten";
+        Pose(number) => "Pose {number}";
     }
     Quantity {
         AimWeight => "das Gewicht des Zielens";
@@ -162,6 +163,23 @@ german! {
             "eine Verformung „{name}“ gibt es nicht; bekannt sind taper, twist, bend, free-form";
         BendAxes => "eine Biegung braucht zwei verschiedene Achsen";
         BoxEnds => "der Quader darf nicht enden, bevor er beginnt";
+        NumberNotFinite(name) => "{name} muss eine endliche Zahl sein";
+        NoMove { name, known } => "die Fahrt „{name}“ gibt es nicht; bekannt sind: {known}";
+        NothingSelected => "kein Punkt ist ausgewählt";
+        UprightDiffers => "in beiden Pfaden muss dieselbe Achse aufrecht stehen";
+        MatrixNotFinite => "jede Zahl einer Matrix muss endlich sein";
+        Matrix => "die Matrix muss verschieben, drehen, skalieren oder spiegeln, ohne Scherung";
+        NoDirection => "um verbunden zu werden, brauchen Pfad und Baustein dort Richtung und Länge";
+        PathWeights => "jeder Pfad braucht ein Gewicht";
+        ClosedAndOpen => "geschlossene Pfade lassen sich nicht mit offenen mischen";
+        NoWay => "die Kamera bewegt sich nicht";
+        Cancelled => "die Anpassung wurde abgebrochen";
+        TooFewPoses => "eine Anpassung braucht mindestens drei Posen";
+        PoseTimes => "die Zeiten der Posen müssen wachsen, eine für jede";
+        SamePoses => "alle Posen sind gleich";
+        WithinTolerance => "die Posen unterscheiden sich um nicht mehr als die Toleranz";
+        NoCheck(name) => "die Prüfung „{name}“ gibt es nicht";
+        NoGeometry => "das Objekt hat keine Geometrie";
     }
     OutOfRange {
         Between(what, low, high) =>
@@ -253,6 +271,15 @@ german! {
         DeformationNumbers { deformation, given } =>
             "die Verformung „{deformation}“ nimmt nicht {given} Zahlen";
         DeformationAxis => "eine Achse einer Verformung ist 0, 1 oder 2";
+        NumberBetween(name, low, high) =>
+            "{name} muss zwischen {} und {} liegen", number(*low), number(*high);
+        NumbersGiven { given, most } =>
+            "{given} Zahlen sind angegeben, höchstens {most} gehören hierher";
+        ZoomAtEnd(zoom) => "der Zoom wäre am Ende {}; er muss zwischen 1 und 100 liegen", number(*zoom);
+        NoTurn => "die Kamera muss sich um mehr als 0 Grad drehen";
+        NoNextPoint => "es gibt keinen nächsten Punkt, an dem der Baustein enden könnte";
+        WeightSum(sum) => "die Gewichte müssen zusammen 1 ergeben, nicht {}", number(*sum);
+        Tolerance => "Toleranz, Winkel und Bilder je Sekunde müssen größer als 0 sein";
     }
     TooMany {
         NameBytes => "höchstens {} Byte sind erlaubt", limits::MAX_NAME_BYTES;

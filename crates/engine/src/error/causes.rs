@@ -231,6 +231,42 @@ pub enum Invalid {
     BendAxes,
     #[error("the box must not end before it begins")]
     BoxEnds,
+
+    // Tools.
+    #[error("{0} must be a finite number")]
+    NumberNotFinite(&'static str),
+    #[error("there is no move \"{name}\"; known: {known}")]
+    NoMove { name: Text, known: &'static str },
+    #[error("no point is selected")]
+    NothingSelected,
+    #[error("the same axis must stand upright in both paths")]
+    UprightDiffers,
+    #[error("each number of a matrix must be finite")]
+    MatrixNotFinite,
+    #[error("the matrix must move, turn, scale or mirror, without shear")]
+    Matrix,
+    #[error("path and block need a direction and a length there to be joined")]
+    NoDirection,
+    #[error("each path needs a weight")]
+    PathWeights,
+    #[error("closed paths cannot be blended with open ones")]
+    ClosedAndOpen,
+    #[error("the camera does not move")]
+    NoWay,
+    #[error("the fit was cancelled")]
+    Cancelled,
+    #[error("a fit needs at least three poses")]
+    TooFewPoses,
+    #[error("the times of the poses must increase, one for each")]
+    PoseTimes,
+    #[error("all poses are the same")]
+    SamePoses,
+    #[error("the poses do not differ by more than the tolerance")]
+    WithinTolerance,
+    #[error("there is no check \"{0}\"")]
+    NoCheck(Text),
+    #[error("the object has no geometry")]
+    NoGeometry,
 }
 
 /// An index or a value outside its range.
@@ -409,6 +445,22 @@ pub enum OutOfRange {
     DeformationNumbers { deformation: Text, given: usize },
     #[error("an axis of a deformation is 0, 1 or 2")]
     DeformationAxis,
+
+    // Tools.
+    #[error("{0} must lie between {low} and {high}", low = Bound(*.1), high = Bound(*.2))]
+    NumberBetween(&'static str, f64, f64),
+    #[error("{given} numbers are given where there are at most {most}")]
+    NumbersGiven { given: usize, most: usize },
+    #[error("the zoom would be {0} at the end; it must lie between 1 and 100")]
+    ZoomAtEnd(f64),
+    #[error("the camera must turn by more than 0 degrees")]
+    NoTurn,
+    #[error("there is no next point at which the block could end")]
+    NoNextPoint,
+    #[error("the weights must sum to 1, not to {0}")]
+    WeightSum(f64),
+    #[error("tolerance, angle and frames per second must be greater than 0")]
+    Tolerance,
 }
 
 /// More of something than [`crate::limits`] allows.

@@ -89,6 +89,8 @@ pub enum Place {
     Step,
     #[error("the tangents")]
     Tangents,
+    #[error("pose {0}")]
+    Pose(usize),
 }
 
 impl Error {

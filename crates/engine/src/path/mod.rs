@@ -36,6 +36,7 @@ pub mod own;
 pub mod plan;
 pub mod pose;
 pub mod quaternion_spline;
+pub mod resample;
 pub mod sampling;
 mod section_sampler;
 pub mod space;
@@ -46,7 +47,7 @@ pub mod timeline;
 pub mod timing;
 
 #[cfg(test)]
-mod test_support;
+pub(crate) mod test_support;
 
 pub use ambiguity::{Ambiguity, ambiguity};
 pub use camera_path::{

@@ -1,26 +1,26 @@
-//! As much of SVG as the picture needs.
+//! As much of SVG as a plot needs.
 
 use std::fmt::Write;
 
 /// A place in the picture: pixels to the right and down.
-pub(crate) type Spot = (f64, f64);
+pub(super) type Spot = (f64, f64);
 
 /// A picture that grows.
-pub(crate) struct Svg {
+pub(super) struct Svg {
     text: String,
 }
 
 /// Where a text stands relative to its spot.
 #[derive(Clone, Copy)]
-pub(crate) enum Anchor {
+pub(super) enum Anchor {
     Start,
     Middle,
     End,
 }
 
 impl Svg {
-    /// An empty picture on a white ground.
-    pub(crate) fn new(width: f64, height: f64, title: &str) -> Self {
+    /// An empty picture on a ground of this colour.
+    pub(super) fn new(width: f64, height: f64, title: &str, ground: &str) -> Self {
         let mut svg = Self {
             text: String::new(),
         };
@@ -32,13 +32,13 @@ impl Svg {
         ));
         svg.put(format_args!("<title>{}</title>", escaped(title)));
         svg.put(format_args!(
-            "<rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>"
+            "<rect width=\"{width}\" height=\"{height}\" fill=\"{ground}\"/>"
         ));
         svg
     }
 
     /// The finished text.
-    pub(crate) fn finish(mut self) -> String {
+    pub(super) fn finish(mut self) -> String {
         self.text.push_str("</svg>\n");
         self.text
     }
@@ -49,45 +49,36 @@ impl Svg {
     }
 
     /// What `draw` draws, together, with attributes for all of it.
-    pub(crate) fn group(&mut self, id: &str, attributes: &str, draw: impl FnOnce(&mut Self)) {
+    pub(super) fn group(&mut self, id: &str, attributes: &str, draw: impl FnOnce(&mut Self)) {
         self.put(format_args!("<g id=\"{id}\" {attributes}>"));
         draw(self);
         self.put(format_args!("</g>"));
     }
 
-    pub(crate) fn line(&mut self, (x1, y1): Spot, (x2, y2): Spot, attributes: &str) {
+    pub(super) fn line(&mut self, (x1, y1): Spot, (x2, y2): Spot, attributes: &str) {
         self.put(format_args!(
             "<line x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\" {attributes}/>"
         ));
     }
 
-    pub(crate) fn polyline(&mut self, spots: &[Spot], attributes: &str) {
+    pub(super) fn polyline(&mut self, spots: &[Spot], attributes: &str) {
         let spots = listed(spots);
         self.put(format_args!("<polyline points=\"{spots}\" {attributes}/>"));
     }
 
-    pub(crate) fn polygon(&mut self, spots: &[Spot], attributes: &str) {
-        let spots = listed(spots);
-        self.put(format_args!("<polygon points=\"{spots}\" {attributes}/>"));
-    }
-
-    pub(crate) fn rectangle(&mut self, (x, y): Spot, width: f64, height: f64, attributes: &str) {
+    pub(super) fn rectangle(&mut self, (x, y): Spot, width: f64, height: f64, attributes: &str) {
         self.put(format_args!(
             "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" {attributes}/>"
         ));
     }
 
-    /// Cubic Bézier curves, one after the other, each by its four points.
-    pub(crate) fn curves(&mut self, curves: &[[Spot; 4]], attributes: &str) {
-        let mut data = String::new();
-        for [(x, y), rest @ ..] in curves {
-            let _ = write!(data, "M{x:.2} {y:.2}C{} ", listed(rest));
-        }
-        let data = data.trim_end();
-        self.put(format_args!("<path d=\"{data}\" {attributes}/>"));
+    pub(super) fn circle(&mut self, (x, y): Spot, radius: f64, attributes: &str) {
+        self.put(format_args!(
+            "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\" {attributes}/>"
+        ));
     }
 
-    pub(crate) fn text(&mut self, (x, y): Spot, anchor: Anchor, text: &str, attributes: &str) {
+    pub(super) fn text(&mut self, (x, y): Spot, anchor: Anchor, text: &str, attributes: &str) {
         let anchor = match anchor {
             Anchor::Start => "start",
             Anchor::Middle => "middle",
@@ -128,13 +119,8 @@ fn escaped(text: &str) -> String {
 /// Width of a letter as it usually is, in pixels.
 const LETTER: f64 = 6.4;
 
-/// Width of a text in pixels, about.
-pub(crate) fn width(text: &str) -> f64 {
-    LETTER * text.chars().count() as f64
-}
-
 /// A text cut to a width in pixels, by a letter's usual width.
-pub(crate) fn cut(text: &str, width: f64) -> String {
+pub(super) fn cut(text: &str, width: f64) -> String {
     let room = (width / LETTER) as usize;
     if text.chars().count() <= room {
         return text.to_owned();

@@ -1,0 +1,79 @@
+//! A path through points at equal lengths of another one.
+
+use glam::DVec3;
+
+use super::arc_length::ArcLength;
+use super::camera_path::{CameraPath, CurveParameters, Orientation, SupportPoint, Target};
+use super::orientation_curve::Turning;
+use super::own::Tangents;
+use super::sampling::Sampler;
+use super::timeline::{Change, Timeline};
+use crate::error::{Invalid, Result, vec_with_room};
+use crate::math::orientation::{roll_from_up, unit, wrap_degrees};
+
+/// A path of `count` points at equal lengths along the curve of another, with the
+/// views, the zoom and the mean speed that the camera has there. Each owns its
+/// tangents; turns on the spot are left out.
+///
+/// # Errors
+/// [`crate::Error::Argument`] if the camera does not move; [`crate::Error::Limit`],
+/// [`crate::Error::Memory`].
+#[allow(clippy::cast_precision_loss)]
+pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
+    let timeline = Timeline::new(path)?;
+    let sampler = Sampler::new(path, &timeline)?;
+    let moving = (0..timeline.section_count())
+        .map(|section| timeline.section(section))
+        .filter(|section| section.change != Change::Nothing);
+    let ways = || {
+        let all = sampler.sections().iter().zip(moving.clone());
+        all.filter_map(|(sampled, section)| Some((sampled, section, sampled.way.as_ref()?)))
+    };
+    let length: f64 = ways().map(|(_, _, way)| way.length).sum();
+    let steps = if path.closed { count } else { count - 1 };
+    let step = length / steps as f64;
+    let mut points = vec_with_room(count)?;
+    let (mut begin, mut rest) = (0.0, ways());
+    let Some(mut here) = rest.next() else {
+        return Err(Invalid::NoWay.into());
+    };
+    for k in 0..count {
+        let s = step * k as f64;
+        while s > begin + here.2.length
+            && let Some(next) = rest.next()
+        {
+            begin += here.2.length;
+            here = next;
+        }
+        let (sampled, section, way) = here;
+        let share = ((s - begin) / way.length).clamp(0.0, 1.0);
+        let pose = sampled.pose(share)?;
+        let arc = ArcLength::new(&way.curve)?;
+        let slope = way.curve.derivative(arc.parameter_at(share * arc.length()));
+        let position = DVec3::from_array(pose.vrp);
+        let view = DVec3::from_array(pose.vpn);
+        let mut point = SupportPoint::try_new(position)?;
+        let [level, up] = [view, DVec3::from_array(pose.vup)].map(|v| path.space.up.upright(v));
+        point.curve = CurveParameters::Preset(0);
+        let along = step * slope.try_normalize().unwrap_or_default();
+        point.tangents = Some(Tangents {
+            before: along,
+            after: along,
+        });
+        let target = match sampled.turning {
+            Turning::Tracked(target, _) if target != position => Target::Absolute(target),
+            _ => Target::Relative(view),
+        };
+        point.orientations[0] = Orientation {
+            target,
+            roll: wrap_degrees(roll_from_up(unit(level), up).to_degrees()),
+            zoom: pose.zoom,
+            speeds: [section.mean_speed.clamp(1.0, 100.0); crate::limits::SPEEDS],
+            ..Orientation::default()
+        };
+        points.push(point);
+    }
+    let new = CameraPath { points, ..*path };
+    new.check()?;
+    Ok(new)
+}

@@ -1,0 +1,542 @@
+//! Blocks: parts of paths taken out, put in, turned round, repeated (the building
+//! blocks of thesis chapter 8).
+//!
+//! Points keep the curve that they had: where the rule of its kind would give
+//! others, they own their tangents. So a block has exactly its shape in another
+//! path, and what it is put into has its own. At a join both tangents are one
+//! direction to the last bit.
+
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use glam::{DMat4, DQuat, DVec3};
+
+use super::keep::{check_upright, keep_tangents, no_point, shape_in, tangents};
+use super::transform::transform;
+use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, can_allocate, vec_with_room};
+use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
+use crate::path::{
+    CameraPath, CurveKind, CurveParameters, Ease, Orientation, Pace, PacePart, SupportPoint,
+    Tangents, Tcb, TurningPart, Up, Velocities, Whole,
+};
+
+/// How a block is put in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Fit {
+    /// As it lies.
+    None,
+    /// Moved, so that it begins where the path is.
+    #[default]
+    Move,
+    /// Turned too, so that it goes on in the direction of travel.
+    Turn,
+    /// Moved, turned and scaled, so that it also ends at the next point.
+    Scale,
+}
+
+/// A block that has been put in.
+#[derive(Debug)]
+pub struct Inserted {
+    /// The whole path.
+    pub path: CameraPath,
+    /// The number of the first new point.
+    pub at: usize,
+    /// How many are new.
+    pub count: usize,
+    /// Old points that have changed, by their numbers in the new path.
+    pub changed: Vec<usize>,
+}
+
+/// The points from `first` to `last` as an open path; on a closed one a range may
+/// lead over the seam. The curve stays; turning and pace next to its ends are as at
+/// the ends of any path.
+///
+/// # Errors
+/// [`Error::Range`] if there is no such range or it has fewer than two points;
+/// [`Error::Memory`].
+pub fn extract(path: &CameraPath, first: usize, last: usize) -> Result<CameraPath> {
+    let count = path.points.len();
+    if let Some(&point) = [first, last].iter().find(|&&point| point >= count) {
+        return Err(no_point(path, point));
+    }
+    if first > last && !path.closed {
+        return Err(OutOfRange::PointOrder.into());
+    }
+    let taken = (last + count - first) % count + 1;
+    let all = tangents(path)?;
+    let mut points = vec_with_room(taken)?;
+    let mut wanted = vec_with_room(taken)?;
+    for k in 0..taken {
+        let point = (first + k) % count;
+        points.push(path.points[point].try_clone()?);
+        wanted.push(all[point]);
+    }
+    let mut block = CameraPath {
+        points,
+        closed: false,
+        ..*path
+    };
+    block.check()?;
+    keep_tangents(&mut block, &wanted)?;
+    Ok(block)
+}
+
+/// The same way as an open path: a closed one ends where it begins.
+fn opened(path: &CameraPath) -> Result<CameraPath> {
+    let mut open = path.try_clone()?;
+    if !path.closed {
+        return Ok(open);
+    }
+    let mut wanted = tangents(path)?;
+    wanted.try_reserve(1)?;
+    wanted.push(wanted[0]);
+    let mut end = path.points[0].try_clone()?;
+    end.orientations.truncate(1);
+    end.name = None;
+    open.points.try_reserve(1)?;
+    open.points.push(end);
+    open.closed = false;
+    keep_tangents(&mut open, &wanted)?;
+    Ok(open)
+}
+
+/// The rotation that takes one direction to another and leaves level what is
+/// level: about the vertical first, then up or down.
+fn level_turn(axis: Up, from: DVec3, to: DVec3) -> DQuat {
+    let [from, to] = [from, to].map(|v| axis.upright(v.normalize()));
+    let turn = upright_turn(from, to);
+    let v = axis.world(DVec3::new(turn.x, turn.y, turn.z));
+    DQuat::from_xyzw(v.x, v.y, v.z, turn.w)
+}
+
+/// The same where y stands upright.
+fn upright_turn(from: DVec3, to: DVec3) -> DQuat {
+    let heading = |v: DVec3| (v.x.hypot(v.z) > 1e-9).then(|| v.x.atan2(v.z));
+    let (Some(a), Some(b)) = (heading(from), heading(to)) else {
+        return DQuat::from_rotation_arc(from, to);
+    };
+    let yaw = DQuat::from_rotation_y(b - a);
+    DQuat::from_rotation_arc(yaw * from, to) * yaw
+}
+
+/// The direction in which the path reaches a point; at its start in which it
+/// leaves it.
+fn travel(path: &CameraPath, at: usize) -> Result<DVec3> {
+    let own = crate::path::curve::tangents(path, at);
+    let first = at == 0 && !path.closed;
+    let tangent = if first { own.after } else { own.before };
+    let found = if tangent.length() > 1e-9 {
+        tangent
+    } else {
+        direction(path, at, first)
+    };
+    if found == DVec3::ZERO {
+        return Err(no_direction());
+    }
+    Ok(found.normalize())
+}
+
+fn no_direction() -> Error {
+    Invalid::NoDirection.into()
+}
+
+/// The chord beside a point.
+fn direction(path: &CameraPath, at: usize, forwards: bool) -> DVec3 {
+    let count = path.points.len();
+    let beside = if forwards { at + 1 } else { at + count - 1 } % count;
+    let chord = path.points[beside].position - path.points[at].position;
+    if forwards { chord } else { -chord }
+}
+
+/// The matrix that brings a block to its place behind point `at`.
+fn placing(path: &CameraPath, at: usize, block: &CameraPath, fit: Fit) -> Result<DMat4> {
+    let start = block.points[0].position;
+    let place = path.points[at].position;
+    let about = |turn: DQuat, scale: f64| {
+        DMat4::from_translation(place)
+            * DMat4::from_scale_rotation_translation(DVec3::splat(scale), turn, DVec3::ZERO)
+            * DMat4::from_translation(-start)
+    };
+    Ok(match fit {
+        Fit::None => DMat4::IDENTITY,
+        Fit::Move => DMat4::from_translation(place - start),
+        Fit::Turn => about(
+            level_turn(path.space.up, travel(block, 0)?, travel(path, at)?),
+            1.0,
+        ),
+        Fit::Scale => {
+            let next = at + 1;
+            if next >= path.points.len() && !path.closed {
+                return Err(OutOfRange::NoNextPoint.into());
+            }
+            let way = path.points[next % path.points.len()].position - place;
+            let chord = block.points[block.points.len() - 1].position - start;
+            if !(way.length() > 1e-9 && chord.length() > 1e-9) {
+                return Err(no_direction());
+            }
+            about(
+                level_turn(path.space.up, chord, way),
+                way.length() / chord.length(),
+            )
+        }
+    })
+}
+
+/// A block put in behind a point. But for [`Fit::None`] its first point becomes one
+/// with that point and gives way to its name and its views; for [`Fit::Scale`] so
+/// does its last one to the next point. With `with_targets` its targets go along.
+///
+/// # Errors
+/// [`Error::Range`], [`Error::Argument`], [`Error::Limit`] or [`Error::Memory`].
+pub fn insert(
+    path: &CameraPath,
+    at: usize,
+    block: &CameraPath,
+    fit: Fit,
+    with_targets: bool,
+) -> Result<Inserted> {
+    if at >= path.points.len() {
+        return Err(no_point(path, at));
+    }
+    block.check()?;
+    check_upright(&[path, block])?;
+    let mut block = opened(block)?;
+    block.space = path.space;
+    let matrix = placing(path, at, &block, fit)?;
+    let mut all = vec_with_room(block.points.len())?;
+    all.extend(0..block.points.len());
+    let placed = transform(&block, &all, &matrix, with_targets)?;
+    for (number, point) in placed {
+        block.points[number] = point;
+    }
+    let (merges, ends) = (fit != Fit::None, fit == Fit::Scale);
+    let from = usize::from(merges);
+    let to = block.points.len() - usize::from(ends);
+    let count = to - from;
+    if path.points.len() + count > MAX_POINTS {
+        return Err(TooMany::SupportPoints.into());
+    }
+
+    let (old, mine) = (tangents(path)?, tangents(&block)?);
+    let total = path.points.len() + count;
+    let mut points: Vec<SupportPoint> = vec_with_room(total)?;
+    let mut wanted: Vec<Option<Tangents>> = vec_with_room(total)?;
+    let straight = path.curve == CurveKind::Linear;
+    let mut names = Names::of(path)?;
+    for (number, point) in path.points.iter().enumerate() {
+        points.push(point.try_clone()?);
+        wanted.push(old[number].filter(|_| !straight || point.tangents.is_some()));
+        if number != at {
+            continue;
+        }
+        for k in from..to {
+            let mut new = block.points[k].try_clone()?;
+            new.curve = shape_in(path, &block, new.curve);
+            new.name = match new.name {
+                Some(name) => Some(names.unique(name)?),
+                None => None,
+            };
+            points.push(new);
+            wanted.push(mine[k]);
+        }
+    }
+    let joint = &mut wanted[at];
+    let first = at == 0 && !path.closed;
+    match (fit, *joint, mine[0]) {
+        (Fit::None, ..) => {}
+        (_, Some(there), Some(block)) => {
+            *joint = Some(joined(there.before, block.after, first, fit))
+        }
+        _ => {}
+    }
+    let behind = (at + count + 1) % total;
+    if let (true, Some(there), Some(block)) =
+        (ends, wanted[behind], mine.get(to).copied().flatten())
+    {
+        wanted[behind] = Some(joined(block.before, there.after, false, fit));
+    }
+    if let (Fit::None, Some(Some(own))) = (fit, wanted.get_mut(at + 1)) {
+        own.before = own.after;
+    }
+    if !ends && let Some(Some(own)) = wanted.get_mut(at + count) {
+        own.after = if count > 0 { own.before } else { own.after };
+    }
+
+    // The pace of the way that began here goes on behind the block.
+    let pace = block.points[0].orientations.last().filter(|_| merges);
+    let begin = points[at].orientations.last_mut();
+    let mut rest = None;
+    if let Some(begin) = begin {
+        let mut own = begin.own.with(|own| {
+            own.frames = 0;
+            own.turning = None;
+            own.velocities = None;
+        })?;
+        if let Some(pace) = pace {
+            rest = Some((begin.speeds, own.pace.clone()));
+            begin.speeds = pace.speeds;
+            own = own.with(|own| {
+                own.pace = pace.own.pace.clone();
+                own.frames = pace.own.frames;
+            })?;
+        }
+        begin.own = own;
+    }
+    if let (false, Some((speeds, pace)), true) = (ends, rest, count > 0) {
+        let end = points[at + count].orientations.last_mut();
+        if let Some(end) = end {
+            end.speeds = speeds;
+            end.own = end.own.with(|own| {
+                own.pace = pace;
+                own.frames = 0;
+            })?;
+        }
+    }
+    let mut path_of_all = CameraPath { points, ..*path };
+    path_of_all.check()?;
+    keep_tangents(&mut path_of_all, &wanted)?;
+    let mut changed = vec_with_room(path.points.len())?;
+    for (number, old) in path.points.iter().enumerate() {
+        let new = number + if number > at { count } else { 0 };
+        if path_of_all.points[new] != *old {
+            changed.push(new);
+        }
+    }
+    Ok(Inserted {
+        path: path_of_all,
+        at: at + 1,
+        count,
+        changed,
+    })
+}
+
+/// Tangents of a point at which two ways meet: one direction, each its length.
+fn joined(before: DVec3, after: DVec3, first: bool, fit: Fit) -> Tangents {
+    if first {
+        return Tangents {
+            before: after,
+            after,
+        };
+    }
+    let (a, b) = (before.normalize_or_zero(), after.normalize_or_zero());
+    let middle = match fit {
+        Fit::Turn if a != DVec3::ZERO => a,
+        _ => (a + b).try_normalize().unwrap_or(b),
+    };
+    Tangents {
+        before: if middle == a {
+            before
+        } else {
+            before.length() * middle
+        },
+        after: after.length() * middle,
+    }
+}
+
+/// The names that a path has.
+struct Names(HashSet<String>);
+
+impl Names {
+    fn of(path: &CameraPath) -> Result<Self> {
+        let named = || path.points.iter().filter_map(|point| point.name.as_ref());
+        let bytes: usize = named().map(String::len).sum();
+        // A set cannot be told to give up.
+        can_allocate(bytes + 64 * path.points.len())?;
+        Ok(Self(named().cloned().collect()))
+    }
+
+    /// The name, with a number behind it if there is one of that name.
+    fn unique(&mut self, name: String) -> Result<String> {
+        can_allocate(2 * name.len() + 256)?;
+        let mut found = name.clone();
+        let mut number = 2;
+        while self.0.contains(&found) {
+            let end = format!(" ({number})");
+            let mut keep = name.len().min(MAX_NAME_BYTES - end.len());
+            while !name.is_char_boundary(keep) {
+                keep -= 1;
+            }
+            found = format!("{}{end}", &name[..keep]);
+            number += 1;
+        }
+        self.0.insert(found.clone());
+        Ok(found)
+    }
+}
+
+/// The same way gone backwards: a film of it shows the same poses in reverse order.
+/// Views along the way look along the new one.
+///
+/// # Errors
+/// [`Error::Memory`].
+pub fn reverse(path: &CameraPath) -> Result<CameraPath> {
+    let count = path.points.len();
+    // A closed path still begins at its first point.
+    let old = |number: usize| {
+        if path.closed {
+            (count - number) % count
+        } else {
+            count - 1 - number
+        }
+    };
+    let mut points = vec_with_room(count)?;
+    let mut slots: Vec<&Orientation> = vec_with_room(
+        path.points
+            .iter()
+            .map(|point| point.orientations.len())
+            .sum(),
+    )?;
+    slots.extend(path.points.iter().flat_map(|point| &point.orientations));
+    let all = slots.len();
+    // New slot j has the pace of the old section that it goes along.
+    let begins = if path.closed {
+        path.points[0].orientations.len() + all - 2
+    } else {
+        all + all - 2
+    };
+    let mut slot = 0;
+    for number in 0..count {
+        let from = &path.points[old(number)];
+        let mut new = from.try_clone()?;
+        new.orientations.reverse();
+        let tcb = path.tcb(old(number));
+        if tcb.bias != 0.0 {
+            new.curve = CurveParameters::Own(mirrored(tcb));
+        }
+        new.tangents = from.tangents.map(|own| Tangents {
+            before: -own.after,
+            after: -own.before,
+        });
+        for orientation in &mut new.orientations {
+            let section = if !path.closed && slot == all - 1 {
+                all - 1
+            } else {
+                (begins - slot) % all
+            };
+            *orientation = backwards(orientation, slots[section])?;
+            slot += 1;
+        }
+        points.push(new);
+    }
+    Ok(CameraPath { points, ..*path })
+}
+
+fn mirrored(tcb: Tcb) -> Tcb {
+    Tcb {
+        bias: if tcb.bias == 0.0 { 0.0 } else { -tcb.bias },
+        ..tcb
+    }
+}
+
+/// An orientation of a path gone backwards, with the pace of `section`.
+fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
+    let mut new = old.clone();
+    new.turning = mirrored(old.turning);
+    new.speeds = section.speeds;
+    new.speeds.reverse();
+    if old.own.is_empty() && section.own.is_empty() {
+        return Ok(new);
+    }
+    let keys = match &section.own.pace {
+        Pace::Distance(keys)
+        | Pace::Part(PacePart {
+            of: Whole::Distance(keys),
+            ..
+        }) => keys.len(),
+        _ => 0,
+    };
+    can_allocate(64 + 16 * keys)?;
+    let distance = |keys: &[[f64; 2]]| -> Arc<[[f64; 2]]> {
+        keys.iter().rev().map(|[t, w]| [1.0 - t, 1.0 - w]).collect()
+    };
+    let ease = |ease: &Ease| Ease {
+        rise: ease.fall,
+        fall: ease.rise,
+        ..*ease
+    };
+    new.own = old.own.with(|own| {
+        own.frames = section.own.frames;
+        own.pace = match &section.own.pace {
+            Pace::Speeds => Pace::Speeds,
+            Pace::Ease(whole) => Pace::Ease(ease(whole)),
+            Pace::Distance(keys) => Pace::Distance(distance(keys)),
+            Pace::Part(part) => Pace::Part(PacePart {
+                of: match &part.of {
+                    Whole::Speeds {
+                        speeds,
+                        before,
+                        after,
+                    } => {
+                        let mut speeds = *speeds;
+                        speeds.reverse();
+                        Whole::Speeds {
+                            speeds,
+                            before: *after,
+                            after: *before,
+                        }
+                    }
+                    Whole::Ease(whole) => Whole::Ease(ease(whole)),
+                    Whole::Distance(keys) => Whole::Distance(distance(keys)),
+                },
+                from: 1.0 - part.to,
+                to: 1.0 - part.from,
+            }),
+        };
+        own.turning = section.own.turning.map(|part| {
+            let [a, b, c, d] = part.control;
+            TurningPart {
+                control: [d, c, b, a],
+                from: 1.0 - part.to,
+                to: 1.0 - part.from,
+            }
+        });
+        own.velocities = own.velocities.map(|own| Velocities {
+            reach: -own.leave,
+            leave: -own.reach,
+        });
+        own.roll_slope = own.roll_slope.map(|slope| -slope);
+        own.zoom_slope = own.zoom_slope.map(|slope| -slope);
+    })?;
+    Ok(new)
+}
+
+/// A path gone several times: each time it begins where it ended, its targets with
+/// it; a closed one goes round so often.
+///
+/// # Errors
+/// [`Error::Range`], [`Error::Limit`], [`Error::Memory`].
+pub fn repeat(path: &CameraPath, times: usize) -> Result<CameraPath> {
+    let count = path.points.len();
+    if times == 0 || times > MAX_POINTS {
+        return Err(OutOfRange::NumberBetween("times", 1.0, MAX_POINTS as f64).into());
+    }
+    if count.saturating_mul(times) > MAX_POINTS {
+        return Err(TooMany::SupportPoints.into());
+    }
+    let mut all = path.try_clone()?;
+    if path.closed {
+        let mut names = Names::of(path)?;
+        all.points.try_reserve_exact(count * (times - 1))?;
+        for at in count..count * times {
+            let mut point = path.points[at % count].try_clone()?;
+            if let Some(name) = point.name {
+                point.name = Some(names.unique(name)?);
+            }
+            all.points.push(point);
+        }
+        return Ok(all);
+    }
+    let mut done = 1;
+    while done < times {
+        let more = done.min(times - done);
+        let block = extract(&all, 0, more * (count - 1))?;
+        let last = all.points.len() - 1;
+        all = insert(&all, last, &block, Fit::Move, true)?.path;
+        done += more;
+    }
+    Ok(all)
+}
+
+#[cfg(test)]
+#[path = "block_tests.rs"]
+mod tests;

@@ -1,0 +1,548 @@
+//! What will look wrong in a film, found before anyone renders it. Lengths count in
+//! half sizes of the space.
+//!
+//! Positions, views and zoom are looked at frame by frame, as they will be seen:
+//! differences of the first and second order over frames. What lies between frames
+//! is sought: a view that jumps by halving the interval in which it does, a cusp by
+//! the least tangent of the curve, a jump of the speed by differences on both sides
+//! of a key.
+
+use glam::{DQuat, DVec3};
+
+use super::clearance::Clearance;
+use super::parameter::{Parameter, Unit};
+use crate::deform::Bounds;
+use crate::error::{Invalid, Result, vec_with_room};
+use crate::limits::{BASE_SPEED, MAX_COORDINATE};
+use crate::math::orientation::quaternion_from_view;
+use crate::math::quaternion::{angle, continue_sign, log};
+use crate::path::arc_length::ArcLength;
+use crate::path::{
+    Ambiguity, CameraPath, Change, Pose, Sampler, Section, Target, Timeline, ambiguity,
+};
+
+/// A thing that is looked for.
+#[derive(Debug)]
+pub struct Kind {
+    /// Its name, and the limit beyond which it is told.
+    pub limit: Parameter,
+    /// What helps.
+    pub remedy: &'static str,
+}
+
+const fn kind(
+    name: &'static str,
+    does: &'static str,
+    unit: Unit,
+    most: f64,
+    default: f64,
+    remedy: &'static str,
+) -> Kind {
+    let limit = Parameter {
+        name,
+        does,
+        unit,
+        width: 1,
+        least: 0.0,
+        most,
+        default,
+    };
+    Kind { limit, remedy }
+}
+
+/// Number of kinds.
+pub const COUNT: usize = 16;
+
+/// All that is looked for.
+#[rustfmt::skip]
+pub const KINDS: [Kind; COUNT] = [
+    kind("space", "the camera is so far outside the space", Unit::Length, MAX_COORDINATE, 0.0,
+        "move or scale the points: vides transform"),
+    kind("cusp", "the curve or the pace nearly stops within a section, to such a share of its mean",
+        Unit::One, 1.0, 0.02, "draw the points apart or give them tangents"),
+    kind("speed-jump", "the speed jumps at a key by such a share of the mean speed", Unit::One,
+        1000.0, 0.5, "ease the section"),
+    kind("acceleration", "the camera accelerates more, in half sizes a second squared", Unit::One,
+        MAX_COORDINATE, 10.0, "ease the section or give it more frames"),
+    kind("view-jump", "the view jumps by so much", Unit::Degrees, 180.0, 1.0,
+        "look ahead by a distance, or round off the corner"),
+    kind("turning", "the view turns faster, in degrees a second", Unit::Degrees, 1e6, 60.0,
+        "give the section more frames"),
+    kind("turning-acceleration", "the turning accelerates more, in degrees a second squared",
+        Unit::Degrees, 1e9, 300.0, "ease the section"),
+    kind("half-turn", "a half turn might go either way", Unit::One, 1.0, 0.0,
+        "put a view between the two"),
+    kind("pole", "the view is so near to straight up or down", Unit::Degrees, 90.0, 3.0,
+        "lead the way aside"),
+    kind("target", "the target is nearer", Unit::Length, MAX_COORDINATE, 0.05,
+        "lead the way aside"),
+    kind("clearance", "the object is nearer", Unit::Length, MAX_COORDINATE, 0.02,
+        "lead the way aside"),
+    kind("through", "the way leads through the object", Unit::One, 1.0, 0.0,
+        "lead the way aside"),
+    kind("nothing-to-see", "nothing of the object is in the picture for longer", Unit::Seconds,
+        1e6, 1.0, "turn the views towards the object"),
+    kind("zoom", "the zoom is faster, in mm a second", Unit::Zoom, 1e6, 30.0,
+        "give the section more frames"),
+    kind("redundant", "several keys stand where one would do", Unit::One, 1.0, 0.0,
+        "remove the orientation or the point"),
+    kind("corner", "the way turns at a point by more", Unit::Degrees, 180.0, 60.0,
+        "give the point tangents"),
+];
+
+/// The limits of all kinds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits([f64; COUNT]);
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self(std::array::from_fn(|k| KINDS[k].limit.default))
+    }
+}
+
+impl Limits {
+    fn find(name: &str) -> Result<usize> {
+        let found = KINDS.iter().position(|kind| kind.limit.name == name);
+        found.ok_or_else(|| Invalid::NoCheck(name.into()).into())
+    }
+
+    /// A limit by its name.
+    ///
+    /// # Errors
+    /// [`crate::Error::Argument`] if there is none.
+    pub fn get(&self, name: &str) -> Result<f64> {
+        Ok(self.0[Self::find(name)?])
+    }
+
+    /// Sets a limit.
+    ///
+    /// # Errors
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`]; nothing is changed then.
+    pub fn set(&mut self, name: &str, limit: f64) -> Result<()> {
+        let at = Self::find(name)?;
+        KINDS[at].limit.check(limit)?;
+        self.0[at] = limit;
+        Ok(())
+    }
+
+    /// Those that are not as by default, by name.
+    pub fn own(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        let all = KINDS.iter().zip(self.0);
+        all.filter(|(kind, limit)| kind.limit.default.to_bits() != limit.to_bits())
+            .map(|(kind, limit)| (kind.limit.name, limit))
+    }
+
+    fn of(&self, name: &str) -> f64 {
+        self.get(name).unwrap_or(f64::INFINITY)
+    }
+}
+
+/// Something that was found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Finding {
+    /// The name of its kind.
+    pub kind: &'static str,
+    /// From where on, poses counted from 1.
+    pub first_frame: f64,
+    /// Up to where.
+    pub last_frame: f64,
+    /// The point at which the section begins, from 0.
+    pub point: usize,
+    /// The orientation of that point with which it begins.
+    pub orientation: usize,
+    /// The worst value.
+    pub value: f64,
+    /// The limit.
+    pub limit: f64,
+}
+
+/// What a path is checked against.
+#[derive(Debug, Clone, Copy)]
+pub struct Against<'a> {
+    /// Frames a second.
+    pub fps: f64,
+    /// The space that the camera must not leave.
+    pub space: Option<Bounds>,
+    /// The object, if there is one.
+    pub object: Option<&'a Clearance>,
+    /// The limits.
+    pub limits: Limits,
+}
+
+/// Poses that are sampled at once.
+const BLOCK: usize = 1024;
+
+/// Step of the differences beside a key, in frames.
+const BESIDE: f64 = 1e-4;
+
+/// A turn between two frames that may be a jump, in radians.
+const SUSPECT: f64 = 0.01;
+
+/// Everything that is found, in the order of the frames.
+///
+/// # Errors
+/// [`crate::Error::Limit`] if the path has too many frames, [`crate::Error::Memory`].
+pub fn check(path: &CameraPath, against: &Against<'_>) -> Result<Vec<Finding>> {
+    let timeline = Timeline::new(path)?;
+    let sampler = Sampler::new(path, &timeline)?;
+    let mut scan = Scan {
+        path,
+        against,
+        sampler: &sampler,
+        sections: sections(&timeline, &sampler)?,
+        open: [None; COUNT],
+        found: Vec::new(),
+    };
+    for section in 0..timeline.section_count() {
+        scan.section(&timeline, section)?;
+    }
+    scan.joins(&timeline)?;
+    let frames = sampler.frame_count();
+    let mut poses = vec_with_room(BLOCK)?;
+    let mut before = [None; 2];
+    let mut done = 0;
+    while done < frames {
+        let count = BLOCK.min(frames - done);
+        poses.resize(count, Pose::default());
+        sampler.sample(done + 1, &mut poses)?;
+        for pose in &poses {
+            done += 1;
+            let here = Frame::new(done, pose, before[1].as_ref());
+            scan.frame(&here, before)?;
+            before = [before[1], Some(here)];
+        }
+    }
+    for kind in 0..COUNT {
+        scan.close(kind)?;
+    }
+    let mut found = scan.found;
+    found.sort_by(|a, b| a.first_frame.total_cmp(&b.first_frame));
+    Ok(found)
+}
+
+/// The first own frame of each section that has some, with the section.
+fn sections(timeline: &Timeline, sampler: &Sampler) -> Result<Vec<(usize, Section)>> {
+    let count = timeline.section_count();
+    let mut sections = vec_with_room(count)?;
+    sections.extend(
+        (0..count)
+            .map(|k| (sampler.first_frame(k), timeline.section(k)))
+            .filter(|(_, section)| section.change != Change::Nothing),
+    );
+    Ok(sections)
+}
+
+/// A pose with what its neighbours ask for.
+#[derive(Clone, Copy)]
+struct Frame {
+    number: usize,
+    pose: Pose,
+    place: DVec3,
+    turn: DQuat,
+}
+
+impl Frame {
+    fn new(number: usize, pose: &Pose, before: Option<&Self>) -> Self {
+        let turn = quaternion_from_view(pose.vpn.into(), pose.vup.into());
+        Self {
+            number,
+            pose: *pose,
+            place: pose.vrp.into(),
+            turn: before.map_or(turn, |before| continue_sign(before.turn, turn).0),
+        }
+    }
+}
+
+struct Scan<'a> {
+    path: &'a CameraPath,
+    against: &'a Against<'a>,
+    sampler: &'a Sampler,
+    sections: Vec<(usize, Section)>,
+    open: [Option<Finding>; COUNT],
+    found: Vec<Finding>,
+}
+
+impl Scan<'_> {
+    /// The section to which a frame belongs; a rest belongs to the one behind it.
+    fn section_at(&self, frame: usize) -> Option<&Section> {
+        let behind = |(first, section): &(usize, Section)| first + section.frames <= frame;
+        let at = self.sections.partition_point(behind);
+        let last = self.sections.len().checked_sub(1)?;
+        Some(&self.sections[at.min(last)].1)
+    }
+
+    fn add(&mut self, finding: Finding) -> Result<()> {
+        self.found.try_reserve(1)?;
+        self.found.push(finding);
+        Ok(())
+    }
+
+    fn close(&mut self, kind: usize) -> Result<()> {
+        let Some(mut finding) = self.open[kind].take() else {
+            return Ok(());
+        };
+        if finding.kind == "nothing-to-see" {
+            let frames = finding.last_frame - finding.first_frame + 1.0;
+            finding.value = frames / self.against.fps;
+            if finding.value <= finding.limit {
+                return Ok(());
+            }
+        }
+        self.add(finding)
+    }
+
+    /// Goes on with a kind from one frame to another: it is there with a value, or not.
+    fn see(
+        &mut self,
+        name: &str,
+        (from, to): (usize, usize),
+        value: Option<f64>,
+        worst: f64,
+    ) -> Result<()> {
+        let Ok(kind) = Limits::find(name) else {
+            return Ok(());
+        };
+        let Some(value) = value else {
+            return self.close(kind);
+        };
+        if let Some(open) = &mut self.open[kind] {
+            open.last_frame = to as f64;
+            open.value = if worst > 0.0 {
+                open.value.max(value)
+            } else {
+                open.value.min(value)
+            };
+            return Ok(());
+        }
+        let section = self.section_at(to);
+        let (point, orientation) = section.map_or((0, 0), |s| (s.point, s.orientation));
+        self.open[kind] = Some(Finding {
+            kind: KINDS[kind].limit.name,
+            first_frame: from as f64,
+            last_frame: to as f64,
+            point,
+            orientation,
+            value,
+            limit: self.against.limits.0[kind],
+        });
+        Ok(())
+    }
+
+    /// What is above its limit.
+    fn above(&mut self, name: &str, frames: (usize, usize), value: f64) -> Result<()> {
+        let there = value > self.against.limits.of(name) + 1e-9;
+        self.see(name, frames, there.then_some(value), 1.0)
+    }
+
+    /// What is below it.
+    fn below(&mut self, name: &str, frames: (usize, usize), value: f64) -> Result<()> {
+        let there = value < self.against.limits.of(name);
+        self.see(name, frames, there.then_some(value), -1.0)
+    }
+
+    fn frame(&mut self, here: &Frame, before: [Option<Frame>; 2]) -> Result<()> {
+        let (number, fps) = (here.number, self.against.fps);
+        let size = self.path.space.half_size;
+        let at = (number, number);
+        if let Some(space) = self.against.space {
+            let out = (here.place - space.max()).max(space.min() - here.place);
+            self.above("space", at, out.max_element() / size)?;
+        }
+        let view = self.path.space.up.upright(here.pose.vpn.into());
+        let pole = view.x.hypot(view.z).atan2(view.y.abs()).to_degrees();
+        self.below("pole", at, pole)?;
+        let target = self.section_at(number).map(|section| {
+            let point = &self.path.points[section.point];
+            point.orientations[section.orientation].target
+        });
+        if let Some(Target::Absolute(target)) = target {
+            self.below("target", at, (target - here.place).length() / size)?;
+        } else {
+            self.see("target", at, None, -1.0)?;
+        }
+        if let Some(object) = self.against.object {
+            let near = object.distance(here.place, size * self.against.limits.of("clearance"));
+            self.see("clearance", at, near.map(|near| near / size), -1.0)?;
+            let seen = object.is_seen(&picture(&here.pose));
+            self.see("nothing-to-see", at, (!seen).then_some(0.0), 1.0)?;
+        }
+        let Some(last) = before[1] else {
+            return Ok(());
+        };
+        let pair = (number - 1, number);
+        if let Some(object) = self.against.object {
+            let crossed = object.is_crossed(last.place, here.place);
+            self.see("through", pair, crossed.then_some(0.0), 1.0)?;
+        }
+        let turned = 2.0 * angle(last.turn, here.turn);
+        if turned > SUSPECT {
+            let jump = self.jump(number)?.to_degrees();
+            self.above("view-jump", pair, jump)?;
+        } else {
+            self.see("view-jump", pair, None, 1.0)?;
+        }
+        self.above("turning", pair, turned.to_degrees() * fps)?;
+        self.above("zoom", pair, (here.pose.zoom - last.pose.zoom).abs() * fps)?;
+        let Some(first) = before[0] else {
+            return Ok(());
+        };
+        let three = (number - 2, number);
+        let bend = here.place - 2.0 * last.place + first.place;
+        self.above("acceleration", three, bend.length() / size * fps * fps)?;
+        let rate = |a: &Frame, b: &Frame| 2.0 * log(b.turn * a.turn.conjugate());
+        let change = (rate(&last, here) - rate(&first, &last)).length();
+        self.above(
+            "turning-acceleration",
+            three,
+            change.to_degrees() * fps * fps,
+        )
+    }
+
+    /// By how much the view still turns in the half in which it turns more, after
+    /// many halvings of the interval that ends with a frame.
+    fn jump(&self, frame: usize) -> Result<f64> {
+        let turn = |frame: f64| -> Result<DQuat> {
+            let pose = self.sampler.pose(frame)?;
+            Ok(quaternion_from_view(pose.vpn.into(), pose.vup.into()))
+        };
+        let apart = |a: DQuat, b: DQuat| 2.0 * angle(a, continue_sign(a, b).0);
+        let (mut from, mut to) = (frame as f64 - 1.0, frame as f64);
+        let (mut a, mut b) = (turn(from)?, turn(to)?);
+        for _ in 0..30 {
+            let middle = 0.5 * (from + to);
+            let m = turn(middle)?;
+            if apart(a, m) > apart(m, b) {
+                (to, b) = (middle, m);
+            } else {
+                (from, a) = (middle, m);
+            }
+            if apart(a, b) < SUSPECT / 16.0 {
+                return Ok(0.0);
+            }
+        }
+        Ok(apart(a, b))
+    }
+
+    /// What a section is by itself.
+    fn section(&mut self, timeline: &Timeline, number: usize) -> Result<()> {
+        let section = timeline.section(number);
+        let first = self.sampler.first_frame(number);
+        let limits = &self.against.limits;
+        let finding = |name: &'static str, frames: [f64; 2], value: f64| Finding {
+            kind: name,
+            first_frame: frames[0],
+            last_frame: frames[1],
+            point: section.point,
+            orientation: section.orientation,
+            value,
+            limit: limits.of(name),
+        };
+        let begin = (first as f64 - 1.0).max(1.0);
+        let end = begin + section.frames as f64;
+        if section.change == Change::Nothing {
+            return self.add(finding("redundant", [first as f64; 2], 1.0));
+        }
+        if ambiguity(self.path, timeline, number) == Some(Ambiguity::HalfTurn) {
+            self.add(finding("half-turn", [begin, end], 180.0))?;
+        }
+        let timing = timeline.timing(self.path, number)?;
+        let mut least = (limits.of("cusp"), None);
+        // The pace, and where there is a way its tangent, away from the ends.
+        let places = |k: i32| 0.05 + 0.9 * f64::from(k) / 256.0;
+        for u in (0..=256).map(places) {
+            let speed = timing.speed(u) / BASE_SPEED;
+            // A thousandth of the fastest speed is no slow film.
+            if speed < least.0.min(0.5 / BASE_SPEED) {
+                least = (speed, Some(u));
+            }
+        }
+        if section.change == Change::Position {
+            let curve = timeline.curve(section.point);
+            let arc = ArcLength::new(curve)?;
+            for t in (0..=256).map(places) {
+                let share = curve.derivative(t).length() / arc.length();
+                if share < least.0 {
+                    least = (
+                        share,
+                        Some(time_of(&timing, arc.length_at(t) / arc.length())),
+                    );
+                }
+            }
+        }
+        if let (value, Some(u)) = least {
+            let frame = begin + u * section.frames as f64;
+            self.add(finding("cusp", [frame; 2], value))?;
+        }
+        Ok(())
+    }
+
+    /// Keys at which two sections meet: speeds and directions.
+    fn joins(&mut self, timeline: &Timeline) -> Result<()> {
+        let frames = self.sampler.frame_count();
+        if frames < 3 {
+            return Ok(());
+        }
+        let mean = timeline.length() / (frames - 1) as f64;
+        let pairs = self.sections.len().saturating_sub(1);
+        for k in 0..pairs {
+            let ((first, before), (next, after)) = (self.sections[k], self.sections[k + 1]);
+            let (end, begin) = ((first + before.frames - 1) as f64, next as f64 - 1.0);
+            let place = |frame: f64| -> Result<DVec3> { Ok(self.sampler.pose(frame)?.vrp.into()) };
+            let reach = (place(end)? - place(end - BESIDE)?) / BESIDE;
+            let leave = (place(begin + BESIDE)? - place(begin)?) / BESIDE;
+            let rests = begin > end;
+            let (a, b) = (reach.length(), leave.length());
+            let jump = if rests { a.max(b) } else { (a - b).abs() } / mean.max(f64::MIN_POSITIVE);
+            let turned = reach.angle_between(leave).to_degrees();
+            let corner = if a.min(b) > 1e-3 * mean { turned } else { 0.0 };
+            for (name, value) in [("speed-jump", jump), ("corner", corner)] {
+                let limit = self.against.limits.of(name);
+                if value > limit {
+                    self.add(Finding {
+                        kind: name,
+                        first_frame: end,
+                        last_frame: begin,
+                        point: after.point,
+                        orientation: after.orientation,
+                        value,
+                        limit,
+                    })?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The share of the time at which such a share of the way is gone.
+fn time_of(timing: &crate::path::Timing, way: f64) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..50 {
+        let middle = 0.5 * (low + high);
+        if timing.fraction(middle) < way {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+/// The sides of a picture of 36 × 24 mm, and the plane of the camera.
+fn picture(pose: &Pose) -> [(DVec3, f64); 5] {
+    let [eye, view, up] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
+    let right = view.cross(up);
+    let side = |normal: DVec3| (normal, normal.dot(eye));
+    let (wide, high) = (18.0 / pose.zoom, 12.0 / pose.zoom);
+    [
+        side(wide * view + right),
+        side(wide * view - right),
+        side(high * view + up),
+        side(high * view - up),
+        side(view),
+    ]
+}
+
+#[cfg(test)]
+#[path = "check_tests.rs"]
+mod tests;

@@ -1,0 +1,294 @@
+//! Each check finds its example and lets a near one pass.
+
+use super::*;
+use crate::path::own;
+use crate::path::{Ease, EaseKind, Orientation, Pace, SupportPoint, Tangents};
+use crate::scene::Mesh;
+
+fn path(points: &[[f64; 3]]) -> CameraPath {
+    let points = points.iter().map(|p| {
+        let mut point = SupportPoint::new(DVec3::from_array(*p));
+        point.orientations[0].target = Target::Relative(DVec3::NEG_Z);
+        point
+    });
+    CameraPath {
+        points: points.collect(),
+        ..CameraPath::default()
+    }
+}
+
+fn found_against(path: &CameraPath, against: &Against<'_>) -> Vec<&'static str> {
+    let mut kinds: Vec<_> = check(path, against)
+        .unwrap()
+        .iter()
+        .map(|f| f.kind)
+        .collect();
+    kinds.dedup();
+    kinds
+}
+
+fn plain() -> Against<'static> {
+    Against {
+        fps: 25.0,
+        space: None,
+        object: None,
+        limits: Limits::default(),
+    }
+}
+
+fn found(path: &CameraPath) -> Vec<&'static str> {
+    found_against(path, &plain())
+}
+
+const LINE: [[f64; 3]; 3] = [[-0.5, 0.0, 0.8], [0.0, 0.0, 0.8], [0.5, 0.0, 0.8]];
+
+#[test]
+fn a_quiet_flight_has_nothing() {
+    assert!(found(&path(&LINE)).is_empty());
+    let orbit = crate::tools::moves::Move::named("orbit").unwrap();
+    assert!(
+        found(
+            &orbit
+                .path(&[], crate::path::Space::default(), 25.0)
+                .unwrap()
+        )
+        .is_empty()
+    );
+}
+
+#[test]
+fn space() {
+    let space = Bounds::new(DVec3::splat(-1.0), DVec3::ONE).unwrap();
+    let against = Against {
+        space: Some(space),
+        ..plain()
+    };
+    let mut path = path(&LINE);
+    path.points[2].position.x = 1.0;
+    assert!(found_against(&path, &against).is_empty());
+    path.points[2].position.x = 1.01;
+    let all = check(&path, &against).unwrap();
+    assert_eq!(all[0].kind, "space");
+    assert_eq!(all[0].point, 1);
+    assert!((all[0].value - 0.01).abs() < 1e-12 && all[0].last_frame > 140.0);
+}
+
+#[test]
+fn cusp() {
+    let mut cusp = path(&[[0.0, 0.0, 0.0], [0.4, 0.0, 0.0]]);
+    let mut tangents = |y: f64| {
+        // A cubic with a cusp in its middle: P′(1/2) = 3/2·chord − 1/4·(both tangents).
+        for (point, sign) in cusp.points.iter_mut().zip([1.0, -1.0]) {
+            let tangent = DVec3::new(1.2, sign * y, 0.0);
+            point.tangents = Some(Tangents {
+                before: tangent,
+                after: tangent,
+            });
+        }
+        found(&cusp)
+    };
+    assert!(tangents(1.0).contains(&"cusp"));
+    let mut gentle = path(&[[0.0, 0.0, 0.0], [0.4, 0.0, 0.0]]);
+    for point in &mut gentle.points {
+        point.tangents = Some(Tangents {
+            before: DVec3::new(0.6, 0.0, 0.0),
+            after: DVec3::new(0.6, 0.0, 0.0),
+        });
+    }
+    assert!(found(&gentle).is_empty());
+    // A pace that stops in the middle.
+    let pace = |keys: &[[f64; 2]]| {
+        let mut path = path(&LINE);
+        let orientation = &mut path.points[0].orientations[0];
+        let pace = own::distance(keys).unwrap();
+        orientation.own = orientation.own.with(|own| own.pace = pace).unwrap();
+        found(&path)
+    };
+    let stops = [[0.0, 0.0], [0.4, 0.5], [0.6, 0.500_001], [1.0, 1.0]];
+    assert!(pace(&stops).contains(&"cusp"));
+    let slows = [[0.0, 0.0], [0.4, 0.45], [0.6, 0.55], [1.0, 1.0]];
+    assert!(!pace(&slows).contains(&"cusp"));
+}
+
+#[test]
+fn speed_jump() {
+    let mut path = path(&LINE);
+    path.points[1].orientations[0].hold = 10;
+    let all = check(&path, &plain()).unwrap();
+    assert_eq!(all[0].kind, "speed-jump");
+    assert!(
+        (all[0].first_frame, all[0].last_frame) == (51.0, 61.0),
+        "{:?}",
+        all[0]
+    );
+    // Eased on both sides of the rest.
+    for (at, rise, fall) in [(0, 0.0, 0.4), (1, 0.4, 0.0)] {
+        let ease = Pace::Ease(Ease {
+            kind: EaseKind::Sine,
+            rise,
+            fall,
+            cruise: 50.0,
+        });
+        let orientation = &mut path.points[at].orientations[0];
+        orientation.own = orientation.own.with(|own| own.pace = ease).unwrap();
+    }
+    assert!(found(&path).is_empty(), "{:?}", found(&path));
+}
+
+#[test]
+fn acceleration() {
+    let mut fast = path(&[
+        [0.0, 0.0, 0.0],
+        [0.5, 0.0, 0.0],
+        [0.5, 0.0, 0.5],
+        [0.0, 0.0, 0.5],
+    ]);
+    fast.speeds.movement = 10.0;
+    assert!(found(&fast).contains(&"acceleration"));
+    fast.speeds.movement = 200.0;
+    assert!(!found(&fast).contains(&"acceleration"));
+}
+
+fn ahead(path: &mut CameraPath, distance: f64) {
+    for point in &mut path.points {
+        let orientation = &mut point.orientations[0];
+        orientation.own = orientation
+            .own
+            .with(|own| own.ahead = Some(distance))
+            .unwrap();
+    }
+}
+
+#[test]
+fn view_jump_and_corner() {
+    let mut corner = path(&[[0.0, 0.0, 0.0], [0.5, 0.0, 0.0], [0.5, 0.0, 0.5]]);
+    corner.curve = crate::path::CurveKind::Linear;
+    ahead(&mut corner, 0.0);
+    let all = check(&corner, &plain()).unwrap();
+    let jump = all.iter().find(|f| f.kind == "view-jump").unwrap();
+    assert!((jump.value - 90.0).abs() < 1e-6, "{jump:?}");
+    assert!(
+        all.iter()
+            .any(|f| f.kind == "corner" && (f.value - 90.0).abs() < 1e-3)
+    );
+    ahead(&mut corner, 0.2);
+    assert!(!found(&corner).contains(&"view-jump"));
+    corner.points[2].position = DVec3::new(1.0, 0.0, 0.5);
+    assert!(!found(&corner).contains(&"corner"));
+}
+
+#[test]
+fn turning_and_its_acceleration() {
+    let turn = |degrees: f64, frames: u32| {
+        let mut path = path(&LINE[..2]);
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        path.points[1].orientations[0].target = Target::Relative(DVec3::new(sin, 0.0, -cos));
+        let orientation = &mut path.points[0].orientations[0];
+        orientation.own = orientation.own.with(|own| own.frames = frames).unwrap();
+        path
+    };
+    assert!(found(&turn(59.0, 25)).is_empty());
+    let all = check(&turn(61.0, 25), &plain()).unwrap();
+    assert_eq!(all[0].kind, "turning");
+    assert!((all[0].value - 61.0).abs() < 1e-6);
+    let mut rest = turn(50.0, 25);
+    rest.points[0].orientations[0].hold = 5;
+    assert!(found(&rest).contains(&"turning-acceleration"));
+    let mut slow = turn(10.0, 25);
+    slow.points[0].orientations[0].hold = 5;
+    assert!(!found(&slow).contains(&"turning-acceleration"));
+}
+
+#[test]
+fn half_turn() {
+    let mut path = path(&LINE[..2]);
+    path.points[1].orientations[0].target = Target::Relative(DVec3::Z);
+    assert!(found(&path).contains(&"half-turn"));
+    path.points[1].orientations[0].target = Target::Relative(DVec3::new(0.01, 0.0, 1.0));
+    assert!(!found(&path).contains(&"half-turn"));
+}
+
+#[test]
+fn pole_and_target() {
+    let over = |height: f64, aside: f64| {
+        let mut path = path(&[[-0.5, height, aside], [0.5, height, aside]]);
+        for point in &mut path.points {
+            point.orientations[0].target = Target::Absolute(DVec3::ZERO);
+        }
+        found(&path)
+    };
+    assert!(over(0.5, 0.01).contains(&"pole"));
+    assert!(!over(0.5, 0.05).contains(&"pole"));
+    assert!(over(0.04, 0.0).contains(&"target"));
+    assert!(!over(0.06, 0.0).contains(&"target"));
+}
+
+#[test]
+fn clearance_through_and_nothing_to_see() {
+    let mesh = Mesh {
+        points: vec![
+            DVec3::new(-1.0, -1.0, 0.7),
+            DVec3::new(1.0, -1.0, 0.7),
+            DVec3::new(0.0, 2.0, 0.7),
+        ],
+        triangles: vec![[0, 1, 2]],
+        ..Mesh::default()
+    };
+    let object = Clearance::new(&mesh).unwrap();
+    let against = Against {
+        object: Some(&object),
+        ..plain()
+    };
+    let mut line = path(&LINE);
+    assert!(found_against(&line, &against).is_empty());
+    for point in &mut line.points {
+        point.position.z = 0.719;
+    }
+    assert_eq!(found_against(&line, &against), ["clearance"]);
+    line.points[2].position.z = 0.6;
+    assert!(found_against(&line, &against).contains(&"through"));
+    // Away from it for 1.2 seconds, and for 0.8.
+    for (seconds, there) in [(1.2, true), (0.8, false)] {
+        let mut away = path(&LINE[..2]);
+        for point in &mut away.points {
+            point.orientations[0].target = Target::Relative(DVec3::Z);
+            let frames = (seconds * 25.0) as u32;
+            let orientation = &mut point.orientations[0];
+            orientation.own = orientation.own.with(|own| own.frames = frames).unwrap();
+        }
+        assert_eq!(
+            found_against(&away, &against).contains(&"nothing-to-see"),
+            there
+        );
+    }
+}
+
+#[test]
+fn zoom_and_redundant_keys() {
+    let mut path = path(&LINE[..2]);
+    path.points[1].orientations[0].zoom = 90.0;
+    assert!(found(&path).contains(&"zoom"));
+    path.points[1].orientations[0].zoom = 60.0;
+    assert!(!found(&path).contains(&"zoom"));
+    let mut again: Orientation = path.points[1].orientations[0].clone();
+    path.points[1].orientations.push(again.clone());
+    let all = check(&path, &plain()).unwrap();
+    assert!(
+        all.iter()
+            .any(|f| f.kind == "redundant" && (f.point, f.orientation) == (1, 0))
+    );
+    again.roll = 1.0;
+    path.points[1].orientations[1] = again;
+    assert!(!found(&path).contains(&"redundant"));
+}
+
+#[test]
+fn limits_are_set_by_name() {
+    let mut limits = Limits::default();
+    assert_eq!(limits.get("turning").unwrap(), 60.0);
+    limits.set("turning", 90.0).unwrap();
+    assert_eq!(limits.own().collect::<Vec<_>>(), [("turning", 90.0)]);
+    assert!(limits.set("turning", f64::NAN).is_err());
+    assert!(limits.set("turning", -1.0).is_err());
+    assert!(limits.set("tuning", 1.0).is_err() && limits.get("").is_err());
+}

@@ -1,0 +1,326 @@
+//! How near a place, a way or a picture comes to an object: a tree of boxes over its
+//! triangles, lines or points, split at the median of the longest side (C. Ericson,
+//! *Real-Time Collision Detection*, 2005, 5.1.5 for the nearest point of a triangle,
+//! 6.2 for the tree). A crate for it would weigh ten times these lines.
+
+use glam::DVec3;
+
+use crate::error::{Invalid, Result, vec_with_room};
+use crate::scene::Mesh;
+
+/// Primitives of a leaf.
+const LEAF: usize = 4;
+
+/// A point, a line or a triangle; corners repeat where there are fewer than three.
+#[derive(Debug, Clone, Copy)]
+struct Primitive([DVec3; 3]);
+
+#[derive(Debug, Clone, Copy)]
+struct Node {
+    min: DVec3,
+    max: DVec3,
+    /// First primitive of a leaf, else the second child; the first one follows.
+    at: u32,
+    /// Primitives of a leaf; 0: not one.
+    count: u32,
+}
+
+/// The object, ready to be asked.
+#[derive(Debug)]
+pub struct Clearance {
+    primitives: Vec<Primitive>,
+    nodes: Vec<Node>,
+}
+
+impl Clearance {
+    /// Of all triangles and lines of a mesh, or of its points if it has neither.
+    ///
+    /// # Errors
+    /// [`crate::Error::Argument`] if it has nothing, or as [`Mesh::check`];
+    /// [`crate::Error::Memory`].
+    pub fn new(mesh: &Mesh) -> Result<Self> {
+        mesh.check()?;
+        let at = |index: u32| mesh.points[index as usize];
+        let clouds = mesh.triangles.is_empty() && mesh.lines.is_empty();
+        let points = if clouds { mesh.points.len() } else { 0 };
+        let count = mesh.triangles.len() + mesh.lines.len() + points;
+        if count == 0 {
+            return Err(Invalid::NoGeometry.into());
+        }
+        let mut primitives = vec_with_room(count)?;
+        primitives.extend(mesh.triangles.iter().map(|t| Primitive(t.map(at))));
+        let lines = mesh.lines.iter();
+        primitives.extend(lines.map(|&[a, b]| Primitive([at(a), at(b), at(b)])));
+        primitives.extend(mesh.points[..points].iter().map(|p| Primitive([*p; 3])));
+        let mut nodes = vec_with_room(2 * count.div_ceil(LEAF / 2) + 1)?;
+        build(&mut primitives, 0, &mut nodes);
+        Ok(Self { primitives, nodes })
+    }
+
+    /// The distance from a place to the nearest of it, if that is below `most`.
+    #[must_use]
+    pub fn distance(&self, place: DVec3, most: f64) -> Option<f64> {
+        let mut best = most * most;
+        let reach = |node: &Node| (place.clamp(node.min, node.max) - place).length_squared();
+        let mut found = false;
+        self.walk(&mut |node, primitives| {
+            if reach(node) > best {
+                return false;
+            }
+            for primitive in primitives {
+                let far = (primitive.nearest(place) - place).length_squared();
+                found |= far < best;
+                best = best.min(far);
+            }
+            true
+        });
+        found.then(|| best.sqrt())
+    }
+
+    /// Whether the straight way from `a` to `b` goes through a triangle.
+    #[must_use]
+    pub fn is_crossed(&self, a: DVec3, b: DVec3) -> bool {
+        let (low, high) = (a.min(b), a.max(b));
+        let mut crossed = false;
+        self.walk(&mut |node, primitives| {
+            if crossed || node.min.cmpgt(high).any() || node.max.cmplt(low).any() {
+                return false;
+            }
+            crossed |= primitives
+                .iter()
+                .any(|primitive| primitive.is_crossed(a, b));
+            true
+        });
+        crossed
+    }
+
+    /// Whether any of it is on the inner side of all planes (normal · p ≥ offset).
+    #[must_use]
+    pub fn is_seen(&self, planes: &[(DVec3, f64); 5]) -> bool {
+        let mut seen = false;
+        self.walk(&mut |node, primitives| {
+            // The corner of the box that is furthest in.
+            let out = |(normal, offset): &(DVec3, f64)| {
+                let corner = DVec3::select(normal.cmpge(DVec3::ZERO), node.max, node.min);
+                normal.dot(corner) < *offset
+            };
+            if seen || planes.iter().any(out) {
+                return false;
+            }
+            seen |= primitives.iter().any(|primitive| primitive.is_seen(planes));
+            true
+        });
+        seen
+    }
+
+    /// Goes through the tree; `look` gets a node with the primitives of a leaf and
+    /// tells whether to look into it.
+    fn walk(&self, look: &mut dyn FnMut(&Node, &[Primitive]) -> bool) {
+        // Deeper than a tree of 2⁶⁰ primitives, split at the median.
+        let mut stack = [0_u32; 64];
+        let mut depth = 1;
+        while depth > 0 {
+            depth -= 1;
+            let index = stack[depth];
+            let node = &self.nodes[index as usize];
+            let first = node.at as usize;
+            let leaf = if node.count > 0 {
+                &self.primitives[first..first + node.count as usize]
+            } else {
+                &[]
+            };
+            if look(node, leaf) && node.count == 0 {
+                stack[depth] = node.at;
+                stack[depth + 1] = index + 1;
+                depth += 2;
+            }
+        }
+    }
+}
+
+/// The nodes over some primitives, which begin at `first` among all.
+#[allow(clippy::cast_possible_truncation)]
+fn build(primitives: &mut [Primitive], first: usize, nodes: &mut Vec<Node>) {
+    let all = primitives.iter().flat_map(|primitive| primitive.0);
+    let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let (min, max) = all.fold(start, |(min, max), p| (min.min(p), max.max(p)));
+    let here = nodes.len();
+    nodes.push(Node {
+        min,
+        max,
+        at: first as u32,
+        count: primitives.len() as u32,
+    });
+    if primitives.len() <= LEAF {
+        return;
+    }
+    let size = max - min;
+    let axis = (0..3)
+        .max_by(|a, b| size[*a].total_cmp(&size[*b]))
+        .unwrap_or(0);
+    let key = |primitive: &Primitive| primitive.0.iter().map(|p| p[axis]).sum::<f64>();
+    let middle = primitives.len() / 2;
+    primitives.select_nth_unstable_by(middle, |a, b| key(a).total_cmp(&key(b)));
+    let (low, high) = primitives.split_at_mut(middle);
+    build(low, first, nodes);
+    nodes[here].at = nodes.len() as u32;
+    nodes[here].count = 0;
+    build(high, first + middle, nodes);
+}
+
+impl Primitive {
+    /// Its point nearest to `p`.
+    fn nearest(&self, p: DVec3) -> DVec3 {
+        let [a, b, c] = self.0;
+        let (ab, ac) = (b - a, c - a);
+        let normal = ab.cross(ac);
+        if normal.length_squared() > 0.0 {
+            // Inside of all three edges: the foot on the plane.
+            let inside = |from: DVec3, to: DVec3| (to - from).cross(p - from).dot(normal) >= 0.0;
+            if inside(a, b) && inside(b, c) && inside(c, a) {
+                return p - normal * ((p - a).dot(normal) / normal.length_squared());
+            }
+        }
+        let on = |from: DVec3, to: DVec3| {
+            let way = to - from;
+            let square = way.length_squared();
+            if square > 0.0 {
+                from + way * ((p - from).dot(way) / square).clamp(0.0, 1.0)
+            } else {
+                from
+            }
+        };
+        let far = |q: &DVec3| (*q - p).length_squared();
+        let edges = [on(a, b), on(b, c), on(c, a)];
+        edges
+            .into_iter()
+            .min_by(|a, b| far(a).total_cmp(&far(b)))
+            .unwrap_or(a)
+    }
+
+    /// Whether the way from `p` to `q` goes through it: its ends are on two sides, and
+    /// it turns the same way round all edges.
+    fn is_crossed(&self, p: DVec3, q: DVec3) -> bool {
+        let [a, b, c] = self.0;
+        let normal = (b - a).cross(c - a);
+        let (before, behind) = (normal.dot(p - a), normal.dot(q - a));
+        if before * behind > 0.0 || before == behind {
+            return false;
+        }
+        let way = q - p;
+        let round = |u: DVec3, v: DVec3| way.dot((u - p).cross(v - p));
+        let sides = [round(a, b), round(b, c), round(c, a)];
+        sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0)
+    }
+
+    /// Whether any of it is within all planes: cut off by one after the other
+    /// (Sutherland and Hodgman 1974).
+    fn is_seen(&self, planes: &[(DVec3, f64); 5]) -> bool {
+        // Each of five planes adds one corner at most.
+        let (mut corners, mut count) = ([DVec3::ZERO; 8], 3);
+        corners[..3].copy_from_slice(&self.0);
+        for (normal, offset) in planes {
+            let (old, before) = (corners, count);
+            count = 0;
+            for k in 0..before {
+                let (p, q) = (old[k], old[(k + 1) % before]);
+                let (a, b) = (normal.dot(p) - offset, normal.dot(q) - offset);
+                if a >= 0.0 && count < 8 {
+                    corners[count] = p;
+                    count += 1;
+                }
+                if (a >= 0.0) != (b >= 0.0) && count < 8 {
+                    corners[count] = p + (q - p) * (a / (a - b));
+                    count += 1;
+                }
+            }
+            if count == 0 {
+                return false;
+            }
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::path::test_support::Random;
+
+    fn vector(random: &mut Random) -> DVec3 {
+        DVec3::from_array(std::array::from_fn(|_| 2.0 * random.unit() - 1.0))
+    }
+
+    fn soup(random: &mut Random, count: u32) -> Mesh {
+        let mut points = Vec::new();
+        for _ in 0..count {
+            let at = vector(random);
+            points.extend([(); 3].map(|()| at + 0.1 * vector(random)));
+        }
+        Mesh {
+            points,
+            triangles: (0..count).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect(),
+            ..Mesh::default()
+        }
+    }
+
+    /// The nearest point by trying many: a grid over the triangle.
+    #[test]
+    fn the_nearest_is_that_of_all() {
+        let mut random = Random(8);
+        let mesh = soup(&mut random, 300);
+        let clearance = Clearance::new(&mesh).unwrap();
+        for _ in 0..200 {
+            let place = 1.5 * vector(&mut random);
+            let mut least = f64::INFINITY;
+            for triangle in &mesh.triangles {
+                let [a, b, c] = triangle.map(|k| mesh.points[k as usize]);
+                for i in 0..=20 {
+                    for j in 0..=20 - i {
+                        let (u, v) = (f64::from(i) / 20.0, f64::from(j) / 20.0);
+                        let p = a + u * (b - a) + v * (c - a);
+                        least = least.min((p - place).length());
+                    }
+                }
+            }
+            let found = clearance.distance(place, f64::INFINITY).unwrap();
+            assert!(
+                found <= least + 1e-12 && found > least - 0.02,
+                "{found} {least}"
+            );
+            assert!(clearance.distance(place, 0.99 * found).is_none());
+        }
+    }
+
+    #[test]
+    fn ways_and_pictures_meet_what_they_meet() {
+        let mesh = Mesh {
+            points: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+            triangles: vec![[0, 1, 2]],
+            ..Mesh::default()
+        };
+        let clearance = Clearance::new(&mesh).unwrap();
+        let crossed = |x: f64, y: f64, from: f64, to: f64| {
+            clearance.is_crossed(DVec3::new(x, y, from), DVec3::new(x, y, to))
+        };
+        assert!(crossed(0.3, 0.3, -1.0, 1.0) && crossed(0.3, 0.3, 1.0, -1.0));
+        assert!(!crossed(0.6, 0.6, -1.0, 1.0) && !crossed(0.3, 0.3, 0.1, 1.0));
+        // A view along −z from z = 1, with a slope of 0.2: it sees the middle of the
+        // triangle and none of its corners or edges.
+        let planes = |x: f64, y: f64, sign: f64| {
+            let eye = DVec3::new(x, y, 1.0);
+            let side = |n: DVec3| (n, n.dot(eye));
+            [
+                side(DVec3::new(1.0, 0.0, -0.2 * sign)),
+                side(DVec3::new(-1.0, 0.0, -0.2 * sign)),
+                side(DVec3::new(0.0, 1.0, -0.2 * sign)),
+                side(DVec3::new(0.0, -1.0, -0.2 * sign)),
+                side(DVec3::new(0.0, 0.0, -sign)),
+            ]
+        };
+        assert!(clearance.is_seen(&planes(0.25, 0.25, 1.0)));
+        assert!(!clearance.is_seen(&planes(1.3, 0.25, 1.0)));
+        assert!(!clearance.is_seen(&planes(0.25, 0.25, -1.0)));
+        assert!(Clearance::new(&Mesh::default()).is_err());
+    }
+}

@@ -1,0 +1,20 @@
+//! Tools: what makes a path, or another path of one, in one step (`docs/tools.md`).
+//!
+//! Each is a file with the source of its mathematics. They are functions of plain
+//! data, so that the document's edits, the C interface, the command and the
+//! window are thin callers of the same lines. What a tool asks for stands in one
+//! table of [`Parameter`]s, from which those callers make their fields, options
+//! and comments. It knows nothing of undo, files or windows.
+
+pub mod blend;
+pub mod block;
+pub mod check;
+pub mod clearance;
+pub mod fit;
+mod keep;
+pub mod moves;
+pub mod parameter;
+mod smooth;
+pub mod transform;
+
+pub use parameter::{Parameter, Unit};

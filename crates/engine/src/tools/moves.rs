@@ -1,0 +1,537 @@
+//! Moves, ready made: support points with targets in the middle of the view.
+//!
+//! The blocks of which the thesis's chapter 8 wishes a library. Circles are
+//! cubics of at most 30° with tangents 4·tan(θ/4)·r (Goldapp 1991): their radius
+//! errs by 3.7e-7 of itself. A dolly zoom keeps zoom/distance; both are linear in
+//! the share of the way, so it is exact. Camera heading 0° lies towards +z as seen
+//! from the target, 90° towards +x where y stands upright, 0° towards +x
+//! and 90° towards +y where z does.
+
+use std::f64::consts::TAU;
+
+use glam::DVec3;
+
+use super::parameter::{Parameter, Unit};
+use crate::deform::Bounds;
+use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
+use crate::limits::{BASE_SPEED, MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
+use crate::path::fit_frames::fit_frames;
+use crate::path::{
+    CameraPath, CurveParameters, Orientation, Space, SupportPoint, Tangents, Target, Timeline,
+};
+
+/// The largest angle of one circular segment.
+const ARC: f64 = TAU / 12.0;
+
+/// The largest angle between two views of a pan.
+const PAN: f64 = TAU / 8.0;
+
+/// Segments of a figure of eight.
+const EIGHT: usize = 24;
+
+/// A ready-made move.
+#[derive(Debug)]
+pub struct Move {
+    /// Its name.
+    pub name: &'static str,
+    /// What the camera does.
+    pub does: &'static str,
+    /// What it asks for.
+    pub parameters: &'static [Parameter],
+    make: fn(&Given<'_>) -> Result<Vec<SupportPoint>>,
+}
+
+const fn length(name: &'static str, does: &'static str, default: f64) -> Parameter {
+    Parameter {
+        name,
+        does,
+        unit: Unit::Length,
+        width: 1,
+        least: -MAX_COORDINATE,
+        most: MAX_COORDINATE,
+        default,
+    }
+}
+
+/// A length that must not be 0.
+const fn distance(name: &'static str, does: &'static str, default: f64) -> Parameter {
+    Parameter {
+        least: 1e-6,
+        ..length(name, does, default)
+    }
+}
+
+const fn degrees(name: &'static str, does: &'static str, default: f64) -> Parameter {
+    Parameter {
+        name,
+        does,
+        unit: Unit::Degrees,
+        width: 1,
+        least: -360_000.0,
+        most: 360_000.0,
+        default,
+    }
+}
+
+const AROUND: Parameter = Parameter {
+    width: 3,
+    ..length("around", "the place in the middle of the view", 0.0)
+};
+const RADIUS: Parameter = distance("radius", "how far the way is from the axis", 1.0);
+const HEIGHT: Parameter = length("height", "how far above the target the camera is", 0.4);
+const FROM: Parameter = degrees("from", "heading at which the camera begins", 0.0);
+const TURNS: Parameter = Parameter {
+    name: "turns",
+    does: "how often round; negative: clockwise from above",
+    unit: Unit::One,
+    width: 1,
+    least: -1000.0,
+    most: 1000.0,
+    default: 1.0,
+};
+const ZOOM: Parameter = Parameter {
+    name: "zoom",
+    does: "focal length",
+    unit: Unit::Zoom,
+    width: 1,
+    least: MIN_ZOOM,
+    most: MAX_ZOOM,
+    default: 24.0,
+};
+const SECONDS: Parameter = Parameter {
+    name: "seconds",
+    does: "how long it takes; 0: by its length",
+    unit: Unit::Seconds,
+    width: 1,
+    least: 0.0,
+    most: 1e6,
+    default: 10.0,
+};
+
+/// The names of all moves, for a sentence.
+const KNOWN: &str = "orbit, spiral, arc, flyby, approach, dolly-zoom, crane, pan, figure-eight";
+
+/// All moves.
+pub const MOVES: &[Move] = &[
+    Move {
+        name: "orbit",
+        does: "on a circle round a target",
+        parameters: &[AROUND, RADIUS, HEIGHT, FROM, TURNS, ZOOM, SECONDS],
+        make: |given| {
+            let [radius, height] = given.numbers(["radius", "height"]);
+            around(given, [radius; 2], [height; 2], given.turn())
+        },
+    },
+    Move {
+        name: "spiral",
+        does: "round a target with another radius and height at the end",
+        parameters: &[
+            AROUND,
+            RADIUS,
+            HEIGHT,
+            FROM,
+            TURNS,
+            ZOOM,
+            SECONDS,
+            distance("end-radius", "the radius at the end", 0.5),
+            length("end-height", "the height at the end", 1.0),
+        ],
+        make: |given| {
+            let [r0, r1, h0, h1] = given.numbers(["radius", "end-radius", "height", "end-height"]);
+            around(given, [r0, r1], [h0, h1], given.turn())
+        },
+    },
+    Move {
+        name: "arc",
+        does: "on a part of a circle, from one heading to another",
+        parameters: &[
+            AROUND,
+            RADIUS,
+            HEIGHT,
+            degrees("from", "heading at which the camera begins", -45.0),
+            degrees("to", "heading at which it ends", 45.0),
+            ZOOM,
+            SECONDS,
+        ],
+        make: |given| {
+            let [radius, height, from, to] = given.numbers(["radius", "height", "from", "to"]);
+            around(given, [radius; 2], [height; 2], (to - from).to_radians())
+        },
+    },
+    Move {
+        name: "flyby",
+        does: "straight past a target that stays in view",
+        parameters: &[
+            AROUND,
+            distance("distance", "how near the way comes, seen from above", 1.0),
+            HEIGHT,
+            degrees("from", "heading of the camera when it is nearest", 0.0),
+            distance("length", "how long the way is", 3.0),
+            ZOOM,
+            SECONDS,
+        ],
+        make: |given| {
+            let [distance, height, from, length] =
+                given.numbers(["distance", "height", "from", "length"]);
+            let (side, along) = (
+                heading(from.to_radians()),
+                heading(from.to_radians() + TAU / 4.0),
+            );
+            let middle = distance * side + height * DVec3::Y;
+            straight(given, [-0.5, 0.5].map(|k| middle + k * length * along))
+        },
+    },
+    Move {
+        name: "approach",
+        does: "straight towards a target",
+        parameters: &[
+            AROUND,
+            distance("distance", "how far from the target it begins", 3.0),
+            distance("end-distance", "how far from the target it ends", 1.0),
+            FROM,
+            RISE,
+            ZOOM,
+            SECONDS,
+        ],
+        make: towards,
+    },
+    Move {
+        name: "dolly-zoom",
+        does: "towards a target that keeps its size in the picture",
+        parameters: &[
+            AROUND,
+            distance("distance", "how far from the target it begins", 3.0),
+            distance("end-distance", "how far from the target it ends", 1.0),
+            FROM,
+            RISE,
+            Parameter {
+                does: "focal length at the beginning",
+                default: 60.0,
+                ..ZOOM
+            },
+            SECONDS,
+        ],
+        make: |given| {
+            let [zoom, from, to] = given.numbers(["zoom", "distance", "end-distance"]);
+            let end = zoom * to / from;
+            if !(MIN_ZOOM..=MAX_ZOOM).contains(&end) {
+                return Err(OutOfRange::ZoomAtEnd(end).into());
+            }
+            let mut points = towards(given)?;
+            points[1].orientations[0].zoom = end;
+            Ok(points)
+        },
+    },
+    Move {
+        name: "crane",
+        does: "straight up or down beside a target that stays in view",
+        parameters: &[
+            AROUND,
+            RADIUS,
+            length("height", "how far above the target it begins", -0.2),
+            length("end-height", "how far above the target it ends", 1.0),
+            FROM,
+            ZOOM,
+            SECONDS,
+        ],
+        make: |given| {
+            let [radius, low, high, from] =
+                given.numbers(["radius", "height", "end-height", "from"]);
+            let foot = radius * heading(from.to_radians());
+            straight(given, [low, high].map(|height| foot + height * DVec3::Y))
+        },
+    },
+    Move {
+        name: "pan",
+        does: "turns on the spot",
+        parameters: &[
+            Parameter {
+                width: 3,
+                ..length("at", "where the camera stands", 0.0)
+            },
+            degrees("from", "heading of the first view", -45.0),
+            degrees("to", "heading of the last view", 45.0),
+            Parameter {
+                least: -89.0,
+                most: 89.0,
+                ..degrees("tilt", "how far it looks up", 0.0)
+            },
+            ZOOM,
+            SECONDS,
+        ],
+        make: pan,
+    },
+    Move {
+        name: "figure-eight",
+        does: "on an eight that crosses above the target",
+        parameters: &[
+            AROUND,
+            RADIUS,
+            HEIGHT,
+            distance("width", "how wide it is across", 0.8),
+            FROM,
+            ZOOM,
+            SECONDS,
+        ],
+        make: eight,
+    },
+];
+
+const RISE: Parameter = Parameter {
+    least: -89.0,
+    most: 89.0,
+    ..degrees("rise", "how steeply the camera is above the target", 15.0)
+};
+
+/// The numbers of a move by their names.
+struct Given<'a> {
+    parameters: &'static [Parameter],
+    numbers: &'a [f64],
+    space: Space,
+}
+
+impl Given<'_> {
+    fn number(&self, name: &str) -> f64 {
+        Parameter::find(self.parameters, name).map_or(0.0, |(at, _)| self.numbers[at])
+    }
+
+    fn numbers<const N: usize>(&self, names: [&str; N]) -> [f64; N] {
+        names.map(|name| self.number(name))
+    }
+
+    fn place(&self, name: &str) -> DVec3 {
+        Parameter::find(self.parameters, name).map_or(DVec3::ZERO, |(at, _)| {
+            DVec3::from_slice(&self.numbers[at..])
+        })
+    }
+
+    /// The whole angle.
+    fn turn(&self) -> f64 {
+        TAU * self.number("turns")
+    }
+}
+
+/// Unit vector of a heading.
+fn heading(angle: f64) -> DVec3 {
+    DVec3::new(angle.sin(), 0.0, angle.cos())
+}
+
+impl Move {
+    /// The move of this name.
+    ///
+    /// # Errors
+    /// [`crate::Error::Argument`] if there is none.
+    pub fn named(name: &str) -> Result<&'static Self> {
+        MOVES
+            .iter()
+            .find(|known| known.name == name)
+            .ok_or_else(|| {
+                Invalid::NoMove {
+                    name: name.into(),
+                    known: KNOWN,
+                }
+                .into()
+            })
+    }
+
+    /// Its numbers unless told, made to fit an object: the middle of its bounds and
+    /// twice the radius of the sphere round them; or a space.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub fn defaults(&self, object: Option<&Bounds>, space: Space) -> Result<Vec<f64>> {
+        let mut numbers = Parameter::numbers(self.parameters, &[])?;
+        let (mut middle, mut size) = (space.centre, space.half_size);
+        if let Some(bounds) = object {
+            middle = 0.5 * (bounds.min() + bounds.max());
+            let diagonal = (bounds.max() - bounds.min()).length();
+            if diagonal > 1e-6 * size {
+                size = diagonal;
+            }
+        }
+        let mut start = 0;
+        for parameter in self.parameters {
+            if parameter.width == 3 {
+                numbers[start..start + 3].copy_from_slice(&middle.to_array());
+            } else if parameter.unit == Unit::Length {
+                numbers[start] = (numbers[start] * size).clamp(parameter.least, parameter.most);
+            }
+            start += parameter.width;
+        }
+        Ok(numbers)
+    }
+
+    /// The path of this move. What is not given has its default; `fps` counts the
+    /// frames of its seconds.
+    ///
+    /// # Errors
+    /// [`crate::Error::Argument`], [`crate::Error::Range`] or [`crate::Error::Limit`] for numbers that do
+    /// not do; [`crate::Error::Memory`].
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    pub fn path(&self, given: &[f64], space: Space, fps: f64) -> Result<CameraPath> {
+        let numbers = Parameter::numbers(self.parameters, given)?;
+        let given = Given {
+            parameters: self.parameters,
+            numbers: &numbers,
+            space,
+        };
+        let points = (self.make)(&given)?;
+        let mut path = CameraPath::try_new()?;
+        path.points = points;
+        path.space = space;
+        path.check()?;
+        let seconds = given.number("seconds");
+        if seconds > 0.0 {
+            let frames = (seconds * fps).round() as usize;
+            let timeline = Timeline::new(&path)?;
+            let last = path.points.len() - 1;
+            for fixed in fit_frames(&path, &timeline, 0, last, frames)? {
+                let orientation = &mut path.points[fixed.point].orientations[fixed.orientation];
+                orientation.own = orientation.own.with(|own| own.frames = fixed.frames)?;
+            }
+        }
+        if self.name == "dolly-zoom" {
+            keep_zoom_linear(&mut path)?;
+        }
+        Ok(path)
+    }
+}
+
+/// Lets both keys own the slope of the straight line between them, so that the
+/// size stays also as a part of a longer path.
+#[allow(clippy::cast_precision_loss)]
+fn keep_zoom_linear(path: &mut CameraPath) -> Result<()> {
+    let section = Timeline::new(path)?.section(0);
+    let duration = section.frames as f64 * section.mean_speed / BASE_SPEED;
+    let rise = path.points[1].orientations[0].zoom - path.points[0].orientations[0].zoom;
+    for point in &mut path.points {
+        let orientation = &mut point.orientations[0];
+        orientation.own = orientation
+            .own
+            .with(|own| own.zoom_slope = Some(rise / duration))?;
+    }
+    Ok(())
+}
+
+/// A point of a move with its one view.
+fn point(given: &Given<'_>, offset: DVec3, tangent: Option<DVec3>) -> Result<SupportPoint> {
+    let around = given.place("around");
+    let mut point = SupportPoint::try_new(around + given.space.up.world(offset))?;
+    point.curve = CurveParameters::Preset(0);
+    let tangent = tangent.map(|tangent| given.space.up.world(tangent));
+    point.tangents = tangent.map(|tangent| Tangents {
+        before: tangent,
+        after: tangent,
+    });
+    point.orientations[0] = Orientation {
+        target: Target::Absolute(around),
+        zoom: given.number("zoom"),
+        ..Orientation::default()
+    };
+    Ok(point)
+}
+
+/// A straight line.
+fn straight(given: &Given<'_>, [from, to]: [DVec3; 2]) -> Result<Vec<SupportPoint>> {
+    let mut points = vec_with_room(2)?;
+    for place in [from, to] {
+        points.push(point(given, place, Some(to - from))?);
+    }
+    Ok(points)
+}
+
+/// Straight towards the target.
+fn towards(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
+    let [from, to, angle, rise] = given.numbers(["distance", "end-distance", "from", "rise"]);
+    let (sin, cos) = rise.to_radians().sin_cos();
+    let direction = cos * heading(angle.to_radians()) + sin * DVec3::Y;
+    straight(given, [from * direction, to * direction])
+}
+
+/// Round the target by an angle, radius and height linear in it.
+#[allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss
+)]
+fn around(
+    given: &Given<'_>,
+    [r0, r1]: [f64; 2],
+    [h0, h1]: [f64; 2],
+    angle: f64,
+) -> Result<Vec<SupportPoint>> {
+    if angle == 0.0 {
+        return Err(OutOfRange::NoTurn.into());
+    }
+    let from = given.number("from").to_radians();
+    // A whole number of arcs may be rounded up by a hair.
+    let segments = (angle.abs() / ARC - 1e-9).ceil().max(1.0);
+    let step = angle / segments;
+    let round = 4.0 * (step / 4.0).tan();
+    let mut points = vec_with_room(segments as usize + 1)?;
+    for k in 0..=segments as usize {
+        let share = k as f64 / segments;
+        let (radius, height) = (r0 + (r1 - r0) * share, h0 + (h1 - h0) * share);
+        let out = heading(from + angle * share);
+        let along = DVec3::new(out.z, 0.0, -out.x);
+        let tangent =
+            round * radius * along + (r1 - r0) / segments * out + (h1 - h0) / segments * DVec3::Y;
+        points.push(point(
+            given,
+            radius * out + height * DVec3::Y,
+            Some(tangent),
+        )?);
+    }
+    Ok(points)
+}
+
+/// On the spot: points at one place, each with a view.
+#[allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss
+)]
+fn pan(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
+    let [from, to, tilt] = given.numbers(["from", "to", "tilt"]).map(f64::to_radians);
+    if from == to {
+        return Err(OutOfRange::NoTurn.into());
+    }
+    let segments = ((to - from).abs() / PAN - 1e-9).ceil().max(1.0);
+    let mut points = vec_with_room(segments as usize + 1)?;
+    for k in 0..=segments as usize {
+        let angle = from + (to - from) * (k as f64 / segments);
+        let mut point = SupportPoint::try_new(given.place("at"))?;
+        let view = tilt.cos() * heading(angle) + tilt.sin() * DVec3::Y;
+        point.orientations[0].target = Target::Relative(given.space.up.world(view));
+        point.orientations[0].zoom = given.number("zoom");
+        points.push(point);
+    }
+    Ok(points)
+}
+
+/// Gerono's lemniscate (r·sin t, w·sin 2t), from its middle back to it.
+#[allow(clippy::cast_precision_loss)]
+fn eight(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
+    let [radius, width, height, from] = given.numbers(["radius", "width", "height", "from"]);
+    let (along, across) = (
+        heading(from.to_radians()),
+        heading(from.to_radians() + TAU / 4.0),
+    );
+    let step = TAU / EIGHT as f64;
+    let mut points = vec_with_room(EIGHT + 1)?;
+    for k in 0..=EIGHT {
+        let t = step * k as f64;
+        let place = radius * t.sin() * along + 0.5 * width * (2.0 * t).sin() * across;
+        let tangent = radius * t.cos() * along + width * (2.0 * t).cos() * across;
+        points.push(point(
+            given,
+            place + height * DVec3::Y,
+            Some(step * tangent),
+        )?);
+    }
+    Ok(points)
+}
+
+#[cfg(test)]
+#[path = "moves_tests.rs"]
+mod tests;

@@ -1,0 +1,212 @@
+use super::*;
+use crate::path::{Pose, Sampler};
+
+fn poses(path: &CameraPath) -> Vec<Pose> {
+    let timeline = Timeline::new(path).unwrap();
+    let sampler = Sampler::new(path, &timeline).unwrap();
+    let mut poses = vec![Pose::default(); sampler.frame_count()];
+    sampler.sample(1, &mut poses).unwrap();
+    poses
+}
+
+/// A move with some of its numbers set.
+fn made(name: &str, set: &[(&str, &[f64])]) -> Result<CameraPath> {
+    let found = Move::named(name).unwrap();
+    let mut numbers = found.defaults(None, Space::default()).unwrap();
+    for (name, values) in set {
+        let (at, parameter) = Parameter::find(found.parameters, name).unwrap();
+        assert_eq!(values.len(), parameter.width);
+        numbers[at..at + values.len()].copy_from_slice(values);
+    }
+    found.path(&numbers, Space::default(), 25.0)
+}
+
+fn place(pose: &Pose) -> DVec3 {
+    DVec3::from_array(pose.vrp)
+}
+
+/// How far a target is from the middle of the picture, in radians.
+fn off(pose: &Pose, target: DVec3) -> f64 {
+    let to = (target - place(pose)).normalize();
+    to.cross(DVec3::from_array(pose.vpn)).length()
+}
+
+#[test]
+fn every_move_has_its_seconds_and_looks_at_its_target() {
+    assert_eq!(
+        MOVES
+            .iter()
+            .map(|known| known.name)
+            .collect::<Vec<_>>()
+            .join(", "),
+        KNOWN
+    );
+    let target = [0.3, -0.2, 0.1];
+    for known in MOVES {
+        let at = if known.name == "pan" { "at" } else { "around" };
+        let path = made(known.name, &[(at, &target), ("seconds", &[12.0])]).unwrap();
+        let poses = poses(&path);
+        assert_eq!(poses.len(), 300, "{}", known.name);
+        let target = DVec3::from_array(target);
+        for pose in &poses {
+            if known.name == "pan" {
+                assert_eq!(place(pose), target);
+            } else {
+                assert!(off(pose, target) < 1e-12, "{}", known.name);
+            }
+        }
+        let by_length = made(known.name, &[("seconds", &[0.0])]).unwrap();
+        assert!(
+            by_length
+                .points
+                .iter()
+                .all(|p| p.orientations[0].own.frames == 0)
+        );
+    }
+}
+
+#[test]
+fn an_orbit_is_round_with_few_points() {
+    for (turns, radius) in [(1.0, 1.2), (2.0, 1e-3), (-0.7, 300.0), (3.25, 1.0)] {
+        let set: &[(&str, &[f64])] = &[("turns", &[turns]), ("radius", &[radius])];
+        let path = made("orbit", set).unwrap();
+        assert!((path.points.len() - 1) as f64 <= (12.0 * turns.abs()).ceil());
+        let mut angle = 0.0;
+        let poses = poses(&path);
+        for pair in poses.windows(2) {
+            let [a, b] = [place(&pair[0]), place(&pair[1])];
+            assert!((a.x.hypot(a.z) / radius - 1.0).abs() < 4e-7);
+            assert!((a.y - 0.4).abs() < 1e-13 * radius.max(1.0));
+            angle += (b.x * a.z - b.z * a.x).atan2(a.x * b.x + a.z * b.z);
+        }
+        assert!((angle - TAU * turns).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_spiral_is_linear_in_its_angle() {
+    let set: &[(&str, &[f64])] = &[("turns", &[0.9]), ("from", &[20.0])];
+    for pose in poses(&made("spiral", set).unwrap()) {
+        let p = place(&pose);
+        let share = ((p.x.atan2(p.z).to_degrees() - 20.0).rem_euclid(360.0)) / (0.9 * 360.0);
+        // At the start the angle may be a hair below.
+        let share = if share > 1.05 { 0.0 } else { share };
+        assert!((p.x.hypot(p.z) - (1.0 - 0.5 * share)).abs() < 2e-4);
+        assert!((p.y - (0.4 + 0.6 * share)).abs() < 2e-4);
+    }
+}
+
+#[test]
+fn a_dolly_zoom_keeps_the_size() {
+    for (from, to, zoom) in [(3.0, 1.0, 60.0), (1.0, 3.9, 25.0), (2.0, 1.999, 100.0)] {
+        let set: &[(&str, &[f64])] = &[
+            ("distance", &[from]),
+            ("end-distance", &[to]),
+            ("zoom", &[zoom]),
+        ];
+        let path = made("dolly-zoom", set).unwrap();
+        let mut seen = 0;
+        for pose in poses(&path) {
+            // The size in the picture is zoom/distance.
+            assert!((pose.zoom / place(&pose).length() * from / zoom - 1.0).abs() < 1e-12);
+            seen += 1;
+        }
+        assert_eq!(seen, 250);
+    }
+    let error = made("dolly-zoom", &[("end-distance", &[0.01])]).unwrap_err();
+    assert!(error.to_string().contains("at the end"), "{error}");
+}
+
+#[test]
+fn straight_moves_lead_where_they_say() {
+    let path = poses(&made("flyby", &[("from", &[90.0])]).unwrap());
+    let near = path
+        .iter()
+        .map(|pose| place(pose).length())
+        .fold(9.0, f64::min);
+    assert!((near - 1f64.hypot(0.4)).abs() < 1e-4);
+    assert!(path.iter().all(|pose| (pose.vrp[0] - 1.0).abs() < 1e-12));
+    let path = poses(&made("approach", &[("rise", &[30.0])]).unwrap());
+    let (first, last) = (place(&path[0]), place(&path[path.len() - 1]));
+    assert!((first - DVec3::new(0.0, 1.5, 3.0 * 0.75f64.sqrt())).length() < 1e-14);
+    assert!((last.length() - 1.0).abs() < 1e-14);
+    let path = poses(&made("crane", &[]).unwrap());
+    assert_eq!(path[0].vrp, [0.0, -0.2, 1.0]);
+    assert_eq!(path[path.len() - 1].vrp, [0.0, 1.0, 1.0]);
+}
+
+#[test]
+fn a_pan_turns_evenly() {
+    let set: &[(&str, &[f64])] = &[("from", &[-100.0]), ("to", &[290.0]), ("tilt", &[20.0])];
+    let poses = poses(&made("pan", set).unwrap());
+    for (k, pose) in poses.iter().enumerate() {
+        let want = -100.0 + 390.0 * k as f64 / (poses.len() - 1) as f64;
+        let view = DVec3::from_array(pose.vpn);
+        let off = view.x.atan2(view.z) - want.to_radians();
+        // Whole frames for each part of it.
+        assert!(off.sin().abs() < 0.02, "{k}: {off}");
+        assert!((view.y - 20f64.to_radians().sin()).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_figure_of_eight_is_geronos() {
+    for pose in poses(&made("figure-eight", &[]).unwrap()) {
+        let [across, y, along] = pose.vrp;
+        let want = along * along * (1.0 - along * along) * 0.8 * 0.8;
+        assert!((across * across - want).abs() < 1e-4 && (y - 0.4).abs() < 1e-15);
+    }
+    let flat = made("figure-eight", &[("height", &[0.0])]).unwrap_err();
+    assert!(flat.to_string().contains("own position"), "{flat}");
+}
+
+#[test]
+fn numbers_that_do_not_do_are_refused() {
+    for (name, set) in [
+        ("orbit", ("radius", 0.0)),
+        ("orbit", ("radius", f64::NAN)),
+        ("orbit", ("turns", 0.0)),
+        ("orbit", ("zoom", 0.5)),
+        ("orbit", ("seconds", 0.01)),
+        ("arc", ("to", -45.0)),
+        ("pan", ("to", -45.0)),
+        ("pan", ("tilt", 90.0)),
+        ("crane", ("end-height", f64::INFINITY)),
+        ("crane", ("radius", 2e9)),
+    ] {
+        assert!(made(name, &[(set.0, &[set.1])]).is_err(), "{name} {set:?}");
+    }
+    assert!(Move::named("loop").is_err());
+    let orbit = Move::named("orbit").unwrap();
+    assert!(orbit.path(&[0.0; 10], Space::default(), 25.0).is_err());
+    assert!(orbit.path(&[], Space::default(), 25.0).is_ok());
+    assert!(orbit.path(&[0.5, 0.5, 0.5], Space::default(), 25.0).is_ok());
+}
+
+#[test]
+fn an_object_gives_the_place_and_the_size() {
+    let bounds = Bounds::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(3.0, 5.0, 9.0)).unwrap();
+    let numbers = Move::named("orbit")
+        .unwrap()
+        .defaults(Some(&bounds), Space::default())
+        .unwrap();
+    assert_eq!(numbers[..5], [2.0, 3.5, 6.0, 7.0, 0.4 * 7.0]);
+}
+
+#[test]
+fn a_space_with_z_upright_has_the_same_move_turned() {
+    use crate::path::Up;
+    let space = Space {
+        centre: DVec3::new(10.0, 20.0, 30.0),
+        half_size: 5.0,
+        up: Up::Z,
+    };
+    let orbit = Move::named("orbit").unwrap();
+    let numbers = orbit.defaults(None, space).unwrap();
+    let path = orbit.path(&numbers, space, 25.0).unwrap();
+    for pose in poses(&path) {
+        let p = place(&pose) - space.centre;
+        assert!((p.x.hypot(p.y) - 5.0).abs() < 1e-5 && (p.z - 2.0).abs() < 1e-12);
+        assert!(pose.vup[2] > 0.9);
+    }
+}

@@ -1,0 +1,117 @@
+//! What a tool asks for: one table for the window's fields, the command's
+//! options and the header's comment.
+
+use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
+
+/// What a number counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    /// Nothing: a ratio or a count.
+    One,
+    /// Units of the positions.
+    Length,
+    /// Degrees.
+    Degrees,
+    /// Millimetres of focal length.
+    Zoom,
+    /// Seconds.
+    Seconds,
+}
+
+impl Unit {
+    /// As it stands behind a number; empty for lengths and ratios.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::One | Self::Length => "",
+            Self::Degrees => "degrees",
+            Self::Zoom => "mm",
+            Self::Seconds => "seconds",
+        }
+    }
+}
+
+/// One parameter of a tool: a number, or three for a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameter {
+    /// In small letters, words joined by `-`.
+    pub name: &'static str,
+    /// What it does, in a few words.
+    pub does: &'static str,
+    /// What its numbers count.
+    pub unit: Unit,
+    /// 1, or 3 for x, y and z.
+    pub width: usize,
+    /// The least that it may be.
+    pub least: f64,
+    /// The most that it may be.
+    pub most: f64,
+    /// What each of its numbers is unless told.
+    pub default: f64,
+}
+
+impl Parameter {
+    /// Where this parameter begins among the numbers of `all`, and what it is.
+    #[must_use]
+    pub fn find(all: &'static [Self], name: &str) -> Option<(usize, &'static Self)> {
+        let mut start = 0;
+        for parameter in all {
+            if parameter.name == name {
+                return Some((start, parameter));
+            }
+            start += parameter.width;
+        }
+        None
+    }
+
+    /// How many numbers they are together.
+    #[must_use]
+    pub fn count(all: &[Self]) -> usize {
+        all.iter().map(|parameter| parameter.width).sum()
+    }
+
+    /// One number for it.
+    ///
+    /// # Errors
+    /// [`crate::Error::Argument`] if it is not finite, [`crate::Error::Range`].
+    pub fn check(&self, number: f64) -> Result<()> {
+        if !number.is_finite() {
+            return Err(Invalid::NumberNotFinite(self.name).into());
+        }
+        if !(self.least..=self.most).contains(&number) {
+            return Err(OutOfRange::NumberBetween(self.name, self.least, self.most).into());
+        }
+        Ok(())
+    }
+
+    /// All numbers of a tool: those given, in the order of its table, and the
+    /// defaults of the rest; checked.
+    ///
+    /// # Errors
+    /// As [`Parameter::check`]; [`crate::Error::Range`] if there are too many;
+    /// [`crate::Error::Memory`].
+    pub fn numbers(all: &[Self], given: &[f64]) -> Result<Vec<f64>> {
+        let count = Self::count(all);
+        if given.len() > count {
+            return Err(OutOfRange::NumbersGiven {
+                given: given.len(),
+                most: count,
+            }
+            .into());
+        }
+        let mut numbers = vec_with_room(count)?;
+        numbers.extend_from_slice(given);
+        let mut start = 0;
+        for parameter in all {
+            let end = start + parameter.width;
+            while numbers.len() < end {
+                numbers.push(parameter.default);
+            }
+            numbers[start..end]
+                .iter()
+                .try_for_each(|number| parameter.check(*number))?;
+            start = end;
+        }
+        Ok(numbers)
+    }
+}

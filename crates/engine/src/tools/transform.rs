@@ -1,0 +1,206 @@
+//! Points moved, turned, scaled, mirrored or deformed (lecture 9.3.1), with their
+//! tangents and, if asked, with what their cameras see.
+//!
+//! A tangent goes by the derivative of the map: by its matrix, or for deformations
+//! by differences of the fourth order (1e-10 of its length).
+
+use glam::{DMat3, DMat4, DQuat, DVec3};
+
+use super::keep::picked;
+use crate::deform::{Bounds, Deformation};
+use crate::error::{Invalid, Place, Result, vec_with_room};
+use crate::math::orientation::{roll_from_up, unit, up_from_roll, wrap_degrees};
+use crate::path::{CameraPath, Orientation, SupportPoint, Tangents, Target, Up, Velocities, ahead};
+
+/// Columns of a matrix without shear are at right angles within this.
+const SQUARE: f64 = 1e-9;
+
+/// Step of the differences, in the largest side of the box.
+const STEP: f64 = 1e-3;
+
+/// Points with their numbers.
+pub type Changed = Vec<(usize, SupportPoint)>;
+
+/// A map of space: where a place goes, and the derivative there.
+struct Map<'a> {
+    place: &'a dyn Fn(DVec3) -> DVec3,
+    derivative: &'a dyn Fn(DVec3) -> DMat3,
+    /// The same derivative everywhere.
+    linear: bool,
+}
+
+/// A matrix that moves, turns, scales and mirrors.
+///
+/// # Errors
+/// [`crate::Error::Argument`] if it has a number that is not finite, or if it does
+/// anything else: shears, projects, or presses flat.
+pub fn check_matrix(matrix: &DMat4) -> Result<()> {
+    if !matrix.is_finite() {
+        return Err(Invalid::MatrixNotFinite.into());
+    }
+    let [x, y, z] = [0, 1, 2].map(|k| matrix.col(k).truncate());
+    let square = |a: DVec3, b: DVec3| a.dot(b).abs() <= SQUARE * a.length() * b.length();
+    let flat = [x, y, z].iter().any(|column| column.length() < 1e-12);
+    let row = matrix.row(3).to_array();
+    if flat || row != [0.0, 0.0, 0.0, 1.0] || !square(x, y) || !square(y, z) || !square(z, x) {
+        return Err(Invalid::Matrix.into());
+    }
+    Ok(())
+}
+
+/// Some points of a path, moved by a matrix.
+///
+/// # Errors
+/// [`crate::Error::Argument`] as [`check_matrix`], if no point is selected, or where a
+/// point would lie on a target of its own; [`crate::Error::Range`], [`crate::Error::Memory`].
+pub fn transform(
+    path: &CameraPath,
+    points: &[usize],
+    matrix: &DMat4,
+    with_targets: bool,
+) -> Result<Changed> {
+    check_matrix(matrix)?;
+    let linear = DMat3::from_mat4(*matrix);
+    let map = Map {
+        place: &|place| matrix.transform_point3(place),
+        derivative: &|_| linear,
+        linear: true,
+    };
+    mapped(path, points, &map, with_targets)
+}
+
+/// Some points of a path, deformed. Without a box that of these points' positions.
+///
+/// # Errors
+/// As [`transform`].
+pub fn deform(
+    path: &CameraPath,
+    points: &[usize],
+    deformation: &Deformation,
+    bounds: Option<Bounds>,
+    with_targets: bool,
+) -> Result<Changed> {
+    let mut places = vec_with_room(path.points.len())?;
+    for (at, picked) in picked(path, points)?.into_iter().enumerate() {
+        if picked {
+            places.push(path.points[at].position);
+        }
+    }
+    let bounds = bounds.unwrap_or_else(|| Bounds::of(&places));
+    let place = |place: DVec3| {
+        let mut place = [place];
+        deformation.apply(&bounds, &mut place);
+        place[0]
+    };
+    let step = STEP * (bounds.max() - bounds.min()).max_element().max(1e-3);
+    let derivative = |at: DVec3| {
+        let along = |axis: DVec3| {
+            let slope = |h: f64| (place(at + h * axis) - place(at - h * axis)) / (2.0 * h);
+            (4.0 * slope(step / 2.0) - slope(step)) / 3.0
+        };
+        DMat3::from_cols(along(DVec3::X), along(DVec3::Y), along(DVec3::Z))
+    };
+    let map = Map {
+        place: &place,
+        derivative: &derivative,
+        linear: false,
+    };
+    mapped(path, points, &map, with_targets)
+}
+
+fn mapped(
+    path: &CameraPath,
+    points: &[usize],
+    map: &Map<'_>,
+    with_targets: bool,
+) -> Result<Changed> {
+    let picked = picked(path, points)?;
+    let mut changed = vec_with_room(points.len().min(picked.len()))?;
+    for (number, _) in picked.iter().enumerate().filter(|(_, picked)| **picked) {
+        let old = &path.points[number];
+        let mut new = old.try_clone()?;
+        new.position = (map.place)(old.position);
+        let derivative = (map.derivative)(old.position);
+        new.tangents = old.tangents.map(|own| Tangents {
+            before: derivative * own.before,
+            after: derivative * own.after,
+        });
+        if with_targets {
+            for (at, orientation) in new.orientations.iter_mut().enumerate() {
+                let view = ahead::view(path, number, at);
+                *orientation = seen(
+                    orientation,
+                    (old.position, view),
+                    map,
+                    (&derivative, path.space.up),
+                )?;
+            }
+        }
+        new.check(path.space)
+            .map_err(|error| error.at(Place::Point(number + 1)))?;
+        changed.push((number, new));
+    }
+    Ok(changed)
+}
+
+/// An orientation whose camera goes along: target, roll, velocities.
+fn seen(
+    old: &Orientation,
+    (position, view): (DVec3, DVec3),
+    map: &Map<'_>,
+    (derivative, axis): (&DMat3, Up),
+) -> Result<Orientation> {
+    let mut new = old.clone();
+    new.target = match old.target {
+        Target::Absolute(target) => Target::Absolute((map.place)(target)),
+        Target::Relative(offset) if map.linear => Target::Relative(*derivative * offset),
+        Target::Relative(offset) => {
+            Target::Relative((map.place)(position + offset) - (map.place)(position))
+        }
+    };
+    let scale = derivative.x_axis.length();
+    let turn = *derivative * (1.0 / scale);
+    let rigid = map.linear && (turn.transpose() * turn).abs_diff_eq(DMat3::IDENTITY, SQUARE);
+    if rigid && turn.abs_diff_eq(DMat3::IDENTITY, 0.0) {
+        return Ok(new);
+    }
+    let new_view = if old.own.ahead.is_some() {
+        *derivative * view
+    } else {
+        new.target.offset_from((map.place)(position))
+    };
+    let up = axis.world(up_from_roll(axis.upright(view), old.roll.to_radians()));
+    let up = *derivative * up;
+    if new_view.cross(up) != DVec3::ZERO {
+        new.roll =
+            wrap_degrees(roll_from_up(axis.upright(unit(new_view)), axis.upright(up)).to_degrees());
+    }
+    if old.own.is_empty() {
+        return Ok(new);
+    }
+    let hand = turn.determinant().signum();
+    new.own = old.own.with(|own| {
+        own.roll_slope = own.roll_slope.map(|slope| hand * slope);
+        if !rigid {
+            own.velocities = None;
+        }
+        own.velocities = own.velocities.map(|own| Velocities {
+            reach: hand * (turn * own.reach),
+            leave: hand * (turn * own.leave),
+        });
+        if !rigid || hand < 0.0 {
+            own.turning = None;
+        } else if let Some(part) = &mut own.turning {
+            // Its quaternions are those of upright axes.
+            let turn = DQuat::from_mat3(&turn);
+            let xyz = axis.upright(DVec3::new(turn.x, turn.y, turn.z));
+            let turn = DQuat::from_xyzw(xyz.x, xyz.y, xyz.z, turn.w);
+            part.control = part.control.map(|q| (turn * q).normalize());
+        }
+    })?;
+    Ok(new)
+}
+
+#[cfg(test)]
+#[path = "transform_tests.rs"]
+mod tests;

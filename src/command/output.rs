@@ -1,0 +1,48 @@
+//! Where the paths go that a tool makes.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use vides::document::{Document, Edit};
+
+use super::{Failure, input, print};
+
+/// Where the path goes that is made.
+#[derive(Args)]
+pub(super) struct Output {
+    /// Where the path goes; - is standard output
+    #[arg(short, long, value_name = "OUT.vid", default_value = "-")]
+    output: PathBuf,
+}
+
+impl Output {
+    pub(super) fn to(output: PathBuf) -> Self {
+        Self { output }
+    }
+
+    pub(super) fn write(&self, document: &Document) -> Result<(), Failure> {
+        if input::is_standard_stream(&self.output) {
+            return print(&document.to_toml()?);
+        }
+        Ok(document.save(&self.output)?)
+    }
+
+    /// Does an edit of a file's path, and writes it.
+    pub(super) fn edited(&self, file: &Path, edit: Edit) -> Result<(), Failure> {
+        self.applied(input::load(file)?, file, edit)
+    }
+
+    /// The same of a document that has been read.
+    pub(super) fn applied(
+        &self,
+        document: Document,
+        file: &Path,
+        edit: Edit,
+    ) -> Result<(), Failure> {
+        let mut document = document.without_history();
+        document
+            .apply(edit)
+            .map_err(|error| Failure::from(error.at(input::name(file))))?;
+        self.write(&document)
+    }
+}

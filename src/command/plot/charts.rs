@@ -1,0 +1,228 @@
+//! What changes over the frames, each in a chart of its own.
+
+use vides::glam::{DQuat, DVec3};
+use vides::path::Pose;
+use vides::tools::clearance::Clearance;
+
+use super::svg::{Anchor, Spot, Svg};
+use super::{Film, MARGIN, WIDTH};
+
+/// Room for the numbers at the left, the name above and the frames below.
+const SCALE: f64 = 48.0;
+const NAME: f64 = 26.0;
+const FRAMES: f64 = 44.0;
+/// Height of one chart.
+const HEIGHT: f64 = 84.0;
+
+/// One chart: its name, whether it has the colour of the way or of the view, its
+/// values over frames, and kinds of findings that are marked in it.
+pub(super) struct Chart {
+    name: &'static str,
+    of_way: bool,
+    values: Vec<Spot>,
+    kinds: &'static [&'static str],
+}
+
+/// Height of all charts together.
+pub(super) fn height(charts: usize) -> f64 {
+    charts as f64 * (HEIGHT + NAME) + FRAMES
+}
+
+/// All charts of a film.
+pub(super) fn of(film: &Film<'_>) -> vides::Result<Vec<Chart>> {
+    let (info, space) = (film.document.info(), film.document.path().space);
+    let fps = info.fps;
+    let place = |pose: &Pose| DVec3::from_array(pose.vrp);
+    // Differences over frames, which lie between two of them.
+    let samples = &film.samples;
+    let between = |value: &dyn Fn(&Pose, &Pose) -> f64| -> Vec<Spot> {
+        let pair = |pair: &[(f64, Pose)]| {
+            let [(a, from), (b, to)] = [pair[0], pair[1]];
+            (0.5 * (a + b), value(&from, &to) * fps / (b - a))
+        };
+        samples.windows(2).map(pair).collect()
+    };
+    let at = |value: &dyn Fn(&Pose) -> f64| -> Vec<Spot> {
+        samples
+            .iter()
+            .map(|(frame, pose)| (*frame, value(pose)))
+            .collect()
+    };
+    let acceleration = samples.windows(3).map(|three| {
+        let [a, b, c] = [0, 1, 2].map(|k| place(&three[k].1));
+        let step = three[1].0 - three[0].0;
+        (
+            three[1].0,
+            (a - 2.0 * b + c).length() * (fps / step).powi(2),
+        )
+    });
+    let turn = |from: &Pose, to: &Pose| {
+        let [a, b] = [from, to].map(|pose| {
+            let (view, up) = (DVec3::from_array(pose.vpn), DVec3::from_array(pose.vup));
+            DQuat::from_mat3(&vides::glam::DMat3::from_cols(up.cross(view), up, view))
+        });
+        a.angle_between(b).to_degrees()
+    };
+    let roll = |pose: &Pose| {
+        let [view, up] = [pose.vpn, pose.vup].map(|v| space.up.upright(v.into()));
+        vides::math::orientation::roll_from_up(view, up).to_degrees()
+    };
+    let mut charts = vec![
+        Chart {
+            name: "Speed, length per second",
+            of_way: true,
+            values: between(&|a, b| place(a).distance(place(b))),
+            kinds: &["speed-jump", "cusp", "corner", "space"],
+        },
+        Chart {
+            name: "Acceleration, length per second squared",
+            of_way: true,
+            values: acceleration.collect(),
+            kinds: &["acceleration"],
+        },
+        Chart {
+            name: "Turning, degrees per second",
+            of_way: false,
+            values: between(&turn),
+            kinds: &[
+                "turning",
+                "turning-acceleration",
+                "view-jump",
+                "half-turn",
+                "pole",
+            ],
+        },
+        Chart {
+            name: "Roll, degrees",
+            of_way: false,
+            values: at(&roll),
+            kinds: &["redundant"],
+        },
+        Chart {
+            name: "Zoom, mm",
+            of_way: false,
+            values: at(&|pose| pose.zoom),
+            kinds: &["zoom"],
+        },
+    ];
+    if !info.object.is_empty() {
+        let object = Clearance::new(&info.mesh()?)?;
+        charts.push(Chart {
+            name: "Clearance, length",
+            of_way: true,
+            values: at(&|pose| object.distance(place(pose), f64::INFINITY).unwrap_or(0.0)),
+            kinds: &["clearance", "through", "nothing-to-see", "target"],
+        });
+    }
+    Ok(charts)
+}
+
+pub(super) fn draw(svg: &mut Svg, film: &Film<'_>, charts: &[Chart], top: f64) {
+    let (left, width) = (MARGIN + SCALE, WIDTH - 2.0 * MARGIN - SCALE);
+    let gaps = film.frames.saturating_sub(1).max(1) as f64;
+    let x = |frame: f64| left + width * (frame - 1.0) / gaps;
+    for (k, chart) in charts.iter().enumerate() {
+        let y = top + k as f64 * (HEIGHT + NAME) + NAME;
+        svg.group(&format!("chart-{k}"), "", |svg| {
+            one(svg, film, chart, &x, (left, y, width));
+        });
+    }
+    // Numbers of frames below all.
+    let bottom = top + charts.len() as f64 * (HEIGHT + NAME);
+    let quiet = format!("fill=\"{}\"", film.style.quiet);
+    let first = f64::from(film.document.info().first_frame);
+    let step = scale(gaps / 3.0).0.max(1.0);
+    let mut number = (first / step).ceil() * step;
+    while number <= first + gaps {
+        let place = x(number - first + 1.0);
+        let text = format!("{number:.0}");
+        svg.text((place, bottom + 18.0), Anchor::Middle, &text, &quiet);
+        number += step;
+    }
+    svg.text(
+        (left + width / 2.0, bottom + 35.0),
+        Anchor::Middle,
+        "Frame",
+        &quiet,
+    );
+}
+
+fn one(
+    svg: &mut Svg,
+    film: &Film<'_>,
+    chart: &Chart,
+    x: &dyn Fn(f64) -> f64,
+    (left, top, width): (f64, f64, f64),
+) {
+    let style = film.style;
+    let colour = if chart.of_way { style.way } else { style.view };
+    let name = format!("fill=\"{colour}\" font-weight=\"bold\"");
+    svg.text((left, top - 7.0), Anchor::Start, chart.name, &name);
+    // Every other section on a band.
+    let sections = film.document.timeline(|timeline| {
+        let all = (0..timeline.section_count()).map(|k| (k, timeline.section(k)));
+        all.filter(|(_, section)| section.frames > 0)
+            .collect::<Vec<_>>()
+    });
+    if let (Ok(sections), Ok(sampler)) = (sections, film.document.sampler()) {
+        for (number, section) in sections.iter().step_by(2) {
+            let first = sampler.first_frame(*number) as f64 - 1.0;
+            let (from, to) = (x(first), x(first + section.frames as f64));
+            svg.rectangle(
+                (from, top),
+                to - from,
+                HEIGHT,
+                &format!("fill=\"{}\"", style.band),
+            );
+        }
+    }
+    for finding in film
+        .found
+        .iter()
+        .filter(|finding| chart.kinds.contains(&finding.kind))
+    {
+        let (from, to) = (x(finding.first_frame), x(finding.last_frame));
+        let wide = (to - from).max(2.0);
+        let fill = format!("fill=\"{}\" opacity=\"0.25\"", style.wrong);
+        svg.rectangle((0.5 * (from + to - wide), top), wide, HEIGHT, &fill);
+    }
+    let values = chart.values.iter().map(|(_, value)| *value);
+    let (low, high) = values.fold((0.0_f64, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
+    let (step, decimals) = scale((high - low).max(1e-9 * high.abs()));
+    let (low, mut high) = (
+        (low / step).floor() * step,
+        (high / step - 1e-9).ceil() * step,
+    );
+    if high <= low {
+        high = low + step;
+    }
+    let y = |value: f64| top + HEIGHT - HEIGHT * (value - low) / (high - low);
+    let count = ((high - low) / step).round() as i32;
+    for k in 0..=count {
+        let value = low + step * f64::from(k);
+        let hair = format!("stroke=\"{}\"", style.hair);
+        svg.line((left, y(value)), (left + width, y(value)), &hair);
+        let text = format!("{value:.decimals$}");
+        let quiet = format!("fill=\"{}\"", style.quiet);
+        svg.text((left - 8.0, y(value) + 4.0), Anchor::End, &text, &quiet);
+    }
+    let spots: Vec<Spot> = chart.values.iter().map(|&(f, v)| (x(f), y(v))).collect();
+    if spots.len() > 1 {
+        svg.polyline(&spots, &format!("stroke=\"{colour}\" stroke-width=\"1.8\""));
+    }
+}
+
+/// A round step of which two to four reach over a range, and its decimals.
+fn scale(range: f64) -> (f64, usize) {
+    if !(range > 1e-9 && range.is_finite()) {
+        return (1.0, 0);
+    }
+    let power = 10_f64.powf((range / 4.0).log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0].map(|factor| factor * power);
+    let step = steps
+        .into_iter()
+        .find(|step| range / step <= 4.0)
+        .unwrap_or(10.0 * power);
+    let decimals = (-(step.log10() + 1e-9).floor()).clamp(0.0, 12.0) as usize;
+    (step, decimals)
+}

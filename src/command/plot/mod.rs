@@ -1,0 +1,160 @@
+//! `vides plot`: a path and its film as a picture. Three views of the way, the view
+//! directions as a curve on the sphere with ticks for up (the thesis's wish for a way to
+//! show orientation), and what changes over the frames, findings of a check marked.
+
+mod charts;
+mod svg;
+mod views;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use vides::document::{Document, save};
+use vides::path::{Pose, Timeline};
+use vides::tools::check::Finding;
+
+use super::{Failure, input, print};
+use svg::{Anchor, Svg};
+
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// The path; - is standard input
+    #[arg(value_name = "FILE.vid")]
+    file: PathBuf,
+    /// Where the picture goes, as SVG; - is standard output
+    #[arg(short, long, value_name = "OUT.svg", default_value = "-")]
+    output: PathBuf,
+    /// On a dark ground
+    #[arg(long)]
+    dark: bool,
+}
+
+/// Colours of a picture.
+struct Style {
+    ground: &'static str,
+    /// Headings and names.
+    ink: &'static str,
+    /// Everything that explains.
+    quiet: &'static str,
+    /// Thin lines that part and measure.
+    hair: &'static str,
+    /// Bands behind every other section.
+    band: &'static str,
+    way: &'static str,
+    view: &'static str,
+    object: &'static str,
+    /// Findings.
+    wrong: &'static str,
+}
+
+const LIGHT: Style = Style {
+    ground: "#ffffff",
+    ink: "#1d2733",
+    quiet: "#66717e",
+    hair: "#d9dee4",
+    band: "#f3f5f8",
+    way: "#1f62b5",
+    view: "#c8541b",
+    object: "#8a929b",
+    wrong: "#d02f3f",
+};
+
+const DARK: Style = Style {
+    ground: "#16191e",
+    ink: "#e8ebef",
+    quiet: "#98a2ae",
+    hair: "#39414b",
+    band: "#1e232a",
+    way: "#6ea8f0",
+    view: "#f0945c",
+    object: "#77818c",
+    wrong: "#ff6b78",
+};
+
+/// Width of a picture, and its margin.
+const WIDTH: f64 = 960.0;
+const MARGIN: f64 = 28.0;
+
+/// Poses that are looked at: more than a chart has columns.
+const POSES: usize = 2_000;
+
+/// What the parts of a picture are drawn of.
+struct Film<'a> {
+    document: &'a Document,
+    style: &'a Style,
+    /// Frames from 1, whole ones unless there are too many.
+    samples: Vec<(f64, Pose)>,
+    found: Vec<Finding>,
+    frames: usize,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let to_file = !input::is_standard_stream(&arguments.output);
+    let svg = |ending: &std::ffi::OsStr| ending.eq_ignore_ascii_case("svg");
+    if to_file && !arguments.output.extension().is_some_and(svg) {
+        return Err(Failure::Usage(format!(
+            "{}: a plot is written as .svg",
+            arguments.output.display()
+        )));
+    }
+    let document = input::load(&arguments.file)?;
+    let style = if arguments.dark { &DARK } else { &LIGHT };
+    let text = picture(&document, style)
+        .map_err(|error| Failure::from(error.at(input::name(&arguments.file))))?;
+    if to_file {
+        Ok(save::save(&arguments.output, text.as_bytes())?)
+    } else {
+        print(&text)
+    }
+}
+
+fn picture(document: &Document, style: &Style) -> vides::Result<String> {
+    let sampler = document.sampler()?;
+    let frames = sampler.frame_count();
+    let count = frames.min(POSES);
+    let mut samples = Vec::with_capacity(count);
+    for k in 0..count {
+        let frame = if frames > count {
+            1.0 + (frames - 1) as f64 * k as f64 / (count - 1) as f64
+        } else {
+            1.0 + k as f64
+        };
+        samples.push((frame, sampler.pose(frame)?));
+    }
+    let film = Film {
+        document,
+        style,
+        samples,
+        found: document.check(None)?,
+        frames,
+    };
+    let title = match document.info().title.as_str() {
+        "" => "Camera path",
+        title => title,
+    };
+    let charts = charts::of(&film)?;
+    let top = 84.0;
+    let side = (WIDTH - 4.0 * MARGIN) / 3.0;
+    let middle = top + side + 44.0;
+    let bottom = middle + side + 44.0;
+    let height = bottom + charts::height(charts.len());
+    let mut svg = Svg::new(WIDTH, height, title, style.ground);
+    let ink = format!(
+        "fill=\"{}\" font-size=\"21\" font-weight=\"bold\"",
+        style.ink
+    );
+    svg.text((MARGIN, 40.0), Anchor::Start, &svg::cut(title, 560.0), &ink);
+    let length = document.timeline(Timeline::length)?;
+    let summary = format!(
+        "{} points, length {length:.2}, {frames} frames, {:.1} seconds",
+        document.path().points.len(),
+        frames as f64 / document.info().fps,
+    );
+    let quiet = format!("fill=\"{}\"", style.quiet);
+    svg.text((MARGIN, 62.0), Anchor::Start, &summary, &quiet);
+    views::draw(&mut svg, &film, top, side);
+    views::sphere(&mut svg, &film, (MARGIN, middle), side);
+    views::findings(&mut svg, &film, (2.0 * MARGIN + side, middle), 2.0 * side);
+    charts::draw(&mut svg, &film, &charts, bottom);
+    Ok(svg.finish())
+}

@@ -1,0 +1,321 @@
+//! Tools on paths: points moved and deformed, blocks, blends.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand, ValueEnum};
+use vides::deform::{Bounds, Deformation};
+use vides::document::{Document, Edit};
+use vides::glam::{DMat4, DQuat, DVec3};
+use vides::path::CameraPath;
+use vides::tools::blend;
+use vides::tools::block::{self, Fit};
+
+use super::output::Output;
+use super::{Failure, input, moves};
+
+#[derive(Subcommand)]
+pub(super) enum Tool {
+    /// Moves, turns, scales or mirrors points of a path
+    Transform(Transform),
+    /// Tapers, twists, bends or freely deforms points of a path
+    Deform(Deform),
+    /// Writes a range of points as a path of its own
+    Extract(Extract),
+    /// Puts a path into another one
+    Insert(Insert),
+    /// Turns the way of a path round
+    Reverse {
+        /// The path; - is standard input
+        #[arg(value_name = "FILE.vid")]
+        file: PathBuf,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// Lets a path go its way several times
+    Repeat {
+        /// The path; - is standard input
+        #[arg(value_name = "FILE.vid")]
+        file: PathBuf,
+        /// How often
+        #[arg(value_name = "TIMES")]
+        times: usize,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// Mixes paths by weights that sum to 1
+    Blend {
+        /// The paths
+        #[arg(value_name = "FILE.vid", required = true, num_args = 2..)]
+        files: Vec<PathBuf>,
+        /// A weight for each path; without it all have the same
+        #[arg(long, value_name = "NUMBERS", value_parser = list, allow_hyphen_values = true)]
+        weights: Option<Numbers>,
+        #[command(flatten)]
+        output: Output,
+    },
+}
+
+/// Numbers with commas between.
+#[derive(Clone)]
+pub(super) struct Numbers(pub(super) Vec<f64>);
+
+pub(super) fn list(text: &str) -> Result<Numbers, String> {
+    moves::numbers(text).map(Numbers)
+}
+
+fn vector(text: &str) -> Result<DVec3, String> {
+    match moves::numbers(text)?[..] {
+        [x, y, z] => Ok(DVec3::new(x, y, z)),
+        _ => Err("three numbers with commas between are needed".to_owned()),
+    }
+}
+
+/// Points counted from 1, as `vides info` shows them.
+#[derive(Clone, Copy)]
+pub(super) struct Range {
+    first: usize,
+    last: usize,
+}
+
+fn range(text: &str) -> Result<Range, String> {
+    let (first, last) = text.split_once('-').unwrap_or((text, text));
+    match (first.trim().parse(), last.trim().parse()) {
+        (Ok(first), Ok(last)) if first > 0 && last > 0 => Ok(Range { first, last }),
+        _ => Err("points are given as 3 or 2-5, counted from 1".to_owned()),
+    }
+}
+
+/// The points that are picked: all unless told.
+fn picked(range: Option<Range>, path: &CameraPath) -> Result<Vec<usize>, Failure> {
+    let count = path.points.len();
+    let Range { first, last } = range.unwrap_or(Range {
+        first: 1,
+        last: count,
+    });
+    if first > last || last > count {
+        return Err(Failure::Input(format!(
+            "there are no points {first} to {last}: the path has points 1 to {count}"
+        )));
+    }
+    Ok((first - 1..last).collect())
+}
+
+#[derive(Clone, Copy, Default, ValueEnum)]
+enum Axis {
+    X,
+    #[default]
+    Y,
+    Z,
+}
+
+impl Axis {
+    fn unit(self) -> DVec3 {
+        match self {
+            Self::X => DVec3::X,
+            Self::Y => DVec3::Y,
+            Self::Z => DVec3::Z,
+        }
+    }
+}
+
+#[derive(Args)]
+pub(super) struct Transform {
+    /// The path; - is standard input
+    #[arg(value_name = "FILE.vid")]
+    file: PathBuf,
+    /// The points, as 3 or 2-5; all unless told
+    #[arg(long, value_name = "POINTS", value_parser = range)]
+    points: Option<Range>,
+    /// Moves by this, after all else
+    #[arg(long = "move", value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    by: Option<DVec3>,
+    /// Turns by so many degrees about --axis
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    turn: Option<f64>,
+    /// The axis of --turn
+    #[arg(long, value_enum, default_value_t)]
+    axis: Axis,
+    /// Scales by this
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
+    scale: Option<f64>,
+    /// Mirrors along this axis
+    #[arg(long, value_enum)]
+    mirror: Option<Axis>,
+    /// What stays where it is; the middle of the points unless told
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    about: Option<DVec3>,
+    /// What the cameras see goes along
+    #[arg(long)]
+    with_targets: bool,
+    #[command(flatten)]
+    output: Output,
+}
+
+#[derive(Args)]
+pub(super) struct Deform {
+    /// The path; - is standard input
+    #[arg(value_name = "FILE.vid")]
+    file: PathBuf,
+    /// taper, twist, bend or free-form
+    #[arg(value_name = "KIND")]
+    kind: String,
+    /// Its numbers: an axis (0, 1, 2) and what vides(1) says
+    #[arg(value_name = "NUMBER", allow_negative_numbers = true)]
+    numbers: Vec<f64>,
+    /// The points, as 3 or 2-5; all unless told
+    #[arg(long, value_name = "POINTS", value_parser = range)]
+    points: Option<Range>,
+    /// Least x,y,z and greatest x,y,z of the box; that of the points unless told
+    #[arg(long = "box", value_name = "NUMBERS", value_parser = list, allow_hyphen_values = true)]
+    bounds: Option<Numbers>,
+    /// The targets are deformed too
+    #[arg(long)]
+    with_targets: bool,
+    #[command(flatten)]
+    output: Output,
+}
+
+#[derive(Args)]
+pub(super) struct Extract {
+    /// The path; - is standard input
+    #[arg(value_name = "FILE.vid")]
+    file: PathBuf,
+    /// The points, as 2-5; on a closed path as 5-2 too
+    #[arg(long, value_name = "POINTS", value_parser = range)]
+    points: Range,
+    #[command(flatten)]
+    output: Output,
+}
+
+#[derive(Args)]
+pub(super) struct Insert {
+    /// The path; - is standard input
+    #[arg(value_name = "FILE.vid")]
+    file: PathBuf,
+    /// The path that is put in
+    #[arg(value_name = "BLOCK.vid")]
+    block: PathBuf,
+    /// The point behind which it is put; the last one unless told
+    #[arg(long, value_name = "POINT")]
+    at: Option<usize>,
+    /// How it is brought to its place
+    #[arg(long, value_enum, default_value_t)]
+    fit: FitName,
+    /// Its absolute targets stay where they are
+    #[arg(long)]
+    keep_targets: bool,
+    #[command(flatten)]
+    output: Output,
+}
+
+#[derive(Clone, Copy, Default, ValueEnum)]
+enum FitName {
+    /// As it lies
+    None,
+    /// Moved, so that it begins where the path is
+    #[default]
+    Move,
+    /// Turned too, in the direction of travel
+    Turn,
+    /// Moved, turned and scaled, so that it ends at the next point
+    Scale,
+}
+
+pub(super) fn run(tool: &Tool) -> Result<(), Failure> {
+    match tool {
+        Tool::Transform(arguments) => transform(arguments),
+        Tool::Deform(arguments) => deform(arguments),
+        Tool::Extract(arguments) => {
+            let (path, info) = input::load(&arguments.file)?.into_parts();
+            let Range { first, last } = arguments.points;
+            let block = block::extract(&path, first - 1, last - 1)
+                .map_err(|error| vides::Error::from(error).at(input::name(&arguments.file)))?;
+            arguments.output.write(&Document::from_parts(block, info)?)
+        }
+        Tool::Insert(arguments) => {
+            let document = input::load(&arguments.file)?;
+            let count = document.path().points.len();
+            let at = arguments.at.unwrap_or(count);
+            if at == 0 || at > count {
+                return Err(Failure::Input(format!(
+                    "there is no point {at}: the path has points 1 to {count}"
+                )));
+            }
+            let (block, _) = input::load(&arguments.block)?.into_parts();
+            let insert = Edit::InsertPath {
+                at: at - 1,
+                block: Box::new(block),
+                fit: match arguments.fit {
+                    FitName::None => Fit::None,
+                    FitName::Move => Fit::Move,
+                    FitName::Turn => Fit::Turn,
+                    FitName::Scale => Fit::Scale,
+                },
+                with_targets: !arguments.keep_targets,
+            };
+            arguments.output.applied(document, &arguments.file, insert)
+        }
+        Tool::Reverse { file, output } => output.edited(file, Edit::Reverse),
+        Tool::Repeat {
+            file,
+            times,
+            output,
+        } => output.edited(file, Edit::Repeat(*times)),
+        Tool::Blend {
+            files,
+            weights,
+            output,
+        } => {
+            let mut paths = Vec::new();
+            let mut info = None;
+            for file in files {
+                let (path, of_file) = input::load(file)?.into_parts();
+                info.get_or_insert(of_file);
+                paths.push(path);
+            }
+            let same = || vec![1.0 / paths.len() as f64; paths.len()];
+            let weights = weights.as_ref().map_or_else(same, |given| given.0.clone());
+            let blend = blend::blend(&paths.iter().collect::<Vec<_>>(), &weights)?;
+            output.write(&Document::from_parts(blend, info.unwrap_or_default())?)
+        }
+    }
+}
+
+fn transform(arguments: &Transform) -> Result<(), Failure> {
+    let document = input::load(&arguments.file)?;
+    let points = picked(arguments.points, document.path())?;
+    let places = points.iter().map(|&at| document.path().points[at].position);
+    let middle = places.sum::<DVec3>() / points.len() as f64;
+    let about = arguments.about.unwrap_or(middle);
+    let mut scale = DVec3::splat(arguments.scale.unwrap_or(1.0));
+    if let Some(axis) = arguments.mirror {
+        scale *= 1.0 - 2.0 * axis.unit();
+    }
+    let angle = arguments.turn.unwrap_or(0.0).to_radians();
+    let turn = DQuat::from_axis_angle(arguments.axis.unit(), angle);
+    let by = arguments.by.unwrap_or(DVec3::ZERO);
+    let matrix = DMat4::from_scale_rotation_translation(scale, turn, about + by)
+        * DMat4::from_translation(-about);
+    let edit = Edit::TransformPoints {
+        points,
+        matrix,
+        with_targets: arguments.with_targets,
+    };
+    arguments.output.applied(document, &arguments.file, edit)
+}
+
+fn deform(arguments: &Deform) -> Result<(), Failure> {
+    let document = input::load(&arguments.file)?;
+    let bounds = match arguments.bounds.as_ref().map(|given| &given.0[..]) {
+        None => None,
+        Some(&[a, b, c, d, e, f]) => Some(Bounds::new(DVec3::new(a, b, c), DVec3::new(d, e, f))?),
+        Some(_) => return Err(Failure::Usage("--box takes six numbers".to_owned())),
+    };
+    let edit = Edit::DeformPoints {
+        points: picked(arguments.points, document.path())?,
+        deformation: Deformation::new(&arguments.kind, &arguments.numbers)?,
+        bounds,
+        with_targets: arguments.with_targets,
+    };
+    arguments.output.applied(document, &arguments.file, edit)
+}

@@ -1,0 +1,246 @@
+//! Recorded poses fitted, and paths checked.
+
+use std::ffi::{CStr, c_char, c_int};
+
+use super::border::border;
+use super::path::{edit_by, keep, read};
+use super::pointers::{Out, check, count, slice, slice_mut, text};
+use super::scene_tracks::mesh;
+use super::scene_types::V_MESH;
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK};
+use super::types::{V_PATH, V_POSE};
+use crate::document::{Document, Edit, Info};
+use crate::path::Pose;
+use crate::tools::check::{COUNT, Finding, KINDS};
+use crate::tools::fit::{self, Tolerance};
+
+const NO_NAME: &str = "a name is not UTF-8";
+
+/// Something that v_path_check() found. It does not grow.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct v_finding {
+    /// its kind, see v_path_check(); the text is the library's and stays
+    pub kind: *const c_char,
+    /// poses counted from 1, where it begins
+    pub first_frame: f64,
+    /// and where it ends
+    pub last_frame: f64,
+    /// the support point at which the section begins
+    pub point: c_int,
+    /// the orientation of that point with which it begins
+    pub orientation: c_int,
+    /// the worst value
+    pub value: f64,
+    /// the limit of its kind
+    pub limit: f64,
+}
+
+pub type V_FINDING = v_finding;
+
+/// The names of the kinds, for C.
+const NAMES: [&CStr; COUNT] = [
+    c"space",
+    c"cusp",
+    c"speed-jump",
+    c"acceleration",
+    c"view-jump",
+    c"turning",
+    c"turning-acceleration",
+    c"half-turn",
+    c"pole",
+    c"target",
+    c"clearance",
+    c"through",
+    c"nothing-to-see",
+    c"zoom",
+    c"redundant",
+    c"corner",
+];
+
+fn finding(found: &Finding) -> Answer<V_FINDING> {
+    let at = KINDS.iter().position(|kind| kind.limit.name == found.kind);
+    Ok(v_finding {
+        kind: NAMES[at.unwrap_or(0)].as_ptr(),
+        first_frame: found.first_frame,
+        last_frame: found.last_frame,
+        point: count(found.point)?,
+        orientation: count(found.orientation)?,
+        value: found.value,
+        limit: found.limit,
+    })
+}
+
+/// A path of few support points that passes recorded poses: each position within
+/// tolerance, each view, up and field of view within angle degrees, at its time. Noise
+/// of up to half of that is taken out.
+///
+/// seconds  when each pose was taken, increasing; NULL: one a frame
+/// count    at least three
+/// fps      frames in a second of the path
+/// *path is the caller's, to be freed with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (poses that are no
+/// path: all the same, a number that is not finite, a view without direction),
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_fit_poses(
+    poses: *const V_POSE,
+    seconds: *const f64,
+    count: usize,
+    fps: f64,
+    tolerance: f64,
+    angle: f64,
+    path: *mut *mut V_PATH,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(path)?;
+        // SAFETY: so many poses, as the header says; the layouts are one.
+        let poses = unsafe { slice(poses.cast::<Pose>(), count) }?;
+        let seconds = if seconds.is_null() {
+            None
+        } else {
+            // SAFETY: so many doubles, as the header says.
+            Some(unsafe { slice(seconds, count) }?)
+        };
+        let tolerance = Tolerance {
+            position: tolerance,
+            angle,
+        };
+        let fitted = fit::fit(poses, seconds, fps, tolerance, &mut |_, _| true)?;
+        let info = Info {
+            fps,
+            ..Info::default()
+        };
+        let made = keep(Document::from_parts(fitted, info)?.without_history())?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// Looks for what will look wrong in the film. Of each kind there is one finding for
+/// each run of frames, in the order of the frames. Lengths count in half sizes of the
+/// space:
+///
+/// "space"         the camera is outside the space by more than the limit (0)
+/// "cusp"          curve or pace nearly stop in a section (0.02 of the mean)
+/// "speed-jump"    at a key, in shares of the mean speed (0.5)
+/// "acceleration"  in half sizes a second squared (10)
+/// "view-jump"     degrees at once (1)
+/// "turning"       degrees a second (60)
+/// "turning-acceleration"  degrees a second squared (300)
+/// "half-turn"     that might go either way
+/// "pole"          degrees from straight up or down, below the limit (3)
+/// "target"        the target is nearer than the limit (0.05)
+/// "clearance"     the object is nearer than the limit (0.02)
+/// "through"       the way leads through a triangle of the object
+/// "nothing-to-see"  nothing of the object in the picture, seconds (1)
+/// "zoom"          mm a second (30)
+/// "redundant"     several keys stand where one would do
+/// "corner"        degrees by which the way turns at a point (60)
+///
+/// object  what the camera must not come near to, in the coordinates of the path;
+///     NULL: the path's own object, if it has one
+/// findings  room for capacity of them; *count is how many there are. With a
+///     capacity too small nothing else is written and the answer is V_ERR_SIZE;
+///     findings NULL with capacity 0 only asks for *count
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+/// V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_check(
+    path: *const V_PATH,
+    object: *const V_MESH,
+    findings: *mut V_FINDING,
+    capacity: usize,
+    count: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(count)?;
+        if !findings.is_null() || capacity != 0 {
+            check(findings)?;
+        }
+        let object = if object.is_null() {
+            None
+        } else {
+            // SAFETY: a mesh, as the header says.
+            Some(unsafe { mesh(object) }?)
+        };
+        let found = read(path, |document| Ok(document.check(object.as_ref())?))?;
+        if !findings.is_null() && capacity >= found.len() {
+            // SAFETY: room for so many, as the header says; any bits make one.
+            let room = unsafe { slice_mut(findings, found.len()) }?;
+            for (room, found) in room.iter_mut().zip(&found) {
+                *room = finding(found)?;
+            }
+        }
+        // SAFETY: room for a size_t, as the header says.
+        unsafe { out.write(found.len()) };
+        if findings.is_null() || capacity >= found.len() {
+            return Ok(V_OK);
+        }
+        Err(Failure::Border(
+            V_ERR_SIZE,
+            "the array is too small for the findings; the count tells how many there are",
+        ))
+    })
+}
+
+/// Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
+/// kind), V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_limit(
+    path: *mut V_PATH,
+    kind: *const c_char,
+    limit: f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let kind = unsafe { text(kind, NO_NAME) }?;
+        edit_by(path, |document| {
+            let mut info = document.info().clone();
+            info.limits.set(kind, limit)?;
+            Ok(Edit::SetInfo(Box::new(info)))
+        })
+    })
+}
+
+/// The limit of a kind of finding, see v_path_check().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_limit(
+    path: *const V_PATH,
+    kind: *const c_char,
+    limit: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(limit)?;
+        // SAFETY: a text ended by zero, as the header says.
+        let kind = unsafe { text(kind, NO_NAME) }?;
+        let limit = read(path, |document| Ok(document.info().limits.get(kind)?))?;
+        // SAFETY: room for a double, as the header says.
+        unsafe { out.write(limit) };
+        Ok(V_OK)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_names_are_those_of_the_engine() {
+        let names = NAMES.map(|name| name.to_str().unwrap());
+        assert_eq!(names, KINDS.each_ref().map(|kind| kind.limit.name));
+        let source = include_str!("checks.rs");
+        for kind in &KINDS {
+            let line = source
+                .lines()
+                .find(|line| line.starts_with(&format!("/// \"{}\" ", kind.limit.name)));
+            let line = line.unwrap_or_else(|| panic!("{} is not in the header", kind.limit.name));
+            let told = format!("({}", kind.limit.default);
+            assert!(kind.limit.default == 0.0 || line.contains(&told), "{line}");
+        }
+    }
+}

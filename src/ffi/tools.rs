@@ -1,0 +1,366 @@
+//! Tools on paths: moves, points moved and deformed, blocks, blends.
+
+use std::ffi::{c_char, c_int};
+
+use glam::DMat4;
+
+use super::border::border;
+use super::path::{edit, keep, read};
+use super::pointers::{Out, index, read_array, slice, text};
+use super::scene_tracks::{bounds, deformation};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
+use super::types::V_PATH;
+use crate::document::{Document, Edit, Info};
+use crate::error::{OutOfRange, can_allocate, vec_with_room};
+use crate::path::{CameraPath, Space};
+use crate::tools::block::{self, Fit};
+use crate::tools::moves::Move;
+use crate::tools::{Parameter, blend};
+
+/// ==== How a block is put in, see v_path_insert_path() ====
+///
+/// V_FIT_NONE   as it lies
+/// V_FIT_MOVE   moved, so that it begins where the path is
+/// V_FIT_TURN   turned too, so that it goes on in the direction of travel
+/// V_FIT_SCALE  moved, turned and scaled, so that it also ends at the next point
+pub const V_FIT_NONE: c_int = 0;
+pub const V_FIT_MOVE: c_int = 1;
+pub const V_FIT_TURN: c_int = 2;
+pub const V_FIT_SCALE: c_int = 3;
+
+const NO_NAME: &str = "a name is not UTF-8";
+
+/// A new path, with frames per second and all else as in a new one.
+fn new_path(path: CameraPath) -> Answer<*mut V_PATH> {
+    keep(Document::from_parts(path, Info::default())?.without_history())
+}
+
+/// The path behind a handle, to be looked at while others are locked.
+fn copy(path: *const V_PATH) -> Answer<CameraPath> {
+    read(path, |document| Ok(document.path().try_clone()?))
+}
+
+/// The points from one to another.
+fn range(first: c_int, last: c_int) -> Answer<Vec<usize>> {
+    let (first, last) = (index(first)?, index(last)?);
+    if first > last {
+        return Err(OutOfRange::PointOrder.into());
+    }
+    let count = (last - first).saturating_add(1);
+    if count > crate::limits::MAX_POINTS {
+        return Err(Failure::Border(V_ERR_RANGE, "there are not so many points"));
+    }
+    let mut points = vec_with_room(count)?;
+    points.extend(first..=last);
+    Ok(points)
+}
+
+/// ==== Tools ====
+///
+/// A path by a ready-made move, at 25 frames a second. Its numbers stand in the
+/// order below, a place as three; those behind count have their defaults. Headings
+/// are seen from the target: 0 lies towards +z, 90 towards +x.
+///
+/// "orbit"  on a circle round a target
+///     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
+///     zoom mm (24), seconds (10)
+/// "spiral"  round a target with another radius and height at the end
+///     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
+///     zoom mm (24), seconds (10), end-radius (0.5), end-height (1)
+/// "arc"  on a part of a circle, from one heading to another
+///     around x y z (0), radius (1), height (0.4), from degrees (-45),
+///     to degrees (45), zoom mm (24), seconds (10)
+/// "flyby"  straight past a target that stays in view
+///     around x y z (0), distance (1), height (0.4), from degrees (0),
+///     length (3), zoom mm (24), seconds (10)
+/// "approach"  straight towards a target
+///     around x y z (0), distance (3), end-distance (1), from degrees (0),
+///     rise degrees (15), zoom mm (24), seconds (10)
+/// "dolly-zoom"  towards a target that keeps its size in the picture
+///     around x y z (0), distance (3), end-distance (1), from degrees (0),
+///     rise degrees (15), zoom mm (60), seconds (10)
+/// "crane"  straight up or down beside a target that stays in view
+///     around x y z (0), radius (1), height (-0.2), end-height (1),
+///     from degrees (0), zoom mm (24), seconds (10)
+/// "pan"  turns on the spot
+///     at x y z (0), from degrees (-45), to degrees (45), tilt degrees (0),
+///     zoom mm (24), seconds (10)
+/// "figure-eight"  on an eight that crosses above the target
+///     around x y z (0), radius (1), height (0.4), width (0.8), from degrees (0),
+///     zoom mm (24), seconds (10)
+///
+/// *path is the caller's, to be freed with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_from_move(
+    r#move: *const c_char,
+    parameters: *const f64,
+    count: usize,
+    path: *mut *mut V_PATH,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(path)?;
+        // SAFETY: a text ended by zero, as the header says.
+        let found = Move::named(unsafe { text(r#move, NO_NAME) }?)?;
+        if count > Parameter::count(found.parameters) {
+            return Err(Failure::Border(
+                V_ERR_RANGE,
+                "the move does not take so many numbers",
+            ));
+        }
+        let given = if count == 0 {
+            &[][..]
+        } else {
+            // SAFETY: so many doubles, as the header says.
+            unsafe { slice(parameters, count) }?
+        };
+        let made = new_path(found.path(given, Space::default(), Info::default().fps)?)?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// Moves, turns, scales and mirrors the support points from first_point to
+/// last_point, tangents that they own with them.
+///
+/// matrix  column by column, without shear; its last row is 0 0 0 1
+/// with_targets  1: what their cameras see goes along, targets, views and rolls;
+///     0: absolute targets stay, relative ones keep their direction
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear,
+/// or a point would lie on its own target), V_ERR_RANGE, V_ERR_MEMORY.
+/// cbindgen:ptrs-as-arrays=[[matrix; 16]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_transform(
+    path: *mut V_PATH,
+    first_point: c_int,
+    last_point: c_int,
+    matrix: *const f64,
+    with_targets: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: sixteen doubles, as the header says.
+        let matrix = DMat4::from_cols_array(&unsafe { read_array(matrix) }?);
+        let transform = Edit::TransformPoints {
+            points: range(first_point, last_point)?,
+            matrix,
+            with_targets: with_targets != 0,
+        };
+        edit(path, transform)
+    })
+}
+
+/// Deforms the support points from first_point to last_point as v_deform() does,
+/// tangents that they own with them.
+///
+/// box    NULL: that of the points' positions
+/// with_targets  1: their targets are deformed too; 0: they stay
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// cbindgen:ptrs-as-arrays=[[box; 6]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_deform(
+    path: *mut V_PATH,
+    first_point: c_int,
+    last_point: c_int,
+    kind: *const c_char,
+    parameters: *const f64,
+    count: usize,
+    r#box: *const f64,
+    with_targets: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: as the header says of v_deform().
+        let deformation = unsafe { deformation(kind, parameters, count) }?;
+        let bounds = if r#box.is_null() {
+            None
+        } else {
+            // SAFETY: six doubles, as the header says.
+            Some(bounds(unsafe { read_array(r#box) }?)?)
+        };
+        let deform = Edit::DeformPoints {
+            points: range(first_point, last_point)?,
+            deformation,
+            bounds,
+            with_targets: with_targets != 0,
+        };
+        edit(path, deform)
+    })
+}
+
+/// The support points from first_point to last_point as a path of their own, open,
+/// with the curve that they have; on a closed path first_point may lie behind
+/// last_point. *block is the caller's, to be freed with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+/// V_ERR_MEMORY, V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_extract(
+    path: *const V_PATH,
+    first_point: c_int,
+    last_point: c_int,
+    block: *mut *mut V_PATH,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(block)?;
+        let (first, last) = (index(first_point)?, index(last_point)?);
+        let taken = read(path, |document| {
+            Ok((
+                block::extract(document.path(), first, last)?,
+                document.info().fps,
+            ))
+        })?;
+        let info = Info {
+            fps: taken.1,
+            ..Info::default()
+        };
+        let made = keep(Document::from_parts(taken.0, info)?.without_history())?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// Puts a path in behind support point at; block stays as it is and may be the same
+/// path. Its curve stays, and all other of the path; at the join both ways have one
+/// direction. But with V_FIT_NONE its first point becomes one with point at, whose
+/// views stay; with V_FIT_SCALE its last one so with the next point. Its targets go
+/// along. A closed block ends where it begins. Names that are there already get a
+/// number.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
+/// direction, or no length to scale), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_insert_path(
+    path: *mut V_PATH,
+    at: c_int,
+    block: *const V_PATH,
+    fit: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let fit = match fit {
+            V_FIT_NONE => Fit::None,
+            V_FIT_MOVE => Fit::Move,
+            V_FIT_TURN => Fit::Turn,
+            V_FIT_SCALE => Fit::Scale,
+            _ => {
+                return Err(Failure::Border(
+                    V_ERR_RANGE,
+                    "there is no such way to put a path in",
+                ));
+            }
+        };
+        let block = copy(block)?;
+        can_allocate(size_of::<CameraPath>())?;
+        let insert = Edit::InsertPath {
+            at: index(at)?,
+            block: Box::new(block),
+            fit,
+            with_targets: true,
+        };
+        edit(path, insert)
+    })
+}
+
+/// Turns the way round: the film shows the same poses in reverse order. Views along
+/// the way look along the new one.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
+    border(V_ERR_INTERNAL, || edit(path, Edit::Reverse))
+}
+
+/// The way times times, each beginning where the one before ended, its targets with
+/// it; a closed path goes round so often.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, times: c_int) -> c_int {
+    border(V_ERR_INTERNAL, || edit(path, Edit::Repeat(index(times)?)))
+}
+
+/// The sum of paths times their weights: positions, curve, targets, roll, zoom and
+/// speeds, point by point; paths with different numbers of points are resampled to
+/// the largest of them by length first. All else is that of the path with the
+/// greatest weight.
+///
+/// weights  count numbers with the sum 1
+/// *blend is the caller's, to be freed with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_blend(
+    paths: *const *mut V_PATH,
+    weights: *const f64,
+    count: usize,
+    blend: *mut *mut V_PATH,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(blend)?;
+        if count > MOST_PATHS {
+            return Err(Failure::Border(
+                V_ERR_RANGE,
+                "so many paths cannot be blended",
+            ));
+        }
+        // SAFETY: so many handles and doubles, as the header says.
+        let (handles, weights) = unsafe { (slice(paths, count)?, slice(weights, count)?) };
+        let mut copies = vec_with_room(count)?;
+        for &handle in handles {
+            copies.push(copy(handle)?);
+        }
+        let mut all = vec_with_room(count)?;
+        all.extend(&copies);
+        let made = new_path(blend::blend(&all, weights)?)?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// More than anybody mixes.
+const MOST_PATHS: usize = 1_000;
+
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write as _;
+
+    use crate::tools::moves::MOVES;
+
+    /// The header's comment is the engine's table.
+    #[test]
+    fn the_moves_of_the_header_are_those_of_the_engine() {
+        let mut want = String::new();
+        for known in MOVES {
+            let _ = writeln!(want, "/// \"{}\"  {}", known.name, known.does);
+            let mut line = "///    ".to_owned();
+            for (k, parameter) in known.parameters.iter().enumerate() {
+                let mut word = parameter.name.to_owned();
+                if parameter.width == 3 {
+                    word += " x y z";
+                }
+                let unit = parameter.unit.name();
+                if !unit.is_empty() && unit != parameter.name {
+                    let _ = write!(word, " {unit}");
+                }
+                let last = k + 1 == known.parameters.len();
+                let _ = write!(
+                    word,
+                    " ({}){}",
+                    parameter.default,
+                    if last { "" } else { "," }
+                );
+                if line.len() + 1 + word.len() > 82 {
+                    want += &line;
+                    want += "\n";
+                    line = "///    ".to_owned();
+                }
+                line += " ";
+                line += &word;
+            }
+            want += &line;
+            want += "\n";
+        }
+        let source = include_str!("tools.rs");
+        assert!(source.contains(&want), "{want}");
+    }
+}

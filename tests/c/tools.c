@@ -1,0 +1,186 @@
+/* Tools on paths: moves, points moved and deformed, blocks, blends. */
+#include "check.h"
+
+static const double a_nan = NAN;
+
+static V_PATH *orbit(double turns, double seconds)
+{
+    V_PATH *path = NULL;
+    const double numbers[] = {0, 0.5, 0, 1.2, 0.4, 0, turns, 24, seconds};
+
+    OK(v_path_from_move("orbit", numbers, 9, &path));
+    return path;
+}
+
+static void an_orbit_is_round(void)
+{
+    V_PATH *path = orbit(2, 12), *plain = NULL;
+    V_POSE pose;
+    size_t count = 0, i;
+    int points;
+
+    OK(v_path_frame_count(path, &count));
+    CHECK(count == 300);
+    OK(v_path_point_count(path, &points));
+    CHECK(points == 25);
+    for (i = 1; i <= count; i++) {
+        OK(v_path_pose(path, (double)i, &pose));
+        NEAR(sqrt(pose.vrp[0] * pose.vrp[0] + pose.vrp[2] * pose.vrp[2]), 1.2, 1e-6);
+        NEAR(pose.vrp[1], 0.9, 1e-12);
+        /* The target is in the middle of the view. */
+        NEAR(pose.vpn[0] * pose.vrp[2] - pose.vpn[2] * pose.vrp[0], 0, 1e-12);
+    }
+    OK(v_path_from_move("pan", NULL, 0, &plain));
+    v_path_free(plain);
+    v_path_free(path);
+    plain = NULL;
+    STATUS(V_ERR_ARGUMENT, v_path_from_move("loop", NULL, 0, &plain));
+    STATUS(V_ERR_NULL, v_path_from_move("orbit", NULL, 1, &plain));
+    STATUS(V_ERR_RANGE, v_path_from_move("orbit", &a_nan, 999, &plain));
+    STATUS(V_ERR_ARGUMENT, v_path_from_move("orbit", &a_nan, 1, &plain));
+    CHECK(plain == NULL);
+}
+
+static void points_are_moved_and_deformed(void)
+{
+    V_PATH *path = orbit(1, 4);
+    double matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, -2, 3, 1};
+    const double twist[] = {1, 180}, box[] = {-3, -3, -3, 3, 3, 3};
+    double before[3], after[3];
+
+    OK(v_path_get_position(path, 3, before));
+    OK(v_path_transform(path, 0, 12, matrix, 1));
+    OK(v_path_get_position(path, 3, after));
+    NEAR(after[0] - before[0], 1, 1e-15);
+    NEAR(after[1] - before[1], -2, 1e-15);
+    matrix[4] = 0.5;
+    STATUS(V_ERR_ARGUMENT, v_path_transform(path, 0, 1, matrix, 1));
+    STATUS(V_ERR_RANGE, v_path_transform(path, 2, 1, matrix, 1));
+    STATUS(V_ERR_RANGE, v_path_transform(path, 0, 13, matrix, 1));
+    OK(v_path_get_position(path, 3, before));
+    OK(v_path_deform(path, 3, 3, "twist", twist, 2, box, 0));
+    OK(v_path_get_position(path, 3, after));
+    /* Turned by 180 degrees times the share of the height in the box; (u, v) are
+     * (z, x) about y. */
+    {
+        double angle = M_PI * (before[1] + 3) / 6;
+        NEAR(after[2], before[2] * cos(angle) - before[0] * sin(angle), 1e-14);
+        NEAR(after[0], before[2] * sin(angle) + before[0] * cos(angle), 1e-14);
+    }
+    STATUS(V_ERR_ARGUMENT, v_path_deform(path, 0, 1, "shear", twist, 2, box, 0));
+    v_path_free(path);
+}
+
+static void blocks(void)
+{
+    V_PATH *path = orbit(1, 4), *block = NULL, *blend = NULL, *both[2];
+    double weights[] = {0.25, 0.75}, one[3], two[3], mixed[3];
+    int points, k;
+
+    OK(v_path_extract(path, 0, 3, &block));
+    OK(v_path_point_count(block, &points));
+    CHECK(points == 4);
+    OK(v_path_insert_path(path, 12, block, V_FIT_TURN));
+    OK(v_path_point_count(path, &points));
+    CHECK(points == 16);
+    OK(v_path_insert_path(block, 3, block, V_FIT_MOVE));
+    OK(v_path_repeat(block, 2));
+    OK(v_path_point_count(block, &points));
+    CHECK(points == 13);
+    OK(v_path_get_position(block, 0, one));
+    OK(v_path_reverse(block));
+    OK(v_path_get_position(block, 12, two));
+    CHECK(memcmp(one, two, sizeof one) == 0);
+    both[0] = path;
+    both[1] = block;
+    OK(v_path_blend(both, weights, 2, &blend));
+    OK(v_path_get_position(path, 0, one));
+    OK(v_path_get_position(block, 0, two));
+    OK(v_path_get_position(blend, 0, mixed));
+    for (k = 0; k < 3; k++)
+        NEAR(mixed[k], 0.25 * one[k] + 0.75 * two[k], 1e-12);
+    weights[0] = 0.5;
+    STATUS(V_ERR_RANGE, v_path_blend(both, weights, 2, &blend));
+    STATUS(V_ERR_RANGE, v_path_extract(path, 2, 2, &blend));
+    STATUS(V_ERR_RANGE, v_path_insert_path(path, 0, block, 4));
+    STATUS(V_ERR_RANGE, v_path_insert_path(path, 15, block, V_FIT_SCALE));
+    STATUS(V_ERR_RANGE, v_path_repeat(path, 0));
+    v_path_free(blend);
+    v_path_free(block);
+    STATUS(V_ERR_HANDLE, v_path_insert_path(path, 0, block, V_FIT_NONE));
+    v_path_free(path);
+}
+
+static void recorded_poses_are_fitted(void)
+{
+    V_PATH *path = orbit(1, 20), *fitted = NULL;
+    static V_POSE poses[500], again[500];
+    size_t count = 0, i;
+    int points;
+
+    OK(v_path_sample(path, poses, 500, &count));
+    CHECK(count == 500);
+    OK(v_path_fit_poses(poses, NULL, count, 25, 0.01, 0.5, &fitted));
+    OK(v_path_point_count(fitted, &points));
+    CHECK(points <= 13);
+    OK(v_path_sample(fitted, again, 500, &count));
+    CHECK(count == 500);
+    for (i = 0; i < count; i++)
+        NEAR(again[i].vrp[0], poses[i].vrp[0], 0.0101);
+    v_path_free(fitted);
+    STATUS(V_ERR_ARGUMENT, v_path_fit_poses(poses, NULL, 2, 25, 0.01, 0.5, &fitted));
+    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, 25, 0, 0.5, &fitted));
+    poses[7].zoom = a_nan;
+    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, 25, 0.01, 0.5, &fitted));
+    v_path_free(path);
+}
+
+static void what_looks_wrong_is_found(void)
+{
+    V_PATH *path = orbit(1, 4);
+    V_FINDING findings[8];
+    V_MESH mesh = {sizeof mesh, NULL, 0, NULL, NULL, 0, NULL, 0};
+    const double corners[9] = {-2, 0, 0.5, 2, 0, 0.5, 0, 3, 0.5};
+    const unsigned triangle[3] = {0, 1, 2};
+    size_t count = 99, i;
+    double limit = 0;
+    int through = 0;
+
+    OK(v_path_check(path, NULL, NULL, 0, &count));
+    CHECK(count > 0 && count <= 8); /* 90 degrees a second */
+    STATUS(V_ERR_SIZE, v_path_check(path, NULL, findings, 0, &count));
+    OK(v_path_check(path, NULL, findings, 8, &count));
+    CHECK(strcmp(findings[count - 1].kind, "turning") == 0
+          || strcmp(findings[0].kind, "turning") == 0
+          || strcmp(findings[count - 1].kind, "space") == 0);
+    OK(v_path_set_limit(path, "turning", 100));
+    OK(v_path_set_limit(path, "space", 10));
+    OK(v_path_get_limit(path, "turning", &limit));
+    CHECK(limit == 100);
+    OK(v_path_check(path, NULL, NULL, 0, &count));
+    CHECK(count == 0);
+    mesh.xyz = corners;
+    mesh.points = 3;
+    mesh.triangles = triangle;
+    mesh.corners = 3;
+    OK(v_path_check(path, &mesh, findings, 8, &count));
+    for (i = 0; i < count; i++)
+        through += strcmp(findings[i].kind, "through") == 0;
+    CHECK(through == 2);
+    mesh.points = 0;
+    mesh.corners = 0;
+    STATUS(V_ERR_ARGUMENT, v_path_check(path, &mesh, findings, 8, &count));
+    STATUS(V_ERR_ARGUMENT, v_path_set_limit(path, "tuning", 1));
+    STATUS(V_ERR_RANGE, v_path_set_limit(path, "turning", -1));
+    v_path_free(path);
+}
+
+int main(void)
+{
+    an_orbit_is_round();
+    points_are_moved_and_deformed();
+    blocks();
+    recorded_poses_are_fitted();
+    what_looks_wrong_is_found();
+    return failures != 0;
+}
