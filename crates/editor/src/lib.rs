@@ -21,6 +21,7 @@ mod frame;
 #[cfg(any(test, fuzzing))]
 pub mod hostile;
 mod keys;
+mod live;
 mod menu;
 mod number;
 mod output;
@@ -50,6 +51,7 @@ use vides_engine::{Error, Result, error, limits, math, path};
 use vides_raster as raster;
 
 pub use folders::Folders;
+pub use live::Standing;
 pub use program::{Date, Program};
 pub use state::{Editor, HostView, Options, Reason, Request};
 pub use texts::Language;

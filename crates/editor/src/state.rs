@@ -13,7 +13,7 @@ use super::recovery::Keeper;
 use super::setup::{Element, Setup};
 use super::texts::{Language, Texts, fill};
 use super::theme;
-use super::{camera_view, playing, space, windows};
+use super::{camera_view, live, playing, space, windows};
 use crate::document::{Contents, Document, Edit};
 use crate::error::{self, Error, Result};
 use crate::path::{Orientation, SupportPoint};
@@ -73,6 +73,11 @@ pub enum Reason {
 pub enum Request {
     /// Hand the poses over to the host.
     HandOver,
+    /// Give its view, for [`Editor::take_over`].
+    Capture {
+        /// It comes in place of the current orientation.
+        replace: bool,
+    },
     /// Close the window: unsaved work was asked about, the host may refuse.
     Close,
 }
@@ -92,7 +97,9 @@ pub struct Editor {
     pub(super) folders: Folders,
     pub(super) program: Program,
     /// The host's own view.
-    pub(super) host_view: HostView,
+    pub(super) ghost: live::Ghost,
+    /// Poses are handed over after each change.
+    pub(super) hands_over: bool,
     /// What the file contained when it was read or written last; none if there was none.
     pub(super) known: Option<Contents>,
     /// The state that the host has by a hand-over after which nothing is unsaved.
@@ -153,7 +160,8 @@ impl Editor {
             fixed_speeds: options.fixed_speeds,
             folders: options.folders,
             program: options.program,
-            host_view: options.host_view,
+            ghost: options.host_view.into(),
+            hands_over: false,
             copied: None,
             last_folder: None,
             waiting: None,
@@ -225,6 +233,18 @@ impl Editor {
         camera_view::follow(self)
     }
 
+    /// Closing was asked for, and nobody has said no yet.
+    pub fn asks_to_close(&self) -> bool {
+        self.waiting == Some(Action::Quit)
+            || self.requests.contains(&Request::Close)
+            || self.windows.ask()
+    }
+
+    /// Poses are to be handed over after each change.
+    pub fn hands_over(&self) -> bool {
+        self.hands_over
+    }
+
     /// The oldest request that was not seen to.
     pub fn next_request(&mut self) -> Option<Request> {
         let request = (!self.requests.is_empty()).then(|| self.requests.remove(0));
@@ -260,12 +280,16 @@ impl Editor {
         self.complain(self.language().reason(warning));
     }
 
-    /// Says how a hand-over went: the number of poses.
-    pub fn handed_over(&mut self, result: Result<usize, Error>) {
+    /// Says how a hand-over went: the number of poses. One that the user has not asked
+    /// for by itself says nothing but why it failed.
+    pub fn handed_over(&mut self, result: Result<usize, Error>, asked: bool) {
         match result {
             Ok(count) => {
                 if self.program.hand_over_saves {
                     self.handed = Some(self.document.state_number());
+                }
+                if !asked {
+                    return;
                 }
                 self.say(fill(self.texts().output.handed_over, &[&count]));
             }

@@ -11,6 +11,7 @@ mod descriptors;
 mod edit;
 mod ending;
 mod hint;
+mod live;
 mod lookout;
 mod program;
 mod pump;
@@ -45,7 +46,7 @@ use crate::path::{Pose, Sampler};
 pub use edit::edit;
 pub use editor::Reason;
 pub use program::{host_program, own_program};
-pub use pump::{dispatch, main_loop};
+pub use pump::{close_all, dispatch, main_loop};
 pub use registry::{Lost, is_open, within_a_call};
 pub use xt::{Refusal, own_thread};
 
@@ -65,7 +66,7 @@ pub trait Host {
     /// Asks the host whether the window may close.
     fn may_close(&self, window: Id) -> bool;
 
-    /// Whether [`Host::view`] is to be called at all.
+    /// Whether [`Host::view`] and [`Host::changed`] are to be called at all.
     fn watches(&self) -> bool {
         false
     }
@@ -198,12 +199,33 @@ pub fn read<R>(id: Id, f: impl FnOnce(&Document) -> R) -> Option<R> {
     registry::look(id, |window| f(window.document()))
 }
 
-/// Changes the path of a window; `None` if it is not open.
+/// Changes the path of a window; `None` if it is not open. What a callback changes it
+/// is not called for.
 pub fn change<R>(id: Id, f: impl FnOnce(&mut Document) -> R) -> Option<R> {
-    let mut lost = None;
-    let done = registry::work(id, &mut lost, |window, _| {
-        f(window.editor_mut().document_mut())
-    });
+    command(id, |editor| f(editor.document_mut()))
+}
+
+/// Tells a window what to do or to show: its frame, what is current, the host's view,
+/// see [`Editor`]; `None` if it is not open. What a callback changes it is not called
+/// for.
+pub fn command<R>(id: Id, f: impl FnOnce(&mut Editor) -> R) -> Option<R> {
+    let within = within_a_call();
+    let done = registry::work(id, &mut None, |window, _| window.command(within, f));
+    registry::ring();
+    done
+}
+
+/// Looks at what a window shows; `None` if it is not open.
+pub fn look<R>(id: Id, f: impl FnOnce(&Editor) -> R) -> Option<R> {
+    registry::look(id, |window| f(window.editor()))
+}
+
+/// Brings a window before all others; `None` if it is not open.
+///
+/// # Errors
+/// [`vides_engine::Error::Display`] if its X server went away.
+pub fn raise(id: Id) -> Option<Result<()>> {
+    let done = registry::work(id, &mut None, |window, _| window.raise());
     registry::ring();
     done
 }
