@@ -24,17 +24,8 @@ const WIDTH: f32 = 228.0;
 /// The nearest thing that is seen, in units of the movement space.
 const FRONT: f64 = 1e-3;
 
-/// The picture as it was shown last.
-#[derive(Clone, Debug)]
-pub(super) struct Picture {
-    place: Rect,
-    /// What stands in it.
-    pub(super) lines: Arc<Lines>,
-}
-
 /// Shows the pane if it is open; `viewport` is the movement window.
 pub(super) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
-    editor.camera_picture = None;
     if !editor.setup.camera_view {
         return;
     }
@@ -81,19 +72,6 @@ pub(super) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
     context.data_mut(|data| data.insert_temp(id, placed));
 }
 
-/// What the camera sees now, in the place of what was shown last; none if the pane
-/// is closed.
-pub(super) fn follow(editor: &mut Editor) -> Option<Arc<Lines>> {
-    let place = editor.camera_picture.as_ref()?.place;
-    let (camera, _) = editor.camera()?;
-    let lines = Arc::new(picture_of(editor, &camera, place));
-    editor.camera_picture = Some(Picture {
-        place,
-        lines: Arc::clone(&lines),
-    });
-    Some(lines)
-}
-
 /// Where the pane is.
 #[derive(Clone, Copy, Debug)]
 struct Placed {
@@ -125,12 +103,8 @@ fn contents(editor: &mut Editor, ui: &mut Ui) {
         return;
     };
     let painter = ui.painter_at(picture);
-    let lines = Arc::new(picture_of(editor, &camera, picture));
-    painter.add(Lines::shape(&lines, picture));
-    editor.camera_picture = Some(Picture {
-        place: picture,
-        lines,
-    });
+    let lines = picture_of(editor, &camera, picture);
+    painter.add(Lines::shape(&Arc::new(lines), picture));
     let text = match editor.shown_frame() {
         Some(frame) => fill(texts.camera_at_frame, &[&frame]),
         None => {

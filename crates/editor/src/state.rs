@@ -1,8 +1,6 @@
 //! The state of one window: what is edited and what is to be seen of it.
 
-use std::ops::Range;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use super::actions::Action;
 use super::filing::Then;
@@ -13,11 +11,10 @@ use super::recovery::Keeper;
 use super::setup::{Element, Setup};
 use super::texts::{Language, Texts, fill};
 use super::theme;
-use super::{camera_view, live, playing, space, windows};
+use super::{live, playing, space, windows};
 use crate::document::{Contents, Document, Edit};
 use crate::error::{self, Error, Result};
 use crate::path::{Orientation, SupportPoint};
-use crate::raster::Lines;
 
 /// How a window begins.
 #[derive(Debug)]
@@ -122,8 +119,6 @@ pub struct Editor {
     pub(super) space: space::Space,
     /// The bar below it.
     pub(super) playing: playing::Playing,
-    /// What the camera sees, where that is shown.
-    pub(super) camera_picture: Option<camera_view::Picture>,
     /// The sub-windows.
     pub(super) windows: windows::Windows,
     /// Files that were open last.
@@ -171,7 +166,6 @@ impl Editor {
             setup: Setup::default(),
             space: space::Space::default(),
             playing: playing::Playing::default(),
-            camera_picture: None,
             windows: windows::Windows::default(),
             recent: Vec::new(),
             keeper: None,
@@ -197,40 +191,6 @@ impl Editor {
         self.closing = false;
         super::frame::show(self, ui);
         self.keep_work(ui.ctx());
-    }
-
-    /// Which of the shapes of the last pass, so many in all, are those that
-    /// [`Editor::follow`] makes anew.
-    pub fn shapes_of_space(&self, all: usize) -> Range<usize> {
-        let shapes = self.space.shapes();
-        shapes.start.min(all)..shapes.end.min(all)
-    }
-
-    /// In the place of a pass, where the space alone can follow what the hand
-    /// does: gives the space as it is then. The next pass must be given this
-    /// input, too.
-    pub fn follow(
-        &mut self,
-        context: &egui::Context,
-        input: &egui::RawInput,
-    ) -> Option<Vec<egui::epaint::ClippedShape>> {
-        space::follow(self, context, input)
-    }
-
-    /// A handle or the view is dragged: [`Editor::follow`] shows what becomes of it.
-    pub fn drags_in_space(&self) -> bool {
-        self.space.moves()
-    }
-
-    /// The lines of the camera's picture as shown last, if it is shown.
-    pub fn camera_lines(&self) -> Option<&Arc<Lines>> {
-        self.camera_picture.as_ref().map(|picture| &picture.lines)
-    }
-
-    /// The same as they are now: what [`Editor::follow`] did is seen by the camera,
-    /// too.
-    pub fn follow_by_camera(&mut self) -> Option<Arc<Lines>> {
-        camera_view::follow(self)
     }
 
     /// Closing was asked for, and nobody has said no yet.

@@ -37,8 +37,6 @@ use layer::Layer;
 use texture::Textures;
 use tile::{PixelRect, SIDE, Tile};
 
-use std::ops::Range;
-
 use egui::epaint::{ClippedShape, Tessellator};
 use egui::{ClippedPrimitive, Color32, Context, TexturesDelta};
 
@@ -168,24 +166,8 @@ impl Raster {
         pixels_per_point: f32,
         target: &mut Target<'_>,
     ) -> Vec<Area> {
-        let all = 0..primitives.len();
-        self.paint_among(primitives, &[all], pixels_per_point, target)
-    }
-
-    /// The same where only primitives in one of the ranges `changed`, from below to
-    /// above, may be others than in the last call: all others are as they were, and
-    /// not looked at. The number of primitives may be another one in the first range
-    /// only.
-    pub fn paint_among(
-        &mut self,
-        primitives: &[ClippedPrimitive],
-        changed: &[Range<usize>],
-        pixels_per_point: f32,
-        target: &mut Target<'_>,
-    ) -> Vec<Area> {
-        // Should nothing be painted, the next call looks at all primitives, and nothing
-        // is known any more of what the target shows.
-        let (sorted_for, shown_for) = (self.sorted_for.take(), self.shown_for.take());
+        // Should nothing be painted, it is not known any more what the target shows.
+        let shown_for = self.shown_for.take();
         let (Ok(x1), Ok(y1)) = (i32::try_from(target.width), i32::try_from(target.height)) else {
             return Vec::new();
         };
@@ -203,16 +185,12 @@ impl Raster {
             return Vec::new();
         }
         let tiles = Tiles::of(whole);
-        self.sorted_for = sorted_for;
         let now = Some((target.width, target.height, pixels_per_point));
         let anew = shown_for != now;
         self.shown_for = now;
         self.touched.clear();
         self.touched.resize(tiles.count(), false);
-        let mut other = false;
-        for changed in changed {
-            other |= self.sort(primitives, changed.clone(), pixels_per_point, whole);
-        }
+        let other = self.sort(primitives, pixels_per_point, whole);
         if !other && !anew {
             return Vec::new();
         }
@@ -278,13 +256,11 @@ impl Raster {
         areas.into_areas()
     }
 
-    /// Makes `layers` those of the primitives, of which only those among
-    /// `changed` may be others than before, and says whether one is. The tiles
-    /// that those have touched and touch are noted.
+    /// Makes `layers` those of the primitives, and says whether one is another than
+    /// before. The tiles that those have touched and touch are noted.
     fn sort(
         &mut self,
         primitives: &[ClippedPrimitive],
-        changed: Range<usize>,
         pixels_per_point: f32,
         target: PixelRect,
     ) -> bool {
@@ -293,15 +269,6 @@ impl Raster {
             self.layers.clear();
             self.sorted_for = now;
         }
-        let behind = primitives.len().saturating_sub(changed.end);
-        let kept = changed.start.saturating_add(behind);
-        let (before, primitives) = match primitives.get(changed.clone()) {
-            Some(among) if kept <= self.layers.len() && !self.other_textures => {
-                let end = self.layers.len() - behind;
-                (changed.start..end, among)
-            }
-            _ => (0..self.layers.len(), primitives),
-        };
         let textures = &self.textures;
         let key = |primitive| Key::new(primitive, textures, pixels_per_point, target);
         let keys: Vec<Key> = if self.other_textures {
@@ -314,14 +281,12 @@ impl Raster {
             self.textures.all_seen();
         }
         let same = |(layer, key): (&Layer, &Key)| layer.key == *key;
-        let layers = &self.layers[before.clone()];
-        if keys.len() == layers.len() && layers.iter().zip(&keys).all(same) {
+        if keys.len() == self.layers.len() && self.layers.iter().zip(&keys).all(same) {
             return false;
         }
         let tiles = Tiles::of(target);
         // A layer that was there before, if it is found near its old place.
-        let start_of_all = before.start;
-        let mut old: Vec<Option<Layer>> = self.layers.drain(before).map(Some).collect();
+        let mut old: Vec<Option<Layer>> = self.layers.drain(..).map(Some).collect();
         let mut start = 0;
         let found: Vec<Option<Layer>> = keys
             .iter()
@@ -347,8 +312,7 @@ impl Raster {
                 layer
             })
         });
-        let sorted: Vec<Layer> = sorted.collect();
-        self.layers.splice(start_of_all..start_of_all, sorted);
+        self.layers.extend(sorted);
         true
     }
 }

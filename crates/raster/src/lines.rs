@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use egui::epaint::Primitive;
-use egui::{ClippedPrimitive, Color32, PaintCallback, Pos2, Rect, Shape};
+use egui::{Color32, PaintCallback, Pos2, Rect, Shape};
 
 /// One straight piece with round ends, in points as egui counts them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,23 +36,6 @@ impl Lines {
             rect: clip,
             callback: Arc::<Self>::clone(lines),
         })
-    }
-
-    /// Whether a primitive shows these lines, and not only some that are the same.
-    pub fn are_in(self: &Arc<Self>, primitive: &ClippedPrimitive) -> bool {
-        match &primitive.primitive {
-            Primitive::Callback(callback) => {
-                std::ptr::addr_eq(Arc::as_ptr(&callback.callback), Arc::as_ptr(self))
-            }
-            Primitive::Mesh(_) => false,
-        }
-    }
-
-    /// Makes a primitive that shows lines show these, cut at the same rectangle.
-    pub fn put_into(self: Arc<Self>, primitive: &mut ClippedPrimitive) {
-        if let Primitive::Callback(callback) = &mut primitive.primitive {
-            callback.callback = self;
-        }
     }
 
     /// Whether others are the same to the last bit.

@@ -34,11 +34,9 @@ struct Remote {
     dropped: Cell<bool>,
     raised: Cell<bool>,
     deadline: Cell<Option<Instant>>,
-    /// What the hand did since the last pass, and how many passes there were.
+    /// Input since the last pass, and how many passes there were.
     events: RefCell<Vec<egui::Event>>,
     passes: Cell<usize>,
-    /// How often egui ran.
-    runs: Cell<usize>,
     /// Pixels across and down, and those that were shown last.
     size: Cell<[u32; 2]>,
     shown: RefCell<Vec<u32>>,
@@ -60,9 +58,11 @@ impl Remote {
     }
 
     fn hand(&self, event: egui::Event) {
+        let motion = matches!(event, egui::Event::PointerMoved(_));
         self.events.borrow_mut().push(event);
         self.send(News {
-            input: true,
+            input: !motion,
+            motion,
             shown: true,
             ..News::default()
         });
@@ -152,7 +152,6 @@ impl Screen for Fake {
     }
 
     fn take_output(&mut self, _: PlatformOutput) -> Result<()> {
-        self.remote.runs.set(self.remote.runs.get() + 1);
         Ok(())
     }
 
@@ -219,6 +218,7 @@ impl Host for Calls {
 const CLOSE: News = News {
     close: true,
     input: false,
+    motion: false,
     shown: true,
     new_buffer: false,
     more: false,
@@ -238,7 +238,6 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         deadline: Cell::new(None),
         events: RefCell::default(),
         passes: Cell::new(0),
-        runs: Cell::new(0),
         size: Cell::new([64, 64]),
         shown: RefCell::default(),
     });

@@ -6,12 +6,11 @@
 //! it as a [`HostRequest`], one at a time, for the host may change everything before
 //! the next.
 
-use std::ops::Range;
 use std::path::Path;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use egui::{ClippedPrimitive, Context, FullOutput, RawInput, ViewportId};
+use egui::{ClippedPrimitive, Context, FullOutput, ViewportId};
 
 use super::live::{Call, Live};
 use super::screen::Screen;
@@ -26,17 +25,13 @@ use crate::raster::{self, Raster};
 /// asks for them where a size settles. More are an animation.
 const SETTLING_PASSES: u32 = 3;
 
-/// egui wants to run again after every event. In a drag in the space it runs so often,
-/// with motions or without: nobody reads numbers faster. Between, the space alone
-/// follows.
-const DRAG_STEP: Duration = Duration::from_millis(125);
+/// egui wants to run again after every event. While a button is held the next motion
+/// sees to that; it runs by itself when none has come for so long.
+pub(super) const DRAG_PAUSE: Duration = Duration::from_millis(40);
 
-/// The camera's picture follows then as a film has frames. In a drag elsewhere all
-/// does, as soon as no motion comes.
-pub(super) const FILM_STEP: Duration = Duration::from_millis(40);
-
-/// From picture to picture of an animation.
-const ANIMATION_STEP: Duration = Duration::from_nanos(1_000_000_000 / 60);
+/// From picture to picture, of an animation and where only the pointer moves: nobody
+/// sees more.
+pub(super) const FRAME: Duration = Duration::from_nanos(1_000_000_000 / 60);
 
 /// An open window.
 pub(super) struct Window {
@@ -53,16 +48,10 @@ pub(super) struct Window {
     due: Option<Instant>,
     /// Passes since the last input.
     passes: u32,
-    /// What was shown last or is to be shown, as long as it is needed.
-    picture: Option<Picture>,
-    /// It waits to be painted.
-    unpainted: bool,
-    /// What the space has followed since egui ran last.
-    followed: Option<RawInput>,
+    /// What waits to be painted, from below, and its pixels per point.
+    picture: Option<(Vec<ClippedPrimitive>, f32)>,
     /// When egui ran last.
     ran: Option<Instant>,
-    /// When the camera's picture was made last.
-    filmed: Option<Instant>,
     /// A picture is on its way to the screen.
     in_flight: bool,
     /// What stands in the title bar.
@@ -70,19 +59,6 @@ pub(super) struct Window {
     /// A button is held.
     held: bool,
     live: Live,
-}
-
-/// What is to be painted, from below.
-struct Picture {
-    primitives: Vec<ClippedPrimitive>,
-    /// Those of the movement window's space.
-    space: Range<usize>,
-    pixels_per_point: f32,
-    /// What the camera sees, if that is shown.
-    camera: Option<usize>,
-    /// It has been painted; since then nothing but the space and what the camera
-    /// sees has changed.
-    painted: bool,
 }
 
 /// What polling ended with.
@@ -122,10 +98,7 @@ impl Window {
             due: None,
             passes: 0,
             picture: None,
-            unpainted: false,
-            followed: None,
             ran: None,
-            filmed: None,
             in_flight: false,
             title,
             held: false,
@@ -184,6 +157,11 @@ impl Window {
             self.fresh = true;
             self.passes = 0;
         }
+        if news.motion {
+            self.passes = 0;
+            let next = self.ran.map(|ran| ran + FRAME);
+            self.due = self.due.into_iter().chain(next).min();
+        }
         if news.close {
             self.editor.ask_to_close();
             self.fresh = true;
@@ -219,7 +197,7 @@ impl Window {
 
     /// What there is to be seen is on the screen, or on its way there.
     fn is_shown(&self) -> bool {
-        !self.fresh && !self.unpainted
+        !self.fresh && self.picture.is_none()
     }
 
     /// What the host is to be told of.
@@ -274,56 +252,11 @@ impl Window {
         self.screen.flush()
     }
 
-    /// Makes a picture of what there is now.
+    /// Runs egui once: makes a picture of what there is now.
     fn pass(&mut self, now: Instant) -> Result<()> {
         self.fresh = false;
-        let input = self.screen.take_input();
-        if self.ran.is_some_and(|ran| now < ran + DRAG_STEP) && self.follow(&input, now) {
-            // Of a row of motions only where it leads to counts.
-            self.followed = Some(input);
-            return Ok(());
-        }
-        let input = match self.followed.take() {
-            Some(mut earlier) => {
-                earlier.append(input);
-                earlier
-            }
-            None => input,
-        };
         self.ran = Some(now);
-        self.filmed = self.ran;
-        self.run(input, now)
-    }
-
-    /// Lets the space alone follow the hand, if that is enough, and the camera as a
-    /// film does.
-    fn follow(&mut self, input: &RawInput, now: Instant) -> bool {
-        let (Some(context), Some(picture)) = (&self.context, &mut self.picture) else {
-            return false;
-        };
-        inject::point(Place::Layout);
-        let Some(shapes) = self.editor.follow(context, input) else {
-            return false;
-        };
-        let primitives = raster::primitives(context, shapes, picture.pixels_per_point);
-        let (before, end) = (picture.space.end, picture.space.start + primitives.len());
-        picture.primitives.splice(picture.space.clone(), primitives);
-        picture.space.end = end;
-        picture.camera = picture.camera.map(|camera| camera - before + end);
-        let due = self.filmed.is_none_or(|filmed| now >= filmed + FILM_STEP);
-        if let Some(camera) = picture.camera
-            && due
-            && let Some(lines) = self.editor.follow_by_camera()
-        {
-            lines.put_into(&mut picture.primitives[camera]);
-            self.filmed = Some(now);
-        }
-        self.unpainted = true;
-        true
-    }
-
-    /// Runs egui once.
-    fn run(&mut self, input: RawInput, now: Instant) -> Result<()> {
+        let input = self.screen.take_input();
         let editor = &mut self.editor;
         let context = self.context.get_or_insert_with(|| {
             let context = Context::default();
@@ -338,34 +271,14 @@ impl Window {
         let FullOutput {
             platform_output,
             textures_delta,
-            mut shapes,
+            shapes,
             pixels_per_point,
             mut viewport_output,
         } = output;
         self.raster.update_textures(textures_delta);
         self.raster.set_background(editor.background());
-        // In three parts, so that that in the middle can be exchanged.
-        let space = editor.shapes_of_space(shapes.len());
-        let above = shapes.split_off(space.end);
-        let within = shapes.split_off(space.start);
-        let mut primitives = raster::primitives(context, shapes, pixels_per_point);
-        let start = primitives.len();
-        primitives.extend(raster::primitives(context, within, pixels_per_point));
-        let end = primitives.len();
-        primitives.extend(raster::primitives(context, above, pixels_per_point));
-        let camera = editor.camera_lines().and_then(|lines| {
-            let among = &primitives[end..];
-            let at = among.iter().position(|primitive| lines.are_in(primitive))?;
-            Some(end + at)
-        });
-        self.picture = Some(Picture {
-            primitives,
-            space: start..end,
-            camera,
-            pixels_per_point,
-            painted: false,
-        });
-        self.unpainted = true;
+        let primitives = raster::primitives(context, shapes, pixels_per_point);
+        self.picture = Some((primitives, pixels_per_point));
         self.screen.take_output(platform_output)?;
         let delay = viewport_output
             .remove(&ViewportId::ROOT)
@@ -375,17 +288,12 @@ impl Window {
             context.input(|input| (input.pointer.any_down(), input.pointer.any_pressed()));
         self.held = held;
         self.resting = !held && delay == Duration::MAX;
-        let drag_step = if self.editor.drags_in_space() {
-            DRAG_STEP
-        } else {
-            FILM_STEP
-        };
         let delay = if held && !pressed {
-            delay.max(drag_step)
+            delay.max(DRAG_PAUSE)
         } else if self.passes <= SETTLING_PASSES {
             delay
         } else {
-            delay.max(ANIMATION_STEP)
+            delay.max(FRAME)
         };
         self.due = now.checked_add(delay);
         let title = self.editor.window_title();
@@ -398,29 +306,18 @@ impl Window {
 
     /// Paints what waits to be painted; whether something was shown.
     fn paint(&mut self) -> Result<bool> {
-        if self.in_flight || !self.unpainted {
+        if self.in_flight || self.picture.is_none() {
             return Ok(false);
         }
-        let Some(picture) = &mut self.picture else {
-            return Ok(false);
-        };
         let Some(mut target) = self.screen.target() else {
             return Ok(false);
         };
-        inject::point(Place::Paint);
-        let (primitives, scale) = (&picture.primitives, picture.pixels_per_point);
-        let raster = &mut self.raster;
-        let areas = if picture.painted {
-            let camera = picture.camera.map_or(0..0, |camera| camera..camera + 1);
-            let changed = [picture.space.clone(), camera];
-            raster.paint_among(primitives, &changed, scale, &mut target)
-        } else {
-            raster.paint(primitives, scale, &mut target)
+        let Some((primitives, scale)) = self.picture.take() else {
+            return Ok(false);
         };
-        picture.painted = true;
-        self.unpainted = false;
+        inject::point(Place::Paint);
+        let areas = self.raster.paint(&primitives, scale, &mut target);
         if self.resting {
-            self.picture = None;
             self.raster.rest();
         }
         if areas.is_empty() {

@@ -106,6 +106,9 @@ pub struct Options {
 pub struct News {
     /// There is input, or the size or the scale changed: egui should run.
     pub input: bool,
+    /// The pointer moved, and nothing else: egui may run a little later, and take
+    /// several motions at once.
+    pub motion: bool,
     /// The user or the window manager wants the window to be closed.
     pub close: bool,
     /// The frame that was in flight has arrived: another may be shown.
@@ -233,7 +236,10 @@ impl Window {
         let result = self.drain();
         self.noted(result)?;
         let mut news = std::mem::take(&mut self.news);
-        news.input |= self.events.len() > before;
+        let added = self.events.get(before..).unwrap_or_default();
+        let is_motion = |event: &egui::Event| matches!(event, egui::Event::PointerMoved(_));
+        news.motion |= added.iter().any(is_motion);
+        news.input |= !added.iter().all(is_motion);
         // What was covered meanwhile may be on its way once more.
         news.shown &= self.surface.is_free();
         Ok(news)

@@ -9,7 +9,6 @@
 
 mod cameras;
 mod drag;
-mod follow;
 mod keyboard;
 mod menu;
 mod overlay;
@@ -21,17 +20,14 @@ mod scene;
 mod sliders;
 mod strokes;
 
-use std::ops::Range;
 use std::sync::Arc;
 
-use egui::{Context, EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
+use egui::{EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
 use glam::DVec3;
 
 pub(super) use self::cameras::Camera;
 use self::cameras::Keys;
 use self::drag::Handle;
-use self::follow::Canvas;
-pub(super) use self::follow::follow;
 use self::pointer::{PointerContext, PointerController};
 use self::projection::Projection;
 use self::ribbon::Ribbon;
@@ -52,7 +48,6 @@ pub(super) struct Space {
     keys: Keys,
     ribbon: Ribbon,
     menu: menu::PointMenu,
-    canvas: Option<Canvas>,
     /// The view before a number of it is dragged.
     view_before: Option<super::setup::View>,
 }
@@ -66,12 +61,6 @@ impl Space {
     /// A handle or the view is dragged.
     pub(super) fn moves(&self) -> bool {
         self.pointer.moves()
-    }
-
-    /// Which shapes of the last pass are those of the space.
-    pub(super) fn shapes(&self) -> Range<usize> {
-        let canvas = self.canvas.as_ref();
-        canvas.map_or(0..0, |canvas| canvas.shapes.clone())
     }
 }
 
@@ -181,20 +170,11 @@ fn view(editor: &mut Editor, ui: &mut Ui, viewport: Rect) {
         context.set_cursor_icon(editor.space.pointer.cursor());
     }
     menu::show(editor, ui, viewport);
-    if let Some(ghost) = editor.ghost.camera().filter(|_| !editor.space.moves()) {
+    if let Some(ghost) = editor.ghost.camera() {
         let place = Projection::new(&editor.setup.view, viewport).pos(ghost.position);
         live::button(editor, &context, viewport, place);
     }
-    let shapes = |context: &Context| {
-        context.graphics(|graphics| graphics.get(layer).map_or(0, |list| list.next_idx().0))
-    };
-    let start = shapes(&context);
     draw(editor, &ui.painter_at(viewport), viewport);
-    editor.space.canvas = Some(Canvas {
-        layer,
-        viewport,
-        shapes: start..shapes(&context),
-    });
 }
 
 /// Paints what stands in the space.
@@ -284,8 +264,6 @@ fn draw(editor: &mut Editor, painter: &Painter, viewport: Rect) {
 
 #[cfg(test)]
 mod cameras_tests;
-#[cfg(test)]
-mod follow_tests;
 #[cfg(test)]
 mod manual_tests;
 #[cfg(test)]

@@ -133,43 +133,34 @@ fn a_sequence_of_frames_is_as_if_each_were_painted_whole() {
     for (width, height, scale) in [(250, 200, 1.0), (65, 64, 1.5), (256, 190, 2.0), (1, 1, 1.0)] {
         let mut screen = Screen::new(width, height, Color32::from_rgb(20, 30, 40));
         let mut whole = Screen::new(width, height, Color32::from_rgb(20, 30, 40));
-        // Is told where something may have changed.
-        let mut told = Screen::new(width, height, Color32::from_rgb(20, 30, 40));
-        (screen.scale, whole.scale, told.scale) = (scale, scale, scale);
+        (screen.scale, whole.scale) = (scale, scale);
         let mut things: Vec<_> = (0..12).map(|_| thing(&mut random)).collect();
         let mut spared = 0;
         for round in 0..300 {
-            let mut changed = 0..0;
             match random.below(12) {
                 7 | 8 if !things.is_empty() => {
                     let at = random.below(things.len());
-                    changed = at..at + 1;
                     if let Some(other) = with_another_line(&things[at], &mut random) {
                         things[at] = other;
                     }
                 }
                 0 => {
-                    changed = things.len()..things.len() + 1;
                     things.push(thing(&mut random));
                 }
                 1 if !things.is_empty() => {
                     let at = random.below(things.len());
-                    changed = at..at;
                     things.remove(at);
                 }
                 2 if things.len() > 1 => {
                     let (a, b) = (random.below(things.len()), random.below(things.len()));
-                    changed = a.min(b)..a.max(b) + 1;
                     things.swap(a, b);
                 }
                 3 if !things.is_empty() => {
                     let at = random.below(things.len());
-                    changed = at..at + 1;
                     things[at] = thing(&mut random);
                 }
                 4 if !things.is_empty() => {
                     let at = random.below(things.len());
-                    changed = at..at + 1;
                     things[at].clip_rect = thing(&mut random).clip_rect;
                 }
                 5 => {
@@ -180,7 +171,7 @@ fn a_sequence_of_frames_is_as_if_each_were_painted_whole() {
                         image.pixels[5 * 64 + 7] = Color32::from_white_alpha(round as u8);
                         image
                     };
-                    for screen in [&mut screen, &mut whole, &mut told] {
+                    for screen in [&mut screen, &mut whole] {
                         let id = TextureId::default();
                         let news = texture(id, image.clone(), TextureOptions::LINEAR);
                         screen.raster.update_textures(news);
@@ -188,24 +179,14 @@ fn a_sequence_of_frames_is_as_if_each_were_painted_whole() {
                 }
                 6 if things.len() > 2 => {
                     things.truncate(things.len() - 2);
-                    changed = things.len()..things.len();
                 }
                 _ => {}
-            }
-            // Another one above.
-            let mut above = 0..0;
-            if changed.end < things.len() && random.below(2) == 0 {
-                let at = changed.end + random.below(things.len() - changed.end);
-                above = at..at + 1;
-                things[at] = thing(&mut random);
             }
             let before = screen.pixels.clone();
             let areas = screen.paint(&things);
             whole.raster.forget();
             whole.paint(&things);
             assert!(screen.pixels == whole.pixels, "round {round}");
-            told.paint_among(&things, &[changed, above]);
-            assert!(told.pixels == whole.pixels, "round {round}: told where");
             let mut painted = 0;
             for (i, (now, before)) in screen.pixels.iter().zip(&before).enumerate() {
                 let (x, y) = (i as u32 % width, i as u32 / width);

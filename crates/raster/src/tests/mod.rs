@@ -8,8 +8,6 @@ mod pieces;
 mod rounded_rects;
 mod triangles;
 
-use std::ops::Range;
-
 use egui::epaint::textures::TextureOptions;
 use egui::epaint::{ImageDelta, Primitive, Vertex};
 use egui::{ClippedPrimitive, Color32, ColorImage, Mesh, Rect, TextureId, TexturesDelta, pos2};
@@ -74,15 +72,6 @@ impl Screen {
     }
 
     fn paint(&mut self, primitives: &[ClippedPrimitive]) -> Vec<Area> {
-        let all = 0..primitives.len();
-        self.paint_among(primitives, &[all])
-    }
-
-    fn paint_among(
-        &mut self,
-        primitives: &[ClippedPrimitive],
-        changed: &[Range<usize>],
-    ) -> Vec<Area> {
         let mut target = Target {
             pixels: &mut self.pixels,
             stride: self.width as usize,
@@ -90,8 +79,7 @@ impl Screen {
             height: self.height,
         };
         let scale = self.scale;
-        self.raster
-            .paint_among(primitives, changed, scale, &mut target)
+        self.raster.paint(primitives, scale, &mut target)
     }
 
     /// Red, green and blue of a pixel.

@@ -41,7 +41,7 @@ impl Shown {
     fn turn(&mut self) -> News {
         wait(self.window.as_fd(), libc::POLLIN, Duration::from_millis(20)).unwrap();
         let news = self.window.poll().expect("the server is there");
-        if news.input {
+        if news.input || news.motion {
             self.input = self.window.take_input();
             self.events.append(&mut self.input.events.clone());
         }
