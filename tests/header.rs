@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 21] = [
     "status",
     "types",
     "legacy",
@@ -24,6 +24,7 @@ const SOURCES: [&str; 20] = [
     "scene_tracks",
     "scene_states",
     "editor",
+    "live",
     "quaternions",
     "splines",
     "view",

@@ -240,13 +240,16 @@ impl Editor {
         self.document.begin_step();
         let done = if replace {
             // The other way round the old target might lie where the point comes to.
-                let edits = [
+            let edits = [
                 Edit::SetOrientation {
                     point,
                     at: orientation,
                     orientation: taken,
                 },
-                Edit::SetPosition { at: point, position },
+                Edit::SetPosition {
+                    at: point,
+                    position,
+                },
             ];
             edits.into_iter().all(|edit| self.edit(edit))
         } else {
@@ -304,7 +307,9 @@ pub(super) fn button(editor: &mut Editor, context: &Context, viewport: Rect, gho
     let id = Id::unique("take over the view");
     let text = editor.texts().space.take_over;
     let tip = editor.texts().space.take_over_tip;
-    let size = context.data(|data| data.get_temp(id)).unwrap_or(vec2(120.0, 24.0));
+    let size = context
+        .data(|data| data.get_temp(id))
+        .unwrap_or(vec2(120.0, 24.0));
     let room = Rect::from_min_max(viewport.min, viewport.max - size).shrink(6.0);
     let shown = Area::new(id)
         .order(Order::Middle)

@@ -14,7 +14,9 @@ use crate::{Language, Options};
 
 fn bits(pose: &Pose) -> [u64; 10] {
     let [p, v, u] = [pose.vrp, pose.vpn, pose.vup];
-    let all = [p[0], p[1], p[2], v[0], v[1], v[2], u[0], u[1], u[2], pose.zoom];
+    let all = [
+        p[0], p[1], p[2], v[0], v[1], v[2], u[0], u[1], u[2], pose.zoom,
+    ];
     all.map(f64::to_bits)
 }
 
@@ -183,7 +185,10 @@ fn what_is_no_view_is_refused_in_words() {
                 ..good
             },
             Pose { zoom: 0.5, ..good },
-            Pose { zoom: 101.0, ..good },
+            Pose {
+                zoom: 101.0,
+                ..good
+            },
         ];
         for pose in wrong {
             assert!(window.state_mut().set_ghost(Some(&pose)).is_err());
@@ -232,7 +237,10 @@ fn the_ghost_has_a_name_and_a_button() {
         window.state_mut().ghost.captures = false;
         press(&mut window, Modifiers::CTRL, Key::Enter);
         assert_eq!(window.state().document.path().points.len(), count + 1);
-        assert_eq!(window.state().point().unwrap().position.to_array(), ghost.vrp);
+        assert_eq!(
+            window.state().point().unwrap().position.to_array(),
+            ghost.vrp
+        );
         window.state_mut().set_ghost(None).unwrap();
         window.run();
         assert!(window.query_by_label(texts.take_over).is_none());

@@ -164,7 +164,12 @@ impl Editor {
     }
 
     /// A new point with this one orientation.
-    pub(super) fn add_point_at(&mut self, at: usize, position: DVec3, orientation: Orientation) -> bool {
+    pub(super) fn add_point_at(
+        &mut self,
+        at: usize,
+        position: DVec3,
+        orientation: Orientation,
+    ) -> bool {
         if !self.edit(Edit::InsertPoint { at, position }) {
             return false;
         }

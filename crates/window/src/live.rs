@@ -119,7 +119,10 @@ impl Live {
     /// When there is something to do without news from the screen.
     pub(super) fn due(&self, editor: &Editor, held: bool) -> Option<Instant> {
         let moves = held || editor.is_under_way();
-        let later = self.owes_poses(editor).then_some(self.next_hand_over).flatten();
+        let later = self
+            .owes_poses(editor)
+            .then_some(self.next_hand_over)
+            .flatten();
         let rest = self.rest.filter(|_| !moves);
         let waits = self.busy.filter(|_| {
             self.waits.is_some()
@@ -166,7 +169,3 @@ impl Live {
         done
     }
 }
-
-#[cfg(test)]
-#[path = "tests/live.rs"]
-mod tests;

@@ -1,6 +1,7 @@
 //! Windows without an X server: what the table and the loop promise.
 
 mod drags;
+mod live;
 
 use std::cell::{Cell, RefCell};
 use std::collections::VecDeque;
@@ -31,6 +32,7 @@ struct Remote {
     fails: Cell<Fails>,
     polls: Cell<usize>,
     presents: Cell<usize>,
+    presented: Cell<Option<Instant>>,
     dropped: Cell<bool>,
     raised: Cell<bool>,
     deadline: Cell<Option<Instant>>,
@@ -147,6 +149,7 @@ impl Screen for Fake {
     fn present(&mut self, areas: &[Area]) -> Result<()> {
         assert!(!areas.is_empty());
         self.remote.presents.set(self.remote.presents.get() + 1);
+        self.remote.presented.set(Some(Instant::now()));
         self.remote.shown.borrow_mut().clone_from(&self.pixels);
         Ok(())
     }
@@ -225,6 +228,13 @@ const CLOSE: News = News {
 };
 
 fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
+    let calls = Rc::new(Calls::default());
+    let (id, remote) = open_for(Rc::<Calls>::clone(&calls));
+    (id, remote, calls)
+}
+
+/// A window of this host.
+fn open_for(host: Rc<dyn Host>) -> (Id, Rc<Remote>) {
     let (ours, theirs) = UnixStream::pair().expect("a pair");
     ours.set_nonblocking(true).expect("non-blocking");
     let remote = Rc::new(Remote {
@@ -233,6 +243,7 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         fails: Cell::new(Fails::No),
         polls: Cell::new(0),
         presents: Cell::new(0),
+        presented: Cell::new(None),
         dropped: Cell::new(false),
         raised: Cell::new(false),
         deadline: Cell::new(None),
@@ -241,7 +252,6 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         size: Cell::new([64, 64]),
         shown: RefCell::default(),
     });
-    let calls = Rc::new(Calls::default());
     let editor = Editor::new(Options {
         document: Document::new(),
         file: None,
@@ -260,9 +270,8 @@ fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
         pixels: Vec::new(),
     };
     let window = Window::new(Box::new(screen), editor, String::new());
-    let host: Rc<dyn Host> = Rc::<Calls>::clone(&calls);
     let id = registry::insert(Box::new(window), host).expect("room");
-    (id, remote, calls)
+    (id, remote)
 }
 
 /// Whether the descriptor that hosts watch is readable.
