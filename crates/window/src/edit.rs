@@ -53,17 +53,5 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
 struct Nobody;
 
 impl Host for Nobody {
-    fn prepare(&self, _: Id, _: &Sampler) -> Result<()> {
-        Ok(())
-    }
-
-    fn hand_over(&self, _: Id) {}
-
-    fn may_close(&self, _: Id) -> bool {
-        true
-    }
-
     fn lost(&self, _: &str) {}
-
-    fn closed(&self, _: Id, _: Gone) {}
 }

@@ -58,13 +58,21 @@ pub trait Host {
     ///
     /// # Errors
     /// Shown in the window; what the host has is as it was.
-    fn prepare(&self, window: Id, sampler: &Sampler) -> Result<()>;
+    fn prepare(&self, window: Id, sampler: &Sampler) -> Result<()> {
+        let _ = (window, sampler);
+        Ok(())
+    }
 
     /// Calls the host with the poses that were made ready last.
-    fn hand_over(&self, window: Id);
+    fn hand_over(&self, window: Id) {
+        let _ = window;
+    }
 
     /// Asks the host whether the window may close.
-    fn may_close(&self, window: Id) -> bool;
+    fn may_close(&self, window: Id) -> bool {
+        let _ = window;
+        true
+    }
 
     /// Whether [`Host::view`] and [`Host::changed`] are to be called at all.
     fn watches(&self) -> bool {
@@ -98,10 +106,14 @@ pub trait Host {
 
     /// A window is about to be gone for this reason, which nobody was told yet.
     /// Calls no host code.
-    fn lost(&self, why: &str);
+    fn lost(&self, why: &str) {
+        error::complain(why);
+    }
 
     /// The window is gone, and its owner has not closed it. Calls no host code.
-    fn closed(&self, window: Id, why: Gone);
+    fn closed(&self, window: Id, why: Gone) {
+        let _ = (window, why);
+    }
 }
 
 /// Why a window is gone that its owner has not closed.
@@ -138,6 +150,32 @@ pub struct Options {
     pub warning: Option<Message>,
     /// Its owner.
     pub host: Rc<dyn Host>,
+}
+
+impl Options {
+    /// A window of its own that shows a path, for a program that takes its poses when
+    /// they are handed over.
+    pub fn new(document: Document, host: Rc<dyn Host>) -> Self {
+        Self {
+            editor: editor::Options {
+                document,
+                file: None,
+                title: None,
+                language: None,
+                hand_over: true,
+                fixed_speeds: false,
+                folders: editor::Folders::of_environment(),
+                program: host_program(true),
+                host_view: editor::HostView::default(),
+            },
+            display: None,
+            application: None,
+            parent: None,
+            transient_for: None,
+            warning: None,
+            host,
+        }
+    }
 }
 
 /// Inner size of a new window in points.
