@@ -135,12 +135,10 @@ impl Live {
         waits.into_iter().chain(other).min()
     }
 
-    /// A call into the host has ended.
+    /// A call into the host has ended, or what was made ready for one.
     pub(super) fn called(&mut self, took: Duration, now: Instant) {
         if took > SLOW {
             self.busy = Some(now + took);
-            // It does not wait twice.
-            self.next_hand_over = self.next_hand_over.map(|at| at.min(now + took));
         }
     }
 

@@ -205,6 +205,7 @@ impl Window {
         let (watched, now) = (host.watches(), Instant::now());
         let call = self.live.next(&self.editor, watched, self.held, now)?;
         let ready = !matches!(call, Call::HandOver) || self.make_ready(id, host, false);
+        self.called(now);
         ready.then_some(HostRequest::Live(call))
     }
 
