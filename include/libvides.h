@@ -443,8 +443,8 @@ struct v_editor_options {
     /** an object to be shown, copied; NULL: that of the path */
     const V_MESH *object;
     /**
-     * frames for a way of length 1 and so on, see v_path_set_base_frames(). All
-     * 0: those of the path. Else they are the host's: the window keeps them and
+     * frames for a way of one half size and so on, see v_path_set_base_frames().
+     * All 0: those of the path. Else they are the host's: the window keeps them and
      * ignores a loaded file's
      */
     double move_frames;
@@ -932,6 +932,7 @@ int v_path_set_absolute(V_PATH *path, int point, int at, int absolute);
  * distance  0: along the tangent; greater: at the place so far ahead on the
  *     curve, behind the end of which it looks on straight; less: no longer
  *     ahead, but in the direction in which it looked, as an offset. At most 1e9
+ *     half sizes of the space
  * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
@@ -942,8 +943,9 @@ int v_path_set_ahead(V_PATH *path, int point, int at, double distance);
 
 /**
  * Sets how many poses a path has at speed 50, each finite and > 0: for a way of
- * length 1 (move), for turning by 180 degrees (turn), for the zoom from 1 to 100
- * (zoom), for rolling by 90 degrees (roll). v_haupt() calls them its speeds.
+ * one half size of its space (move), for turning by 180 degrees (turn), for the
+ * zoom from 1 to 100 (zoom), for rolling by 90 degrees (roll). v_haupt() calls
+ * them its speeds.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
  */
 int v_path_set_base_frames(V_PATH *path,
@@ -1058,6 +1060,48 @@ int v_path_get_first_frame(const V_PATH *path, int *number);
  * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_object(V_PATH *path, const V_MESH *object);
+
+
+/* ---- Where a path lies ------------------------------------------------------- */
+
+/**
+ * The movement space is a cube in the host's world: its centre, half the length of
+ * its edge, and the axis that stands upright (V_UP_Y, V_UP_Z). All places,
+ * offsets, tangents and lengths of a path are the world's own numbers; only base
+ * frames count ways in half sizes, and so do the distances below which nothing
+ * moves, so that they mean the same in metres and in angstroms. A new path has
+ * (0, 0, 0), 1 and V_UP_Y.
+ *
+ * Sets the space; the path's numbers stay what they are. The half size is from
+ * 1e-30 to 1e30; centre, points and targets may be up to 1e9 half sizes away.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a
+ * number that is not finite), V_ERR_RANGE.
+ */
+int v_path_set_space(V_PATH *path,
+                     const double centre[3],
+                     double half_size,
+                     int up);
+
+/**
+ * The space of a path. Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+ */
+int v_path_get_space(const V_PATH *path,
+                     double centre[3],
+                     double *half_size,
+                     int *up);
+
+/**
+ * How an orientation must be to look as a camera does in a pose, such as the
+ * host's own: relative, target the pose's vpn, and its roll and zoom; all else in
+ * *orientation stays, so that v_orientation_init() must have filled it in before.
+ * up is the upright axis of the path that it is for (V_UP_Y, V_UP_Z). vpn and vup
+ * may have any length but zero; vup need not be perpendicular to vpn, but not
+ * parallel.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE (zoom, up).
+ */
+int v_orientation_from_pose(const V_POSE *pose, int up, V_ORIENTATION *orientation);
 
 
 /* ---- Kind of the curve, tangents --------------------------------------------- */

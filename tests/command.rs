@@ -126,7 +126,7 @@ fn json_has_every_bit() {
     let json: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(json["title"], "Around the pyramid");
     assert_eq!(json["fps"], 25.0);
-    assert_eq!(json["space"], "movement");
+    assert_eq!(json["space"]["half_size"], 1.0);
     let poses = poses_of(PYRAMID);
     assert_eq!(json["frame_count"], poses.len());
     let written = json["poses"].as_array().unwrap();
@@ -193,33 +193,32 @@ fn pipes_and_devices_take_the_place_of_files() {
     said(&run(&["sample", PYRAMID, "-o", "/dev/null"]));
 }
 
-/// A short path with a world and frames counted from 101.
+/// A short path in metres, z upright, and frames counted from 101.
 const IN_A_WORLD: &str = "\
 version = 1
 first_frame = 101
 base_speeds = { move_frames = 10.0 }
-space = { scale = 20.0, origin = [100.0, 0.0, -5.0], unit = \"m\" }
+space = { half_size = 20.0, centre = [100.0, 0.0, -5.0], unit = \"m\", up = \"z\" }
 [[point]]
-position = [-0.5, 0.25, 0.0]
+position = [90.0, 5.0, -5.0]
 [[point]]
-position = [0.5, 0.25, 0.0]
+position = [110.0, 5.0, -5.0]
 ";
 
 #[test]
-fn the_world_moves_positions_only() {
-    let run = |more: &[&str]| {
-        let arguments = [&["sample", "-", "--format", "csv"], more].concat();
-        let text = said(&run_with_input(&arguments, IN_A_WORLD.as_bytes()));
-        let rows = text.lines().skip(1).map(|line| parsed(line.split(',')));
-        rows.collect::<Vec<_>>()
-    };
-    let (here, there) = (run(&[]), run(&["--world"]));
-    assert_eq!(here.len(), 11);
-    assert_eq!(here[0][..4], [101.0, -0.5, 0.25, 0.0]);
-    assert_eq!(there[0][..4], [101.0, 90.0, 5.0, -5.0]);
-    assert_eq!(there[10][..4], [111.0, 110.0, 5.0, -5.0]);
-    for (a, b) in here.iter().zip(&there) {
-        assert_eq!(a[4..], b[4..]);
+fn a_way_counts_in_half_sizes() {
+    let arguments = ["sample", "-", "--format", "csv"];
+    let text = said(&run_with_input(&arguments, IN_A_WORLD.as_bytes()));
+    let rows: Vec<_> = text
+        .lines()
+        .skip(1)
+        .map(|line| parsed(line.split(',')))
+        .collect();
+    assert_eq!(rows.len(), 11);
+    assert_eq!(rows[0][..4], [101.0, 90.0, 5.0, -5.0]);
+    assert_eq!(rows[10][..4], [111.0, 110.0, 5.0, -5.0]);
+    for row in &rows {
+        assert_eq!(row[4..10], [-1.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
     }
 }
 
@@ -505,7 +504,10 @@ fn info_says_what_changes_and_by_how_much() {
     // The film's own numbers, and the world.
     let text = said(&run_with_input(&["info", "-"], IN_A_WORLD.as_bytes()));
     assert!(text.contains("11, numbered 101 to 111\n"), "{text}");
-    assert!(text.contains("(100, 0, -5) + 20 × position m\n"), "{text}");
+    assert!(
+        text.contains("(100.0, 0.0, -5.0) ± 20.0 m, z up\n"),
+        "{text}"
+    );
 }
 
 // ---- Help, version, manual ------------------------------------------------------------

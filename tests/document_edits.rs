@@ -3,10 +3,10 @@
 
 use glam::DVec3;
 use proptest::prelude::*;
-use vides::document::{Document, Edit, Info, ObjectPoint, Selection, Space};
+use vides::document::{Document, Edit, Info, ObjectPoint, Selection};
 use vides::path::{
-    BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, SupportPoint, Target,
-    Tcb, ZoomMode,
+    BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, Space, SupportPoint,
+    Target, Tcb, Up, ZoomMode,
 };
 
 /// Numbers from which an edit is made, whatever its kind.
@@ -32,7 +32,7 @@ fn number() -> impl Strategy<Value = f64> {
     ]
 }
 
-const KINDS: u8 = 20;
+const KINDS: u8 = 21;
 
 fn raw() -> impl Strategy<Value = Raw> {
     (
@@ -161,6 +161,14 @@ impl Raw {
             ),
             17 => Edit::SetInfo(Box::new(self.info())),
             18 => Edit::ReplacePath(Box::new(self.path())),
+            20 => Edit::SetSpace {
+                space: Space {
+                    centre: self.vector(),
+                    half_size: self.x[3].abs() * [1.0, 1e-6, 1e6][self.a % 3],
+                    up: [Up::Y, Up::Z][self.b % 2],
+                },
+                fit: self.flag,
+            },
             // Copies a target onto a point: an absolute target where the next
             // insertion may lie.
             _ => Edit::InsertPoint {
@@ -184,11 +192,7 @@ impl Raw {
                 .to_owned(),
             fps: self.x[3].abs(),
             first_frame: self.a as i32 - 30,
-            space: Space {
-                scale: self.x[4].abs(),
-                origin: DVec3::new(self.x[5], -0.0, 1e-300),
-                unit: "m".to_owned(),
-            },
+            unit: "m".to_owned(),
             object: (0..self.b % 5)
                 .map(|index| ObjectPoint {
                     position: DVec3::splat(self.x[index]),
@@ -226,7 +230,7 @@ fn content(document: &Document) -> String {
 
 fn assert_sound(document: &Document) {
     document.path().check().unwrap();
-    document.info().check().unwrap();
+    document.info().check(document.path().space).unwrap();
     let Selection { point, orientation } = document.selection();
     assert!(orientation < document.path().points[point].orientations.len());
     for point in &document.path().points {

@@ -38,6 +38,10 @@ const BROKEN: &[(&str, &str)] = &[
         "line 2: fps: the frames per second must be greater than 0 and at most 100000",
     ),
     (
+        "half_size_negative",
+        "line 3: half_size: the half size of the space must lie between 1e-30 and 1e30",
+    ),
+    (
         "hold_fraction",
         "line 7: hold_frames: expected a whole number, found a decimal number",
     ),
@@ -108,9 +112,22 @@ const BROKEN: &[(&str, &str)] = &[
     ),
     ("preset_ten", "line 5: preset: must lie between 0 and 9"),
     (
-        "scale_negative",
-        "line 3: scale: the scale must be greater than 0 and at most 1e9",
+        "space_far",
+        "line 2: space: the centre of the space must lie within 1e9 half sizes of the world's origin",
     ),
+    (
+        "space_origin",
+        "line 3: origin: a space is given by centre and half_size, and all numbers are the world's",
+    ),
+    (
+        "space_scale",
+        "line 3: scale: a space is given by centre and half_size, and all numbers are the world's",
+    ),
+    (
+        "space_too_small_for_its_points",
+        "line 3: position: a coordinate must lie within 1e9 half sizes of the space's centre",
+    ),
+    ("space_up", "line 3: up: must be \"y\" or \"z\""),
     (
         "speed_too_fast",
         "line 7: speed_curve: each value of a speed curve must lie between 1 and 100",
@@ -156,7 +173,7 @@ const BROKEN: &[(&str, &str)] = &[
     ),
     (
         "unknown_space_key",
-        "line 3: unknown key \"factor\"; known here: scale, origin, unit",
+        "line 3: unknown key \"factor\"; known here: centre, half_size, unit, up",
     ),
     (
         "unknown_speed_key",
@@ -298,11 +315,17 @@ fn long_files_are_read_like_short_ones() {
         parse(&format!("{text}name = \"\n")).unwrap_err(),
         format!("line {}: invalid basic string, expected `\"`", lines + 1)
     );
-    let document = parse(&format!("{text}[space]\nscale = 2.0\n")).unwrap();
-    assert_eq!(document.info().space.scale, 2.0);
-    let twice = format!("{text}[space]\nscale = 2.0\n").replace(
+    let last = format!("{text}[space]\nhalf_size = 2.0\n");
+    assert_eq!(
+        parse(&last).unwrap_err(),
+        format!(
+            "line {}: space: this must stand before the first point or node",
+            lines + 1
+        )
+    );
+    let twice = last.replace(
         "\n\n[[point]]\nposition = [0.5,",
-        "\n\n[space]\nscale = 1.0\n\n[[point]]\nposition = [0.5,",
+        "\n\n[space]\nhalf_size = 1.0\n\n[[point]]\nposition = [0.5,",
     );
     assert_eq!(
         parse(&twice).unwrap_err(),

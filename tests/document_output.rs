@@ -8,9 +8,9 @@ use std::io::Write;
 
 use glam::{DVec3, dvec3};
 use vides::Error;
-use vides::document::export::{self, Format, Options};
-use vides::document::{Document, Info, Space, ascii};
-use vides::path::{BaseSpeeds, CameraPath, Pose, SupportPoint};
+use vides::document::export::{self, Format};
+use vides::document::{Document, Edit, Info, ascii};
+use vides::path::{BaseSpeeds, CameraPath, Pose, Space, SupportPoint, Up};
 
 /// What C's printf makes of a number, minus zero excepted, with a point for
 /// whatever the locale's decimal sign is.
@@ -66,10 +66,9 @@ fn numbers(pose: &Pose) -> Vec<f64> {
     numbers
 }
 
-fn written(document: &Document, format: Format, world: bool) -> String {
+fn written(document: &Document, format: Format) -> String {
     let mut out = Vec::new();
-    let options = Options { format, world };
-    export::write(document, options, &mut out, &mut |_, _| {}).unwrap();
+    export::write(document, format, &mut out, &mut |_, _| {}).unwrap();
     String::from_utf8(out).unwrap()
 }
 
@@ -106,7 +105,7 @@ fn ascii_is_what_c_prints() {
     for (pose, position) in poses.iter().zip(&positions) {
         assert_eq!(pose.vrp, position.to_array());
     }
-    let text = written(&document, Format::Ascii, false);
+    let text = written(&document, Format::Ascii);
     let mut lines = text.lines();
     for pose in &poses {
         let expected: Vec<_> = numbers(pose).into_iter().map(c_prints).collect();
@@ -123,11 +122,7 @@ fn described() -> Document {
         comment: "two\nlines\t\u{7f}\r\u{85}".to_owned(),
         fps: 23.976,
         first_frame: -3,
-        space: Space {
-            scale: 2.5,
-            origin: dvec3(10.0, -20.0, 1e-3),
-            unit: "m".to_owned(),
-        },
+        unit: "m".to_owned(),
         ..Info::default()
     };
     let mut random = random();
@@ -137,20 +132,6 @@ fn described() -> Document {
     )
 }
 
-/// The poses as they are to be written.
-fn expected(document: &Document, world: bool) -> Vec<Pose> {
-    let mut poses = poses(document);
-    if world {
-        let space = &document.info().space;
-        for pose in &mut poses {
-            for (axis, x) in pose.vrp.iter_mut().enumerate() {
-                *x = space.origin[axis] + space.scale * *x;
-            }
-        }
-    }
-    poses
-}
-
 fn same_bits(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits()
 }
@@ -158,67 +139,65 @@ fn same_bits(a: f64, b: f64) -> bool {
 #[test]
 fn csv_has_a_header_and_every_bit() {
     let document = described();
-    for world in [false, true] {
-        let text = written(&document, Format::Csv, world);
-        let mut lines = text.lines();
-        assert_eq!(
-            lines.next().unwrap(),
-            "frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom"
-        );
-        for (index, pose) in expected(&document, world).iter().enumerate() {
-            let mut cells = lines.next().unwrap().split(',');
-            let frame: i32 = cells.next().unwrap().parse().unwrap();
-            assert_eq!(frame, index as i32 - 3);
-            for number in numbers(pose) {
-                let cell: f64 = cells.next().unwrap().parse().unwrap();
-                assert!(same_bits(cell, number));
-            }
-            assert_eq!(cells.next(), None);
+    let text = written(&document, Format::Csv);
+    let mut lines = text.lines();
+    assert_eq!(
+        lines.next().unwrap(),
+        "frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom"
+    );
+    for (index, pose) in poses(&document).iter().enumerate() {
+        let mut cells = lines.next().unwrap().split(',');
+        let frame: i32 = cells.next().unwrap().parse().unwrap();
+        assert_eq!(frame, index as i32 - 3);
+        for number in numbers(pose) {
+            let cell: f64 = cells.next().unwrap().parse().unwrap();
+            assert!(same_bits(cell, number));
         }
-        assert_eq!(lines.next(), None);
+        assert_eq!(cells.next(), None);
     }
+    assert_eq!(lines.next(), None);
 }
 
 #[test]
 fn json_is_json_with_every_bit() {
     let document = described();
+    let mut document = document;
+    let space = Space {
+        centre: dvec3(0.5, -20.0, 1e-3),
+        half_size: 2.5,
+        up: Up::Z,
+    };
+    document
+        .apply(Edit::SetSpace { space, fit: false })
+        .unwrap();
     let info = document.info();
-    for world in [false, true] {
-        let text = written(&document, Format::Json, world);
-        let json: serde_json::Value = serde_json::from_str(&text).unwrap();
-        assert_eq!(json["title"], info.title.as_str());
-        assert_eq!(json["comment"], info.comment.as_str());
-        assert_eq!(json["fps"], 23.976);
-        assert_eq!(json["first_frame"], -3);
-        assert_eq!(json["space"], if world { "world" } else { "movement" });
-        assert_eq!(json.get("unit").is_some(), world);
-        let poses = expected(&document, world);
-        assert_eq!(json["frame_count"], poses.len());
-        let array = json["poses"].as_array().unwrap();
-        assert_eq!(array.len(), poses.len());
-        for (pose, value) in poses.iter().zip(array) {
-            for (name, vector) in [("vrp", pose.vrp), ("vpn", pose.vpn), ("vup", pose.vup)] {
-                for (axis, &number) in vector.iter().enumerate() {
-                    assert!(same_bits(value[name][axis].as_f64().unwrap(), number));
-                }
+    let text = written(&document, Format::Json);
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(json["title"], info.title.as_str());
+    assert_eq!(json["comment"], info.comment.as_str());
+    assert_eq!(json["fps"], 23.976);
+    assert_eq!(json["first_frame"], -3);
+    assert_eq!(
+        json["space"],
+        serde_json::json!({
+            "centre": [0.5, -20.0, 1e-3],
+            "half_size": 2.5,
+            "unit": "m",
+            "up": "z",
+        })
+    );
+    let poses = poses(&document);
+    assert_eq!(json["frame_count"], poses.len());
+    let array = json["poses"].as_array().unwrap();
+    assert_eq!(array.len(), poses.len());
+    for (pose, value) in poses.iter().zip(array) {
+        for (name, vector) in [("vrp", pose.vrp), ("vpn", pose.vpn), ("vup", pose.vup)] {
+            for (axis, &number) in vector.iter().enumerate() {
+                assert!(same_bits(value[name][axis].as_f64().unwrap(), number));
             }
-            assert!(same_bits(value["zoom"].as_f64().unwrap(), pose.zoom));
         }
+        assert!(same_bits(value["zoom"].as_f64().unwrap(), pose.zoom));
     }
-}
-
-#[test]
-fn the_world_is_applied_to_positions_only() {
-    let document = described();
-    let text = written(&document, Format::Ascii, true);
-    for (line, pose) in text.lines().zip(expected(&document, true)) {
-        let expected: Vec<_> = numbers(&pose).into_iter().map(c_prints).collect();
-        assert_eq!(line, expected.join(" "));
-    }
-    let mut plain = Vec::new();
-    let sampler = document.sampler().unwrap();
-    ascii::write_ascii(sampler, Some(&document.info().space), &mut plain).unwrap();
-    assert_eq!(plain, text.as_bytes());
 }
 
 #[test]
@@ -227,24 +206,20 @@ fn files_hold_the_same_and_progress_reaches_the_end() {
     let file = folder.path().join("poses.txt");
     let document = described();
     for format in [Format::Ascii, Format::Csv, Format::Json] {
-        let options = Options {
-            format,
-            world: false,
-        };
         let mut seen = Vec::new();
-        export::write_file(&document, options, &file, &mut |done, all| {
+        export::write_file(&document, format, &file, &mut |done, all| {
             seen.push((done, all));
         })
         .unwrap();
         let text = std::fs::read_to_string(&file).unwrap();
-        assert_eq!(text, written(&document, format, false));
+        assert_eq!(text, written(&document, format));
         assert!(seen.is_sorted());
         assert_eq!(seen.last(), Some(&(2_000, 2_000)));
     }
     let sampler = document.sampler().unwrap();
-    ascii::write_ascii_file(sampler, None, &file).unwrap();
+    ascii::write_ascii_file(sampler, &file).unwrap();
     let text = std::fs::read_to_string(&file).unwrap();
-    assert_eq!(text, written(&document, Format::Ascii, false));
+    assert_eq!(text, written(&document, Format::Ascii));
 }
 
 /// A writer that takes so many bytes and then fails.
@@ -269,12 +244,8 @@ impl Write for Full {
 fn a_full_output_is_told() {
     let document = described();
     for format in [Format::Ascii, Format::Csv, Format::Json] {
-        let options = Options {
-            format,
-            world: false,
-        };
         for room in [0, 1, 100, 100_000] {
-            let error = export::write(&document, options, &mut Full(room), &mut |_, _| {});
+            let error = export::write(&document, format, &mut Full(room), &mut |_, _| {});
             let error = error.unwrap_err();
             assert!(matches!(error, Error::Io { .. }));
             assert_eq!(error.to_string(), "the output: No space left on device");

@@ -378,7 +378,7 @@ fn at_the_end_of_the_world_there_is_no_absolute_target_ahead() {
     };
     assert_eq!(
         refused(&mut document, absolute(0)),
-        "a target in this direction would lie further out than 1e9"
+        "a target in this direction would lie further out than 1e9 half sizes"
     );
     document.apply(absolute(1)).unwrap();
 }

@@ -469,7 +469,11 @@ fn a_timeline_brought_up_to_date_equals_a_new_one() {
                 _ => edited.curve = CurveParameters::Preset(random.below(10) as u8),
             }
             for orientation in &mut edited.orientations {
-                if orientation.target.check(edited.position).is_err() {
+                if orientation
+                    .target
+                    .check(edited.position, path.space)
+                    .is_err()
+                {
                     orientation.target = Target::Relative(DVec3::Z);
                 }
             }

@@ -15,6 +15,7 @@ const SOURCES: [&str; 21] = [
     "points",
     "orientations",
     "settings",
+    "space",
     "shape",
     "pace",
     "curve",

@@ -117,7 +117,11 @@ fn an_object_has_so_many_points_at_most() {
             object: vec![point; count].into(),
             ..Info::default()
         };
-        assert_eq!(info.check().is_ok(), taken, "{count} points");
+        assert_eq!(
+            info.check(vides::path::Space::default()).is_ok(),
+            taken,
+            "{count} points"
+        );
     }
 }
 

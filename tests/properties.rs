@@ -5,7 +5,7 @@ mod common;
 use common::{Random, all_poses, prepared, set_speeds};
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
-use vides::document::export::{self, Format, Options};
+use vides::document::export::{self, Format};
 use vides::document::{Document, Info};
 use vides::path::arc_length::ArcLength;
 use vides::path::hermite::Cubic;
@@ -345,11 +345,7 @@ fn every_count_of_frames_is_the_same() {
         let document = Document::from_parts(path, Info::default()).unwrap();
         for (format, heading) in [(Format::Ascii, 0), (Format::Csv, 1)] {
             let mut text = Vec::new();
-            let options = Options {
-                format,
-                world: false,
-            };
-            export::write(&document, options, &mut text, &mut |_, _| {}).unwrap();
+            export::write(&document, format, &mut text, &mut |_, _| {}).unwrap();
             let lines = text.iter().filter(|&&byte| byte == b'\n').count();
             assert_eq!(lines, heading + poses.len());
             assert_eq!(text.last(), Some(&b'\n'));

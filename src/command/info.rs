@@ -3,9 +3,9 @@
 use std::fmt::{Display, Write};
 use std::path::Path;
 
-use vides::document::{Info, Space};
+use vides::document::Info;
 use vides::path::{
-    CameraPath, Change, CurveParameters, OrientationMode, Section, Timeline, ZoomMode,
+    CameraPath, Change, CurveParameters, OrientationMode, Section, Space, Timeline, ZoomMode,
 };
 
 use super::table::{Align, Table, decimals};
@@ -96,15 +96,17 @@ fn summary(
     );
     entry("Orientation", &mode);
     entry("Zoom", &zoom);
-    if info.space != Space::default() {
-        let space = &info.space;
-        let [x, y, z] = space.origin.to_array();
+    if path.space != Space::default() || !info.unit.is_empty() {
+        let space = path.space;
+        let [x, y, z] = space.centre.to_array();
+        let gap = if info.unit.is_empty() { "" } else { " " };
         entry(
-            "World",
+            "Space",
             &format_args!(
-                "({x}, {y}, {z}) + {} × position {}",
-                space.scale,
-                one_line(&space.unit)
+                "({x:?}, {y:?}, {z:?}) ± {:?}{gap}{}, {} up",
+                space.half_size,
+                one_line(&info.unit),
+                space.up.name()
             ),
         );
     }
@@ -188,7 +190,8 @@ fn sections(path: &CameraPath, info: &Info, timeline: &Timeline) -> Table {
     let count = timeline.section_count();
     let all = || (0..count).map(|index| timeline.section(index));
     let lengths = all().filter(|section| section.change == Change::Position);
-    let places = decimals(lengths.map(|section| section.amount));
+    let half_size = path.space.half_size;
+    let places = decimals(lengths.map(|section| half_size * section.amount));
     // The first pose of all belongs to no section.
     let mut next = i64::from(info.first_frame) + 1;
     let mut row = |number: String, from: String, to: String, change: [String; 3], frames: usize| {
@@ -218,7 +221,7 @@ fn sections(path: &CameraPath, info: &Info, timeline: &Timeline) -> Table {
         } else {
             place(path, (point + 1) % path.points.len(), 0)
         };
-        let change = change(&section, places);
+        let change = change(&section, half_size, places);
         row((index + 1).to_string(), from, to, change, section.frames);
     }
     // On a closed path the first key has rested already.
@@ -243,10 +246,13 @@ fn place(path: &CameraPath, point: usize, orientation: usize) -> String {
 }
 
 /// What changes in a section, by how much, in which unit.
-fn change(section: &Section, places: usize) -> [String; 3] {
+fn change(section: &Section, half_size: f64, places: usize) -> [String; 3] {
     let amount = section.amount;
     let (name, by, unit) = match section.change {
-        Change::Position => ("position", format!("{amount:.places$}"), ""),
+        Change::Position => {
+            let length = half_size * amount;
+            ("position", format!("{length:.places$}"), "")
+        }
         Change::View => ("view", format!("{:.2}", 180.0 * amount), "degrees"),
         Change::Roll => ("roll", format!("{:.2}", 90.0 * amount), "degrees"),
         Change::Zoom => ("zoom", format!("{:.2}", 99.0 * amount), "mm"),

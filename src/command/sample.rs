@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use vides::document::export::{self, Options, Progress};
+use vides::document::export::{self, Progress};
 use vides::document::{Document, Edit};
 
 use super::progress::Bar;
@@ -26,11 +26,6 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 
-    /// Writes positions in the file's own world (its [space]: origin + scale ×
-    /// position) instead of the movement space
-    #[arg(long)]
-    world: bool,
-
     #[command(flatten)]
     speeds: Speeds,
 }
@@ -50,7 +45,7 @@ enum Format {
 #[derive(Args)]
 #[command(next_help_heading = "Base speeds, instead of the file's; each > 0")]
 struct Speeds {
-    /// Frames for a way of length 1 at speed 50
+    /// Frames for a way of half the space's size at speed 50
     #[arg(long, value_name = "FRAMES", value_parser = base_speed, allow_negative_numbers = true)]
     move_frames: Option<f64>,
 
@@ -107,13 +102,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     // Too many frames is a fault of the path: told before any file is touched.
     document.sampler().map_err(place)?;
 
-    let options = Options {
-        format: match arguments.format {
-            Format::Ascii => export::Format::Ascii,
-            Format::Csv => export::Format::Csv,
-            Format::Json => export::Format::Json,
-        },
-        world: arguments.world,
+    let format = match arguments.format {
+        Format::Ascii => export::Format::Ascii,
+        Format::Csv => export::Format::Csv,
+        Format::Json => export::Format::Json,
     };
     // Lines of poses on a terminal are progress enough.
     let shown = io::stderr().is_terminal() && !(to_standard_output && io::stdout().is_terminal());
@@ -124,11 +116,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
     };
     if to_standard_output {
-        write_to_standard_output(&document, options, &mut progress)
+        write_to_standard_output(&document, format, &mut progress)
     } else if fs::metadata(out).is_ok_and(|metadata| input::is_stream(&metadata)) {
-        Ok(write_to_stream(&document, options, out, &mut progress)?)
+        Ok(write_to_stream(&document, format, out, &mut progress)?)
     } else {
-        Ok(export::write_file(&document, options, out, &mut progress)?)
+        Ok(export::write_file(&document, format, out, &mut progress)?)
     }
 }
 
@@ -137,12 +129,12 @@ const BUFFER: usize = 1 << 16;
 
 fn write_to_standard_output(
     document: &Document,
-    options: Options,
+    format: export::Format,
     progress: Progress<'_>,
 ) -> Result<(), Failure> {
     // Locked once, and past the search for line ends that standard output does.
     let mut out = BufWriter::with_capacity(BUFFER, io::stdout().lock());
-    export::write(document, options, &mut out, progress).map_err(|error| match error {
+    export::write(document, format, &mut out, progress).map_err(|error| match error {
         vides::Error::Io { source, .. } => output_failed(&source),
         other => other.into(),
     })?;
@@ -152,7 +144,7 @@ fn write_to_standard_output(
 /// Into a pipe or a device, which cannot be replaced as a file is.
 fn write_to_stream(
     document: &Document,
-    options: Options,
+    format: export::Format,
     file: &Path,
     progress: Progress<'_>,
 ) -> vides::Result<()> {
@@ -162,7 +154,7 @@ fn write_to_stream(
     };
     let opened = OpenOptions::new().write(true).open(file).map_err(named)?;
     let mut out = BufWriter::with_capacity(BUFFER, opened);
-    export::write(document, options, &mut out, progress).map_err(|error| match error {
+    export::write(document, format, &mut out, progress).map_err(|error| match error {
         vides::Error::Io { source, .. } => named(source),
         other => other,
     })?;

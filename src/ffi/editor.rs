@@ -15,6 +15,7 @@ use super::host_loop;
 use super::object::wireframe;
 use super::path::{keep, read};
 use super::pointers::{self, Growing, Out, check, file_name, init, read_growing};
+use super::space::up_from_c;
 use super::status::{
     Answer, Failure, V_ERR_ARGUMENT, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_ERR_RANGE, V_OK,
 };
@@ -26,7 +27,7 @@ use crate::document::{Document, Edit};
 use crate::editor::{self, Language};
 use crate::error::{Result, complain, vec_with_room};
 use crate::instance::{self, Gone, Host, Id, Reason};
-use crate::path::{BaseSpeeds, Pose, Sampler};
+use crate::path::{BaseSpeeds, Pose, Sampler, Space};
 
 /// All windows that C holds.
 static EDITORS: Handles<Opened, V_EDITOR> = Handles::new(KIND_EDITOR);
@@ -216,6 +217,16 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             instance::document_of(name)?
         }
     };
+    if options.space_half_size != 0.0 {
+        let space = Space {
+            centre: options.space_centre.into(),
+            half_size: options.space_half_size,
+            up: up_from_c(options.space_up)?,
+        };
+        // A new path lies in the space as it does in its own; others have numbers.
+        let fit = options.path.is_null() && document.read_contents().is_none();
+        document.apply(Edit::SetSpace { space, fit })?;
+    }
     // SAFETY: the caller's word.
     let object = unsafe { wireframe(options.object) }?;
     if !object.is_empty() {

@@ -47,6 +47,7 @@ mod scene_tracks;
 mod scene_types;
 mod settings;
 mod shape;
+mod space;
 mod splines;
 mod status;
 mod types;

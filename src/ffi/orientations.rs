@@ -267,6 +267,7 @@ pub unsafe extern "C" fn v_path_set_absolute(
 /// distance  0: along the tangent; greater: at the place so far ahead on the
 ///     curve, behind the end of which it looks on straight; less: no longer
 ///     ahead, but in the direction in which it looked, as an offset. At most 1e9
+///     half sizes of the space
 /// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]

@@ -217,7 +217,7 @@ pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_
         let file = unsafe { file_name(file) }?;
         read(path, |document| {
             let sampler = document.sampler()?;
-            ascii::write_ascii_file(sampler, None, file)?;
+            ascii::write_ascii_file(sampler, file)?;
             Ok(V_OK)
         })
     })
@@ -240,7 +240,7 @@ pub unsafe extern "C" fn v_path_write_ascii_to_memory(
         let out = TextOut::new(text, capacity, length)?;
         read(path, |document| {
             let mut lines = Lines(Vec::new());
-            ascii::write_ascii(document.sampler()?, None, &mut lines).map_err(|_| Error::Memory)?;
+            ascii::write_ascii(document.sampler()?, &mut lines).map_err(|_| Error::Memory)?;
             // SAFETY: room as the header says.
             unsafe { out.write(&lines.0) }
         })

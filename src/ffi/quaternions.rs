@@ -33,6 +33,19 @@ fn direction(v: DVec3) -> Answer<DVec3> {
     Ok(unit(v))
 }
 
+/// View direction and up as C gives them: with length 1, and perpendicular.
+pub(super) fn view(vpn: DVec3, vup: DVec3) -> Answer<(DVec3, DVec3)> {
+    let (view, up) = (direction(vpn)?, direction(vup)?);
+    let side = up.cross(view);
+    if side.length() < PARALLEL {
+        return Err(Error::Argument(
+            "the up vector must not be parallel to the view direction".into(),
+        )
+        .into());
+    }
+    Ok((view, view.cross(unit(side))))
+}
+
 /// ==== Toolbox: quaternions ====
 ///
 /// Quaternions are w, x, y, z. What goes in is brought to length 1; V_ERR_ARGUMENT
@@ -69,15 +82,8 @@ pub unsafe extern "C" fn v_quat_from_view(vpn: *const f64, vup: *const f64, q: *
         let out = Out::array(q)?;
         // SAFETY: three doubles each, as the header says.
         let (vpn, vup) = unsafe { (read_vector(vpn)?, read_vector(vup)?) };
-        let (view, up) = (direction(vpn)?, direction(vup)?);
-        let side = up.cross(view);
-        if side.length() < PARALLEL {
-            return Err(Error::Argument(
-                "the up vector must not be parallel to the view direction".into(),
-            )
-            .into());
-        }
-        let q = quaternion_from_view(view, view.cross(unit(side)));
+        let (view, up) = view(vpn, vup)?;
+        let q = quaternion_from_view(view, up);
         // SAFETY: room for four doubles, as the header says.
         unsafe { out.write(to_c(q)) };
         Ok(V_OK)

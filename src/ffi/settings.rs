@@ -46,8 +46,9 @@ fn zoom_mode(number: c_int) -> Answer<ZoomMode> {
 /// ==== What holds for the whole path ====
 ///
 /// Sets how many poses a path has at speed 50, each finite and > 0: for a way of
-/// length 1 (move), for turning by 180 degrees (turn), for the zoom from 1 to 100
-/// (zoom), for rolling by 90 degrees (roll). v_haupt() calls them its speeds.
+/// one half size of its space (move), for turning by 180 degrees (turn), for the
+/// zoom from 1 to 100 (zoom), for rolling by 90 degrees (roll). v_haupt() calls
+/// them its speeds.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_base_frames(

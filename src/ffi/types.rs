@@ -215,8 +215,8 @@ pub struct v_editor_options {
     pub path: *const V_PATH,
     /// an object to be shown, copied; NULL: that of the path
     pub object: *const V_MESH,
-    /// frames for a way of length 1 and so on, see v_path_set_base_frames(). All
-    /// 0: those of the path. Else they are the host's: the window keeps them and
+    /// frames for a way of one half size and so on, see v_path_set_base_frames().
+    /// All 0: those of the path. Else they are the host's: the window keeps them and
     /// ignores a loaded file's
     pub move_frames: f64,
     pub turn_frames: f64,

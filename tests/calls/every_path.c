@@ -585,6 +585,36 @@ CALL(v_pose_gl_matrix)
     return v_pose_gl_matrix(pose, result(16 * sizeof(double), 0));
 }
 
+/* ---- Space ---------------------------------------------------------------------------- */
+
+CALL(v_path_set_space)
+{
+    V_PATH *path = a_path();
+    const double *centre = numbers(3, -1, 1);
+    double half_size = number(0.5, 2);
+    return v_path_set_space(path, centre, half_size, whole(V_UP_Y, V_UP_Z));
+}
+
+CALL(v_path_get_space)
+{
+    const V_PATH *path = a_path();
+    double *centre = result(3 * sizeof(double), 1), *half_size = result(sizeof(double), 1);
+    return v_path_get_space(path, centre, half_size, result(sizeof(int), 1));
+}
+
+CALL(v_orientation_from_pose)
+{
+    const V_POSE *pose = a_pose();
+    int up = whole(V_UP_Y, V_UP_Z);
+    V_ORIENTATION o;
+
+    v_orientation_init(&o);
+    o.size = chance(wild) ? below(400) : sizeof o;
+    frame->unfit |= o.size != sizeof o;
+    return v_orientation_from_pose(pose, up,
+                                   (V_ORIENTATION *)given("V_ORIENTATION", &o, sizeof o));
+}
+
 /* ---- Shape and pace ------------------------------------------------------------------- */
 
 CALL(v_path_set_curve)

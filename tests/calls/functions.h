@@ -59,6 +59,9 @@
     F(v_path_get_fps, STATUS, V_OK, 0) \
     F(v_path_set_first_frame, STATUS, V_OK, 0) \
     F(v_path_get_first_frame, STATUS, V_OK, 0) \
+    F(v_path_set_space, STATUS, V_OK, 0) \
+    F(v_path_get_space, STATUS, V_OK, 0) \
+    F(v_orientation_from_pose, STATUS, V_OK, 0) \
     F(v_path_set_object, STATUS, V_OK, 0) \
     F(v_path_set_curve, STATUS, V_OK, 0) \
     F(v_path_get_curve, STATUS, V_OK, 0) \

@@ -23,7 +23,10 @@ pub(crate) fn check(bytes: &[u8]) {
         Err(error) => return check_refusal(bytes, &error),
     };
     document.path().check().expect("a path in order");
-    document.info().check().expect("what a file says besides");
+    document
+        .info()
+        .check(document.path().space)
+        .expect("what a file says besides");
     let text = document.to_toml().expect("a text");
     let again = Document::from_toml(&text)
         .unwrap_or_else(|error| panic!("saved and then refused: {error}\n{text}"));

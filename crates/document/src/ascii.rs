@@ -8,19 +8,17 @@ use std::io::Write;
 use std::path::Path;
 
 use super::blocks::{self, Progress};
-use super::info::Space;
 use super::save;
 use crate::error::Result;
 use crate::path::{Pose, Sampler};
 
 /// Writes every pose of a path as one line
-/// `VRP.x VRP.y VRP.z VPN.x VPN.y VPN.z VUP.x VUP.y VUP.z zoom`; `space` puts
-/// the positions into the user's world.
+/// `VRP.x VRP.y VRP.z VPN.x VPN.y VPN.z VUP.x VUP.y VUP.z zoom`.
 ///
 /// # Errors
 /// [`vides_engine::Error::Io`] if `out` fails, [`vides_engine::Error::Memory`].
-pub fn write_ascii(sampler: &Sampler, space: Option<&Space>, out: &mut dyn Write) -> Result<()> {
-    write_with_progress(sampler, space, out, &mut |_, _| {})
+pub fn write_ascii(sampler: &Sampler, out: &mut dyn Write) -> Result<()> {
+    write_with_progress(sampler, out, &mut |_, _| {})
 }
 
 /// The same into a file, which is replaced only when all is written
@@ -28,17 +26,16 @@ pub fn write_ascii(sampler: &Sampler, space: Option<&Space>, out: &mut dyn Write
 ///
 /// # Errors
 /// [`vides_engine::Error::Io`] naming the file, [`vides_engine::Error::Memory`].
-pub fn write_ascii_file(sampler: &Sampler, space: Option<&Space>, file: &Path) -> Result<()> {
-    save::save_with(file, &mut |out| write_ascii(sampler, space, out))
+pub fn write_ascii_file(sampler: &Sampler, file: &Path) -> Result<()> {
+    save::save_with(file, &mut |out| write_ascii(sampler, out))
 }
 
 pub(super) fn write_with_progress(
     sampler: &Sampler,
-    space: Option<&Space>,
     out: &mut dyn Write,
     progress: Progress<'_>,
 ) -> Result<()> {
-    blocks::write(sampler, space, out, progress, &mut |text, _, pose| {
+    blocks::write(sampler, out, progress, &mut |text, _, pose| {
         push_line(text, pose);
     })
 }
@@ -67,7 +64,7 @@ const FAST: f64 = 1e11;
 fn push_number(text: &mut Vec<u8>, x: f64) {
     let magnitude = x.abs();
     if magnitude >= FAST {
-        // Never met in the movement space; a world may be that large.
+        // A world may be that large.
         let _ = write!(text, "{x:.4}");
         return;
     }

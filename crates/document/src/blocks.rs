@@ -3,7 +3,6 @@
 
 use std::io::{self, Write};
 
-use super::info::Space;
 use crate::error::{Error, Result, vec_with_room};
 use crate::path::{Pose, Sampler};
 
@@ -21,7 +20,6 @@ const BYTES: usize = 256;
 /// its index from 0.
 pub(super) fn write(
     sampler: &Sampler,
-    space: Option<&Space>,
     out: &mut dyn Write,
     progress: Progress<'_>,
     push: &mut dyn FnMut(&mut Vec<u8>, usize, &Pose),
@@ -36,10 +34,7 @@ pub(super) fn write(
         let poses = &mut poses[..block];
         sampler.sample(done + 1, poses)?;
         text.clear();
-        for (index, pose) in poses.iter_mut().enumerate() {
-            if let Some(space) = space {
-                *pose = space.pose_to_world(pose);
-            }
+        for (index, pose) in poses.iter().enumerate() {
             push(&mut text, done + index, pose);
         }
         out.write_all(&text).map_err(failed)?;

@@ -10,7 +10,7 @@ use super::vid::Comments;
 use crate::error::{Result, vec_with_room};
 use crate::path::{
     BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Own, Plan,
-    SupportPoint, Tangents, Target, Tcb, ZoomMode,
+    Space, SupportPoint, Tangents, Target, Tcb, ZoomMode,
 };
 
 /// What the records change.
@@ -80,6 +80,7 @@ pub(super) enum Change {
     /// One after the other, each on what those before it left.
     Several(Vec<Change>),
     Modes(OrientationMode, ZoomMode),
+    Space(Space),
     InsertPoints {
         at: usize,
         points: Vec<SupportPoint>,
@@ -171,6 +172,9 @@ impl Change {
             Self::Modes(orientation, zoom) => {
                 path.orientation_mode == *orientation && path.zoom_mode == *zoom
             }
+            Self::Space(space) => {
+                same_vector(path.space.centre, space.centre) && path.space == *space
+            }
             _ => false,
         }
     }
@@ -233,6 +237,7 @@ impl Change {
                 std::mem::replace(&mut path.orientation_mode, orientation),
                 std::mem::replace(&mut path.zoom_mode, zoom),
             ),
+            Self::Space(space) => Self::Space(std::mem::replace(&mut path.space, space)),
             Self::InsertPoints {
                 at,
                 mut points,
@@ -328,6 +333,7 @@ impl Change {
             | (Self::Closed(_), Self::Closed(_))
             | (Self::CurveKind(_), Self::CurveKind(_))
             | (Self::Modes(..), Self::Modes(..))
+            | (Self::Space(_), Self::Space(_))
             | (Self::Info(_), Self::Info(_)) => true,
             _ => false,
         }

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::info::Info;
 use crate::path::{
-    BaseSpeeds, CameraPath, CurveKind, Orientation, OrientationMode, Tangents, Tcb, ZoomMode,
+    BaseSpeeds, CameraPath, CurveKind, Orientation, OrientationMode, Space, Tangents, Tcb, ZoomMode,
 };
 
 /// One change of a document. Points, orientations, segments and presets are
@@ -152,8 +152,16 @@ pub enum Edit {
     SetClosed(bool),
     /// How the camera turns and how the zoom runs.
     SetModes(OrientationMode, ZoomMode),
-    /// Title, comment, frames per second, space and object.
+    /// Title, comment, frames per second, unit and object.
     SetInfo(Box<Info>),
+    /// Where the path lies in the world.
+    SetSpace {
+        /// The new space.
+        space: Space,
+        /// Whether the path goes along, so that it lies in the new space as it did in
+        /// the old one; else its numbers stay. The object's do always.
+        fit: bool,
+    },
     /// Another path in place of this one; its first point becomes current.
     ReplacePath(Box<CameraPath>),
 }

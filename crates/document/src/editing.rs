@@ -13,7 +13,7 @@ use super::prepare;
 use super::vid::{self, Comments};
 use crate::error::Result;
 use crate::limits;
-use crate::path::{CameraPath, Plan, Sampler, Timeline};
+use crate::path::{CameraPath, Plan, Sampler, Space, Timeline};
 
 /// The current point and its current orientation, counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -93,7 +93,7 @@ impl Document {
     /// [`Info`] demand, with its place.
     pub fn from_parts(mut path: CameraPath, mut info: Info) -> Result<Self> {
         prepare::normalise(&mut path)?;
-        info.check()?;
+        info.check(path.space)?;
         info.normalise();
         Ok(Self::with(path, info))
     }
@@ -353,6 +353,29 @@ impl Document {
     /// more than [`limits::MAX_FRAMES`] frames.
     pub fn sampler(&self) -> Result<&Sampler> {
         self.plan.sampler(&self.content.path)
+    }
+
+    /// The smallest space that holds the object, with a tenth to spare.
+    ///
+    /// # Errors
+    /// As [`Space::around`].
+    pub fn space_around_object(&self) -> Result<Space> {
+        let object = self.content.info.object.iter();
+        Space::around(object.map(|point| point.position), self.path().space.up)
+    }
+
+    /// The smallest space that holds the path's curve, with a tenth to spare.
+    ///
+    /// # Errors
+    /// As [`Space::around`]; [`vides_engine::Error::Memory`].
+    pub fn space_around_path(&self) -> Result<Space> {
+        self.timeline(|timeline| {
+            // So near to one another that what lies between is spared for.
+            let along = (0..timeline.segment_count()).flat_map(|segment| {
+                (0..=16).map(move |k| timeline.curve(segment).point(f64::from(k) / 16.0))
+            });
+            Space::around(along, self.path().space.up)
+        })?
     }
 
     /// The document in a `.vid` file.

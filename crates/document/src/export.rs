@@ -8,10 +8,9 @@ use super::ascii;
 use super::blocks;
 pub use super::blocks::Progress;
 use super::editing::Document;
-use super::info::Space;
 use super::save;
 use crate::error::Result;
-use crate::path::{Pose, Sampler};
+use crate::path::{Pose, Sampler, Space};
 
 /// How poses are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -51,15 +50,6 @@ impl Format {
     }
 }
 
-/// What is written and how.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Options {
-    /// The format.
-    pub format: Format,
-    /// Positions in the user's world ([`Space`]) instead of the movement space.
-    pub world: bool,
-}
-
 /// Writes all poses of a document.
 ///
 /// # Errors
@@ -67,16 +57,15 @@ pub struct Options {
 /// yields too many frames, [`vides_engine::Error::Memory`].
 pub fn write(
     document: &Document,
-    options: Options,
+    format: Format,
     out: &mut dyn Write,
     progress: Progress<'_>,
 ) -> Result<()> {
     let sampler = document.sampler()?;
-    let space = options.world.then_some(&document.info().space);
-    match options.format {
-        Format::Ascii => ascii::write_with_progress(sampler, space, out, progress),
-        Format::Csv => write_csv(document, sampler, space, out, progress),
-        Format::Json => write_json(document, sampler, space, out, progress),
+    match format {
+        Format::Ascii => ascii::write_with_progress(sampler, out, progress),
+        Format::Csv => write_csv(document, sampler, out, progress),
+        Format::Json => write_json(document, sampler, out, progress),
     }
 }
 
@@ -87,11 +76,11 @@ pub fn write(
 /// As [`write()`], naming the file.
 pub fn write_file(
     document: &Document,
-    options: Options,
+    format: Format,
     file: &Path,
     progress: Progress<'_>,
 ) -> Result<()> {
-    save::save_with(file, &mut |out| write(document, options, out, progress))
+    save::save_with(file, &mut |out| write(document, format, out, progress))
 }
 
 const HEADER: &str = "frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom\n";
@@ -99,13 +88,12 @@ const HEADER: &str = "frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_
 fn write_csv(
     document: &Document,
     sampler: &Sampler,
-    space: Option<&Space>,
     out: &mut dyn Write,
     progress: Progress<'_>,
 ) -> Result<()> {
     let first = i64::from(document.info().first_frame);
     out.write_all(HEADER.as_bytes()).map_err(blocks::failed)?;
-    blocks::write(sampler, space, out, progress, &mut |text, index, pose| {
+    blocks::write(sampler, out, progress, &mut |text, index, pose| {
         // Writing into a vector cannot fail.
         let _ = write!(text, "{}", first + index as i64);
         for number in [pose.vrp, pose.vpn, pose.vup].as_flattened() {
@@ -118,7 +106,6 @@ fn write_csv(
 fn write_json(
     document: &Document,
     sampler: &Sampler,
-    space: Option<&Space>,
     out: &mut dyn Write,
     progress: Progress<'_>,
 ) -> Result<()> {
@@ -135,16 +122,20 @@ fn write_json(
         info.first_frame,
         sampler.frame_count()
     );
-    match space {
-        Some(space) => {
-            head.extend_from_slice(b"\"world\",\n  \"unit\": ");
-            push_json_text(&mut head, &space.unit);
-        }
-        None => head.extend_from_slice(b"\"movement\""),
-    }
-    head.extend_from_slice(b",\n  \"poses\": [");
+    let Space {
+        centre,
+        half_size,
+        up,
+    } = document.path().space;
+    let _ = write!(
+        head,
+        "{{\"centre\": {:?}, \"half_size\": {half_size:?}, \"unit\": ",
+        centre.to_array()
+    );
+    push_json_text(&mut head, &info.unit);
+    let _ = write!(head, ", \"up\": \"{}\"}},\n  \"poses\": [", up.name());
     out.write_all(&head).map_err(blocks::failed)?;
-    blocks::write(sampler, space, out, progress, &mut |text, index, pose| {
+    blocks::write(sampler, out, progress, &mut |text, index, pose| {
         text.extend_from_slice(if index == 0 { b"\n    " } else { b",\n    " });
         push_json_pose(text, pose);
     })?;

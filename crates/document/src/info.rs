@@ -1,5 +1,5 @@
 //! What a file says besides the path itself: who it is for, how fast it is
-//! shown, where the movement space lies in the user's world.
+//! shown, what the world's unit is called, what stands in the world.
 
 use std::ops::Deref;
 use std::sync::Arc;
@@ -8,8 +8,7 @@ use glam::DVec3;
 
 use crate::error::{Error, Message, Result, message};
 use crate::limits;
-use crate::path::Pose;
-use crate::path::camera_path::check_coordinates;
+use crate::path::Space;
 
 /// Everything of a document that the engine does not read.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,29 +21,16 @@ pub struct Info {
     pub fps: f64,
     /// Number of the first frame in the user's film.
     pub first_frame: i32,
-    /// Where the movement space lies in the user's world.
-    pub space: Space,
+    /// Name of the world's unit ("m"), one line as the title; may be empty.
+    pub unit: String,
     /// Wireframe object, shown for orientation.
     pub object: Object,
-}
-
-/// Where the movement space lies in the user's world:
-/// world = origin + scale · position.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Space {
-    /// World units for one unit of the movement space; > 0, at most
-    /// [`limits::MAX_COORDINATE`].
-    pub scale: f64,
-    /// The movement space's (0, 0, 0) in world units.
-    pub origin: DVec3,
-    /// Name of the world's unit ("m"); may be empty.
-    pub unit: String,
 }
 
 /// One point of a wireframe object (thesis B.2.2, `V_OBJEKT_LIST`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ObjectPoint {
-    /// In the movement space.
+    /// In the world.
     pub position: DVec3,
     /// Whether a line leads here from the point before; a document keeps
     /// `false` for the first.
@@ -78,47 +64,9 @@ impl Default for Info {
             comment: String::new(),
             fps: 25.0,
             first_frame: 1,
-            space: Space::default(),
+            unit: String::new(),
             object: Object::default(),
         }
-    }
-}
-
-impl Default for Space {
-    /// The world is the movement space itself.
-    fn default() -> Self {
-        Self {
-            scale: 1.0,
-            origin: DVec3::ZERO,
-            unit: String::new(),
-        }
-    }
-}
-
-impl Space {
-    /// The world's coordinates of a point of the movement space.
-    #[must_use]
-    pub fn to_world(&self, position: DVec3) -> DVec3 {
-        self.origin + self.scale * position
-    }
-
-    /// The same pose in the world: the position moves, directions and zoom stay.
-    #[must_use]
-    pub fn pose_to_world(&self, pose: &Pose) -> Pose {
-        Pose {
-            vrp: self.to_world(DVec3::from_array(pose.vrp)).to_array(),
-            ..*pose
-        }
-    }
-
-    /// Whether scale, origin and unit can be used.
-    ///
-    /// # Errors
-    /// [`Error::Range`], [`Error::Argument`] or [`Error::Limit`].
-    pub fn check(&self) -> Result<()> {
-        check_scale(self.scale)?;
-        check_coordinates(self.origin).map_err(|error| error.at(message!("the origin")))?;
-        check_line(&self.unit, message!("the unit"))
     }
 }
 
@@ -133,11 +81,7 @@ impl Info {
             comment: copy_text(&self.comment)?,
             fps: self.fps,
             first_frame: self.first_frame,
-            space: Space {
-                scale: self.space.scale,
-                origin: self.space.origin,
-                unit: copy_text(&self.space.unit)?,
-            },
+            unit: copy_text(&self.unit)?,
             object: self.object.clone(),
         })
     }
@@ -152,15 +96,15 @@ impl Info {
         }
     }
 
-    /// Whether every field is in its range.
+    /// Whether every field is in its range, beside a path in this space.
     ///
     /// # Errors
     /// The first field that is not, with the reason.
-    pub fn check(&self) -> Result<()> {
+    pub fn check(&self, space: Space) -> Result<()> {
         check_line(&self.title, message!("the title"))?;
         check_comment(&self.comment)?;
         check_fps(self.fps)?;
-        self.space.check()?;
+        check_line(&self.unit, message!("the unit"))?;
         if self.object.len() > limits::MAX_OBJECT_POINTS {
             return Err(Error::Limit(message!(
                 "an object has at most {0} points",
@@ -168,21 +112,12 @@ impl Info {
             )));
         }
         for (index, point) in self.object.iter().enumerate() {
-            check_coordinates(point.position)
+            space
+                .check_place(point.position)
                 .map_err(|error| error.at(message!("object point {0}", index + 1)))?;
         }
         Ok(())
     }
-}
-
-/// Scale of a space.
-pub(super) fn check_scale(scale: f64) -> Result<()> {
-    if !(scale > 0.0 && scale <= limits::MAX_COORDINATE) {
-        return Err(Error::Range(message!(
-            "the scale must be greater than 0 and at most 1e9"
-        )));
-    }
-    Ok(())
 }
 
 /// Frames per second that a film can have.

@@ -33,7 +33,7 @@ mod wireframe;
 pub use contents::Contents;
 pub use edit::Edit;
 pub use editing::{Document, Selection};
-pub use info::{Info, Object, ObjectPoint, Space};
+pub use info::{Info, Object, ObjectPoint};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
 

@@ -79,7 +79,7 @@ pub(super) fn beyond(path: &CameraPath, end: End) -> Result<DVec3> {
         }));
     };
     // An end that already lies outside must not be pulled back in.
-    let (low, high) = (from.min(DVec3::NEG_ONE), from.max(DVec3::ONE));
+    let (low, high) = (from.min(path.space.low()), from.max(path.space.high()));
     let place = (from + length * way).clamp(low, high);
     if place == from {
         return Err(Error::Range(match end {

@@ -12,10 +12,13 @@ use crate::error::{Error, Result, message, vec_with_room};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::ahead;
-use crate::path::camera_path::{check_coordinates, check_speeds};
+use crate::path::camera_path::check_speeds;
 use crate::path::fit_frames::fit_frames;
 use crate::path::insertion::{self, Insertion};
-use crate::path::{CameraPath, CurveParameters, Orientation, Pace, SupportPoint, Target, Timeline};
+use crate::path::space::Move;
+use crate::path::{
+    CameraPath, CurveParameters, Orientation, Pace, Space, SupportPoint, Target, Timeline,
+};
 
 /// The record of an edit, and the selection after it if it sets one.
 pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<Selection>)> {
@@ -51,7 +54,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
         Edit::SetTangents { at, tangents } => {
             point(path, at)?;
             if let Some(tangents) = tangents {
-                tangents.check()?;
+                tangents.check(path.space)?;
             }
             Change::Tangents { at, tangents }
         }
@@ -74,7 +77,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             ));
         }
         Edit::SetPosition { at, position } => {
-            check_position(point(path, at)?, at, position)?;
+            check_position(point(path, at)?, at, position, path.space)?;
             Change::Position { at, position }
         }
         Edit::SetName { at, name } => {
@@ -132,7 +135,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             orientation: new,
         } => {
             let old = orientation(path, number, at)?;
-            let new = checked(new, path.points[number].position)?;
+            let new = checked(new, path.points[number].position, path.space)?;
             Change::Orientation {
                 point: number,
                 at,
@@ -149,7 +152,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             if new.own.ahead.is_some() {
                 new = no_longer_ahead(path, number, at)?;
             }
-            new.target = target::switched(new.target, position, absolute)?;
+            new.target = target::switched(new.target, position, absolute, path.space)?;
             Change::Orientation {
                 point: number,
                 at,
@@ -163,12 +166,23 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
         Edit::SetClosed(closed) => Change::Closed(closed),
         Edit::SetModes(orientation, zoom) => Change::Modes(orientation, zoom),
         Edit::SetInfo(mut info) => {
-            info.check()?;
+            info.check(path.space)?;
             info.normalise();
             Change::Info(info)
         }
+        Edit::SetSpace { space, fit } => {
+            space.check()?;
+            content.info.check(space)?;
+            if fit && path.space != space {
+                moved(path, space)?
+            } else {
+                path.check_in(space)?;
+                Change::Space(space)
+            }
+        }
         Edit::ReplacePath(mut path) => {
             normalise(&mut path)?;
+            content.info.check(path.space)?;
             return Ok((Change::Path(path, 0), Some(Selection::default())));
         }
     };
@@ -255,6 +269,20 @@ fn on_curve(content: &Content, frame: f64) -> Result<(Change, Option<Selection>)
     Ok((Change::Several(changes), Some(Selection::at(at, 0))))
 }
 
+/// The records of another space into which the path goes along.
+fn moved(path: &CameraPath, space: Space) -> Result<Change> {
+    let to = Move::new(path.space, space);
+    let mut changes = vec_with_room(1 + path.points.len())?;
+    changes.push(Change::Space(space));
+    for (at, point) in path.points.iter().enumerate() {
+        let point = to.point(point)?;
+        let checked = point.check(space);
+        checked.map_err(|error| error.at(message!("point {0}", at + 1)))?;
+        changes.push(Change::Point { at, point });
+    }
+    Ok(Change::Several(changes))
+}
+
 /// The records of fixed frames.
 fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result<Change> {
     let timeline = Timeline::new(path)?;
@@ -302,12 +330,13 @@ fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<Sup
     check_room(content, positions.len(), orientations)?;
     let mut points = vec_with_room(positions.len())?;
     for &position in positions {
-        check_coordinates(position)?;
+        content.path.space.check_place(position)?;
         let mut orientations = vec_with_room(source.orientations.len())?;
         for old in &source.orientations {
             let mut new = old.clone();
             if new.target == Target::Absolute(position) {
-                new.target = target::switched(old.target, source.position, false)?;
+                new.target =
+                    target::switched(old.target, source.position, false, content.path.space)?;
             }
             new.own = old.own.for_a_copy()?;
             orientations.push(new);
@@ -349,19 +378,19 @@ fn new_orientation(
     check_all_orientations(content.orientations + 1)?;
     match given {
         None => Ok(point.orientations[at.saturating_sub(1)].clone()),
-        Some(orientation) => checked(orientation, point.position),
+        Some(orientation) => checked(orientation, point.position, content.path.space),
     }
 }
 
 /// An orientation from outside, checked, its roll in (−180, 180].
-fn checked(mut orientation: Orientation, position: DVec3) -> Result<Orientation> {
-    orientation.check(position)?;
+fn checked(mut orientation: Orientation, position: DVec3, space: Space) -> Result<Orientation> {
+    orientation.check(position, space)?;
     orientation.roll = wrap_degrees(orientation.roll);
     Ok(orientation)
 }
 
-fn check_position(point: &SupportPoint, at: usize, position: DVec3) -> Result<()> {
-    check_coordinates(position)?;
+fn check_position(point: &SupportPoint, at: usize, position: DVec3, space: Space) -> Result<()> {
+    space.check_place(position)?;
     for (index, orientation) in point.orientations.iter().enumerate() {
         if orientation.target == Target::Absolute(position) {
             return Err(Error::Argument(message!(

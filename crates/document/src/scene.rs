@@ -68,7 +68,7 @@ impl SceneDocument {
     /// [`Error::Format`] with line and reason.
     pub fn from_toml(text: &str) -> Result<Self> {
         let (scene, mut info) = vid::scene_from_toml(text)?;
-        info.check()?;
+        info.check(scene.space())?;
         info.normalise();
         let comments = match vid::alone(&scene) {
             Some(_) => Comments::of(text)?,

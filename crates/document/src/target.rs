@@ -3,8 +3,7 @@
 use glam::DVec3;
 
 use crate::error::{Error, Result, message};
-use crate::limits::MAX_COORDINATE;
-use crate::path::Target;
+use crate::path::{Space, Target};
 
 /// A target closer to the camera than this, measured in the camera's largest
 /// coordinate, would lose more than four of the sixteen digits of its
@@ -21,34 +20,41 @@ const NEAR: f64 = 1.0 / 8192.0;
 /// # Errors
 /// [`Error::Range`] if no target within the largest coordinate is seen in
 /// that direction.
-pub(super) fn switched(target: Target, position: DVec3, absolute: bool) -> Result<Target> {
+pub(super) fn switched(
+    target: Target,
+    position: DVec3,
+    absolute: bool,
+    space: Space,
+) -> Result<Target> {
     match (target, absolute) {
         (Target::Absolute(_), false) => {
             let offset = target.offset_from(position);
             // Two opposite corners of the world are further apart than an
             // offset may be long. A power of two keeps its direction exactly.
-            let fits = offset.abs().max_element() <= MAX_COORDINATE;
+            let fits = space.check_offset(offset).is_ok();
             Ok(Target::Relative(if fits { offset } else { offset * 0.5 }))
         }
-        (Target::Relative(offset), true) => Ok(Target::Absolute(seen_along(offset, position)?)),
+        (Target::Relative(offset), true) => {
+            Ok(Target::Absolute(seen_along(offset, position, space)?))
+        }
         (same, _) => Ok(same),
     }
 }
 
 /// A point of the world that is seen from `position` in the direction of
 /// `offset`, at its end if possible.
-fn seen_along(offset: DVec3, position: DVec3) -> Result<DVec3> {
+fn seen_along(offset: DVec3, position: DVec3, space: Space) -> Result<DVec3> {
     let least = position.abs().max_element() * NEAR;
     let mut offset = offset;
     while offset.abs().max_element() < least {
         offset *= 2.0;
     }
     let mut target = position + offset;
-    while target.abs().max_element() > MAX_COORDINATE {
+    while space.check_place(target).is_err() {
         offset *= 0.5;
         if offset.abs().max_element() < least {
             return Err(Error::Range(message!(
-                "a target in this direction would lie further out than 1e9"
+                "a target in this direction would lie further out than 1e9 half sizes"
             )));
         }
         target = position + offset;

@@ -1,9 +1,12 @@
-//! What menus, shortcuts and buttons do, each under one name.
+//! What can be asked for in the window. The views draw the state and return actions;
+//! [`Editor::act`] alone does them.
 
 use glam::DVec3;
 
 use super::filing::{Purpose, Then};
-use super::setup::Theme;
+use super::number::Entry;
+use super::playing::Pace;
+use super::setup::{Setup, Theme};
 use super::state::{Editor, Request};
 use super::texts::fill;
 use super::windows::{
@@ -12,8 +15,8 @@ use super::windows::{
 use crate::document::{Edit, Selection};
 use crate::path::{Orientation, Target};
 
-/// Something that a menu entry, a key or a button stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What a menu entry, a key, a button or a field stands for.
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Action {
     /// Ask for a file and load a path from it.
     Load,
@@ -100,12 +103,65 @@ pub(super) enum Action {
     PlayOrPause,
     /// Show the keys.
     Keys,
+    /// A change of the path.
+    Edit(Edit),
+    /// What was entered into a number of the path.
+    Enter(Entry<Edit>),
+    /// The same of what stands at the playhead between two keys: it is added first.
+    EnterMissing(Entry<Edit>),
+    /// What was entered into a number of the play bar, as a frame.
+    Playhead(Entry),
+    /// Play again and again, or once.
+    SwitchLoops,
+    /// Play slower or faster.
+    Pace(Pace),
+    /// Another setup.
+    Setup(Box<Setup>),
+    /// Something that cannot be done, in words.
+    Complain(String),
+}
+
+impl Action {
+    /// What was entered into a number of what the panels show; `missing`: the path has
+    /// it not yet.
+    pub(super) const fn enter(missing: bool, entry: Entry<Edit>) -> Self {
+        if missing {
+            Self::EnterMissing(entry)
+        } else {
+            Self::Enter(entry)
+        }
+    }
+
+    /// Whether it is named by a menu, a key or a button: what stood in the output field
+    /// then goes away.
+    const fn is_command(&self) -> bool {
+        !matches!(
+            self,
+            Self::Edit(_)
+                | Self::Enter(_)
+                | Self::EnterMissing(_)
+                | Self::Playhead(_)
+                | Self::SwitchLoops
+                | Self::Pace(_)
+                | Self::Setup(_)
+                | Self::Complain(_)
+        )
+    }
 }
 
 impl Editor {
-    /// Does it. What stood in the output field goes away.
+    /// Does what a view returned.
+    pub(super) fn act_all(&mut self, actions: Vec<Action>, context: &egui::Context) {
+        for action in actions {
+            self.act(action, context);
+        }
+    }
+
+    /// Does an action.
     pub(super) fn act(&mut self, action: Action, context: &egui::Context) {
-        self.message = None;
+        if action.is_command() {
+            self.message = None;
+        }
         let Selection { point, orientation } = self.document.selection();
         match action {
             Action::Load => self.ask_to_load(),
@@ -192,6 +248,16 @@ impl Editor {
             Action::SwitchCameraView => self.setup.camera_view = !self.setup.camera_view,
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),
+            Action::Edit(edit) => {
+                self.edit(edit);
+            }
+            Action::Enter(entry) => self.enter(entry),
+            Action::EnterMissing(entry) => self.enter_missing(entry),
+            Action::Playhead(entry) => self.enter_frame(entry),
+            Action::SwitchLoops => self.switch_loops(context),
+            Action::Pace(pace) => self.set_pace(pace, context),
+            Action::Setup(setup) => self.setup = *setup,
+            Action::Complain(text) => self.complain(text),
         }
     }
 

@@ -201,11 +201,8 @@ impl Editor {
     pub(super) fn write_poses(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
         let mut count = 0;
-        let options = export::Options {
-            format: export::Format::of_file(file),
-            ..export::Options::default()
-        };
-        match export::write_file(&self.document, options, file, &mut |done, _| count = done) {
+        let format = export::Format::of_file(file);
+        match export::write_file(&self.document, format, file, &mut |done, _| count = done) {
             Ok(()) => {
                 self.say(fill(texts.output.written, &[&count, &short(file)]));
                 Ok(())

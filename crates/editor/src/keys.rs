@@ -95,8 +95,9 @@ pub(super) fn pressed(context: &Context) -> Vec<Action> {
                 _ => None,
             };
             let action = action.filter(|action| !(typing && OF_TEXTS.contains(action)));
+            let other = action.is_none();
             found.extend(action);
-            action.is_none()
+            other
         });
         found
     })
@@ -106,12 +107,15 @@ fn action_of(modifiers: Modifiers, key: Key) -> Option<Action> {
     let known = |shortcut: &&(Modifiers, Key, Action)| {
         shortcut.1 == key && modifiers.matches_exact(shortcut.0)
     };
-    SHORTCUTS.iter().find(known).map(|shortcut| shortcut.2)
+    SHORTCUTS
+        .iter()
+        .find(known)
+        .map(|shortcut| shortcut.2.clone())
 }
 
 /// The first shortcut of an action in words, if it has one.
-pub(super) fn words(language: Language, action: Action) -> Option<String> {
-    let &(modifiers, key, _) = SHORTCUTS.iter().find(|shortcut| shortcut.2 == action)?;
+pub(super) fn words(language: Language, action: &Action) -> Option<String> {
+    let &(modifiers, key, _) = SHORTCUTS.iter().find(|shortcut| shortcut.2 == *action)?;
     Some(combination(language, modifiers, key))
 }
 
@@ -193,11 +197,11 @@ mod tests {
 
     #[test]
     fn keys_are_named_in_the_windows_language() {
-        let german = |action| words(Language::German, action);
+        let german = |action: Action| words(Language::German, &action);
         assert_eq!(german(Action::Save).as_deref(), Some("Strg+S"));
         assert_eq!(german(Action::Redo).as_deref(), Some("Strg+Umschalt+Z"));
         assert_eq!(german(Action::RemovePoint).as_deref(), Some("Entf"));
-        let english = |action| words(Language::English, action);
+        let english = |action: Action| words(Language::English, &action);
         assert_eq!(english(Action::Quit).as_deref(), Some("Alt+F4"));
         assert_eq!(english(Action::AppendPoint), None);
     }

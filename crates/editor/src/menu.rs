@@ -281,7 +281,7 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
     let mut picked = None;
     ui.spacing_mut().item_spacing.y = 0.0;
     let keys = |entry: &Entry| {
-        let keys = keys::words(editor.language(), entry.action);
+        let keys = keys::words(editor.language(), &entry.action);
         let letter = || Some(in_menu(editor.language(), menu.letter, entry.letter?));
         keys.or_else(letter).unwrap_or_default()
     };
@@ -314,7 +314,7 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
             }
         }
         if response.clicked() {
-            picked = Some(entry.action);
+            picked = Some(entry.action.clone());
             ui.close();
         }
         response
@@ -435,5 +435,5 @@ fn pick_by_letter(context: &Context, menu: &Menu) -> Option<Action> {
             input.consume_key(Modifiers::NONE, letter) || input.consume_key(Modifiers::ALT, letter)
         })
     })?;
-    Some(entry.action)
+    Some(entry.action.clone())
 }

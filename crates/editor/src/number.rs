@@ -23,21 +23,36 @@ use super::theme;
 
 /// What a hand did to a number.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Entry {
+pub(super) enum Entry<T = f64> {
     /// Nothing.
     Idle,
     /// A drag begins: from here on all is one step.
     Begin,
     /// The value while it is dragged.
-    Drag(f64),
+    Drag(T),
     /// The drag is over.
     End,
     /// The drag was broken off: the value before it is wanted.
     Cancel,
     /// A value was typed.
-    Set(f64),
+    Set(T),
     /// What was typed is no good, in words.
     Wrong(String),
+}
+
+impl Entry {
+    /// The same of what the value stands for.
+    pub(super) fn map<T>(self, to: impl FnOnce(f64) -> T) -> Entry<T> {
+        match self {
+            Self::Idle => Entry::Idle,
+            Self::Begin => Entry::Begin,
+            Self::Drag(value) => Entry::Drag(to(value)),
+            Self::End => Entry::End,
+            Self::Cancel => Entry::Cancel,
+            Self::Set(value) => Entry::Set(to(value)),
+            Self::Wrong(text) => Entry::Wrong(text),
+        }
+    }
 }
 
 /// A number to be shown.

@@ -189,31 +189,24 @@ impl Editor {
             && self.document.select(at, 0).is_ok()
     }
 
-    /// Does what was entered into a number of what the panels show. If that is
-    /// `missing` in the path, the entry adds it first, in the same step.
-    pub(super) fn enter_shown(
-        &mut self,
-        missing: bool,
-        entry: Entry,
-        edit: impl FnOnce(f64) -> Edit,
-    ) {
+    /// Does what was entered into a number of what the panels show and the path has
+    /// not got: the entry adds it first, in the same step.
+    pub(super) fn enter_missing(&mut self, entry: Entry<Edit>) {
         match entry {
-            Entry::Begin if missing => {
+            Entry::Begin => {
                 self.document.begin_step();
                 self.add_here();
             }
-            Entry::Set(_) if missing => {
+            // A drag without a beginning is that of a slider that was not held: it makes
+            // a step by itself.
+            Entry::Set(edit) | Entry::Drag(edit) => {
                 self.document.begin_step();
                 if self.add_here() {
-                    self.enter(entry, edit);
+                    self.edit(edit);
                     self.document.end_step();
                 }
             }
-            // That of a slider that was not held: it makes a step by itself.
-            Entry::Drag(value) if missing => {
-                self.enter_shown(true, Entry::Set(value), edit);
-            }
-            entry => self.enter(entry, edit),
+            entry => self.enter(entry),
         }
     }
 }

@@ -13,7 +13,9 @@ use egui::{
     Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
-use self::fields::Pace;
+pub(super) use self::fields::Pace;
+use super::actions::Action;
+use super::number::Entry;
 use super::setup::Element;
 use super::space::Camera;
 use super::state::Editor;
@@ -225,7 +227,7 @@ impl Editor {
     }
 
     /// Plays faster or slower, from the frame that is shown on.
-    fn set_pace(&mut self, pace: Pace, context: &Context) {
+    pub(super) fn set_pace(&mut self, pace: Pace, context: &Context) {
         self.go_on_from_here(context);
         self.playing.pace = pace;
     }
@@ -251,6 +253,21 @@ impl Editor {
         self.playing.frame = Some(frame.clamp(1.0, as_frame(self.playing.marks.frames)));
         self.playing.scrubbed = true;
         self.select_at_playhead();
+    }
+
+    /// The playhead goes where a number of the bar says.
+    pub(super) fn enter_frame(&mut self, entry: Entry) {
+        match entry {
+            Entry::Begin => self.playing.before = Some(self.position_on_bar()),
+            Entry::Drag(frame) | Entry::Set(frame) => self.scrub(frame),
+            Entry::Cancel => {
+                if let Some(before) = self.playing.before.take() {
+                    self.scrub(before);
+                }
+            }
+            Entry::Wrong(why) => self.complain(why),
+            Entry::Idle | Entry::End => {}
+        }
     }
 
     /// The frame at which the bar's handle stands.
@@ -327,6 +344,12 @@ fn as_frame(frame: usize) -> f64 {
 /// Shows the bar at the lower border.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     editor.advance(ui.ctx());
+    let mut actions = Vec::new();
+    bar(editor, ui, &mut actions);
+    editor.act_all(actions, ui.ctx());
+}
+
+fn bar(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let palette = theme::palette(ui);
     let frame = egui::Frame::new()
         .fill(palette.panel)
@@ -343,11 +366,11 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         .show(ui, |ui| {
             ui.horizontal_centered(|ui| {
                 ui.spacing_mut().item_spacing.x = 12.0;
-                play_button(editor, ui);
-                fields::show(editor, ui);
+                play_button(editor, ui, actions);
+                fields::show(editor, ui, actions);
                 let width = ui.available_width() - BUTTON - 12.0;
-                timeline(editor, ui, width.max(60.0));
-                camera_button(editor, ui);
+                timeline(editor, ui, width.max(60.0), actions);
+                camera_button(editor, ui, actions);
             });
         });
 }
@@ -369,7 +392,7 @@ fn button(ui: &mut Ui, name: &str, tip: &str, on: bool) -> (egui::Response, Pain
     (response.on_hover_text(tip), painter)
 }
 
-fn play_button(editor: &mut Editor, ui: &mut Ui) {
+fn play_button(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     let plays = editor.playing.is_playing();
     let name = if plays { texts.pause } else { texts.play };
@@ -387,11 +410,11 @@ fn play_button(editor: &mut Editor, ui: &mut Ui) {
         painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
     }
     if response.clicked() {
-        editor.play_or_pause(ui.ctx());
+        actions.push(Action::PlayOrPause);
     }
 }
 
-fn camera_button(editor: &mut Editor, ui: &mut Ui) {
+fn camera_button(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     let on = editor.setup.camera_view;
     let (response, painter) = button(ui, texts.camera_view, texts.camera_view_tip, on);
@@ -404,12 +427,12 @@ fn camera_button(editor: &mut Editor, ui: &mut Ui) {
     let lens = lens.map(|way| centre + way).to_vec();
     painter.add(Shape::closed_line(lens, stroke));
     if response.clicked() {
-        editor.setup.camera_view = !on;
+        actions.push(Action::SwitchCameraView);
     }
 }
 
 /// The scale of frames with its handle.
-fn timeline(editor: &mut Editor, ui: &mut Ui, width: f32) {
+fn timeline(editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>) {
     let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click_and_drag());
     let texts = &editor.texts().space;
     let name = texts.timeline;
@@ -420,8 +443,8 @@ fn timeline(editor: &mut Editor, ui: &mut Ui, width: f32) {
         pos2(rect.right() - 8.0, rect.center().y + 2.0),
     );
     if editor.playing.marks.frames > 0 {
-        scrub_by_mouse(editor, ui, &response, rail);
-        scrub_by_keys(editor, ui, &response);
+        scrub_by_mouse(editor, ui, &response, rail, actions);
+        scrub_by_keys(editor, ui, &response, actions);
     }
     if response.hovered() || response.dragged() {
         ui.set_cursor_icon(CursorIcon::PointingHand);
@@ -430,7 +453,18 @@ fn timeline(editor: &mut Editor, ui: &mut Ui, width: f32) {
     response.on_hover_text(texts.timeline_tip);
 }
 
-fn scrub_by_mouse(editor: &mut Editor, ui: &Ui, response: &egui::Response, rail: Rect) {
+/// The playhead goes to a frame.
+fn to_frame(frame: f64) -> Action {
+    Action::Playhead(Entry::Set(frame))
+}
+
+fn scrub_by_mouse(
+    editor: &Editor,
+    ui: &Ui,
+    response: &egui::Response,
+    rail: Rect,
+    actions: &mut Vec<Action>,
+) {
     // A click may come with its press and its release in one pass.
     if !(response.is_pointer_button_down_on() || response.clicked()) {
         return;
@@ -447,12 +481,12 @@ fn scrub_by_mouse(editor: &mut Editor, ui: &Ui, response: &egui::Response, rail:
         let marks = editor.playing.marks.keys.iter();
         let nearest = marks.min_by(|a, b| away(a).total_cmp(&away(b)));
         let snapped = nearest.filter(|mark| away(mark) <= reach);
-        editor.scrub(snapped.map_or(frame, |mark| mark.first()));
+        actions.push(to_frame(snapped.map_or(frame, |mark| mark.first())));
         ui.ctx().request_repaint();
     }
 }
 
-fn scrub_by_keys(editor: &mut Editor, ui: &Ui, response: &egui::Response) {
+fn scrub_by_keys(editor: &Editor, ui: &Ui, response: &egui::Response, actions: &mut Vec<Action>) {
     if !response.has_focus() {
         return;
     }
@@ -474,15 +508,15 @@ fn scrub_by_keys(editor: &mut Editor, ui: &Ui, response: &egui::Response) {
     });
     if step != 0.0 {
         let at = editor.position_on_bar().round();
-        editor.scrub(at + step);
+        actions.push(to_frame(at + step));
     }
     match end {
-        (true, _) => editor.scrub(1.0),
-        (_, true) => editor.scrub(as_frame(editor.playing.marks.frames)),
+        (true, _) => actions.push(to_frame(1.0)),
+        (_, true) => actions.push(to_frame(as_frame(editor.playing.marks.frames))),
         _ => {}
     }
     if plays {
-        editor.play_or_pause(ui.ctx());
+        actions.push(Action::PlayOrPause);
     }
 }
 

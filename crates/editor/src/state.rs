@@ -297,12 +297,12 @@ impl Editor {
 
     /// Does what was entered into a [`Number`](super::number::Number): one entry
     /// or one drag is one step to be taken back.
-    pub(super) fn enter(&mut self, entry: Entry, edit: impl FnOnce(f64) -> Edit) {
+    pub(super) fn enter(&mut self, entry: Entry<Edit>) {
         match entry {
             Entry::Idle => {}
             Entry::Begin => self.document.begin_step(),
-            Entry::Drag(value) | Entry::Set(value) => {
-                self.edit(edit(value));
+            Entry::Drag(edit) | Entry::Set(edit) => {
+                self.edit(edit);
             }
             Entry::End => self.document.end_step(),
             Entry::Cancel => self.document.cancel_step(),

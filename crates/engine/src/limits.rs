@@ -19,9 +19,18 @@ pub const SPEEDS: usize = 10;
 /// Points that one division of a segment inserts (`Pos.++`, thesis A.4.1).
 pub const MAX_DIVISION: usize = 10;
 
-/// The largest magnitude of a coordinate: squares and cubes of differences
-/// stay far from overflow, and 1e-7 is still told apart at the far end.
+/// The largest magnitude of a coordinate, for a path counted in half sizes of its
+/// space: squares and cubes of differences stay far from overflow, and 1e-7 is
+/// still told apart at the far end.
 pub const MAX_COORDINATE: f64 = 1e9;
+
+/// The smallest half size of a space: cubes of what matters in it, down to 1e-9 of
+/// the half size, stay far from underflow.
+pub const MIN_HALF_SIZE: f64 = 1e-30;
+
+/// The largest half size of a space: cubes of the largest coordinates there stay
+/// far from overflow.
+pub const MAX_HALF_SIZE: f64 = 1e30;
 
 /// The slowest speed of a speed curve (thesis A.4.3).
 pub const MIN_SPEED: f64 = 1.0;

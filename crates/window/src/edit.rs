@@ -9,8 +9,7 @@ use std::rc::Rc;
 use crate::document::Document;
 use crate::editor::{self, Folders};
 use crate::error::{Error, Result};
-use crate::path::Sampler;
-use crate::{Gone, Host, Id, Options, document_of, main_loop, open, own_program};
+use crate::{Host, Options, document_of, main_loop, open, own_program};
 
 /// Opens the editor in a window of its own and returns when it is closed. What
 /// is saved goes to `file`; one that does not exist yet is a new path of that

@@ -19,9 +19,9 @@ use crate::limits::MAX_FILE_BYTES;
 /// The comments that every file has; `#` stands nowhere else in what is written, but in
 /// texts.
 pub(super) const OURS: [&str; 3] = [
-    "# Frames at speed 50 for a way of length 1, a turn of 180 degrees,",
+    "# Frames at speed 50 for a way of half the space's size, a turn of 180 degrees,",
     "# a zoom from 1 to 100, a roll of 90 degrees.",
-    "# world = origin + scale * position",
+    "# A cube in the world; which axis stands upright.",
 ];
 
 /// What a comment stands at.

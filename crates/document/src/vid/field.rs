@@ -6,6 +6,7 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue, Error as ParseError};
 
 use crate::error::{Error, Message, Result, message};
+use crate::path::Space;
 
 /// A piece of a file, and the whole for its line numbers.
 #[derive(Clone, Copy)]
@@ -218,6 +219,13 @@ impl<'a> Field<'a> {
             *number = element.number()?;
         }
         Ok(numbers)
+    }
+
+    /// A place in a space.
+    pub fn place_in(&self, space: Space) -> Result<DVec3> {
+        let place = DVec3::from_array(self.numbers()?);
+        self.checked(space.check_place(place))?;
+        Ok(place)
     }
 
     /// Three coordinates.

@@ -8,6 +8,7 @@ use super::field::Field;
 use super::write::{Vector, list};
 use crate::error::{Result, message, vec_with_room};
 use crate::limits;
+use crate::path::Space;
 use crate::path::camera_path::check_speed;
 use crate::path::own::{check_ahead, check_frames, check_rates, distance};
 use crate::path::{
@@ -33,7 +34,7 @@ pub(super) struct Reader(Option<Own>);
 
 impl Reader {
     /// Reads a key; false if it is none of these.
-    pub(super) fn read(&mut self, field: Field<'_>) -> Result<bool> {
+    pub(super) fn read(&mut self, field: Field<'_>, space: Space) -> Result<bool> {
         if !KEYS.contains(&field.key) {
             return Ok(false);
         }
@@ -46,7 +47,7 @@ impl Reader {
             }
             "ahead" => {
                 let distance = field.number()?;
-                field.checked(check_ahead(distance))?;
+                field.checked(check_ahead(distance, space))?;
                 own.ahead = Some(distance);
             }
             "velocity_degrees" => own.velocities = Some(velocities(field)?),
@@ -79,9 +80,11 @@ impl Reader {
 }
 
 /// Tangents of a point.
-pub(super) fn tangents(table: Field<'_>) -> Result<Tangents> {
+pub(super) fn tangents(table: Field<'_>, space: Space) -> Result<Tangents> {
     let [before, after] = two_vectors(table, ["before", "after"])?;
-    Ok(Tangents { before, after })
+    let tangents = Tangents { before, after };
+    table.checked(tangents.check(space))?;
+    Ok(tangents)
 }
 
 /// A table of two vectors, both of which must be there.
@@ -89,7 +92,7 @@ fn two_vectors(table: Field<'_>, keys: [&str; 2]) -> Result<[DVec3; 2]> {
     let mut found = [None; 2];
     for field in table.fields()? {
         match keys.iter().position(|&key| key == field.key) {
-            Some(at) => found[at] = Some(field.vector()?),
+            Some(at) => found[at] = Some(DVec3::from_array(field.numbers()?)),
             None => return Err(field.unknown(&keys)),
         }
     }

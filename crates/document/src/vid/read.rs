@@ -9,15 +9,15 @@ use super::own;
 use super::pieces;
 use super::scene_read::Drafts;
 use crate::error::{Error, Result, message, vec_with_room};
-use crate::info::{self, Info, ObjectPoint, Space};
+use crate::info::{self, Info, ObjectPoint};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::camera_path::{
     check_base_speed, check_hold, check_name, check_shape, check_speed, check_zoom,
 };
 use crate::path::{
-    BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, SupportPoint,
-    Target, Tcb, ZoomMode,
+    BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space,
+    SupportPoint, Target, Tcb, Up, ZoomMode, space,
 };
 use vides_engine::scene::Scene;
 
@@ -146,7 +146,9 @@ impl Reader {
             let reason = message!("in a scene \"{0}\" belongs to the path of a node", key);
             return Err(end.complain(end.text.len(), reason));
         }
-        Ok((self.scene.finish(end.text)?, self.info))
+        let mut scene = self.scene.finish(end.text)?;
+        scene.set_space(self.path.space)?;
+        Ok((scene, self.info))
     }
 
     fn path(self, end: Source<'_>) -> Result<(CameraPath, Info)> {
@@ -165,6 +167,13 @@ impl Reader {
     fn read(&mut self, source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
         if source.start == 0 {
             check_version(source, root)?;
+        }
+        // The space first: places are checked against it.
+        if let Some(field) = fields(source, root).find(|field| field.key == "space") {
+            if !self.has("space") && (self.has("point") || self.has("node")) {
+                return Err(field.error(message!("this must stand before the first point or node")));
+            }
+            space(field, &mut self.path.space, Some(&mut self.info.unit))?;
         }
         let (info, path) = (&mut self.info, &mut self.path);
         for field in fields(source, root) {
@@ -196,12 +205,13 @@ impl Reader {
                 "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
                 "base_speeds" => path.speeds = base_speeds(field)?,
                 "presets" => presets(field, &mut path.presets)?,
-                "space" => info.space = space(field)?,
-                "object" => info.object = object(field)?.into(),
-                "point" => points(field, &mut path.points, &mut self.orientations)?,
+                "object" => info.object = object(field, path.space)?.into(),
+                "point" => points(field, &mut path.points, &mut self.orientations, path.space)?,
                 "marker" => self.scene.markers(field)?,
-                "node" => self.scene.nodes(field, &mut self.orientations)?,
-                // The version has been looked at.
+                "node" => self
+                    .scene
+                    .nodes(field, &mut self.orientations, path.space)?,
+                // Version and space have been looked at.
                 _ => {}
             }
         }
@@ -311,23 +321,40 @@ fn tcb(table: Field<'_>) -> Result<Tcb> {
     Ok(tcb)
 }
 
-fn space(table: Field<'_>) -> Result<Space> {
-    let mut space = Space::default();
+/// A space; that of a whole file names its unit too.
+pub(super) fn space(
+    table: Field<'_>,
+    space: &mut Space,
+    mut unit: Option<&mut String>,
+) -> Result<()> {
     for field in table.fields()? {
-        match field.key {
-            "scale" => {
-                space.scale = field.number()?;
-                field.checked(info::check_scale(space.scale))?;
+        match (field.key, &mut unit) {
+            ("centre", _) => space.centre = DVec3::from_array(field.numbers()?),
+            ("half_size", _) => {
+                space.half_size = field.number()?;
+                field.checked(space::check_half_size(space.half_size))?;
             }
-            "origin" => space.origin = field.vector()?,
-            "unit" => space.unit = one_line(field)?,
-            _ => return Err(field.unknown(&["scale", "origin", "unit"])),
+            ("up", _) => {
+                space.up = match field.text()? {
+                    "y" => Up::Y,
+                    "z" => Up::Z,
+                    _ => return Err(field.error(message!("must be \"y\" or \"z\""))),
+                }
+            }
+            ("unit", Some(unit)) => **unit = one_line(field)?,
+            ("scale" | "origin", _) => {
+                return Err(field.error(message!(
+                    "a space is given by centre and half_size, and all numbers are the world's"
+                )));
+            }
+            (_, Some(_)) => return Err(field.unknown(&["centre", "half_size", "unit", "up"])),
+            (_, None) => return Err(field.unknown(&["centre", "half_size", "up"])),
         }
     }
-    Ok(space)
+    table.checked(space.check())
 }
 
-fn object(table: Field<'_>) -> Result<Vec<ObjectPoint>> {
+fn object(table: Field<'_>, space: Space) -> Result<Vec<ObjectPoint>> {
     let mut object = Vec::new();
     for field in table.fields()? {
         if field.key != "polylines" {
@@ -344,7 +371,7 @@ fn object(table: Field<'_>) -> Result<Vec<ObjectPoint>> {
             object.try_reserve(points.len())?;
             for (index, point) in points.enumerate() {
                 object.push(ObjectPoint {
-                    position: point.vector()?,
+                    position: point.place_in(space)?,
                     draw: index > 0,
                 });
             }
@@ -357,6 +384,7 @@ pub(super) fn points(
     array: Field<'_>,
     points: &mut Vec<SupportPoint>,
     orientations: &mut usize,
+    space: Space,
 ) -> Result<()> {
     let elements = array.elements()?;
     points.try_reserve(elements.len().min(limits::MAX_POINTS))?;
@@ -367,7 +395,7 @@ pub(super) fn points(
                 limits::MAX_POINTS
             )));
         }
-        let point = point(element)?;
+        let point = point(element, space)?;
         *orientations += point.orientations.len();
         if *orientations > limits::MAX_ALL_ORIENTATIONS {
             return Err(element.error(message!(
@@ -380,13 +408,13 @@ pub(super) fn points(
     Ok(())
 }
 
-fn point(table: Field<'_>) -> Result<SupportPoint> {
+fn point(table: Field<'_>, space: Space) -> Result<SupportPoint> {
     // The position first: targets are checked against it.
     let Some(position) = table.fields()?.find(|field| field.key == "position") else {
         return Err(table.error(message!("this point has no position")));
     };
     let mut point = SupportPoint {
-        position: position.vector()?,
+        position: position.place_in(space)?,
         name: None,
         curve: CurveParameters::Preset(0),
         tangents: None,
@@ -411,8 +439,8 @@ fn point(table: Field<'_>) -> Result<SupportPoint> {
                     CurveParameters::Preset(field.integer_in(0, last)? as u8)
                 };
             }
-            "tangents" => point.tangents = Some(own::tangents(field)?),
-            "orientation" => point.orientations = orientations(field, point.position)?,
+            "tangents" => point.tangents = Some(own::tangents(field, space)?),
+            "orientation" => point.orientations = orientations(field, point.position, space)?,
             _ => {
                 return Err(field.unknown(&[
                     "name",
@@ -426,31 +454,31 @@ fn point(table: Field<'_>) -> Result<SupportPoint> {
         }
     }
     if point.orientations.is_empty() {
-        point.orientations = orientations_of_new_point()?;
+        point.orientations = orientations_of_new_point(space)?;
     }
     Ok(point)
 }
 
-fn orientations_of_new_point() -> Result<Vec<Orientation>> {
+fn orientations_of_new_point(space: Space) -> Result<Vec<Orientation>> {
     let mut orientations = vec_with_room(1)?;
-    orientations.push(Orientation::default());
+    orientations.push(Orientation::new_in(space));
     Ok(orientations)
 }
 
-fn orientations(array: Field<'_>, position: DVec3) -> Result<Vec<Orientation>> {
+fn orientations(array: Field<'_>, position: DVec3, space: Space) -> Result<Vec<Orientation>> {
     let elements = array.elements()?;
     let mut orientations = vec_with_room(elements.len().min(limits::MAX_ORIENTATIONS))?;
     for element in elements {
         if orientations.len() == limits::MAX_ORIENTATIONS {
             return Err(element.error(message!("a point has at most 10 orientations")));
         }
-        orientations.push(orientation(element, position)?);
+        orientations.push(orientation(element, position, space)?);
     }
     Ok(orientations)
 }
 
-fn orientation(table: Field<'_>, position: DVec3) -> Result<Orientation> {
-    let mut orientation = Orientation::default();
+fn orientation(table: Field<'_>, position: DVec3, space: Space) -> Result<Orientation> {
+    let mut orientation = Orientation::new_in(space);
     let mut target_given = false;
     let mut owned = own::Reader::default();
     for field in table.fields()? {
@@ -462,13 +490,13 @@ fn orientation(table: Field<'_>, position: DVec3) -> Result<Orientation> {
                     );
                 }
                 target_given = true;
-                let vector = field.vector()?;
+                let vector = DVec3::from_array(field.numbers()?);
                 orientation.target = if field.key == "target" {
                     Target::Absolute(vector)
                 } else {
                     Target::Relative(vector)
                 };
-                field.checked(orientation.target.check(position))?;
+                field.checked(orientation.target.check(position, space))?;
             }
             "roll_degrees" => orientation.roll = wrap_degrees(field.number()?),
             "zoom_mm" => {
@@ -487,7 +515,7 @@ fn orientation(table: Field<'_>, position: DVec3) -> Result<Orientation> {
                 field.checked(check_hold(hold))?;
                 orientation.hold = hold;
             }
-            _ if owned.read(field)? => {}
+            _ if owned.read(field, space)? => {}
             _ => {
                 const PLAIN: [&str; 7] = [
                     "target",

@@ -4,11 +4,11 @@ use glam::{DQuat, DVec3};
 
 use super::field::{Field, Source};
 use super::read::{
-    base_speeds, curve_kind, one_line, orientation_mode, points, presets, zoom_mode,
+    base_speeds, curve_kind, one_line, orientation_mode, points, presets, space, zoom_mode,
 };
 use crate::error::{Error, Message, Result, message, vec_with_room};
 use crate::limits;
-use crate::path::CameraPath;
+use crate::path::{CameraPath, Space};
 use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::scene::motion::check_frame;
 use vides_engine::scene::node::check_node_name;
@@ -83,7 +83,12 @@ impl Drafts {
         Ok(())
     }
 
-    pub(super) fn nodes(&mut self, array: Field<'_>, orientations: &mut usize) -> Result<()> {
+    pub(super) fn nodes(
+        &mut self,
+        array: Field<'_>,
+        orientations: &mut usize,
+        space: Space,
+    ) -> Result<()> {
         let elements = array.elements()?;
         self.nodes
             .try_reserve(elements.len().min(limits::MAX_NODES))?;
@@ -92,7 +97,7 @@ impl Drafts {
                 let most = limits::MAX_NODES;
                 return Err(table.error(message!("a scene has at most {0} nodes", most)));
             }
-            self.nodes.push(draft(table, orientations)?);
+            self.nodes.push(draft(table, orientations, space)?);
         }
         Ok(())
     }
@@ -225,7 +230,7 @@ const KEYS: [&str; 24] = [
     "track",
 ];
 
-fn draft(table: Field<'_>, orientations: &mut usize) -> Result<Draft> {
+fn draft(table: Field<'_>, orientations: &mut usize, space: Space) -> Result<Draft> {
     let Some(name) = table.find("name")? else {
         return Err(table.error(message!("this node has no name")));
     };
@@ -309,7 +314,7 @@ fn draft(table: Field<'_>, orientations: &mut usize) -> Result<Draft> {
             }
             "weights" => draft.weights = Some((field.place(), numbers(field, None)?)),
             "path" => {
-                let path = path(field, orientations, &mut draft.pins)?;
+                let path = path(field, orientations, &mut draft.pins, space)?;
                 field.checked(node.set_path(Some(path)))?;
             }
             "track" => {
@@ -504,11 +509,16 @@ fn path(
     table: Field<'_>,
     orientations: &mut usize,
     pins: &mut Vec<(usize, usize, String)>,
+    space: Space,
 ) -> Result<FollowPath> {
     let mut path = CameraPath {
         points: Vec::new(),
+        space,
         ..CameraPath::default()
     };
+    if let Some(own) = table.find("space")? {
+        self::space(own, &mut path.space, None)?;
+    }
     let (mut start, mut after) = (1.0, Beyond::Hold);
     for field in table.fields()? {
         match field.key {
@@ -520,7 +530,8 @@ fn path(
             "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
             "base_speeds" => path.speeds = base_speeds(field)?,
             "presets" => presets(field, &mut path.presets)?,
-            "point" => points(field, &mut path.points, orientations)?,
+            "point" => points(field, &mut path.points, orientations, path.space)?,
+            "space" => {}
             "pins" => {
                 for element in field.elements()? {
                     pins.push(pin(element)?);
@@ -536,6 +547,7 @@ fn path(
                     "zoom_mode",
                     "base_speeds",
                     "presets",
+                    "space",
                     "point",
                     "pins",
                 ]));

@@ -4,11 +4,12 @@ use std::fmt::{self, Write};
 
 use super::comments::Comments;
 use super::write::{
-    Quoted, Shape as TcbShape, Text, Vector, curve, head, list, orientation_mode, point, space,
-    to_toml, zoom_mode,
+    Quoted, Shape as TcbShape, Text, Vector, curve, head, list, orientation_mode, place, point,
+    space, to_toml, zoom_mode,
 };
 use crate::error::{Error, Result};
 use crate::info::Info;
+use crate::path::Space;
 use crate::path::camera_path::DEFAULT_PRESETS;
 use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::scene::{
@@ -45,7 +46,8 @@ pub(crate) fn alone(scene: &Scene) -> Option<&FollowPath> {
         && node.keys().tracks().is_empty()
         && scene.markers().is_empty()
         && path.start_frame() == 1.0
-        && path.beyond() == Beyond::Hold;
+        && path.beyond() == Beyond::Hold
+        && path.path().space == scene.space();
     plain.then_some(path)
 }
 
@@ -75,7 +77,7 @@ fn document(out: &mut Text, scene: &Scene, info: &Info) -> fmt::Result {
     if scene.nodes().is_empty() {
         writeln!(out, "node = []")?;
     }
-    space(out, info)?;
+    space(out, scene.space(), info)?;
     for marker in scene.markers() {
         writeln!(out, "\n[[marker]]\nname = {}", Quoted(&marker.name))?;
         writeln!(out, "frame = {:?}", marker.frame)?;
@@ -126,7 +128,7 @@ fn node(out: &mut Text, scene: &Scene, node: &Node, pins: &[Pin]) -> fmt::Result
         Kind::Object(object) => self::object(out, object)?,
     }
     if let Some(path) = node.path() {
-        self::path(out, path, pins)?;
+        self::path(out, path, pins, scene.space())?;
     }
     let mut tracks = node.keys().tracks().iter();
     tracks.try_for_each(|track| self::track(out, track))
@@ -214,7 +216,7 @@ fn deformation(out: &mut Text, deformation: &Deformation, bounds: &Option<Bounds
     Ok(())
 }
 
-fn path(out: &mut Text, follow: &FollowPath, pins: &[Pin]) -> fmt::Result {
+fn path(out: &mut Text, follow: &FollowPath, pins: &[Pin], space: Space) -> fmt::Result {
     let path = follow.path();
     writeln!(
         out,
@@ -246,6 +248,10 @@ fn path(out: &mut Text, follow: &FollowPath, pins: &[Pin]) -> fmt::Result {
         if !same(&of(preset), &of(&DEFAULT_PRESETS[number])) {
             writeln!(out, "{number} = {}", TcbShape(*preset))?;
         }
+    }
+    if path.space != space {
+        writeln!(out, "\n[node.path.space]")?;
+        place(out, path.space)?;
     }
     let mut points = path.points.iter();
     points.try_for_each(|point| self::point(out, "node.path.point", point))

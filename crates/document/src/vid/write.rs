@@ -10,8 +10,8 @@ use crate::error::{Error, Result};
 use crate::info::{Info, ObjectPoint};
 use crate::limits::BASE_SPEED;
 use crate::path::{
-    CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, SupportPoint, Target,
-    Tcb, ZoomMode,
+    CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space, SupportPoint,
+    Target, Tcb, ZoomMode,
 };
 
 /// The text of a document. Values with the default of a new path are left
@@ -53,7 +53,7 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
         writeln!(out, "{number} = {}", Shape(*preset))?;
     }
 
-    space(out, info)?;
+    space(out, path.space, info)?;
     path.points
         .iter()
         .try_for_each(|point| self::point(out, "point", point))
@@ -83,13 +83,19 @@ pub(super) fn head(out: &mut Text, info: &Info) -> fmt::Result {
 }
 
 /// Where the space lies, and what is shown in it.
-pub(super) fn space(out: &mut Text, info: &Info) -> fmt::Result {
+pub(super) fn space(out: &mut Text, space: Space, info: &Info) -> fmt::Result {
     writeln!(out, "\n{}\n[space]", OURS[2])?;
-    writeln!(out, "scale = {:?}", info.space.scale)?;
-    writeln!(out, "origin = {}", Vector(info.space.origin))?;
-    writeln!(out, "unit = {}", Quoted(&info.space.unit))?;
+    place(out, space)?;
+    writeln!(out, "unit = {}", Quoted(&info.unit))?;
 
     object(out, &info.object)
+}
+
+/// The keys of a space.
+pub(super) fn place(out: &mut Text, space: Space) -> fmt::Result {
+    writeln!(out, "centre = {}", Vector(space.centre))?;
+    writeln!(out, "half_size = {:?}", space.half_size)?;
+    writeln!(out, "up = \"{}\"", space.up.name())
 }
 
 pub(super) fn orientation_mode(path: &CameraPath) -> &'static str {
@@ -241,8 +247,9 @@ impl fmt::Display for Quoted<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::info::{Object, Space};
+    use crate::info::Object;
     use crate::limits;
+    use crate::path::Up;
     use crate::path::{MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Velocities, Whole};
     use glam::DQuat;
 
@@ -309,6 +316,11 @@ mod tests {
         let mut path = CameraPath {
             points: Vec::new(),
             presets: [tcb; limits::PRESETS],
+            space: Space {
+                centre: DVec3::splat(LONGEST),
+                half_size: LONGEST,
+                up: Up::Z,
+            },
             ..CameraPath::default()
         };
         let mut info = Info {
@@ -316,11 +328,7 @@ mod tests {
             comment: "\u{7f}".repeat(limits::MAX_COMMENT_BYTES),
             fps: LONGEST,
             first_frame: i32::MIN,
-            space: Space {
-                scale: LONGEST,
-                origin: DVec3::splat(LONGEST),
-                unit: "\"".repeat(limits::MAX_NAME_BYTES),
-            },
+            unit: "\"".repeat(limits::MAX_NAME_BYTES),
             object: Object::default(),
         };
         let rest = size(&path, &info);

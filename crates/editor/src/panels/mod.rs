@@ -19,19 +19,26 @@ pub(super) const WIDTH: f32 = 236.0;
 /// Between two panels.
 const APART: f32 = 8.0;
 
-/// Shows the panels from top to bottom. They scroll where the window is lower
-/// than they are.
+/// Shows the panels from top to bottom; what one returns is done before the next is
+/// drawn. They scroll where the window is lower than they are.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let height = ui.available_height();
+    let mut panel = |ui: &mut Ui, show: &dyn Fn(&Editor, &mut Ui, &mut Vec<Action>)| {
+        let mut actions = Vec::new();
+        show(editor, ui, &mut actions);
+        editor.act_all(actions, ui.ctx());
+    };
     ScrollArea::vertical().show(ui, |ui| {
         ui.set_width(WIDTH);
-        position::show(editor, ui);
+        panel(ui, &position::show);
         apart(ui);
-        orientation::show(editor, ui);
+        panel(ui, &orientation::show);
         apart(ui);
-        speed::show(editor, ui, height);
+        panel(ui, &|editor, ui, actions| {
+            speed::show(editor, ui, height, actions)
+        });
         apart(ui);
-        zoom::show(editor, ui);
+        panel(ui, &zoom::show);
     });
 }
 
@@ -121,7 +128,7 @@ impl<'a> Key<'a> {
         self
     }
 
-    fn show(&self, editor: &mut Editor, ui: &mut Ui, width: f32) {
+    fn show(&self, editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>) {
         let chosen = self.chosen == Some(true);
         let palette = theme::palette(ui);
         let mut text = RichText::new(self.text);
@@ -135,33 +142,39 @@ impl<'a> Key<'a> {
             None => button,
         };
         let response = ui.add_sized([width, theme::ROW], button);
-        let hint = match keys::words(editor.language(), self.action) {
+        let hint = match keys::words(editor.language(), &self.action) {
             Some(keys) => format!("{} ({keys})", self.hint),
             None => self.hint.to_owned(),
         };
         if response.on_hover_text(hint).clicked() {
-            editor.act(self.action, ui.ctx());
+            actions.push(self.action.clone());
         }
     }
 }
 
 /// Buttons of equal width that fill a row.
-fn keys(editor: &mut Editor, ui: &mut Ui, keys: &[Key<'_>]) {
+fn keys(editor: &Editor, ui: &mut Ui, keys: &[Key<'_>], actions: &mut Vec<Action>) {
     let width = share(ui, keys.len());
     ui.horizontal(|ui| {
         for key in keys {
-            key.show(editor, ui, width);
+            key.show(editor, ui, width, actions);
         }
     });
 }
 
 /// One to go back, where one is, one to go on.
-fn round(editor: &mut Editor, ui: &mut Ui, back: &Key<'_>, place: &str, on: &Key<'_>) {
+fn round(
+    editor: &Editor,
+    ui: &mut Ui,
+    [back, on]: [&Key<'_>; 2],
+    place: &str,
+    actions: &mut Vec<Action>,
+) {
     let width = share(ui, 3);
     ui.horizontal(|ui| {
-        back.show(editor, ui, width);
+        back.show(editor, ui, width, actions);
         words(ui, place, width, theme::palette(ui).text);
-        on.show(editor, ui, width);
+        on.show(editor, ui, width, actions);
     });
 }
 

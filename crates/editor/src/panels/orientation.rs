@@ -1,5 +1,7 @@
 //! The orientations of the current point (thesis A.4.2).
 
+use egui::Ui;
+
 use super::position::three_numbers;
 use super::{Key, heading, keys, round, share};
 use crate::actions::Action;
@@ -10,7 +12,7 @@ use crate::path::{Orientation, Target};
 use crate::playhead::Shown;
 use crate::state::Editor;
 
-pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
+pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().orientation;
     let here = editor.document.selection();
     let count = editor.point().map_or(1, |point| point.orientations.len());
@@ -45,19 +47,23 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
             )
             .chosen(!absolute),
         ],
+        actions,
     );
     round(
         editor,
         ui,
-        &Key::new(
-            texts.previous,
-            texts.previous_hint,
-            Action::PreviousOrientation,
-        ),
+        [
+            &Key::new(
+                texts.previous,
+                texts.previous_hint,
+                Action::PreviousOrientation,
+            ),
+            &Key::new(texts.next, texts.next_hint, Action::NextOrientation),
+        ],
         &Editor::number_of(texts.count, here.orientation, count),
-        &Key::new(texts.next, texts.next_hint, Action::NextOrientation),
+        actions,
     );
-    target(editor, ui, &shown);
+    target(editor, ui, &shown, actions);
     let language = editor.language();
     let width = share(ui, 2);
     ui.horizontal(|ui| {
@@ -69,9 +75,8 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
             .decimals(1)
             .steps(1.0, 0.5)
             .show(ui, language, "roll", width);
-        editor.enter_shown(missing, roll, |roll| {
-            with(selection, current, |new| new.roll = roll)
-        });
+        let roll = roll.map(|roll| with(selection, current, |new| new.roll = roll));
+        actions.push(Action::enter(missing, roll));
         let hold = Number::new(texts.hold, f64::from(current.hold))
             .label(texts.hold)
             .hint(texts.hold_hint)
@@ -83,14 +88,13 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
             .show(ui, language, "hold", width);
         // Whole, and within an u32.
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        editor.enter_shown(missing, hold, |hold| {
-            with(selection, current, |new| new.hold = hold as u32)
-        });
+        let hold = hold.map(|hold| with(selection, current, |new| new.hold = hold as u32));
+        actions.push(Action::enter(missing, hold));
     });
 }
 
 /// What the camera looks at: a place or a direction.
-fn target(editor: &mut Editor, ui: &mut egui::Ui, shown: &Shown) {
+fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     let texts = &editor.texts().orientation;
     let (selection, current) = (shown.at, &shown.orientation);
     let missing = shown.has_no_orientation();
@@ -98,16 +102,15 @@ fn target(editor: &mut Editor, ui: &mut egui::Ui, shown: &Shown) {
         Target::Absolute(place) => (("target", texts.target, texts.target_hint), place),
         Target::Relative(way) => (("direction", texts.direction, texts.direction_hint), way),
     };
-    three_numbers(editor, ui, words, vector, missing, |editor, entry, put| {
-        editor.enter_shown(missing, entry, |value| {
-            with(selection, current, |new| {
-                new.target = match new.target {
-                    Target::Absolute(_) => Target::Absolute(put(value)),
-                    Target::Relative(_) => Target::Relative(put(value)),
-                };
-            })
-        });
-    });
+    let edit = |to| {
+        with(selection, current, |new| {
+            new.target = match new.target {
+                Target::Absolute(_) => Target::Absolute(to),
+                Target::Relative(_) => Target::Relative(to),
+            };
+        })
+    };
+    three_numbers(editor, ui, words, vector, missing, edit, actions);
 }
 
 /// The edit that changes the current orientation.

@@ -8,7 +8,7 @@ use super::{Key, heading_with_room, keys, round, share, words};
 use crate::actions::Action;
 use crate::document::Edit;
 use crate::limits::{MAX_COORDINATE, PRESETS};
-use crate::number::{Entry, Number};
+use crate::number::Number;
 use crate::path::CurveParameters;
 use crate::playhead::{Missing, Shown};
 use crate::state::Editor;
@@ -18,14 +18,14 @@ use crate::theme;
 /// Room for the arrow beside the preset's name.
 const ARROW: f32 = 14.0;
 
-pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().position;
     let selection = editor.document.selection();
     let count = editor.document.path().points.len();
     let Some(shown) = editor.shown() else {
         return;
     };
-    presets(editor, ui);
+    presets(editor, ui, actions);
     keys(
         editor,
         ui,
@@ -34,28 +34,32 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
             Key::new(texts.add_many, texts.add_many_hint, Action::AskPoints),
             Key::new(texts.remove, texts.remove_hint, Action::RemovePoint),
         ],
+        actions,
     );
     round(
         editor,
         ui,
-        &Key::new(texts.previous, texts.previous_hint, Action::PreviousPoint),
+        [
+            &Key::new(texts.previous, texts.previous_hint, Action::PreviousPoint),
+            &Key::new(texts.next, texts.next_hint, Action::NextPoint),
+        ],
         &Editor::number_of(texts.count, selection.point, count),
-        &Key::new(texts.next, texts.next_hint, Action::NextPoint),
+        actions,
     );
-    coordinates(editor, ui, &shown);
+    coordinates(editor, ui, &shown, actions);
     if shown.missing == Missing::Nothing {
         shape(editor, ui, 1);
         shape(editor, ui, 2);
     } else {
-        add_here(editor, ui, &shown);
+        add_here(editor, ui, &shown, actions);
     }
     let change = Key::new(texts.change, texts.change_hint, Action::Curve);
-    keys(editor, ui, &[change]);
+    keys(editor, ui, &[change], actions);
 }
 
 /// The heading, and at its right the choice of a preset for the current point:
 /// the way to one that needs no window.
-fn presets(editor: &mut Editor, ui: &mut Ui) {
+fn presets(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().position;
     let name = preset(editor);
     let row = heading_with_room(ui, texts.heading, &name, ARROW).rect;
@@ -95,7 +99,7 @@ fn presets(editor: &mut Editor, ui: &mut Ui) {
             if ui.add(button).clicked() {
                 let at = editor.document.selection().point;
                 let preset = preset.into();
-                editor.edit(Edit::UsePreset { at, preset });
+                actions.push(Action::Edit(Edit::UsePreset { at, preset }));
             }
         }
     });
@@ -113,7 +117,7 @@ fn preset(editor: &Editor) -> String {
 }
 
 /// Beside the keys: makes one of what is shown.
-fn add_here(editor: &mut Editor, ui: &mut Ui, shown: &Shown) {
+fn add_here(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     let texts = &editor.texts().position;
     let text = if shown.has_no_point() {
         texts.add_here
@@ -121,12 +125,12 @@ fn add_here(editor: &mut Editor, ui: &mut Ui, shown: &Shown) {
         texts.add_orientation_here
     };
     let key = Key::new(text, texts.add_here_hint, Action::AddHere);
-    keys(editor, ui, &[key]);
+    keys(editor, ui, &[key], actions);
     let width = ui.available_width();
     words(ui, texts.in_between, width, theme::palette(ui).weak);
 }
 
-fn coordinates(editor: &mut Editor, ui: &mut Ui, shown: &Shown) {
+fn coordinates(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     let texts = &editor.texts().position;
     let (at, position, missing) = (shown.at.point, shown.position, shown.has_no_point());
     three_numbers(
@@ -135,26 +139,21 @@ fn coordinates(editor: &mut Editor, ui: &mut Ui, shown: &Shown) {
         ("position", texts.coordinate, texts.coordinate_hint),
         position,
         missing,
-        |editor, entry, put| {
-            editor.enter_shown(missing, entry, |value| Edit::SetPosition {
-                at,
-                position: put(value),
-            })
-        },
+        |position| Edit::SetPosition { at, position },
+        actions,
     );
 }
 
 /// A place or a direction: three numbers, faint if they are `missing` in the path.
-/// `id`, `name` and `hint` are theirs;
-/// `enter` gets what was done to one of them, and the vector with a new value
-/// in its place.
+/// `id`, `name` and `hint` are theirs; `edit` makes them another vector.
 pub(super) fn three_numbers(
-    editor: &mut Editor,
+    editor: &Editor,
     ui: &mut Ui,
     (id, name, hint): (&str, &str, &str),
     vector: DVec3,
     missing: bool,
-    enter: impl Fn(&mut Editor, Entry, &dyn Fn(f64) -> DVec3),
+    edit: impl Fn(DVec3) -> Edit,
+    actions: &mut Vec<Action>,
 ) {
     let width = share(ui, 3);
     ui.horizontal(|ui| {
@@ -165,18 +164,19 @@ pub(super) fn three_numbers(
                 .faint(missing)
                 .range(-MAX_COORDINATE..=MAX_COORDINATE)
                 .show(ui, editor.language(), &format!("{id}.{letter}"), width);
-            enter(editor, entry, &|value| {
+            let entry = entry.map(|value| {
                 let mut new = vector;
                 new[axis] = value;
-                new
+                edit(new)
             });
+            actions.push(Action::enter(missing, entry));
         }
     });
 }
 
 /// Bias, continuity and tension at the current point (1) or the next (2);
 /// dashes where there is no next.
-fn shape(editor: &mut Editor, ui: &mut Ui, which: usize) {
+fn shape(editor: &Editor, ui: &mut Ui, which: usize) {
     let hint = editor.texts().position.shape_hint;
     let path = editor.document.path();
     let at = editor.document.selection().point;

@@ -19,7 +19,7 @@ const OTHERS: f32 = 460.0;
 /// The picture's least and greatest height.
 const HEIGHTS: (f32, f32) = (36.0, 112.0);
 
-pub(super) fn show(editor: &mut Editor, ui: &mut Ui, height: f32) {
+pub(super) fn show(editor: &Editor, ui: &mut Ui, height: f32, actions: &mut Vec<Action>) {
     let texts = &editor.texts().speed;
     let (curve, section) = current(editor);
     let words = section.map_or_else(|| texts.end.to_owned(), |section| frames(editor, section));
@@ -42,10 +42,10 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui, height: f32) {
     }
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, texts.picture));
     if response.on_hover_text(texts.picture_hint).clicked() {
-        editor.act(Action::SpeedCurve, ui.ctx());
+        actions.push(Action::SpeedCurve);
     }
     let change = Key::new(texts.change, texts.change_hint, Action::SpeedCurve);
-    keys(editor, ui, &[change]);
+    keys(editor, ui, &[change], actions);
 }
 
 /// Whether there is more room above the first speeds than below them.

@@ -1,9 +1,10 @@
 //! Zoom and field of view of the current orientation (thesis A.4.4).
 
-use egui::{Slider, SliderClamping};
+use egui::{Slider, SliderClamping, Ui};
 
 use super::heading;
 use super::orientation::with;
+use crate::actions::Action;
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
 use crate::number::{Entry, Number};
 use crate::state::Editor;
@@ -14,7 +15,7 @@ const FIELD: f32 = 56.0;
 /// Half the height of the picture in mm: of a 36×24 mm camera.
 const HALF_HEIGHT: f64 = 12.0;
 
-pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
+pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().zoom;
     let language = editor.language();
     let Some(shown) = editor.shown() else {
@@ -37,21 +38,16 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
         ui.ctx().accesskit_node_builder(response.id, |node| {
             node.set_label(texts.slider);
         });
+        let edit = |zoom| with(selection, &current, |new| new.zoom = zoom);
         if response.drag_started() {
-            editor.enter_shown(missing, Entry::Begin, |zoom| {
-                with(selection, &current, |new| new.zoom = zoom)
-            });
+            actions.push(Action::enter(missing, Entry::Begin));
         }
         if response.changed() {
             let missing = missing && !response.drag_started();
-            editor.enter_shown(missing, Entry::Drag(zoom), |zoom| {
-                with(selection, &current, |new| new.zoom = zoom)
-            });
+            actions.push(Action::enter(missing, Entry::Drag(edit(zoom))));
         }
         if response.drag_stopped() {
-            editor.enter(Entry::End, |zoom| {
-                with(selection, &current, |new| new.zoom = zoom)
-            });
+            actions.push(Action::Enter(Entry::End));
         }
         let entry = Number::new(texts.value, current.zoom)
             .hint(texts.hint)
@@ -60,8 +56,6 @@ pub(super) fn show(editor: &mut Editor, ui: &mut egui::Ui) {
             .range(MIN_ZOOM..=MAX_ZOOM)
             .steps(1.0, 0.2)
             .show(ui, language, "zoom", FIELD);
-        editor.enter_shown(missing, entry, |zoom| {
-            with(selection, &current, |new| new.zoom = zoom)
-        });
+        actions.push(Action::enter(missing, entry.map(edit)));
     });
 }

@@ -5,9 +5,10 @@ use egui::{Align, Button, Layout, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, Ui
 use egui::{WidgetInfo, pos2, vec2};
 
 use super::{Editor, as_frame};
+use crate::actions::Action;
 use crate::document::{Edit, Info};
 use crate::limits::MAX_FPS;
-use crate::number::{Entry, Number};
+use crate::number::Number;
 use crate::texts::fill;
 use crate::theme;
 
@@ -19,7 +20,7 @@ const GAP: f32 = 6.0;
 
 /// How fast it is played.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Pace {
+pub(crate) enum Pace {
     #[default]
     Whole,
     Half,
@@ -55,7 +56,7 @@ impl Pace {
 }
 
 /// Shows them in two rows.
-pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     let palette = theme::palette(ui);
     let count = as_frame(editor.playing.marks.frames);
@@ -104,7 +105,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
             .range(first..=last)
             .steps(1.0, 1.0)
             .show(ui, language, "playing.frame", FIELD);
-        go(editor, entry, |value| value - first + 1.0);
+        actions.push(Action::Playhead(entry.map(|value| value - first + 1.0)));
         total(ui, frames);
         let entry = Number::new(texts.rate, fps)
             .hint(texts.rate_tip)
@@ -114,7 +115,8 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
             .steps(1.0, 0.5)
             .show(ui, language, "playing.fps", RATE);
         let info = editor.document.info().clone();
-        editor.enter(entry, |fps| Edit::SetInfo(Box::new(Info { fps, ..info })));
+        let entry = entry.map(|fps| Edit::SetInfo(Box::new(Info { fps, ..info })));
+        actions.push(Action::Enter(entry));
     });
     ui.scope_builder(row(1), |ui| {
         ui.spacing_mut().item_spacing.x = GAP;
@@ -125,29 +127,15 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
             .range(0.0..=seconds(count))
             .steps(1.0 / fps, 1.0 / fps)
             .show(ui, language, "playing.second", FIELD);
-        go(editor, entry, |value| (value * fps).round() + 1.0);
+        let entry = entry.map(|value| (value * fps).round() + 1.0);
+        actions.push(Action::Playhead(entry));
         total(ui, times);
-        how(editor, ui);
+        how(editor, ui, actions);
     });
 }
 
-/// The playhead goes where a number says.
-fn go(editor: &mut Editor, entry: Entry, frame: impl Fn(f64) -> f64) {
-    match entry {
-        Entry::Begin => editor.playing.before = Some(editor.position_on_bar()),
-        Entry::Drag(value) | Entry::Set(value) => editor.scrub(frame(value)),
-        Entry::Cancel => {
-            if let Some(before) = editor.playing.before.take() {
-                editor.scrub(before);
-            }
-        }
-        Entry::Wrong(why) => editor.complain(why),
-        Entry::Idle | Entry::End => {}
-    }
-}
-
 /// Again and again; slower or faster.
-fn how(editor: &mut Editor, ui: &mut Ui) {
+fn how(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     let size = [BUTTON, theme::ROW];
     let loops = editor.playing.loops;
@@ -161,7 +149,7 @@ fn how(editor: &mut Editor, ui: &mut Ui) {
     ui.painter()
         .extend(arrows_round(response.rect.center(), color));
     if response.on_hover_text(texts.again_tip).clicked() {
-        editor.switch_loops(ui.ctx());
+        actions.push(Action::SwitchLoops);
     }
     let pace = editor.playing.pace;
     let response = ui.add_sized(size, Button::new(pace.words()));
@@ -170,7 +158,7 @@ fn how(editor: &mut Editor, ui: &mut Ui) {
         ..WidgetInfo::labeled(Role::Button, true, texts.pace)
     });
     if response.on_hover_text(texts.pace_tip).clicked() {
-        editor.set_pace(pace.next(), ui.ctx());
+        actions.push(Action::Pace(pace.next()));
     }
 }
 

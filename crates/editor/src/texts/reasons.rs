@@ -23,7 +23,6 @@ const SENTENCES: &[Pair] = &[
     ("the name", "der Name"),
     ("the title", "der Titel"),
     ("the unit", "die Einheit"),
-    ("the origin", "der Ursprung"),
     ("out of memory", "der Speicher reicht nicht"),
     // Files.
     ("this is not UTF-8 text", "das ist kein Text in UTF-8"),
@@ -210,8 +209,8 @@ const SENTENCES: &[Pair] = &[
         "das Ziel darf nicht auf der Kameraposition liegen",
     ),
     (
-        "a target in this direction would lie further out than 1e9",
-        "ein Ziel in dieser Richtung läge weiter draußen als 1e9",
+        "a target in this direction would lie further out than 1e9 half sizes",
+        "ein Ziel in dieser Richtung läge weiter draußen als 1e9 halbe Größen",
     ),
     (
         "a coordinate must be a finite number",
@@ -270,8 +269,8 @@ const SENTENCES: &[Pair] = &[
         "der Abstand voraus muss eine endliche Zahl sein",
     ),
     (
-        "the distance ahead must lie between 0 and 1e9",
-        "der Abstand voraus muss zwischen 0 und 1e9 liegen",
+        "the distance ahead must lie between 0 and 1e9 half sizes of the space",
+        "der Abstand voraus muss zwischen 0 und 1e9 halben Größen des Raums liegen",
     ),
     (
         "a velocity or slope must be a finite number",
@@ -366,10 +365,36 @@ const SENTENCES: &[Pair] = &[
         "a frame must lie between 1 and the number of frames",
         "ein Bild muss zwischen 1 und der Zahl der Bilder liegen",
     ),
+    // The space.
     (
-        "the scale must be greater than 0 and at most 1e9",
-        "der Maßstab muss größer als 0 und höchstens 1e9 sein",
+        "the half size of the space must lie between 1e-30 and 1e30",
+        "die halbe Größe des Raums muss zwischen 1e-30 und 1e30 liegen",
     ),
+    (
+        "the centre of the space must be finite",
+        "der Mittelpunkt des Raums muss endlich sein",
+    ),
+    (
+        "the centre of the space must lie within 1e9 half sizes of the world's origin",
+        "der Mittelpunkt des Raums darf höchstens 1e9 halbe Größen vom Ursprung der Welt entfernt sein",
+    ),
+    (
+        "a coordinate must lie within 1e9 half sizes of the space's centre",
+        "eine Koordinate darf höchstens 1e9 halbe Größen vom Mittelpunkt des Raums entfernt sein",
+    ),
+    (
+        "a single place has no size that a space could have",
+        "ein einzelner Ort hat keine Größe, die ein Raum haben könnte",
+    ),
+    (
+        "a space is given by centre and half_size, and all numbers are the world's",
+        "ein Raum wird durch centre und half_size angegeben, und alle Zahlen sind die der Welt",
+    ),
+    (
+        "this must stand before the first point or node",
+        "das muss vor dem ersten Punkt oder Knoten stehen",
+    ),
+    ("must be \"y\" or \"z\"", "muss \"y\" oder \"z\" sein"),
     (
         "the frames per second must be greater than 0 and at most 100000",
         "die Bilder pro Sekunde müssen größer als 0 und höchstens 100000 sein",

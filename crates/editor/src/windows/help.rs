@@ -80,9 +80,9 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 4] {
     mouse.extend(ways.map(|(hand, meaning)| row(hand, meaning)));
     let shortcuts = SHORTCUTS
         .iter()
-        .map(|&(modifiers, key, action)| {
+        .map(|(modifiers, key, action)| {
             (
-                combination(language, modifiers, key),
+                combination(language, *modifiers, *key),
                 meaning(language, action).into(),
             )
         })
@@ -117,7 +117,7 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 4] {
 }
 
 /// What an action does: the words of its menu entry.
-fn meaning(language: Language, action: Action) -> &'static str {
+fn meaning(language: Language, action: &Action) -> &'static str {
     let texts = language.texts();
     let (menu, help, space) = (&texts.menu, &texts.help, &texts.space);
     match action {

@@ -535,7 +535,7 @@ fn numbers(editor: &mut Editor, ui: &mut Ui, section: &Section) {
                 .steps(1.0, 0.5);
             let entry = number.show(ui, editor.language(), "speed.fps", 80.0);
             let info = editor.document.info().clone();
-            editor.enter(entry, |fps| Edit::SetInfo(Box::new(Info { fps, ..info })));
+            editor.enter(entry.map(|fps| Edit::SetInfo(Box::new(Info { fps, ..info }))));
             ui.label(texts.fps).on_hover_text(texts.fps_hint);
         });
     });
@@ -551,14 +551,14 @@ fn enter_orientation(
     let Some(mut orientation) = editor.orientation().cloned() else {
         return;
     };
-    editor.enter(entry, |value| {
+    editor.enter(entry.map(|value| {
         change(&mut orientation, value);
         Edit::SetOrientation {
             point: at.point,
             at: at.orientation,
             orientation,
         }
-    });
+    }));
 }
 
 /// Gives one of the ten speeds another value.

@@ -10,6 +10,7 @@ use super::camera_path::CameraPath;
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
+use super::space::Up;
 use super::timeline::Timeline;
 use crate::error::{Result, can_allocate, vec_with_room};
 use crate::math::orientation::unit;
@@ -129,6 +130,7 @@ pub(super) struct Rail {
     closed: bool,
     /// Direction at the end of an open path.
     end: DVec3,
+    up: Up,
 }
 
 impl Rail {
@@ -151,7 +153,8 @@ impl Rail {
             curves,
             starts,
             closed: path.closed,
-            end: end.unwrap_or(DVec3::Z),
+            end: end.unwrap_or(path.space.up.world(DVec3::Z)),
+            up: path.space.up,
         }))
     }
 
@@ -183,18 +186,24 @@ pub(super) struct Ahead {
     pub segment: Option<(usize, f64)>,
     /// How far ahead; 0: along the tangent.
     pub distance: f64,
-    /// The view where the way has no direction at all.
+    /// The view where the way has no direction at all; y upright.
     pub still: DVec3,
     /// Roll in radians in powers of φ.
     pub roll: [f64; 4],
 }
 
 impl Ahead {
-    /// The direction at φ, if the way has one there.
+    /// The direction at φ in axes of which y stands upright, if the way has one
+    /// there.
     pub(super) fn direction(&self, phi: f64) -> Option<DVec3> {
-        let Some((segment, length)) = self.segment else {
-            return Some(self.still);
-        };
+        match self.segment {
+            None => Some(self.still),
+            Some(segment) => Some(self.rail.up.upright(self.way(segment, phi)?)),
+        }
+    }
+
+    /// The direction of the way at φ.
+    fn way(&self, (segment, length): (usize, f64), phi: f64) -> Option<DVec3> {
         let curve = &self.rail.curves[segment];
         let arc = ArcLength::new(curve).ok()?;
         let t = arc.parameter_at(phi * length);

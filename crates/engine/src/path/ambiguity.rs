@@ -8,6 +8,7 @@ use super::ahead;
 use super::camera_path::{CameraPath, Orientation, Target};
 use super::hermite::Cubic;
 use super::orientation_curve::AT_TARGET;
+use super::space::Space;
 use super::timeline::{Change, Timeline};
 use crate::math::orientation::quaternion_from_roll;
 use crate::math::quaternion::continue_sign;
@@ -49,12 +50,12 @@ pub fn ambiguity(path: &CameraPath, timeline: &Timeline, section: usize) -> Opti
     match (from.target, to.target) {
         (Target::Absolute(a), Target::Absolute(b)) if tracks && a == b => {
             let curve = (begin.change == Change::Position).then(|| timeline.curve(begin.point))?;
-            met(curve, a)
+            met(curve, a, path.space)
         }
         _ => {
             let key = |(point, number): (usize, usize), orientation: &Orientation| {
                 let view = ahead::view(path, point, number);
-                quaternion_from_roll(view, orientation.roll.to_radians())
+                quaternion_from_roll(path.space.up.upright(view), orientation.roll.to_radians())
             };
             let begins = (begin.point, begin.orientation);
             let (a, b) = (key(begins, from), key(next, to));
@@ -64,11 +65,12 @@ pub fn ambiguity(path: &CameraPath, timeline: &Timeline, section: usize) -> Opti
 }
 
 /// Whether a curve leads through a target, or straight above or below it.
-fn met(curve: &Cubic, target: DVec3) -> Option<Ambiguity> {
-    let flat = DVec3::new(1.0, 0.0, 1.0);
-    if nearest(curve, target, DVec3::ONE) < AT_TARGET {
+fn met(curve: &Cubic, target: DVec3, space: Space) -> Option<Ambiguity> {
+    let flat = space.up.world(DVec3::new(1.0, 0.0, 1.0));
+    let near = AT_TARGET * space.half_size;
+    if nearest(curve, target, DVec3::ONE) < near {
         Some(Ambiguity::AtTarget)
-    } else if nearest(curve, target, flat) < AT_TARGET {
+    } else if nearest(curve, target, flat) < near {
         Some(Ambiguity::OverTarget)
     } else {
         None

@@ -5,6 +5,7 @@
 use glam::DVec3;
 
 use super::own::{MayOwn, Tangents};
+use super::space::Space;
 use crate::error::{Error, Result, message, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
@@ -76,9 +77,11 @@ impl Target {
     ///
     /// # Errors
     /// [`Error::Argument`] or [`Error::Range`].
-    pub fn check(self, position: DVec3) -> Result<()> {
-        let (Self::Absolute(v) | Self::Relative(v)) = self;
-        check_coordinates(v)?;
+    pub fn check(self, position: DVec3, space: Space) -> Result<()> {
+        match self {
+            Self::Absolute(target) => space.check_place(target)?,
+            Self::Relative(offset) => space.check_offset(offset)?,
+        }
         if self.offset_from(position) == DVec3::ZERO {
             return Err(Error::Argument(message!(
                 "the target must not lie on the camera's own position"
@@ -107,10 +110,13 @@ pub struct Orientation {
     pub own: MayOwn,
 }
 
+/// What a new orientation looks along, in the space [−1, 1]³.
+const FIRST_OFFSET: DVec3 = DVec3::new(0.0, 0.0, -0.4);
+
 impl Default for Orientation {
     fn default() -> Self {
         Self {
-            target: Target::Relative(DVec3::new(0.0, 0.0, -0.4)),
+            target: Target::Relative(FIRST_OFFSET),
             roll: 0.0,
             zoom: 24.0,
             turning: Tcb::default(),
@@ -122,13 +128,22 @@ impl Default for Orientation {
 }
 
 impl Orientation {
+    /// As in a new path of a space: looks back along its third axis from upright.
+    #[must_use]
+    pub fn new_in(space: Space) -> Self {
+        Self {
+            target: Target::Relative(space.offset(FIRST_OFFSET)),
+            ..Self::default()
+        }
+    }
+
     /// Everything finite and in range. The view from `position` must have a
     /// direction.
     ///
     /// # Errors
     /// [`Error::Range`] or [`Error::Argument`] with the reason.
-    pub fn check(&self, position: DVec3) -> Result<()> {
-        self.target.check(position)?;
+    pub fn check(&self, position: DVec3, space: Space) -> Result<()> {
+        self.target.check(position, space)?;
         if !self.roll.is_finite() {
             return Err(Error::Argument(message!(
                 "the roll must be a finite number"
@@ -138,7 +153,7 @@ impl Orientation {
         self.turning.check()?;
         self.speeds.into_iter().try_for_each(check_speed)?;
         check_hold(self.hold)?;
-        self.own.check()
+        self.own.check(space)
     }
 
     /// View direction of a camera at `position`: a unit vector.
@@ -151,7 +166,8 @@ impl Orientation {
 /// A support point: a key position of the curve with its orientations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SupportPoint {
-    /// World coordinates, each of magnitude ≤ [`limits::MAX_COORDINATE`].
+    /// World coordinates, at most [`limits::MAX_COORDINATE`] half sizes from the
+    /// centre of the space.
     pub position: DVec3,
     /// A name for people; the engine does not read it.
     pub name: Option<String>,
@@ -210,7 +226,7 @@ impl SupportPoint {
 /// speed 50. Each finite and > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BaseSpeeds {
-    /// `move_speed`: frames for a way of length 1.
+    /// `move_speed`: frames for a way of one half size of the space.
     pub movement: f64,
     /// `orient_speed`: frames for turning the view by 180°.
     pub turning: f64,
@@ -283,6 +299,8 @@ pub struct CameraPath {
     pub zoom_mode: ZoomMode,
     /// The base speeds.
     pub speeds: BaseSpeeds,
+    /// Where it lies in the world.
+    pub space: Space,
 }
 
 /// The presets of thesis A.6.1.
@@ -332,6 +350,7 @@ impl CameraPath {
             orientation_mode: OrientationMode::default(),
             zoom_mode: ZoomMode::default(),
             speeds: BaseSpeeds::default(),
+            space: Space::default(),
         }
     }
 
@@ -374,6 +393,14 @@ impl CameraPath {
     /// # Errors
     /// The first one that does not, with its place.
     pub fn check(&self) -> Result<()> {
+        self.check_in(self.space)
+    }
+
+    /// As [`CameraPath::check`], if it lay in this space.
+    ///
+    /// # Errors
+    /// As [`CameraPath::check`].
+    pub fn check_in(&self, space: Space) -> Result<()> {
         if self.points.len() < limits::MIN_POINTS {
             return Err(Error::Range(message!(
                 "a path needs at least two support points"
@@ -389,9 +416,10 @@ impl CameraPath {
             preset.check()?;
         }
         check_speeds(self.speeds)?;
+        space.check()?;
         for (index, point) in self.points.iter().enumerate() {
             point
-                .check()
+                .check(space)
                 .map_err(|error| error.at(message!("point {0}", index + 1)))?;
         }
         Ok(())
@@ -426,8 +454,8 @@ impl SupportPoint {
     ///
     /// # Errors
     /// The first one that does not.
-    pub fn check(&self) -> Result<()> {
-        check_coordinates(self.position)?;
+    pub fn check(&self, space: Space) -> Result<()> {
+        space.check_place(self.position)?;
         if let Some(name) = &self.name {
             check_name(name).map_err(|error| error.at(message!("the name")))?;
         }
@@ -442,7 +470,7 @@ impl SupportPoint {
         }
         if let Some(tangents) = self.tangents {
             tangents
-                .check()
+                .check(space)
                 .map_err(|error| error.at(message!("the tangents")))?;
         }
         if self.orientations.is_empty() || self.orientations.len() > limits::MAX_ORIENTATIONS {
@@ -452,7 +480,7 @@ impl SupportPoint {
         }
         for (index, orientation) in self.orientations.iter().enumerate() {
             orientation
-                .check(self.position)
+                .check(self.position, space)
                 .map_err(|error| error.at(message!("orientation {0}", index + 1)))?;
         }
         Ok(())

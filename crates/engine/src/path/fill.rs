@@ -12,6 +12,7 @@ use super::arc_length;
 use super::orientation_curve::{AT_TARGET, Turning};
 use super::pose::Pose;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
+use super::space::Up;
 use super::speed_curve::{INTERVALS, SpeedCurve};
 use super::tables::{Fit, Tables, quaternions};
 use super::timing::Timing;
@@ -379,6 +380,15 @@ fn write<V: Vector>(
     }
 }
 
+/// [`Up::upright`] of several vectors.
+#[inline(always)]
+fn upright<V: Vector>(up: Up, [x, y, z]: [V; 3]) -> [V; 3] {
+    match up {
+        Up::Y => [x, y, z],
+        Up::Z => [y, z, x],
+    }
+}
+
 /// One vector of poses, number by number.
 #[inline(always)]
 fn write_vector<V: Vector>(section: &SectionSampler, block: &Block, k: usize) -> [V; 10] {
@@ -404,11 +414,14 @@ fn write_vector<V: Vector>(section: &SectionSampler, block: &Block, k: usize) ->
             V::splat(up.z),
         ],
         Turning::Tracked(target, _) => view_at_target(
-            [
-                V::splat(target.x).sub(place[0]),
-                V::splat(target.y).sub(place[1]),
-                V::splat(target.z).sub(place[2]),
-            ],
+            upright(
+                section.space.up,
+                [
+                    V::splat(target.x).sub(place[0]),
+                    V::splat(target.y).sub(place[1]),
+                    V::splat(target.z).sub(place[2]),
+                ],
+            ),
             V::load(&q[0][k..]),
             V::load(&q[1][k..]),
         ),
@@ -420,6 +433,10 @@ fn write_vector<V: Vector>(section: &SectionSampler, block: &Block, k: usize) ->
         ]),
     };
     let zoom = horner::<V, 4>(&section.zoom, V::load(&block.phi[k..]));
+    let view = match section.space.up {
+        Up::Y => view,
+        Up::Z => [view[2], view[0], view[1], view[5], view[3], view[4]],
+    };
     [
         place[0], place[1], place[2], view[0], view[1], view[2], view[3], view[4], view[5], zoom,
     ]
@@ -433,11 +450,13 @@ fn resolve_singularities(
     phi: &Row,
     poses: &mut [Pose],
 ) -> Result<()> {
+    let near = 2.0 * AT_TARGET * section.space.half_size;
     for (pose, &phi) in poses.iter_mut().zip(phi) {
         let offset = (target - DVec3::from(pose.vrp)).abs().max_element();
         // Twice the bounds, since the plain way measures with other rounding.
-        let far = offset > 2.0 * AT_TARGET;
-        let level = pose.vpn[0].abs().max(pose.vpn[2].abs()) > 2.0 * POLE;
+        let far = offset > near;
+        let view = section.space.up.upright(DVec3::from(pose.vpn));
+        let level = view.x.abs().max(view.z.abs()) > 2.0 * POLE;
         if far && level {
             continue;
         }

@@ -165,7 +165,7 @@ struct Wanted {
     leave: DVec3,
     middle: Tangents,
     reach: DVec3,
-    /// Of the new key.
+    /// Of the new key, y upright.
     velocity: DVec3,
     roll_slope: f64,
     zoom_slope: f64,
@@ -208,7 +208,10 @@ fn divide(
             (Target::Absolute(*target), roll_there.0.to_degrees())
         }
         Turning::Ahead(_) => (seen, roll_there.0.to_degrees()),
-        _ => (seen, orientation::roll_from_up(view, up).to_degrees()),
+        _ => {
+            let [view, up] = [view, up].map(|v| path.space.up.upright(v));
+            (seen, orientation::roll_from_up(view, up).to_degrees())
+        }
     };
     let mut orientation = Orientation {
         target,
@@ -410,7 +413,7 @@ impl Keys {
             let longest = beside.into_iter().flatten().map(|way| way.duration);
             steps.push(longest.fold(0.0, f64::max));
         }
-        let rates = rates(&mut layout.keys, &layout.spans, layout.rail)?;
+        let rates = rates(&mut layout.keys, &layout.spans, layout.rail, path.space)?;
         Ok(Self { rates, zoom, steps })
     }
 }
@@ -468,9 +471,11 @@ fn keep_rates(
             let turned = (found.reach - rates.reach)
                 .length()
                 .max((found.leave - rates.leave).length());
+            let owned =
+                |rate: &mut DVec3| path.space.up.world(std::mem::take(rate)) * 2f64.to_degrees();
             let velocities = (turns && !same(turned)).then(|| Velocities {
-                reach: std::mem::take(&mut rates.reach) * 2f64.to_degrees(),
-                leave: std::mem::take(&mut rates.leave) * 2f64.to_degrees(),
+                reach: owned(&mut rates.reach),
+                leave: owned(&mut rates.leave),
             });
             let roll_slope = match (found.roll_slope, rates.roll_slope) {
                 (Some(a), Some(b)) if !same((a - b).abs()) => Some(b.to_degrees()),

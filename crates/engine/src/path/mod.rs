@@ -1,7 +1,7 @@
 //! The engine: from the data of a path to every pose on it, by the rules of
 //! `docs/path.md`.
 //!
-//! [`camera_path`] is the data. [`kochanek_bartels`] makes curves of it,
+//! [`camera_path`] is the data, [`space`] where it lies. [`kochanek_bartels`] makes curves of it,
 //! [`arc_length`] and [`speed_curve`] their length and pace, [`timeline`] the
 //! sections with their frames; then the curve times are known, and with them
 //! `orientation_curve`. [`sampling`] walks through it all: `section` is the plain
@@ -38,6 +38,7 @@ pub mod pose;
 pub mod quaternion_spline;
 pub mod sampling;
 mod section_sampler;
+pub mod space;
 pub mod speed_curve;
 mod tables;
 pub mod tessellation;
@@ -57,5 +58,6 @@ pub use own::{MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Velocities, Wh
 pub use plan::Plan;
 pub use pose::Pose;
 pub use sampling::Sampler;
+pub use space::{Space, Up};
 pub use timeline::{Change, Section, Timeline};
 pub use timing::Timing;

@@ -2,6 +2,9 @@
 //! `docs/path.md`, orientation curve): free sections on a curve through
 //! quaternions, sections that track a target, and sections that keep a
 //! direction.
+//!
+//! Positions, targets and ways are the world's; directions, quaternions and
+//! velocities are in axes of which y stands upright ([`super::Up::upright`]).
 
 use std::sync::Arc;
 
@@ -15,6 +18,7 @@ use super::quaternion_spline::{
     barry_goldman_between, bezier, bezier_control, end_velocity, key_velocities, mean_velocity,
     reflect,
 };
+use super::space::{Space, Up};
 use crate::error::{Result, vec_with_room};
 use crate::math::monotone_cubic;
 use crate::math::orientation::{self, POLE};
@@ -27,7 +31,7 @@ const SAME_DIRECTION: f64 = 1e-12;
 /// angle is about 1e-7.
 const SAME_KEY: f64 = 1e-14;
 
-/// Nearer than this to its target a camera has no direction of its own.
+/// Nearer than so many half sizes to its target a camera has no direction of its own.
 pub(super) const AT_TARGET: f64 = 1e-9;
 
 /// Step of the differences that give the velocity of a view along the way.
@@ -53,9 +57,9 @@ pub(super) struct Key {
 
 impl Key {
     /// Angular velocities of its own on S³, reaching and leaving.
-    fn velocities(&self) -> Option<(DVec3, DVec3)> {
+    fn velocities(&self, up: Up) -> Option<(DVec3, DVec3)> {
         // On S³ a rotation counts half.
-        let half = |degrees: DVec3| degrees * (0.5 * 1f64.to_radians());
+        let half = |degrees: DVec3| up.upright(degrees) * (0.5 * 1f64.to_radians());
         let own = self.own.velocities?;
         Some((half(own.reach), half(own.leave)))
     }
@@ -111,10 +115,15 @@ impl Turning {
 
     /// View direction and up at φ. `place` tells where on the way the camera
     /// is at any φ; only tracking asks.
-    pub(super) fn view_at(&self, phi: f64, place: &dyn Fn(f64) -> DVec3) -> (DVec3, DVec3) {
+    pub(super) fn view_at(
+        &self,
+        phi: f64,
+        place: &dyn Fn(f64) -> DVec3,
+        space: Space,
+    ) -> (DVec3, DVec3) {
         match self {
             Self::Kept(view, up) => (*view, *up),
-            Self::Tracked(target, roll) => track(*target, roll, phi, place),
+            Self::Tracked(target, roll) => track(*target, roll, phi, place, space),
             Self::Ahead(ahead) => ahead.view_at(phi),
             _ => {
                 let q = self.quaternion(phi).unwrap_or(DQuat::IDENTITY);
@@ -131,10 +140,17 @@ fn cubic(c: &[f64; 4], phi: f64) -> f64 {
 
 /// Looks at the target. At the target itself the last direction and yaw hold,
 /// straight above and below it the last yaw.
-fn track(target: DVec3, roll: &[f64; 4], phi: f64, place: &dyn Fn(f64) -> DVec3) -> (DVec3, DVec3) {
+fn track(
+    target: DVec3,
+    roll: &[f64; 4],
+    phi: f64,
+    place: &dyn Fn(f64) -> DVec3,
+    space: Space,
+) -> (DVec3, DVec3) {
+    let near = AT_TARGET * space.half_size;
     let direction = |phi: f64| {
         let offset = target - place(phi);
-        (offset.length() >= AT_TARGET).then(|| orientation::unit(offset))
+        (offset.length() >= near).then(|| orientation::unit(space.up.upright(offset)))
     };
     level_view(&direction, roll, phi, DVec3::Z)
 }
@@ -271,6 +287,7 @@ struct Work<'a> {
     rolls: Vec<[f64; 4]>,
     /// The whole curve, where a key looks along it.
     rail: Option<Arc<Rail>>,
+    space: Space,
 }
 
 /// Works out how the camera turns in each span, and fixes the signs of the keys.
@@ -282,8 +299,9 @@ pub(super) fn turnings(
     spans: &[Span<'_>],
     mode: OrientationMode,
     rail: Option<Arc<Rail>>,
+    space: Space,
 ) -> Result<Vec<Turning>> {
-    let work = work(keys, spans, rail)?;
+    let work = work(keys, spans, rail, space)?;
     let mut turnings = vec_with_room(spans.len())?;
     for span in 0..spans.len() {
         turnings.push(work.turning(span, mode));
@@ -310,8 +328,9 @@ pub(super) fn rates(
     keys: &mut [Key],
     spans: &[Span<'_>],
     rail: Option<Arc<Rail>>,
+    space: Space,
 ) -> Result<Vec<Rates>> {
-    let work = work(keys, spans, rail)?;
+    let work = work(keys, spans, rail, space)?;
     let mut rates = vec_with_room(work.keys.len())?;
     for key in 0..work.keys.len() {
         let (reach, leave) = work.velocities(key);
@@ -333,6 +352,7 @@ fn work<'a>(
     keys: &'a mut [Key],
     spans: &'a [Span<'a>],
     rail: Option<Arc<Rail>>,
+    space: Space,
 ) -> Result<Work<'a>> {
     for i in 1..keys.len() {
         let before = keys[i - 1].q;
@@ -358,6 +378,7 @@ fn work<'a>(
         wrap,
         rolls: vec_with_room(spans.len())?,
         rail,
+        space,
     };
     for span in 0..spans.len() {
         let (from, to) = (&keys[span], &keys[ring.end_of(span)]);
@@ -473,12 +494,16 @@ impl Work<'_> {
         Turning::BarryGoldman([before, a, b, after], [t0, 0.0, 1.0, t3])
     }
 
+    fn own_velocities(&self, key: usize) -> Option<(DVec3, DVec3)> {
+        self.keys[key].velocities(self.space.up)
+    }
+
     /// Velocities with which the curve reaches and leaves a key, limited so
     /// that no section swings out.
     fn velocities(&self, key: usize) -> (DVec3, DVec3) {
         let before = self.ring.before_key(key);
         let after = self.ring.after_key(key);
-        if let Some((reach, leave)) = self.keys[key].velocities() {
+        if let Some((reach, leave)) = self.own_velocities(key) {
             let limited = |omega: DVec3, span: Option<usize>| {
                 span.map_or(omega, |span| {
                     omega * self.factor(omega, span, self.swing(span))
@@ -545,7 +570,7 @@ impl Work<'_> {
                 let omega = match self.ring.after_key(inner) {
                     None => mean(span),
                     Some(next) => {
-                        let own = self.keys[inner].velocities().map(|(reach, _)| reach);
+                        let own = self.own_velocities(inner).map(|(reach, _)| reach);
                         let there = own.or_else(|| self.taken(next, false));
                         let there =
                             there.unwrap_or_else(|| self.free_velocities(inner, Tcb::default()).0);
@@ -558,7 +583,7 @@ impl Work<'_> {
                 let omega = match self.ring.before_key(span) {
                     None => mean(span),
                     Some(last) => {
-                        let own = self.keys[span].velocities().map(|(_, leave)| leave);
+                        let own = self.own_velocities(span).map(|(_, leave)| leave);
                         let there = own.or_else(|| self.taken(last, true));
                         let there =
                             there.unwrap_or_else(|| self.free_velocities(span, Tcb::default()).1);
@@ -592,7 +617,9 @@ impl Work<'_> {
                 let velocity = self.spans[span].way.map_or(DVec3::ZERO, |(curve, length)| {
                     end_direction(curve, at_end).unwrap_or(DVec3::ZERO) * (length / duration)
                 });
-                Some(0.5 * tracking_velocity(target - key.position, velocity, slope / duration))
+                let [offset, velocity] =
+                    [target - key.position, velocity].map(|v| self.space.up.upright(v));
+                Some(0.5 * tracking_velocity(offset, velocity, slope / duration))
             }
         }
     }

@@ -10,8 +10,9 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
-use super::camera_path::{check_coordinates, check_speed};
+use super::camera_path::check_speed;
 use super::ease::Ease;
+use super::space::Space;
 use crate::error::{Error, Result, can_allocate, message};
 use crate::limits;
 
@@ -29,9 +30,9 @@ impl Tangents {
     ///
     /// # Errors
     /// [`Error::Argument`] or [`Error::Range`].
-    pub fn check(self) -> Result<()> {
-        check_coordinates(self.before)?;
-        check_coordinates(self.after)
+    pub fn check(self, space: Space) -> Result<()> {
+        space.check_offset(self.before)?;
+        space.check_offset(self.after)
     }
 }
 
@@ -149,7 +150,8 @@ pub struct Velocities {
 /// one of them has changed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurningPart {
-    /// Control quaternions of the whole curve.
+    /// Control quaternions of the whole curve, in axes of which y stands upright
+    /// ([`super::Up::upright`]).
     pub control: [DQuat; 4],
     /// Share of its time where the part begins, 0 ≤ from < to.
     pub from: f64,
@@ -221,7 +223,7 @@ impl Own {
     ///
     /// # Errors
     /// [`Error::Range`] or [`Error::Argument`].
-    pub fn check(&self) -> Result<()> {
+    pub fn check(&self, space: Space) -> Result<()> {
         match &self.pace {
             Pace::Speeds => {}
             Pace::Part(part) => part.check()?,
@@ -229,7 +231,8 @@ impl Own {
             Pace::Distance(keys) => check_distance(keys)?,
         }
         check_frames(self.frames)?;
-        self.ahead.map_or(Ok(()), check_ahead)?;
+        self.ahead
+            .map_or(Ok(()), |distance| check_ahead(distance, space))?;
         if let Some(Velocities { reach, leave }) = self.velocities {
             check_rates(&[reach.to_array(), leave.to_array()].concat())?;
         }
@@ -295,15 +298,15 @@ pub fn check_frames(frames: u32) -> Result<()> {
 ///
 /// # Errors
 /// [`Error::Range`] or [`Error::Argument`].
-pub fn check_ahead(distance: f64) -> Result<()> {
+pub fn check_ahead(distance: f64, space: Space) -> Result<()> {
     if !distance.is_finite() {
         return Err(Error::Argument(message!(
             "the distance ahead must be a finite number"
         )));
     }
-    if !(0.0..=limits::MAX_COORDINATE).contains(&distance) {
+    if !(0.0..=space.farthest()).contains(&distance) {
         return Err(Error::Range(message!(
-            "the distance ahead must lie between 0 and 1e9"
+            "the distance ahead must lie between 0 and 1e9 half sizes of the space"
         )));
     }
     Ok(())

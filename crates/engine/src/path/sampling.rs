@@ -97,6 +97,7 @@ impl<'a> Layout<'a> {
                 way: curve.map(|&curve| ArcLengthCurve { curve, length }),
                 position: point.position,
                 turning: orientation_curve::Turning::Kept(glam::DVec3::Z, glam::DVec3::Y),
+                space: path.space,
                 zoom: [pose.zoom, 0.0, 0.0, 0.0],
                 tables: OnceLock::new(),
             });
@@ -147,7 +148,7 @@ impl Sampler {
             rail,
             first_frames,
         } = Layout::new(path, timeline)?;
-        let turnings = turnings(&mut keys, &spans, path.orientation_mode, rail)?;
+        let turnings = turnings(&mut keys, &spans, path.orientation_mode, rail, path.space)?;
         for (section, turning) in sections.iter_mut().zip(turnings) {
             section.turning = turning;
         }
@@ -276,24 +277,26 @@ impl Sampler {
 
 /// A key of the path, and the pose in which the camera is there.
 fn key(path: &CameraPath, point: usize, orientation: usize) -> (Key, Pose) {
+    let axes = path.space.up;
     let view = ahead::view(path, point, orientation);
     let point = &path.points[point];
     let orientation = &point.orientations[orientation];
     let roll = orientation.roll.to_radians();
-    let up = orientation::up_from_roll(view, roll);
+    let upright = axes.upright(view);
+    let up = orientation::up_from_roll(upright, roll);
     let key = Key {
         position: point.position,
         target: orientation.target,
-        view,
+        view: upright,
         roll,
         turning: orientation.turning,
         own: orientation.own.clone(),
-        q: orientation::quaternion_from_view(view, up),
+        q: orientation::quaternion_from_view(upright, up),
     };
     let pose = Pose {
         vrp: point.position.to_array(),
         vpn: view.to_array(),
-        vup: up.to_array(),
+        vup: axes.world(up).to_array(),
         zoom: orientation.zoom,
     };
     (key, pose)

@@ -11,6 +11,7 @@ use super::arc_length::ArcLength;
 use super::hermite::Cubic;
 use super::orientation_curve::Turning;
 use super::pose::Pose;
+use super::space::Space;
 use super::tables::Tables;
 use super::timing::Timing;
 use crate::error::Result;
@@ -34,7 +35,10 @@ pub(super) struct SectionSampler {
     /// Where the camera moves; None where it stays at `position`.
     pub way: Option<ArcLengthCurve>,
     pub position: DVec3,
+    /// In axes of which y stands upright.
     pub turning: Turning,
+    /// Where the path lies.
+    pub space: Space,
     /// Zoom in powers of φ.
     pub zoom: [f64; 4],
     /// What fast sampling prepares once, if the section has many frames.
@@ -102,6 +106,7 @@ impl SectionSampler {
             }
         }
         fingerprint.add(self.zoom);
+        fingerprint.add([self.space.up.index() as f64, self.space.half_size]);
         fingerprint.0
     }
 
@@ -137,7 +142,8 @@ impl SectionSampler {
             (Some(way), Some(arc)) => way.curve.point(arc.parameter_at(phi * arc.length())),
             _ => self.position,
         };
-        let (view, up) = self.turning.view_at(phi, &place);
+        let (view, up) = self.turning.view_at(phi, &place, self.space);
+        let (view, up) = (self.space.up.world(view), self.space.up.world(up));
         let c = &self.zoom;
         Ok(Pose {
             vrp: place(phi).to_array(),

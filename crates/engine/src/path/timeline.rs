@@ -15,7 +15,7 @@ use crate::error::{Error, Result, message, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_FRAMES, MAX_ZOOM, MIN_ZOOM};
 use crate::math::{orientation, quaternion};
 
-/// Less than this is no change: length units, radians, degrees, zoom.
+/// Less than this is no change: half sizes of the space, radians, degrees, zoom.
 const NO_CHANGE: f64 = 1e-9;
 
 /// Share by which a number of frames may miss a half and still be one.
@@ -372,7 +372,7 @@ impl Timeline {
         let to = if orientation + 1 < here.orientations.len() {
             &here.orientations[orientation + 1]
         } else {
-            let length = self.segments[point].length;
+            let length = self.segments[point].length / path.space.half_size;
             if length > NO_CHANGE {
                 return (Change::Position, length);
             }
@@ -380,7 +380,9 @@ impl Timeline {
         };
         let (a, b) = self.views(path, (point, orientation));
         if (a - b).length() > NO_CHANGE {
-            let key = |view, roll: f64| orientation::quaternion_from_roll(view, roll.to_radians());
+            let key = |view, roll: f64| {
+                orientation::quaternion_from_roll(path.space.up.upright(view), roll.to_radians())
+            };
             let (a, b) = (key(a, from.roll), key(b, to.roll));
             let angle = quaternion::angle(a, if a.dot(b) < 0.0 { -b } else { b });
             return (Change::View, angle / std::f64::consts::FRAC_PI_2);

@@ -6,35 +6,39 @@ use crate::math::orientation::{
     POLE, axes_with_yaw, level_axes, quaternion_from_view, unit, up_from_roll,
 };
 use crate::math::quaternion::slerp_shortest;
+use crate::path::{Space, Up};
 
-/// Nearer than this there is no direction (`docs/path.md`, tracked sections).
+/// Nearer than so many half sizes of the space there is no direction (`docs/path.md`, tracked sections).
 const NEAR: f64 = 1e-9;
 
 /// The direction from `eye` to `target`, if there is one.
-pub(super) fn direction(eye: DVec3, target: DVec3) -> Option<DVec3> {
+pub(super) fn direction(eye: DVec3, target: DVec3, space: Space) -> Option<DVec3> {
     let offset = target - eye;
-    (offset.abs().max_element() > NEAR && offset.is_finite()).then(|| unit(offset))
+    (offset.abs().max_element() > NEAR * space.half_size && offset.is_finite())
+        .then(|| unit(offset))
 }
 
 /// Whether a view is so steep that it has no yaw.
-pub(super) fn steep(view: DVec3) -> bool {
+pub(super) fn steep(view: DVec3, up: Up) -> bool {
+    let view = up.upright(view);
     view.x.hypot(view.z) < POLE
 }
 
 /// The orientation that looks along `view` with the space's up, turned by
 /// `roll` (radians). At a pole the yaw of `last` holds, a view that has one.
-pub(super) fn aimed(view: DVec3, last: Option<DVec3>, roll: f64) -> DQuat {
-    let up = match last {
-        Some(last) if steep(view) => {
+pub(super) fn aimed(view: DVec3, last: Option<DVec3>, roll: f64, axes: Up) -> DQuat {
+    let upright = axes.upright(view);
+    let up = match last.map(|last| axes.upright(last)) {
+        Some(last) if steep(view, axes) => {
             let h = last.x.hypot(last.z);
-            let (u, v) = axes_with_yaw(view, last.x / h, last.z / h);
+            let (u, v) = axes_with_yaw(upright, last.x / h, last.z / h);
             let (sin, cos) = roll.sin_cos();
             v * cos - u * sin
         }
-        _ => up_from_roll(view, roll),
+        _ => up_from_roll(upright, roll),
     };
-    debug_assert!(level_axes(view).0.is_finite());
-    quaternion_from_view(view, up)
+    debug_assert!(level_axes(upright).0.is_finite());
+    quaternion_from_view(view, axes.world(up))
 }
 
 /// From the motion's own orientation to the aimed one.

@@ -328,8 +328,9 @@ impl Scene {
         search: Search,
     ) -> Result<DQuat> {
         let pivot = self.pivot(target, frame, states)?;
-        let direction = aim::direction(world.translation, pivot);
-        let good = |view: DVec3| !aim::steep(view);
+        let direction = aim::direction(world.translation, pivot, self.space());
+        let up = self.space().up;
+        let good = |view: DVec3| !aim::steep(view, up);
         let own_view = view_from_quaternion(own).0;
         let (view, last) = match direction {
             Some(view) if good(view) => (view, None),
@@ -342,7 +343,7 @@ impl Scene {
                 (view, last.or(Some(own_view)).filter(|&view| good(view)))
             }
         };
-        let aimed = aim::aimed(view, last, values.roll.to_radians());
+        let aimed = aim::aimed(view, last, values.roll.to_radians(), up);
         Ok(aim::blend(own, aimed, values.aim_weight))
     }
 
@@ -375,8 +376,8 @@ impl Scene {
             self.run(&chain, frame, &mut scratch, none, Search::Own)?;
             let eye = self.pivot(at, frame, &scratch)?;
             let pivot = self.pivot(target, frame, &scratch)?;
-            let view = aim::direction(eye, pivot);
-            Ok(view.filter(|&view| !with_yaw || !aim::steep(view)))
+            let view = aim::direction(eye, pivot, self.space());
+            Ok(view.filter(|&view| !with_yaw || !aim::steep(view, self.space().up)))
         };
         for sign in [-1.0, 1.0] {
             for k in 0..STEPS {

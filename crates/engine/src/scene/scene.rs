@@ -9,7 +9,7 @@ use super::track::Track;
 use crate::deform::{Bounds, Deformation};
 use crate::error::{Error, Result, message, vec_with_room};
 use crate::limits::{MAX_MARKERS, MAX_NODES, MAX_PINS, MAX_SCENE_NUMBERS};
-use crate::path::CameraPath;
+use crate::path::{CameraPath, Space};
 
 /// A named frame of the timeline.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,11 +44,15 @@ pub struct Scene {
     pins: Vec<Pin>,
     /// All numbers of all keys.
     numbers: usize,
+    space: Space,
 }
 
 impl PartialEq for Scene {
     fn eq(&self, other: &Self) -> bool {
-        self.nodes == other.nodes && self.markers == other.markers && self.pins == other.pins
+        self.nodes == other.nodes
+            && self.markers == other.markers
+            && self.pins == other.pins
+            && self.space == other.space
     }
 }
 
@@ -64,11 +68,32 @@ impl Scene {
     /// # Errors
     /// As [`FollowPath::new`].
     pub fn of_path(path: CameraPath) -> Result<Self> {
+        let space = path.space;
         let mut camera = Node::new("camera", Kind::Camera(super::Camera::default()));
         camera.set_path(Some(FollowPath::new(path, 1.0, super::Beyond::Hold)?))?;
-        let mut scene = Self::new();
+        let mut scene = Self {
+            space,
+            ..Self::new()
+        };
         scene.add(camera)?;
         Ok(scene)
+    }
+
+    /// Where it lies in the world: what is upright for those who aim. A path in it
+    /// has its own.
+    #[must_use]
+    pub const fn space(&self) -> Space {
+        self.space
+    }
+
+    /// Sets [`Scene::space`].
+    ///
+    /// # Errors
+    /// As [`Space::check`].
+    pub fn set_space(&mut self, space: Space) -> Result<()> {
+        space.check()?;
+        self.space = space;
+        Ok(())
     }
 
     /// A scene of these nodes, whose parents and aims are numbers among them.

@@ -1,0 +1,125 @@
+//! Where a path lies in the host's world, and the host's own camera as an
+//! orientation.
+
+use std::ffi::c_int;
+
+use glam::DVec3;
+
+use super::border::border;
+use super::path::{edit, read};
+use super::pointers::{self, GrowingOut, Out, read_growing, read_vector};
+use super::quaternions::view;
+use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::types::{V_ORIENTATION, V_PATH, V_POSE, V_UP_Y, V_UP_Z};
+use crate::document::Edit;
+use crate::error::Error;
+use crate::math::orientation::roll_from_up;
+use crate::path::camera_path::check_zoom;
+use crate::path::{Space, Up};
+
+pub(super) fn up_from_c(up: c_int) -> Answer<Up> {
+    match up {
+        V_UP_Y => Ok(Up::Y),
+        V_UP_Z => Ok(Up::Z),
+        _ => Err(Error::Range("what stands upright is V_UP_Y or V_UP_Z".into()).into()),
+    }
+}
+
+const fn up_to_c(up: Up) -> c_int {
+    match up {
+        Up::Y => V_UP_Y,
+        Up::Z => V_UP_Z,
+    }
+}
+
+/// ==== Where a path lies ====
+///
+/// The movement space is a cube in the host's world: its centre, half the length of
+/// its edge, and the axis that stands upright (V_UP_Y, V_UP_Z). All places,
+/// offsets, tangents and lengths of a path are the world's own numbers; only base
+/// frames count ways in half sizes, and so do the distances below which nothing
+/// moves, so that they mean the same in metres and in angstroms. A new path has
+/// (0, 0, 0), 1 and V_UP_Y.
+///
+/// Sets the space; the path's numbers stay what they are. The half size is from
+/// 1e-30 to 1e30; centre, points and targets may be up to 1e9 half sizes away.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a
+/// number that is not finite), V_ERR_RANGE.
+/// cbindgen:ptrs-as-arrays=[[centre; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_space(
+    path: *mut V_PATH,
+    centre: *const f64,
+    half_size: f64,
+    up: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: three doubles, as the header says.
+        let centre = unsafe { read_vector(centre) }?;
+        let up = up_from_c(up)?;
+        let space = Space {
+            centre,
+            half_size,
+            up,
+        };
+        edit(path, Edit::SetSpace { space, fit: false })
+    })
+}
+
+/// The space of a path. Each result may be NULL.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+/// cbindgen:ptrs-as-arrays=[[centre; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_space(
+    path: *const V_PATH,
+    centre: *mut f64,
+    half_size: *mut f64,
+    up: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let centre = Out::optional_array(centre)?;
+        let (half_size, up) = (Out::optional(half_size)?, Out::optional(up)?);
+        let space = read(path, |document| Ok(document.path().space))?;
+        // SAFETY: room for three doubles, a double and an int, as the header says.
+        unsafe {
+            centre.write(space.centre.to_array());
+            half_size.write(space.half_size);
+            up.write(up_to_c(space.up));
+        }
+        Ok(V_OK)
+    })
+}
+
+/// How an orientation must be to look as a camera does in a pose, such as the
+/// host's own: relative, target the pose's vpn, and its roll and zoom; all else in
+/// *orientation stays, so that v_orientation_init() must have filled it in before.
+/// up is the upright axis of the path that it is for (V_UP_Y, V_UP_Z). vpn and vup
+/// may have any length but zero; vup need not be perpendicular to vpn, but not
+/// parallel.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE (zoom, up).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_orientation_from_pose(
+    pose: *const V_POSE,
+    up: c_int,
+    orientation: *mut V_ORIENTATION,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a pose, and a struct as its size says, as the header demands.
+        let (out, mut result) =
+            unsafe { (GrowingOut::new(orientation)?, read_growing(orientation)?) };
+        // SAFETY: as above.
+        let pose = unsafe { pointers::read(pose) }?;
+        let axes = up_from_c(up)?;
+        check_zoom(pose.zoom)?;
+        let [vpn, vup] = [pose.vpn, pose.vup].map(DVec3::from_array);
+        let (view, up) = view(vpn, vup)?;
+        result.absolute = 0;
+        result.target = view.to_array();
+        result.roll = roll_from_up(axes.upright(view), axes.upright(up)).to_degrees();
+        result.zoom = pose.zoom;
+        // SAFETY: as above.
+        unsafe { out.write(result) };
+        Ok(V_OK)
+    })
+}
