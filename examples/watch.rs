@@ -23,7 +23,10 @@ impl Host for Picture {
     }
 
     fn view(&self, _: Id, pose: &Pose, frame: f64, reason: Reason) {
-        println!("frame {frame}, {reason:?}: from {:?} along {:?}", pose.vrp, pose.vpn);
+        println!(
+            "frame {frame}, {reason:?}: from {:?} along {:?}",
+            pose.vrp, pose.vpn
+        );
     }
 
     fn changed(&self, window: Id) {
@@ -36,7 +39,7 @@ impl Host for Picture {
     }
 }
 
-fn main() -> vides::Result<()> {
+fn main() -> window::Result<()> {
     let camera = Pose {
         vrp: [0.9, 0.6, 0.9],
         vpn: [-1.0, -0.6, -1.0],
@@ -47,6 +50,7 @@ fn main() -> vides::Result<()> {
     options.editor.host_view = HostView {
         name: Some("watch".to_owned()),
         captures: true,
+        ..HostView::default()
     };
     let window = window::open(options)?;
     window::command(window, |editor| editor.set_ghost(Some(&camera))).transpose()?;

@@ -501,8 +501,16 @@ struct v_editor_options {
      */
     int (*on_capture)(V_EDITOR *editor, V_POSE *pose, void *user);
     /**
-     * the camera pane opened, changed its size, or closed (window 0): an X window
-     * in which the host may make a child and draw. NULL: the editor draws itself
+     * the camera pane opened, changed its size in pixels, or closed (window 0, sizes
+     * 0). The host draws in it what the camera sees, and again at each Expose: in a
+     * child of any visual that it makes there, which is kept at the pane's size, or
+     * in the pane itself, which is of the screen's own visual. A pane is never
+     * destroyed while the process lives. When it closes it is unmapped, a child in
+     * it is put out to the root window, unmapped, and then this is called; when the
+     * editor closes, after its window is gone, in v_editor_close() too. Then the
+     * editor's handle may be freed already; at the end of a thread nobody is called.
+     * On a server without XFIXES or SHAPE there is no pane. NULL: the editor draws
+     * itself
      */
     void (*on_pane)(V_EDITOR *editor,
                     unsigned long window,
@@ -513,9 +521,17 @@ struct v_editor_options {
      * what the window calls the host's view, UTF-8, one line; NULL: "program"
      */
     const char *host_name;
-    /** an X window to live in; 0: a top-level window */
+    /**
+     * an X window of the display to live in, of any depth: the editor is its child
+     * and fills it; 0: a top-level window. If it is destroyed, or the editor's window
+     * is put out to the root, the editor is closed without asking on_close, and what
+     * was unsaved is offered at the next start. V_ERR_ARGUMENT if it is no window
+     */
     unsigned long parent;
-    /** the host's window that the editor's belongs to; 0: none */
+    /**
+     * the host's window that the editor's belongs to, above which a window manager
+     * keeps it; 0: none. V_ERR_ARGUMENT if it is no window
+     */
     unsigned long transient_for;
     /**
      * what the program is called: the first half of WM_CLASS, by which a desktop

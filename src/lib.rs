@@ -60,7 +60,7 @@
 //!     }
 //! }
 //!
-//! # fn main() -> vides::Result<()> {
+//! # fn main() -> window::Result<()> {
 //! window::open(Options::new(Document::new(), Rc::new(Picture)))?;
 //! window::main_loop()?;
 //! # Ok(())
@@ -75,8 +75,8 @@
 mod ffi;
 
 pub use glam;
-pub use vides_document as document;
-pub use vides_engine::{Error, Result, deform, error, limits, math, path, scene};
+pub use vides_document::{self as document, Error, Result, error};
+pub use vides_engine::{deform, limits, math, path, scene};
 #[cfg(feature = "window")]
 pub use vides_window as window;
 

@@ -373,7 +373,7 @@ fn limits_are_told_with_their_line() {
     let line = 2 + 2 * vides::limits::MAX_POINTS;
     assert_eq!(
         parse(&text).unwrap_err(),
-        format!("line {line}: point: a path has at most 100000 points")
+        format!("line {line}: point: a path has at most 100000 support points")
     );
     let comment = "c".repeat(vides::limits::MAX_COMMENT_BYTES + 1);
     assert_eq!(

@@ -7,6 +7,7 @@ use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::path::{Path, PathBuf};
 
 use vides::document::{Document, save};
+use vides::error::EngineError;
 use vides::{Error, Result};
 
 /// The names in a folder.
@@ -94,11 +95,11 @@ fn a_writer_that_fails_leaves_the_old_file() {
     let mut fail = |out: &mut dyn Write| -> Result<()> {
         // More than any buffer holds: some of it has reached the disk.
         out.write_all(&vec![b'x'; 1 << 20]).unwrap();
-        Err(Error::Memory)
+        Err(EngineError::Memory.into())
     };
     assert!(matches!(
         save::save_with(&file, &mut fail),
-        Err(Error::Memory)
+        Err(Error::Engine(EngineError::Memory))
     ));
     let missing = folder.path().join("missing.vid");
     assert!(save::save_with(&missing, &mut fail).is_err());

@@ -69,6 +69,12 @@ impl From<vides::Error> for Failure {
     }
 }
 
+impl From<vides::window::Error> for Failure {
+    fn from(error: vides::window::Error) -> Self {
+        Self::Input(error.to_string())
+    }
+}
+
 /// Does what the arguments say.
 pub(crate) fn run() -> ExitCode {
     let cli = match Cli::try_parse() {

@@ -11,7 +11,7 @@ use std::process::abort;
 use std::ptr::NonNull;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::error::{Error, Result};
+use crate::error::{EngineError, Result};
 
 /// One of the owners of a value on the heap.
 #[derive(Debug)]
@@ -36,11 +36,11 @@ impl<T> Counted<T> {
     /// The first owner of a value.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub(super) fn try_new(value: T) -> Result<Self> {
         // SAFETY: a block is never of size zero: it holds the count.
         let room = unsafe { alloc(Layout::new::<Block<T>>()) }.cast::<Block<T>>();
-        let block = NonNull::new(room).ok_or(Error::Memory)?;
+        let block = NonNull::new(room).ok_or(EngineError::Memory)?;
         let owners = AtomicUsize::new(1);
         // SAFETY: room for one block, aligned for it, and nobody else's.
         unsafe { block.write(Block { owners, value }) };

@@ -5,10 +5,9 @@ use std::ffi::c_int;
 use super::border::border;
 use super::path::read;
 use super::pointers::{Out, index};
-use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::Document;
-use crate::error::{Error, sentence};
 use crate::path::arc_length::ArcLength;
 use crate::path::hermite::Cubic;
 
@@ -17,10 +16,10 @@ fn segment(document: &Document, number: c_int) -> Answer<usize> {
     let segments = document.path().segment_count();
     match index(number)? {
         found if found < segments => Ok(found),
-        _ => Err(Error::Range(sentence(format_args!(
-            "there is no segment {number} among {segments}, counted from 0"
-        )))
-        .into()),
+        _ => Err(Failure::NoSegment {
+            number,
+            count: segments,
+        }),
     }
 }
 
@@ -31,16 +30,13 @@ fn cubic(document: &Document, number: c_int) -> Answer<Cubic> {
 }
 
 /// A finite number between 0 and `end`.
-fn between(value: f64, end: f64, name: &str) -> Answer<f64> {
+fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
     if (0.0..=end).contains(&value) {
         Ok(value)
     } else if value.is_finite() {
-        Err(Error::Range(sentence(format_args!(
-            "{name} must lie between 0 and {end}"
-        )))
-        .into())
+        Err(Failure::NotBetween { name, end })
     } else {
-        Err(Error::Argument(sentence(format_args!("{name} must be a finite number"))).into())
+        Err(Failure::NotFinite { name })
     }
 }
 

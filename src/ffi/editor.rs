@@ -282,6 +282,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             host_view: editor::HostView {
                 name: host_name,
                 captures: options.on_capture.is_some(),
+                fills_pane: options.on_pane.is_some(),
             },
         },
         display,
@@ -332,7 +333,7 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
         application: editor.application,
         parent: editor.parent,
         transient_for: editor.transient_for,
-        warning: None,
+        warnings: editor::Warnings::default(),
         host: Rc::<Callbacks>::clone(&host),
     })?;
     let handle = EDITORS.insert(Opened {
@@ -533,6 +534,24 @@ impl Host for Callbacks {
             };
             answer != 0
         })
+    }
+
+    fn pane(&self, _: Id, pane: u32, size: [u32; 2]) {
+        let Some(on_pane) = self.on.on_pane else {
+            return;
+        };
+        let (handle, user) = (self.handle.get(), self.on.user);
+        let [width, height] = size.map(|side| c_int::try_from(side).unwrap_or(c_int::MAX));
+        // SAFETY: the host's function.
+        unsafe {
+            enter!("on_pane", on_pane(
+                handle => *mut V_EDITOR,
+                c_ulong::from(pane) => c_ulong,
+                width => c_int,
+                height => c_int,
+                user => *mut c_void,
+            ) -> ());
+        }
     }
 
     fn lost(&self, why: &str) {

@@ -8,13 +8,13 @@ use std::rc::Rc;
 use super::border::border;
 use super::host_loop;
 use super::list;
-use super::object::{Warnings, object, speeds};
+use super::object::{object, speeds};
 use super::pointers::check;
 use super::status::{Answer, Failure, V_ERR_ARGUMENT, add_last_error, with_last_error};
 use super::types::{V_KAMERAPAR, V_OBJEKT_LIST};
 use crate::document::{Document, Edit, Object};
-use crate::editor;
-use crate::error::{Error, Message, Result, complain, message, try_box};
+use crate::editor::{self, Warning, Warnings};
+use crate::error::{Error, Result, TooMany, complain, try_box};
 use crate::instance::{self, Gone, Host, Id};
 use crate::path::{BaseSpeeds, Sampler};
 
@@ -86,7 +86,7 @@ pub unsafe extern "C" fn v_haupt(
         };
         open(speeds, object, &mut warnings, host)
     });
-    report(warnings.said());
+    report(&warnings);
 }
 
 /// Opens the window. An object that cannot be shown is no reason not to.
@@ -104,10 +104,12 @@ fn open(
         Ok(document.apply(Edit::SetInfo(Box::new(info)))?)
     });
     if let Err(failure) = shown {
-        warnings.add(message!(
-            "the object is not shown: {0}",
-            failure.into_message()
-        ));
+        warnings.add(match failure {
+            Failure::Library(instance::Error::Document(Error::Engine(error))) => {
+                Warning::NotShown(error)
+            }
+            other => Warning::NotRead((&other).into()),
+        });
     }
     instance::on_input(host_loop::serve);
     instance::open(instance::Options {
@@ -127,7 +129,7 @@ fn open(
         application: None,
         parent: None,
         transient_for: None,
-        warning: warnings.said().cloned(),
+        warnings: warnings.clone(),
         host: Rc::new(host),
     })?;
     Ok(())
@@ -147,12 +149,12 @@ struct Contract {
 impl Host for Contract {
     fn prepare(&self, _: Id, sampler: &Sampler) -> Result<()> {
         let frames = sampler.frame_count();
-        let count = c_int::try_from(frames)
-            .map_err(|_| Error::Limit(message!("a list cannot number so many poses")))?;
+        let count = c_int::try_from(frames).map_err(|_| TooMany::Poses)?;
         self.count.set(count);
         if !self.list.is_null() {
             // SAFETY: the host's element, which outlives the window.
-            return unsafe { list::build(frames, self.list, |n, poses| sampler.sample(n, poses)) };
+            unsafe { list::build(frames, self.list, |n, poses| sampler.sample(n, poses)) }?;
+            return Ok(());
         }
         self.own.replace(Some(OwnList::new(sampler)?));
         Ok(())
@@ -235,14 +237,14 @@ impl Drop for OwnList {
 
 /// Says on standard error why there is no window and what else was wrong, a
 /// line each; v_last_error() tells both.
-fn report(warning: Option<&Message>) {
+fn report(warnings: &Warnings) {
     with_last_error(|message| match std::str::from_utf8(message) {
         Ok("") | Err(_) => {}
         Ok(sentence) => complain(sentence),
     });
-    if let Some(warning) = warning {
-        complain(warning);
-        add_last_error(format_args!("{warning}"));
+    if !warnings.is_empty() {
+        complain(warnings);
+        add_last_error(format_args!("{warnings}"));
     }
 }
 

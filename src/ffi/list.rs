@@ -16,9 +16,10 @@ use std::ptr;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::types::{V_KAMERAPAR, V_POS};
-use crate::error::{Error, Result};
+use crate::error::{EngineError, OutOfRange};
 use crate::limits::MAX_FRAMES;
 use crate::path::Pose;
+use vides_engine::Result;
 
 /// Poses taken from the engine at a time: 20 KB, which stay in the
 /// processor's first cache between being computed and being spread.
@@ -99,7 +100,7 @@ impl Chain {
         // SAFETY: malloc takes any size.
         let element = unsafe { libc::malloc(size_of::<V_KAMERAPAR>()) }.cast::<V_KAMERAPAR>();
         if element.is_null() {
-            return Err(Error::Memory);
+            return Err(EngineError::Memory);
         }
         self.count += 1;
         let mut value = converted(pose);
@@ -175,7 +176,7 @@ fn rounded(zoom: f64) -> c_int {
 /// the poses number n, n + 1, … (counted from 1).
 ///
 /// # Errors
-/// Those of `fill`, [`Error::Memory`]; the old list is then as it was.
+/// Those of `fill`, `ErrorKind::Memory`; the old list is then as it was.
 ///
 /// # Safety
 /// `first` points to an element of the host's. If its number is not negative,
@@ -205,7 +206,7 @@ pub(super) unsafe fn build(
         }
     }
     let Some(head) = head else {
-        return Err(Error::Range("a list has at least one pose".into()));
+        return Err(OutOfRange::NoPose.into());
     };
     // SAFETY: the caller's word.
     unsafe { publish(chain, head, first) }

@@ -10,7 +10,8 @@ use super::scene_types::V_MESH;
 use super::status::Answer;
 use super::types::V_OBJEKT_LIST;
 use crate::document::{Object, ObjectPoint};
-use crate::error::{Error, Message, message, vec_with_room};
+use crate::editor::{Warning, Warnings};
+use crate::error::{TooMany, vec_with_room};
 use crate::limits;
 use crate::path::BaseSpeeds;
 
@@ -33,11 +34,7 @@ pub(super) unsafe fn object(
         return Ok(Object::default());
     }
     if count > limits::MAX_OBJECT_POINTS {
-        return Err(Error::Limit(message!(
-            "an object has at most {0} points",
-            limits::MAX_OBJECT_POINTS
-        ))
-        .into());
+        return Err(TooMany::ObjectPoints.into());
     }
     // SAFETY: the caller's word.
     let given = unsafe { slice(points, count) }?;
@@ -53,12 +50,8 @@ pub(super) unsafe fn object(
             draw: point.draw != 0,
         });
     }
-    if let Some((should, is)) = misnumbered {
-        warn.add(message!(
-            "point {0} of the object has the number {1}; the order of the array counts",
-            should,
-            is
-        ));
+    if let Some((place, number)) = misnumbered {
+        warn.add(Warning::Misnumbered { place, number });
     }
     Ok(copied.into())
 }
@@ -83,12 +76,11 @@ pub(super) fn speeds(given: [f64; 4], warn: &mut Warnings) -> BaseSpeeds {
     let mut sound = given;
     for (speed, name) in sound.iter_mut().zip(names) {
         if !(speed.is_finite() && *speed > 0.0) {
-            warn.add(message!(
-                "{0} is {1} and must be finite and greater than 0: {2} is taken",
+            warn.add(Warning::Speed {
                 name,
-                *speed,
-                USUAL_SPEED
-            ));
+                given: *speed,
+                taken: USUAL_SPEED,
+            });
             *speed = USUAL_SPEED;
         }
     }
@@ -98,24 +90,5 @@ pub(super) fn speeds(given: [f64; 4], warn: &mut Warnings) -> BaseSpeeds {
         turning,
         zoom,
         rolling,
-    }
-}
-
-/// What was wrong and could be mended.
-#[derive(Debug, Default)]
-pub(super) struct Warnings(Option<Message>);
-
-impl Warnings {
-    /// One thing more.
-    pub(super) fn add(&mut self, what: Message) {
-        self.0 = Some(match self.0.take() {
-            Some(before) => message!("{0}; {1}", before, what),
-            None => what,
-        });
-    }
-
-    /// Everything, if there was anything, as one sentence.
-    pub(super) fn said(&self) -> Option<&Message> {
-        self.0.as_ref()
     }
 }

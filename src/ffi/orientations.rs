@@ -8,10 +8,10 @@ use super::border::border;
 use super::path::{edit, edit_by, read};
 use super::pointers::{Growing, GrowingOut, Out, count, index, init, read_growing};
 use super::points::point;
-use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::{V_ORIENTATION, V_PATH};
 use crate::document::{Document, Edit, no_longer_ahead};
-use crate::error::{Error, sentence};
+use crate::error::OutOfRange;
 use crate::path::{MayOwn, Orientation, Target, Tcb};
 
 /// The struct of C for an orientation.
@@ -65,8 +65,7 @@ fn from_c(o: &V_ORIENTATION) -> Answer<Orientation> {
         zoom: o.zoom,
         turning: Tcb::new(o.tension, o.continuity, o.bias),
         speeds: o.speed,
-        hold: u32::try_from(o.hold)
-            .map_err(|_| Error::Range("the hold must lie between 0 and 1000000 frames".into()))?,
+        hold: u32::try_from(o.hold).map_err(|_| OutOfRange::Hold)?,
         own: MayOwn::default(),
     })
 }
@@ -92,12 +91,9 @@ pub(super) fn change(
 /// An orientation by C's numbers of it.
 pub(super) fn orientation(document: &Document, point: c_int, at: c_int) -> Answer<&Orientation> {
     let orientations = &self::point(document, point)?.1.orientations;
-    orientations.get(index(at)?).ok_or_else(|| {
-        Error::Range(sentence(format_args!(
-            "point {point} has no orientation {at}, counted from 0"
-        )))
-        .into()
-    })
+    orientations
+        .get(index(at)?)
+        .ok_or(Failure::NoOrientation { point, at })
 }
 
 /// Reads a struct of the host's.

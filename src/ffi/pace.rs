@@ -6,11 +6,11 @@ use super::border::border;
 use super::orientations::{change, orientation};
 use super::path::{edit, read};
 use super::pointers::{Out, index, slice};
-use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::status::{Answer, Failure, V_ERR_ARGUMENT, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
 use super::types::V_PATH;
 use crate::document::Edit;
-use crate::error::{Error, sentence};
-use crate::limits::{BASE_SPEED, MAX_DISTANCE_KEYS, MAX_FRAMES};
+use crate::error::OutOfRange;
+use crate::limits::{BASE_SPEED, MAX_DISTANCE_KEYS};
 use crate::path::{Ease, EaseKind, Pace, own};
 
 /// ==== Kinds of easing, see v_ease() ====
@@ -24,7 +24,10 @@ fn ease_kind(kind: c_int) -> Answer<EaseKind> {
     match kind {
         V_EASE_SINE => Ok(EaseKind::Sine),
         V_EASE_PARABOLIC => Ok(EaseKind::Parabolic),
-        _ => Err(Error::Range("there is no such kind of easing".into()).into()),
+        _ => Err(Failure::Border(
+            V_ERR_RANGE,
+            "there is no such kind of easing",
+        )),
     }
 }
 
@@ -32,7 +35,10 @@ fn finite(numbers: &[f64]) -> Answer<()> {
     if numbers.iter().all(|number| number.is_finite()) {
         return Ok(());
     }
-    Err(Error::Argument("each number must be finite".into()).into())
+    Err(Failure::Border(
+        V_ERR_ARGUMENT,
+        "each number must be finite",
+    ))
 }
 
 /// ==== Pace ====
@@ -67,7 +73,10 @@ pub unsafe extern "C" fn v_ease(
         };
         ease.check()?;
         if !(0.0..=1.0).contains(&t) {
-            return Err(Error::Range("t must lie between 0 and 1".into()).into());
+            return Err(Failure::NotBetween {
+                name: "t",
+                end: 1.0,
+            });
         }
         // SAFETY: room for a double each, as the header says.
         unsafe {
@@ -181,10 +190,7 @@ pub unsafe extern "C" fn v_path_set_distance(
         let pace = if keys == 0 {
             Pace::Speeds
         } else if keys > MAX_DISTANCE_KEYS {
-            return Err(Error::Range(sentence(format_args!(
-                "a given distance has between 2 and {MAX_DISTANCE_KEYS} keys"
-            )))
-            .into());
+            return Err(OutOfRange::DistanceKeys.into());
         } else {
             // SAFETY: so many pairs of doubles, as the header says.
             let numbers = unsafe { slice(time_way, 2 * keys) }?;
@@ -209,11 +215,7 @@ pub unsafe extern "C" fn v_path_set_frames(
     frames: usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let frames = u32::try_from(frames).map_err(|_| {
-            Error::Range(sentence(format_args!(
-                "a section has at most {MAX_FRAMES} frames"
-            )))
-        })?;
+        let frames = u32::try_from(frames).map_err(|_| OutOfRange::SectionFrames)?;
         change(path, point, at, |orientation| {
             orientation.own = orientation.own.with(|own| own.frames = frames)?;
             Ok(())

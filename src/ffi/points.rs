@@ -5,21 +5,19 @@ use std::ffi::c_int;
 use super::border::border;
 use super::path::{edit, read};
 use super::pointers::{Out, count, index, read_vector};
-use super::status::{Answer, V_ERR_INTERNAL, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit};
-use crate::error::{Error, sentence};
+use crate::error::{OutOfRange, Quantity};
 use crate::path::{CurveParameters, SupportPoint, Tcb};
 
 /// A support point by C's number of it.
 pub(super) fn point(document: &Document, at: c_int) -> Answer<(usize, &SupportPoint)> {
     let number = index(at)?;
     let points = &document.path().points;
-    let point = points.get(number).ok_or_else(|| {
-        Error::Range(sentence(format_args!(
-            "there is no point {at} among {}, counted from 0",
-            points.len()
-        )))
+    let point = points.get(number).ok_or(Failure::NoPoint {
+        at,
+        count: points.len(),
     })?;
     Ok((number, point))
 }
@@ -225,7 +223,7 @@ pub unsafe extern "C" fn v_path_get_preset(
         let number = index(preset)?;
         let values = read(path, |document| {
             let preset = document.path().presets.get(number);
-            Ok(*preset.ok_or(Error::Range("the preset must lie between 0 and 9".into()))?)
+            Ok(*preset.ok_or(OutOfRange::Between(Quantity::Preset, 0.0, 9.0))?)
         })?;
         // SAFETY: room for three doubles, as the header says.
         unsafe { tcb.write([values.tension, values.continuity, values.bias]) };

@@ -10,7 +10,7 @@ use super::pointers::{Out, TextOut, check, file_name, index, slice_mut};
 use super::status::{Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK};
 use super::types::{V_KAMERAPAR, V_PATH, V_POSE};
 use crate::document::ascii;
-use crate::error::{Error, sentence};
+use crate::error::EngineError;
 use crate::path::Pose;
 
 /// ==== Sections and poses ====
@@ -56,11 +56,7 @@ pub unsafe extern "C" fn v_path_section_info(
             let found = document.timeline(|timeline| {
                 (number < timeline.section_count()).then(|| timeline.section(number))
             })?;
-            let found = found.ok_or_else(|| {
-                Error::Range(sentence(format_args!(
-                    "there is no section {section}, counted from 0"
-                )))
-            })?;
+            let found = found.ok_or(Failure::NoSection(section))?;
             Ok((found, document.sampler()?.first_frame(number)))
         })?;
         let from = super::pointers::count(section.point)?;
@@ -148,11 +144,11 @@ pub unsafe extern "C" fn v_path_sample_range(
             let frames = sampler.frame_count();
             let behind = first.checked_add(count);
             if first == 0 || behind.is_none_or(|behind| behind - 1 > frames) {
-                return Err(Error::Range(sentence(format_args!(
-                    "there are no {count} poses from number {first} on: they are numbered \
-                     from 1 to {frames}"
-                )))
-                .into());
+                return Err(Failure::NoPoses {
+                    count,
+                    first,
+                    frames,
+                });
             }
             // SAFETY: room for `count` poses, as the header says; any bits make one.
             sampler.sample(first, unsafe { slice_mut(poses.cast::<Pose>(), count) }?)?;
@@ -240,7 +236,7 @@ pub unsafe extern "C" fn v_path_write_ascii_to_memory(
         let out = TextOut::new(text, capacity, length)?;
         read(path, |document| {
             let mut lines = Lines(Vec::new());
-            ascii::write_ascii(document.sampler()?, &mut lines).map_err(|_| Error::Memory)?;
+            ascii::write_ascii(document.sampler()?, &mut lines).map_err(|_| EngineError::Memory)?;
             // SAFETY: room as the header says.
             unsafe { out.write(&lines.0) }
         })

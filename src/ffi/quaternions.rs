@@ -6,8 +6,8 @@ use glam::{DQuat, DVec3};
 
 use super::border::border;
 use super::pointers::{Out, read_array, read_vector};
-use super::status::{Answer, V_ERR_INTERNAL, V_OK};
-use crate::error::Error;
+use super::status::{Answer, Failure, V_ERR_ARGUMENT, V_ERR_INTERNAL, V_OK};
+use crate::error::Invalid;
 use crate::math::orientation::{quaternion_from_view, unit, view_from_quaternion};
 use crate::math::quaternion::slerp_shortest;
 use crate::path::quaternion_spline::normalized;
@@ -28,7 +28,10 @@ pub(super) fn to_c(q: DQuat) -> [f64; 4] {
 /// A direction as C gives it, with length 1.
 fn direction(v: DVec3) -> Answer<DVec3> {
     if !v.is_finite() || v == DVec3::ZERO {
-        return Err(Error::Argument("a direction must be finite and not zero".into()).into());
+        return Err(Failure::Border(
+            V_ERR_ARGUMENT,
+            "a direction must be finite and not zero",
+        ));
     }
     Ok(unit(v))
 }
@@ -38,10 +41,7 @@ pub(super) fn view(vpn: DVec3, vup: DVec3) -> Answer<(DVec3, DVec3)> {
     let (view, up) = (direction(vpn)?, direction(vup)?);
     let side = up.cross(view);
     if side.length() < PARALLEL {
-        return Err(Error::Argument(
-            "the up vector must not be parallel to the view direction".into(),
-        )
-        .into());
+        return Err(Invalid::UpParallel.into());
     }
     Ok((view, view.cross(unit(side))))
 }
@@ -63,7 +63,7 @@ pub unsafe extern "C" fn v_quat_slerp(a: *const f64, b: *const f64, t: f64, q: *
         // SAFETY: four doubles each, as the header says.
         let (a, b) = unsafe { (read_array(a)?, read_array(b)?) };
         if !t.is_finite() {
-            return Err(Error::Argument("t must be a finite number".into()).into());
+            return Err(Failure::NotFinite { name: "t" });
         }
         let q = slerp_shortest(normalized(from_c(a))?, normalized(from_c(b))?, t).normalize();
         // SAFETY: room for four doubles, as the header says.

@@ -18,7 +18,7 @@ use super::status::{
 };
 use super::types::V_PATH;
 use crate::document::{Document, Info, SceneDocument};
-use crate::error::{Error, Result, sentence};
+use crate::error::{Invalid, Result};
 use crate::inject;
 use crate::limits::MAX_NAME_BYTES;
 use crate::scene::{Beyond, Camera, FollowPath, Kind, Light, Node, Object, Values};
@@ -379,7 +379,7 @@ pub unsafe extern "C" fn v_scene_add_node(
     })
 }
 
-/// A text, or [`Error::Memory`]; one that is too long is refused before.
+/// A text, or `ErrorKind::Memory`; one that is too long is refused before.
 pub(super) fn copy(text: &str) -> Result<String> {
     crate::path::camera_path::check_name(text)?;
     let mut copy = String::new();
@@ -415,9 +415,10 @@ pub unsafe extern "C" fn v_scene_find_node(
         // SAFETY: a text ended by zero, as the header says.
         let name = unsafe { text(name) }?;
         let number = read(scene, |document| {
-            let found = document.scene.find(name).ok_or_else(|| {
-                Error::Argument(sentence(format_args!("there is no node \"{name}\"")))
-            })?;
+            let found = document
+                .scene
+                .find(name)
+                .ok_or_else(|| Invalid::NoNodeNamed(name.into()))?;
             pointers::count(found)
         })?;
         // SAFETY: room for an int, as the header says.

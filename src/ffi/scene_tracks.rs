@@ -11,7 +11,7 @@ use super::scene::{asked, beyond, copy, edit, lend, read, text};
 use super::scene_types::*;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_ERR_SIZE, V_OK};
 use crate::deform::{Bounds, Deformation};
-use crate::error::{Error, Result, can_allocate, vec_with_room};
+use crate::error::{can_allocate, vec_with_room};
 use crate::limits::{MAX_KEYS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SCENE_NUMBERS};
 use crate::scene::host::{self, Function};
 use crate::scene::{Beyond, Channel, Interpolation, Kind, Mesh, Shape, Track};
@@ -44,10 +44,9 @@ unsafe fn points(xyz: *const f64, count: usize) -> Answer<Vec<DVec3>> {
     Ok(points)
 }
 
-fn most(count: usize, limit: usize, what: &str) -> Answer<()> {
+fn most(count: usize, limit: usize, what: &'static str) -> Answer<()> {
     if count > limit {
-        let words = crate::error::sentence(format_args!("at most {limit} {what} are taken"));
-        return Err(Error::Limit(words).into());
+        return Err(Failure::TooMany { limit, what });
     }
     Ok(())
 }
@@ -433,7 +432,7 @@ unsafe fn deformation(
     Ok(Deformation::new(kind, parameters)?)
 }
 
-fn bounds(corners: [f64; 6]) -> Result<Bounds> {
+fn bounds(corners: [f64; 6]) -> vides_engine::Result<Bounds> {
     let [a, b, c, d, e, f] = corners;
     Bounds::new(DVec3::new(a, b, c), DVec3::new(d, e, f))
 }

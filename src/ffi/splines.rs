@@ -7,8 +7,8 @@ use glam::DQuat;
 use super::border::border;
 use super::pointers::{Out, check, index, read_array, read_optional, slice};
 use super::quaternions::{from_c, to_c};
-use super::status::{Answer, V_ERR_INTERNAL, V_OK};
-use crate::error::{Error, vec_with_room};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_LIMIT, V_OK};
+use crate::error::{OutOfRange, Quantity, vec_with_room};
 use crate::limits;
 use crate::path::Tcb;
 use crate::path::quaternion_spline;
@@ -27,7 +27,10 @@ unsafe fn keys_and_times<'a>(
     check(times)?;
     let count = index(count)?;
     if count > limits::MAX_KEYS {
-        return Err(Error::Limit("a spline has at most 1000000 keys".into()).into());
+        return Err(Failure::Border(
+            V_ERR_LIMIT,
+            "a spline has at most 1000000 keys",
+        ));
     }
     // SAFETY: the caller's word.
     let (keys, times) = unsafe { (slice(keys.cast::<[f64; 4]>(), count)?, slice(times, count)?) };
@@ -136,10 +139,13 @@ pub unsafe extern "C" fn v_speed_curve(
             )
         };
         if !u.is_finite() {
-            return Err(Error::Argument("u must be a finite number".into()).into());
+            return Err(Failure::NotFinite { name: "u" });
         }
         if !(0.0..=1.0).contains(&u) {
-            return Err(Error::Range("u must lie between 0 and 1".into()).into());
+            return Err(Failure::NotBetween {
+                name: "u",
+                end: 1.0,
+            });
         }
         for value in speed.into_iter().chain(before).chain(after) {
             check_speed(value)?;
@@ -156,12 +162,15 @@ pub unsafe extern "C" fn v_speed_curve(
 
 fn check_speed(value: f64) -> Answer<()> {
     if !value.is_finite() {
-        return Err(Error::Argument("a speed must be a finite number".into()).into());
+        return Err(Failure::NotFinite { name: "a speed" });
     }
     if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&value) {
-        return Err(
-            Error::Range("each value of a speed curve must lie between 1 and 100".into()).into(),
-        );
+        return Err(OutOfRange::Between(
+            Quantity::CurveSpeed,
+            limits::MIN_SPEED,
+            limits::MAX_SPEED,
+        )
+        .into());
     }
     Ok(())
 }

@@ -1,11 +1,13 @@
 //! Statuses, versions and the calling thread's last message.
 
 use std::cell::UnsafeCell;
+use std::collections::TryReserveError;
 use std::ffi::{c_char, c_int};
 use std::fmt::{self, Write as _};
 use std::ops::Range;
 
-use crate::error::Error;
+use crate::error::{EngineError, ErrorKind, Invalid, OutOfRange, TooMany};
+use crate::instance::Error;
 
 /// ==== Version of this header ====
 ///
@@ -60,12 +62,36 @@ pub const V_ERR_INTERNAL: c_int = 13;
 pub const V_ERR_REFUSED: c_int = 14;
 
 /// Why a call from C failed.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 pub(super) enum Failure {
     /// A fault that only the border knows: its status and its sentence.
+    #[error("{1}")]
     Border(c_int, &'static str),
     /// What the safe code said.
-    Library(Error),
+    #[error(transparent)]
+    Library(#[from] Error),
+    #[error("there is no point {at} among {count}, counted from 0")]
+    NoPoint { at: c_int, count: usize },
+    #[error("point {point} has no orientation {at}, counted from 0")]
+    NoOrientation { point: c_int, at: c_int },
+    #[error("there is no segment {number} among {count}, counted from 0")]
+    NoSegment { number: c_int, count: usize },
+    #[error("there is no section {0}, counted from 0")]
+    NoSection(c_int),
+    #[error(
+        "there are no {count} poses from number {first} on: they are numbered from 1 to {frames}"
+    )]
+    NoPoses {
+        count: usize,
+        first: usize,
+        frames: usize,
+    },
+    #[error("{name} must be a finite number")]
+    NotFinite { name: &'static str },
+    #[error("{name} must lie between 0 and {end}")]
+    NotBetween { name: &'static str, end: f64 },
+    #[error("at most {limit} {what} are taken")]
+    TooMany { limit: usize, what: &'static str },
 }
 
 /// The result of everything at the border.
@@ -76,43 +102,40 @@ impl Failure {
     pub(super) fn status(&self) -> c_int {
         match self {
             Self::Border(status, _) => *status,
-            Self::Library(error) => match error {
-                Error::Argument(_) => V_ERR_ARGUMENT,
-                Error::Range(_) => V_ERR_RANGE,
-                Error::Limit(_) => V_ERR_LIMIT,
-                Error::Memory => V_ERR_MEMORY,
-                Error::Io { .. } => V_ERR_IO,
-                Error::Format(_) => V_ERR_FORMAT,
-                Error::Display(_) => V_ERR_DISPLAY,
+            Self::Library(error) => match error.kind() {
+                ErrorKind::Argument => V_ERR_ARGUMENT,
+                ErrorKind::Range => V_ERR_RANGE,
+                ErrorKind::Limit => V_ERR_LIMIT,
+                ErrorKind::Memory => V_ERR_MEMORY,
+                ErrorKind::Io => V_ERR_IO,
+                ErrorKind::Format => V_ERR_FORMAT,
+                ErrorKind::Display => V_ERR_DISPLAY,
             },
+            Self::NotFinite { .. } => V_ERR_ARGUMENT,
+            Self::TooMany { .. } => V_ERR_LIMIT,
+            _ => V_ERR_RANGE,
         }
     }
 }
 
-impl Failure {
-    /// What it says.
-    pub(super) fn into_message(self) -> crate::error::Message {
-        match self {
-            Self::Border(_, sentence) => sentence.into(),
-            Self::Library(error) => error.into_message(),
+/// Errors of the crates below.
+macro_rules! library {
+    ($($error:ty),*) => {$(
+        impl From<$error> for Failure {
+            fn from(error: $error) -> Self {
+                Self::Library(crate::error::Error::from(error).into())
+            }
         }
-    }
+    )*};
 }
-
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Border(_, sentence) => f.write_str(sentence),
-            Self::Library(error) => error.fmt(f),
-        }
-    }
-}
-
-impl From<Error> for Failure {
-    fn from(error: Error) -> Self {
-        Self::Library(error)
-    }
-}
+library!(
+    crate::Error,
+    EngineError,
+    Invalid,
+    OutOfRange,
+    TooMany,
+    TryReserveError
+);
 
 /// Room for a sentence with a long file name in it. Every thread that calls the
 /// library has one, so it is not made for the longest path that Linux knows: of
@@ -289,6 +312,7 @@ pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
         V_ERR_BUSY => c"not possible at this moment",
         V_ERR_CLOSED => c"the window has been closed",
         V_ERR_INTERNAL => c"a fault inside the library",
+        V_ERR_REFUSED => c"a user said no",
         _ => c"not a status of this library",
     }
     .as_ptr()

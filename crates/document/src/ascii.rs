@@ -16,7 +16,7 @@ use crate::path::{Pose, Sampler};
 /// `VRP.x VRP.y VRP.z VPN.x VPN.y VPN.z VUP.x VUP.y VUP.z zoom`.
 ///
 /// # Errors
-/// [`vides_engine::Error::Io`] if `out` fails, [`vides_engine::Error::Memory`].
+/// `ErrorKind::Io` if `out` fails, `ErrorKind::Memory`.
 pub fn write_ascii(sampler: &Sampler, out: &mut dyn Write) -> Result<()> {
     write_with_progress(sampler, out, &mut |_, _| {})
 }
@@ -25,7 +25,7 @@ pub fn write_ascii(sampler: &Sampler, out: &mut dyn Write) -> Result<()> {
 /// ([`save::save_with`]).
 ///
 /// # Errors
-/// [`vides_engine::Error::Io`] naming the file, [`vides_engine::Error::Memory`].
+/// `ErrorKind::Io` naming the file, `ErrorKind::Memory`.
 pub fn write_ascii_file(sampler: &Sampler, file: &Path) -> Result<()> {
     save::save_with(file, &mut |out| write_ascii(sampler, out))
 }

@@ -81,7 +81,7 @@ impl Document {
     /// As [`Document::new`] where memory may run out.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn try_new() -> Result<Self> {
         Ok(Self::with(CameraPath::try_new()?, Info::default()))
     }
@@ -140,7 +140,7 @@ impl Document {
     /// A copy with the same selection, without the history.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn try_clone(&self) -> Result<Self> {
         let path = self.content.path.try_clone()?;
         let mut copy = Self::with(path, self.content.info.try_clone()?);
@@ -193,7 +193,7 @@ impl Document {
     /// cannot be undone by itself and leaves the document unmodified.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Range`] if there is no such point or orientation.
+    /// `ErrorKind::Range` if there is no such point or orientation.
     pub fn select(&mut self, point: usize, orientation: usize) -> Result<()> {
         prepare::orientation(&self.content.path, point, orientation)?;
         self.selection = Selection::at(point, orientation);
@@ -341,18 +341,18 @@ impl Document {
     /// Lengths and frames, brought up to date.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn timeline<R>(&self, f: impl FnOnce(&Timeline) -> R) -> Result<R> {
-        self.plan.timeline(&self.content.path, f)
+        Ok(self.plan.timeline(&self.content.path, f)?)
     }
 
     /// Everything prepared for sampling.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`], or [`vides_engine::Error::Limit`] if the path yields
+    /// `ErrorKind::Memory`, or `ErrorKind::Limit` if the path yields
     /// more than [`limits::MAX_FRAMES`] frames.
     pub fn sampler(&self) -> Result<&Sampler> {
-        self.plan.sampler(&self.content.path)
+        Ok(self.plan.sampler(&self.content.path)?)
     }
 
     /// The smallest space that holds the object, with a tenth to spare.
@@ -361,7 +361,10 @@ impl Document {
     /// As [`Space::around`].
     pub fn space_around_object(&self) -> Result<Space> {
         let object = self.content.info.object.iter();
-        Space::around(object.map(|point| point.position), self.path().space.up)
+        Ok(Space::around(
+            object.map(|point| point.position),
+            self.path().space.up,
+        )?)
     }
 
     /// The smallest space that holds the path's curve, with a tenth to spare.
@@ -374,30 +377,30 @@ impl Document {
             let along = (0..timeline.segment_count()).flat_map(|segment| {
                 (0..=16).map(move |k| timeline.curve(segment).point(f64::from(k) / 16.0))
             });
-            Space::around(along, self.path().space.up)
+            Ok(Space::around(along, self.path().space.up)?)
         })?
     }
 
     /// The document in a `.vid` file.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Io`] if it cannot be read; [`vides_engine::Error::Format`] with
+    /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with
     /// file, line and reason if its contents are not what they should be.
     pub fn load(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
         let loaded = Self::from_toml(&text);
-        loaded.map_err(|error| error.at(file.display().to_string()))
+        loaded.map_err(|error| error.at(file.display()))
     }
 
     /// As [`Document::load`]; of a scene the path of the camera that is shown. To
     /// save it to the same file would lose the rest.
     ///
     /// # Errors
-    /// As [`Document::load`]; [`vides_engine::Error::Argument`] if the scene has no
+    /// As [`Document::load`]; `ErrorKind::Argument` if the scene has no
     /// camera on a path.
     pub fn load_shown(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        Self::shown(&text).map_err(|error| error.at(file.display().to_string()))
+        Self::shown(&text).map_err(|error| error.at(file.display()))
     }
 
     /// As [`Document::load_shown`], of what `reader` gives; `name` stands for it in
@@ -440,7 +443,7 @@ impl Document {
     /// The document in the text of a `.vid` file.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Format`] with line and reason.
+    /// `ErrorKind::Format` with line and reason.
     pub fn from_toml(text: &str) -> Result<Self> {
         let (path, info) = vid::from_toml(text)?;
         Self::from_parts(path, info)?.read_from(text)
@@ -451,7 +454,7 @@ impl Document {
     /// Loading it gives the same document, bit by bit.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn to_toml(&self) -> Result<String> {
         let content = &self.content;
         vid::to_toml(&content.path, &content.info, &content.comments)
@@ -461,7 +464,7 @@ impl Document {
     /// [`Document::mark_saved`] when it is the file being edited.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Io`] with the file and what the system said; the old
+    /// `ErrorKind::Io` with the file and what the system said; the old
     /// file is whole then.
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.to_toml()?.as_bytes())

@@ -53,8 +53,8 @@ impl Format {
 /// Writes all poses of a document.
 ///
 /// # Errors
-/// [`vides_engine::Error::Io`] if `out` fails, [`vides_engine::Error::Limit`] if the path
-/// yields too many frames, [`vides_engine::Error::Memory`].
+/// `ErrorKind::Io` if `out` fails, `ErrorKind::Limit` if the path
+/// yields too many frames, `ErrorKind::Memory`.
 pub fn write(
     document: &Document,
     format: Format,

@@ -6,9 +6,10 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::error::{Error, Message, Result, message};
+use crate::error::{OutOfRange, Place, TooMany};
 use crate::limits;
 use crate::path::Space;
+use vides_engine::Result;
 
 /// Everything of a document that the engine does not read.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,7 +75,7 @@ impl Info {
     /// A copy.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub(super) fn try_clone(&self) -> Result<Self> {
         Ok(Self {
             title: copy_text(&self.title)?,
@@ -101,20 +102,17 @@ impl Info {
     /// # Errors
     /// The first field that is not, with the reason.
     pub fn check(&self, space: Space) -> Result<()> {
-        check_line(&self.title, message!("the title"))?;
+        check_line(&self.title, Place::Title)?;
         check_comment(&self.comment)?;
         check_fps(self.fps)?;
-        check_line(&self.unit, message!("the unit"))?;
+        check_line(&self.unit, Place::Unit)?;
         if self.object.len() > limits::MAX_OBJECT_POINTS {
-            return Err(Error::Limit(message!(
-                "an object has at most {0} points",
-                limits::MAX_OBJECT_POINTS
-            )));
+            return Err(TooMany::ObjectPoints.into());
         }
         for (index, point) in self.object.iter().enumerate() {
             space
                 .check_place(point.position)
-                .map_err(|error| error.at(message!("object point {0}", index + 1)))?;
+                .map_err(|error| error.at(Place::ObjectPoint(index + 1)))?;
         }
         Ok(())
     }
@@ -123,9 +121,7 @@ impl Info {
 /// Frames per second that a film can have.
 pub(super) fn check_fps(fps: f64) -> Result<()> {
     if !(fps > 0.0 && fps <= limits::MAX_FPS) {
-        return Err(Error::Range(message!(
-            "the frames per second must be greater than 0 and at most 100000"
-        )));
+        return Err(OutOfRange::Fps.into());
     }
     Ok(())
 }
@@ -133,20 +129,17 @@ pub(super) fn check_fps(fps: f64) -> Result<()> {
 /// A comment: not too long.
 pub(super) fn check_comment(comment: &str) -> Result<()> {
     if comment.len() > limits::MAX_COMMENT_BYTES {
-        return Err(Error::Limit(message!(
-            "the comment has at most {0} bytes",
-            limits::MAX_COMMENT_BYTES
-        )));
+        return Err(TooMany::CommentBytes.into());
     }
     Ok(())
 }
 
 /// A text that stands on one line: no control characters, not too long.
-pub(super) fn check_line(text: &str, what: Message) -> Result<()> {
-    crate::path::camera_path::check_name(text).map_err(|error| error.at(what))
+pub(super) fn check_line(text: &str, place: Place) -> Result<()> {
+    crate::path::camera_path::check_name(text).map_err(|error| error.at(place))
 }
 
-/// A copy of a text, or [`Error::Memory`].
+/// A copy of a text, or `ErrorKind::Memory`.
 pub(super) fn copy_text(text: &str) -> Result<String> {
     let mut copy = String::new();
     copy.try_reserve_exact(text.len())?;

@@ -17,6 +17,7 @@ mod change;
 mod contents;
 mod edit;
 mod editing;
+pub mod error;
 pub mod export;
 mod history;
 mod info;
@@ -33,6 +34,7 @@ mod wireframe;
 pub use contents::Contents;
 pub use edit::Edit;
 pub use editing::{Document, Selection};
+pub use error::{Error, Result};
 pub use info::{Info, Object, ObjectPoint};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
@@ -40,4 +42,4 @@ pub use not_a_file::NotAFile;
 pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;
 
-use vides_engine::{error, limits, math, path};
+use vides_engine::{limits, math, path};

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::error::{Error, Result, message};
+use crate::error::{End, Refused, Result};
 use crate::limits::MAX_DIVISION;
 use crate::math::orientation::unit;
 use crate::path::CameraPath;
@@ -20,20 +20,14 @@ pub(super) fn divide<'a>(
 ) -> Result<&'a [DVec3]> {
     if segment >= path.segment_count() {
         let last = path.segment_count() - 1;
-        return Err(Error::Range(if segment + 1 == path.points.len() {
-            message!("no segment begins in the last point of an open path")
+        return Err(if segment + 1 == path.points.len() {
+            Refused::NoSegmentAtEnd.into()
         } else {
-            message!(
-                "there is no segment {0}: the path has segments 0 to {1}",
-                segment,
-                last
-            )
-        }));
+            Refused::NoSegment { segment, last }.into()
+        });
     }
     if count == 0 || count > MAX_DIVISION {
-        return Err(Error::Range(message!(
-            "a segment is divided by 1 to 10 points"
-        )));
+        return Err(Refused::Division.into());
     }
     let curve = curve::segment(path, segment);
     let measure = ArcLength::new(&curve)?;
@@ -45,18 +39,11 @@ pub(super) fn divide<'a>(
     Ok(&room[..count])
 }
 
-/// An end of an open path.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum End {
-    First,
-    Last,
-}
-
 /// A place beyond an end: along the curve's tangent there, as far as the
 /// segment at that end is long, kept in the movement space.
 pub(super) fn beyond(path: &CameraPath, end: End) -> Result<DVec3> {
     if path.closed {
-        return Err(Error::Argument(message!("a closed path has no ends")));
+        return Err(Refused::NoEnds.into());
     }
     let segment = match end {
         End::First => 0,
@@ -69,25 +56,13 @@ pub(super) fn beyond(path: &CameraPath, end: End) -> Result<DVec3> {
         End::Last => (curve.end, way_out_at_end(&curve)),
     };
     let Some(way) = way else {
-        return Err(Error::Argument(match end {
-            End::First => {
-                message!("the first segment has no length and so no direction to go on in")
-            }
-            End::Last => {
-                message!("the last segment has no length and so no direction to go on in")
-            }
-        }));
+        return Err(Refused::NoDirection(end).into());
     };
     // An end that already lies outside must not be pulled back in.
     let (low, high) = (from.min(path.space.low()), from.max(path.space.high()));
     let place = (from + length * way).clamp(low, high);
     if place == from {
-        return Err(Error::Range(match end {
-            End::First => {
-                message!("there is no room in the movement space beyond the first point")
-            }
-            End::Last => message!("there is no room in the movement space beyond the last point"),
-        }));
+        return Err(Refused::NoRoom(end).into());
     }
     Ok(place)
 }

@@ -8,7 +8,9 @@ use super::edit::Edit;
 use super::editing::Selection;
 use super::place;
 use super::target;
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{
+    End, Error, OutOfRange, Place, Quantity, Refused, Result, TooMany, vec_with_room,
+};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::ahead;
@@ -26,23 +28,23 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
     let change = match edit {
         Edit::InsertPoint { at, position } => {
             if at > path.points.len() {
-                return Err(Error::Range(message!(
-                    "a new point must be put at 0 to {0}, not at {1}",
-                    path.points.len(),
-                    at
-                )));
+                return Err(Refused::NewPoint {
+                    at,
+                    last: path.points.len(),
+                }
+                .into());
             }
             let points = copies(content, at.saturating_sub(1), &[position])?;
             return Ok(inserted(at, points));
         }
         Edit::AppendAfterLast => {
-            let position = place::beyond(path, place::End::Last)?;
+            let position = place::beyond(path, End::Last)?;
             let count = path.points.len();
             let points = copies(content, count - 1, &[position])?;
             return Ok(inserted(count, points));
         }
         Edit::PrependBeforeFirst => {
-            let position = place::beyond(path, place::End::First)?;
+            let position = place::beyond(path, End::First)?;
             return Ok(inserted(0, copies(content, 0, &[position])?));
         }
         Edit::DivideSegment { segment, points } => {
@@ -67,9 +69,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
         Edit::RemovePoint { at } => {
             point(path, at)?;
             if path.points.len() <= limits::MIN_POINTS {
-                return Err(Error::Range(message!(
-                    "the last two points of a path cannot be removed"
-                )));
+                return Err(Refused::TwoPointsRemain.into());
             }
             return Ok((
                 Change::remove_point(at)?,
@@ -84,7 +84,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             point(path, at)?;
             let name = name.filter(|name| !name.is_empty());
             if let Some(name) = &name {
-                super::info::check_line(name, message!("the name"))?;
+                super::info::check_line(name, Place::Name)?;
             }
             Change::Name { at, name }
         }
@@ -121,9 +121,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
         Edit::RemoveOrientation { point: number, at } => {
             orientation(path, number, at)?;
             if path.points[number].orientations.len() == 1 {
-                return Err(Error::Range(message!(
-                    "the last orientation of a point cannot be removed"
-                )));
+                return Err(Refused::OneOrientationRemains.into());
             }
             let change = Change::RemoveOrientation { point: number, at };
             let selection = Selection::at(number, at.saturating_sub(1));
@@ -207,7 +205,7 @@ pub(super) fn normalise(path: &mut CameraPath) -> Result<()> {
 /// place.
 ///
 /// # Errors
-/// [`Error::Memory`].
+/// `ErrorKind::Memory`.
 pub fn no_longer_ahead(path: &CameraPath, point: usize, at: usize) -> Result<Orientation> {
     let here = &path.points[point];
     let mut new = here.orientations[at].clone();
@@ -277,7 +275,7 @@ fn moved(path: &CameraPath, space: Space) -> Result<Change> {
     for (at, point) in path.points.iter().enumerate() {
         let point = to.point(point)?;
         let checked = point.check(space);
-        checked.map_err(|error| error.at(message!("point {0}", at + 1)))?;
+        checked.map_err(|error| error.at(Place::Point(at + 1)))?;
         changes.push(Change::Point { at, point });
     }
     Ok(Change::Several(changes))
@@ -303,10 +301,7 @@ fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result
 /// Refuses more points than there may be.
 fn check_room(content: &Content, points: usize, orientations: usize) -> Result<()> {
     if content.path.points.len() + points > limits::MAX_POINTS {
-        return Err(Error::Limit(message!(
-            "a path has at most {0} support points",
-            limits::MAX_POINTS
-        )));
+        return Err(TooMany::SupportPoints.into());
     }
     check_all_orientations(content.orientations + orientations)
 }
@@ -364,16 +359,10 @@ fn new_orientation(
     let point = point(&content.path, number)?;
     let count = point.orientations.len();
     if at > count {
-        return Err(Error::Range(message!(
-            "a new orientation must be put at 0 to {0}, not at {1}",
-            count,
-            at
-        )));
+        return Err(Refused::NewOrientation { at, last: count }.into());
     }
     if count == limits::MAX_ORIENTATIONS {
-        return Err(Error::Limit(message!(
-            "a point has at most 10 orientations"
-        )));
+        return Err(TooMany::Orientations.into());
     }
     check_all_orientations(content.orientations + 1)?;
     match given {
@@ -393,11 +382,11 @@ fn check_position(point: &SupportPoint, at: usize, position: DVec3, space: Space
     space.check_place(position)?;
     for (index, orientation) in point.orientations.iter().enumerate() {
         if orientation.target == Target::Absolute(position) {
-            return Err(Error::Argument(message!(
-                "point {0} must not lie on the target of its orientation {1}",
-                at + 1,
-                index + 1
-            )));
+            return Err(Refused::OnTarget {
+                point: at,
+                orientation: index,
+            }
+            .into());
         }
     }
     Ok(())
@@ -405,10 +394,7 @@ fn check_position(point: &SupportPoint, at: usize, position: DVec3, space: Space
 
 fn check_all_orientations(count: usize) -> Result<()> {
     if count > limits::MAX_ALL_ORIENTATIONS {
-        return Err(Error::Limit(message!(
-            "the points of a path have at most {0} orientations together",
-            limits::MAX_ALL_ORIENTATIONS
-        )));
+        return Err(TooMany::AllOrientations.into());
     }
     Ok(())
 }
@@ -416,11 +402,10 @@ fn check_all_orientations(count: usize) -> Result<()> {
 /// The point of this number.
 pub(super) fn point(path: &CameraPath, at: usize) -> Result<&SupportPoint> {
     path.points.get(at).ok_or_else(|| {
-        Error::Range(message!(
-            "there is no point {0}: the path has points 0 to {1}",
-            at,
-            path.points.len() - 1
-        ))
+        Error::from(OutOfRange::NoPoint {
+            point: at,
+            last: path.points.len() - 1,
+        })
     })
 }
 
@@ -428,20 +413,17 @@ pub(super) fn point(path: &CameraPath, at: usize) -> Result<&SupportPoint> {
 pub(super) fn orientation(path: &CameraPath, number: usize, at: usize) -> Result<&Orientation> {
     let point = point(path, number)?;
     point.orientations.get(at).ok_or_else(|| {
-        Error::Range(message!(
-            "there is no orientation {0}: point {1} has orientations 0 to {2}",
-            at,
-            number,
-            point.orientations.len() - 1
-        ))
+        Error::from(Refused::NoOrientation {
+            orientation: at,
+            point: number,
+            last: point.orientations.len() - 1,
+        })
     })
 }
 
 fn preset_number(preset: usize) -> Result<u8> {
     match u8::try_from(preset) {
         Ok(number) if preset < limits::PRESETS => Ok(number),
-        _ => Err(Error::Range(message!(
-            "the preset must lie between 0 and 9"
-        ))),
+        _ => Err(OutOfRange::Between(Quantity::Preset, 0.0, 9.0).into()),
     }
 }

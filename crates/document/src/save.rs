@@ -50,7 +50,7 @@ pub fn save_unless_changed(file: &Path, bytes: &[u8], known: Option<Contents>) -
 /// to new files.
 ///
 /// # Errors
-/// [`Error::Io`] naming the file, or the error of `write`. The old file is
+/// `ErrorKind::Io` naming the file, or the error of `write`. The old file is
 /// whole then, and nothing is left beside it.
 pub fn save_with(file: &Path, write: &mut dyn FnMut(&mut dyn Write) -> Result<()>) -> Result<()> {
     replace(file, write, &|_| true).map(drop)

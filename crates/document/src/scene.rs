@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::info::Info;
 use super::vid::{self, Comments};
-use crate::error::{Error, Result, can_allocate, message};
+use crate::error::{Error, Result, can_allocate};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
 use vides_engine::scene::Scene;
@@ -33,7 +33,7 @@ impl SceneDocument {
     /// One camera on the path that a new window begins with.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn try_new() -> Result<Self> {
         Ok(Self {
             scene: Scene::of_path(CameraPath::try_new()?)?,
@@ -45,11 +45,11 @@ impl SceneDocument {
     /// The scene in a `.vid` file.
     ///
     /// # Errors
-    /// [`Error::Io`] if it cannot be read; [`Error::Format`] with file, line and
+    /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with file, line and
     /// reason if its contents are not what they should be.
     pub fn load(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, MAX_FILE_BYTES)?;
-        Self::from_toml(&text).map_err(|error| error.at(file.display().to_string()))
+        Self::from_toml(&text).map_err(|error| error.at(file.display()))
     }
 
     /// The scene in what `reader` gives, to its end; `name` stands for it in
@@ -65,7 +65,7 @@ impl SceneDocument {
     /// The scene in the text of a `.vid` file.
     ///
     /// # Errors
-    /// [`Error::Format`] with line and reason.
+    /// `ErrorKind::Format` with line and reason.
     pub fn from_toml(text: &str) -> Result<Self> {
         let (scene, mut info) = vid::scene_from_toml(text)?;
         info.check(scene.space())?;
@@ -84,14 +84,11 @@ impl SceneDocument {
     /// The text of a `.vid` file. Loading it gives the same scene, bit by bit.
     ///
     /// # Errors
-    /// [`Error::Memory`]; [`Error::Limit`] if it is longer than what is read.
+    /// `ErrorKind::Memory`; `ErrorKind::Limit` if it is longer than what is read.
     pub fn to_toml(&self) -> Result<String> {
         let text = vid::scene_to_toml(&self.scene, &self.info, &self.comments)?;
         if text.len() as u64 > MAX_FILE_BYTES {
-            return Err(Error::Limit(message!(
-                "the file is larger than the {0} MiB that are read",
-                MAX_FILE_BYTES >> 20
-            )));
+            return Err(Error::FileTooLarge(MAX_FILE_BYTES >> 20));
         }
         Ok(text)
     }
@@ -99,7 +96,7 @@ impl SceneDocument {
     /// Saves as a `.vid` file, atomically and durably ([`super::save`]).
     ///
     /// # Errors
-    /// [`Error::Io`] with the file and what the system said; the old file is
+    /// `ErrorKind::Io` with the file and what the system said; the old file is
     /// whole then. As [`SceneDocument::to_toml`].
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.to_toml()?.as_bytes())
@@ -108,7 +105,7 @@ impl SceneDocument {
     /// A copy.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn try_clone(&self) -> Result<Self> {
         let info = self.info.try_clone()?;
         can_allocate(self.scene.weight())?;

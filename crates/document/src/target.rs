@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::error::{Error, Result, message};
+use crate::error::{Refused, Result};
 use crate::path::{Space, Target};
 
 /// A target closer to the camera than this, measured in the camera's largest
@@ -18,7 +18,7 @@ const NEAR: f64 = 1.0 / 8192.0;
 /// and one that would lie beyond the largest coordinate is moved in.
 ///
 /// # Errors
-/// [`Error::Range`] if no target within the largest coordinate is seen in
+/// `ErrorKind::Range` if no target within the largest coordinate is seen in
 /// that direction.
 pub(super) fn switched(
     target: Target,
@@ -53,9 +53,7 @@ fn seen_along(offset: DVec3, position: DVec3, space: Space) -> Result<DVec3> {
     while space.check_place(target).is_err() {
         offset *= 0.5;
         if offset.abs().max_element() < least {
-            return Err(Error::Range(message!(
-                "a target in this direction would lie further out than 1e9 half sizes"
-            )));
+            return Err(Refused::TargetTooFar.into());
         }
         target = position + offset;
     }

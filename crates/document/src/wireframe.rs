@@ -1,6 +1,6 @@
 //! A mesh as the wireframe that a path shows.
 
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Result, TooMany, vec_with_room};
 use crate::info::{Object, ObjectPoint};
 use crate::limits;
 use vides_engine::scene::Mesh;
@@ -10,8 +10,8 @@ impl Object {
     /// with neither its points.
     ///
     /// # Errors
-    /// As [`Mesh::check`]; [`Error::Limit`] for a wireframe of more than
-    /// [`limits::MAX_OBJECT_POINTS`]; [`Error::Memory`].
+    /// As [`Mesh::check`]; `ErrorKind::Limit` for a wireframe of more than
+    /// [`limits::MAX_OBJECT_POINTS`]; `ErrorKind::Memory`.
     pub fn of_mesh(mesh: &Mesh) -> Result<Self> {
         mesh.check()?;
         let mut edges = vec_with_room(3 * mesh.triangles.len())?;
@@ -44,10 +44,7 @@ impl Object {
             let begins = at != Some(from);
             count += 1 + usize::from(begins);
             if count > limits::MAX_OBJECT_POINTS {
-                return Err(Error::Limit(message!(
-                    "the wireframe of an object has at most {0} points",
-                    limits::MAX_OBJECT_POINTS
-                )));
+                return Err(TooMany::WireframePoints.into());
             }
             if begins {
                 add(from, false);

@@ -8,11 +8,12 @@ use super::number::Entry;
 use super::playing::Pace;
 use super::setup::{Setup, Theme};
 use super::state::{Editor, Request};
-use super::texts::fill;
+use super::texts::{Language, fill};
 use super::windows::{
     self, ColourWindow, CurveWindow, DisplayWindow, HelpWindow, PointsWindow, SpeedWindow,
 };
 use crate::document::{Edit, Selection};
+use crate::limits::SPEEDS;
 use crate::path::{Orientation, Target};
 
 /// What a menu entry, a key, a button or a field stands for.
@@ -115,8 +116,26 @@ pub(super) enum Action {
     SwitchLoops,
     /// Play slower or faster.
     Pace(Pace),
-    /// Another setup.
+    /// Colours, what is shown, from where.
     Setup(Box<Setup>),
+    /// A language of the window, or the environment's.
+    Language(Option<Language>),
+    /// Keep ten speeds for pasting.
+    CopySpeeds([f64; SPEEDS]),
+    /// Apply what waits in the curve window; true: and close it.
+    ApplyCurve(bool),
+    /// Save, and then go on.
+    SaveBefore(Then),
+    /// Go on, whatever is lost.
+    GoOn(Then),
+    /// Load the file anew that has changed.
+    Reload,
+    /// Save under another name, and then go on.
+    SaveAsBefore(Option<Then>),
+    /// Overwrite the file that has changed, and then go on.
+    Overwrite(Option<Then>),
+    /// Something to be read in the output field.
+    Say(String),
     /// Something that cannot be done, in words.
     Complain(String),
 }
@@ -144,6 +163,15 @@ impl Action {
                 | Self::SwitchLoops
                 | Self::Pace(_)
                 | Self::Setup(_)
+                | Self::Language(_)
+                | Self::CopySpeeds(_)
+                | Self::ApplyCurve(_)
+                | Self::SaveBefore(_)
+                | Self::GoOn(_)
+                | Self::Reload
+                | Self::SaveAsBefore(_)
+                | Self::Overwrite(_)
+                | Self::Say(_)
                 | Self::Complain(_)
         )
     }
@@ -256,7 +284,23 @@ impl Editor {
             Action::Playhead(entry) => self.enter_frame(entry),
             Action::SwitchLoops => self.switch_loops(context),
             Action::Pace(pace) => self.set_pace(pace, context),
-            Action::Setup(setup) => self.setup = *setup,
+            Action::Setup(setup) => {
+                self.setup = *setup;
+                // The movement window has been drawn already.
+                context.request_repaint();
+            }
+            Action::Language(language) => self.choose_language(language),
+            Action::CopySpeeds(speeds) => {
+                self.windows.copied_speeds = Some(speeds);
+                self.say(self.texts().speed_window.copied);
+            }
+            Action::ApplyCurve(closes) => CurveWindow::apply(self, closes),
+            Action::SaveBefore(then) => self.save(Some(then)),
+            Action::GoOn(then) => self.go_on(then),
+            Action::Reload => self.reload(),
+            Action::SaveAsBefore(then) => self.choose_file(Purpose::SavePath(then)),
+            Action::Overwrite(then) => self.overwrite(then),
+            Action::Say(text) => self.say(text),
             Action::Complain(text) => self.complain(text),
         }
     }

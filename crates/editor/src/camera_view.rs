@@ -7,6 +7,7 @@ use std::sync::Arc;
 use egui::{Align2, Color32, Context, FontId, Pos2, Rect, Sense, Ui, vec2};
 use glam::{DMat4, DVec2, DVec3};
 
+use super::host_pane::HostPane;
 use super::setup::Element;
 use super::space::Camera;
 use super::state::Editor;
@@ -26,6 +27,7 @@ const FRONT: f64 = 1e-3;
 
 /// Shows the pane if it is open; `viewport` is the movement window.
 pub(super) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
+    editor.host_pane = None;
     if !editor.setup.camera_view {
         return;
     }
@@ -36,7 +38,7 @@ pub(super) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
         .stroke(egui::Stroke::new(1.0, palette.rim))
         .corner_radius(4)
         .inner_margin(1);
-    let id = egui::Id::unique("camera view");
+    let id = id();
     let width = first_width(viewport);
     let mut pane = egui::Window::new(editor.texts().space.camera_view)
         .id(id)
@@ -72,6 +74,11 @@ pub(super) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
     context.data_mut(|data| data.insert_temp(id, placed));
 }
 
+/// The pane's area.
+pub(super) fn id() -> egui::Id {
+    egui::Id::unique("camera view")
+}
+
 /// Where the pane is.
 #[derive(Clone, Copy, Debug)]
 struct Placed {
@@ -103,8 +110,12 @@ fn contents(editor: &mut Editor, ui: &mut Ui) {
         return;
     };
     let painter = ui.painter_at(picture);
-    let lines = picture_of(editor, &camera, picture);
-    painter.add(Lines::shape(&Arc::new(lines), picture));
+    let by_host = editor.host_view.fills_pane;
+    if !by_host {
+        let lines = picture_of(editor, &camera, picture);
+        painter.add(Lines::shape(&Arc::new(lines), picture));
+    }
+    let mut above = Vec::new();
     let text = match editor.shown_frame() {
         Some(frame) => fill(texts.camera_at_frame, &[&frame]),
         None => {
@@ -132,14 +143,19 @@ fn contents(editor: &mut Editor, ui: &mut Ui) {
     for (corner, align, text) in corners {
         let galley = painter.layout_no_wrap(text, FontId::proportional(11.0), palette.weak);
         let place = align.anchor_size(corner, galley.size());
-        painter.rect_filled(place.expand2(vec2(3.0, 1.0)), 3.0, ground);
+        let label = place.expand2(vec2(3.0, 1.0));
+        painter.rect_filled(label, 3.0, ground);
+        above.push(label);
         painter.galley(place.min, galley, palette.weak);
     }
-    close_button(editor, ui, picture);
+    above.push(close_button(editor, ui, picture));
+    if by_host && !ui.is_sizing_pass() {
+        editor.host_pane = Some(HostPane { picture, above });
+    }
 }
 
-/// A small cross in the corner.
-fn close_button(editor: &mut Editor, ui: &Ui, rect: Rect) {
+/// A small cross in the corner; where it is.
+fn close_button(editor: &mut Editor, ui: &Ui, rect: Rect) -> Rect {
     let place = Rect::from_min_size(rect.right_top() + vec2(-22.0, 2.0), vec2(20.0, 20.0));
     let response = ui.interact(place, ui.scope_id().with("close"), Sense::click());
     let text = editor.texts().space.close_camera_view;
@@ -159,6 +175,7 @@ fn close_button(editor: &mut Editor, ui: &Ui, rect: Rect) {
     if response.on_hover_text(text).clicked() {
         editor.setup.camera_view = false;
     }
+    place
 }
 
 /// Cube and object as the camera sees them, in `picture`.

@@ -46,13 +46,13 @@ proptest! {
         let [from, to] = [from, to].map(DVec3::from_array);
         let found = seen(&matrix(&camera, 20.0), FRONT / 20.0, from, to);
         let right = camera.view.cross(camera.up);
-        let film = 12.0 / camera.zoom;
+        let half_height = 12.0 / camera.zoom;
         let pinhole = |p: DVec3| {
             let way = p - camera.position;
             let depth = way.dot(camera.view);
             let image = DVec2::new(
-                way.dot(right) / depth / film / f64::from(ASPECT),
-                way.dot(camera.up) / depth / film,
+                way.dot(right) / depth / half_height / f64::from(ASPECT),
+                way.dot(camera.up) / depth / half_height,
             );
             (depth, image)
         };

@@ -3,12 +3,12 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use super::refusals::{Kind, of_edit, reason_of};
+use super::refusals::{of_edit, reason_of};
 use super::state::{Editor, Request};
 use super::texts::fill;
 use super::windows::{ChangedFile, FileWindow, Question};
 use crate::document::{Contents, Document, Edit, export, save};
-use crate::error::{Error, Result};
+use crate::error::{EngineError, Error, Result, TooMany};
 use crate::limits;
 
 /// What a file is chosen for.
@@ -94,6 +94,27 @@ impl Editor {
         }
     }
 
+    /// Loads the file that is open as it is by now.
+    pub(super) fn reload(&mut self) {
+        if let Some(file) = self.file.clone()
+            && let Err(text) = self.load_path(&file)
+        {
+            self.complain(text);
+        }
+    }
+
+    /// Saves under the known name, whatever is there; then goes on.
+    pub(super) fn overwrite(&mut self, then: Option<Then>) {
+        let Some(file) = self.file.clone() else {
+            return;
+        };
+        match (self.save_path(&file), then) {
+            (Ok(()), Some(then)) => self.go_on(then),
+            (Ok(()), None) => {}
+            (Err(text), _) => self.complain(text),
+        }
+    }
+
     /// A file was chosen. What hindered it is given back in words, for the
     /// window that asked.
     ///
@@ -134,7 +155,7 @@ impl Editor {
                 Ok(())
             }
             Err(error) => {
-                let why = self.without_name(&error, file);
+                let why = self.without_name(&error);
                 Err(fill(texts.errors.cannot_load, &[&short(file), &why]))
             }
         }
@@ -171,7 +192,7 @@ impl Editor {
     fn write_path(&mut self, file: &Path, replaced: bool) -> Result<bool, String> {
         let texts = self.texts();
         self.write(file, replaced).map_err(|error| {
-            let why = self.without_name(&error, file);
+            let why = self.without_name(&error);
             fill(texts.errors.cannot_save, &[&short(file), &why])
         })
     }
@@ -208,30 +229,25 @@ impl Editor {
                 Ok(())
             }
             Err(error) => {
-                let why = self.without_name(&error, file);
+                let why = self.without_name(&error);
                 Err(fill(texts.errors.cannot_write, &[&short(file), &why]))
             }
         }
     }
 
     /// Why it failed; the file's name stands before it already.
-    pub(super) fn without_name(&self, error: &Error, file: &Path) -> String {
-        if let Error::Limit(_) = error
-            && self
-                .document
-                .timeline(|timeline| timeline.frame_count().is_err())
-                .unwrap_or(false)
-        {
-            return fill(self.texts().errors.frames, &[&limits::MAX_FRAMES]);
+    pub(super) fn without_name(&self, error: &Error) -> String {
+        match error {
+            Error::In(_, cause) => self.without_name(cause),
+            Error::Engine(EngineError::Limit(TooMany::Frames)) => {
+                fill(self.texts().errors.frames, &[&limits::MAX_FRAMES])
+            }
+            _ => reason_of(self.language(), error),
         }
-        let why = reason_of(self.language(), error);
-        let name = format!("{}: ", file.display());
-        why.strip_prefix(&name).map_or(why.clone(), str::to_owned)
     }
 
     /// Does an edit; what hinders it stands in the output field.
     pub(super) fn edit(&mut self, edit: Edit) -> bool {
-        let kind = Kind::of(&edit);
         match self.document.apply(edit) {
             Ok(()) => {
                 self.message = None;
@@ -239,7 +255,7 @@ impl Editor {
                 true
             }
             Err(error) => {
-                self.complain(of_edit(self.language(), &self.document, kind, &error));
+                self.complain(of_edit(self.language(), &error));
                 false
             }
         }

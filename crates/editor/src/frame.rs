@@ -7,7 +7,7 @@ use egui::{
 
 use super::setup::Theme;
 use super::state::Editor;
-use super::{keys, menu, output, panels, space, theme, windows};
+use super::{camera_view, host_pane, keys, menu, output, panels, space, theme, windows};
 
 /// Height of the menu bar, in points.
 const BAR: f32 = 32.0;
@@ -83,6 +83,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         editor.act(action, &context);
     }
     show_focus(&context);
+    host_pane::add_what_lies_above(editor, &context, camera_view::id());
     editor.typing = keys::remember_typing(&context);
     if editor.stamp() != before {
         // What stands further up was shown before the change.

@@ -10,7 +10,7 @@ use std::path::Path;
 
 use super::recovery::{self, Keeper, Origin};
 use super::setup_file;
-use crate::error::Error;
+use crate::error::ErrorKind;
 
 /// Loads bytes as a setup. They are refused with one sentence that names file
 /// and line, or they give a setup that is saved and loaded without a bit
@@ -50,11 +50,9 @@ pub fn recovery(folder: &Path, bytes: &[u8]) {
     for found in recovery::find(folder, None) {
         let document = match found.document() {
             Ok(document) => document,
-            Err(Error::Format(sentence) | Error::Limit(sentence)) => {
-                assert!(
-                    !sentence.to_string().chars().any(char::is_control),
-                    "{sentence:?}"
-                );
+            Err(error) if matches!(error.kind(), ErrorKind::Format | ErrorKind::Limit) => {
+                let said = error.to_string();
+                assert!(!said.chars().any(char::is_control), "{said:?}");
                 found.discard();
                 continue;
             }

@@ -18,6 +18,7 @@ mod filing;
 mod folders;
 mod fonts;
 mod frame;
+mod host_pane;
 #[cfg(any(test, fuzzing))]
 pub mod hostile;
 mod keys;
@@ -39,6 +40,7 @@ mod space;
 mod state;
 mod texts;
 mod theme;
+mod warning;
 mod windows;
 
 #[cfg(test)]
@@ -47,11 +49,14 @@ mod screenshots;
 mod tests;
 
 use vides_document as document;
-use vides_engine::{Error, Result, error, limits, math, path};
+use vides_document::{Error, Result, error};
+use vides_engine::{limits, math, path};
 use vides_raster as raster;
 
 pub use folders::Folders;
+pub use host_pane::HostPane;
 pub use live::Standing;
 pub use program::{Date, Program};
 pub use state::{Editor, HostView, Options, Reason, Request};
 pub use texts::Language;
+pub use warning::{Warning, Warnings};

@@ -9,50 +9,15 @@ use glam::DVec3;
 
 use super::actions::Action;
 use super::refusals::reason_of;
-use super::space::Camera;
-use super::state::{Editor, HostView, Reason, Request};
+use super::state::{Editor, Reason, Request};
 use super::texts::fill;
 use crate::document::{Edit, Object, Selection};
-use crate::error::{Error, Result, message};
+use crate::error::{Refused, Result};
 use crate::math::{orientation, view::View};
-use crate::path::camera_path::check_coordinates;
-use crate::path::{Change, MayOwn, Orientation, Pose, Target};
+use crate::path::{Change, MayOwn, Orientation, Pose, Space, Target};
 
-/// How far away the target of a view that was taken over lies.
+/// How far away the target of a view that was taken over lies, in half sizes.
 const TARGET: f64 = 0.4;
-
-/// What the editor knows of its host's view.
-#[derive(Debug)]
-pub(super) struct Ghost {
-    /// What it is called; none: as the window's language calls a program.
-    name: Option<String>,
-    /// The host can be asked for it.
-    captures: bool,
-    /// As the host has shown it last.
-    pose: Option<Pose>,
-}
-
-impl From<HostView> for Ghost {
-    fn from(host: HostView) -> Self {
-        Self {
-            name: host.name.filter(|name| !name.is_empty()),
-            captures: host.captures,
-            pose: None,
-        }
-    }
-}
-
-impl Ghost {
-    /// There is a view that could be taken over.
-    pub(super) fn is_there(&self) -> bool {
-        self.captures || self.pose.is_some()
-    }
-
-    /// The camera that is drawn.
-    pub(super) fn camera(&self) -> Option<Camera> {
-        self.pose.map(Camera::from)
-    }
-}
 
 /// Where the playhead stands in which path: where two are equal, the host has nothing
 /// new to be told.
@@ -105,7 +70,7 @@ impl Editor {
     /// The frame at the playhead, from 1.
     ///
     /// # Errors
-    /// [`Error::Memory`]; [`Error::Limit`] for too many frames.
+    /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
     pub fn frame(&self) -> Result<f64> {
         if let Some(frame) = self.playing.frame() {
             return Ok(frame);
@@ -139,7 +104,7 @@ impl Editor {
     /// The playhead goes to a frame, from 1, and stays there.
     ///
     /// # Errors
-    /// [`Error::Range`] for one that there is not; as [`Editor::frame`].
+    /// `ErrorKind::Range` for one that there is not; as [`Editor::frame`].
     pub fn set_frame(&mut self, frame: f64) -> Result<()> {
         self.document.sampler()?.pose(frame)?;
         self.scrub(frame);
@@ -154,7 +119,7 @@ impl Editor {
     /// Makes a point and one of its orientations current, both counted from 0.
     ///
     /// # Errors
-    /// [`Error::Range`] for one that there is not.
+    /// `ErrorKind::Range` for one that there is not.
     pub fn select_key(&mut self, point: usize, orientation: usize) -> Result<()> {
         self.document.select(point, orientation)?;
         self.select(point, orientation);
@@ -164,7 +129,7 @@ impl Editor {
     /// Shows another object, in one step that the user can take back.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn set_object(&mut self, object: Object) -> Result<()> {
         let mut info = self.document.info().clone();
         info.object = object;
@@ -179,35 +144,39 @@ impl Editor {
     /// Saves under a name, or under its own one, and edits that file from now on.
     ///
     /// # Errors
-    /// [`Error::Argument`] without a name; [`Error::Io`], also if the file of its own
-    /// name is no more what it was when it was read or written here; nothing is
-    /// written then.
+    /// `ErrorKind::Argument` without a name, or if the file of its own name is no more
+    /// what it was when it was read or written here: nothing is written then.
+    /// `ErrorKind::Io`.
     pub fn save_as(&mut self, file: Option<&Path>) -> Result<()> {
         let own = self.file.clone();
         let Some(name) = file.or(own.as_deref()) else {
-            return Err(Error::Argument(message!("this path has no file yet")));
+            return Err(Refused::NoFile.into());
         };
         if self.write(name, file.is_some())? {
             return Ok(());
         }
-        Err(Error::Argument(message!(
-            "another program has changed the file since it was read or written here"
-        )))
+        Err(Refused::FileChanged.into())
     }
 
     /// The host's camera, to be shown; none: no more.
     ///
     /// # Errors
-    /// [`Error::Argument`], [`Error::Range`] for one that is none.
+    /// `ErrorKind::Argument`, `ErrorKind::Range` for one that is none.
     pub fn set_ghost(&mut self, pose: Option<&Pose>) -> Result<()> {
-        let checked = pose.map(checked).transpose()?;
-        self.ghost.pose = checked;
+        let space = self.document.path().space;
+        let checked = pose.map(|pose| checked(pose, space)).transpose()?;
+        self.ghost = checked;
         Ok(())
+    }
+
+    /// There is a view that could be taken over.
+    pub(super) fn has_host_view(&self) -> bool {
+        self.host_view.captures || self.ghost.is_some()
     }
 
     /// The user wants the host's view.
     pub(super) fn ask_for_view(&mut self, replace: bool) {
-        if self.ghost.captures {
+        if self.host_view.captures {
             self.requests.push(Request::Capture { replace });
         } else {
             self.take_over(None, replace);
@@ -219,11 +188,12 @@ impl Editor {
     pub fn take_over(&mut self, given: Option<&Pose>, replace: bool) {
         let texts = &self.texts().space;
         let name = self.host_name().to_owned();
-        let Some(pose) = given.or(self.ghost.pose.as_ref()) else {
+        let Some(pose) = given.or(self.ghost.as_ref()) else {
             self.complain(fill(texts.no_host_view, &[&name]));
             return;
         };
-        let pose = match checked(pose) {
+        let space = self.document.path().space;
+        let pose = match checked(pose, space) {
             Ok(pose) => pose,
             Err(error) => {
                 let why = reason_of(self.language(), &error);
@@ -235,7 +205,7 @@ impl Editor {
         let Some(current) = self.orientation() else {
             return;
         };
-        let taken = seen_by(&pose, current);
+        let taken = seen_by(&pose, space, current);
         let position = DVec3::from_array(pose.vrp);
         self.document.begin_step();
         let done = if replace {
@@ -265,16 +235,17 @@ impl Editor {
 
     /// What the window calls the host's view.
     pub(super) fn host_name(&self) -> &str {
-        let name = self.ghost.name.as_deref();
-        name.unwrap_or(self.texts().space.host_view)
+        let name = self.host_view.name.as_deref();
+        name.filter(|name| !name.is_empty())
+            .unwrap_or(self.texts().space.host_view)
     }
 }
 
 /// A pose with vectors of length 1, perpendicular to each other.
-fn checked(pose: &Pose) -> Result<Pose> {
+fn checked(pose: &Pose, space: Space) -> Result<Pose> {
     let [position, view, up] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
-    check_coordinates(position)?;
-    View::from_pose(position, view, up, pose.zoom, 1.5, 1e-3, 1.0)?;
+    space.check_place(position)?;
+    View::from_pose(DVec3::ZERO, view, up, pose.zoom, 1.5, 1e-3, 1.0)?;
     let view = orientation::unit(view);
     let up = orientation::unit(up);
     let up = orientation::unit(up - view * up.dot(view));
@@ -283,16 +254,17 @@ fn checked(pose: &Pose) -> Result<Pose> {
         vup: up.to_array(),
         ..*pose
     };
-    seen_by(&made, &Orientation::default()).check(position)?;
+    seen_by(&made, space, &Orientation::default()).check(position, space)?;
     Ok(made)
 }
 
 /// The orientation of a pose, with speeds and pause of another one.
-fn seen_by(pose: &Pose, other: &Orientation) -> Orientation {
-    let target = Target::Relative(DVec3::from_array(pose.vpn) * TARGET);
+fn seen_by(pose: &Pose, space: Space, other: &Orientation) -> Orientation {
+    let target = Target::Relative(DVec3::from_array(pose.vpn) * TARGET * space.half_size);
     // As the path will understand it: near a pole each bit of the direction counts.
     let view = orientation::unit(target.offset_from(DVec3::from_array(pose.vrp)));
-    let roll = orientation::roll_from_up(view, DVec3::from_array(pose.vup));
+    let up = DVec3::from_array(pose.vup);
+    let roll = orientation::roll_from_up(space.up.upright(view), space.up.upright(up));
     Orientation {
         target,
         roll: orientation::wrap_degrees(roll.to_degrees()),

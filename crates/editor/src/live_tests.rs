@@ -7,10 +7,11 @@ use glam::DQuat;
 use super::*;
 use crate::document::Document;
 use crate::setup::Theme;
+use crate::space::Camera;
 use crate::tests::{
     BOTH, LARGE, Window, click, options, press, said, some_points, window_of, window_with_points,
 };
-use crate::{Language, Options};
+use crate::{HostView, Language, Options};
 
 fn bits(pose: &Pose) -> [u64; 10] {
     let [p, v, u] = [pose.vrp, pose.vpn, pose.vup];
@@ -211,6 +212,7 @@ fn the_ghost_has_a_name_and_a_button() {
                 host_view: HostView {
                     name: Some("Viewer".to_owned()),
                     captures: true,
+                    ..HostView::default()
                 },
                 ..options(language)
             },
@@ -234,7 +236,7 @@ fn the_ghost_has_a_name_and_a_button() {
         assert_eq!(window.state_mut().next_request(), Some(asked));
         let count = window.state().document.path().points.len();
         // Whoever cannot be asked has shown it.
-        window.state_mut().ghost.captures = false;
+        window.state_mut().host_view.captures = false;
         press(&mut window, Modifiers::CTRL, Key::Enter);
         assert_eq!(window.state().document.path().points.len(), count + 1);
         assert_eq!(

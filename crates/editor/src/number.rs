@@ -2,7 +2,7 @@
 //! by Tab to be typed into.
 //!
 //! Enter and Tab apply what was typed, with a comma or a point as the decimal
-//! sign; Escape leaves the old value, also while dragging. What is no number,
+//! sign; Escape leaves the old value, also while dragging. What is not a number,
 //! or lies outside the range, is a message and leaves the old value. Arrow up
 //! and down go by one step. While dragging, Shift makes it ten times finer.
 //!
@@ -21,7 +21,7 @@ use egui::{
 use super::texts::{Language, fill};
 use super::theme;
 
-/// What a hand did to a number.
+/// What the user did to a number.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Entry<T = f64> {
     /// Nothing.

@@ -215,7 +215,7 @@ fn the_marks_follow_what_is_dragged() {
     for step in 0..6_u8 {
         motion(&mut harness, from + vec2(10.0, f32::from(step)));
     }
-    // The hand rests.
+    // The pointer rests.
     assert_ne!(marks(&harness), right(&harness));
     assert!(wait(&harness) <= Duration::from_millis(250));
     harness.run_steps(16);

@@ -143,7 +143,7 @@ impl Keeper {
     /// Writes what is unsaved now.
     ///
     /// # Errors
-    /// [`Error::Io`], [`Error::Memory`]; what was written before stays.
+    /// `ErrorKind::Io`, `ErrorKind::Memory`; what was written before stays.
     pub(super) fn write(&mut self, document: &Document, origin: &Origin<'_>) -> Result<()> {
         // Also if it fails: the next change tries again.
         self.settled = document.state_number();
@@ -326,7 +326,7 @@ impl Found {
     /// The document in it, unsaved as it was.
     ///
     /// # Errors
-    /// [`Error::Format`] if it is broken.
+    /// `ErrorKind::Format` if it is broken.
     pub(super) fn document(&self) -> Result<Document> {
         let mut document = Document::from_toml(without_header(&self.text))?;
         document.mark_unsaved();

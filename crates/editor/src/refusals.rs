@@ -7,109 +7,62 @@
 use std::io;
 
 use super::state::Editor;
-use super::texts::{Language, fill};
-use crate::document::{Document, Edit, NotAFile};
-use crate::error::{Error, reason};
+use super::texts::{German, Language, fill};
+use crate::document::NotAFile;
+use crate::error::{
+    EngineError, Error, ErrorKind, Invalid, OutOfRange, Quantity, Refused, TooMany, reason,
+};
 use crate::limits;
 
-/// The kinds of edits that fail for different reasons.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    Insert,
-    Divide,
-    Extend,
-    RemovePoint,
-    Move,
-    InsertOrientation,
-    RemoveOrientation,
-    Orientation,
-    Other,
-}
-
-impl Kind {
-    pub(super) fn of(edit: &Edit) -> Self {
-        match edit {
-            Edit::InsertPoint { .. } => Self::Insert,
-            Edit::DivideSegment { .. } => Self::Divide,
-            Edit::AppendAfterLast | Edit::PrependBeforeFirst => Self::Extend,
-            Edit::RemovePoint { .. } => Self::RemovePoint,
-            Edit::SetPosition { .. } => Self::Move,
-            Edit::InsertOrientation { .. } => Self::InsertOrientation,
-            Edit::RemoveOrientation { .. } => Self::RemoveOrientation,
-            Edit::SetOrientation { .. } | Edit::SetAbsolute { .. } => Self::Orientation,
-            _ => Self::Other,
-        }
-    }
-}
-
 /// Why the document refused an edit.
-pub(super) fn of_edit(
-    language: Language,
-    document: &Document,
-    kind: Kind,
-    error: &Error,
-) -> String {
+pub(super) fn of_edit(language: Language, error: &Error) -> String {
     let texts = language.texts();
     let (position, orientation) = (&texts.position, &texts.orientation);
-    let bound = |value: f64| language.number(value, 0);
-    match (kind, error) {
-        (Kind::Insert | Kind::Divide | Kind::Extend, Error::Limit(_)) => {
-            let room = limits::MAX_POINTS - document.path().points.len().min(limits::MAX_POINTS);
-            if room < limits::MAX_DIVISION {
-                fill(position.too_many, &[&limits::MAX_POINTS])
-            } else {
-                fill(
-                    position.too_many_orientations,
-                    &[&limits::MAX_ALL_ORIENTATIONS],
-                )
+    let said = match error {
+        Error::Engine(error) => match error {
+            EngineError::Limit(TooMany::SupportPoints) => {
+                return fill(position.too_many, &[&limits::MAX_POINTS]);
             }
-        }
-        (Kind::Divide, Error::Range(_)) => position.last_point.to_owned(),
-        (Kind::Extend, Error::Argument(_)) if document.path().closed => {
-            position.closed_has_no_ends.to_owned()
-        }
-        (Kind::Extend, Error::Argument(_)) => position.no_direction.to_owned(),
-        (Kind::Extend, Error::Range(_)) => position.no_room.to_owned(),
-        (Kind::RemovePoint, Error::Range(_)) => position.two_remain.to_owned(),
-        (Kind::Move, Error::Argument(_)) => position.on_target.to_owned(),
-        (Kind::InsertOrientation, Error::Limit(_)) => {
-            let point = document.path().points.get(document.selection().point);
-            if point.is_some_and(|point| point.orientations.len() < limits::MAX_ORIENTATIONS) {
-                fill(
-                    position.too_many_orientations,
-                    &[&limits::MAX_ALL_ORIENTATIONS],
-                )
-            } else {
-                fill(orientation.at_most, &[&limits::MAX_ORIENTATIONS])
+            EngineError::Limit(TooMany::Orientations) => {
+                return fill(orientation.at_most, &[&limits::MAX_ORIENTATIONS]);
             }
-        }
-        (Kind::RemoveOrientation, Error::Range(_)) => orientation.one_remains.to_owned(),
-        (Kind::Orientation | Kind::InsertOrientation, Error::Argument(_)) => {
-            orientation.on_position.to_owned()
-        }
-        (Kind::Move | Kind::Insert | Kind::Orientation, Error::Range(_)) => {
-            let (low, high) = (
-                bound(-limits::MAX_COORDINATE),
-                bound(limits::MAX_COORDINATE),
-            );
-            fill(position.too_far, &[&low, &high])
-        }
-        (_, Error::Memory) => texts.errors.memory.to_owned(),
-        (_, other) => fill(texts.errors.refused, &[&reason_of(language, other)]),
+            EngineError::Limit(TooMany::AllOrientations) => {
+                let most = limits::MAX_ALL_ORIENTATIONS;
+                return fill(position.too_many_orientations, &[&most]);
+            }
+            EngineError::Range(OutOfRange::Exceeds(Quantity::Coordinate, most)) => {
+                let bound = |value| language.number(value, 0);
+                return fill(position.too_far, &[&bound(-most), &bound(*most)]);
+            }
+            EngineError::Argument(Invalid::TargetOnCamera) => orientation.on_position,
+            EngineError::Memory => texts.errors.memory,
+            _ => "",
+        },
+        Error::Refused(refused) => match refused {
+            Refused::NoSegmentAtEnd => position.last_point,
+            Refused::NoEnds => position.closed_has_no_ends,
+            Refused::NoDirection(_) => position.no_direction,
+            Refused::NoRoom(_) => position.no_room,
+            Refused::TwoPointsRemain => position.two_remain,
+            Refused::OnTarget { .. } => position.on_target,
+            Refused::OneOrientationRemains => orientation.one_remains,
+            _ => "",
+        },
+        _ => "",
+    };
+    match said {
+        "" => fill(texts.errors.refused, &[&reason_of(language, error)]),
+        said => said.to_owned(),
     }
 }
 
-/// Why something with a file or with poses failed, without the file's name.
+/// Why something with a file or with poses failed.
 pub(super) fn reason_of(language: Language, error: &Error) -> String {
-    let texts = &language.texts().errors;
     match error {
         Error::Io { source, .. } => of_system(language, source),
-        Error::Memory => texts.memory.to_owned(),
-        Error::Argument(message)
-        | Error::Range(message)
-        | Error::Limit(message)
-        | Error::Format(message)
-        | Error::Display(message) => language.reason(message),
+        _ if error.kind() == ErrorKind::Memory => language.texts().errors.memory.to_owned(),
+        _ if language == Language::German => German(error).to_string(),
+        _ => error.to_string(),
     }
 }
 
@@ -146,7 +99,7 @@ impl Editor {
     pub(super) fn complain_of_hand_over(&mut self, error: &Error) {
         let texts = &self.texts().errors;
         let why = match error {
-            Error::Limit(_) => fill(texts.frames, &[&limits::MAX_FRAMES]),
+            Error::Engine(EngineError::Limit(_)) => fill(texts.frames, &[&limits::MAX_FRAMES]),
             other => reason_of(self.language(), other),
         };
         self.complain(fill(texts.cannot_hand_over, &[&why]));

@@ -1,7 +1,8 @@
 //! The setup file (thesis A.5): colours, what is shown, from where.
 //!
 //! TOML, as `.vid` files are, and read as strictly: an unknown key is refused
-//! with its line. What is not given is as in a new window.
+//! with its line. What is not given is as in a new window. Not by `serde`: what it
+//! finds wrong are English sentences, which cannot be said in German.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -16,7 +17,7 @@ use super::texts::{Language, fill};
 use crate::document::save;
 use crate::document::vid::field::{Field, Source, fields};
 use crate::document::vid::read_text;
-use crate::error::{Error, Result, message};
+use crate::error::{Error, Malformed, Result};
 
 /// The version that is written, and the newest that is read.
 const VERSION: i64 = 1;
@@ -40,16 +41,16 @@ const VIEW_KEYS: [&str; 4] = ["rotation_degrees", "tilt_degrees", "size", "shift
 /// Reads a setup.
 ///
 /// # Errors
-/// [`Error::Io`]; [`Error::Format`] with file, line and reason.
+/// `ErrorKind::Io`; `ErrorKind::Format` with file, line and reason.
 pub(super) fn load(file: &Path) -> Result<Setup> {
     let text = read_text(file, MAX_BYTES)?;
-    from_toml(&text).map_err(|error| error.at(file.display().to_string()))
+    from_toml(&text).map_err(|error| error.at(file.display()))
 }
 
 /// Saves a setup, atomically; makes the folder if need be.
 ///
 /// # Errors
-/// [`Error::Io`].
+/// `ErrorKind::Io`.
 pub(super) fn write(file: &Path, setup: &Setup) -> Result<()> {
     write_text(file, &to_toml(setup))
 }
@@ -144,11 +145,10 @@ fn from_toml(text: &str) -> Result<Setup> {
     for field in fields(source, root).filter(|field| field.key == "version") {
         let version = field.integer()?;
         if version != VERSION {
-            return Err(field.error(message!(
-                "this is version {0} of the setup; version {1} is understood here",
+            return Err(field.error(Malformed::SetupVersion {
                 version,
-                VERSION
-            )));
+                known: VERSION,
+            }));
         }
     }
     let mut setup = Setup::default();
@@ -161,9 +161,7 @@ fn from_toml(text: &str) -> Result<Setup> {
                     "dark" => Some(Theme::Dark),
                     "light" => Some(Theme::Light),
                     _ => {
-                        return Err(
-                            field.error(message!("must be \"system\", \"dark\" or \"light\""))
-                        );
+                        return Err(field.error(Malformed::OneOf(&["system", "dark", "light"])));
                     }
                 }
             }
@@ -172,7 +170,7 @@ fn from_toml(text: &str) -> Result<Setup> {
                     "system" => None,
                     "en" => Some(Language::English),
                     "de" => Some(Language::German),
-                    _ => return Err(field.error(message!("must be \"system\", \"en\" or \"de\""))),
+                    _ => return Err(field.error(Malformed::OneOf(&["system", "en", "de"]))),
                 }
             }
             "camera_view" => setup.camera_view = field.boolean()?,
@@ -203,7 +201,10 @@ fn view(table: Field<'_>) -> Result<View> {
             ..view
         };
         if mended != rotation_only {
-            return Err(field.error(message!("out of range: the tilt lies in [-90, 90], the size in [{0}, {1}], the shift in [-4, 4]", View::MIN_SIZE, View::MAX_SIZE)));
+            return Err(field.error(Malformed::View {
+                least: View::MIN_SIZE,
+                most: View::MAX_SIZE,
+            }));
         }
     }
     Ok(view.in_range())
@@ -230,11 +231,7 @@ fn read_shown(table: Field<'_>, shown: &mut Shown) -> Result<()> {
 fn read_colours(table: Field<'_>, colours: &mut Colours) -> Result<()> {
     for field in table.fields()? {
         let element = element(&field, |_| true)?;
-        let colour = colour(field.text()?).ok_or_else(|| {
-            field.error(message!(
-                "a colour is written as \"#\" and six digits 0 to 9, a to f"
-            ))
-        })?;
+        let colour = colour(field.text()?).ok_or_else(|| field.error(Malformed::Colour))?;
         colours.set(element, colour);
     }
     Ok(())
@@ -260,7 +257,7 @@ impl Editor {
             Err(Error::Io { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {}
             Err(error) => {
                 let texts = &self.texts().setup;
-                let (name, why) = (file.display(), self.without_name(&error, &file));
+                let (name, why) = (file.display(), self.without_name(&error));
                 self.complain(fill(texts.ignored, &[&name, &why]));
             }
         }
@@ -298,7 +295,7 @@ impl Editor {
             write_text(&file, &new)
         });
         if let Err(error) = kept {
-            let why = self.without_name(&error, &file);
+            let why = self.without_name(&error);
             let text = self.texts().setup.not_saved;
             self.complain(fill(text, &[&file.display(), &why]));
         }
@@ -325,7 +322,7 @@ impl Editor {
                 Ok(())
             }
             Err(error) => {
-                let why = self.without_name(&error, file);
+                let why = self.without_name(&error);
                 Err(fill(texts.not_loaded, &[&file.display(), &why]))
             }
         }
@@ -343,7 +340,7 @@ impl Editor {
                 Ok(())
             }
             Err(error) => {
-                let why = self.without_name(&error, file);
+                let why = self.without_name(&error);
                 Err(fill(texts.not_saved, &[&file.display(), &why]))
             }
         }

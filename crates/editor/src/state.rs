@@ -5,16 +5,18 @@ use std::path::PathBuf;
 use super::actions::Action;
 use super::filing::Then;
 use super::folders::Folders;
+use super::host_pane::HostPane;
 use super::number::Entry;
 use super::program::Program;
 use super::recovery::Keeper;
 use super::setup::{Element, Setup};
 use super::texts::{Language, Texts, fill};
 use super::theme;
-use super::{live, playing, space, windows};
+use super::{playing, space, windows};
 use crate::document::{Contents, Document, Edit};
-use crate::error::{self, Error, Result};
-use crate::path::{Orientation, SupportPoint};
+use crate::error::{Error, Result};
+use crate::path::{Orientation, Pose, SupportPoint};
+use crate::warning::Warnings;
 
 /// How a window begins.
 #[derive(Debug)]
@@ -48,6 +50,8 @@ pub struct HostView {
     pub name: Option<String>,
     /// The host can be asked for it.
     pub captures: bool,
+    /// The host draws what the camera sees.
+    pub fills_pane: bool,
 }
 
 /// Why the host is told of the camera at the playhead.
@@ -94,9 +98,13 @@ pub struct Editor {
     pub(super) folders: Folders,
     pub(super) program: Program,
     /// The host's own view.
-    pub(super) ghost: live::Ghost,
+    pub(super) host_view: HostView,
+    /// Its camera as the host has shown it last.
+    pub(super) ghost: Option<Pose>,
     /// Poses are handed over after each change.
     pub(super) hands_over: bool,
+    /// Where the host draws it.
+    pub(super) host_pane: Option<HostPane>,
     /// What the file contained when it was read or written last; none if there was none.
     pub(super) known: Option<Contents>,
     /// The state that the host has by a hand-over after which nothing is unsaved.
@@ -141,7 +149,7 @@ impl Editor {
     /// A window's contents as it opens.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub fn new(options: Options) -> Result<Self> {
         let known = options.document.read_contents();
         let mut editor = Self {
@@ -155,8 +163,10 @@ impl Editor {
             fixed_speeds: options.fixed_speeds,
             folders: options.folders,
             program: options.program,
-            ghost: options.host_view.into(),
+            host_view: options.host_view,
+            ghost: None,
             hands_over: false,
+            host_pane: None,
             copied: None,
             last_folder: None,
             waiting: None,
@@ -236,8 +246,10 @@ impl Editor {
     }
 
     /// Shows in the output field what was wrong with what the host gave.
-    pub fn warn(&mut self, warning: &error::Message) {
-        self.complain(self.language().reason(warning));
+    pub fn warn(&mut self, warnings: &Warnings) {
+        if !warnings.is_empty() {
+            self.complain(self.language().warnings(warnings));
+        }
     }
 
     /// Says how a hand-over went: the number of poses. One that the user has not asked
@@ -343,16 +355,22 @@ impl Editor {
         self.point()?.orientations.get(at)
     }
 
+    /// The edit that changes the current orientation.
+    pub(super) fn orientation_edit(&self, change: impl FnOnce(&mut Orientation)) -> Option<Edit> {
+        let at = self.document.selection();
+        let mut orientation = self.orientation()?.clone();
+        change(&mut orientation);
+        Some(Edit::SetOrientation {
+            point: at.point,
+            at: at.orientation,
+            orientation,
+        })
+    }
+
     /// Changes the current orientation.
     pub(super) fn set_orientation(&mut self, change: impl FnOnce(&mut Orientation)) {
-        let at = self.document.selection();
-        if let Some(mut orientation) = self.orientation().cloned() {
-            change(&mut orientation);
-            self.edit(Edit::SetOrientation {
-                point: at.point,
-                at: at.orientation,
-                orientation,
-            });
+        if let Some(edit) = self.orientation_edit(change) {
+            self.edit(edit);
         }
     }
 

@@ -143,3 +143,6 @@ pub const MAX_MARKERS: usize = 10_000;
 
 /// Points of paths that are pinned to markers.
 pub const MAX_PINS: usize = 100_000;
+
+/// Interpolations that one process registers: each track looks its own up by name.
+pub const MAX_INTERPOLATIONS: usize = 1_000;

@@ -41,7 +41,7 @@ use egui::epaint::{ClippedShape, Tessellator};
 use egui::{ClippedPrimitive, Color32, Context, TexturesDelta};
 
 /// A rectangle of whole pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Area {
     /// Left edge.
     pub x: u32,

@@ -40,7 +40,7 @@ impl Lines {
 
     /// Whether others are the same to the last bit.
     pub(super) fn are(&self, others: &Self) -> bool {
-        // egui will not compare places that are none.
+        // egui does not compare NaN.
         let bits_of = |line: &Line| {
             let Line { from, to, .. } = line;
             let numbers = [from.x, from.y, to.x, to.y, line.width].map(f32::to_bits);

@@ -17,7 +17,7 @@ pub(super) fn in_pieces(shapes: &mut [ClippedShape]) {
     while let Some(first) = rest.first() {
         let clip = first.clip_rect;
         let row = rest.iter().take_while(|shape| shape.clip_rect == clip);
-        // A clip that is no number is not even equal to itself.
+        // A clip with NaN is not even equal to itself.
         let count = row.count().max(1);
         let (row, behind) = rest.split_at_mut(count);
         for piece in row.chunks_mut(PIECE).skip(1).step_by(2) {

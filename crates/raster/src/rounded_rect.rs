@@ -101,7 +101,7 @@ fn seen(stroke: Stroke) -> Stroke {
 impl RoundedRect {
     /// Whether another one is the same to the last bit.
     pub(super) fn is(&self, other: &Self) -> bool {
-        // egui will not compare places that are none.
+        // egui does not compare NaN.
         let bits = |rounded_rect: &Self| {
             let Rect { min, max } = rounded_rect.rect;
             let [a, b, c, d] = rounded_rect.radii;

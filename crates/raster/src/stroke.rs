@@ -56,7 +56,7 @@ pub(super) struct Stroke {
 /// Whether the second line goes on where the first one ends, so little bent
 /// that both are one.
 pub(super) fn joined(first: &Line, second: &Line, pixels_per_point: f32) -> bool {
-    // Numbers, since egui will not compare places that are none.
+    // Numbers, since egui does not compare NaN.
     let [end, start] = [first.to, second.from].map(|at| (at.x, at.y));
     if end != start || first.width != second.width || first.color != second.color {
         return false;
@@ -83,7 +83,7 @@ impl Stroke {
         let (x0, y0) = (line.from.x * scale, line.from.y * scale);
         let (x1, y1) = (line.to.x * scale, line.to.y * scale);
         let width = line.width * scale;
-        // A sum of squares: numbers that are none or infinite show in it, and
+        // A sum of squares: NaN and infinities show in it, and
         // such as are beyond all sense.
         let size = x0 * x0 + y0 * y0 + x1 * x1 + y1 * y1;
         if !size.is_finite() || !(width > 0.0) {

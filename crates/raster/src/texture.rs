@@ -148,7 +148,7 @@ impl Texture {
     }
 
     /// Notes a texel that is another one now.
-    fn mark(&mut self, x: usize, y: usize) {
+    fn note_change(&mut self, x: usize, y: usize) {
         let across = self.width.div_ceil(BLOCK);
         if self.changed == Changed::None {
             let count = across * self.height.div_ceil(BLOCK);
@@ -189,7 +189,7 @@ impl Texture {
                     Texels::Color(colors) => replaced(&mut colors[start + x], color),
                 };
                 if other {
-                    self.mark(left + x, top + y);
+                    self.note_change(left + x, top + y);
                 }
             }
         }
@@ -288,6 +288,6 @@ fn wrap(at: f32, count: usize, mode: TextureWrapMode) -> usize {
             if at < n { at } else { 2.0 * n - 1.0 - at }
         }
     };
-    // A number that is none becomes 0.
+    // NaN becomes 0.
     (at.max(0.0) as usize).min(count - 1)
 }

@@ -14,7 +14,7 @@ use std::io;
 use std::os::fd::{AsRawFd, BorrowedFd, FromRawFd, OwnedFd, RawFd};
 use std::time::{Duration, Instant};
 
-use crate::error::{Error, Result, reason, sentence};
+use crate::error::{Error, Result};
 
 /// The epoll and the timer in it.
 pub(super) struct Descriptors {
@@ -36,7 +36,7 @@ impl Descriptors {
     /// Both, close-on-exec.
     ///
     /// # Errors
-    /// [`Error::Limit`] where the system gives no more descriptors.
+    /// `ErrorKind::Limit` where the system gives no more descriptors.
     pub(super) fn new() -> Result<Self> {
         // SAFETY: a system call without pointers.
         let epoll = unsafe { owned(libc::epoll_create1(libc::EPOLL_CLOEXEC)) }?;
@@ -151,11 +151,7 @@ fn timespec(duration: Duration) -> libc::timespec {
 }
 
 fn refused() -> Error {
-    let why = io::Error::last_os_error();
-    Error::Limit(sentence(format_args!(
-        "no descriptor for the windows: {}",
-        reason(&why)
-    )))
+    Error::NoDescriptor(io::Error::last_os_error())
 }
 
 /// # Safety

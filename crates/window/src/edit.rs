@@ -7,7 +7,7 @@ use std::path::Path;
 use std::rc::Rc;
 
 use crate::document::Document;
-use crate::editor::{self, Folders};
+use crate::editor::{self, Folders, Warnings};
 use crate::error::{Error, Result};
 use crate::{Host, Options, document_of, main_loop, open, own_program};
 
@@ -16,7 +16,7 @@ use crate::{Host, Options, document_of, main_loop, open, own_program};
 /// name. Other windows of the calling thread are served meanwhile.
 ///
 /// # Errors
-/// [`Error::Display`] without an X server or if it goes away; those of
+/// `ErrorKind::Display` without an X server or if it goes away; those of
 /// [`Document::load`].
 pub fn edit(file: Option<&Path>) -> Result<()> {
     let document = match file {
@@ -39,12 +39,12 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
         application: None,
         parent: None,
         transient_for: None,
-        warning: None,
+        warnings: Warnings::default(),
         host: Rc::new(Nobody),
     })?;
     match main_loop()?.lost {
         None => Ok(()),
-        Some(lost) => Err(Error::Display(lost.why.into())),
+        Some(lost) => Err(Error::Lost(lost.why)),
     }
 }
 

@@ -105,7 +105,7 @@ fn forget_all() {
     };
     let (process, thread) = (std::process::id(), own_thread());
     for entry in windows.drain(..) {
-        // A window whose thread has ended before vanished under its user's hand: that
+        // A window whose thread has ended before vanished while its user worked: that
         // work is offered.
         let is_ours = entry.process == process && (!entry.dropped || entry.thread == thread);
         // Of a dropped one that was looked at while it had its connection.

@@ -10,6 +10,7 @@
 mod descriptors;
 mod edit;
 mod ending;
+mod error;
 mod hint;
 mod live;
 mod lookout;
@@ -34,17 +35,17 @@ use std::time::Duration;
 
 use vides_document as document;
 pub use vides_editor as editor;
-use vides_engine::{error, inject, path};
+use vides_engine::{inject, path};
 use vides_raster as raster;
 use vides_x11 as x11;
 
 use crate::document::Document;
-use crate::editor::Editor;
-use crate::error::{Error, Message, Result};
+use crate::editor::{Editor, Warnings};
 use crate::path::{Pose, Sampler};
 
 pub use edit::edit;
 pub use editor::Reason;
+pub use error::{Error, Result};
 pub use program::{host_program, own_program};
 pub use pump::{close_all, dispatch, main_loop};
 pub use registry::{Lost, is_open, within_a_call};
@@ -58,7 +59,7 @@ pub trait Host {
     ///
     /// # Errors
     /// Shown in the window; what the host has is as it was.
-    fn prepare(&self, window: Id, sampler: &Sampler) -> Result<()> {
+    fn prepare(&self, window: Id, sampler: &Sampler) -> document::Result<()> {
         let _ = (window, sampler);
         Ok(())
     }
@@ -145,9 +146,8 @@ pub struct Options {
     pub parent: Option<u32>,
     /// The host's X window that this one belongs to.
     pub transient_for: Option<u32>,
-    /// A sentence that stands in the output field at first: what was wrong
-    /// with the host's arguments.
-    pub warning: Option<Message>,
+    /// What was wrong with the host's arguments; stands in the output field at first.
+    pub warnings: Warnings,
     /// Its owner.
     pub host: Rc<dyn Host>,
 }
@@ -172,7 +172,7 @@ impl Options {
             application: None,
             parent: None,
             transient_for: None,
-            warning: None,
+            warnings: Warnings::default(),
             host,
         }
     }
@@ -187,13 +187,12 @@ const SMALLEST: [f32; 2] = [800.0, 600.0];
 /// Opens a window, and returns before anything is drawn.
 ///
 /// # Errors
-/// [`vides_engine::Error::Display`] if there is no X server, [`vides_engine::Error::Memory`],
-/// [`vides_engine::Error::Limit`] without descriptors.
+/// `ErrorKind::Display` if there is no X server, `ErrorKind::Argument`
+/// if a window of the host's is none, `ErrorKind::Memory`,
+/// `ErrorKind::Limit` without descriptors.
 pub fn open(options: Options) -> Result<Id> {
     let mut editor = Editor::new(options.editor)?;
-    if let Some(warning) = options.warning {
-        editor.warn(&warning);
-    }
+    editor.warn(&options.warnings);
     let title = editor.window_title();
     let screen = x11::Window::open(&x11::Options {
         display: options.display,
@@ -201,6 +200,8 @@ pub fn open(options: Options) -> Result<Id> {
         application: options.application.unwrap_or_else(program::name),
         size: SIZE,
         smallest: SMALLEST,
+        parent: options.parent,
+        transient_for: options.transient_for,
     })?;
     let window = window::Window::new(Box::new(screen), editor, title);
     let id = registry::insert(Box::new(window), options.host)?;
@@ -217,9 +218,9 @@ pub fn open(options: Options) -> Result<Id> {
 ///
 /// # Errors
 /// Those of [`Document::load`].
-pub fn document_of(file: &Path) -> Result<Document> {
+pub fn document_of(file: &Path) -> document::Result<Document> {
     match Document::load(file) {
-        Err(Error::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
+        Err(document::Error::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
             Document::try_new()
         }
         loaded => loaded,
@@ -261,7 +262,7 @@ pub fn look<R>(id: Id, f: impl FnOnce(&Editor) -> R) -> Option<R> {
 /// Brings a window before all others; `None` if it is not open.
 ///
 /// # Errors
-/// [`vides_engine::Error::Display`] if its X server went away.
+/// `ErrorKind::Display` if its X server went away.
 pub fn raise(id: Id) -> Option<Result<()>> {
     let done = registry::work(id, &mut None, |window, _| window.raise());
     registry::ring();
@@ -272,7 +273,7 @@ pub fn raise(id: Id) -> Option<Result<()>> {
 /// same one as long as the thread lives.
 ///
 /// # Errors
-/// [`vides_engine::Error::Limit`] where the system gives no more descriptors.
+/// `ErrorKind::Limit` where the system gives no more descriptors.
 pub fn descriptor() -> Result<RawFd> {
     told();
     registry::descriptor()

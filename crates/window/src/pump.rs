@@ -94,6 +94,11 @@ fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
             });
             registry::work(id, lost, |window, _| window.called(began));
         }
+        Some(HostRequest::Pane(pane)) => {
+            let (window, size) =
+                pane.map_or((0, [0; 2]), |pane| (pane.window, [pane.width, pane.height]));
+            registry::call(id, lost, |host| host.pane(id, window, size));
+        }
         Some(HostRequest::Close) => {
             if registry::call(id, lost, |host| host.may_close(id)) == Some(true) {
                 registry::close_for_the_user(id);
@@ -107,7 +112,7 @@ fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
 /// callback: see [`registry::within_a_call`].
 ///
 /// # Errors
-/// [`vides_engine::Error::Limit`] without descriptors.
+/// `ErrorKind::Limit` without descriptors.
 pub fn main_loop() -> Result<Served> {
     super::told();
     let mut lost = None;
@@ -126,7 +131,7 @@ pub fn main_loop() -> Result<Served> {
 /// if one of them said no. Not from within a callback.
 ///
 /// # Errors
-/// [`vides_engine::Error::Limit`] without descriptors.
+/// `ErrorKind::Limit` without descriptors.
 pub fn close_all(ask: bool) -> Result<bool> {
     while let Some(id) = registry::first() {
         if !ask {

@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 use super::descriptors::Descriptors;
 use super::window::Window;
 use super::{Gone, Host, Id, ending, lookout, thread_end, xt};
-use crate::error::{Error, Result, panic_said};
+use crate::error::{EngineError, Error, Result, panic_said};
 use crate::inject;
 
 /// Ids are given out once in the life of the process.
@@ -106,7 +106,7 @@ impl Table {
             self.descriptors = Some(Descriptors::new()?);
         }
         // Just made if it was not there.
-        self.descriptors.as_mut().ok_or(Error::Memory)
+        self.descriptors.as_mut().ok_or(EngineError::Memory.into())
     }
 }
 
@@ -145,29 +145,44 @@ fn table<R>(f: impl FnOnce(&mut Table) -> R) -> R {
     })
 }
 
-/// Drops a window; a panic on the way is told like any other.
-fn discard(window: Option<Box<Window>>) {
+/// Drops a window; a panic on the way is told like any other. Whether its host has
+/// a pane, and is to be told by [`pane_closed`].
+fn discard(window: Option<Box<Window>>) -> bool {
+    let shows_pane = window.as_ref().is_some_and(|window| window.shows_pane());
     let _ = catch_unwind(AssertUnwindSafe(|| drop(window)));
+    shows_pane
+}
+
+/// Tells the host of a window that is gone that it has no pane any more. Calls host
+/// code: nothing is borrowed.
+fn pane_closed(id: Id, host: &Rc<dyn Host>) {
+    table(|table| table.calls += 1);
+    let _ = catch_unwind(AssertUnwindSafe(|| host.pane(id, 0, [0; 2])));
+    table(|table| table.calls = table.calls.saturating_sub(1));
 }
 
 /// Discards a window that its owner has closed: its unsaved work is not to be
 /// offered at the next start.
 fn discard_closed(slot: Option<Slot>) {
-    let Some(mut window) = slot.and_then(|slot| slot.window) else {
+    let Some(mut slot) = slot else {
         return;
     };
-    let _ = catch_unwind(AssertUnwindSafe(|| window.editor_mut().forget_unsaved()));
-    discard(Some(window));
+    if let Some(window) = &mut slot.window {
+        let _ = catch_unwind(AssertUnwindSafe(|| window.editor_mut().forget_unsaved()));
+    }
+    if discard(slot.window) {
+        pane_closed(slot.id, &slot.host);
+    }
 }
 
 /// Takes in a window.
 ///
 /// # Errors
-/// [`vides_engine::Error::Memory`], [`vides_engine::Error::Limit`] without descriptors.
+/// `ErrorKind::Memory`, `ErrorKind::Limit` without descriptors.
 pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
     let id = Id(NEXT.fetch_add(1, Ordering::Relaxed));
     table(|table| {
-        table.slots.try_reserve(1)?;
+        table.slots.try_reserve(1).map_err(EngineError::from)?;
         let descriptors = table.descriptors()?;
         descriptors.watch(window.screen().connection())?;
         descriptors.ring();
@@ -340,14 +355,17 @@ pub(super) fn lose(id: Id, window: Option<Box<Window>>, why: Lost, lost: &mut Op
         table.told.clone_from(&why.why);
         (slot, new)
     });
-    discard(window);
+    let mut shows_pane = discard(window);
     if let Some(slot) = slot {
-        discard(slot.window);
+        shows_pane |= discard(slot.window);
         if new {
             slot.host.lost(&why.why);
         }
         let gone = if why.fault { Gone::Fault } else { Gone::Screen };
         slot.host.closed(id, gone);
+        if shows_pane {
+            pane_closed(id, &slot.host);
+        }
     }
     *lost = Some(why);
 }
@@ -371,8 +389,11 @@ pub(super) fn close(id: Id) -> bool {
 /// Closes a window that its user has closed, and tells its owner.
 pub(super) fn close_for_the_user(id: Id) {
     if let Some(slot) = table(|table| table.remove(id)) {
-        discard(slot.window);
+        let shows_pane = discard(slot.window);
         slot.host.closed(id, Gone::ByUser);
+        if shows_pane {
+            pane_closed(id, &slot.host);
+        }
     }
 }
 

@@ -6,9 +6,8 @@ use std::time::Instant;
 
 use egui::{PlatformOutput, RawInput};
 
-use crate::error::Result;
 use crate::raster::{Area, Target};
-use crate::x11::{News, Window};
+use crate::x11::{News, PanePlace, PaneWindow, Result, Window};
 
 /// See the methods of [`Window`].
 pub(super) trait Screen {
@@ -22,6 +21,8 @@ pub(super) trait Screen {
     fn take_output(&mut self, output: PlatformOutput) -> Result<()>;
     fn set_title(&mut self, title: &str) -> Result<()>;
     fn raise(&mut self) -> Result<()>;
+    fn place_pane(&mut self, place: Option<&PanePlace>) -> Result<bool>;
+    fn pane(&self) -> Option<PaneWindow>;
     fn flush(&mut self) -> Result<()>;
 }
 
@@ -64,6 +65,14 @@ impl Screen for Window {
 
     fn raise(&mut self) -> Result<()> {
         self.raise()
+    }
+
+    fn place_pane(&mut self, place: Option<&PanePlace>) -> Result<bool> {
+        self.place_pane(place)
+    }
+
+    fn pane(&self) -> Option<PaneWindow> {
+        self.pane()
     }
 
     fn flush(&mut self) -> Result<()> {

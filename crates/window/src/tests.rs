@@ -2,6 +2,7 @@
 
 mod drags;
 mod live;
+mod panes;
 
 use std::cell::{Cell, RefCell};
 use std::collections::VecDeque;
@@ -18,11 +19,11 @@ use super::screen::Screen;
 use super::window::Window;
 use super::{Gone, Host, Id, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
 use crate::document::Document;
-use crate::editor::{Editor, Folders, Language, Options};
-use crate::error::{Error, Result};
+use crate::editor::{Editor, Folders, HostView, Language, Options};
+use crate::error::EngineError;
 use crate::path::Sampler;
 use crate::raster::{Area, Target};
-use crate::x11::News;
+use crate::x11::{Error, News, PanePlace, PaneWindow, Result};
 
 /// What a fake screen does, from outside.
 struct Remote {
@@ -42,6 +43,9 @@ struct Remote {
     /// Pixels across and down, and those that were shown last.
     size: Cell<[u32; 2]>,
     shown: RefCell<Vec<u32>>,
+    /// The pane, if the server has such things.
+    pane: Cell<Option<PaneWindow>>,
+    paneless: Cell<bool>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -102,7 +106,7 @@ impl Screen for Fake {
         let _ = self.ours.read(&mut [0; 64]);
         match self.remote.fails.get() {
             Fails::No => {}
-            Fails::Gone => return Err(Error::Display("the X server went away".into())),
+            Fails::Gone => return Err(Error::Destroyed),
             Fails::Panics => panic!("on purpose"),
             Fails::Floods => {
                 return Ok(News {
@@ -167,6 +171,21 @@ impl Screen for Fake {
         Ok(())
     }
 
+    fn place_pane(&mut self, place: Option<&PanePlace>) -> Result<bool> {
+        let able = !self.remote.paneless.get();
+        let pane = place.filter(|_| able).map(|place| PaneWindow {
+            window: 7,
+            width: place.area.width,
+            height: place.area.height,
+        });
+        self.remote.pane.set(pane);
+        Ok(able || place.is_none())
+    }
+
+    fn pane(&self) -> Option<PaneWindow> {
+        self.remote.pane.get()
+    }
+
     fn flush(&mut self) -> Result<()> {
         Ok(())
     }
@@ -184,12 +203,14 @@ struct Calls {
     /// It has no room for poses.
     refuses: Cell<bool>,
     handed_over: Cell<usize>,
+    /// The panes that it was told of, and whether the window was gone then.
+    panes: RefCell<Vec<(u32, [u32; 2], bool)>>,
 }
 
 impl Host for Calls {
-    fn prepare(&self, _: Id, _: &Sampler) -> Result<()> {
+    fn prepare(&self, _: Id, _: &Sampler) -> crate::document::Result<()> {
         if self.refuses.get() {
-            return Err(Error::Memory);
+            return Err(EngineError::Memory.into());
         }
         Ok(())
     }
@@ -207,6 +228,13 @@ impl Host for Calls {
         let answer = function(window);
         *self.on_close.borrow_mut() = Some(function);
         answer
+    }
+
+    fn pane(&self, window: Id, pane: u32, size: [u32; 2]) {
+        assert!(within_a_call());
+        dispatch();
+        let gone = !is_open(window);
+        self.panes.borrow_mut().push((pane, size, gone));
     }
 
     fn lost(&self, why: &str) {
@@ -228,13 +256,17 @@ const CLOSE: News = News {
 };
 
 fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
+    open_with(HostView::default())
+}
+
+fn open_with(host_view: HostView) -> (Id, Rc<Remote>, Rc<Calls>) {
     let calls = Rc::new(Calls::default());
-    let (id, remote) = open_for(Rc::<Calls>::clone(&calls));
+    let (id, remote) = open_for(Rc::<Calls>::clone(&calls), host_view);
     (id, remote, calls)
 }
 
 /// A window of this host.
-fn open_for(host: Rc<dyn Host>) -> (Id, Rc<Remote>) {
+fn open_for(host: Rc<dyn Host>, host_view: HostView) -> (Id, Rc<Remote>) {
     let (ours, theirs) = UnixStream::pair().expect("a pair");
     ours.set_nonblocking(true).expect("non-blocking");
     let remote = Rc::new(Remote {
@@ -251,6 +283,8 @@ fn open_for(host: Rc<dyn Host>) -> (Id, Rc<Remote>) {
         passes: Cell::new(0),
         size: Cell::new([64, 64]),
         shown: RefCell::default(),
+        pane: Cell::new(None),
+        paneless: Cell::new(false),
     });
     let editor = Editor::new(Options {
         document: Document::new(),
@@ -261,7 +295,7 @@ fn open_for(host: Rc<dyn Host>) -> (Id, Rc<Remote>) {
         fixed_speeds: true,
         folders: Folders::default(),
         program: crate::host_program(false),
-        host_view: crate::editor::HostView::default(),
+        host_view,
     })
     .expect("an editor");
     let screen = Fake {
@@ -461,10 +495,10 @@ fn a_lost_screen_takes_its_window_alone() {
     let lost = served.lost.expect("told");
     assert_eq!(
         (lost.why.as_str(), lost.fault),
-        ("the X server went away", false)
+        ("the window was closed from outside", false)
     );
     assert_eq!((first.closed.get(), first.asked.get()), (1, 0));
-    assert_eq!(*first.lost.borrow(), ["the X server went away"]);
+    assert_eq!(*first.lost.borrow(), ["the window was closed from outside"]);
     assert!(one.dropped.get() && is_open(id));
     close(id);
 }

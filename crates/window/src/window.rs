@@ -19,7 +19,8 @@ use crate::document::Document;
 use crate::editor::{Editor, Request};
 use crate::error::Result;
 use crate::inject::{self, Place};
-use crate::raster::{self, Raster};
+use crate::raster::{self, Area, Raster};
+use crate::x11::{PanePlace, PaneWindow};
 
 /// Passes in a row that may follow one another at once without input: egui
 /// asks for them where a size settles. More are an animation.
@@ -59,6 +60,8 @@ pub(super) struct Window {
     /// A button is held.
     held: bool,
     live: Live,
+    /// The pane that the host knows of.
+    pane: Option<PaneWindow>,
 }
 
 /// What polling ended with.
@@ -82,6 +85,8 @@ pub(super) enum HostRequest {
     },
     /// It is told of what the user does.
     Live(Call),
+    /// It draws in this pane from now on; none: the pane is closed.
+    Pane(Option<PaneWindow>),
 }
 
 impl Window {
@@ -103,12 +108,18 @@ impl Window {
             title,
             held: false,
             live: Live::default(),
+            pane: None,
         }
     }
 
     /// The connection to the screen.
     pub(super) fn screen(&self) -> &dyn Screen {
         &*self.screen
+    }
+
+    /// The host knows of a pane in which it may draw.
+    pub(super) fn shows_pane(&self) -> bool {
+        self.pane.is_some()
     }
 
     /// The path that is edited.
@@ -149,7 +160,7 @@ impl Window {
     /// Does what there is to do.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`]: the screen is gone, and the window with it.
+    /// `ErrorKind::Display`: the screen is gone, and the window with it.
     pub(super) fn poll(&mut self, id: Id, host: &Rc<dyn Host>) -> Result<Polled> {
         let news = self.screen.poll()?;
         inject::point(Place::Turn);
@@ -177,6 +188,12 @@ impl Window {
             busy: news.input || news.close || news.new_buffer || news.shown || news.more,
             request: None,
         };
+        if self.pane.is_some() && self.screen.pane().is_none() {
+            // Its end is told before there is another.
+            self.pane = None;
+            polled.request = Some(HostRequest::Pane(None));
+            return Ok(polled);
+        }
         let now = Instant::now();
         if !self.in_flight && (self.fresh || self.due.is_some_and(|due| due <= now)) {
             polled.busy = true;
@@ -237,7 +254,7 @@ impl Window {
     /// Asks the user about unsaved work, and then the host whether the window may close.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`].
+    /// `ErrorKind::Display`.
     pub(super) fn ask_to_close(&mut self) -> Result<()> {
         self.editor_mut().ask_to_close();
         // Nobody sees a question behind other windows.
@@ -247,10 +264,10 @@ impl Window {
     /// Brings the window before all others.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`].
+    /// `ErrorKind::Display`.
     pub(super) fn raise(&mut self) -> Result<()> {
         self.screen.raise()?;
-        self.screen.flush()
+        Ok(self.screen.flush()?)
     }
 
     /// Runs egui once: makes a picture of what there is now.
@@ -302,6 +319,31 @@ impl Window {
             self.screen.set_title(&title)?;
             self.title = title;
         }
+        self.place_pane(pixels_per_point)
+    }
+
+    /// Puts the pane in which the host draws where the editor has room for it.
+    fn place_pane(&mut self, pixels_per_point: f32) -> Result<()> {
+        let pixels = |rect: &egui::Rect| {
+            let [left, top, right, bottom] = [rect.left(), rect.top(), rect.right(), rect.bottom()]
+                // What is negative becomes 0.
+                .map(|at| (at * pixels_per_point).round() as u32);
+            Area {
+                x: left,
+                y: top,
+                width: right.saturating_sub(left),
+                height: bottom.saturating_sub(top),
+            }
+        };
+        let place = self.editor.host_pane().map(|pane| PanePlace {
+            area: pixels(&pane.picture),
+            above: pane.above.iter().map(pixels).collect(),
+        });
+        let place = place.filter(|place| place.area.width > 0 && place.area.height > 0);
+        if !self.screen.place_pane(place.as_ref())? {
+            self.editor.draw_pane_itself();
+            self.fresh = true;
+        }
         Ok(())
     }
 
@@ -331,6 +373,11 @@ impl Window {
 
     /// What the editor wants done outside, made ready for the host.
     fn next_host_request(&mut self, id: Id, host: &Rc<dyn Host>) -> Option<HostRequest> {
+        let pane = self.screen.pane();
+        if pane != self.pane {
+            self.pane = pane;
+            return Some(HostRequest::Pane(pane));
+        }
         loop {
             match self.editor.next_request()? {
                 Request::Close => return Some(HostRequest::Close),

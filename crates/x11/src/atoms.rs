@@ -12,6 +12,7 @@ atom_manager! {
         WM_DELETE_WINDOW,
         WM_CLIENT_LEADER,
         WM_LOCALE_NAME,
+        WM_STATE,
         _NET_ACTIVE_WINDOW,
         _NET_WM_ICON,
         _NET_WM_ICON_NAME,

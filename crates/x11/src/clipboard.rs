@@ -88,7 +88,7 @@ impl Clipboard {
     /// that keeps it.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn own(
         &mut self,
         connection: &Connection,
@@ -123,7 +123,7 @@ impl Clipboard {
     /// own, else later, or never.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn request(
         &mut self,
         connection: &Connection,
@@ -157,7 +157,7 @@ impl Clipboard {
     /// Gives up what has taken too long.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn tick(&mut self, connection: &Connection, now: Instant) -> Result<()> {
         while let Some(late) = self.incoming.iter().position(|one| one.deadline() <= now) {
             self.incoming.remove(late).finish(connection)?;
@@ -171,7 +171,7 @@ impl Clipboard {
     /// Takes what concerns selections; true if the event did.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn handle(
         &mut self,
         connection: &Connection,
@@ -246,7 +246,7 @@ impl Clipboard {
     /// said; other events are lost meanwhile.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn hand_over(&mut self, connection: &Connection, limit: Duration) -> Result<()> {
         let end = Instant::now() + limit;
         let (Some(owner), Some(owned)) = (self.owner, &self.clipboard) else {

@@ -22,7 +22,8 @@ use x11rb::x11_utils::TryParse;
 use super::atoms::Atoms;
 use super::connect;
 use super::stream::Stream;
-use crate::error::{Error, Message, Result, reason, sentence};
+use crate::error::{Cause, Error, Result};
+use vides_engine::error::reason;
 
 /// What x11rb makes of our stream.
 pub(super) type Raw = RustConnection<Stream>;
@@ -49,20 +50,18 @@ impl Connection {
     /// waits no longer than two seconds.
     ///
     /// # Errors
-    /// [`Error::Display`] with a sentence that names the display and the reason.
+    /// `ErrorKind::Display` with a sentence that names the display and the reason.
     pub(super) fn open(display: Option<&str>) -> Result<Self> {
         let display = match display {
             Some(name) => name.to_owned(),
             None => environment()?,
         };
-        let parsed = connect::parse(&display).ok_or_else(|| {
-            Error::Display(sentence(format_args!(
-                "\"{display}\" is not the name of a display; those look like \":0\" or \"host:0\""
-            )))
-        })?;
+        let parsed =
+            connect::parse(&display).ok_or_else(|| Error::NotADisplay((&display).into()))?;
         let deadline = Instant::now() + OPENING;
-        let fail = |reason: Message| {
-            Error::Display(sentence(format_args!("display \"{display}\": {reason}")))
+        let fail = |cause| Error::Display {
+            display: (&display).into(),
+            cause,
         };
         let peer = connect::connect(&parsed, deadline).map_err(|error| fail(no_server(&error)))?;
         let (name, data) = connect::authority(&peer, parsed.display);
@@ -96,6 +95,11 @@ impl Connection {
         self.raw.stream().settle();
     }
 
+    /// The name that it was opened by.
+    pub(super) fn display(&self) -> &str {
+        &self.display
+    }
+
     /// Our screen.
     pub(super) fn screen(&self) -> &xproto::Screen {
         &self.raw.setup().roots[self.screen]
@@ -125,7 +129,7 @@ impl Connection {
     /// left out.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn next(&self) -> Result<Option<Event>> {
         loop {
             match self.raw.poll_for_event() {
@@ -144,7 +148,7 @@ impl Connection {
     /// error or not in time: neither ends the window.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn answer<R: TryParse>(
         &self,
         question: Result<Cookie<'_, Raw, R>, ConnectionError>,
@@ -161,7 +165,7 @@ impl Connection {
     /// did not say so in time.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn done(&self, asked: Result<VoidCookie<'_, Raw>, ConnectionError>) -> Result<bool> {
         let result = asked.map_err(ReplyError::from).and_then(VoidCookie::check);
         Ok(self.excuse(result.map_err(ReplyOrIdError::from))?.is_some())
@@ -170,7 +174,7 @@ impl Connection {
     /// A result without those failures that do not end the window.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn excuse<T>(&self, result: Result<T, ReplyOrIdError>) -> Result<Option<T>> {
         match result {
             Ok(value) => Ok(Some(value)),
@@ -187,21 +191,17 @@ impl Connection {
         }
     }
 
-    /// Why there can be no window on this display, as a sentence.
-    pub(super) fn unfit(&self, reason: &str) -> Error {
-        Error::Display(sentence(format_args!(
-            "display \"{}\": {reason}",
-            self.display
-        )))
+    /// Why there can be no window on this display.
+    pub(super) fn unfit(&self, cause: Cause) -> Error {
+        Error::Display {
+            display: (&self.display).into(),
+            cause,
+        }
     }
 
-    /// What ended the connection, as a sentence.
+    /// What ended the connection.
     pub(super) fn lost(&self, error: impl Into<ReplyOrIdError>) -> Error {
-        let reason = lost_because(error.into());
-        Error::Display(sentence(format_args!(
-            "display \"{}\": {reason}",
-            self.display
-        )))
+        self.unfit(lost_because(error.into()))
     }
 }
 
@@ -230,58 +230,52 @@ impl AsFd for Connection {
 
 /// `DISPLAY`.
 fn environment() -> Result<String> {
-    let unset = || Error::Display("DISPLAY is not set: there is no X server for a window".into());
-    let name = std::env::var_os("DISPLAY").ok_or_else(unset)?;
+    let name = std::env::var_os("DISPLAY").ok_or(Error::NoDisplay)?;
     match name.into_string() {
-        Ok(name) if name.is_empty() => Err(unset()),
+        Ok(name) if name.is_empty() => Err(Error::NoDisplay),
         Ok(name) => Ok(name),
-        Err(_) => Err(Error::Display(
-            "DISPLAY is not the name of a display".into(),
-        )),
+        Err(_) => Err(Error::NotUtf8),
     }
 }
 
 /// Why no server was reached.
-fn no_server(error: &std::io::Error) -> Message {
+fn no_server(error: &std::io::Error) -> Cause {
     match error.kind() {
-        ErrorKind::TimedOut => "the X server does not answer".into(),
-        _ => sentence(format_args!("no X server is reached ({})", reason(error))),
+        ErrorKind::TimedOut => Cause::Silent,
+        _ => Cause::Unreached((&reason(error)).into()),
     }
 }
 
 /// Why the server did not let us in.
-fn refusal(error: ConnectError, screen: usize) -> Message {
+fn refusal(error: ConnectError, screen: usize) -> Cause {
     let said = |words: &[u8]| {
         let words = String::from_utf8_lossy(words);
-        let words = words.trim_matches(|c: char| c.is_whitespace() || c.is_control());
-        sentence(format_args!(
-            "the X server refuses the connection ({words})"
-        ))
+        Cause::Refused(
+            words
+                .trim_matches(|c: char| c.is_whitespace() || c.is_control())
+                .into(),
+        )
     };
     match error {
         ConnectError::SetupFailed(failed) => said(&failed.reason),
         ConnectError::SetupAuthenticate(failed) => said(&failed.reason),
-        ConnectError::InvalidScreen => sentence(format_args!("it has no screen {screen}")),
-        ConnectError::IoError(error) if error.kind() == ErrorKind::TimedOut => no_server(&error),
-        ConnectError::IoError(error) => {
-            sentence(format_args!("the X server broke off ({})", reason(&error)))
-        }
-        _ => "what answers is not an X server".into(),
+        ConnectError::InvalidScreen => Cause::NoScreen(screen),
+        ConnectError::IoError(error) if error.kind() == ErrorKind::TimedOut => Cause::Silent,
+        ConnectError::IoError(error) => Cause::BrokenOff((&reason(&error)).into()),
+        _ => Cause::NoServer,
     }
 }
 
 /// Why a connection ended.
-fn lost_because(error: ReplyOrIdError) -> Message {
+fn lost_because(error: ReplyOrIdError) -> Cause {
     match error {
-        ReplyOrIdError::IdsExhausted => "the X server has no more identifiers".into(),
-        ReplyOrIdError::X11Error(error) => {
-            sentence(format_args!("the X server answers {:?}", error.error_kind))
-        }
+        ReplyOrIdError::IdsExhausted => Cause::NoIdentifiers,
+        ReplyOrIdError::X11Error(error) => Cause::Answers(error.error_kind),
         ReplyOrIdError::ConnectionError(ConnectionError::IoError(error)) => match error.kind() {
-            ErrorKind::TimedOut => "the X server does not answer".into(),
-            ErrorKind::OutOfMemory => "there is no memory left for what waits to be sent".into(),
-            _ => "the X server went away".into(),
+            ErrorKind::TimedOut => Cause::Silent,
+            ErrorKind::OutOfMemory => Cause::NoRoomToSend,
+            _ => Cause::Gone,
         },
-        ReplyOrIdError::ConnectionError(_) => "the X server's answers make no sense".into(),
+        ReplyOrIdError::ConnectionError(_) => Cause::Senseless,
     }
 }

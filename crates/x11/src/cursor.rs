@@ -37,7 +37,7 @@ impl Cursors {
     /// theme's name and size stand there.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn apply(
         &mut self,
         connection: &Connection,

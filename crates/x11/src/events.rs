@@ -16,14 +16,13 @@ use crate::inject;
 use crate::raster::Area;
 
 /// Set in an event's kind when another client sent it.
-const SENT: u8 = 0x80;
+pub(super) const SENT: u8 = 0x80;
 
 impl Window {
     /// Does what `event` asks for. Events of other windows are left alone, and
     /// nothing that stands in one is believed without a look.
     pub(super) fn handle(&mut self, event: &Event) -> Result<()> {
         inject::point(inject::Place::Event);
-        let ours = self.frame.window;
         if let Event::KeyPress(event) | Event::KeyRelease(event) = event {
             self.time = event.time;
         }
@@ -33,13 +32,19 @@ impl Window {
         {
             return Ok(());
         }
+        self.pane_event(event)?;
+        self.home_event(event)?;
+        let ours = self.frame.window;
         match event {
             Event::MotionNotify(event) if event.event == ours => {
                 self.time = event.time;
                 let pos = self.moved(event.event_x, event.event_y);
                 self.pointer.moved(pos, &mut self.events);
             }
-            Event::ButtonPress(event) if event.event == ours => self.button(event, true),
+            Event::ButtonPress(event) if event.event == ours => {
+                self.button(event, true);
+                self.claim_keyboard()?;
+            }
             Event::ButtonRelease(event) if event.event == ours => self.button(event, false),
             Event::EnterNotify(event) if event.event == ours => self.crossed(event, true),
             Event::LeaveNotify(event) if event.event == ours => self.crossed(event, false),
@@ -64,7 +69,7 @@ impl Window {
                 self.news.shown |= !self.covered;
             }
             Event::DestroyNotify(event) if event.window == ours => {
-                return Err(Error::Display("the window was closed from outside".into()));
+                return Err(Error::Destroyed);
             }
             Event::PropertyNotify(event) if self.settings.note(&self.connection, event) => {}
             Event::PropertyNotify(event) => {
@@ -116,6 +121,7 @@ impl Window {
         if enters {
             self.pointer.entered(pos, &mut self.events);
         } else {
+            self.leave_keyboard();
             self.pointer.left(&mut self.events);
         }
         // Where nobody gives windows the keyboard, it belongs to the one under
@@ -217,7 +223,7 @@ impl Window {
     fn complaint(&mut self, error: &X11Error) -> Result<()> {
         let ours = error.bad_value == self.frame.window;
         if ours && matches!(error.error_kind, ErrorKind::Window | ErrorKind::Drawable) {
-            return Err(Error::Display("the window was closed from outside".into()));
+            return Err(Error::Destroyed);
         }
         self.news.shown |= self.surface.failed(&self.connection, error)?;
         Ok(())

@@ -74,7 +74,7 @@ impl Incoming {
     /// no more windows.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn start(
         connection: &Connection,
         selection: Atom,
@@ -116,7 +116,7 @@ impl Incoming {
     /// The owner has answered.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn answered(
         &mut self,
         connection: &Connection,
@@ -153,7 +153,7 @@ impl Incoming {
     /// what we wait for.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn written(
         &mut self,
         connection: &Connection,
@@ -179,7 +179,7 @@ impl Incoming {
     /// nobody.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn finish(self, connection: &Connection) -> Result<()> {
         let destroyed = connection.destroy_window(self.window);
         destroyed
@@ -288,7 +288,7 @@ fn clean(text: &str) -> String {
 /// Makes a window that is never seen, for selections.
 ///
 /// # Errors
-/// [`vides_engine::Error::Display`] if the server is gone.
+/// `ErrorKind::Display` if the server is gone.
 pub(super) fn create(connection: &Connection, window: Window, events: EventMask) -> Result<()> {
     let root = connection.screen().root;
     let aux = CreateWindowAux::new().event_mask(events);

@@ -29,6 +29,7 @@ impl<'a> Fixture<'a> {
             application: "a host".to_owned(),
             size: [300.0, 200.0],
             smallest: [100.0, 80.0],
+            ..Options::default()
         };
         let mut fixture = Self {
             server,

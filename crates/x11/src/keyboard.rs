@@ -63,7 +63,7 @@ impl Keyboard {
     /// A keyboard of which nothing is known yet.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn new(connection: &Connection) -> Result<Self> {
         let found = connection
             .extension_information(xkb::X11_EXTENSION_NAME)
@@ -131,7 +131,7 @@ impl Keyboard {
     /// those to others. True if the event was the keyboard's.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn handle(
         &mut self,
         connection: &Connection,
@@ -179,7 +179,7 @@ impl Keyboard {
     /// To be called when there are no more events for now.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn settle(&mut self, connection: &Connection, out: &mut Vec<Input>) -> Result<()> {
         self.release_waiting(out);
         // Who changes the keymap to type what it lacks changes it back soon.

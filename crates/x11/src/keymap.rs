@@ -47,7 +47,7 @@ impl Keymap {
     /// it must have been set up. `None` if the server does not answer sensibly.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn load(connection: &Connection, extension: bool) -> Result<Option<Self>> {
         let setup = connection.setup();
         let first = setup.min_keycode;

@@ -6,7 +6,7 @@
 //! protocol itself (x11rb). Each window has its own connection, so that what
 //! happens to one concerns no other. Nothing here blocks for longer than a
 //! stated time, raises a signal, or ends the process; if the server goes away
-//! every call says [`vides_engine::Error::Display`].
+//! every call says `ErrorKind::Display`.
 //!
 //! It knows nothing of what the window shows, and nothing of C.
 
@@ -18,13 +18,17 @@ mod connect;
 mod connection;
 mod core_keymap;
 mod cursor;
+mod embedded;
+mod error;
 mod events;
 mod icon;
 mod incoming;
+mod keeper;
 mod keyboard;
 mod keymap;
 mod keys;
 mod outgoing;
+mod pane;
 mod pixels;
 mod pointer;
 mod present;
@@ -60,16 +64,19 @@ use x11rb::connection::{Connection as _, RequestConnection as _};
 use x11rb::protocol::xproto::ImageOrder;
 use x11rb::resource_manager::Database;
 
-use vides_engine::{error, inject, limits};
+use vides_engine::{inject, limits};
 use vides_raster as raster;
 
-use crate::error::{Error, Message, Result, sentence};
 use crate::raster::{Area, Target};
 use clipboard::{Clipboard, Selection};
 pub use connect::without_signals;
 use connection::Connection;
 use cursor::Cursors;
+use embedded::Home;
+pub use error::{Cause, Error, Result};
 use keyboard::Keyboard;
+use pane::Pane;
+pub use pane::{PanePlace, PaneWindow};
 use pixels::Layout;
 use pointer::Pointer;
 use present::Surface;
@@ -99,6 +106,10 @@ pub struct Options {
     pub size: [f32; 2],
     /// Smallest useful inner size in points.
     pub smallest: [f32; 2],
+    /// A window of the host's to live in, which it fills then; none: a top-level window.
+    pub parent: Option<u32>,
+    /// The host's window that it belongs to.
+    pub transient_for: Option<u32>,
 }
 
 /// What happened since the last look, beside input for egui.
@@ -133,6 +144,10 @@ pub struct Window {
     resources: Database,
     /// Those of its settings manager.
     settings: Settings,
+    /// Where it lives, if that is in another window.
+    home: Option<Home>,
+    /// What the host draws in.
+    pane: Option<Pane>,
     /// When and where the middle button was pressed, until egui has said whether
     /// there is a text.
     middle: Option<(u32, Pos2)>,
@@ -156,7 +171,7 @@ pub struct Window {
     news: News,
     opened: Instant,
     /// Why there is no window any more.
-    lost: Option<Message>,
+    lost: Option<Error>,
 }
 
 /// Who gives the window the keyboard.
@@ -175,20 +190,25 @@ impl Window {
     /// most a few seconds in all.
     ///
     /// # Errors
-    /// [`Error::Display`] with a sentence that names the display and the reason.
+    /// `ErrorKind::Display` with a sentence that names the display and the reason;
+    /// `ErrorKind::Argument` if one of the windows that are named is none.
     pub fn open(options: &Options) -> Result<Self> {
         let connection = Connection::open(options.display.as_deref())?;
         let setup = connection.setup();
-        let visual = visual::choose(setup, connection.screen()).ok_or_else(|| {
-            connection.unfit("the screen shows no true colours, which are needed")
-        })?;
+        let visual = visual::choose(setup, connection.screen())
+            .ok_or_else(|| connection.unfit(Cause::NoTrueColour))?;
         let layout = Layout::new(&visual, setup.image_byte_order == ImageOrder::MSB_FIRST);
         connection.maximum_request_bytes(); // asked for long ago; now it is known
         window::watch_desktop(&connection)?;
         let resources = scale::ask(&connection)?.unwrap_or_default();
         let scale = scale::of(&resources);
         let settings = Settings::ask(&connection)?;
-        let frame = window::create(&connection, &visual, options, scale)?;
+        let home = match options.parent {
+            None => None,
+            Some(parent) => Some(Home::enter(&connection, parent)?),
+        };
+        let place = home.as_ref().map(|(home, size)| (home.parent(), *size));
+        let frame = window::create(&connection, &visual, options, scale, place)?;
         let mut surface = Surface::new(frame.window, frame.context, visual.depth, layout);
         surface.try_sharing(&connection)?;
         let keyboard = Keyboard::new(&connection)?;
@@ -203,6 +223,8 @@ impl Window {
             cursors: Cursors::new(),
             resources,
             settings,
+            home: home.map(|(home, _)| home),
+            pane: None,
             middle: None,
             pos: Pos2::ZERO,
             scale,
@@ -229,7 +251,7 @@ impl Window {
     /// itself.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn poll(&mut self) -> Result<News> {
         self.alive()?;
         let before = self.events.len();
@@ -246,7 +268,9 @@ impl Window {
     }
 
     fn drain(&mut self) -> Result<()> {
-        self.clipboard.tick(&self.connection, Instant::now())?;
+        let now = Instant::now();
+        self.clipboard.tick(&self.connection, now)?;
+        self.look_for_keyboard(now)?;
         let pushed = self.connection.stream().push();
         pushed.map_err(|error| {
             self.connection
@@ -316,9 +340,10 @@ impl Window {
     }
 
     /// When to [`Window::poll`] even if the connection stays quiet: a transfer
-    /// of the clipboard is to be given up then.
+    /// of the clipboard is to be given up then, or the keyboard to be looked for.
     pub fn deadline(&self) -> Option<Instant> {
-        self.clipboard.deadline()
+        let due = [self.clipboard.deadline(), self.keyboard_look()];
+        due.into_iter().flatten().min()
     }
 
     /// The pixels to paint into; `None` while a frame is in flight, or when
@@ -334,7 +359,7 @@ impl Window {
     /// Shows these areas of the pixels.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn present(&mut self, areas: &[Area]) -> Result<()> {
         self.alive()?;
         let result = self.surface.show(&self.connection, areas);
@@ -345,7 +370,7 @@ impl Window {
     /// Does what egui wants done outside: cursor, clipboard, primary selection.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn take_output(&mut self, output: egui::PlatformOutput) -> Result<()> {
         self.alive()?;
         let result = self.serve(output);
@@ -377,7 +402,7 @@ impl Window {
     /// Another title.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn set_title(&mut self, title: &str) -> Result<()> {
         self.alive()?;
         let result = window::set_title(&self.connection, self.frame.window, title);
@@ -388,10 +413,12 @@ impl Window {
     /// To the front, with the keyboard.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn raise(&mut self) -> Result<()> {
         self.alive()?;
-        let result = window::raise(&self.connection, self.frame.window, self.time);
+        let result = self
+            .top_level()
+            .and_then(|top| window::raise(&self.connection, self.frame.window, top, self.time));
         self.noted(result)?;
         self.flush()
     }
@@ -400,7 +427,7 @@ impl Window {
     /// descriptor becomes readable when more goes.
     ///
     /// # Errors
-    /// [`Error::Display`] if the server or the window is gone.
+    /// `ErrorKind::Display` if the server or the window is gone.
     pub fn flush(&mut self) -> Result<()> {
         self.alive()?;
         let result = self.send();
@@ -426,15 +453,15 @@ impl Window {
     /// Nothing is asked of a server that is gone.
     fn alive(&self) -> Result<()> {
         match &self.lost {
-            Some(reason) => Err(Error::Display(reason.clone())),
+            Some(error) => Err(error.clone()),
             None => Ok(()),
         }
     }
 
     /// Keeps in mind that the window is gone.
-    fn noted(&mut self, result: Result<()>) -> Result<()> {
+    fn noted<R>(&mut self, result: Result<R>) -> Result<R> {
         if let Err(error) = &result {
-            self.lost = Some(sentence(format_args!("{error}")));
+            self.lost = Some(error.clone());
         }
         result
     }
@@ -490,6 +517,7 @@ impl Drop for Window {
         if self.lost.is_none() {
             self.clipboard.hand_over(&self.connection, HAND_OVER).ok();
         }
+        self.close_pane().ok();
     }
 }
 

@@ -42,7 +42,7 @@ impl Outgoing {
     /// Announces the pieces.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn start(
         connection: &Connection,
         (requestor, property): (Window, Atom),
@@ -86,7 +86,7 @@ impl Outgoing {
     /// one at the end. True if that was the end.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Display`] if the server is gone.
+    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn taken(&mut self, connection: &Connection, now: Instant) -> Result<bool> {
         self.patience = now + PATIENCE;
         let rest = self.bytes.get(self.sent..).unwrap_or_default();
@@ -109,7 +109,7 @@ impl Outgoing {
 /// Has the server tell us what becomes of a foreign window, or not.
 ///
 /// # Errors
-/// [`vides_engine::Error::Display`] if the server is gone.
+/// `ErrorKind::Display` if the server is gone.
 pub(super) fn listen(connection: &Connection, window: Window, listen: bool) -> Result<()> {
     let events = match listen {
         true => EventMask::PROPERTY_CHANGE | EventMask::STRUCTURE_NOTIFY,

@@ -23,6 +23,7 @@ fn open(display: Option<&str>) -> crate::error::Result<Window> {
         application: "a host".to_owned(),
         size: [640.0, 480.0],
         smallest: [100.0, 80.0],
+        ..Options::default()
     })
 }
 

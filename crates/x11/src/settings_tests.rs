@@ -104,6 +104,7 @@ fn open(server: &Server) -> Window {
         application: "a host".to_owned(),
         size: [300.0, 200.0],
         smallest: [100.0, 80.0],
+        ..Options::default()
     })
     .unwrap()
 }

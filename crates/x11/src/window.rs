@@ -15,7 +15,7 @@ use super::{Options, connect, icon, scale};
 use crate::error::{Error, Result};
 
 /// What is asked of the server to be told.
-fn events() -> EventMask {
+pub(super) fn events() -> EventMask {
     EventMask::KEY_PRESS
         | EventMask::KEY_RELEASE
         | EventMask::BUTTON_PRESS
@@ -58,22 +58,48 @@ pub(super) fn watch_desktop(connection: &Connection) -> Result<()> {
 /// Makes a window and shows it.
 ///
 /// # Errors
-/// [`Error::Display`].
+/// `ErrorKind::Display`; `ErrorKind::Argument` if the window that it belongs to is none.
 pub(super) fn create(
     connection: &Connection,
     visual: &Visual,
     options: &Options,
     scale: f32,
+    home: Option<(u32, (u32, u32))>,
 ) -> Result<Frame> {
-    let frame = make(connection, visual, options, scale)?;
+    let group = match options.transient_for {
+        None => None,
+        Some(window) => Some(group_of(connection, window)?),
+    };
+    let frame = make(connection, visual, options, scale, home)?;
     let lost = |error| connection.lost(error);
-    describe(connection, frame, options, scale).map_err(lost)?;
+    describe(connection, frame, options, scale, group).map_err(lost)?;
     set_title(connection, frame.window, &options.title)?;
     connection.map_window(frame.window).map_err(lost)?;
     Ok(frame)
 }
 
-fn make(connection: &Connection, visual: &Visual, options: &Options, scale: f32) -> Result<Frame> {
+/// The group of windows that a window of the host's is in: it may lead one itself.
+fn group_of(connection: &Connection, window: u32) -> Result<u32> {
+    let exists = connection.answer(connection.get_window_attributes(window))?;
+    if exists.is_none() {
+        return Err(Error::NoOwner {
+            window,
+            display: connection.display().into(),
+        });
+    }
+    let hints = WmHints::get(&**connection, window).map_err(|error| connection.lost(error))?;
+    let hints = connection.excuse(hints.reply().map_err(Into::into))?;
+    let group = hints.flatten().and_then(|hints| hints.window_group);
+    Ok(group.unwrap_or(window))
+}
+
+fn make(
+    connection: &Connection,
+    visual: &Visual,
+    options: &Options,
+    scale: f32,
+    home: Option<(u32, (u32, u32))>,
+) -> Result<Frame> {
     let lost = |error| connection.lost(error);
     let id = || {
         connection
@@ -82,7 +108,13 @@ fn make(connection: &Connection, visual: &Visual, options: &Options, scale: f32)
     };
     let screen = connection.screen();
     let most = (screen.width_in_pixels, screen.height_in_pixels);
-    let (width, height) = in_pixels(options.size, scale, most);
+    let (parent, (width, height)) = match home {
+        None => (screen.root, in_pixels(options.size, scale, most)),
+        Some((parent, size)) => {
+            let side = |pixels: u32| u16::try_from(pixels).unwrap_or(u16::MAX);
+            (parent, (side(size.0), side(size.1)))
+        }
+    };
     let colormap = if visual.foreign {
         let colormap = id()?;
         connection
@@ -104,7 +136,7 @@ fn make(connection: &Connection, visual: &Visual, options: &Options, scale: f32)
         .create_window(
             visual.depth,
             window,
-            screen.root,
+            parent,
             0,
             0,
             width,
@@ -121,7 +153,7 @@ fn make(connection: &Connection, visual: &Visual, options: &Options, scale: f32)
         .create_gc(context, window, &values)
         .map_err(lost)?;
     if !connection.done(Ok(made))? {
-        return Err(Error::Display("the X server makes no window".into()));
+        return Err(Error::NoWindow);
     }
     Ok(Frame {
         window,
@@ -146,6 +178,7 @@ fn describe(
     frame: Frame,
     options: &Options,
     scale: f32,
+    group: Option<u32>,
 ) -> Result<(), x11rb::errors::ConnectionError> {
     let atoms = connection.atoms();
     let window = frame.window;
@@ -201,7 +234,17 @@ fn describe(
         AtomEnum::CARDINAL,
         &icon,
     )?;
-    // It leads a group of its own: the host's windows are not known here.
+    if let Some(owner) = options.transient_for {
+        let kind = AtomEnum::WINDOW;
+        connection.change_property32(
+            replace,
+            window,
+            AtomEnum::WM_TRANSIENT_FOR,
+            kind,
+            &[owner],
+        )?;
+    }
+    // It leads a group of its own where the host's windows are not known.
     let leader = [window];
     connection.change_property32(
         replace,
@@ -213,7 +256,7 @@ fn describe(
     let hints = WmHints {
         input: Some(true),
         initial_state: Some(WmHintsState::Normal),
-        window_group: Some(window),
+        window_group: group.or(Some(window)),
         ..WmHints::new()
     };
     hints.set(&**connection, window)?;
@@ -300,11 +343,11 @@ fn locale() -> String {
         .unwrap_or_else(|| "C".to_owned())
 }
 
-/// To the front, with the keyboard. `time` is that of the user's last action.
+/// To the front, with the keyboard; `top` is the top-level window around it. `time` is that of the user's last action.
 ///
 /// # Errors
 /// The server is gone.
-pub(super) fn raise(connection: &Connection, window: u32, time: u32) -> Result<()> {
+pub(super) fn raise(connection: &Connection, window: u32, top: u32, time: u32) -> Result<()> {
     let lost = |error| connection.lost(error);
     connection.map_window(window).map_err(lost)?;
     let above = ConfigureWindowAux::new().stack_mode(StackMode::ABOVE);
@@ -314,7 +357,7 @@ pub(super) fn raise(connection: &Connection, window: u32, time: u32) -> Result<(
     // the server's complaint of that is of no use to anyone.
     let data = [1, time, 0, 0, 0];
     let kind = connection.atoms()._NET_ACTIVE_WINDOW;
-    let message = ClientMessageEvent::new(32, window, kind, data);
+    let message = ClientMessageEvent::new(32, top, kind, data);
     let root = connection.screen().root;
     let mask = EventMask::SUBSTRUCTURE_NOTIFY | EventMask::SUBSTRUCTURE_REDIRECT;
     connection

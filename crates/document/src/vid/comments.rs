@@ -80,7 +80,7 @@ impl Comments {
     /// Those of a text that has been read without an error.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub(crate) fn of(text: &str) -> Result<Self> {
         let mut comments = Self::default();
         // Elsewhere than in what we write there is nothing to be kept.
@@ -112,7 +112,7 @@ impl Comments {
     /// A copy without what was removed.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub(crate) fn try_clone(&self) -> Result<Self> {
         let mut copy = Self::default();
         copy.all.try_reserve_exact(self.all.len())?;
@@ -185,7 +185,7 @@ impl Comments {
     /// The text of a document with the comments at their places.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub(super) fn put_into(&self, text: String) -> Result<String> {
         let there = || self.all.iter().filter(|comment| comment.parked == 0);
         let sizes = there().map(|comment| comment.before.len() + comment.behind.len() + 2);

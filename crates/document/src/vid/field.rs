@@ -5,7 +5,7 @@ use glam::DVec3;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue, Error as ParseError};
 
-use crate::error::{Error, Message, Result, message};
+use crate::error::{EngineError, Error, Key, Malformed, Result, Value};
 use crate::path::Space;
 
 /// A piece of a file, and the whole for its line numbers.
@@ -21,13 +21,12 @@ impl Source<'_> {
     /// What the parser stumbled over, in the parser's words.
     pub fn not_toml(self, error: &ParseError) -> Error {
         let offset = error.span().map_or(0, |span| span.start);
-        let words = Message::from(error.message().to_owned());
-        self.complain(offset, words)
+        self.complain(offset, Malformed::Toml(error.message().into()))
     }
 
-    /// A sentence about the place at a byte offset of the piece.
-    pub fn complain(self, offset: usize, reason: Message) -> Error {
-        Error::Format(message!("line {0}: {1}", self.line(offset), reason))
+    /// What is wrong at a byte offset of the piece.
+    pub fn complain(self, offset: usize, cause: impl Into<Malformed>) -> Error {
+        at_line(self.line(offset), cause)
     }
 
     /// The line of a byte offset of the piece.
@@ -35,6 +34,15 @@ impl Source<'_> {
         let end = (self.start + offset).min(self.text.len());
         let before = &self.text.as_bytes()[..end];
         1 + before.iter().filter(|&&byte| byte == b'\n').count()
+    }
+}
+
+/// What is wrong in a line.
+pub fn at_line(line: usize, cause: impl Into<Malformed>) -> Error {
+    Error::Format {
+        line,
+        key: Key(None),
+        cause: cause.into(),
     }
 }
 
@@ -93,16 +101,19 @@ impl<'a> Field<'a> {
     }
 
     /// An error at this place.
-    pub fn error(&self, reason: Message) -> Error {
-        let reason = message!("{0}: {1}", self.key, reason);
-        self.source.complain(self.offset, reason)
+    pub fn error(&self, cause: impl Into<Malformed>) -> Error {
+        Error::Format {
+            line: self.line(),
+            key: Key(Some(self.key.into())),
+            cause: cause.into(),
+        }
     }
 
     /// The error of a check, at this place.
-    pub fn checked<T>(&self, result: Result<T>) -> Result<T> {
+    pub fn checked<T>(&self, result: Result<T, EngineError>) -> Result<T> {
         result.map_err(|error| match error {
-            Error::Memory => error,
-            other => self.error(other.into_message()),
+            EngineError::Memory => error.into(),
+            other => self.error(other),
         })
     }
 
@@ -110,25 +121,24 @@ impl<'a> Field<'a> {
     pub fn unknown(&self, known: &[&str]) -> Error {
         self.source.complain(
             self.offset,
-            message!(
-                "unknown key \"{0}\"; known here: {1}",
-                self.key.escape_debug().to_string(),
-                known.join(", ")
-            ),
+            Malformed::UnknownKey {
+                key: (&self.key.escape_debug()).into(),
+                known: (&known.join(", ")).into(),
+            },
         )
     }
 
-    fn mismatch(&self, wanted: Message) -> Error {
+    fn mismatch(&self, wanted: Value) -> Error {
         let found = match self.value {
-            DeValue::String(_) => message!("a text"),
-            DeValue::Integer(_) => message!("a whole number"),
-            DeValue::Float(_) => message!("a decimal number"),
-            DeValue::Boolean(_) => message!("true or false"),
-            DeValue::Datetime(_) => message!("a date or time"),
-            DeValue::Array(_) => message!("an array"),
-            DeValue::Table(_) => message!("a table"),
+            DeValue::String(_) => Value::Text,
+            DeValue::Integer(_) => Value::WholeNumber,
+            DeValue::Float(_) => Value::DecimalNumber,
+            DeValue::Boolean(_) => Value::Boolean,
+            DeValue::Datetime(_) => Value::DateOrTime,
+            DeValue::Array(_) => Value::Array,
+            DeValue::Table(_) => Value::Table,
         };
-        self.error(message!("expected {0}, found {1}", wanted, found))
+        self.error(Malformed::Expected { wanted, found })
     }
 
     /// A finite number, written with or without a decimal point.
@@ -139,11 +149,11 @@ impl<'a> Field<'a> {
             DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
                 .ok()
                 .map(|integer| integer as f64),
-            _ => return Err(self.mismatch(message!("a number"))),
+            _ => return Err(self.mismatch(Value::Number)),
         };
         match number {
             Some(number) if f64::is_finite(number) => Ok(number),
-            _ => Err(self.error(message!("the number must be finite"))),
+            _ => Err(self.error(Malformed::NotFinite)),
         }
     }
 
@@ -151,8 +161,8 @@ impl<'a> Field<'a> {
     pub fn integer(&self) -> Result<i64> {
         match self.value {
             DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
-                .map_err(|_| self.error(message!("the number is too large"))),
-            _ => Err(self.mismatch(message!("a whole number"))),
+                .map_err(|_| self.error(Malformed::TooLarge)),
+            _ => Err(self.mismatch(Value::WholeNumber)),
         }
     }
 
@@ -162,7 +172,7 @@ impl<'a> Field<'a> {
         if (low..=high).contains(&integer) {
             Ok(integer)
         } else {
-            Err(self.error(message!("must lie between {0} and {1}", low, high)))
+            Err(self.error(Malformed::Between { low, high }))
         }
     }
 
@@ -170,7 +180,7 @@ impl<'a> Field<'a> {
     pub fn boolean(&self) -> Result<bool> {
         match self.value {
             DeValue::Boolean(boolean) => Ok(*boolean),
-            _ => Err(self.mismatch(message!("true or false"))),
+            _ => Err(self.mismatch(Value::Boolean)),
         }
     }
 
@@ -178,7 +188,7 @@ impl<'a> Field<'a> {
     pub fn text(&self) -> Result<&'a str> {
         match self.value {
             DeValue::String(text) => Ok(text),
-            _ => Err(self.mismatch(message!("a text in quotes"))),
+            _ => Err(self.mismatch(Value::TextInQuotes)),
         }
     }
 
@@ -186,14 +196,14 @@ impl<'a> Field<'a> {
     pub fn fields(&self) -> Result<impl Iterator<Item = Field<'a>> + use<'a>> {
         match self.value {
             DeValue::Table(table) => Ok(fields(self.source, table)),
-            _ => Err(self.mismatch(message!("a table"))),
+            _ => Err(self.mismatch(Value::Table)),
         }
     }
 
     /// The elements of an array.
     pub fn elements(&self) -> Result<impl ExactSizeIterator<Item = Field<'a>> + use<'a>> {
         let DeValue::Array(array) = self.value else {
-            return Err(self.mismatch(message!("an array")));
+            return Err(self.mismatch(Value::Array));
         };
         let (source, key) = (self.source, self.key);
         Ok(array.iter().map(move |element| Field {
@@ -208,11 +218,10 @@ impl<'a> Field<'a> {
     pub fn numbers<const N: usize>(&self) -> Result<[f64; N]> {
         let elements = self.elements()?;
         if elements.len() != N {
-            return Err(self.error(message!(
-                "expected {0} numbers, found {1}",
-                N,
-                elements.len()
-            )));
+            return Err(self.error(Malformed::NumberCount {
+                wanted: N,
+                found: elements.len(),
+            }));
         }
         let mut numbers = [0.0; N];
         for (number, element) in numbers.iter_mut().zip(elements) {

@@ -47,7 +47,7 @@ use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
 use super::NotAFile;
-use crate::error::{Error, Result, can_allocate, message, vec_with_room};
+use crate::error::{EngineError, Error, Malformed, Result, can_allocate, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
 
 pub(super) use comments::Comments;
@@ -70,7 +70,7 @@ pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
 /// The text of a regular file of at most `most` bytes.
 ///
 /// # Errors
-/// [`Error::Io`], [`Error::Limit`], [`Error::Memory`]; [`Error::Format`] if it
+/// `ErrorKind::Io`, `ErrorKind::Limit`, `ErrorKind::Memory`; `ErrorKind::Format` if it
 /// is no UTF-8. Each names the file.
 pub fn read_text(file: &Path, most: u64) -> Result<String> {
     can_allocate(ROOM)?;
@@ -91,7 +91,7 @@ pub fn read_text(file: &Path, most: u64) -> Result<String> {
         return Err(too_large(most).at(place));
     }
     // One byte more, so that the end is seen without growing.
-    let room = usize::try_from(metadata.len()).map_err(|_| Error::Memory)? + 1;
+    let room = usize::try_from(metadata.len()).map_err(|_| EngineError::Memory)? + 1;
     read_all(&mut opened, &place, room, most)
 }
 
@@ -102,7 +102,7 @@ fn read_all(reader: &mut dyn Read, place: &str, room: usize, most: u64) -> Resul
         .take(most + 1)
         .read_to_end(&mut bytes)
         .map_err(|source| match source.kind() {
-            std::io::ErrorKind::OutOfMemory => Error::Memory,
+            std::io::ErrorKind::OutOfMemory => EngineError::Memory.into(),
             _ => Error::Io {
                 place: place.to_owned(),
                 source,
@@ -114,18 +114,10 @@ fn read_all(reader: &mut dyn Read, place: &str, room: usize, most: u64) -> Resul
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        Error::Format(message!(
-            "line {0}: {1}",
-            line,
-            message!("this is not UTF-8 text")
-        ))
-        .at(place)
+        field::at_line(line, Malformed::NotUtf8).at(place)
     })
 }
 
 fn too_large(most: u64) -> Error {
-    Error::Limit(message!(
-        "the file is larger than the {0} MiB that are read",
-        most >> 20
-    ))
+    Error::FileTooLarge(most >> 20)
 }

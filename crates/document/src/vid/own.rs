@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3};
 
 use super::field::Field;
 use super::write::{Vector, list};
-use crate::error::{Result, message, vec_with_room};
+use crate::error::{Malformed, Result, vec_with_room};
 use crate::limits;
 use crate::path::Space;
 use crate::path::camera_path::check_speed;
@@ -56,9 +56,7 @@ impl Reader {
             "zoom_slope_mm" => own.zoom_slope = Some(slope(field)?),
             _ => {
                 if own.pace != Pace::Speeds {
-                    return Err(field.error(message!(
-                        "an orientation has either an ease, a distance or a part of a pace"
-                    )));
+                    return Err(field.error(Malformed::PaceTwice));
                 }
                 own.pace = match field.key {
                     "ease" => Pace::Ease(ease(field)?),
@@ -74,7 +72,7 @@ impl Reader {
     pub(super) fn owned(self) -> Result<MayOwn> {
         match self.0 {
             None => Ok(MayOwn::default()),
-            Some(read) => MayOwn::default().with(|own| *own = read),
+            Some(read) => Ok(MayOwn::default().with(|own| *own = read)?),
         }
     }
 }
@@ -88,7 +86,7 @@ pub(super) fn tangents(table: Field<'_>, space: Space) -> Result<Tangents> {
 }
 
 /// A table of two vectors, both of which must be there.
-fn two_vectors(table: Field<'_>, keys: [&str; 2]) -> Result<[DVec3; 2]> {
+fn two_vectors(table: Field<'_>, keys: [&'static str; 2]) -> Result<[DVec3; 2]> {
     let mut found = [None; 2];
     for field in table.fields()? {
         match keys.iter().position(|&key| key == field.key) {
@@ -98,7 +96,7 @@ fn two_vectors(table: Field<'_>, keys: [&str; 2]) -> Result<[DVec3; 2]> {
     }
     match found {
         [Some(a), Some(b)] => Ok([a, b]),
-        _ => Err(table.error(message!("both {0} and {1} must be given", keys[0], keys[1]))),
+        _ => Err(table.error(Malformed::Both(keys[0], keys[1]))),
     }
 }
 
@@ -126,11 +124,10 @@ fn turning_part(table: Field<'_>) -> Result<TurningPart> {
             "control" => {
                 let elements = field.elements()?;
                 if elements.len() != part.control.len() {
-                    return Err(field.error(message!(
-                        "expected {0} quaternions, found {1}",
-                        part.control.len(),
-                        elements.len()
-                    )));
+                    return Err(field.error(Malformed::QuaternionCount {
+                        wanted: part.control.len(),
+                        found: elements.len(),
+                    }));
                 }
                 for (q, element) in part.control.iter_mut().zip(elements) {
                     let [w, x, y, z] = element.numbers()?;
@@ -159,7 +156,7 @@ fn ease(table: Field<'_>) -> Result<Ease> {
                 ease.kind = match field.text()? {
                     "sine" => EaseKind::Sine,
                     "parabolic" => EaseKind::Parabolic,
-                    _ => return Err(field.error(message!("must be \"sine\" or \"parabolic\""))),
+                    _ => return Err(field.error(Malformed::OneOf(&["sine", "parabolic"]))),
                 }
             }
             "rise" => ease.rise = field.number()?,
@@ -188,7 +185,7 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
     let mut of = None;
     let mut whole = |field: Field<'_>, whole| {
         if of.replace(whole).is_some() {
-            return Err(field.error(message!("a part is one of one whole")));
+            return Err(field.error(Malformed::PartTwice));
         }
         Ok(())
     };
@@ -231,14 +228,12 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
         }
     }
     let Some(mut of) = of else {
-        return Err(table.error(message!(
-            "a part needs its whole: speed_curve, ease or distance"
-        )));
+        return Err(table.error(Malformed::PartWithoutWhole));
     };
     match &mut of {
         Whole::Speeds { before, after, .. } => (*before, *after) = (facing_before, facing_after),
         _ if facing_before.or(facing_after).is_some() => {
-            return Err(table.error(message!("only ten speeds have others that face them")));
+            return Err(table.error(Malformed::NoneFacing));
         }
         _ => {}
     }

@@ -13,7 +13,7 @@ use toml::de::{DeTable, Error as ParseError};
 
 use super::field::Source;
 use super::weight;
-use crate::error::{Error, Result, can_allocate, message};
+use crate::error::{Error, Result, can_allocate};
 use crate::limits::{MAX_COMMENT_BYTES, MAX_PARSE_BYTES};
 
 /// Bytes of a piece, at least. A fuzzer's files are small, and are to be cut too.
@@ -62,13 +62,7 @@ fn parse_to(source: Source<'_>, end: usize) -> Result<Result<DeTable<'_>, ParseE
     let piece = &source.text[source.start..end];
     let memory = weight::memory(piece);
     if memory > MAX_PARSE_BYTES {
-        let most = MAX_PARSE_BYTES >> 20;
-        let line = source.line(0);
-        let reason = message!(
-            "what begins here could take more than {0} MiB of memory to be read",
-            most
-        );
-        return Err(Error::Limit(message!("line {0}: {1}", line, reason)));
+        return Err(Error::PieceTooLarge(source.line(0)));
     }
     // The parser cannot give up when memory runs out: see that there is enough,
     // for copies of its texts too.

@@ -8,7 +8,7 @@ use super::field::{Field, Source, fields};
 use super::own;
 use super::pieces;
 use super::scene_read::Drafts;
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, Malformed, Quantity, Refused, Result, TooMany, vec_with_room};
 use crate::info::{self, Info, ObjectPoint};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
@@ -58,10 +58,7 @@ const OF_PATH: [&str; 7] = [
 pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
     let (reader, end) = Reader::of(text)?;
     if reader.is_scene() {
-        let reason = message!(
-            "this is a scene with {0} nodes, not a path alone",
-            reader.scene.count()
-        );
+        let reason = Malformed::Scene(reader.scene.count());
         return Err(end.complain(text.len(), reason));
     }
     reader.path(end)
@@ -79,9 +76,7 @@ pub(crate) fn shown_from_toml(text: &str) -> Result<(CameraPath, Info, bool)> {
     let shown = scene.shown_camera().and_then(|at| scene.nodes()[at].path());
     match shown {
         Some(follow) => Ok((follow.path().clone(), info, false)),
-        None => Err(Error::Argument(message!(
-            "this scene has no camera on a path"
-        ))),
+        None => Err(Refused::NoCamera.into()),
     }
 }
 
@@ -143,7 +138,7 @@ impl Reader {
             return Ok((drafts.mark(Scene::of_path(path)?, end.text)?, info));
         }
         if let Some(key) = OF_PATH.into_iter().find(|key| self.has(key)) {
-            let reason = message!("in a scene \"{0}\" belongs to the path of a node", key);
+            let reason = Malformed::KeyOfPath(key);
             return Err(end.complain(end.text.len(), reason));
         }
         let mut scene = self.scene.finish(end.text)?;
@@ -154,10 +149,7 @@ impl Reader {
     fn path(self, end: Source<'_>) -> Result<(CameraPath, Info)> {
         let count = self.path.points.len();
         if count < limits::MIN_POINTS {
-            let reason = message!(
-                "a path needs at least two points, each with its [[point]], found {0}",
-                count
-            );
+            let reason = Malformed::TooFewPoints(count);
             return Err(end.complain(end.text.len(), reason));
         }
         Ok((self.path, self.info))
@@ -171,7 +163,7 @@ impl Reader {
         // The space first: places are checked against it.
         if let Some(field) = fields(source, root).find(|field| field.key == "space") {
             if !self.has("space") && (self.has("point") || self.has("node")) {
-                return Err(field.error(message!("this must stand before the first point or node")));
+                return Err(field.error(Malformed::BehindPoints));
             }
             space(field, &mut self.path.space, Some(&mut self.info.unit))?;
         }
@@ -182,7 +174,7 @@ impl Reader {
             };
             // Within one piece the parser has seen to that.
             if std::mem::replace(&mut self.seen[key], true) && !REPEATED.contains(&field.key) {
-                return Err(field.error(message!("this was given further up already")));
+                return Err(field.error(Malformed::Engine(Invalid::GivenTwice.into())));
             }
             match field.key {
                 "title" => info.title = one_line(field)?,
@@ -223,18 +215,17 @@ impl Reader {
 /// before anything else.
 fn check_version(source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
     let Some(field) = fields(source, root).find(|field| field.key == "version") else {
-        return Err(source.complain(0, message!("a .vid file begins with version = 1")));
+        return Err(source.complain(0, Malformed::NoVersion));
     };
     let version = field.integer()?;
     if version > VERSION {
-        return Err(field.error(message!(
-            "this file is of version {0}, newer than this program, which knows up to version {1}",
+        return Err(field.error(Malformed::NewerVersion {
             version,
-            VERSION
-        )));
+            known: VERSION,
+        }));
     }
     if version < 1 {
-        return Err(field.error(message!("there is no such version")));
+        return Err(field.error(Malformed::NoSuchVersion));
     }
     Ok(())
 }
@@ -250,7 +241,7 @@ pub(super) fn curve_kind(field: Field<'_>) -> Result<CurveKind> {
         "tcb" => Ok(CurveKind::Tcb),
         "cubic" => Ok(CurveKind::Cubic),
         "linear" => Ok(CurveKind::Linear),
-        _ => Err(field.error(message!("must be \"tcb\", \"cubic\" or \"linear\""))),
+        _ => Err(field.error(Malformed::OneOf(&["tcb", "cubic", "linear"]))),
     }
 }
 
@@ -259,7 +250,7 @@ pub(super) fn orientation_mode(field: Field<'_>) -> Result<OrientationMode> {
         "tcb" => Ok(OrientationMode::Tcb),
         "barry-goldman" => Ok(OrientationMode::BarryGoldman),
         "slerp" => Ok(OrientationMode::Slerp),
-        _ => Err(field.error(message!("must be \"tcb\", \"barry-goldman\" or \"slerp\""))),
+        _ => Err(field.error(Malformed::OneOf(&["tcb", "barry-goldman", "slerp"]))),
     }
 }
 
@@ -267,7 +258,7 @@ pub(super) fn zoom_mode(field: Field<'_>) -> Result<ZoomMode> {
     match field.text()? {
         "smooth" => Ok(ZoomMode::Smooth),
         "linear" => Ok(ZoomMode::Linear),
-        _ => Err(field.error(message!("must be \"smooth\" or \"linear\""))),
+        _ => Err(field.error(Malformed::OneOf(&["smooth", "linear"]))),
     }
 }
 
@@ -299,7 +290,7 @@ pub(super) fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) ->
         // Exactly one digit: neither 01 nor +1 is a second name of 1.
         let preset = match field.key.as_bytes() {
             [digit @ b'0'..=b'9'] => &mut presets[usize::from(digit - b'0')],
-            _ => return Err(field.error(message!("the presets are numbered 0 to 9"))),
+            _ => return Err(field.error(Malformed::PresetNumber)),
         };
         *preset = tcb(field)?;
     }
@@ -309,14 +300,14 @@ pub(super) fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) ->
 fn tcb(table: Field<'_>) -> Result<Tcb> {
     let mut tcb = Tcb::default();
     for field in table.fields()? {
-        let value = match field.key {
-            "tension" => &mut tcb.tension,
-            "continuity" => &mut tcb.continuity,
-            "bias" => &mut tcb.bias,
+        let (value, what) = match field.key {
+            "tension" => (&mut tcb.tension, Quantity::Tension),
+            "continuity" => (&mut tcb.continuity, Quantity::Continuity),
+            "bias" => (&mut tcb.bias, Quantity::Bias),
             _ => return Err(field.unknown(&["tension", "continuity", "bias"])),
         };
         *value = field.number()?;
-        field.checked(check_shape(*value, field.key))?;
+        field.checked(check_shape(*value, what))?;
     }
     Ok(tcb)
 }
@@ -338,14 +329,12 @@ pub(super) fn space(
                 space.up = match field.text()? {
                     "y" => Up::Y,
                     "z" => Up::Z,
-                    _ => return Err(field.error(message!("must be \"y\" or \"z\""))),
+                    _ => return Err(field.error(Malformed::OneOf(&["y", "z"]))),
                 }
             }
             ("unit", Some(unit)) => **unit = one_line(field)?,
             ("scale" | "origin", _) => {
-                return Err(field.error(message!(
-                    "a space is given by centre and half_size, and all numbers are the world's"
-                )));
+                return Err(field.error(Malformed::Space));
             }
             (_, Some(_)) => return Err(field.unknown(&["centre", "half_size", "unit", "up"])),
             (_, None) => return Err(field.unknown(&["centre", "half_size", "up"])),
@@ -363,10 +352,7 @@ fn object(table: Field<'_>, space: Space) -> Result<Vec<ObjectPoint>> {
         for polyline in field.elements()? {
             let points = polyline.elements()?;
             if points.len() > limits::MAX_OBJECT_POINTS - object.len() {
-                return Err(polyline.error(message!(
-                    "an object has at most {0} points",
-                    limits::MAX_OBJECT_POINTS
-                )));
+                return Err(polyline.error(TooMany::ObjectPoints));
             }
             object.try_reserve(points.len())?;
             for (index, point) in points.enumerate() {
@@ -390,18 +376,12 @@ pub(super) fn points(
     points.try_reserve(elements.len().min(limits::MAX_POINTS))?;
     for element in elements {
         if points.len() == limits::MAX_POINTS {
-            return Err(element.error(message!(
-                "a path has at most {0} points",
-                limits::MAX_POINTS
-            )));
+            return Err(element.error(TooMany::SupportPoints));
         }
         let point = point(element, space)?;
         *orientations += point.orientations.len();
         if *orientations > limits::MAX_ALL_ORIENTATIONS {
-            return Err(element.error(message!(
-                "the points of a path have at most {0} orientations together",
-                limits::MAX_ALL_ORIENTATIONS
-            )));
+            return Err(element.error(TooMany::AllOrientations));
         }
         points.push(point);
     }
@@ -411,7 +391,7 @@ pub(super) fn points(
 fn point(table: Field<'_>, space: Space) -> Result<SupportPoint> {
     // The position first: targets are checked against it.
     let Some(position) = table.fields()?.find(|field| field.key == "position") else {
-        return Err(table.error(message!("this point has no position")));
+        return Err(table.error(Malformed::NoPosition));
     };
     let mut point = SupportPoint {
         position: position.place_in(space)?,
@@ -427,9 +407,7 @@ fn point(table: Field<'_>, space: Space) -> Result<SupportPoint> {
             "name" => point.name = Some(one_line(field)?),
             "preset" | "own" => {
                 if curve_given {
-                    return Err(
-                        field.error(message!("a point has either a preset or its own values"))
-                    );
+                    return Err(field.error(Malformed::PresetAndOwn));
                 }
                 curve_given = true;
                 point.curve = if field.key == "own" {
@@ -470,7 +448,7 @@ fn orientations(array: Field<'_>, position: DVec3, space: Space) -> Result<Vec<O
     let mut orientations = vec_with_room(elements.len().min(limits::MAX_ORIENTATIONS))?;
     for element in elements {
         if orientations.len() == limits::MAX_ORIENTATIONS {
-            return Err(element.error(message!("a point has at most 10 orientations")));
+            return Err(element.error(TooMany::Orientations));
         }
         orientations.push(orientation(element, position, space)?);
     }
@@ -485,9 +463,7 @@ fn orientation(table: Field<'_>, position: DVec3, space: Space) -> Result<Orient
         match field.key {
             "target" | "offset" => {
                 if target_given {
-                    return Err(
-                        field.error(message!("an orientation has either a target or an offset"))
-                    );
+                    return Err(field.error(Malformed::TargetAndOffset));
                 }
                 target_given = true;
                 let vector = DVec3::from_array(field.numbers()?);

@@ -2,11 +2,11 @@
 
 use glam::{DQuat, DVec3};
 
-use super::field::{Field, Source};
+use super::field::{Field, Source, at_line};
 use super::read::{
     base_speeds, curve_kind, one_line, orientation_mode, points, presets, space, zoom_mode,
 };
-use crate::error::{Error, Message, Result, message, vec_with_room};
+use crate::error::{EngineError, Error, Invalid, Malformed, Place, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::path::{CameraPath, Space};
 use vides_engine::deform::{Bounds, Deformation};
@@ -40,15 +40,11 @@ struct Draft {
     pins: Vec<(usize, usize, String)>,
 }
 
-fn at_line(line: usize, reason: Message) -> Error {
-    Error::Format(message!("line {0}: {1}", line, reason))
-}
-
 /// An error of the engine, with its line.
-fn placed(line: usize, error: Error) -> Error {
+fn placed(line: usize, error: EngineError) -> Error {
     match error {
-        Error::Memory => error,
-        other => at_line(line, other.into_message()),
+        EngineError::Memory => error.into(),
+        other => at_line(line, other),
     }
 }
 
@@ -72,11 +68,10 @@ impl Drafts {
                 }
             }
             let (Some(name), Some(frame)) = (name, frame) else {
-                return Err(table.error(message!("a marker has a name and a frame")));
+                return Err(table.error(Malformed::Marker));
             };
             if self.markers.len() >= limits::MAX_MARKERS {
-                let most = limits::MAX_MARKERS;
-                return Err(table.error(message!("a scene has at most {0} markers", most)));
+                return Err(table.error(TooMany::Markers));
             }
             self.markers.push((table.place(), name, frame));
         }
@@ -94,8 +89,7 @@ impl Drafts {
             .try_reserve(elements.len().min(limits::MAX_NODES))?;
         for table in elements {
             if self.nodes.len() >= limits::MAX_NODES {
-                let most = limits::MAX_NODES;
-                return Err(table.error(message!("a scene has at most {0} nodes", most)));
+                return Err(table.error(TooMany::Nodes));
             }
             self.nodes.push(draft(table, orientations, space)?);
         }
@@ -110,21 +104,21 @@ impl Drafts {
         let mut numbers: Vec<usize> = vec_with_room(drafts.len())?;
         numbers.extend(0..drafts.len());
         numbers.sort_by(|&a, &b| drafts[a].node.name.cmp(&drafts[b].node.name));
-        let find = |named: &Option<Named>, what: Message| {
+        let find = |named: &Option<Named>, what: Place| {
             let Some((place, name)) = named else {
                 return Ok(None);
             };
             let found = numbers.binary_search_by(|&at| drafts[at].node.name.cmp(name));
             found.map(|at| Some(numbers[at])).map_err(|_| {
-                let reason = message!("there is no node \"{0}\"", name.as_str());
-                source.complain(*place, message!("{0}: {1}", what, reason))
+                let missing = EngineError::from(Invalid::NoNodeNamed(name.into()));
+                source.complain(*place, missing.at(what))
             })
         };
         let mut links = vec_with_room(drafts.len())?;
         for draft in &drafts {
             links.push((
-                find(&draft.parent, message!("parent"))?,
-                find(&draft.aim, message!("aim"))?,
+                find(&draft.parent, Place::Parent)?,
+                find(&draft.aim, Place::Aim)?,
             ));
         }
         let mut nodes = vec_with_room(drafts.len())?;
@@ -156,14 +150,12 @@ impl Drafts {
                     .map_err(|e| placed(place, at_node(&scene, node, e)))?;
             }
             for (place, track) in tracks {
-                let channel = message!("channel \"{0}\"", track.channel().to_string());
-                if scene.nodes()[node].keys().track(track.channel()).is_some() {
-                    let twice = Error::Argument(message!("this was given further up already"));
-                    return Err(placed(place, at_node(&scene, node, twice.at(channel))));
-                }
-                scene
-                    .set_track(node, track)
-                    .map_err(|e| placed(place, at_node(&scene, node, e.at(channel))))?;
+                let channel = Place::Channel(track.channel().into());
+                let set = match scene.nodes()[node].keys().track(track.channel()) {
+                    Some(_) => Err(Invalid::GivenTwice.into()),
+                    None => scene.set_track(node, track),
+                };
+                set.map_err(|e| placed(place, at_node(&scene, node, e.at(channel))))?;
             }
             pins.extend(own_pins.into_iter().map(|pin| (node, pin)));
         }
@@ -181,8 +173,7 @@ impl Drafts {
         let source = Source { text, start: 0 };
         for (place, name, frame) in self.markers {
             if scene.markers().iter().any(|marker| marker.name == name) {
-                let reason = message!("there is a marker \"{0}\" already", name);
-                return Err(source.complain(place, reason));
+                return Err(source.complain(place, Malformed::MarkerTwice((&name).into())));
             }
             scene
                 .set_marker(&name, frame)
@@ -192,9 +183,9 @@ impl Drafts {
     }
 }
 
-fn at_node(scene: &Scene, node: usize, error: Error) -> Error {
+fn at_node(scene: &Scene, node: usize, error: EngineError) -> EngineError {
     let name = scene.nodes()[node].name.as_str();
-    error.at(message!("node \"{0}\"", name))
+    error.at(Place::Node(name.into()))
 }
 
 fn node_name(field: Field<'_>) -> Result<String> {
@@ -232,17 +223,9 @@ const KEYS: [&str; 24] = [
 
 fn draft(table: Field<'_>, orientations: &mut usize, space: Space) -> Result<Draft> {
     let Some(name) = table.find("name")? else {
-        return Err(table.error(message!("this node has no name")));
+        return Err(table.error(Malformed::NoName));
     };
     let name = node_name(name)?;
-    let place = |error| match error {
-        // What stands behind the line, with the name before it.
-        Error::Format(_) | Error::Memory => error,
-        other => placed(
-            table.line(),
-            other.at(message!("node \"{0}\"", name.as_str())),
-        ),
-    };
     let mut draft = Draft {
         place: table.place(),
         node: Node::new(&name, kind(table)?),
@@ -325,26 +308,26 @@ fn draft(table: Field<'_>, orientations: &mut usize, space: Space) -> Result<Dra
             _ => return Err(field.unknown(&KEYS)),
         }
     }
-    draft.node.check().map_err(place)?;
+    let named = |error: EngineError| error.at(Place::Node((&name).into()));
+    let checked = draft.node.check().map_err(named);
+    checked.map_err(|error| placed(table.line(), error))?;
     Ok(draft)
 }
 
 fn misplaced(field: &Field<'_>, kind: &Kind) -> Error {
-    field.error(message!("a {0} has none", kind.name()))
+    field.error(Malformed::NotOfKind(kind.name()))
 }
 
 fn kind(table: Field<'_>) -> Result<Kind> {
     let Some(field) = table.find("kind")? else {
-        return Err(table.error(message!("this node has no kind")));
+        return Err(table.error(Malformed::NoKind));
     };
     match field.text()? {
         "group" => Ok(Kind::Group),
         "object" => Ok(Kind::Object(Object::default())),
         "light" => Ok(Kind::Light(Light::default())),
         "camera" => Ok(Kind::Camera(Camera::default())),
-        _ => Err(field.error(message!(
-            "must be \"group\", \"object\", \"light\" or \"camera\""
-        ))),
+        _ => Err(field.error(Malformed::OneOf(&["group", "object", "light", "camera"]))),
     }
 }
 
@@ -353,15 +336,12 @@ fn light_kind(field: Field<'_>) -> Result<Light> {
     [Light::Directional, Light::Point, Light::Spot]
         .into_iter()
         .find(|light| light.name() == name)
-        .ok_or_else(|| field.error(message!("must be \"directional\", \"point\" or \"spot\"")))
+        .ok_or_else(|| field.error(Malformed::OneOf(&["directional", "point", "spot"])))
 }
 
 fn beyond(field: Field<'_>) -> Result<Beyond> {
-    Beyond::parse(field.text()?).ok_or_else(|| {
-        field.error(message!(
-            "must be \"hold\", \"repeat\", \"pingpong\" or \"offset\""
-        ))
-    })
+    Beyond::parse(field.text()?)
+        .ok_or_else(|| field.error(Malformed::OneOf(&["hold", "repeat", "pingpong", "offset"])))
 }
 
 /// Numbers, or rows of equally many numbers.
@@ -374,7 +354,7 @@ fn numbers(array: Field<'_>, rows: Option<usize>) -> Result<Vec<f64>> {
     for element in elements {
         if !element.is_array() {
             if width.is_some() {
-                return Err(element.error(message!("here are rows of numbers before")));
+                return Err(element.error(Malformed::RowsBefore));
             }
             all.try_reserve(1)?;
             all.push(element.number()?);
@@ -382,15 +362,14 @@ fn numbers(array: Field<'_>, rows: Option<usize>) -> Result<Vec<f64>> {
         }
         let row = element.elements()?;
         if width.is_none() && !all.is_empty() {
-            return Err(element.error(message!("here are single numbers before")));
+            return Err(element.error(Malformed::NumbersBefore));
         }
         if *width.get_or_insert(row.len()) != row.len() {
             let wanted = width.unwrap_or_default();
-            return Err(element.error(message!(
-                "expected {0} numbers, found {1}",
+            return Err(element.error(Malformed::NumberCount {
                 wanted,
-                row.len()
-            )));
+                found: row.len(),
+            }));
         }
         all.try_reserve(row.len())?;
         for number in row {
@@ -398,11 +377,10 @@ fn numbers(array: Field<'_>, rows: Option<usize>) -> Result<Vec<f64>> {
         }
     }
     if let Some(rows) = rows.filter(|&rows| rows != count) {
-        return Err(array.error(message!(
-            "{0} keys need as many values, not {1}",
-            rows,
-            count
-        )));
+        return Err(array.error(Malformed::ValueCount {
+            keys: rows,
+            values: count,
+        }));
     }
     Ok(all)
 }
@@ -410,7 +388,7 @@ fn numbers(array: Field<'_>, rows: Option<usize>) -> Result<Vec<f64>> {
 fn vectors(array: Field<'_>, most: usize) -> Result<Vec<DVec3>> {
     let elements = array.elements()?;
     if elements.len() > most {
-        return Err(array.error(message!("an object has at most {0} points", most)));
+        return Err(array.error(TooMany::MeshPoints));
     }
     let mut all = vec_with_room(elements.len())?;
     for element in elements {
@@ -425,11 +403,10 @@ fn indices<const N: usize>(array: Field<'_>) -> Result<Vec<[u32; N]>> {
     for element in elements {
         let corners = element.elements()?;
         if corners.len() != N {
-            return Err(element.error(message!(
-                "expected {0} numbers, found {1}",
-                N,
-                corners.len()
-            )));
+            return Err(element.error(Malformed::NumberCount {
+                wanted: N,
+                found: corners.len(),
+            }));
         }
         let mut row = [0; N];
         for (index, corner) in row.iter_mut().zip(corners) {
@@ -445,8 +422,7 @@ fn colours(array: Field<'_>) -> Result<Vec<[u8; 3]>> {
     let mut all = vec_with_room(rows.len())?;
     for row in rows {
         let byte = |value: u32| {
-            u8::try_from(value)
-                .map_err(|_| array.error(message!("must lie between {0} and {1}", 0, 255)))
+            u8::try_from(value).map_err(|_| array.error(Malformed::Between { low: 0, high: 255 }))
         };
         all.push([byte(row[0])?, byte(row[1])?, byte(row[2])?]);
     }
@@ -499,7 +475,7 @@ fn deformation(table: Field<'_>) -> Result<(Deformation, Option<Bounds>)> {
         }
     }
     let Some(kind) = kind else {
-        return Err(table.error(message!("this deformation has no kind")));
+        return Err(table.error(Malformed::NoDeformationKind));
     };
     let made = table.checked(Deformation::new(kind, &parameters))?;
     Ok((made, bounds))
@@ -568,17 +544,13 @@ fn pin(table: Field<'_>) -> Result<(usize, usize, String)> {
     }
     match (point, marker) {
         (Some(point), Some(marker)) => Ok((table.place(), point, marker)),
-        _ => Err(table.error(message!("a pin has a point and a marker"))),
+        _ => Err(table.error(Malformed::Pin)),
     }
 }
 
 fn track(table: Field<'_>, node: &str) -> Result<Track> {
-    let place = |field: &Field<'_>, error: Error| match error {
-        Error::Memory => error,
-        other => at_line(
-            field.line(),
-            other.at(message!("node \"{0}\"", node)).into_message(),
-        ),
+    let place = |field: &Field<'_>, error: EngineError| {
+        placed(field.line(), error.at(Place::Node(node.into())))
     };
     let (mut channel, mut interpolation) = (None, None);
     let (mut before, mut after) = (Beyond::Hold, Beyond::Hold);
@@ -614,9 +586,7 @@ fn track(table: Field<'_>, node: &str) -> Result<Track> {
     let (Some(channel), Some(interpolation), Some(frames), Some(values)) =
         (channel, interpolation, frames, values)
     else {
-        return Err(table.error(message!(
-            "a track has a channel, an interpolation, frames and values"
-        )));
+        return Err(table.error(Malformed::Track));
     };
     let values = numbers(values, Some(frames.len()))?;
     Track::new(channel, interpolation, frames, values, shape)

@@ -7,7 +7,7 @@ use super::write::{
     Quoted, Shape as TcbShape, Text, Vector, curve, head, list, orientation_mode, place, point,
     space, to_toml, zoom_mode,
 };
-use crate::error::{Error, Result};
+use crate::error::{EngineError, Result};
 use crate::info::Info;
 use crate::path::Space;
 use crate::path::camera_path::DEFAULT_PRESETS;
@@ -24,7 +24,7 @@ pub(crate) fn scene_to_toml(scene: &Scene, info: &Info, comments: &Comments) -> 
     }
     let mut out = Text(String::new());
     // Nothing here fails but for want of memory.
-    document(&mut out, scene, info).map_err(|_| Error::Memory)?;
+    document(&mut out, scene, info).map_err(|_| EngineError::Memory)?;
     Ok(out.0)
 }
 

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::comments::{Comments, OURS};
 use super::{VERSION, own};
-use crate::error::{Error, Result};
+use crate::error::{EngineError, Result};
 use crate::info::{Info, ObjectPoint};
 use crate::limits::BASE_SPEED;
 use crate::path::{
@@ -19,7 +19,7 @@ use crate::path::{
 pub(crate) fn to_toml(path: &CameraPath, info: &Info, comments: &Comments) -> Result<String> {
     let mut out = Text(String::new());
     // Nothing here fails but for want of memory.
-    document(&mut out, path, info).map_err(|_| Error::Memory)?;
+    document(&mut out, path, info).map_err(|_| EngineError::Memory)?;
     comments.put_into(out.0)
 }
 

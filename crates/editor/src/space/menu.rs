@@ -65,7 +65,7 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, viewport: Rect) {
                 aims(editor, ui, corner);
                 ui.separator();
             }
-            if editor.ghost.is_there() {
+            if editor.has_host_view() {
                 take_over(editor, ui);
                 ui.separator();
             }

@@ -170,7 +170,7 @@ fn view(editor: &mut Editor, ui: &mut Ui, viewport: Rect) {
         context.set_cursor_icon(editor.space.pointer.cursor());
     }
     menu::show(editor, ui, viewport);
-    if let Some(ghost) = editor.ghost.camera() {
+    if let Some(ghost) = editor.ghost.map(Camera::from) {
         let place = Projection::new(&editor.setup.view, viewport).pos(ghost.position);
         live::button(editor, &context, viewport, place);
     }
@@ -241,7 +241,7 @@ fn draw(editor: &mut Editor, painter: &Painter, viewport: Rect) {
         cameras::camera(&mut strokes, &look, &camera, 44.0, 1.8, color);
         add(strokes.finish());
     }
-    if let Some(ghost) = editor.ghost.camera() {
+    if let Some(ghost) = editor.ghost.map(Camera::from) {
         let color = editor.setup.theme().palette().text.gamma_multiply(0.65);
         let mut strokes = Strokes::new(look.projection, viewport);
         cameras::camera(&mut strokes, &look, &ghost, 40.0, 1.4, color);

@@ -26,7 +26,7 @@ const TURN: f64 = 0.35;
 /// What a step of the wheel makes of the size.
 pub(super) const WHEEL: f64 = 1.1;
 
-/// What the hand is at.
+/// What the pointer is doing.
 #[derive(Debug, Default)]
 pub(super) struct PointerController {
     /// A button is down.
@@ -70,7 +70,7 @@ struct Hold {
     moved: bool,
 }
 
-/// Where the hand works.
+/// Where the pointer works.
 pub(super) struct PointerContext<'a> {
     pub(super) context: &'a Context,
     pub(super) viewport: Rect,
@@ -153,9 +153,9 @@ impl PointerController {
             keyboard::end_nudge(editor);
         }
         let projection = Projection::new(&editor.setup.view, surface.viewport);
-        let hand = &editor.space.pointer;
+        let controller = &editor.space.pointer;
         let pointer = surface.context.input(|input| input.pointer.latest_pos());
-        let hover = match (&hand.hold, pointer) {
+        let hover = match (&controller.hold, pointer) {
             (Some(hold), _) => hold.what,
             (None, Some(at)) if (surface.mine)(at) => picking::pick(
                 &editor.document,

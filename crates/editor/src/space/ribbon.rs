@@ -92,8 +92,8 @@ pub(super) struct Ribbon {
 /// A section in which something changes.
 #[derive(Debug)]
 struct Section {
-    /// See [`Sampler::marks`].
-    mark: u64,
+    /// See [`Sampler::fingerprints`].
+    fingerprint: u64,
     /// Its poses between its two keys.
     ribs: Range<usize>,
 }
@@ -102,7 +102,7 @@ impl Ribbon {
     /// Brings the poses up to date.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`], or [`vides_engine::Error::Limit`] if there are too
+    /// `ErrorKind::Memory`, or `ErrorKind::Limit` if there are too
     /// many frames; there is no ribbon then.
     pub(super) fn update(&mut self, document: &Document) -> Result<()> {
         let revision = document.revision();
@@ -158,10 +158,10 @@ impl Ribbon {
         self.ribs.push(rib(1, true)?);
         let mut end = 1;
         let mut old = old.into_iter();
-        for ((section, first), mark) in moving.zip(sampler.fingerprints()).take(sections) {
+        for ((section, first), fingerprint) in moving.zip(sampler.fingerprints()).take(sections) {
             end = first + section.frames - 1;
             let start = self.ribs.len();
-            match old.next().filter(|old| old.mark == mark) {
+            match old.next().filter(|old| old.fingerprint == fingerprint) {
                 Some(old) => self.ribs.extend_from_slice(&self.before[old.ribs]),
                 None => {
                     let frames = (first - 1 + stride..end).step_by(stride);
@@ -169,7 +169,7 @@ impl Ribbon {
                 }
             }
             let ribs = start..self.ribs.len();
-            self.sections.push(Section { mark, ribs });
+            self.sections.push(Section { fingerprint, ribs });
             self.ribs.push(rib(end, true)?);
         }
         // Of very many sections one sees nothing; and the last key may rest.

@@ -131,7 +131,7 @@ impl Scene {
     /// Brings everything up to date.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`].
+    /// `ErrorKind::Memory`.
     pub(super) fn update(&mut self, document: &Document, look: &Look<'_>) -> Result<()> {
         let seen = look.seen();
         let other_look = self.seen.as_ref() != Some(&seen);
@@ -294,7 +294,7 @@ fn pieces(curve: &Cubic, stray: f64, viewport: &mut Vec<(f64, DVec3)>) -> Result
         .map(|v| v.abs().max_element())
         .into_iter()
         .fold(0.0, f64::max);
-    tessellate(curve, stray.max(size * 1e-6), viewport)
+    Ok(tessellate(curve, stray.max(size * 1e-6), viewport)?)
 }
 
 /// Points without those that are seen nearer than `merge` to the last one kept;
@@ -392,7 +392,7 @@ fn cross(
 /// above everything else.
 ///
 /// # Errors
-/// [`vides_engine::Error::Memory`].
+/// `ErrorKind::Memory`.
 pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
     let path = document.path();
     let at = document.selection().point;

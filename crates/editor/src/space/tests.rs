@@ -1,4 +1,4 @@
-//! The movement window as a hand meets it: whole sequences of mouse and keys.
+//! The movement window as a user meets it: whole sequences of mouse and keys.
 
 use egui::{CursorIcon, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::Harness;
@@ -260,7 +260,7 @@ fn a_press_alone_makes_current_and_changes_nothing() {
     for at in [3, 5, 1] {
         let there = image(&harness, position(&harness, at)) + vec2(-4.0, 3.0);
         press(&mut harness, there, PointerButton::Primary);
-        // A hand trembles.
+        // Hands tremble.
         motion(&mut harness, there + vec2(1.0, -1.0));
         release(
             &mut harness,
@@ -283,7 +283,7 @@ fn escape_takes_a_drag_back() {
     assert_ne!(text(&harness), before);
     tap(&mut harness, Key::Escape, Modifiers::NONE);
     assert_eq!(text(&harness), before);
-    // What the hand does on is no drag any more.
+    // What the pointer does now is no drag any more.
     motion(&mut harness, start + vec2(60.0, 10.0));
     release(
         &mut harness,
@@ -533,7 +533,7 @@ fn with_ctrl_a_drag_goes_by_steps_and_with_shift_it_is_finer() {
     }
     hold(&mut harness, Modifiers::NONE);
     assert_eq!(position(&harness, 4), free);
-    // A tenth of the way, from where it is; without Shift as far as the hand again.
+    // A tenth of the way, from where it is; without Shift as far as the pointer again.
     let place = |harness: &Harness<'_, Editor>| image(harness, position(harness, 4));
     hold(&mut harness, Modifiers::SHIFT);
     let before = place(&harness);

@@ -1,5 +1,6 @@
 //! Loading, saving, writing, and the question before work is lost (thesis A.5).
 
+use crate::{Warning, Warnings};
 use std::ffi::OsStr;
 use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::PermissionsExt;
@@ -60,16 +61,21 @@ fn a_broken_file_is_told_in_the_windows_language() {
 /// So is what was wrong with a host's arguments.
 #[test]
 fn a_hosts_mistake_is_told_in_the_windows_language() {
-    let warning = crate::error::message!(
-        "{0} is {1} and must be finite and greater than 0: {2} is taken",
-        "move_speed",
-        -1.0,
-        100.0
-    );
+    let mut warnings = Warnings::default();
+    warnings.add(Warning::Misnumbered {
+        place: 2,
+        number: 5,
+    });
+    warnings.add(Warning::Speed {
+        name: "move_speed",
+        given: -0.5,
+        taken: 100.0,
+    });
     let mut window = window(Language::German);
-    window.state_mut().warn(&warning);
+    window.state_mut().warn(&warnings);
     window.run();
-    let german = "move_speed ist -1 und muss endlich und größer als 0 sein: genommen wird 100";
+    let german = "Punkt 2 des Objekts hat die Nummer 5; es gilt die Reihenfolge im Feld; \
+                  move_speed ist −0,5 und muss endlich und größer als 0 sein: genommen wird 100";
     assert_eq!(said(&window).as_deref(), Some(german));
 }
 

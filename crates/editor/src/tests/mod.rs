@@ -1,4 +1,4 @@
-//! The window's contents driven as a hand drives them, without a screen: by
+//! The window's contents driven as a user drives them, without a screen: by
 //! the labels that a person reads, in both languages.
 
 mod curve;

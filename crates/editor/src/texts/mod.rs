@@ -14,18 +14,20 @@
 //! }
 //! ```
 //!
-//! What the library itself says is English where it is said; `reasons` has the
-//! translations.
+//! What the library itself says is English where it is said; `german` and
+//! `german_files` have a line for each of its errors.
 
 use std::fmt::{Display, Write};
 
-use crate::error;
+pub(super) use german::German;
 
 mod colours;
 mod curve;
 mod display;
 mod errors;
 mod files;
+mod german;
+mod german_files;
 mod help;
 mod menu;
 mod menu_hints;
@@ -33,8 +35,6 @@ mod orientation;
 mod output;
 mod position;
 mod questions;
-mod reasons;
-mod reasons_scene;
 mod rescue;
 mod setup;
 mod space;
@@ -171,14 +171,27 @@ parts! {
     zoom: Zoom;
 }
 
-/// A text with its values put in: `{0}` is the first of them.
+/// A text with its values put in: `{0}` is the first of them. A place that is
+/// none stays as it is.
 pub(super) fn fill(text: &str, values: &[&dyn Display]) -> String {
     let mut filled = String::with_capacity(text.len() + 16);
-    // Writing into a text cannot fail.
-    let _ = error::fill(&mut filled, text, |filled, at| match values.get(at) {
-        Some(value) => write!(filled, "{value}"),
-        None => Ok(()),
-    });
+    let mut rest = text;
+    while let Some((before, behind)) = rest.split_once('{') {
+        filled.push_str(before);
+        let place = behind.split_once('}').and_then(|(at, after)| {
+            let at: usize = at.parse().ok()?;
+            Some((values.get(at)?, after))
+        });
+        if let Some((value, after)) = place {
+            // Writing into a text cannot fail.
+            let _ = write!(filled, "{value}");
+            rest = after;
+        } else {
+            filled.push('{');
+            rest = behind;
+        }
+    }
+    filled.push_str(rest);
     filled
 }
 
@@ -186,7 +199,7 @@ pub(super) fn fill(text: &str, values: &[&dyn Display]) -> String {
 mod tests {
     use super::*;
 
-    pub(super) fn placeholders(text: &str) -> Vec<&str> {
+    fn placeholders(text: &str) -> Vec<&str> {
         let mut found: Vec<&str> = text
             .split('{')
             .skip(1)

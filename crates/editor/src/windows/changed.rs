@@ -4,7 +4,8 @@
 use egui::{Button, Key, Modifiers, vec2};
 
 use super::modal;
-use crate::filing::{Purpose, Then, short};
+use crate::actions::Action;
+use crate::filing::{Then, short};
 use crate::state::Editor;
 use crate::texts::fill;
 
@@ -32,15 +33,15 @@ impl ChangedFile {
         Self { then, fresh: true }
     }
 
-    /// Shows it; what was answered is done.
-    pub(super) fn show(mut self, editor: &mut Editor, context: &egui::Context) {
+    /// Shows it: none until there is an answer.
+    pub(super) fn show(&mut self, editor: &Editor, context: &egui::Context) -> Option<Vec<Action>> {
         let (texts, files) = (&editor.texts().questions, &editor.texts().files);
-        let Some(file) = editor.file.clone() else {
-            return;
+        let Some(file) = &editor.file else {
+            return Some(Vec::new());
         };
         let mut answer = None;
         modal(context, "changed", texts.changed, 480.0, |ui| {
-            ui.label(fill(texts.changed_since, &[&short(&file)]));
+            ui.label(fill(texts.changed_since, &[&short(file)]));
             ui.add_space(8.0);
             ui.horizontal(|ui| {
                 let used = 4.0 * BUTTON.x + 3.0 * ui.spacing().item_spacing.x;
@@ -67,23 +68,11 @@ impl ChangedFile {
         if context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
             answer = Some(Answer::Cancel);
         }
-        match answer {
-            None => editor.windows.changed = Some(self),
-            Some(Answer::Reload) => {
-                if let Err(text) = editor.load_path(&file) {
-                    editor.complain(text);
-                }
-            }
-            Some(Answer::SaveAs) => editor.choose_file(Purpose::SavePath(self.then)),
-            Some(Answer::Overwrite) => match editor.save_path(&file) {
-                Ok(()) => {
-                    if let Some(then) = self.then {
-                        editor.go_on(then);
-                    }
-                }
-                Err(text) => editor.complain(text),
-            },
-            Some(Answer::Cancel) => {}
-        }
+        Some(match answer? {
+            Answer::Reload => vec![Action::Reload],
+            Answer::SaveAs => vec![Action::SaveAsBefore(self.then)],
+            Answer::Overwrite => vec![Action::Overwrite(self.then)],
+            Answer::Cancel => Vec::new(),
+        })
     }
 }

@@ -7,6 +7,7 @@ use egui::{
 };
 
 use super::{SubWindow, Windows, sub_window};
+use crate::actions::Action;
 use crate::number::{Entry, Number};
 use crate::setup::{Colours, Element, Setup, Theme};
 use crate::state::Editor;
@@ -42,9 +43,14 @@ impl SubWindow for ColourWindow {
         }
     }
 
-    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
+    fn show(
+        &mut self,
+        editor: &Editor,
+        context: &egui::Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
         let texts = &editor.texts().colours;
-        let before = editor.setup.clone();
+        let mut setup = editor.setup.clone();
         let stays = sub_window(context, Self::ID, texts.title, |ui| {
             ui.set_width(LIST + REST + 16.0);
             ui.horizontal_top(|ui| {
@@ -56,13 +62,12 @@ impl SubWindow for ColourWindow {
                 ui.vertical(|ui| {
                     ui.spacing_mut().item_spacing.x = theme::GAP;
                     ui.set_width(REST);
-                    self.mix(editor, ui);
+                    self.mix(editor, ui, &mut setup, actions);
                 });
             });
         });
-        if editor.setup != before {
-            // The movement window has been drawn already.
-            context.request_repaint();
+        if setup != editor.setup {
+            actions.push(Action::Setup(Box::new(setup)));
         }
         stays
     }
@@ -94,10 +99,10 @@ impl ColourWindow {
         }
     }
 
-    fn mix(&mut self, editor: &mut Editor, ui: &mut Ui) {
+    fn mix(&mut self, editor: &Editor, ui: &mut Ui, setup: &mut Setup, actions: &mut Vec<Action>) {
         let texts = &editor.texts().colours;
         let element = self.element;
-        let colour = editor.setup.colours().of(element);
+        let colour = setup.colours().of(element);
         ui.strong(editor.texts().display.name(element));
         let (rect, _) = ui.allocate_exact_size(vec2(REST, 64.0), Sense::hover());
         swatch(ui, rect, colour);
@@ -118,7 +123,7 @@ impl ColourWindow {
                     ui.spacing_mut().slider_width = REST - NAME - NUMBER - 2.0 * APART;
                     let slider = Slider::new(&mut slid, 0..=255).show_value(false);
                     if ui.add(slider).labelled_by(label.id).changed() {
-                        set(&mut editor.setup, element, part, slid);
+                        set(setup, element, part, slid);
                     }
                     let number = Number::new(name, f64::from(value))
                         .decimals(0)
@@ -131,41 +136,38 @@ impl ColourWindow {
                         Entry::Begin => self.before = Some(colour),
                         // In range: the number saw to that.
                         Entry::Drag(value) | Entry::Set(value) => {
-                            set(&mut editor.setup, element, part, value.round() as u8);
+                            set(setup, element, part, value.round() as u8);
                         }
                         Entry::Cancel => {
                             if let Some(before) = self.before.take() {
-                                editor.setup.colours_mut().set(element, before);
+                                setup.colours_mut().set(element, before);
                             }
                         }
-                        Entry::Wrong(text) => editor.complain(text),
+                        Entry::Wrong(text) => actions.push(Action::Complain(text)),
                         Entry::Idle | Entry::End => {}
                     }
                     ui.end_row();
                 }
             });
         ui.add_space(theme::GAP * 2.0);
-        let original = match editor.setup.theme() {
+        let original = match setup.theme() {
             Theme::Dark => Colours::DARK,
             Theme::Light => Colours::LIGHT,
         };
         ui.horizontal(|ui| {
             let one = ui.add_enabled(colour != original.of(element), Button::new(texts.reset));
             if one.on_hover_text(texts.reset_hint).clicked() {
-                editor
-                    .setup
-                    .colours_mut()
-                    .set(element, original.of(element));
+                setup.colours_mut().set(element, original.of(element));
             }
-            let changed = *editor.setup.colours() != original;
+            let changed = *setup.colours() != original;
             let all = ui.add_enabled(changed, Button::new(texts.reset_all));
             if all.on_hover_text(texts.reset_all_hint).clicked() {
-                *editor.setup.colours_mut() = original;
+                *setup.colours_mut() = original;
             }
         });
         ui.add_space(theme::GAP);
         let menu = &editor.texts().menu;
-        let theme = match editor.setup.theme() {
+        let theme = match setup.theme() {
             Theme::Dark => menu.dark,
             Theme::Light => menu.light,
         };

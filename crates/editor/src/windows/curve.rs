@@ -5,6 +5,7 @@ use egui::{Grid, Rect, Sense, Slider, Ui, vec2};
 
 use super::pending::{Belonging, Choice, GivenUp, Pending, orientation};
 use super::{SubWindow, Windows, curve_picture, is_cramped, row_at_right, sub_window};
+use crate::actions::Action;
 use crate::limits::PRESETS;
 use crate::number::{Entry, Number};
 use crate::path::{Target, Tcb};
@@ -64,9 +65,14 @@ impl SubWindow for CurveWindow {
         }
     }
 
-    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
+    fn show(
+        &mut self,
+        editor: &Editor,
+        context: &egui::Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
         let texts = &editor.texts().curve;
-        self.follow(editor, context);
+        self.follow(editor, context, actions);
         let pressed = self.pressed.take();
         let mut wrong = false;
         let stays = sub_window(context, Self::ID, texts.title, |ui| {
@@ -81,9 +87,9 @@ impl SubWindow for CurveWindow {
                 ui.vertical(|ui| {
                     ui.spacing_mut().item_spacing.x = theme::GAP;
                     ui.set_width(rest(ui));
-                    wrong |= self.shape(editor, ui);
+                    wrong |= self.shape(editor, ui, actions);
                     self.picture(editor, ui);
-                    wrong |= self.numbers(editor, ui);
+                    wrong |= self.numbers(editor, ui, actions);
                 });
             });
             self.buttons(editor, ui);
@@ -91,16 +97,14 @@ impl SubWindow for CurveWindow {
         if self.pressed.is_some() {
             context.request_repaint();
         }
-        let applied = match pressed {
-            Some(_) if wrong => false,
-            Some(_) => self.apply(editor),
-            None => false,
-        };
-        if pressed.is_some() {
+        if let Some(pressed) = pressed {
+            if !wrong {
+                actions.push(Action::ApplyCurve(pressed == Button::Ok));
+            }
             // The output field has been drawn already.
             context.request_repaint();
         }
-        stays && !(applied && pressed == Some(Button::Ok))
+        stays
     }
 }
 
@@ -111,7 +115,7 @@ impl CurveWindow {
     }
 
     /// Gives up what is pending if what it was meant for is gone.
-    fn follow(&mut self, editor: &mut Editor, context: &egui::Context) {
+    fn follow(&mut self, editor: &Editor, context: &egui::Context, actions: &mut Vec<Action>) {
         let Some(gone) = self.belonging.follow(&editor.document) else {
             return;
         };
@@ -119,17 +123,28 @@ impl CurveWindow {
         self.dragged = None;
         if !std::mem::take(&mut self.pending).is_empty() {
             let texts = &editor.texts().curve;
-            editor.say(match gone {
+            let text = match gone {
                 GivenUp::Elsewhere => texts.given_up,
                 GivenUp::Changed => texts.given_up_changed,
-            });
+            };
+            actions.push(Action::Say(text.to_owned()));
             context.request_repaint();
         }
     }
 
-    /// Applies what is pending as one step. False: it was refused, said so,
-    /// and nothing changed.
-    fn apply(&mut self, editor: &mut Editor) -> bool {
+    /// Applies what is pending as one step, and closes the window if that is wanted. What
+    /// is refused is told, changes nothing and stays.
+    pub(crate) fn apply(editor: &mut Editor, closes: bool) {
+        let Some(mut window) = editor.windows.curve.take() else {
+            return;
+        };
+        let applied = window.apply_pending(editor);
+        if !(applied && closes) {
+            editor.windows.curve = Some(window);
+        }
+    }
+
+    fn apply_pending(&mut self, editor: &mut Editor) -> bool {
         let edits = self.pending.edits(&editor.document);
         editor.document.begin_step();
         for edit in edits {
@@ -202,7 +217,7 @@ impl CurveWindow {
     }
 
     /// The three sliders with their numbers. True: what was typed is no number.
-    fn shape(&mut self, editor: &mut Editor, ui: &mut Ui) -> bool {
+    fn shape(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) -> bool {
         let texts = &editor.texts().curve;
         let names = [
             (texts.tension, texts.tension_hint),
@@ -235,7 +250,7 @@ impl CurveWindow {
                         .decimals(2)
                         .range(-1.0..=1.0)
                         .steps(0.01, 0.01);
-                    wrong |= self.number(editor, ui, number, Field::Shape(part));
+                    wrong |= self.number(editor, ui, number, Field::Shape(part), actions);
                     ui.end_row();
                 }
             });
@@ -282,7 +297,7 @@ impl CurveWindow {
     }
 
     /// Position, target and roll. True: what was typed is no number.
-    fn numbers(&mut self, editor: &mut Editor, ui: &mut Ui) -> bool {
+    fn numbers(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) -> bool {
         let texts = &editor.texts().curve;
         let absolute = matches!(orientation(&editor.document).target, Target::Absolute(_));
         let (kind, hint) = if absolute {
@@ -300,7 +315,7 @@ impl CurveWindow {
                 for (axis, sign) in ["x", "y", "z"].into_iter().enumerate() {
                     let name = format!("{} {sign}", texts.position);
                     let number = Number::new(&name, position[axis]).label(sign);
-                    wrong |= self.number(editor, ui, number, Field::Position(axis));
+                    wrong |= self.number(editor, ui, number, Field::Position(axis), actions);
                 }
                 ui.end_row();
                 let target = self.pending.target(&editor.document);
@@ -308,7 +323,7 @@ impl CurveWindow {
                 for (axis, sign) in ["x", "y", "z"].into_iter().enumerate() {
                     let name = format!("{} {sign}", texts.orientation);
                     let number = Number::new(&name, target[axis]).label(sign).hint(hint);
-                    wrong |= self.number(editor, ui, number, Field::Target(axis));
+                    wrong |= self.number(editor, ui, number, Field::Target(axis), actions);
                 }
                 ui.end_row();
                 let roll = self.pending.roll(&editor.document);
@@ -318,7 +333,7 @@ impl CurveWindow {
                     .unit("°")
                     .decimals(1)
                     .steps(1.0, 0.5);
-                wrong |= self.number(editor, ui, number, Field::Roll);
+                wrong |= self.number(editor, ui, number, Field::Roll, actions);
                 ui.end_row();
             });
         wrong
@@ -327,10 +342,11 @@ impl CurveWindow {
     /// Shows one number and takes what is entered. True: it is no number.
     fn number(
         &mut self,
-        editor: &mut Editor,
+        editor: &Editor,
         ui: &mut Ui,
         number: Number<'_>,
         field: Field,
+        actions: &mut Vec<Action>,
     ) -> bool {
         let id = match field {
             Field::Shape(part) => format!("curve.shape.{part}"),
@@ -350,7 +366,7 @@ impl CurveWindow {
                 }
             }
             Entry::Wrong(text) => {
-                editor.complain(text);
+                actions.push(Action::Complain(text));
                 ui.ctx().request_repaint();
                 return true;
             }

@@ -3,6 +3,7 @@
 use egui::{Grid, vec2};
 
 use super::{SubWindow, Windows, sub_window};
+use crate::actions::Action;
 use crate::setup::{Element, Shown, Theme, View};
 use crate::state::Editor;
 use crate::texts::Language;
@@ -26,10 +27,15 @@ impl SubWindow for DisplayWindow {
         Self {}
     }
 
-    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
+    fn show(
+        &mut self,
+        editor: &Editor,
+        context: &egui::Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
         let texts = &editor.texts().display;
         let (menu, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
-        let before = editor.setup.clone();
+        let mut setup = editor.setup.clone();
         let stays = sub_window(context, Self::ID, texts.title, |ui| {
             ui.set_width(420.0);
             Grid::new("elements")
@@ -46,12 +52,12 @@ impl SubWindow for DisplayWindow {
                     for row in 0..half {
                         for &element in with_switch.iter().skip(row).step_by(half) {
                             let Some(element) = element else {
-                                theme::tick(ui, &mut editor.setup.camera_view, texts.camera_view);
+                                theme::tick(ui, &mut setup.camera_view, texts.camera_view);
                                 continue;
                             };
-                            let mut on = editor.setup.shown.has(element);
+                            let mut on = setup.shown.has(element);
                             if theme::tick(ui, &mut on, texts.name(element)).changed() {
-                                editor.setup.shown.set(element, on);
+                                setup.shown.set(element, on);
                             }
                         }
                         ui.end_row();
@@ -59,15 +65,15 @@ impl SubWindow for DisplayWindow {
                 });
             ui.add_space(theme::GAP);
             ui.horizontal(|ui| {
-                let all = editor.setup.shown == Shown::default();
+                let all = setup.shown == Shown::default();
                 let button = ui.add_enabled(!all, egui::Button::new(texts.all));
                 if button.on_hover_text(texts.all_hint).clicked() {
-                    editor.setup.shown = Shown::default();
+                    setup.shown = Shown::default();
                 }
-                let same = editor.setup.view == View::default();
+                let same = setup.view == View::default();
                 let button = ui.add_enabled(!same, egui::Button::new(texts.view));
                 if button.on_hover_text(texts.view_hint).clicked() {
-                    editor.setup.view = View::default();
+                    setup.view = View::default();
                 }
             });
             ui.separator();
@@ -84,7 +90,7 @@ impl SubWindow for DisplayWindow {
                     ] {
                         let choice = theme::choice(ui, editor.setup.theme == theme, name);
                         if choice.on_hover_text(hint).clicked() {
-                            editor.choose_theme(theme);
+                            actions.push(Action::Theme(theme));
                         }
                     }
                     ui.end_row();
@@ -97,15 +103,14 @@ impl SubWindow for DisplayWindow {
                     ] {
                         let choice = theme::choice(ui, editor.setup.language == language, name);
                         if choice.on_hover_text(texts.language_hint).clicked() {
-                            editor.choose_language(language);
+                            actions.push(Action::Language(language));
                         }
                     }
                     ui.end_row();
                 });
         });
-        if editor.setup != before {
-            // The movement window has been drawn already.
-            context.request_repaint();
+        if setup != editor.setup {
+            actions.insert(0, Action::Setup(Box::new(setup)));
         }
         stays
     }

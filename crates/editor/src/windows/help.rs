@@ -31,7 +31,7 @@ impl SubWindow for HelpWindow {
         Self {}
     }
 
-    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
+    fn show(&mut self, editor: &Editor, context: &egui::Context, _: &mut Vec<Action>) -> bool {
         let texts = &editor.texts().help;
         let height = (context.content_rect().height() - 120.0).max(160.0);
         sub_window(context, Self::ID, texts.title, |ui| {

@@ -2,8 +2,8 @@
 //!
 //! A sub-window is a struct with what is pending in it, a [`SubWindow`] with a
 //! slot of its own in [`Windows`]: open if the slot is filled. It is taken out
-//! of the slot while it is shown, so that it can use the whole [`Editor`], and
-//! put back if it wants to stay. [`open`] opens one or brings it to the front;
+//! of the slot while it is shown, put back if it wants to stay, and then what it
+//! asked for is done. [`open`] opens one or brings it to the front;
 //! [`sub_window`] gives all of them the same frame and the same ways to close.
 
 mod changed;
@@ -32,6 +32,7 @@ pub(super) use question::Question;
 pub(super) use rescue::RescueWindow;
 pub(super) use speed::SpeedWindow;
 
+use super::actions::Action;
 use super::keys;
 use super::state::Editor;
 
@@ -85,8 +86,10 @@ pub(super) trait SubWindow: Sized {
     /// As it opens.
     fn new(editor: &Editor) -> Self;
 
-    /// Shows it and takes its input, by [`sub_window`]. False: it closes.
-    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool;
+    /// Shows it and takes its input, by [`sub_window`]: what is asked for are actions,
+    /// what only waits is its own. False: it closes.
+    fn show(&mut self, editor: &Editor, context: &egui::Context, actions: &mut Vec<Action>)
+    -> bool;
 }
 
 /// Opens a sub-window, or brings it to the front if it is open.
@@ -110,11 +113,17 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     if let Some(window) = editor.windows.files.take() {
         window.show(editor, context);
     }
-    if let Some(question) = editor.windows.question.take() {
-        question.show(editor, context);
+    if let Some(mut question) = editor.windows.question.take() {
+        match question.show(editor, context) {
+            Some(actions) => editor.act_all(actions, context),
+            None => editor.windows.question = Some(question),
+        }
     }
-    if let Some(question) = editor.windows.changed.take() {
-        question.show(editor, context);
+    if let Some(mut question) = editor.windows.changed.take() {
+        match question.show(editor, context) {
+            Some(actions) => editor.act_all(actions, context),
+            None => editor.windows.changed = Some(question),
+        }
     }
 }
 
@@ -135,11 +144,13 @@ impl Windows {
 
 fn show_one<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
     if let Some(mut window) = W::slot(&mut editor.windows).take() {
-        let stays = window.show(editor, context);
+        let mut actions = Vec::new();
+        let stays = window.show(editor, context, &mut actions);
         name_cross(context, layer(W::ID), editor.texts().menu.close_window);
         if stays {
             W::slot(&mut editor.windows).get_or_insert(window);
         }
+        editor.act_all(actions, context);
     }
 }
 

@@ -42,7 +42,12 @@ impl SubWindow for PointsWindow {
         Self { fresh: true }
     }
 
-    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
+    fn show(
+        &mut self,
+        editor: &Editor,
+        context: &egui::Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
         let texts = &editor.texts().position;
         let mut picked = None;
         let mut stays = sub_window(context, Self::ID, texts.how_many, |ui| {
@@ -77,7 +82,7 @@ impl SubWindow for PointsWindow {
             });
         }
         if let Some(count) = picked {
-            editor.act(Action::AddPoints(count), context);
+            actions.push(Action::AddPoints(count));
             stays = false;
         }
         stays

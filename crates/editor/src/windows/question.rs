@@ -3,6 +3,7 @@
 use egui::{Button, Key, Modifiers, Vec2, vec2};
 
 use super::{modal, row_at_right};
+use crate::actions::Action;
 use crate::filing::{Then, short};
 use crate::state::Editor;
 use crate::texts::fill;
@@ -30,8 +31,8 @@ impl Question {
         Self { then, fresh: true }
     }
 
-    /// Shows it; what was answered is done.
-    pub(super) fn show(mut self, editor: &mut Editor, context: &egui::Context) {
+    /// Shows it: none until there is an answer.
+    pub(super) fn show(&mut self, editor: &Editor, context: &egui::Context) -> Option<Vec<Action>> {
         let texts = &editor.texts().questions;
         let text = match self.then {
             Then::Close => texts.before_close,
@@ -68,11 +69,10 @@ impl Question {
         if context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
             answer = Some(Answer::Cancel);
         }
-        match answer {
-            None => editor.windows.question = Some(self),
-            Some(Answer::Save) => editor.save(Some(self.then)),
-            Some(Answer::Discard) => editor.go_on(self.then),
-            Some(Answer::Cancel) => {}
-        }
+        Some(match answer? {
+            Answer::Save => vec![Action::SaveBefore(self.then)],
+            Answer::Discard => vec![Action::GoOn(self.then)],
+            Answer::Cancel => Vec::new(),
+        })
     }
 }

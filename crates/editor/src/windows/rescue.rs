@@ -114,7 +114,12 @@ impl SubWindow for RescueWindow {
         Self::of(Vec::new())
     }
 
-    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
+    fn show(
+        &mut self,
+        editor: &Editor,
+        context: &egui::Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
         let texts = &editor.texts().rescue;
         let mut answer = None;
         let corner = context.content_rect().left_bottom() + CORNER;
@@ -152,9 +157,7 @@ impl SubWindow for RescueWindow {
             // What is not answered stays where it is, for the next start.
             Some(Answer::Later) => false,
             Some(Answer::Restore(index)) => {
-                // What is restored is taken out of this window, which must be back then.
-                editor.waiting = Some(Action::Restore(index));
-                context.request_repaint();
+                actions.push(Action::Restore(index));
                 true
             }
             Some(Answer::Discard(index)) => {

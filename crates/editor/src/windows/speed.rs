@@ -9,9 +9,11 @@ use egui::{
 
 use super::speed_shapes::Shape;
 use super::{SubWindow, Windows, is_cramped, row_at_right, sub_window};
+use crate::actions::Action;
 use crate::document::{Edit, Info};
 use crate::limits::{BASE_SPEED, MAX_FPS, MAX_HOLD, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::{Entry, Number};
+use crate::path::Orientation;
 use crate::path::speed_curve::SpeedCurve;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -135,7 +137,12 @@ impl SubWindow for SpeedWindow {
         }
     }
 
-    fn show(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
+    fn show(
+        &mut self,
+        editor: &Editor,
+        context: &egui::Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
         let texts = &editor.texts().speed_window;
         let Some(section) = Section::of(editor) else {
             return false;
@@ -144,12 +151,12 @@ impl SubWindow for SpeedWindow {
             ui.set_width(Size::of(ui).width());
             heading(editor, ui, &section);
             ui.add_space(theme::GAP);
-            self.picture(editor, ui, &section);
-            typed(editor, ui, &section);
+            self.picture(editor, ui, &section, actions);
+            typed(editor, ui, &section, actions);
             ui.add_space(theme::GAP * 2.0);
-            buttons(editor, ui, &section);
+            buttons(editor, ui, &section, actions);
             ui.add_space(theme::GAP);
-            numbers(editor, ui, &section);
+            numbers(editor, ui, &section, actions);
         })
     }
 }
@@ -184,7 +191,13 @@ fn heading(editor: &Editor, ui: &mut Ui, section: &Section) {
 }
 
 impl SpeedWindow {
-    fn picture(&mut self, editor: &mut Editor, ui: &mut Ui, section: &Section) {
+    fn picture(
+        &mut self,
+        editor: &Editor,
+        ui: &mut Ui,
+        section: &Section,
+        actions: &mut Vec<Action>,
+    ) {
         let size = Size::of(ui);
         let (rect, _) = ui.allocate_exact_size(vec2(size.width(), size.height), Sense::hover());
         let palette = theme::palette(ui);
@@ -193,18 +206,19 @@ impl SpeedWindow {
         frame.paint_ground(&painter, palette, editor);
         frame.paint_curve(&painter, palette, section);
         for at in 0..SPEEDS {
-            self.square(editor, ui, &frame, section, at);
+            self.square(editor, ui, &frame, section, at, actions);
         }
     }
 
     /// One square: dragged by the pointer, moved by the arrow keys.
     fn square(
         &mut self,
-        editor: &mut Editor,
+        editor: &Editor,
         ui: &mut Ui,
         frame: &Frame,
         section: &Section,
         at: usize,
+        actions: &mut Vec<Action>,
     ) {
         let speed = section.speeds[at];
         let middle = pos2(frame.x(at as f32), frame.y(speed));
@@ -227,7 +241,7 @@ impl SpeedWindow {
         if response.drag_started()
             && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
         {
-            editor.document.begin_step();
+            actions.push(Action::Enter(Entry::Begin));
             self.dragged = Some((at, pointer.y - middle.y));
             response.request_focus();
         }
@@ -242,19 +256,19 @@ impl SpeedWindow {
             } else {
                 exact.round()
             };
-            set_speed(editor, at, rounded);
+            actions.extend(set_speed(editor, at, rounded));
         }
         if response.drag_stopped() && mine.is_some() {
             // egui ends a drag on Escape before anybody sees the key.
             if ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
-                editor.document.cancel_step();
+                actions.push(Action::Enter(Entry::Cancel));
             } else {
-                editor.document.end_step();
+                actions.push(Action::Enter(Entry::End));
             }
             self.dragged = None;
         }
         if response.has_focus() {
-            self.keys(editor, ui, id, at, speed);
+            self.keys(editor, ui, id, (at, speed), actions);
         }
         if response.hovered() || response.dragged() {
             ui.set_cursor_icon(CursorIcon::ResizeVertical);
@@ -291,7 +305,14 @@ impl SpeedWindow {
     }
 
     /// Arrow keys: up and down change, left and right choose.
-    fn keys(&mut self, editor: &mut Editor, ui: &Ui, id: Id, at: usize, speed: f64) {
+    fn keys(
+        &mut self,
+        editor: &Editor,
+        ui: &Ui,
+        id: Id,
+        (at, speed): (usize, f64),
+        actions: &mut Vec<Action>,
+    ) {
         let filter = EventFilter {
             horizontal_arrows: true,
             vertical_arrows: true,
@@ -309,7 +330,7 @@ impl SpeedWindow {
             (near + 10.0 * (far + page), aside)
         });
         if rise != 0.0 {
-            set_speed(editor, at, speed + rise);
+            actions.extend(set_speed(editor, at, speed + rise));
         }
         let next = if aside > 0.0 {
             at + 1
@@ -419,7 +440,7 @@ impl Frame {
 }
 
 /// The ten values as numbers, each below its square.
-fn typed(editor: &mut Editor, ui: &mut Ui, section: &Section) {
+fn typed(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Action>) {
     let texts = &editor.texts().speed_window;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GAP;
@@ -438,31 +459,32 @@ fn typed(editor: &mut Editor, ui: &mut Ui, section: &Section) {
             let id = format!("speed.{at}");
             let entry = number.show(ui, editor.language(), &id, step - theme::GAP);
             let speeds = section.speeds;
-            enter_orientation(editor, entry, |orientation, value| {
+            actions.extend(entered(editor, entry, |orientation, value| {
                 orientation.speeds = speeds;
                 if let Some(speed) = orientation.speeds.get_mut(at) {
                     *speed = value;
                 }
-            });
+            }));
         }
     });
 }
 
 /// Shapes on the left; copy, paste and reset on the right, or below.
-fn buttons(editor: &mut Editor, ui: &mut Ui, section: &Section) {
+fn buttons(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Action>) {
     let mut new = None;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GAP;
         new = shapes(editor, ui, section);
         if Size::of(ui).one_row {
-            new = new.or(exchange(editor, ui, section));
+            new = new.or(exchange(editor, ui, section, actions));
         }
     });
     if !Size::of(ui).one_row {
-        ui.horizontal(|ui| new = new.or(exchange(editor, ui, section)));
+        ui.horizontal(|ui| new = new.or(exchange(editor, ui, section, actions)));
     }
     if let Some(speeds) = new {
-        editor.set_orientation(|orientation| orientation.speeds = speeds);
+        let edit = editor.orientation_edit(|orientation| orientation.speeds = speeds);
+        actions.extend(edit.map(Action::Edit));
     }
 }
 
@@ -483,7 +505,12 @@ fn shapes(editor: &Editor, ui: &mut Ui, section: &Section) -> Option<[f64; SPEED
     new
 }
 
-fn exchange(editor: &mut Editor, ui: &mut Ui, section: &Section) -> Option<[f64; SPEEDS]> {
+fn exchange(
+    editor: &Editor,
+    ui: &mut Ui,
+    section: &Section,
+    actions: &mut Vec<Action>,
+) -> Option<[f64; SPEEDS]> {
     let texts = &editor.texts().speed_window;
     let mut new = None;
     ui.spacing_mut().item_spacing.x = theme::GAP;
@@ -495,8 +522,7 @@ fn exchange(editor: &mut Editor, ui: &mut Ui, section: &Section) -> Option<[f64;
                 .clicked()
         };
         if button(ui, true, texts.copy, texts.copy_hint) {
-            editor.windows.copied_speeds = Some(section.speeds);
-            editor.say(texts.copied);
+            actions.push(Action::CopySpeeds(section.speeds));
         }
         let known = editor.windows.copied_speeds;
         if button(ui, known.is_some(), texts.paste, texts.paste_hint) {
@@ -510,7 +536,7 @@ fn exchange(editor: &mut Editor, ui: &mut Ui, section: &Section) -> Option<[f64;
 }
 
 /// Hold and frame rate.
-fn numbers(editor: &mut Editor, ui: &mut Ui, section: &Section) {
+fn numbers(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Action>) {
     let texts = &editor.texts().speed_window;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GAP * 2.0;
@@ -522,10 +548,10 @@ fn numbers(editor: &mut Editor, ui: &mut Ui, section: &Section) {
             .range(0.0..=f64::from(MAX_HOLD))
             .steps(1.0, 0.5);
         let entry = number.show(ui, editor.language(), "speed.hold", 72.0);
-        enter_orientation(editor, entry, |orientation, value| {
+        actions.extend(entered(editor, entry, |orientation, value| {
             // In range and whole: the number saw to that.
             orientation.hold = value.round() as u32;
-        });
+        }));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let fps = editor.document.info().fps;
             let number = Number::new(texts.fps, fps)
@@ -535,38 +561,38 @@ fn numbers(editor: &mut Editor, ui: &mut Ui, section: &Section) {
                 .steps(1.0, 0.5);
             let entry = number.show(ui, editor.language(), "speed.fps", 80.0);
             let info = editor.document.info().clone();
-            editor.enter(entry.map(|fps| Edit::SetInfo(Box::new(Info { fps, ..info }))));
+            let entry = entry.map(|fps| Edit::SetInfo(Box::new(Info { fps, ..info })));
+            actions.push(Action::Enter(entry));
             ui.label(texts.fps).on_hover_text(texts.fps_hint);
         });
     });
 }
 
-/// Does what was entered into a number of the current orientation.
-fn enter_orientation(
-    editor: &mut Editor,
+/// What was entered into a number of the current orientation.
+fn entered(
+    editor: &Editor,
     entry: Entry,
-    change: impl FnOnce(&mut crate::path::Orientation, f64),
-) {
+    change: impl FnOnce(&mut Orientation, f64),
+) -> Option<Action> {
     let at = editor.document.selection();
-    let Some(mut orientation) = editor.orientation().cloned() else {
-        return;
-    };
-    editor.enter(entry.map(|value| {
+    let mut orientation = editor.orientation()?.clone();
+    Some(Action::Enter(entry.map(|value| {
         change(&mut orientation, value);
         Edit::SetOrientation {
             point: at.point,
             at: at.orientation,
             orientation,
         }
-    }));
+    })))
 }
 
 /// Gives one of the ten speeds another value.
-fn set_speed(editor: &mut Editor, at: usize, speed: f64) {
+fn set_speed(editor: &Editor, at: usize, speed: f64) -> Option<Action> {
     let speed = speed.clamp(MIN_SPEED, MAX_SPEED);
-    editor.set_orientation(|orientation| {
+    let edit = editor.orientation_edit(|orientation| {
         if let Some(old) = orientation.speeds.get_mut(at) {
             *old = speed;
         }
     });
+    edit.map(Action::Edit)
 }

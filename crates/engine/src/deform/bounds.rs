@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::error::{Error, Result, message};
+use crate::error::{Invalid, Result};
 use crate::path::camera_path::check_coordinates;
 
 /// A box along the axes.
@@ -16,14 +16,12 @@ impl Bounds {
     /// A box from its lowest to its highest corner; sides may be flat.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`].
     pub fn new(min: DVec3, max: DVec3) -> Result<Self> {
         check_coordinates(min)?;
         check_coordinates(max)?;
         if min.cmpgt(max).any() {
-            return Err(Error::Argument(message!(
-                "the box must not end before it begins"
-            )));
+            return Err(Invalid::BoxEnds.into());
         }
         Ok(Self { min, max })
     }

@@ -12,7 +12,7 @@ mod free_form;
 
 use glam::DVec3;
 
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Quantity, Result, vec_with_room};
 use crate::limits::MAX_COORDINATE;
 
 pub use bounds::Bounds;
@@ -107,20 +107,16 @@ impl Deformation {
     /// [`Error::Argument`] for the parameters, [`Error::Memory`].
     pub fn new(kind: &str, parameters: &[f64]) -> Result<Self> {
         if !FORMS.iter().any(|form| form.kind() == kind) {
-            return Err(Error::Argument(message!(
-                "there is no deformation \"{0}\"; known: taper, twist, bend, free-form",
-                kind
-            )));
+            return Err(Invalid::NoDeformation(kind.into()).into());
         }
         let form = FORMS
             .into_iter()
             .find(|form| form.kind() == kind && form.count() == parameters.len())
             .ok_or_else(|| {
-                Error::Range(message!(
-                    "the deformation \"{0}\" does not take {1} numbers",
-                    kind,
-                    parameters.len()
-                ))
+                Error::Range(OutOfRange::DeformationNumbers {
+                    deformation: kind.into(),
+                    given: parameters.len(),
+                })
             })?;
         let mut kept = vec_with_room(parameters.len())?;
         kept.extend_from_slice(parameters);
@@ -135,12 +131,10 @@ impl Deformation {
     fn check(&self) -> Result<()> {
         let (axes, numbers) = self.parameters.split_at(self.form.axes());
         if !axes.iter().all(|axis| [0.0, 1.0, 2.0].contains(axis)) {
-            return Err(Error::Range(message!(
-                "an axis of a deformation is 0, 1 or 2"
-            )));
+            return Err(OutOfRange::DeformationAxis.into());
         }
         if self.form == Form::Polar && axes[0] == axes[1] {
-            return Err(Error::Argument(message!("a bend needs two different axes")));
+            return Err(Invalid::BendAxes.into());
         }
         numbers.iter().try_for_each(|&number| check_number(number))
     }
@@ -210,15 +204,10 @@ impl Deformation {
 /// [`Error::Argument`] or [`Error::Range`].
 pub fn check_number(number: f64) -> Result<()> {
     if !number.is_finite() {
-        return Err(Error::Argument(message!(
-            "a parameter of a deformation must be a finite number"
-        )));
+        return Err(Invalid::NotFinite(Quantity::Parameter).into());
     }
     if number.abs() > MAX_ANGLE.min(MAX_COORDINATE) {
-        return Err(Error::Range(message!(
-            "a parameter of a deformation must not exceed {0}",
-            MAX_ANGLE
-        )));
+        return Err(OutOfRange::Exceeds(Quantity::Parameter, MAX_ANGLE).into());
     }
     Ok(())
 }

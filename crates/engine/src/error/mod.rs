@@ -1,93 +1,190 @@
-//! One error type for the whole library. Each message is one sentence that
-//! names the place and the reason, fit to be shown to a person as it stands.
+//! What can go wrong in the engine: an enum with data for each cause, and the
+//! place where it happened. Its text is one English sentence that names place
+//! and reason, fit to be shown to a person as it stands.
 
-mod messages;
+mod causes;
 
-use std::fmt;
+use std::fmt::{self, Write as _};
 
-#[doc(hidden)]
-pub use messages::{Kind, fill, sentence};
-pub use messages::{Message, Part};
+pub use causes::{Bound, Invalid, OutOfRange, Quantity, TooMany};
 
-/// A [`Message`] that can reach a person in a window: a sentence, and the values
-/// for its places `{0}`, `{1}` …. Each of these sentences stands in every
-/// language among the window's texts, which a test holds.
-#[doc(hidden)]
-#[macro_export]
-macro_rules! message {
-    ($sentence:literal) => {
-        $crate::error::Message::from($sentence)
-    };
-    ($sentence:literal, $($value:expr),+ $(,)?) => {
-        $crate::error::Message::with($sentence, [$($crate::error::Part::from($value)),+])
-    };
-}
-#[doc(hidden)]
-pub use crate::message;
-
-/// What can go wrong. The variants are those of the C interface's statuses.
-#[derive(Debug, thiserror::Error)]
+/// What can go wrong in the engine.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// An argument that makes no sense whatever its size: not finite, a
     /// target on its own point, a view without direction.
-    #[error("{0}")]
-    Argument(Message),
+    #[error(transparent)]
+    Argument(#[from] Invalid),
     /// An index or a value outside its range.
-    #[error("{0}")]
-    Range(Message),
+    #[error(transparent)]
+    Range(#[from] OutOfRange),
     /// More of something than [`crate::limits`] allows.
-    #[error("{0}")]
-    Limit(Message),
+    #[error(transparent)]
+    Limit(#[from] TooMany),
     /// There was no memory left; nothing was changed.
     #[error("out of memory")]
     Memory,
-    /// The operating system refused to read or write a file.
-    #[error("{place}: {}", reason(source))]
-    Io {
-        /// The file, as the caller named it.
-        place: String,
-        /// What the operating system said.
-        source: std::io::Error,
-    },
-    /// A file's contents are not what they should be; the text names the
-    /// line and the reason.
-    #[error("{0}")]
-    Format(Message),
-    /// No window can be opened, or its X server went away.
-    #[error("{0}")]
-    Display(Message),
+    /// One of these at a place.
+    #[error("{0}: {1}")]
+    At(Place, Cause<Error>),
 }
 
 /// The result of everything that can fail.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
+/// What kind an error is. The statuses of the C interface are these.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ErrorKind {
+    /// An argument that makes no sense whatever its size.
+    Argument,
+    /// An index or a value outside its range.
+    Range,
+    /// More of something than [`crate::limits`] allows.
+    Limit,
+    /// There was no memory left; nothing was changed.
+    Memory,
+    /// The operating system refused to read or write a file.
+    Io,
+    /// A file's contents are not what they should be.
+    Format,
+    /// No window can be opened, or its X server went away.
+    Display,
+}
+
+/// Where something is wrong. Numbers count from 1.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)]
+pub enum Place {
+    #[error("point {0}")]
+    Point(usize),
+    #[error("orientation {0}")]
+    Orientation(usize),
+    #[error("object point {0}")]
+    ObjectPoint(usize),
+    #[error("node \"{0}\"")]
+    Node(Text),
+    #[error("channel \"{0}\"")]
+    Channel(Text),
+    #[error("key {0}")]
+    Key(usize),
+    #[error("marker")]
+    Marker,
+    #[error("parent")]
+    Parent,
+    #[error("aim")]
+    Aim,
+    #[error("the name")]
+    Name,
+    #[error("the title")]
+    Title,
+    #[error("the unit")]
+    Unit,
+    #[error("the position")]
+    Position,
+    #[error("the scale")]
+    Scale,
+    #[error("the pivot")]
+    Pivot,
+    #[error("the step")]
+    Step,
+    #[error("the tangents")]
+    Tangents,
+}
+
 impl Error {
     /// The same error with the place where it happened put before it.
     #[must_use]
-    pub fn at(self, place: impl Into<Part>) -> Self {
-        let put = |message: Message| message!("{0}: {1}", place.into(), message);
+    pub fn at(self, place: Place) -> Self {
+        if self == Self::Memory {
+            return self;
+        }
+        Cause::new(self).map_or_else(|same| same, |cause| Self::At(place, cause))
+    }
+
+    /// What kind it is.
+    #[must_use]
+    pub fn kind(&self) -> ErrorKind {
         match self {
-            Self::Argument(message) => Self::Argument(put(message)),
-            Self::Range(message) => Self::Range(put(message)),
-            Self::Limit(message) => Self::Limit(put(message)),
-            Self::Format(message) => Self::Format(put(message)),
-            Self::Display(message) => Self::Display(put(message)),
-            Self::Memory | Self::Io { .. } => self,
+            Self::Argument(_) => ErrorKind::Argument,
+            Self::Range(_) => ErrorKind::Range,
+            Self::Limit(_) => ErrorKind::Limit,
+            Self::Memory => ErrorKind::Memory,
+            Self::At(_, cause) => cause.kind(),
         }
     }
 
-    /// What it says.
-    #[doc(hidden)]
-    pub fn into_message(self) -> Message {
+    /// The error itself, without its places.
+    #[must_use]
+    pub fn cause(&self) -> &Self {
         match self {
-            Self::Argument(message)
-            | Self::Range(message)
-            | Self::Limit(message)
-            | Self::Format(message)
-            | Self::Display(message) => message,
-            Self::Memory => message!("out of memory"),
-            Self::Io { place, source } => message!("{0}: {1}", place, reason(&source)),
+            Self::At(_, cause) => cause.cause(),
+            _ => self,
         }
+    }
+}
+
+/// An error behind the place where it happened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cause<E>(Box<[E]>);
+
+impl<E> Cause<E> {
+    /// The error itself again, where there is no memory to keep it.
+    #[doc(hidden)]
+    pub fn new(error: E) -> Result<Self, E> {
+        match vec_with_room(1) {
+            Ok(mut room) => {
+                room.push(error);
+                Ok(Self(room.into_boxed_slice()))
+            }
+            Err(_) => Err(error),
+        }
+    }
+}
+
+impl<E> std::ops::Deref for Cause<E> {
+    type Target = E;
+
+    fn deref(&self) -> &E {
+        &self.0[0]
+    }
+}
+
+impl<E: fmt::Display> fmt::Display for Cause<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        (**self).fmt(f)
+    }
+}
+
+/// A name or another text from elsewhere. Where there is no memory left for a
+/// copy it is empty: a wrong name must not end a program that has run out of it.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Text(String);
+
+impl<T: fmt::Display + ?Sized> From<&T> for Text {
+    fn from(text: &T) -> Self {
+        struct Copy(String);
+        impl fmt::Write for Copy {
+            fn write_str(&mut self, s: &str) -> fmt::Result {
+                self.0.try_reserve(s.len()).map_err(|_| fmt::Error)?;
+                self.0.push_str(s);
+                Ok(())
+            }
+        }
+        let mut copy = Copy(String::new());
+        let written = write!(copy, "{text}");
+        Self(written.map_or_else(|_| String::new(), |()| copy.0))
+    }
+}
+
+impl Clone for Text {
+    fn clone(&self) -> Self {
+        self.into()
+    }
+}
+
+impl fmt::Display for Text {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
     }
 }
 
@@ -185,10 +282,5 @@ mod tests {
         assert_eq!(reason(&missing), "No such file or directory");
         let ours = io::Error::other("no (os error 2) of the system's");
         assert_eq!(reason(&ours), "no (os error 2) of the system's");
-        let error = Error::Io {
-            place: "a.vid".to_owned(),
-            source: missing,
-        };
-        assert_eq!(error.to_string(), "a.vid: No such file or directory");
     }
 }

@@ -6,7 +6,7 @@
 use glam::{DMat3, DMat4, DVec3};
 
 use super::orientation::unit;
-use crate::error::{Error, Result};
+use crate::error::{Invalid, Result};
 
 /// Moves every point by `d` (2.2).
 #[must_use]
@@ -50,12 +50,10 @@ pub fn rotation_z(angle: f64) -> DMat4 {
 /// nothing to turn about x: R_x is then the identity.
 ///
 /// # Errors
-/// [`Error::Argument`] if `axis` is zero or not finite.
+/// [`crate::Error::Argument`] if `axis` is zero or not finite.
 pub fn axis_to_z(axis: DVec3) -> Result<DMat4> {
     if !axis.is_finite() || axis == DVec3::ZERO {
-        return Err(Error::Argument(
-            "the axis of a rotation must be finite and not zero".into(),
-        ));
+        return Err(Invalid::RotationAxis.into());
     }
     let DVec3 { x, y, z } = unit(axis);
     let r = y.hypot(z);
@@ -74,12 +72,10 @@ pub fn axis_to_z(axis: DVec3) -> Result<DMat4> {
 /// rotations the other way round.)
 ///
 /// # Errors
-/// [`Error::Argument`] if `axis` is zero or anything is not finite.
+/// [`crate::Error::Argument`] if `axis` is zero or anything is not finite.
 pub fn rotation_about_axis(point: DVec3, axis: DVec3, angle: f64) -> Result<DMat4> {
     if !point.is_finite() || !angle.is_finite() {
-        return Err(Error::Argument(
-            "the point and the angle of a rotation must be finite".into(),
-        ));
+        return Err(Invalid::RotationNotFinite.into());
     }
     let to_z = axis_to_z(axis)?;
     // A rotation's inverse is its transpose.

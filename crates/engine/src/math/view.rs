@@ -12,7 +12,7 @@ use glam::{DMat4, DVec3};
 
 use super::orientation::unit;
 use super::transform::{scaling, shear_along_z, translation};
-use crate::error::{Error, Result};
+use crate::error::{Invalid, OutOfRange, Result};
 
 /// Below this sine of the angle between them two directions count as
 /// parallel: less than four digits of the third direction would be left.
@@ -62,7 +62,7 @@ impl View {
     /// that v ∈ ±12/`zoom` and u ∈ ±`aspect`·12/`zoom`.
     ///
     /// # Errors
-    /// [`Error::Range`] for `zoom`, `aspect`, `front` or `back` out of the
+    /// [`crate::Error::Range`] for `zoom`, `aspect`, `front` or `back` out of the
     /// ranges above, and whatever [`View::check`] finds.
     pub fn from_pose(
         position: DVec3,
@@ -74,16 +74,16 @@ impl View {
         back: f64,
     ) -> Result<Self> {
         if !(zoom > 0.0 && zoom.is_finite()) {
-            return range("the zoom of a view must be positive and finite");
+            return Err(OutOfRange::ViewZoom.into());
         }
         if !(aspect > 0.0 && aspect.is_finite()) {
-            return range("the aspect of a view must be positive and finite");
+            return Err(OutOfRange::ViewAspect.into());
         }
         if !(front > 0.0 && front.is_finite()) {
-            return range("the front plane must lie before the camera, at a positive distance");
+            return Err(OutOfRange::FrontPlane.into());
         }
         if !(back > front && back.is_finite()) {
-            return range("the back plane must lie farther from the camera than the front plane");
+            return Err(OutOfRange::BackPlane.into());
         }
         let v = HALF_FILM_HEIGHT / zoom;
         let u = aspect * v;
@@ -105,8 +105,8 @@ impl View {
     /// Whether the description describes a picture.
     ///
     /// # Errors
-    /// [`Error::Argument`] if anything is not finite, the normal or the up
-    /// vector is zero, or both are parallel; [`Error::Range`] if the window is
+    /// [`crate::Error::Argument`] if anything is not finite, the normal or the up
+    /// vector is zero, or both are parallel; [`crate::Error::Range`] if the window is
     /// empty, the back plane not behind the front plane, or the projection
     /// reference point not before the front plane or in the view plane.
     pub fn check(&self) -> Result<()> {
@@ -115,29 +115,29 @@ impl View {
         if !(vectors.iter().all(|v| v.is_finite())
             && numbers.iter().chain(&self.window).all(|x| x.is_finite()))
         {
-            return argument("every number of a view must be finite");
+            return Err(Invalid::ViewNotFinite.into());
         }
         if self.normal == DVec3::ZERO {
-            return argument("the view plane normal must not be zero");
+            return Err(Invalid::NormalZero.into());
         }
         if self.up == DVec3::ZERO {
-            return argument("the view up vector must not be zero");
+            return Err(Invalid::ViewUpZero.into());
         }
         if unit(self.up).cross(unit(self.normal)).length() < PARALLEL {
-            return argument("the view up vector must not be parallel to the view plane normal");
+            return Err(Invalid::ViewUpParallel.into());
         }
         let [u_min, u_max, v_min, v_max] = self.window;
         if u_min >= u_max || v_min >= v_max {
-            return range("the window of a view must not be empty");
+            return Err(OutOfRange::ViewWindow.into());
         }
         if self.back >= self.front {
-            return range("the back plane of a view must lie behind its front plane");
+            return Err(OutOfRange::ViewPlanes.into());
         }
         if self.prp.z <= self.front {
-            return range("the projection reference point must lie before the front plane");
+            return Err(OutOfRange::ReferenceBehindFront.into());
         }
         if self.prp.z == self.distance {
-            return range("the projection reference point must not lie in the view plane");
+            return Err(OutOfRange::ReferenceInViewPlane.into());
         }
         Ok(())
     }
@@ -151,7 +151,7 @@ impl View {
     /// place in the picture, [−1, 1] each.
     ///
     /// # Errors
-    /// As [`View::check`]; [`Error::Range`] if the numbers are so large or so
+    /// As [`View::check`]; [`crate::Error::Range`] if the numbers are so large or so
     /// close together that the matrix cannot be computed.
     pub fn matrix(&self) -> Result<DMat4> {
         self.check()?;
@@ -163,7 +163,7 @@ impl View {
         if matrix.is_finite() {
             Ok(matrix)
         } else {
-            range("the numbers of a view must not be so large or so close together")
+            Err(OutOfRange::ViewNumbers.into())
         }
     }
 
@@ -229,14 +229,6 @@ impl View {
     }
 }
 
-fn argument<T>(message: &'static str) -> Result<T> {
-    Err(Error::Argument(message.into()))
-}
-
-fn range<T>(message: &'static str) -> Result<T> {
-    Err(Error::Range(message.into()))
-}
-
 /// Projects from the origin onto the plane z = `d` (M_per, 2.23): after the
 /// division by w, (d·x/z, d·y/z, d). For points with z > 0. `d` is not 0; in
 /// the canonical volume of a perspective the window lies at
@@ -261,24 +253,24 @@ pub fn parallel_projection() -> DMat4 {
 /// The matrix is stored by columns, as OpenGL takes it.
 ///
 /// # Errors
-/// [`Error::Argument`] if anything is not finite, `view` or `up` is zero, or
-/// both are parallel; [`Error::Range`] if the position is too large.
+/// [`crate::Error::Argument`] if anything is not finite, `view` or `up` is zero, or
+/// both are parallel; [`crate::Error::Range`] if the position is too large.
 pub fn gl_matrix(position: DVec3, view: DVec3, up: DVec3) -> Result<DMat4> {
     if !(position.is_finite() && view.is_finite() && up.is_finite()) {
-        return argument("the position, the view direction and the up vector must be finite");
+        return Err(Invalid::LookNotFinite.into());
     }
     if view == DVec3::ZERO || up == DVec3::ZERO {
-        return argument("the view direction and the up vector must not be zero");
+        return Err(Invalid::LookZero.into());
     }
     let (view, up) = (unit(view), unit(up));
     if view.cross(up).length() < PARALLEL {
-        return argument("the up vector must not be parallel to the view direction");
+        return Err(Invalid::UpParallel.into());
     }
     let matrix = look_to_mat4(position, view, up);
     if matrix.is_finite() {
         Ok(matrix)
     } else {
-        range("the position of the camera is too large")
+        Err(OutOfRange::CameraTooFar.into())
     }
 }
 

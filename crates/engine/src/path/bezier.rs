@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::hermite::{BasisMatrix, Cubic};
-use crate::error::{Error, Result, vec_with_room};
+use crate::error::{Invalid, Result, TooMany, vec_with_room};
 use crate::limits::MAX_BEZIER_POINTS;
 
 /// M_B of 3.5.2, for G = the four control points.
@@ -60,23 +60,17 @@ impl Bezier {
     /// single point is a curve that stays there.
     ///
     /// # Errors
-    /// [`Error::Argument`] for no point or one that is not finite,
-    /// [`Error::Limit`] for too many, [`Error::Memory`].
+    /// [`crate::Error::Argument`] for no point or one that is not finite,
+    /// [`crate::Error::Limit`] for too many, [`crate::Error::Memory`].
     pub fn new(control: &[DVec3]) -> Result<Self> {
         if control.is_empty() {
-            return Err(Error::Argument(
-                "a Bézier curve needs at least one control point".into(),
-            ));
+            return Err(Invalid::NoControlPoint.into());
         }
         if control.len() > MAX_BEZIER_POINTS {
-            return Err(Error::Limit(
-                format!("a Bézier curve has at most {MAX_BEZIER_POINTS} control points").into(),
-            ));
+            return Err(TooMany::ControlPoints.into());
         }
         if let Some(at) = control.iter().position(|point| !point.is_finite()) {
-            return Err(Error::Argument(
-                format!("the control point with index {at} must be finite").into(),
-            ));
+            return Err(Invalid::ControlPointNotFinite(at).into());
         }
         let mut points = vec_with_room(control.len())?;
         points.extend_from_slice(control);
@@ -125,7 +119,7 @@ impl Bezier {
     /// points are the two outer edges of the construction.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn split(&self, t: f64) -> Result<(Self, Self)> {
         let mut before = vec_with_room(self.points.len())?;
         let mut after = vec_with_room(self.points.len())?;
@@ -187,7 +181,7 @@ mod tests {
         assert!(Bezier::new(&[]).is_err());
         assert!(Bezier::new(&[DVec3::ZERO; MAX_BEZIER_POINTS]).is_ok());
         let many = [DVec3::ZERO; MAX_BEZIER_POINTS + 1];
-        assert!(matches!(Bezier::new(&many), Err(Error::Limit(_))));
+        assert!(matches!(Bezier::new(&many), Err(crate::Error::Limit(_))));
         let message = Bezier::new(&[DVec3::ZERO, DVec3::NAN])
             .unwrap_err()
             .to_string();

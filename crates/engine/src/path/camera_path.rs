@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::own::{MayOwn, Tangents};
 use super::space::Space;
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
 
@@ -36,11 +36,11 @@ impl Tcb {
     /// Each finite and in [−1, 1].
     ///
     /// # Errors
-    /// [`Error::Range`] names the value that is not.
+    /// [`crate::Error::Range`] names the value that is not.
     pub fn check(self) -> Result<()> {
-        check_shape(self.tension, "tension")?;
-        check_shape(self.continuity, "continuity")?;
-        check_shape(self.bias, "bias")
+        check_shape(self.tension, Quantity::Tension)?;
+        check_shape(self.continuity, Quantity::Continuity)?;
+        check_shape(self.bias, Quantity::Bias)
     }
 }
 
@@ -83,9 +83,7 @@ impl Target {
             Self::Relative(offset) => space.check_offset(offset)?,
         }
         if self.offset_from(position) == DVec3::ZERO {
-            return Err(Error::Argument(message!(
-                "the target must not lie on the camera's own position"
-            )));
+            return Err(Invalid::TargetOnCamera.into());
         }
         Ok(())
     }
@@ -145,9 +143,7 @@ impl Orientation {
     pub fn check(&self, position: DVec3, space: Space) -> Result<()> {
         self.target.check(position, space)?;
         if !self.roll.is_finite() {
-            return Err(Error::Argument(message!(
-                "the roll must be a finite number"
-            )));
+            return Err(Invalid::NotFinite(Quantity::Roll).into());
         }
         check_zoom(self.zoom)?;
         self.turning.check()?;
@@ -208,7 +204,7 @@ impl SupportPoint {
     /// As [`SupportPoint::new`] where memory may run out.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn try_new(position: DVec3) -> Result<Self> {
         let mut orientations = vec_with_room(1)?;
         orientations.push(Orientation::default());
@@ -331,7 +327,7 @@ impl CameraPath {
     /// As [`CameraPath::default`] where memory may run out.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn try_new() -> Result<Self> {
         let mut points = vec_with_room(FIRST_POSITIONS.len())?;
         for position in FIRST_POSITIONS {
@@ -357,7 +353,7 @@ impl CameraPath {
     /// A copy.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn try_clone(&self) -> Result<Self> {
         let mut points = vec_with_room(self.points.len())?;
         for point in &self.points {
@@ -402,15 +398,10 @@ impl CameraPath {
     /// As [`CameraPath::check`].
     pub fn check_in(&self, space: Space) -> Result<()> {
         if self.points.len() < limits::MIN_POINTS {
-            return Err(Error::Range(message!(
-                "a path needs at least two support points"
-            )));
+            return Err(OutOfRange::TooFewSupportPoints.into());
         }
         if self.points.len() > limits::MAX_POINTS {
-            return Err(Error::Limit(message!(
-                "a path has at most {0} support points",
-                limits::MAX_POINTS
-            )));
+            return Err(TooMany::SupportPoints.into());
         }
         for preset in self.presets {
             preset.check()?;
@@ -420,7 +411,7 @@ impl CameraPath {
         for (index, point) in self.points.iter().enumerate() {
             point
                 .check(space)
-                .map_err(|error| error.at(message!("point {0}", index + 1)))?;
+                .map_err(|error| error.at(Place::Point(index + 1)))?;
         }
         Ok(())
     }
@@ -430,7 +421,7 @@ impl SupportPoint {
     /// A copy.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn try_clone(&self) -> Result<Self> {
         let mut orientations = vec_with_room(self.orientations.len())?;
         orientations.extend_from_slice(&self.orientations);
@@ -457,13 +448,11 @@ impl SupportPoint {
     pub fn check(&self, space: Space) -> Result<()> {
         space.check_place(self.position)?;
         if let Some(name) = &self.name {
-            check_name(name).map_err(|error| error.at(message!("the name")))?;
+            check_name(name).map_err(|error| error.at(Place::Name))?;
         }
         match self.curve {
             CurveParameters::Preset(preset) if usize::from(preset) >= limits::PRESETS => {
-                return Err(Error::Range(message!(
-                    "the preset must lie between 0 and 9"
-                )));
+                return Err(OutOfRange::Between(Quantity::Preset, 0.0, 9.0).into());
             }
             CurveParameters::Preset(_) => {}
             CurveParameters::Own(tcb) => tcb.check()?,
@@ -471,17 +460,15 @@ impl SupportPoint {
         if let Some(tangents) = self.tangents {
             tangents
                 .check(space)
-                .map_err(|error| error.at(message!("the tangents")))?;
+                .map_err(|error| error.at(Place::Tangents))?;
         }
         if self.orientations.is_empty() || self.orientations.len() > limits::MAX_ORIENTATIONS {
-            return Err(Error::Range(message!(
-                "a point has between 1 and 10 orientations"
-            )));
+            return Err(OutOfRange::Orientations.into());
         }
         for (index, orientation) in self.orientations.iter().enumerate() {
             orientation
                 .check(self.position, space)
-                .map_err(|error| error.at(message!("orientation {0}", index + 1)))?;
+                .map_err(|error| error.at(Place::Orientation(index + 1)))?;
         }
         Ok(())
     }
@@ -490,15 +477,13 @@ impl SupportPoint {
 /// Finite, and small enough to compute with.
 ///
 /// # Errors
-/// [`Error::Argument`] if not finite, [`Error::Range`] if too large.
+/// [`crate::Error::Argument`] if not finite, [`crate::Error::Range`] if too large.
 pub fn check_coordinates(v: DVec3) -> Result<()> {
     if !v.is_finite() {
-        return Err(Error::Argument(message!(
-            "a coordinate must be a finite number"
-        )));
+        return Err(Invalid::NotFinite(Quantity::Coordinate).into());
     }
     if v.abs().max_element() > limits::MAX_COORDINATE {
-        return Err(Error::Range(message!("a coordinate must not exceed 1e9")));
+        return Err(OutOfRange::Exceeds(Quantity::Coordinate, limits::MAX_COORDINATE).into());
     }
     Ok(())
 }
@@ -507,32 +492,24 @@ pub fn check_coordinates(v: DVec3) -> Result<()> {
 /// [`limits::MAX_NAME_BYTES`] bytes.
 ///
 /// # Errors
-/// [`Error::Argument`] or [`Error::Limit`].
+/// [`crate::Error::Argument`] or [`crate::Error::Limit`].
 pub fn check_name(name: &str) -> Result<()> {
     if name.len() > limits::MAX_NAME_BYTES {
-        return Err(Error::Limit(message!(
-            "at most {0} bytes are allowed",
-            limits::MAX_NAME_BYTES
-        )));
+        return Err(TooMany::NameBytes.into());
     }
     if name.chars().any(char::is_control) {
-        return Err(Error::Argument(message!(
-            "control characters are not allowed"
-        )));
+        return Err(Invalid::ControlCharacter.into());
     }
     Ok(())
 }
 
-/// A tension, continuity or bias (`name` says which): in [−1, 1].
+/// A tension, continuity or bias (`what` says which): in [−1, 1].
 ///
 /// # Errors
-/// [`Error::Range`].
-pub fn check_shape(value: f64, name: &str) -> Result<()> {
+/// [`crate::Error::Range`].
+pub fn check_shape(value: f64, what: Quantity) -> Result<()> {
     if !(-1.0..=1.0).contains(&value) {
-        return Err(Error::Range(message!(
-            "the {0} must lie between -1 and 1",
-            name
-        )));
+        return Err(OutOfRange::Between(what, -1.0, 1.0).into());
     }
     Ok(())
 }
@@ -540,12 +517,10 @@ pub fn check_shape(value: f64, name: &str) -> Result<()> {
 /// A zoom: 1…100.
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_zoom(zoom: f64) -> Result<()> {
     if !(limits::MIN_ZOOM..=limits::MAX_ZOOM).contains(&zoom) {
-        return Err(Error::Range(message!(
-            "the zoom must lie between 1 and 100"
-        )));
+        return Err(OutOfRange::Between(Quantity::Zoom, 1.0, limits::MAX_ZOOM).into());
     }
     Ok(())
 }
@@ -553,12 +528,10 @@ pub fn check_zoom(zoom: f64) -> Result<()> {
 /// One value of a speed curve: 1…100.
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_speed(speed: f64) -> Result<()> {
     if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&speed) {
-        return Err(Error::Range(message!(
-            "each value of a speed curve must lie between 1 and 100"
-        )));
+        return Err(OutOfRange::Between(Quantity::CurveSpeed, 1.0, limits::MAX_SPEED).into());
     }
     Ok(())
 }
@@ -566,12 +539,10 @@ pub fn check_speed(speed: f64) -> Result<()> {
 /// Frames that a key rests: at most [`limits::MAX_HOLD`].
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_hold(hold: u32) -> Result<()> {
     if hold > limits::MAX_HOLD {
-        return Err(Error::Range(message!(
-            "the hold must lie between 0 and 1000000 frames"
-        )));
+        return Err(OutOfRange::Hold.into());
     }
     Ok(())
 }
@@ -579,12 +550,10 @@ pub fn check_hold(hold: u32) -> Result<()> {
 /// One base speed: finite and > 0.
 ///
 /// # Errors
-/// [`Error::Argument`].
+/// [`crate::Error::Argument`].
 pub fn check_base_speed(speed: f64) -> Result<()> {
     if !(speed > 0.0 && speed.is_finite()) {
-        return Err(Error::Argument(message!(
-            "a base speed must be finite and greater than zero"
-        )));
+        return Err(Invalid::BaseSpeed.into());
     }
     Ok(())
 }
@@ -592,7 +561,7 @@ pub fn check_base_speed(speed: f64) -> Result<()> {
 /// All four finite and > 0.
 ///
 /// # Errors
-/// [`Error::Argument`] otherwise.
+/// [`crate::Error::Argument`] otherwise.
 pub fn check_speeds(speeds: BaseSpeeds) -> Result<()> {
     let all = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling];
     all.into_iter().try_for_each(check_base_speed)

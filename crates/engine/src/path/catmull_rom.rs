@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::hermite::{BasisMatrix, Cubic};
-use crate::error::{Error, Result, vec_with_room};
+use crate::error::{Invalid, Result, TooMany, vec_with_room};
 use crate::limits::{MAX_POINTS, MIN_POINTS};
 
 /// The basis matrix of 3.6.1, for G = (Pᵢ₋₁, Pᵢ, Pᵢ₊₁, Pᵢ₊₂) and the segment
@@ -48,15 +48,15 @@ pub fn segment(p: [DVec3; 4]) -> Cubic {
 /// The open curve through `points`: one segment less than points.
 ///
 /// # Errors
-/// [`Error::Argument`] if there are fewer than two points or one of them or a
-/// given tangent is not finite, [`Error::Limit`] if there are more than
-/// [`MAX_POINTS`], [`Error::Memory`].
+/// [`crate::Error::Argument`] if there are fewer than two points or one of them or a
+/// given tangent is not finite, [`crate::Error::Limit`] if there are more than
+/// [`MAX_POINTS`], [`crate::Error::Memory`].
 pub fn open_curve(points: &[DVec3], ends: EndRule) -> Result<Vec<Cubic>> {
     check(points)?;
     if let EndRule::Tangents(start, end) = ends
         && !(start.is_finite() && end.is_finite())
     {
-        return Err(Error::Argument("an end tangent must be finite".into()));
+        return Err(Invalid::EndTangent.into());
     }
     let last = points.len() - 1;
     let (start, end) = match ends {
@@ -92,17 +92,13 @@ pub fn closed_curve(points: &[DVec3]) -> Result<Vec<Cubic>> {
 
 fn check(points: &[DVec3]) -> Result<()> {
     if points.len() < MIN_POINTS {
-        return Err(Error::Argument("a curve needs at least two points".into()));
+        return Err(Invalid::CurveTooShort.into());
     }
     if points.len() > MAX_POINTS {
-        return Err(Error::Limit(
-            format!("a curve has at most {MAX_POINTS} points").into(),
-        ));
+        return Err(TooMany::CurvePoints.into());
     }
     match points.iter().position(|point| !point.is_finite()) {
-        Some(at) => Err(Error::Argument(
-            format!("the point with index {at} must be finite").into(),
-        )),
+        Some(at) => Err(Invalid::PointNotFinite(at).into()),
         None => Ok(()),
     }
 }
@@ -151,7 +147,7 @@ mod tests {
         let two = [DVec3::ZERO, DVec3::X];
         assert!(open_curve(&two, EndRule::Tangents(DVec3::NAN, DVec3::X)).is_err());
         let many = vec![DVec3::ZERO; MAX_POINTS + 1];
-        assert!(matches!(closed_curve(&many), Err(Error::Limit(_))));
+        assert!(matches!(closed_curve(&many), Err(crate::Error::Limit(_))));
     }
 
     proptest! {

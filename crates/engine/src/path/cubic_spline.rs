@@ -5,7 +5,7 @@
 use glam::DVec3;
 
 use super::hermite::Cubic;
-use crate::error::{Error, Result, vec_with_room};
+use crate::error::{Invalid, OutOfRange, Result, TooMany, vec_with_room};
 use crate::limits::{MAX_POINTS, MIN_POINTS};
 
 /// The two conditions that the points leave free (3.4).
@@ -33,11 +33,11 @@ impl CubicSpline {
     /// take time and memory in proportion to the points.
     ///
     /// # Errors
-    /// [`Error::Argument`] if there are fewer than two points or not as many
+    /// [`crate::Error::Argument`] if there are fewer than two points or not as many
     /// knots, if anything is not finite, the knots do not rise, or the ends of
-    /// a periodic spline differ; [`Error::Limit`] for more than [`MAX_POINTS`];
-    /// [`Error::Range`] if the knots are so close or far that the curve cannot
-    /// be computed; [`Error::Memory`].
+    /// a periodic spline differ; [`crate::Error::Limit`] for more than [`MAX_POINTS`];
+    /// [`crate::Error::Range`] if the knots are so close or far that the curve cannot
+    /// be computed; [`crate::Error::Memory`].
     pub fn new(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<Self> {
         check(points, knots, ends)?;
         let moments = moments(points, knots, ends)?;
@@ -51,13 +51,7 @@ impl CubicSpline {
             let reach = chord + (from + 2.0 * to) * (h * h / 6.0);
             let piece = Cubic::hermite(points[i], points[i + 1], leave, reach);
             if !(piece.a.is_finite() && piece.b.is_finite()) {
-                return Err(Error::Range(
-                    format!(
-                        "the knots with indices {i} and {} must not be so close together or far apart",
-                        i + 1
-                    )
-                    .into(),
-                ));
+                return Err(OutOfRange::KnotDistance(i).into());
             }
             pieces.push(piece);
         }
@@ -114,40 +108,31 @@ impl CubicSpline {
 }
 
 fn check(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<()> {
-    let argument = |message: String| Err(Error::Argument(message.into()));
     if points.len() < MIN_POINTS {
-        return argument("a spline needs at least two points".into());
+        return Err(Invalid::SplineTooShort.into());
     }
     if points.len() > MAX_POINTS {
-        return Err(Error::Limit(
-            format!("a spline has at most {MAX_POINTS} points").into(),
-        ));
+        return Err(TooMany::SplinePoints.into());
     }
     if points.len() != knots.len() {
-        return argument(format!(
-            "{} points need as many knots, not {}",
-            points.len(),
-            knots.len()
-        ));
+        let (points, knots) = (points.len(), knots.len());
+        return Err(Invalid::KnotCount { points, knots }.into());
     }
     if let Some(at) = points.iter().position(|point| !point.is_finite()) {
-        return argument(format!("the point with index {at} must be finite"));
+        return Err(Invalid::PointNotFinite(at).into());
     }
     if let Some(at) = knots.iter().position(|knot| !knot.is_finite()) {
-        return argument(format!("the knot with index {at} must be finite"));
+        return Err(Invalid::KnotNotFinite(at).into());
     }
     if let Some(at) = knots.windows(2).position(|pair| pair[0] >= pair[1]) {
-        return argument(format!(
-            "the knot with index {} must be greater than the one before it",
-            at + 1
-        ));
+        return Err(Invalid::KnotOrder(at + 1).into());
     }
     match ends {
         SplineEnds::Clamped(start, end) if !(start.is_finite() && end.is_finite()) => {
-            argument("an end slope must be finite".into())
+            Err(Invalid::EndSlope.into())
         }
         SplineEnds::Periodic if points[0] != points[points.len() - 1] => {
-            argument("a periodic spline must end where it starts".into())
+            Err(Invalid::PeriodicEnds.into())
         }
         _ => Ok(()),
     }
@@ -301,7 +286,7 @@ mod tests {
         assert!(new(&p, &k, SplineEnds::Clamped(DVec3::NAN, p[1])).is_err());
         let close = [0.0, 1e-320, 2e-320];
         let error = new(&p, &close, SplineEnds::Natural).unwrap_err();
-        assert!(matches!(error, Error::Range(_)), "{error}");
+        assert!(matches!(error, crate::Error::Range(_)), "{error}");
     }
 
     #[test]

@@ -10,7 +10,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::camera_path::check_speed;
-use crate::error::{Error, Result, message};
+use crate::error::{OutOfRange, Result};
 
 /// How the speed rises and falls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,16 +38,14 @@ impl Ease {
     /// Everything in range.
     ///
     /// # Errors
-    /// [`Error::Range`].
+    /// [`crate::Error::Range`].
     pub fn check(&self) -> Result<()> {
         // 0.7 and 0.3 may add up to a little more than 1.
         let fits = self.rise >= 0.0
             && self.fall >= 0.0
             && self.rise + self.fall <= 1.0 + 4.0 * f64::EPSILON;
         if !fits {
-            return Err(Error::Range(message!(
-                "the shares of time for speeding up and slowing down must not be negative, and together not exceed 1"
-            )));
+            return Err(OutOfRange::EaseShares.into());
         }
         check_speed(self.cruise)
     }

@@ -3,7 +3,7 @@
 
 use super::camera_path::CameraPath;
 use super::timeline::{Change, Timeline};
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{OutOfRange, Result, vec_with_room};
 use crate::limits::MAX_FRAMES;
 
 /// Frames for one section.
@@ -24,17 +24,15 @@ fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> R
     let count = path.points.len();
     for point in [first, last] {
         if point >= count {
-            return Err(Error::Range(message!(
-                "there is no point {0}: the path has points 0 to {1}",
+            return Err(OutOfRange::NoPoint {
                 point,
-                count - 1
-            )));
+                last: count - 1,
+            }
+            .into());
         }
     }
     if first > last && !path.closed {
-        return Err(Error::Range(message!(
-            "the first point of a range must not lie behind its last one"
-        )));
+        return Err(OutOfRange::PointOrder.into());
     }
     let sections = timeline.section_count();
     let start = |point: usize| timeline.section_from(point, 0).unwrap_or(sections);
@@ -60,8 +58,8 @@ fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> R
 /// numbers can.
 ///
 /// # Errors
-/// [`Error::Range`] if there is no such range, or fewer frames than it must have
-/// or more than it can have; [`Error::Memory`].
+/// [`crate::Error::Range`] if there is no such range, or fewer frames than it must have
+/// or more than it can have; [`crate::Error::Memory`].
 #[allow(
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,
@@ -105,19 +103,11 @@ pub fn fit_frames(
     }
     let least = 1 + holds + fixed.len();
     if frames < least {
-        return Err(Error::Range(message!(
-            "{0} frames are too few: it must have at least {1}",
-            frames,
-            least
-        )));
+        return Err(OutOfRange::TooFewFrames { frames, least }.into());
     }
     if frames > MAX_FRAMES || (fixed.is_empty() && frames > least) {
         let most = if fixed.is_empty() { least } else { MAX_FRAMES };
-        return Err(Error::Range(message!(
-            "{0} frames are too many: it can have at most {1}",
-            frames,
-            most
-        )));
+        return Err(OutOfRange::TooManyFrames { frames, most }.into());
     }
     share(&mut fixed, &mut weights, frames - least)?;
     Ok(fixed)

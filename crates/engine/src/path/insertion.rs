@@ -20,7 +20,7 @@ use super::sampling::{Layout, Sampler, zoom_slopes};
 use super::section_sampler::SectionSampler;
 use super::timeline::{Change, Timeline};
 use super::timing::Timing;
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Quantity, Result, vec_with_room};
 use crate::limits::{MAX_ZOOM, MIN_ZOOM, SPEEDS};
 use crate::math::{orientation, quaternion};
 
@@ -58,9 +58,7 @@ const DIFFERENCE: f64 = 1.0 / 512.0;
 /// [`Error::Limit`], [`Error::Memory`].
 pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     if path.orientation_mode == OrientationMode::BarryGoldman {
-        return Err(Error::Argument(message!(
-            "in the orientation mode barry-goldman a new key would change the views around it"
-        )));
+        return Err(Invalid::NoNewKey.into());
     }
     let timeline = Timeline::new(path)?;
     let sampler = Sampler::new(path, &timeline)?;
@@ -121,20 +119,12 @@ fn find(
 ) -> Result<(usize, f64)> {
     let frames = sampler.frame_count();
     if !(frame >= 1.0 && frame <= frames as f64) {
-        return Err(Error::Range(message!(
-            "a frame must lie between 1 and {0}",
-            frames
-        )));
+        return Err(OutOfRange::Between(Quantity::Frame, 1.0, frames as f64).into());
     }
     let sections = sampler.sections();
     let index =
         sections.partition_point(|sampled| (sampled.start + sampled.frames) as f64 <= frame);
-    let at_a_key = || {
-        Error::Range(message!(
-            "at frame {0} the camera is at a key already",
-            frame
-        ))
-    };
+    let at_a_key = || Error::Range(OutOfRange::AtKey(frame));
     let sampled = sections.get(index).ok_or_else(at_a_key)?;
     let within = frame - sampled.start as f64;
     if within <= 0.0 {
@@ -143,11 +133,11 @@ fn find(
     let begin = timeline.section(section_of(timeline, index));
     let last = path.points[begin.point].orientations.len() - 1;
     if sampled.way.is_none() || begin.orientation != last {
-        return Err(Error::Range(message!(
-            "at frame {0} the camera turns at point {1}, there is no way to divide",
+        return Err(OutOfRange::Turning {
             frame,
-            begin.point + 1
-        )));
+            point: begin.point + 1,
+        }
+        .into());
     }
     let frames = sampled.frames as f64;
     let share = if sampled.frames > 1 {
@@ -190,9 +180,7 @@ fn divide(
     let position = cubic.point(t);
     let ends = [cubic.point(0.0), cubic.point(1.0)];
     if !(t > 0.0 && t < 1.0) || phi <= 0.0 || phi >= 1.0 || ends.contains(&position) {
-        return Err(Error::Range(message!(
-            "the place is too near to a point of the path"
-        )));
+        return Err(OutOfRange::NearPoint.into());
     }
     let pose = sampled.pose(phi)?;
     let (view, up) = (DVec3::from(pose.vpn), DVec3::from(pose.vup));
@@ -433,9 +421,7 @@ fn keep_rates(
         let timeline = Timeline::new(new)?;
         let is = Keys::new(new, &timeline)?;
         if is.rates.len() != old.rates.len() + 1 {
-            return Err(Error::Range(message!(
-                "the place is too near to a point of the path"
-            )));
+            return Err(OutOfRange::NearPoint.into());
         }
         let moving = |section: &usize| timeline.section(*section).change != Change::Nothing;
         let starts = (0..timeline.section_count()).filter(moving).map(|section| {

@@ -13,7 +13,7 @@ use glam::{DQuat, DVec3};
 use super::camera_path::check_speed;
 use super::ease::Ease;
 use super::space::Space;
-use crate::error::{Error, Result, can_allocate, message};
+use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate};
 use crate::limits;
 
 /// With which derivatives the curve passes a point, per segment parameter.
@@ -70,7 +70,7 @@ impl PacePart {
     /// Everything in range.
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn check(&self) -> Result<()> {
         match &self.of {
             Whole::Speeds {
@@ -107,26 +107,19 @@ pub enum Pace {
 /// (1, 1), both numbers increasing.
 ///
 /// # Errors
-/// [`Error::Range`] or [`Error::Argument`].
+/// [`crate::Error::Range`] or [`crate::Error::Argument`].
 pub fn check_distance(keys: &[[f64; 2]]) -> Result<()> {
     if keys.len() < 2 || keys.len() > limits::MAX_DISTANCE_KEYS {
-        return Err(Error::Range(message!(
-            "a given distance has between 2 and {0} keys",
-            limits::MAX_DISTANCE_KEYS
-        )));
+        return Err(OutOfRange::DistanceKeys.into());
     }
     if !keys.as_flattened().iter().all(|number| number.is_finite()) {
-        return Err(Error::Argument(message!(
-            "the keys of a given distance must be finite numbers"
-        )));
+        return Err(Invalid::DistanceNotFinite.into());
     }
     let rising = keys
         .windows(2)
         .all(|pair| pair[1][0] - pair[0][0] >= LEAST_STEP && pair[1][1] > pair[0][1]);
     if !rising || keys[0] != [0.0, 0.0] || keys[keys.len() - 1] != [1.0, 1.0] {
-        return Err(Error::Range(message!(
-            "the keys of a given distance must lead from 0, 0 to 1, 1, with both numbers increasing"
-        )));
+        return Err(OutOfRange::DistanceOrder.into());
     }
     Ok(())
 }
@@ -163,13 +156,11 @@ impl TurningPart {
     /// Unit quaternions, and a part of [0, 1].
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn check(&self) -> Result<()> {
         let unit = |q: &DQuat| q.is_finite() && (q.length() - 1.0).abs() < 1e-6;
         if !self.control.iter().all(unit) {
-            return Err(Error::Argument(message!(
-                "the control quaternions of a turning must have length 1"
-            )));
+            return Err(Invalid::ControlNotUnit.into());
         }
         check_part(self.from, self.to)
     }
@@ -180,9 +171,7 @@ fn check_part(from: f64, to: f64) -> Result<()> {
     if 0.0 <= from && from < to && to <= 1.0 {
         return Ok(());
     }
-    Err(Error::Range(message!(
-        "a part must begin and end between 0 and 1, its end after its start"
-    )))
+    Err(OutOfRange::Part.into())
 }
 
 /// What an orientation may have of its own.
@@ -283,13 +272,10 @@ impl Own {
 /// A fixed number of frames, or 0.
 ///
 /// # Errors
-/// [`Error::Range`].
+/// [`crate::Error::Range`].
 pub fn check_frames(frames: u32) -> Result<()> {
     if frames as usize > limits::MAX_FRAMES {
-        return Err(Error::Range(message!(
-            "a section has at most {0} frames",
-            limits::MAX_FRAMES
-        )));
+        return Err(OutOfRange::SectionFrames.into());
     }
     Ok(())
 }
@@ -300,14 +286,10 @@ pub fn check_frames(frames: u32) -> Result<()> {
 /// [`Error::Range`] or [`Error::Argument`].
 pub fn check_ahead(distance: f64, space: Space) -> Result<()> {
     if !distance.is_finite() {
-        return Err(Error::Argument(message!(
-            "the distance ahead must be a finite number"
-        )));
+        return Err(Invalid::NotFinite(Quantity::DistanceAhead).into());
     }
     if !(0.0..=space.farthest()).contains(&distance) {
-        return Err(Error::Range(message!(
-            "the distance ahead must lie between 0 and 1e9 half sizes of the space"
-        )));
+        return Err(OutOfRange::DistanceAhead.into());
     }
     Ok(())
 }
@@ -315,19 +297,14 @@ pub fn check_ahead(distance: f64, space: Space) -> Result<()> {
 /// Angular velocities and slopes: finite, none beyond [`limits::MAX_RATE`].
 ///
 /// # Errors
-/// [`Error::Range`] or [`Error::Argument`].
+/// [`crate::Error::Range`] or [`crate::Error::Argument`].
 pub fn check_rates(rates: &[f64]) -> Result<()> {
     for rate in rates {
         if !rate.is_finite() {
-            return Err(Error::Argument(message!(
-                "a velocity or slope must be a finite number"
-            )));
+            return Err(Invalid::NotFinite(Quantity::Rate).into());
         }
         if rate.abs() > limits::MAX_RATE {
-            return Err(Error::Range(message!(
-                "a velocity or slope must not exceed {0}",
-                limits::MAX_RATE
-            )));
+            return Err(OutOfRange::Exceeds(Quantity::Rate, limits::MAX_RATE).into());
         }
     }
     Ok(())
@@ -357,7 +334,7 @@ impl MayOwn {
     /// The same, changed.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn with(&self, change: impl FnOnce(&mut Own)) -> Result<Self> {
         let mut own = Own::clone(self);
         change(&mut own);
@@ -405,7 +382,7 @@ impl MayOwn {
     /// place alone.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn for_a_copy(&self) -> Result<Self> {
         if self.is_empty() {
             return Ok(Self(None));
@@ -426,7 +403,7 @@ impl MayOwn {
 /// The keys of a given distance, checked.
 ///
 /// # Errors
-/// As [`check_distance`]; [`Error::Memory`].
+/// As [`check_distance`]; [`crate::Error::Memory`].
 pub fn distance(keys: &[[f64; 2]]) -> Result<Pace> {
     check_distance(keys)?;
     can_allocate(size_of_val(keys) + 2 * size_of::<usize>())?;

@@ -11,7 +11,7 @@
 use glam::{DQuat, DVec3};
 
 use super::camera_path::Tcb;
-use crate::error::{Error, Result, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, vec_with_room};
 use crate::limits::MAX_KEYS;
 use crate::math::quaternion::{continue_sign, exp, log, slerp};
 
@@ -101,25 +101,17 @@ struct Keys {
 /// Checks what a caller handed over and finds the section that holds `when`.
 fn prepare(keys: &[DQuat], times: &[f64], when: f64) -> Result<Keys> {
     if keys.len() < 2 || times.len() != keys.len() {
-        return Err(Error::Range(
-            "a quaternion curve needs at least two keys, each with a time".into(),
-        ));
+        return Err(OutOfRange::QuaternionKeys.into());
     }
     if keys.len() > MAX_KEYS {
-        return Err(Error::Limit(
-            "a quaternion curve has at most 1000000 keys".into(),
-        ));
+        return Err(TooMany::QuaternionKeys.into());
     }
     if !times.iter().all(|time| time.is_finite()) || times.windows(2).any(|pair| pair[0] >= pair[1])
     {
-        return Err(Error::Argument(
-            "the times must be finite and each later than the one before".into(),
-        ));
+        return Err(Invalid::TimeOrder.into());
     }
     if !(times[0]..=times[times.len() - 1]).contains(&when) {
-        return Err(Error::Range(
-            "the time asked for must lie between the first and the last key".into(),
-        ));
+        return Err(OutOfRange::Time.into());
     }
     let mut fixed: Vec<DQuat> = vec_with_room(keys.len())?;
     for &key in keys {
@@ -144,9 +136,7 @@ fn prepare(keys: &[DQuat], times: &[f64], when: f64) -> Result<Keys> {
 pub fn normalized(q: DQuat) -> Result<DQuat> {
     let largest = q.x.abs().max(q.y.abs()).max(q.z.abs()).max(q.w.abs());
     if !q.is_finite() || largest == 0.0 {
-        return Err(Error::Argument(
-            "a quaternion must be finite and not zero".into(),
-        ));
+        return Err(Invalid::QuaternionZero.into());
     }
     Ok((q / largest).normalize())
 }
@@ -154,9 +144,7 @@ pub fn normalized(q: DQuat) -> Result<DQuat> {
 /// A point of a curve, of length 1. Times whose differences or
 /// their ratios no number holds (1e-300 beside 1e300) give none.
 fn finished(q: DQuat) -> Result<DQuat> {
-    normalized(q).map_err(|_| {
-        Error::Argument("the times are too far apart or too unequal to compute with".into())
-    })
+    normalized(q).map_err(|_| Error::Argument(Invalid::TimesUnequal))
 }
 
 /// Barry and Goldman's curve through `keys` (of any length but zero) with
@@ -203,9 +191,7 @@ pub fn reflect(q: DQuat, about: DQuat) -> DQuat {
 pub fn tcb(keys: &[DQuat], times: &[f64], tcb: Option<&[Tcb]>, when: f64) -> Result<DQuat> {
     if let Some(tcb) = tcb {
         if tcb.len() != keys.len() {
-            return Err(Error::Range(
-                "each key needs its tension, continuity and bias".into(),
-            ));
+            return Err(OutOfRange::KeyShapes.into());
         }
         tcb.iter().try_for_each(|tcb| tcb.check())?;
     }

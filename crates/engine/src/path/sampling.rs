@@ -12,7 +12,7 @@ use super::orientation_curve::{self, Key, turnings};
 use super::pose::Pose;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::timeline::{Change, Timeline};
-use crate::error::{Error, Result, message, try_box, vec_with_room};
+use crate::error::{OutOfRange, Result, try_box, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_ZOOM, MIN_ZOOM};
 use crate::math::{monotone_cubic, orientation};
 
@@ -45,7 +45,7 @@ impl<'a> Layout<'a> {
     /// The timeline must be that path's.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     #[allow(clippy::cast_precision_loss)]
     pub(super) fn new(path: &CameraPath, timeline: &'a Timeline) -> Result<Self> {
         let count = timeline.section_count();
@@ -137,7 +137,7 @@ impl Sampler {
     /// Prepares a path; the timeline must be that path's.
     ///
     /// # Errors
-    /// [`Error::Memory`]; [`Error::Limit`] if the path has too many frames.
+    /// [`crate::Error::Memory`]; [`crate::Error::Limit`] if the path has too many frames.
     pub fn new(path: &CameraPath, timeline: &Timeline) -> Result<Self> {
         let frames = timeline.frame_count()?;
         let Layout {
@@ -203,14 +203,12 @@ impl Sampler {
     /// Fills `poses` with the frames `first`, `first + 1`, … (numbered from 1).
     ///
     /// # Errors
-    /// [`Error::Range`] if not all of them are frames of the path,
-    /// [`Error::Memory`]; what `poses` holds then is not told.
+    /// [`crate::Error::Range`] if not all of them are frames of the path,
+    /// [`crate::Error::Memory`]; what `poses` holds then is not told.
     pub fn sample(&self, first: usize, poses: &mut [Pose]) -> Result<()> {
         let inside = first >= 1 && first <= self.frames + 1;
         if !inside || poses.len() > self.frames + 1 - first {
-            return Err(Error::Range(message!(
-                "a frame must lie between 1 and the number of frames"
-            )));
+            return Err(OutOfRange::FrameOfPath.into());
         }
         let mut scratch = Scratch::new(poses.len());
         let mut rest = poses;
@@ -250,13 +248,11 @@ impl Sampler {
     /// The pose at any frame between 1 and the last, also between two frames.
     ///
     /// # Errors
-    /// [`Error::Range`] outside them, [`Error::Memory`].
+    /// [`crate::Error::Range`] outside them, [`crate::Error::Memory`].
     #[allow(clippy::cast_precision_loss)]
     pub fn pose(&self, frame: f64) -> Result<Pose> {
         if !(frame >= 1.0 && frame <= self.frames as f64) {
-            return Err(Error::Range(message!(
-                "a frame must lie between 1 and the number of frames"
-            )));
+            return Err(OutOfRange::FrameOfPath.into());
         }
         let index = self
             .sections

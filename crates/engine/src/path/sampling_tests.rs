@@ -159,7 +159,7 @@ type Done = (&'static str, fn(&mut CameraPath));
 
 /// What has the same fingerprint has the same poses; what a change does not reach keeps both.
 #[test]
-fn a_mark_tells_whether_a_section_has_other_poses() {
+fn a_fingerprint_tells_whether_a_section_has_other_poses() {
     let changes: [Done; 8] = [
         ("a place", |path| path.points[4].position.y += 0.01),
         ("the last target", |path| {

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::camera_path::{SupportPoint, Target};
 use super::own::{Tangents, Velocities};
-use crate::error::{Error, Result, message};
+use crate::error::{Error, Invalid, OutOfRange, Quantity, Result};
 use crate::limits;
 
 /// The axis of the world that stands upright.
@@ -93,14 +93,10 @@ impl Space {
     pub fn check(self) -> Result<()> {
         check_half_size(self.half_size)?;
         if !self.centre.is_finite() {
-            return Err(Error::Argument(message!(
-                "the centre of the space must be finite"
-            )));
+            return Err(Invalid::CentreNotFinite.into());
         }
         if self.centre.abs().max_element() > self.farthest() {
-            return Err(Error::Range(message!(
-                "the centre of the space must lie within 1e9 half sizes of the world's origin"
-            )));
+            return Err(OutOfRange::Centre.into());
         }
         Ok(())
     }
@@ -125,15 +121,13 @@ impl Space {
     /// As [`Space::check_place`].
     pub fn check_offset(self, offset: DVec3) -> Result<()> {
         if !offset.is_finite() {
-            return Err(Error::Argument(message!(
-                "a coordinate must be a finite number"
-            )));
+            return Err(Invalid::NotFinite(Quantity::Coordinate).into());
         }
         if offset.abs().max_element() > self.farthest() {
             return Err(Error::Range(if self == Self::default() {
-                message!("a coordinate must not exceed 1e9")
+                OutOfRange::Exceeds(Quantity::Coordinate, limits::MAX_COORDINATE)
             } else {
-                message!("a coordinate must lie within 1e9 half sizes of the space's centre")
+                OutOfRange::FarFromCentre
             }));
         }
         Ok(())
@@ -174,9 +168,7 @@ impl Space {
         );
         let extent = (high - low).max_element();
         if !(extent > 0.0) {
-            return Err(Error::Argument(message!(
-                "a single place has no size that a space could have"
-            )));
+            return Err(Invalid::NoSize.into());
         }
         let space = Self {
             centre: low + (high - low) / 2.0,
@@ -263,9 +255,7 @@ impl Move {
 /// [`Error::Range`].
 pub fn check_half_size(half_size: f64) -> Result<()> {
     if !(limits::MIN_HALF_SIZE..=limits::MAX_HALF_SIZE).contains(&half_size) {
-        return Err(Error::Range(message!(
-            "the half size of the space must lie between 1e-30 and 1e30"
-        )));
+        return Err(OutOfRange::HalfSize.into());
     }
     Ok(())
 }

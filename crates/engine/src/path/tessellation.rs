@@ -13,7 +13,7 @@
 use glam::DVec3;
 
 use super::hermite::Cubic;
-use crate::error::{Error, Result};
+use crate::error::{Invalid, Result};
 
 /// 3√3/4: how much farther a piece may stray than at its thirds.
 const STRAY: f64 = 1.299_038_105_676_658;
@@ -32,19 +32,17 @@ pub const MAX_DEPTH: u32 = 10;
 /// What `out` holds already stays; if memory runs out it is left as it was.
 ///
 /// # Errors
-/// [`Error::Argument`] if `error` is not positive and finite, or the curve is
-/// not finite; [`Error::Memory`].
+/// [`crate::Error::Argument`] if `error` is not positive and finite, or the curve is
+/// not finite; [`crate::Error::Memory`].
 pub fn tessellate(curve: &Cubic, error: f64, out: &mut Vec<(f64, DVec3)>) -> Result<()> {
     if !(error > 0.0 && error.is_finite()) {
-        return Err(Error::Argument(
-            "the error bound of a drawn curve must be positive and finite".into(),
-        ));
+        return Err(Invalid::DrawnBound.into());
     }
     if ![curve.a, curve.b, curve.c, curve.d, curve.end]
         .iter()
         .all(|v| v.is_finite())
     {
-        return Err(Error::Argument("a drawn curve must be finite".into()));
+        return Err(Invalid::DrawnNotFinite.into());
     }
     let before = out.len();
     let result = sample(curve, error / STRAY, (0.0, 1.0), MAX_DEPTH, out)

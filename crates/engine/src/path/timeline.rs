@@ -11,7 +11,7 @@ use super::dispatch;
 use super::hermite::Cubic;
 use super::speed_curve::SpeedCurve;
 use super::timing::{Timing, facing};
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Result, TooMany, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_FRAMES, MAX_ZOOM, MIN_ZOOM};
 use crate::math::{orientation, quaternion};
 
@@ -100,7 +100,7 @@ impl Timeline {
     /// Computes everything for a path that [`CameraPath::check`] accepts.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn new(path: &CameraPath) -> Result<Self> {
         let points = path.points.len();
         let mut first_slot = vec_with_room(points + 1)?;
@@ -153,7 +153,7 @@ impl Timeline {
     /// not be used any more.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn update_point(&mut self, path: &CameraPath, point: usize) -> Result<()> {
         let looks_ahead = |o: &Orientation| o.own.ahead.is_some();
         let ahead = self.ahead || path.points[point].orientations.iter().any(looks_ahead);
@@ -215,12 +215,10 @@ impl Timeline {
     /// All frames of the path, at least 1.
     ///
     /// # Errors
-    /// [`Error::Limit`] if there are more than [`MAX_FRAMES`].
+    /// [`crate::Error::Limit`] if there are more than [`MAX_FRAMES`].
     pub fn frame_count(&self) -> Result<usize> {
         if self.frames > MAX_FRAMES {
-            return Err(Error::Limit(message!(
-                "the path would yield more than 100000000 frames; lower the base speeds"
-            )));
+            return Err(TooMany::Frames.into());
         }
         Ok(self.frames)
     }
@@ -315,7 +313,7 @@ impl Timeline {
     /// speeds.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     ///
     /// # Panics
     /// If there is no such section.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::node::{Kind, Node};
-use crate::error::{Error, Result, message};
+use crate::error::{Invalid, OutOfRange, Result};
 use crate::limits::{MAX_CHANNEL_WIDTH, MAX_NAME_BYTES};
 use crate::path::camera_path::check_name;
 
@@ -68,7 +68,7 @@ impl Channel {
     /// `value:wind:3` (with three numbers).
     ///
     /// # Errors
-    /// [`Error::Argument`], [`Error::Range`] or [`Error::Limit`].
+    /// [`crate::Error::Argument`], [`crate::Error::Range`] or [`crate::Error::Limit`].
     pub fn parse(name: &str) -> Result<Self> {
         if let Some((_, channel)) = PLAIN.iter().find(|(plain, _)| *plain == name) {
             return Ok(channel.clone());
@@ -87,10 +87,7 @@ impl Channel {
             });
         }
         check_name(name)?;
-        Err(Error::Argument(message!(
-            "there is no channel \"{0}\"",
-            name
-        )))
+        Err(Invalid::NoChannel(name.into()).into())
     }
 
     fn parse_value(rest: &str) -> Result<Self> {
@@ -100,19 +97,14 @@ impl Channel {
         };
         check_name(name)?;
         if name.is_empty() {
-            return Err(Error::Argument(message!(
-                "a channel of the host's own needs a name: value:NAME"
-            )));
+            return Err(Invalid::ChannelWithoutName.into());
         }
         match width {
             Some(width) if (1..=MAX_CHANNEL_WIDTH).contains(&width) => Ok(Self::Value {
                 name: name.to_owned(),
                 width,
             }),
-            _ => Err(Error::Range(message!(
-                "a channel of the host's own has 1 to {0} numbers: value:NAME:3",
-                MAX_CHANNEL_WIDTH
-            ))),
+            _ => Err(OutOfRange::ChannelWidth.into()),
         }
     }
 
@@ -128,14 +120,14 @@ impl Channel {
     /// How many numbers it has at a node.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`] if the node has no such channel.
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`] if the node has no such channel.
     pub fn width(&self, node: &Node) -> Result<usize> {
         let none = || {
-            Err(Error::Argument(message!(
-                "a {0} has no channel \"{1}\"",
-                node.kind.name(),
-                self.to_string()
-            )))
+            Err(Invalid::NoChannelOfKind {
+                kind: node.kind.name(),
+                channel: (&self).into(),
+            }
+            .into())
         };
         let kind = &node.kind;
         let has = match self {

@@ -11,7 +11,7 @@ use super::node::{Kind, Node, Values};
 use super::scene::Scene;
 use super::state::{NodeState, Troubles};
 use super::vertices::Form;
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, OutOfRange, Place, Result, vec_with_room};
 use crate::math::orientation::view_from_quaternion;
 use crate::path::Pose;
 
@@ -51,8 +51,8 @@ impl Scene {
     /// key to key, the rest of the scene plays.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`] for the frame, [`Error::Range`] if
-    /// `states` are not as many as the nodes, [`Error::Memory`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`] for the frame, the latter if
+    /// `states` are not as many as the nodes, [`crate::Error::Memory`].
     pub fn evaluate(
         &self,
         frame: f64,
@@ -61,11 +61,11 @@ impl Scene {
     ) -> Result<()> {
         check_frame(frame)?;
         if states.len() != self.nodes.len() {
-            return Err(Error::Range(message!(
-                "{0} nodes need as many states, not {1}",
-                self.nodes.len(),
-                states.len()
-            )));
+            return Err(OutOfRange::States {
+                nodes: self.nodes.len(),
+                given: states.len(),
+            }
+            .into());
         }
         self.run(&self.order, frame, states, troubles, Search::Back)
     }
@@ -74,7 +74,8 @@ impl Scene {
     /// missing, and then nothing has been written yet.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`] for the frame, [`Error::Memory`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`] for the frame,
+    /// [`crate::Error::Memory`].
     pub fn prepare(&self, frame: f64) -> Result<()> {
         check_frame(frame)?;
         let mut paths = self.nodes.iter().filter_map(Node::path);
@@ -84,7 +85,7 @@ impl Scene {
     /// The states of one node at the frames `first`, `first + step` and so on.
     ///
     /// # Errors
-    /// As [`Scene::evaluate`]; [`Error::Range`] for the node.
+    /// As [`Scene::evaluate`]; [`crate::Error::Range`] for the node.
     pub fn sample(
         &self,
         node: usize,
@@ -95,7 +96,7 @@ impl Scene {
     ) -> Result<()> {
         self.node(node)?;
         check_frame(first)?;
-        check_frame(step).map_err(|error| error.at(message!("the step")))?;
+        check_frame(step).map_err(|error| error.at(Place::Step))?;
         check_frame(first + step * states.len().saturating_sub(1) as f64)?;
         let chain = self.chain(node)?;
         let mut scratch = self.scratch()?;
@@ -110,8 +111,8 @@ impl Scene {
     /// The numbers of a channel of a node at a frame, with or without a track.
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`] if there is no such channel,
-    /// [`Error::Memory`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`] if there is no such channel,
+    /// [`crate::Error::Memory`].
     pub fn value(
         &self,
         node: usize,
@@ -132,11 +133,11 @@ impl Scene {
                 return Ok(out);
             }
             (Channel::Value { .. }, None) => {
-                return Err(Error::Argument(message!(
-                    "\"{0}\" has no channel \"{1}\"",
-                    node.name.as_str(),
-                    channel.to_string()
-                )));
+                return Err(Invalid::NoChannelOfNode {
+                    node: (&node.name).into(),
+                    channel: (&channel).into(),
+                }
+                .into());
             }
             _ => {}
         }
@@ -184,8 +185,8 @@ impl Scene {
     /// coordinates: as many as its mesh has.
     ///
     /// # Errors
-    /// [`Error::Range`], [`Error::Argument`] if it is no object or `out` does not
-    /// fit, [`Error::Memory`].
+    /// [`crate::Error::Range`], [`crate::Error::Argument`] if it is no object or `out` does not
+    /// fit, [`crate::Error::Memory`].
     pub fn vertices(
         &self,
         node: usize,
@@ -196,11 +197,11 @@ impl Scene {
         let form = self.form(node, frame, troubles)?;
         let count = self.mesh_points(node)?;
         if out.len() != count {
-            return Err(Error::Range(message!(
-                "{0} points need as much room, not {1}",
-                count,
-                out.len()
-            )));
+            return Err(OutOfRange::PointRoom {
+                points: count,
+                given: out.len(),
+            }
+            .into());
         }
         form.points(out);
         Ok(())
@@ -282,7 +283,7 @@ impl Scene {
                 None => (own, values.visible),
             };
             if !world.is_finite() {
-                troubles.add(|| message!("its place is too far away or too large to be computed"));
+                troubles.add(|| Invalid::PlaceTooFar);
                 (world, seen) = (DAffine3::IDENTITY, false);
             }
             let mut pose = Pose::default();

@@ -3,7 +3,7 @@
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::node::{Node, Values};
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Place, Result, TooMany, vec_with_room};
 use crate::limits::MAX_LEVELS;
 
 /// L = T(position)·T(pivot)·R·S·T(−pivot).
@@ -62,13 +62,12 @@ pub(super) fn order(nodes: &[Node]) -> Result<Vec<usize>, (usize, Error)> {
     for (at, node) in nodes.iter().enumerate() {
         for (link, what) in [(node.parent, "parent"), (node.aim, "aim")] {
             if let Some(link) = link.filter(|&link| link >= count) {
-                let error = Error::Range(message!(
-                    "node \"{0}\": there is no node {1} among {2} for its {3}",
-                    node.name.as_str(),
-                    link,
+                let error = Error::Range(OutOfRange::NoLink {
+                    node: (&node.name).into(),
+                    number: link,
                     count,
-                    what
-                ));
+                    link: what,
+                });
                 return Err((at, error));
             }
         }
@@ -98,11 +97,8 @@ pub(super) fn order(nodes: &[Node]) -> Result<Vec<usize>, (usize, Error)> {
                         levels[node] = levels[parent] + 1;
                     }
                     if levels[node] > MAX_LEVELS {
-                        let error = Error::Limit(message!(
-                            "node \"{0}\": a scene has at most {1} levels",
-                            nodes[node].name.as_str(),
-                            MAX_LEVELS
-                        ));
+                        let error = Error::from(TooMany::Levels)
+                            .at(Place::Node((&nodes[node].name).into()));
                         return Err((node, error));
                     }
                     marks[node] = 2;
@@ -118,16 +114,14 @@ pub(super) fn order(nodes: &[Node]) -> Result<Vec<usize>, (usize, Error)> {
 fn cycle(nodes: &[Node], node: usize, needed: usize) -> Error {
     let name = |at: usize| nodes[at].name.as_str();
     Error::Argument(if nodes[node].parent == Some(needed) {
-        message!(
-            "node \"{0}\" cannot be in \"{1}\", which is in it or moves with it",
-            name(node),
-            name(needed)
-        )
+        Invalid::ParentMovesWithIt {
+            node: name(node).into(),
+            parent: name(needed).into(),
+        }
     } else {
-        message!(
-            "node \"{0}\" cannot aim at what is in \"{1}\", which moves with it",
-            name(node),
-            name(needed)
-        )
+        Invalid::AimMovesWithIt {
+            node: name(node).into(),
+            parent: name(needed).into(),
+        }
     })
 }

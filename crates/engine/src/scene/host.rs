@@ -3,7 +3,8 @@
 
 use std::sync::{Arc, PoisonError, RwLock};
 
-use crate::error::{Error, Result, can_allocate, message};
+use crate::error::{Invalid, Result, TooMany, can_allocate};
+use crate::limits;
 use crate::path::camera_path::check_name;
 
 /// What such a function is asked.
@@ -22,17 +23,14 @@ pub struct Question<'a> {
 /// Fills in the value at a frame; false if it cannot.
 pub type Function = dyn Fn(Question<'_>, &mut [f64]) -> bool + Send + Sync;
 
-/// Functions that one process registers: each track looks its own up by name.
-const MAX_FUNCTIONS: usize = 1_000;
-
 static FUNCTIONS: RwLock<Vec<(String, Arc<Function>)>> = RwLock::new(Vec::new());
 
 /// Makes a function known as `host:NAME`, in place of an older one; `None` takes
 /// it away. What is being evaluated meanwhile may still call the older one.
 ///
 /// # Errors
-/// [`Error::Argument`] or [`Error::Limit`] for the name, [`Error::Limit`],
-/// [`Error::Memory`].
+/// [`crate::Error::Argument`] or [`crate::Error::Limit`] for the name, [`crate::Error::Limit`],
+/// [`crate::Error::Memory`].
 pub fn register(name: &str, function: Option<Arc<Function>>) -> Result<()> {
     check_function_name(name)?;
     can_allocate(name.len())?;
@@ -43,11 +41,8 @@ pub fn register(name: &str, function: Option<Arc<Function>>) -> Result<()> {
         (Some(at), Some(function)) => Some(std::mem::replace(&mut all[at].1, function)),
         (Some(at), None) => Some(all.remove(at).1),
         (None, None) => None,
-        (None, Some(_)) if all.len() >= MAX_FUNCTIONS => {
-            return Err(Error::Limit(message!(
-                "at most {0} interpolations can be registered",
-                MAX_FUNCTIONS
-            )));
+        (None, Some(_)) if all.len() >= limits::MAX_INTERPOLATIONS => {
+            return Err(TooMany::Interpolations.into());
         }
         (None, Some(function)) => {
             all.try_reserve(1)?;
@@ -70,13 +65,11 @@ pub(super) fn function(name: &str) -> Option<Arc<Function>> {
 /// A name for a function: one line, not empty.
 ///
 /// # Errors
-/// [`Error::Argument`] or [`Error::Limit`].
+/// [`crate::Error::Argument`] or [`crate::Error::Limit`].
 pub(super) fn check_function_name(name: &str) -> Result<()> {
     check_name(name)?;
     if name.is_empty() {
-        return Err(Error::Argument(message!(
-            "an interpolation of the host's own needs a name"
-        )));
+        return Err(Invalid::InterpolationWithoutName.into());
     }
     Ok(())
 }

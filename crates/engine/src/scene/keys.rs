@@ -7,7 +7,7 @@ use super::motion::Motion;
 use super::node::Values;
 use super::state::Troubles;
 use super::track::Track;
-use crate::error::{Error, Result, message};
+use crate::error::{Result, TooMany};
 use crate::limits::{MAX_TRACKS, MAX_ZOOM, MIN_ZOOM};
 
 /// The tracks of a node, in the order of their channels.
@@ -33,10 +33,7 @@ impl Keys {
         let channel = track.channel();
         let same = self.tracks.iter().position(|t| t.channel().is(channel));
         if same.is_none() && self.tracks.len() >= MAX_TRACKS {
-            return Err(Error::Limit(message!(
-                "a node has at most {0} tracks",
-                MAX_TRACKS
-            )));
+            return Err(TooMany::Tracks.into());
         }
         self.tracks.try_reserve(1)?;
         if let Some(same) = same {

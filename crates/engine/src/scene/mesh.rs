@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::deform::{Bounds, Deformation};
-use crate::error::{Error, Result, message};
+use crate::error::{Invalid, OutOfRange, Place, Result, TooMany};
 use crate::limits::{
     MAX_COORDINATE, MAX_DEFORMATIONS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SHAPES,
 };
@@ -29,39 +29,33 @@ impl Mesh {
     /// Everything finite, every index that of a point.
     ///
     /// # Errors
-    /// The first thing that is not; [`Error::Limit`] for more than
+    /// The first thing that is not; [`crate::Error::Limit`] for more than
     /// [`crate::limits`] allow.
     pub fn check(&self) -> Result<()> {
         let count = self.points.len();
         if count > MAX_MESH_POINTS {
-            return Err(Error::Limit(message!(
-                "an object has at most {0} points",
-                MAX_MESH_POINTS
-            )));
+            return Err(TooMany::MeshPoints.into());
         }
         let corners = (2 * self.lines.len()).max(3 * self.triangles.len());
         if corners > MAX_MESH_CORNERS {
-            return Err(Error::Limit(message!(
-                "an object has at most {0} corners of triangles and as many ends of lines",
-                MAX_MESH_CORNERS
-            )));
+            return Err(TooMany::MeshCorners.into());
         }
         check_points(&self.points)?;
         if !self.colours.is_empty() && self.colours.len() != count {
-            return Err(Error::Range(message!(
-                "{0} points need as many colours, not {1}",
-                count,
-                self.colours.len()
-            )));
+            return Err(OutOfRange::MeshColours {
+                points: count,
+                given: self.colours.len(),
+            }
+            .into());
         }
         let lines = self.lines.iter().flatten();
         let mut indices = lines.chain(self.triangles.iter().flatten());
         if let Some(&wrong) = indices.find(|&&index| index as usize >= count) {
-            return Err(Error::Range(message!(
-                "there is no point {0} among {1}, counted from 0",
-                wrong,
-                count
-            )));
+            return Err(OutOfRange::NoMeshPoint {
+                point: wrong,
+                count,
+            }
+            .into());
         }
         Ok(())
     }
@@ -69,7 +63,7 @@ impl Mesh {
 
 fn check_points(points: &[DVec3]) -> Result<()> {
     for (at, &point) in points.iter().enumerate() {
-        check_coordinates(point).map_err(|error| error.at(message!("point {0}", at + 1)))?;
+        check_coordinates(point).map_err(|error| error.at(Place::Point(at + 1)))?;
     }
     Ok(())
 }
@@ -114,16 +108,16 @@ impl Object {
     /// Sets the mesh.
     ///
     /// # Errors
-    /// As [`Mesh::check`]; [`Error::Argument`] if the shapes that are there do
+    /// As [`Mesh::check`]; [`crate::Error::Argument`] if the shapes that are there do
     /// not fit its points.
     pub fn set_mesh(&mut self, mesh: Mesh) -> Result<()> {
         mesh.check()?;
         if !self.shapes.is_empty() && mesh.points.len() != self.mesh().points.len() {
-            return Err(Error::Argument(message!(
-                "this mesh has {0} points, the object's shapes have {1}",
-                mesh.points.len(),
-                self.mesh().points.len()
-            )));
+            return Err(Invalid::MeshOfShapes {
+                given: mesh.points.len(),
+                wanted: self.mesh().points.len(),
+            }
+            .into());
         }
         self.bounds = Some(Bounds::of(&mesh.points));
         self.mesh = Some(Arc::new(mesh));
@@ -145,19 +139,17 @@ impl Object {
     /// Sets the weights at rest.
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn set_weights(&mut self, weights: &[f64]) -> Result<()> {
         if weights.len() != self.shapes.len() {
-            return Err(Error::Range(message!(
-                "{0} shapes need as many weights, not {1}",
-                self.shapes.len(),
-                weights.len()
-            )));
+            return Err(OutOfRange::ShapeWeights {
+                shapes: self.shapes.len(),
+                given: weights.len(),
+            }
+            .into());
         }
         if !weights.iter().all(|weight| weight.abs() <= MAX_COORDINATE) {
-            return Err(Error::Argument(message!(
-                "a weight must be a finite number up to 1e9"
-            )));
+            return Err(Invalid::Weight.into());
         }
         self.weights.copy_from_slice(weights);
         Ok(())
@@ -165,22 +157,19 @@ impl Object {
 
     /// Adds a shape, with weight 0. (Tracks of the weights are the scene's part.)
     pub(super) fn add_shape(&mut self, shape: Shape) -> Result<()> {
-        check_name(&shape.name).map_err(|error| error.at(message!("the name")))?;
+        check_name(&shape.name).map_err(|error| error.at(Place::Name))?;
         if self.shapes.len() >= MAX_SHAPES {
-            return Err(Error::Limit(message!(
-                "an object has at most {0} shapes",
-                MAX_SHAPES
-            )));
+            return Err(TooMany::Shapes.into());
         }
         let count = self.mesh().points.len();
         let colours = shape.colours.len();
         if shape.points.len() != count || (colours != 0 && colours != count) {
-            return Err(Error::Range(message!(
-                "the shape \"{0}\" has {1} points, the mesh {2}",
-                shape.name.as_str(),
-                shape.points.len(),
-                count
-            )));
+            return Err(OutOfRange::ShapePoints {
+                shape: (&shape.name).into(),
+                given: shape.points.len(),
+                wanted: count,
+            }
+            .into());
         }
         check_points(&shape.points)?;
         self.shapes.try_reserve(1)?;
@@ -200,17 +189,14 @@ impl Object {
     /// bounds of the mesh at rest.
     ///
     /// # Errors
-    /// [`Error::Limit`], [`Error::Memory`].
+    /// [`crate::Error::Limit`], [`crate::Error::Memory`].
     pub fn add_deformation(
         &mut self,
         deformation: Deformation,
         bounds: Option<Bounds>,
     ) -> Result<usize> {
         if self.deformations.len() >= MAX_DEFORMATIONS {
-            return Err(Error::Limit(message!(
-                "an object has at most {0} deformations",
-                MAX_DEFORMATIONS
-            )));
+            return Err(TooMany::Deformations.into());
         }
         self.deformations.try_reserve(1)?;
         self.deformations.push((deformation, bounds));
@@ -219,11 +205,11 @@ impl Object {
 
     pub(super) fn remove_deformation(&mut self, at: usize) -> Result<()> {
         if at >= self.deformations.len() {
-            return Err(Error::Range(message!(
-                "there is no deformation {0} among {1}, counted from 0",
+            return Err(OutOfRange::NoDeformation {
                 at,
-                self.deformations.len()
-            )));
+                count: self.deformations.len(),
+            }
+            .into());
         }
         self.deformations.remove(at);
         Ok(())

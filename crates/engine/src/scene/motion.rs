@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::node::Values;
 use super::state::Troubles;
 use super::time::{Beyond, within};
-use crate::error::{Error, Result, message};
+use crate::error::{Invalid, OutOfRange, Quantity, Result};
 use crate::limits::MAX_COORDINATE;
 use crate::math::orientation::quaternion_from_view;
 use crate::path::{CameraPath, Plan, Pose};
@@ -15,7 +15,7 @@ pub trait Motion {
     /// Sets what moves to what it is at `frame`, any finite number.
     ///
     /// # Errors
-    /// [`Error::Memory`]. What goes wrong with a host's function is put among
+    /// [`crate::Error::Memory`]. What goes wrong with a host's function is put among
     /// the troubles, and the rest moves.
     fn at(&self, frame: f64, values: &mut Values, troubles: &mut Troubles) -> Result<()>;
 
@@ -38,16 +38,14 @@ impl FollowPath {
     /// holds before it and after it.
     ///
     /// # Errors
-    /// What is wrong with the path; [`Error::Argument`] for the start or for
-    /// [`Beyond::Offset`]; [`Error::Limit`] if it has too many frames;
-    /// [`Error::Memory`].
+    /// What is wrong with the path; [`crate::Error::Argument`] for the start or for
+    /// [`Beyond::Offset`]; [`crate::Error::Limit`] if it has too many frames;
+    /// [`crate::Error::Memory`].
     pub fn new(path: CameraPath, start_frame: f64, beyond: Beyond) -> Result<Self> {
         path.check()?;
         check_frame(start_frame)?;
         if beyond == Beyond::Offset {
-            return Err(Error::Argument(message!(
-                "a path holds, repeats or goes back and forth; it has no repeat with offset"
-            )));
+            return Err(Invalid::PathWithOffset.into());
         }
         let plan = Plan::new();
         let count = plan.timeline(&path, super::super::path::Timeline::frame_count)??;
@@ -87,7 +85,7 @@ impl FollowPath {
     /// Computes what sampling needs, once.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub(super) fn prepare(&self) -> Result<()> {
         self.plan.sampler(&self.path).map(|_| ())
     }
@@ -95,7 +93,7 @@ impl FollowPath {
     /// The pose at a frame of the scene, by the path's own evaluation.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn pose(&self, frame: f64) -> Result<Pose> {
         let sampler = self.plan.sampler(&self.path)?;
         let last = self.count as f64;
@@ -146,13 +144,13 @@ impl Motion for FollowPath {
 /// A frame of the timeline: finite, and small enough to compute with.
 ///
 /// # Errors
-/// [`Error::Argument`] or [`Error::Range`].
+/// [`crate::Error::Argument`] or [`crate::Error::Range`].
 pub fn check_frame(frame: f64) -> Result<()> {
     if !frame.is_finite() {
-        return Err(Error::Argument(message!("a frame must be a finite number")));
+        return Err(Invalid::NotFinite(Quantity::Frame).into());
     }
     if frame.abs() > MAX_COORDINATE {
-        return Err(Error::Range(message!("a frame must not exceed 1e9")));
+        return Err(OutOfRange::Exceeds(Quantity::Frame, MAX_COORDINATE).into());
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use super::channel::Channel;
 use super::keys::Keys;
 use super::mesh::Object;
 use super::motion::FollowPath;
-use crate::error::{Error, Result, message};
+use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result};
 use crate::limits::MAX_COORDINATE;
 use crate::path::camera_path::{check_coordinates, check_name, check_zoom};
 use crate::path::quaternion_spline::normalized;
@@ -134,37 +134,26 @@ impl Values {
     /// # Errors
     /// The first one that is not.
     pub fn check(&self) -> Result<()> {
-        check_coordinates(self.position).map_err(|error| error.at(message!("the position")))?;
-        normalized(self.rotation)
-            .map_err(|_| Error::Argument(message!("a rotation must be finite and not zero")))?;
-        check_coordinates(self.scale).map_err(|error| error.at(message!("the scale")))?;
+        check_coordinates(self.position).map_err(|error| error.at(Place::Position))?;
+        normalized(self.rotation).map_err(|_| Error::Argument(Invalid::RotationZero))?;
+        check_coordinates(self.scale).map_err(|error| error.at(Place::Scale))?;
         check_zoom(self.zoom)?;
         if !self.roll.is_finite() || self.roll.abs() > MAX_COORDINATE {
-            return Err(Error::Argument(message!(
-                "the roll must be a finite number"
-            )));
+            return Err(Invalid::NotFinite(Quantity::Roll).into());
         }
         let bright = |value: f64| (0.0..=MAX_COORDINATE).contains(&value);
         if !self.colour.into_iter().all(bright) {
-            return Err(Error::Range(message!(
-                "a colour's numbers must lie between 0 and 1e9"
-            )));
+            return Err(OutOfRange::Colour.into());
         }
         if !bright(self.intensity) {
-            return Err(Error::Range(message!(
-                "the intensity must lie between 0 and 1e9"
-            )));
+            return Err(OutOfRange::Between(Quantity::Intensity, 0.0, MAX_COORDINATE).into());
         }
         let [inner, outer] = self.cone;
         if !(0.0 <= inner && inner <= outer && outer <= 90.0) {
-            return Err(Error::Range(message!(
-                "the inner angle of a cone must lie between 0 and the outer one, that one below 90"
-            )));
+            return Err(OutOfRange::Cone.into());
         }
         if !(0.0..=1.0).contains(&self.aim_weight) {
-            return Err(Error::Range(message!(
-                "the weight of an aim must lie between 0 and 1"
-            )));
+            return Err(OutOfRange::Between(Quantity::AimWeight, 0.0, 1.0).into());
         }
         Ok(())
     }
@@ -224,11 +213,11 @@ impl Node {
             let taken = self.keys.tracks().iter();
             for channel in taken.map(super::Track::channel) {
                 if self.path_moves(channel) {
-                    return Err(Error::Argument(message!(
-                        "\"{0}\" has a track of its {1}; it moves by keys or by a path",
-                        self.name.as_str(),
-                        channel.to_string()
-                    )));
+                    return Err(Invalid::KeysMoveIt {
+                        node: (&self.name).into(),
+                        channel: (&channel).into(),
+                    }
+                    .into());
                 }
             }
         }
@@ -245,19 +234,19 @@ impl Node {
     pub fn set_track(&mut self, track: super::Track) -> Result<()> {
         let width = track.channel().width(self)?;
         if track.channel_width() != width {
-            return Err(Error::Range(message!(
-                "the channel \"{0}\" has {1} numbers a key here, not {2}",
-                track.channel().to_string(),
-                width,
-                track.channel_width()
-            )));
+            return Err(OutOfRange::TrackWidth {
+                channel: (&track.channel()).into(),
+                wanted: width,
+                given: track.channel_width(),
+            }
+            .into());
         }
         if self.path.is_some() && self.path_moves(track.channel()) {
-            return Err(Error::Argument(message!(
-                "\"{0}\" follows a path, which moves its {1}",
-                self.name.as_str(),
-                track.channel().to_string()
-            )));
+            return Err(Invalid::PathMovesIt {
+                node: (&self.name).into(),
+                channel: (&track.channel()).into(),
+            }
+            .into());
         }
         self.keys.set(track)
     }
@@ -281,24 +270,18 @@ impl Node {
     /// The first thing that is not as it must be.
     pub fn check(&self) -> Result<()> {
         check_node_name(&self.name)?;
-        check_coordinates(self.pivot).map_err(|error| error.at(message!("the pivot")))?;
+        check_coordinates(self.pivot).map_err(|error| error.at(Place::Pivot))?;
         if self.kind.looks() {
             if self.pivot != DVec3::ZERO {
-                return Err(Error::Argument(message!(
-                    "lights and cameras have their pivot at 0, 0, 0"
-                )));
+                return Err(Invalid::Pivot.into());
             }
         } else if self.aim.is_some() {
-            return Err(Error::Argument(message!(
-                "only lights and cameras aim at something"
-            )));
+            return Err(Invalid::CannotAim.into());
         }
         if let Kind::Camera(Camera { near, far }) = self.kind
             && !(0.0 < near && near < far && far <= MAX_COORDINATE)
         {
-            return Err(Error::Range(message!(
-                "a camera's near plane must lie behind 0 and before the far one, that one within 1e9"
-            )));
+            return Err(OutOfRange::CameraPlanes.into());
         }
         self.rest.check()
     }
@@ -309,9 +292,9 @@ impl Node {
 /// # Errors
 /// [`Error::Argument`] or [`Error::Limit`].
 pub fn check_node_name(name: &str) -> Result<()> {
-    check_name(name).map_err(|error| error.at(message!("the name")))?;
+    check_name(name).map_err(|error| error.at(Place::Name))?;
     if name.is_empty() {
-        return Err(Error::Argument(message!("a node needs a name")));
+        return Err(Invalid::NoName.into());
     }
     Ok(())
 }

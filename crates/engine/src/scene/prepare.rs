@@ -4,7 +4,7 @@
 //! They are laid out as the tangents of `hermite`: for each key those with which
 //! it is reached, then those with which it is left.
 
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{OutOfRange, Result, vec_with_room};
 use crate::path::Tcb;
 
 /// The keys of a track.
@@ -179,8 +179,6 @@ fn finite(slopes: Vec<f64>) -> Result<Vec<f64>> {
     {
         Ok(slopes)
     } else {
-        Err(Error::Range(message!(
-            "the frames of two keys are too close together to be joined smoothly"
-        )))
+        Err(OutOfRange::KeyDistance.into())
     }
 }

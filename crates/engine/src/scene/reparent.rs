@@ -7,7 +7,7 @@ use super::hierarchy::local;
 use super::node::Node;
 use super::scene::Scene;
 use super::state::{NodeState, Troubles};
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Error, Invalid, Result, vec_with_room};
 
 /// How well a place must be kept, relative to its size.
 const KEPT: f64 = 1e-9;
@@ -24,11 +24,11 @@ impl Scene {
             self.node(parent)?;
             let mut above = std::iter::successors(Some(parent), |&up| self.nodes()[up].parent);
             if above.any(|up| up == at) {
-                return Err(Error::Argument(message!(
-                    "node \"{0}\" cannot be in \"{1}\", which is in it or moves with it",
-                    new.name.as_str(),
-                    self.nodes()[parent].name.as_str()
-                )));
+                return Err(Invalid::ParentMovesWithIt {
+                    node: (&new.name).into(),
+                    parent: (&self.nodes()[parent].name).into(),
+                }
+                .into());
             }
         }
         let mut states: Vec<NodeState> = vec_with_room(self.nodes().len())?;
@@ -49,10 +49,7 @@ impl Scene {
                 .into_iter()
                 .any(moves)
         {
-            return Err(Error::Argument(message!(
-                "\"{0}\" moves in its parent's coordinates, which are not those of the other parent",
-                new.name.as_str()
-            )));
+            return Err(Invalid::MovesInParent((&new.name).into()).into());
         }
         let wanted = other.inverse() * (old * local(new, &new.rest));
         let columns = [
@@ -85,18 +82,12 @@ impl Scene {
         let off = got.matrix3 - wanted.matrix3;
         let off = [off.x_axis, off.y_axis, off.z_axis].map(|v| v.length());
         if off.into_iter().any(|off| off > KEPT * size) {
-            return Err(Error::Argument(message!(
-                "\"{0}\" would need a shear to stay where it is in that parent",
-                new.name.as_str()
-            )));
+            return Err(Invalid::NeedsShear((&new.name).into()).into());
         }
         new.check()
     }
 }
 
 fn flat(node: &Node) -> Error {
-    Error::Argument(message!(
-        "\"{0}\" cannot stay where it is: a scale is 0",
-        node.name.as_str()
-    ))
+    Error::Argument(Invalid::ScaleZero((&node.name).into()))
 }

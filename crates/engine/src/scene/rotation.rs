@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use super::keys::quaternion;
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
 use crate::math::quaternion::{angle, continue_sign, exp, log};
 use crate::path::Tcb;
 use crate::path::quaternion_spline::{
@@ -129,7 +129,7 @@ pub(super) fn unit(q: DQuat) -> Result<DQuat> {
     if (q.length_squared() - 1.0).abs() <= 1e-12 {
         return Ok(q);
     }
-    normalized(q).map_err(|_| Error::Argument(message!("a rotation must be finite and not zero")))
+    normalized(q).map_err(|_| Error::Argument(Invalid::RotationZero))
 }
 
 /// The tcb curve of paths, without the limiter.
@@ -169,9 +169,7 @@ fn smooth(frames: &[f64], keys: &[DQuat], tcb: impl Fn(usize) -> Tcb) -> Result<
         };
         let control = bezier_control(signed[i], signed[i + 1], leave, reach, step(i));
         if !control.iter().all(|q| q.is_finite()) {
-            return Err(Error::Range(message!(
-                "the frames of two keys are too close together to be joined smoothly"
-            )));
+            return Err(OutOfRange::KeyDistance.into());
         }
         sections.push(control);
     }

@@ -7,7 +7,7 @@ use super::motion::{FollowPath, Motion, check_frame};
 use super::node::{Kind, Node, check_node_name};
 use super::track::Track;
 use crate::deform::{Bounds, Deformation};
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Place, Result, TooMany, vec_with_room};
 use crate::limits::{MAX_MARKERS, MAX_NODES, MAX_PINS, MAX_SCENE_NUMBERS};
 use crate::path::{CameraPath, Space};
 
@@ -148,11 +148,10 @@ impl Scene {
     }
 
     fn no_node(&self, at: usize) -> Error {
-        Error::Range(message!(
-            "there is no node {0} among {1}, counted from 0",
-            at,
-            self.nodes.len()
-        ))
+        Error::Range(OutOfRange::NoNode {
+            node: at,
+            count: self.nodes.len(),
+        })
     }
 
     /// The number of the node with this name.
@@ -201,7 +200,7 @@ impl Scene {
         }
         if let Some(aim) = node.aim {
             self.node(aim)
-                .map_err(|error| error.at(message!("node \"{0}\"", node.name.as_str())))?;
+                .map_err(|error| error.at(Place::Node((&node.name).into())))?;
         }
         self.nodes.push(node);
         self.names.insert(place, at);
@@ -213,15 +212,11 @@ impl Scene {
 
     /// Whether one more level fits below a node.
     fn check_below(&self, parent: usize, name: &str) -> Result<()> {
-        let place = |error: Error| error.at(message!("node \"{0}\"", name));
+        let place = |error: Error| error.at(Place::Node(name.into()));
         self.node(parent).map_err(place)?;
         let levels = std::iter::successors(Some(parent), |&at| self.nodes[at].parent).count();
         if levels >= crate::limits::MAX_LEVELS {
-            return Err(Error::Limit(message!(
-                "node \"{0}\": a scene has at most {1} levels",
-                name,
-                crate::limits::MAX_LEVELS
-            )));
+            return Err(place(TooMany::Levels.into()));
         }
         Ok(())
     }
@@ -311,11 +306,11 @@ impl Scene {
             ..Node::default()
         };
         if std::mem::discriminant(&old.kind) != std::mem::discriminant(&new.kind) {
-            return Err(Error::Argument(message!(
-                "\"{0}\" is a {1} and stays one",
-                old.name.as_str(),
-                old.kind.name()
-            )));
+            return Err(Invalid::KindStays {
+                node: (&old.name).into(),
+                kind: old.kind.name(),
+            }
+            .into());
         }
         check_node(&new, at)?;
         let (parent, aim) = (old.parent, old.aim);
@@ -390,10 +385,7 @@ impl Scene {
         let node = self.node_mut(at)?;
         match &mut node.kind {
             Kind::Object(object) => Ok(object),
-            _ => Err(Error::Argument(message!(
-                "\"{0}\" is no object",
-                node.name.as_str()
-            ))),
+            _ => Err(Invalid::NoObject((&node.name).into()).into()),
         }
     }
 
@@ -481,15 +473,12 @@ impl Scene {
     /// # Errors
     /// [`Error::Argument`], [`Error::Range`], [`Error::Limit`], [`Error::Memory`].
     pub fn set_marker(&mut self, name: &str, frame: f64) -> Result<()> {
-        check_node_name(name).map_err(|error| error.at(message!("marker")))?;
+        check_node_name(name).map_err(|error| error.at(Place::Marker))?;
         check_frame(frame)?;
         match self.marker_place(name) {
             Ok(at) => self.markers[at].frame = frame,
             Err(_) if self.markers.len() >= MAX_MARKERS => {
-                return Err(Error::Limit(message!(
-                    "a scene has at most {0} markers",
-                    MAX_MARKERS
-                )));
+                return Err(TooMany::Markers.into());
             }
             Err(at) => {
                 self.markers.try_reserve(1)?;
@@ -526,12 +515,12 @@ impl Scene {
         let node = self.node(at)?;
         let count = node.path().map_or(0, |path| path.path().points.len());
         if point >= count {
-            return Err(Error::Range(message!(
-                "the path of \"{0}\" has no point {1} among {2}, counted from 0",
-                node.name.as_str(),
+            return Err(OutOfRange::NoPathPoint {
+                node: (&node.name).into(),
                 point,
-                count
-            )));
+                count,
+            }
+            .into());
         }
         let place = self
             .pins
@@ -543,16 +532,10 @@ impl Scene {
             return Ok(());
         };
         if self.marker_place(marker).is_err() {
-            return Err(Error::Argument(message!(
-                "there is no marker \"{0}\"",
-                marker
-            )));
+            return Err(Invalid::NoMarker(marker.into()).into());
         }
         if self.pins.len() >= MAX_PINS {
-            return Err(Error::Limit(message!(
-                "a scene has at most {0} pins",
-                MAX_PINS
-            )));
+            return Err(TooMany::Pins.into());
         }
         self.pins.try_reserve(1)?;
         let pin = Pin {
@@ -607,37 +590,31 @@ impl Scene {
 
 fn check_count(count: usize) -> Result<()> {
     if count > MAX_NODES {
-        return Err(Error::Limit(message!(
-            "a scene has at most {0} nodes",
-            MAX_NODES
-        )));
+        return Err(TooMany::Nodes.into());
     }
     Ok(())
 }
 
 fn check_numbers(numbers: usize) -> Result<()> {
     if numbers > MAX_SCENE_NUMBERS {
-        return Err(Error::Limit(message!(
-            "the keys of a scene have at most {0} numbers",
-            MAX_SCENE_NUMBERS
-        )));
+        return Err(TooMany::SceneNumbers.into());
     }
     Ok(())
 }
 
 fn check_node(node: &Node, at: usize) -> Result<()> {
     let own = if node.aim == Some(at) {
-        Err(Error::Argument(message!("it cannot aim at itself")))
+        Err(Invalid::AimsAtItself.into())
     } else if node.parent == Some(at) {
-        Err(Error::Argument(message!("it cannot be in itself")))
+        Err(Invalid::InItself.into())
     } else {
         node.check()
     };
-    own.map_err(|error| error.at(message!("node \"{0}\"", node.name.as_str())))
+    own.map_err(|error| error.at(Place::Node((&node.name).into())))
 }
 
 fn taken(name: &str) -> Error {
-    Error::Argument(message!("there is a node \"{0}\" already", name))
+    Error::Argument(Invalid::NodeTwice(name.into()))
 }
 
 /// A text, or [`Error::Memory`].

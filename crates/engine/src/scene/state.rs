@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DMat4};
 
-use crate::error::{Error, Message};
+use crate::error::{Error, Invalid};
 use crate::path::Pose;
 
 /// A node at a frame. The memory is that of C's `V_NODE_STATE`.
@@ -39,25 +39,25 @@ impl NodeState {
 pub struct Troubles {
     /// The node that is being evaluated.
     pub(super) node: usize,
-    first: Option<(usize, Message)>,
+    first: Option<(usize, Invalid)>,
 }
 
 impl Troubles {
-    pub(super) fn add(&mut self, message: impl FnOnce() -> Message) {
+    pub(super) fn add(&mut self, what: impl FnOnce() -> Invalid) {
         if self.first.is_none() {
-            self.first = Some((self.node, message()));
+            self.first = Some((self.node, what()));
         }
     }
 
     /// The number of the node and what went wrong there, if anything did.
     #[must_use]
-    pub fn first(&self) -> Option<(usize, &Message)> {
-        self.first.as_ref().map(|(node, message)| (*node, message))
+    pub fn first(&self) -> Option<(usize, &Invalid)> {
+        self.first.as_ref().map(|(node, what)| (*node, what))
     }
 
     /// The same as an error, with the place that the caller knows.
     #[must_use]
     pub fn into_error(self) -> Option<Error> {
-        self.first.map(|(_, message)| Error::Argument(message))
+        self.first.map(|(_, what)| what.into())
     }
 }

@@ -13,7 +13,7 @@ use super::prepare::{self, NumberKeys};
 use super::rotation::{Between, Turns, unit};
 use super::state::Troubles;
 use super::time::{Beyond, within};
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
 use crate::limits::{MAX_COORDINATE, MAX_KEYS, MAX_TANGENT};
 use crate::math::euler::EulerAngles;
 use crate::path::Tcb;
@@ -76,10 +76,7 @@ impl Interpolation {
             return Ok(Self::Host(name.to_owned()));
         }
         crate::path::camera_path::check_name(name)?;
-        Err(Error::Argument(message!(
-            "there is no interpolation \"{0}\"",
-            name
-        )))
+        Err(Invalid::NoInterpolation(name.into()).into())
     }
 
     const fn euler(&self) -> bool {
@@ -162,8 +159,7 @@ impl Track {
     /// [`Error::Argument`] where it cannot be, [`Error::Memory`].
     pub fn with_beyond(mut self, before: Beyond, after: Beyond) -> Result<Self> {
         if self.channel == Channel::Visible && [before, after].contains(&Beyond::Offset) {
-            let error =
-                Error::Argument(message!("what is either 0 or 1 cannot repeat with offset"));
+            let error = Error::Argument(Invalid::SwitchWithOffset);
             return Err(self.at_channel(error));
         }
         (self.before, self.after) = (before, after);
@@ -174,7 +170,7 @@ impl Track {
     }
 
     fn at_channel(&self, error: Error) -> Error {
-        error.at(message!("channel \"{0}\"", self.channel.to_string()))
+        error.at(Place::Channel((&self.channel).into()))
     }
 
     /// What it moves.
@@ -272,20 +268,17 @@ impl Track {
     fn check(&self) -> Result<()> {
         let count = self.frames.len();
         if count == 0 {
-            return Err(Error::Argument(message!("a track needs a key")));
+            return Err(Invalid::NoKey.into());
         }
         if count > MAX_KEYS {
-            return Err(Error::Limit(message!(
-                "a track has at most {0} keys",
-                MAX_KEYS
-            )));
+            return Err(TooMany::Keys.into());
         }
         if self.width == 0 || self.values.len() != count * self.width {
-            return Err(Error::Range(message!(
-                "{0} keys cannot share {1} numbers",
-                count,
-                self.values.len()
-            )));
+            return Err(OutOfRange::KeyNumbers {
+                keys: count,
+                numbers: self.values.len(),
+            }
+            .into());
         }
         self.check_combination()?;
         let wanted = match self.interpolation {
@@ -294,17 +287,17 @@ impl Track {
             _ => 0,
         };
         if self.shape.len() != wanted {
-            return Err(Error::Range(message!(
-                "the interpolation \"{0}\" needs {1} numbers for the shape of {2} keys, not {3}",
-                self.interpolation.to_string(),
+            return Err(OutOfRange::KeyShapeNumbers {
+                interpolation: (&self.interpolation).into(),
                 wanted,
-                count,
-                self.shape.len()
-            )));
+                keys: count,
+                given: self.shape.len(),
+            }
+            .into());
         }
         for key in 0..count {
             self.check_key(key)
-                .map_err(|error| error.at(message!("key {0}", key + 1)))?;
+                .map_err(|error| error.at(Place::Key(key + 1)))?;
         }
         Ok(())
     }
@@ -319,10 +312,7 @@ impl Track {
             _ => self.channel != Channel::Visible,
         };
         if !fits {
-            return Err(Error::Argument(message!(
-                "this channel cannot be interpolated by \"{0}\"",
-                self.interpolation.to_string()
-            )));
+            return Err(Invalid::NotInterpolated((&self.interpolation).into()).into());
         }
         let width = match self.channel {
             Channel::Rotation if self.interpolation.euler() => 3,
@@ -334,11 +324,11 @@ impl Track {
             _ => 1,
         };
         if width != self.width {
-            return Err(Error::Range(message!(
-                "a key has {0} numbers here, not {1}",
-                width,
-                self.width
-            )));
+            return Err(OutOfRange::KeyWidth {
+                wanted: width,
+                given: self.width,
+            }
+            .into());
         }
         Ok(())
     }
@@ -347,17 +337,15 @@ impl Track {
         let frame = self.frames[key];
         check_frame(frame)?;
         if key > 0 && !(self.frames[key - 1] < frame) {
-            return Err(Error::Argument(message!(
-                "its frame must lie behind that of the key before"
-            )));
+            return Err(Invalid::KeyOrder.into());
         }
         let value = &self.values[key * self.width..][..self.width];
         for &number in value {
             if !number.is_finite() {
-                return Err(Error::Argument(message!("a value must be a finite number")));
+                return Err(Invalid::NotFinite(Quantity::Value).into());
             }
             if number.abs() > MAX_COORDINATE {
-                return Err(Error::Range(message!("a value must not exceed 1e9")));
+                return Err(OutOfRange::Exceeds(Quantity::Value, MAX_COORDINATE).into());
             }
         }
         let inside = |low: f64, high: f64| value.iter().all(|v| (low..=high).contains(v));
@@ -383,9 +371,7 @@ impl Track {
             _ => true,
         };
         if !fits {
-            return Err(Error::Range(message!(
-                "a value lies outside the range of its channel"
-            )));
+            return Err(OutOfRange::ChannelValue.into());
         }
         match self.interpolation {
             Interpolation::Tcb => self.tcb(key).check(),
@@ -394,10 +380,7 @@ impl Track {
                 if tangents.iter().all(|slope| slope.abs() <= MAX_TANGENT) {
                     return Ok(());
                 }
-                Err(Error::Range(message!(
-                    "a tangent must be finite and not exceed {0}",
-                    MAX_TANGENT
-                )))
+                Err(OutOfRange::Tangent.into())
             }
             _ => Ok(()),
         }
@@ -539,12 +522,9 @@ impl Track {
     /// Asks the host; false if it has no answer.
     fn ask(&self, name: &str, frame: f64, out: &mut [f64], troubles: &mut Troubles) -> bool {
         let Some(function) = host::function(name) else {
-            troubles.add(|| {
-                message!(
-                    "channel \"{0}\": no interpolation \"host:{1}\" is registered",
-                    self.channel.to_string(),
-                    name
-                )
+            troubles.add(|| Invalid::NotRegistered {
+                channel: (&self.channel).into(),
+                name: name.into(),
             });
             return false;
         };
@@ -560,19 +540,10 @@ impl Track {
             return true;
         }
         troubles.add(|| {
-            let channel = self.channel.to_string();
-            if answered {
-                message!(
-                    "channel \"{0}\": the interpolation \"host:{1}\" gave a number that cannot be used",
-                    channel,
-                    name
-                )
-            } else {
-                message!(
-                    "channel \"{0}\": the interpolation \"host:{1}\" failed",
-                    channel,
-                    name
-                )
+            let (channel, name) = ((&self.channel).into(), name.into());
+            match answered {
+                true => Invalid::InterpolationGave { channel, name },
+                false => Invalid::InterpolationFailed { channel, name },
             }
         });
         false
@@ -597,7 +568,7 @@ impl Track {
             // Through zero there is no direction: the key before holds.
             unit(quaternion(&numbers)).unwrap_or_else(|_| {
                 if host {
-                    troubles.add(|| message!("a rotation must be finite and not zero"));
+                    troubles.add(|| Invalid::RotationZero);
                 }
                 turns.key(section)
             })

@@ -7,7 +7,7 @@ use super::mesh::{Object, Shape};
 use super::node::{Kind, Node};
 use super::state::Troubles;
 use crate::deform::Deformation;
-use crate::error::{Error, Result, message, vec_with_room};
+use crate::error::{Invalid, Result, vec_with_room};
 
 /// What of an object changes, at one frame.
 pub(super) struct Form<'a> {
@@ -19,10 +19,7 @@ pub(super) struct Form<'a> {
 impl<'a> Form<'a> {
     pub(super) fn at(node: &'a Node, frame: f64, troubles: &mut Troubles) -> Result<Self> {
         let Kind::Object(object) = &node.kind else {
-            return Err(Error::Argument(message!(
-                "\"{0}\" is no object",
-                node.name.as_str()
-            )));
+            return Err(Invalid::NoObject((&node.name).into()).into());
         };
         let mut form = Self {
             object,

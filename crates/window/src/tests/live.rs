@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 use egui::{Event, Modifiers, PointerButton, pos2};
 
 use super::{Remote, open_for, settle};
-use crate::document::Edit;
-use crate::error::Result;
+use crate::document::{Edit, Result};
+use crate::editor::HostView;
 use crate::path::{Pose, Sampler};
 use crate::x11::News;
 use crate::{Gone, Host, Id, Reason, change, close, command, dispatch, is_open, look, wait};
@@ -83,7 +83,7 @@ impl Watcher {
 
 fn open() -> (Id, Rc<Remote>, Rc<Watcher>) {
     let host = Rc::new(Watcher::default());
-    let (id, remote) = open_for(Rc::<Watcher>::clone(&host));
+    let (id, remote) = open_for(Rc::<Watcher>::clone(&host), HostView::default());
     remote.size.set([900, 700]);
     (id, remote, host)
 }
@@ -136,7 +136,9 @@ fn a_row_of_views_ends_with_a_rest() {
     assert_eq!(host.changes.get(), 1);
     assert!(host.views.borrow().iter().all(|view| view.3.vrp[0] == 0.25));
     host.forget();
-    command(id, |editor| editor.set_frame(33.5)).expect("open").expect("a frame");
+    command(id, |editor| editor.set_frame(33.5))
+        .expect("open")
+        .expect("a frame");
     rest(&remote);
     assert_eq!(host.reasons(), [Reason::Scrubbed, Reason::Rested]);
     assert!(host.views.borrow().iter().all(|view| view.1 == 33.5));
@@ -144,13 +146,21 @@ fn a_row_of_views_ends_with_a_rest() {
     assert_eq!(host.views.borrow()[1].3, expected.unwrap().unwrap());
     // The same again is nothing new.
     host.forget();
-    command(id, |editor| editor.set_frame(33.5)).expect("open").expect("a frame");
+    command(id, |editor| editor.set_frame(33.5))
+        .expect("open")
+        .expect("a frame");
     rest(&remote);
     assert_eq!(host.reasons(), []);
     // Undone and redone.
     for undo in [true, false] {
         host.forget();
-        change(id, |document| if undo { document.undo() } else { document.redo() });
+        change(id, |document| {
+            if undo {
+                document.undo()
+            } else {
+                document.redo()
+            }
+        });
         rest(&remote);
         assert_eq!(host.changes.get(), 1);
     }
@@ -175,14 +185,22 @@ fn the_view_follows_the_picture_of_a_drag() {
         remote.hand(Event::PointerMoved(at(2.0 * f32::from(step))));
         dispatch();
         if host.views.borrow().len() > seen {
-            assert_eq!(host.views.borrow().len(), seen + 1, "more than one a picture");
+            assert_eq!(
+                host.views.borrow().len(),
+                seen + 1,
+                "more than one a picture"
+            );
             let told = host.views.borrow()[seen].0;
             late.push(told.saturating_duration_since(remote.presented.get().expect("a picture")));
         }
         sleep(Duration::from_millis(17));
     }
     assert!(!host.reasons().contains(&Reason::Rested), "it is held");
-    assert!(host.reasons().iter().all(|&reason| reason == Reason::Scrubbed));
+    assert!(
+        host.reasons()
+            .iter()
+            .all(|&reason| reason == Reason::Scrubbed)
+    );
     remote.hand(button(at(118.0).x, at(118.0).y, false));
     rest(&remote);
     assert_eq!(host.reasons().last(), Some(&Reason::Rested));
@@ -210,7 +228,10 @@ fn a_slow_host_has_time_for_itself_and_is_told_the_last() {
         });
         let start = Instant::now();
         dispatch();
-        assert!(start.elapsed() < Duration::from_millis(300), "more than a call");
+        assert!(
+            start.elapsed() < Duration::from_millis(300),
+            "more than a call"
+        );
         sleep(Duration::from_millis(2));
     }
     rest(&remote);
@@ -230,20 +251,30 @@ fn what_a_callback_changes_it_is_not_called_for() {
     let told = Rc::clone(&host);
     *host.on_view.borrow_mut() = Some(Box::new(move |window| {
         move_first_point(window, 0.125);
-        command(window, |editor| editor.set_frame(12.0)).expect("open").expect("a frame");
-        command(window, |editor| editor.select_key(1, 0)).expect("open").expect("a key");
+        command(window, |editor| editor.set_frame(12.0))
+            .expect("open")
+            .expect("a frame");
+        command(window, |editor| editor.select_key(1, 0))
+            .expect("open")
+            .expect("a key");
         assert_eq!(told.views.borrow().len(), 1);
         *told.on_view.borrow_mut() = Some(Box::new(|_| {}));
     }));
-    command(id, |editor| editor.set_frame(40.0)).expect("open").expect("a frame");
+    command(id, |editor| editor.set_frame(40.0))
+        .expect("open")
+        .expect("a frame");
     rest(&remote);
     assert_eq!(host.reasons(), [Reason::Scrubbed, Reason::Rested]);
     assert_eq!(host.changes.get(), 0);
-    let at = look(id, |editor| editor.frame()).expect("open").expect("a frame");
+    let at = look(id, |editor| editor.frame())
+        .expect("open")
+        .expect("a frame");
     assert_eq!(host.views.borrow()[1].1, at);
     // And it may close its own window.
     *host.on_view.borrow_mut() = Some(Box::new(|window| assert!(close(window))));
-    command(id, |editor| editor.set_frame(50.0)).expect("open").expect("a frame");
+    command(id, |editor| editor.set_frame(50.0))
+        .expect("open")
+        .expect("a frame");
     dispatch();
     assert!(!is_open(id));
 }

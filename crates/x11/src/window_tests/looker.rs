@@ -2,8 +2,8 @@
 
 use x11rb::connection::Connection as _;
 use x11rb::protocol::xproto::{
-    ConfigureWindowAux, ConnectionExt as _, CreateGCAux, EventMask, ImageFormat, PropMode,
-    Rectangle,
+    ColormapAlloc, ConfigureWindowAux, ConnectionExt as _, CreateGCAux, CreateWindowAux, EventMask,
+    ImageFormat, MapState, PropMode, Rectangle, WindowClass,
 };
 use x11rb::rust_connection::RustConnection;
 use x11rb::wrapper::ConnectionExt as _;
@@ -75,6 +75,61 @@ impl Looker {
 
     pub(super) fn root(&self) -> u32 {
         self.connection.setup().roots[self.screen].root
+    }
+
+    /// A window of the looker's own.
+    pub(super) fn window(&self, parent: u32, size: (u16, u16), depth: u8) -> u32 {
+        let [window, colormap] = [(), ()].map(|()| self.connection.generate_id().unwrap());
+        let screen = &self.connection.setup().roots[self.screen];
+        let visuals = screen.allowed_depths.iter().find(|of| of.depth == depth);
+        let visual = visuals.expect("such a depth").visuals[0].visual_id;
+        (self.connection)
+            .create_colormap(ColormapAlloc::NONE, colormap, screen.root, visual)
+            .unwrap();
+        let attributes = CreateWindowAux::new().border_pixel(0).colormap(colormap);
+        let kind = WindowClass::INPUT_OUTPUT;
+        let (width, height) = size;
+        let asked = self.connection.create_window(
+            depth,
+            window,
+            parent,
+            0,
+            0,
+            width,
+            height,
+            0,
+            kind,
+            visual,
+            &attributes,
+        );
+        asked.unwrap().check().unwrap();
+        self.connection.map_window(window).unwrap();
+        self.sync();
+        window
+    }
+
+    /// The parent of a window, and whether it is mapped; nothing if there is no such window.
+    pub(super) fn place(&self, window: u32) -> Option<(u32, bool)> {
+        let tree = self.connection.query_tree(window).unwrap().reply().ok()?;
+        let attributes = self.connection.get_window_attributes(window).unwrap();
+        let mapped = attributes.reply().ok()?.map_state != MapState::UNMAPPED;
+        Some((tree.parent, mapped))
+    }
+
+    /// Where a window is in its parent, and its size.
+    pub(super) fn geometry(&self, window: u32) -> [i32; 4] {
+        let place = self
+            .connection
+            .get_geometry(window)
+            .unwrap()
+            .reply()
+            .unwrap();
+        [
+            place.x.into(),
+            place.y.into(),
+            place.width.into(),
+            place.height.into(),
+        ]
     }
 
     /// Paints over a window's upper left corner.

@@ -1,8 +1,10 @@
 //! Whole windows on servers of their own, seen by another client.
 
 mod desktop;
+mod embedded;
 mod looker;
 mod painting;
+mod pane;
 
 use std::os::fd::AsFd;
 use std::time::{Duration, Instant};
@@ -26,8 +28,12 @@ struct Shown {
 
 impl Shown {
     fn open(server: &Server) -> Self {
+        Self::of(open(server.display()).expect("a window"))
+    }
+
+    fn of(window: Window) -> Self {
         Self {
-            window: open(server.display()).expect("a window"),
+            window,
             events: Vec::new(),
             input: egui::RawInput::default(),
             seed: 1,
@@ -103,13 +109,18 @@ impl Shown {
 }
 
 fn open(display: &str) -> crate::error::Result<Window> {
-    Window::open(&Options {
+    Window::open(&options(display))
+}
+
+fn options(display: &str) -> Options {
+    Options {
         display: Some(display.to_owned()),
         title: "VIDES – Prüfung".to_owned(),
         application: "a host".to_owned(),
         size: [300.0, 200.0],
         smallest: [100.0, 80.0],
-    })
+        ..Options::default()
+    }
 }
 
 /// Noise: an error of a row or a column shows.

@@ -1,0 +1,289 @@
+//! What the engine says, in German: one line for each variant of its errors.
+//! English is what they say themselves.
+
+use super::Language;
+use crate::error::{Bound, EngineError, Invalid, OutOfRange, Place, Quantity, TooMany};
+use crate::limits;
+
+/// A text of the library in German.
+pub(crate) struct German<'a, T>(pub(crate) &'a T);
+
+/// A text for each variant of an enum of the library's; the compiler sees that
+/// none is forgotten.
+macro_rules! german {
+    ($($of:ident {$($variant:ident $(($($at:ident),+))? $({ $($name:ident),+ })? =>
+        $text:literal $(, $value:expr)*;)+})+) => {$(
+        impl std::fmt::Display for German<'_, $of> {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                match self.0 {$(
+                    $of::$variant $(($($at),+))? $({ $($name),+ })? => write!(f, $text $(, $value)*),
+                )+}
+            }
+        }
+    )+};
+}
+pub(super) use german;
+
+/// A number as it is written in German.
+pub(super) fn number(number: f64) -> String {
+    Language::German.written(Bound(number).to_string())
+}
+
+german! {
+    EngineError {
+        Argument(cause) => "{}", German(cause);
+        Range(cause) => "{}", German(cause);
+        Limit(cause) => "{}", German(cause);
+        Memory => "der Speicher reicht nicht";
+        At(place, cause) => "{}: {}", German(place), German::<EngineError>(cause);
+    }
+    Place {
+        Point(number) => "Punkt {number}";
+        Orientation(number) => "Orientierung {number}";
+        ObjectPoint(number) => "Objektpunkt {number}";
+        Node(name) => "Knoten „{name}“";
+        Channel(name) => "Kanal „{name}“";
+        Key(number) => "Schlüssel {number}";
+        Marker => "Marke";
+        Parent => "parent";
+        Aim => "aim";
+        Name => "der Name";
+        Title => "der Titel";
+        Unit => "die Einheit";
+        Position => "die Position";
+        Scale => "die Skalierung";
+        Pivot => "der Drehpunkt";
+        Step => "die Schrittweite";
+        Tangents => "die Tangenten";
+    }
+    Quantity {
+        AimWeight => "das Gewicht des Zielens";
+        Bias => "bias";
+        Continuity => "continuity";
+        Coordinate => "eine Koordinate";
+        CurveSpeed => "jeder Wert einer Zeitkurve";
+        DistanceAhead => "der Abstand voraus";
+        Frame => "ein Bild";
+        Intensity => "die Helligkeit";
+        Parameter => "ein Wert einer Verformung";
+        Preset => "der Standardwert";
+        Rate => "eine Geschwindigkeit oder Steigung";
+        Roll => "der Winkel";
+        Tension => "tension";
+        Value => "ein Wert";
+        Zoom => "der Zoom";
+    }
+    Invalid {
+        NotFinite(what) => "{} muss eine endliche Zahl sein", German(what);
+        ControlCharacter => "Steuerzeichen sind nicht erlaubt";
+        TargetOnCamera => "das Ziel darf nicht auf der Kameraposition liegen";
+        BaseSpeed => "eine Grundgeschwindigkeit muss endlich und größer als null sein";
+        DistanceNotFinite => "die Schlüssel eines vorgegebenen Wegs müssen endliche Zahlen sein";
+        ControlNotUnit => "die Kontrollquaternionen einer Drehung müssen die Länge 1 haben";
+        NoNewKey =>
+            "in der Orientierungsart barry-goldman würde ein neuer Schlüssel die Ansichten ringsum ändern";
+        CentreNotFinite => "der Mittelpunkt des Raums muss endlich sein";
+        NoSize => "ein einzelner Ort hat keine Größe, die ein Raum haben könnte";
+        ViewNotFinite => "jede Zahl einer Ansicht muss endlich sein";
+        NormalZero => "die Normale der Bildebene darf nicht null sein";
+        ViewUpZero => "der Aufwärtsvektor einer Ansicht darf nicht null sein";
+        ViewUpParallel => "der Aufwärtsvektor darf nicht parallel zur Normale der Bildebene sein";
+        LookNotFinite => "Position, Blickrichtung und Aufwärtsvektor müssen endlich sein";
+        LookZero => "Blickrichtung und Aufwärtsvektor dürfen nicht null sein";
+        UpParallel => "der Aufwärtsvektor darf nicht parallel zur Blickrichtung sein";
+        RotationAxis => "die Achse einer Drehung muss endlich und darf nicht null sein";
+        RotationNotFinite => "Punkt und Winkel einer Drehung müssen endlich sein";
+        RotationZero => "eine Drehung muss endlich und darf nicht null sein";
+        QuaternionZero => "eine Quaternion muss endlich und darf nicht null sein";
+        NoControlPoint => "eine Bézierkurve braucht mindestens einen Kontrollpunkt";
+        ControlPointNotFinite(at) => "der Kontrollpunkt mit Index {at} muss endlich sein";
+        CurveTooShort => "eine Kurve braucht mindestens zwei Punkte";
+        SplineTooShort => "ein Spline braucht mindestens zwei Punkte";
+        KnotCount { points, knots } =>
+            "{points} Punkte brauchen ebenso viele Knoten, nicht {knots}";
+        PointNotFinite(at) => "der Punkt mit Index {at} muss endlich sein";
+        KnotNotFinite(at) => "der Knoten mit Index {at} muss endlich sein";
+        KnotOrder(at) => "der Knoten mit Index {at} muss größer sein als der davor";
+        EndSlope => "eine Endsteigung muss endlich sein";
+        EndTangent => "eine Endtangente muss endlich sein";
+        PeriodicEnds => "ein periodischer Spline muss enden, wo er beginnt";
+        TimeOrder => "die Zeiten müssen endlich sein und jede später als die davor";
+        TimesUnequal =>
+            "die Zeiten liegen zu weit oder zu ungleich auseinander, um damit zu rechnen";
+        DrawnBound => "die Fehlerschranke einer gezeichneten Kurve muss positiv und endlich sein";
+        DrawnNotFinite => "eine gezeichnete Kurve muss endlich sein";
+        NoName => "ein Knoten braucht einen Namen";
+        NodeTwice(name) => "einen Knoten „{name}“ gibt es schon";
+        NoNodeNamed(name) => "einen Knoten „{name}“ gibt es nicht";
+        KindStays { node, kind } => "„{node}“ ist von der Art „{kind}“ und bleibt es";
+        NoObject(name) => "„{name}“ ist kein Objekt";
+        Pivot => "Lichter und Kameras haben ihren Drehpunkt bei 0, 0, 0";
+        CannotAim => "nur Lichter und Kameras zielen auf etwas";
+        AimsAtItself => "er kann nicht auf sich selbst zielen";
+        InItself => "er kann nicht in sich selbst liegen";
+        ParentMovesWithIt { node, parent } =>
+            "Knoten „{node}“ kann nicht in „{parent}“ liegen, das in ihm liegt oder sich mit ihm bewegt";
+        AimMovesWithIt { node, parent } =>
+            "Knoten „{node}“ kann nicht auf etwas in „{parent}“ zielen, das sich mit ihm bewegt";
+        MovesInParent(name) =>
+            "„{name}“ bewegt sich in den Koordinaten seines übergeordneten Knotens, und die des anderen sind nicht dieselben";
+        NeedsShear(name) =>
+            "„{name}“ müsste geschert werden, um in diesem Knoten zu bleiben, wo es ist";
+        ScaleZero(name) => "„{name}“ kann nicht bleiben, wo es ist: eine Skalierung ist 0";
+        PlaceTooFar => "sein Ort ist zu weit weg oder zu groß, um berechnet zu werden";
+        NoMarker(name) => "eine Marke „{name}“ gibt es nicht";
+        PathWithOffset =>
+            "ein Pfad hält, wiederholt sich oder läuft hin und her; mit Versatz wiederholt er sich nicht";
+        NoChannel(name) => "einen Kanal „{name}“ gibt es nicht";
+        NoChannelOfKind { kind, channel } =>
+            "ein Knoten der Art „{kind}“ hat keinen Kanal „{channel}“";
+        NoChannelOfNode { node, channel } => "„{node}“ hat keinen Kanal „{channel}“";
+        ChannelWithoutName => "ein eigener Kanal braucht einen Namen: value:NAME";
+        KeysMoveIt { node, channel } =>
+            "„{node}“ hat eine Spur für {channel}; es bewegt sich durch Schlüssel oder auf einem Pfad";
+        PathMovesIt { node, channel } => "„{node}“ folgt einem Pfad, der {channel} bewegt";
+        GivenTwice => "das steht weiter oben schon";
+        NoKey => "eine Spur braucht einen Schlüssel";
+        KeyOrder => "sein Bild muss hinter dem des Schlüssels davor liegen";
+        SwitchWithOffset => "was nur 0 oder 1 ist, kann sich nicht mit Versatz wiederholen";
+        NoInterpolation(name) => "eine Interpolation „{name}“ gibt es nicht";
+        NotInterpolated(name) => "dieser Kanal kann nicht mit „{name}“ interpoliert werden";
+        InterpolationWithoutName => "eine eigene Interpolation braucht einen Namen";
+        NotRegistered { channel, name } =>
+            "Kanal „{channel}“: eine Interpolation „host:{name}“ ist nicht angemeldet";
+        InterpolationFailed { channel, name } =>
+            "Kanal „{channel}“: die Interpolation „host:{name}“ ist gescheitert";
+        InterpolationGave { channel, name } =>
+            "Kanal „{channel}“: die Interpolation „host:{name}“ gab eine unbrauchbare Zahl";
+        MeshOfShapes { given, wanted } =>
+            "dieses Netz hat {given} Punkte, die Formen des Objekts haben {wanted}";
+        Weight => "ein Gewicht muss eine endliche Zahl bis 1e9 sein";
+        NoDeformation(name) =>
+            "eine Verformung „{name}“ gibt es nicht; bekannt sind taper, twist, bend, free-form";
+        BendAxes => "eine Biegung braucht zwei verschiedene Achsen";
+        BoxEnds => "der Quader darf nicht enden, bevor er beginnt";
+    }
+    OutOfRange {
+        Between(what, low, high) =>
+            "{} muss zwischen {} und {} liegen", German(what), number(*low), number(*high);
+        Exceeds(what, most) => "{} darf höchstens {} sein", German(what), number(*most);
+        TooFewSupportPoints => "eine Bahn braucht mindestens zwei Stützpunkte";
+        NoPoint { point, last } =>
+            "den Punkt {point} gibt es nicht: die Bahn hat die Punkte 0 bis {last}";
+        Orientations => "ein Punkt hat 1 bis 10 Orientierungen";
+        Hold => "das Halten muss zwischen 0 und 1000000 Bildern liegen";
+        FrameOfPath => "ein Bild muss zwischen 1 und der Zahl der Bilder liegen";
+        NoPose => "eine Liste hat mindestens eine Pose";
+        SectionFrames => "ein Bewegungsabschnitt hat höchstens {} Bilder", limits::MAX_FRAMES;
+        DistanceKeys => "ein vorgegebener Weg hat 2 bis {} Schlüssel", limits::MAX_DISTANCE_KEYS;
+        DistanceOrder =>
+            "die Schlüssel eines vorgegebenen Wegs müssen von 0, 0 nach 1, 1 führen, und beide Zahlen müssen steigen";
+        EaseShares =>
+            "die Zeitanteile für Anfahren und Bremsen dürfen nicht negativ sein und zusammen höchstens 1";
+        Part => "ein Teil muss zwischen 0 und 1 beginnen und enden, und zwar nach seinem Anfang";
+        PointOrder => "der erste Punkt eines Bereichs darf nicht hinter dem letzten liegen";
+        TooFewFrames { frames, least } =>
+            "{frames} Bilder sind zu wenige: es müssen mindestens {least} sein";
+        TooManyFrames { frames, most } =>
+            "{frames} Bilder sind zu viele: es können höchstens {most} sein";
+        AtKey(frame) => "bei Bild {} ist die Kamera schon an einem Schlüssel", number(*frame);
+        Turning { frame, point } =>
+            "bei Bild {} dreht sich die Kamera an Punkt {point}, dort gibt es keinen Weg zu teilen", number(*frame);
+        NearPoint => "die Stelle liegt zu nah an einem Punkt des Pfads";
+        HalfSize => "die halbe Größe des Raums muss zwischen 1e-30 und 1e30 liegen";
+        Centre =>
+            "der Mittelpunkt des Raums darf höchstens 1e9 halbe Größen vom Ursprung der Welt entfernt sein";
+        FarFromCentre =>
+            "eine Koordinate darf höchstens 1e9 halbe Größen vom Mittelpunkt des Raums entfernt sein";
+        DistanceAhead =>
+            "der Abstand voraus muss zwischen 0 und 1e9 halben Größen des Raums liegen";
+        Fps => "die Bilder pro Sekunde müssen größer als 0 und höchstens 100000 sein";
+        ViewZoom => "der Zoom einer Ansicht muss positiv und endlich sein";
+        ViewAspect => "das Seitenverhältnis einer Ansicht muss positiv und endlich sein";
+        FrontPlane => "die vordere Ebene muss in positivem Abstand vor der Kamera liegen";
+        BackPlane => "die hintere Ebene muss weiter von der Kamera entfernt sein als die vordere";
+        ViewWindow => "das Fenster einer Ansicht darf nicht leer sein";
+        ViewPlanes => "die hintere Ebene einer Ansicht muss hinter der vorderen liegen";
+        ReferenceBehindFront => "der Projektionsreferenzpunkt muss vor der vorderen Ebene liegen";
+        ReferenceInViewPlane => "der Projektionsreferenzpunkt darf nicht in der Bildebene liegen";
+        ViewNumbers => "die Zahlen einer Ansicht dürfen nicht so groß oder so nah beieinander sein";
+        CameraTooFar => "die Position der Kamera ist zu groß";
+        KnotDistance(at) =>
+            "die Knoten mit den Indizes {at} und {} dürfen nicht so nah beieinander oder so weit auseinander liegen", at + 1;
+        QuaternionKeys =>
+            "eine Quaternionenkurve braucht mindestens zwei Schlüssel, jeder mit einer Zeit";
+        Time => "die gefragte Zeit muss zwischen dem ersten und dem letzten Schlüssel liegen";
+        KeyShapes => "jeder Schlüssel braucht tension, continuity und bias";
+        NoNode { node, count } => "unter {count} Knoten, gezählt von 0, ist kein Knoten {node}";
+        NoLink { node, number, count, link } =>
+            "Knoten „{node}“: unter {count} Knoten ist kein Knoten {number} für {link}";
+        NoPathPoint { node, point, count } =>
+            "der Pfad von „{node}“ hat unter {count} Punkten, gezählt von 0, keinen Punkt {point}";
+        States { nodes, given } => "{nodes} Knoten brauchen ebenso viele Zustände, nicht {given}";
+        Colour => "die Zahlen einer Farbe müssen zwischen 0 und 1e9 liegen";
+        Cone =>
+            "der innere Winkel eines Kegels muss zwischen 0 und dem äußeren liegen, dieser unter 90";
+        CameraPlanes =>
+            "die vordere Ebene einer Kamera muss hinter 0 und vor der hinteren liegen, diese bis 1e9";
+        ChannelWidth =>
+            "ein eigener Kanal hat 1 bis {} Zahlen: value:NAME:3", limits::MAX_CHANNEL_WIDTH;
+        TrackWidth { channel, wanted, given } =>
+            "der Kanal „{channel}“ hat hier {wanted} Zahlen je Schlüssel, nicht {given}";
+        KeyNumbers { keys, numbers } =>
+            "{keys} Schlüssel können sich {numbers} Zahlen nicht teilen";
+        KeyWidth { wanted, given } => "ein Schlüssel hat hier {wanted} Zahlen, nicht {given}";
+        KeyShapeNumbers { interpolation, wanted, keys, given } =>
+            "die Interpolation „{interpolation}“ braucht {wanted} Zahlen für die Form von {keys} Schlüsseln, nicht {given}";
+        KeyDistance =>
+            "die Bilder zweier Schlüssel liegen für einen glatten Übergang zu nah beieinander";
+        ChannelValue => "ein Wert liegt außerhalb des Bereichs seines Kanals";
+        Tangent =>
+            "eine Tangente muss endlich sein und darf {} nicht überschreiten", limits::MAX_TANGENT;
+        NoMeshPoint { point, count } =>
+            "unter {count} Punkten, gezählt von 0, ist kein Punkt {point}";
+        MeshColours { points, given } =>
+            "{points} Punkte brauchen ebenso viele Farben, nicht {given}";
+        PointRoom { points, given } => "{points} Punkte brauchen ebenso viel Platz, nicht {given}";
+        ShapePoints { shape, given, wanted } =>
+            "die Form „{shape}“ hat {given} Punkte, das Netz {wanted}";
+        ShapeWeights { shapes, given } =>
+            "{shapes} Formen brauchen ebenso viele Gewichte, nicht {given}";
+        NoDeformation { at, count } => "unter {count} Verformungen, gezählt von 0, ist keine {at}";
+        DeformationNumbers { deformation, given } =>
+            "die Verformung „{deformation}“ nimmt nicht {given} Zahlen";
+        DeformationAxis => "eine Achse einer Verformung ist 0, 1 oder 2";
+    }
+    TooMany {
+        NameBytes => "höchstens {} Byte sind erlaubt", limits::MAX_NAME_BYTES;
+        CommentBytes => "der Kommentar hat höchstens {} Byte", limits::MAX_COMMENT_BYTES;
+        SupportPoints => "eine Bahn hat höchstens {} Stützpunkte", limits::MAX_POINTS;
+        Orientations => "ein Punkt hat höchstens 10 Orientierungen";
+        AllOrientations =>
+            "die Punkte einer Bahn haben zusammen höchstens {} Orientierungen", limits::MAX_ALL_ORIENTATIONS;
+        Frames =>
+            "die Bahn ergäbe mehr als 100000000 Bilder; die Grundgeschwindigkeiten sind zu hoch";
+        Poses => "so viele Posen kann eine Liste nicht zählen";
+        ControlPoints =>
+            "eine Bézierkurve hat höchstens {} Kontrollpunkte", limits::MAX_BEZIER_POINTS;
+        CurvePoints => "eine Kurve hat höchstens {} Punkte", limits::MAX_POINTS;
+        SplinePoints => "ein Spline hat höchstens {} Punkte", limits::MAX_POINTS;
+        QuaternionKeys => "eine Quaternionenkurve hat höchstens 1000000 Schlüssel";
+        ObjectPoints => "ein Objekt hat höchstens {} Punkte", limits::MAX_OBJECT_POINTS;
+        WireframePoints => "ein Drahtmodell hat höchstens {} Punkte", limits::MAX_OBJECT_POINTS;
+        MeshPoints => "ein Objekt hat höchstens {} Punkte", limits::MAX_MESH_POINTS;
+        MeshCorners =>
+            "ein Objekt hat höchstens {} Ecken von Dreiecken und ebenso viele Enden von Linien", limits::MAX_MESH_CORNERS;
+        Shapes => "ein Objekt hat höchstens {} Formen", limits::MAX_SHAPES;
+        Deformations => "ein Objekt hat höchstens {} Verformungen", limits::MAX_DEFORMATIONS;
+        Nodes => "eine Szene hat höchstens {} Knoten", limits::MAX_NODES;
+        Levels => "eine Szene hat höchstens {} Ebenen", limits::MAX_LEVELS;
+        Markers => "eine Szene hat höchstens {} Marken", limits::MAX_MARKERS;
+        Pins => "in einer Szene sind höchstens {} Punkte angeheftet", limits::MAX_PINS;
+        Tracks => "ein Knoten hat höchstens {} Spuren", limits::MAX_TRACKS;
+        Keys => "eine Spur hat höchstens {} Schlüssel", limits::MAX_KEYS;
+        SceneNumbers =>
+            "die Schlüssel einer Szene haben höchstens {} Zahlen", limits::MAX_SCENE_NUMBERS;
+        Interpolations =>
+            "höchstens {} Interpolationen können angemeldet werden", limits::MAX_INTERPOLATIONS;
+    }
+}

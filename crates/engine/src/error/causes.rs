@@ -1,0 +1,484 @@
+//! Every cause of an error of the engine, one enum for each [`ErrorKind`](super::ErrorKind).
+//! The text above a variant is its documentation and what is said in English.
+//!
+//! A new cause: a variant here with its sentence, and its line in German in
+//! the editor's `texts/german.rs`, which the compiler asks for.
+
+use std::fmt;
+
+use super::Text;
+use crate::limits;
+
+/// Something with a number that can be wrong by itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)] // each is named below
+pub enum Quantity {
+    AimWeight,
+    Bias,
+    Continuity,
+    Coordinate,
+    CurveSpeed,
+    DistanceAhead,
+    Frame,
+    Intensity,
+    Parameter,
+    Preset,
+    Rate,
+    Roll,
+    Tension,
+    Value,
+    Zoom,
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::AimWeight => "the weight of an aim",
+            Self::Bias => "the bias",
+            Self::Continuity => "the continuity",
+            Self::Coordinate => "a coordinate",
+            Self::CurveSpeed => "each value of a speed curve",
+            Self::DistanceAhead => "the distance ahead",
+            Self::Frame => "a frame",
+            Self::Intensity => "the intensity",
+            Self::Parameter => "a parameter of a deformation",
+            Self::Preset => "the preset",
+            Self::Rate => "a velocity or slope",
+            Self::Roll => "the roll",
+            Self::Tension => "the tension",
+            Self::Value => "a value",
+            Self::Zoom => "the zoom",
+        })
+    }
+}
+
+/// A bound of a range: large ones in powers of ten.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bound(pub f64);
+
+impl fmt::Display for Bound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0.abs() {
+            1e9.. => write!(f, "{:e}", self.0),
+            _ => self.0.fmt(f),
+        }
+    }
+}
+
+/// What makes no sense whatever its size.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)]
+pub enum Invalid {
+    #[error("{0} must be a finite number")]
+    NotFinite(Quantity),
+    #[error("control characters are not allowed")]
+    ControlCharacter,
+
+    // Paths.
+    #[error("the target must not lie on the camera's own position")]
+    TargetOnCamera,
+    #[error("a base speed must be finite and greater than zero")]
+    BaseSpeed,
+    #[error("the keys of a given distance must be finite numbers")]
+    DistanceNotFinite,
+    #[error("the control quaternions of a turning must have length 1")]
+    ControlNotUnit,
+    #[error("in the orientation mode barry-goldman a new key would change the views around it")]
+    NoNewKey,
+
+    // The space.
+    #[error("the centre of the space must be finite")]
+    CentreNotFinite,
+    #[error("a single place has no size that a space could have")]
+    NoSize,
+
+    // Views, rotations.
+    #[error("every number of a view must be finite")]
+    ViewNotFinite,
+    #[error("the view plane normal must not be zero")]
+    NormalZero,
+    #[error("the view up vector must not be zero")]
+    ViewUpZero,
+    #[error("the view up vector must not be parallel to the view plane normal")]
+    ViewUpParallel,
+    #[error("the position, the view direction and the up vector must be finite")]
+    LookNotFinite,
+    #[error("the view direction and the up vector must not be zero")]
+    LookZero,
+    #[error("the up vector must not be parallel to the view direction")]
+    UpParallel,
+    #[error("the axis of a rotation must be finite and not zero")]
+    RotationAxis,
+    #[error("the point and the angle of a rotation must be finite")]
+    RotationNotFinite,
+    #[error("a rotation must be finite and not zero")]
+    RotationZero,
+    #[error("a quaternion must be finite and not zero")]
+    QuaternionZero,
+
+    // Curves through points.
+    #[error("a Bézier curve needs at least one control point")]
+    NoControlPoint,
+    #[error("the control point with index {0} must be finite")]
+    ControlPointNotFinite(usize),
+    #[error("a curve needs at least two points")]
+    CurveTooShort,
+    #[error("a spline needs at least two points")]
+    SplineTooShort,
+    #[error("{points} points need as many knots, not {knots}")]
+    KnotCount { points: usize, knots: usize },
+    #[error("the point with index {0} must be finite")]
+    PointNotFinite(usize),
+    #[error("the knot with index {0} must be finite")]
+    KnotNotFinite(usize),
+    #[error("the knot with index {0} must be greater than the one before it")]
+    KnotOrder(usize),
+    #[error("an end slope must be finite")]
+    EndSlope,
+    #[error("an end tangent must be finite")]
+    EndTangent,
+    #[error("a periodic spline must end where it starts")]
+    PeriodicEnds,
+    #[error("the times must be finite and each later than the one before")]
+    TimeOrder,
+    #[error("the times are too far apart or too unequal to compute with")]
+    TimesUnequal,
+    #[error("the error bound of a drawn curve must be positive and finite")]
+    DrawnBound,
+    #[error("a drawn curve must be finite")]
+    DrawnNotFinite,
+
+    // Nodes.
+    #[error("a node needs a name")]
+    NoName,
+    #[error("there is a node \"{0}\" already")]
+    NodeTwice(Text),
+    #[error("there is no node \"{0}\"")]
+    NoNodeNamed(Text),
+    #[error("\"{node}\" is a {kind} and stays one")]
+    KindStays { node: Text, kind: &'static str },
+    #[error("\"{0}\" is no object")]
+    NoObject(Text),
+    #[error("lights and cameras have their pivot at 0, 0, 0")]
+    Pivot,
+    #[error("only lights and cameras aim at something")]
+    CannotAim,
+    #[error("it cannot aim at itself")]
+    AimsAtItself,
+    #[error("it cannot be in itself")]
+    InItself,
+    #[error("node \"{node}\" cannot be in \"{parent}\", which is in it or moves with it")]
+    ParentMovesWithIt { node: Text, parent: Text },
+    #[error("node \"{node}\" cannot aim at what is in \"{parent}\", which moves with it")]
+    AimMovesWithIt { node: Text, parent: Text },
+    #[error("\"{0}\" moves in its parent's coordinates, which are not those of the other parent")]
+    MovesInParent(Text),
+    #[error("\"{0}\" would need a shear to stay where it is in that parent")]
+    NeedsShear(Text),
+    #[error("\"{0}\" cannot stay where it is: a scale is 0")]
+    ScaleZero(Text),
+    #[error("its place is too far away or too large to be computed")]
+    PlaceTooFar,
+    #[error("there is no marker \"{0}\"")]
+    NoMarker(Text),
+    #[error("a path holds, repeats or goes back and forth; it has no repeat with offset")]
+    PathWithOffset,
+
+    // Channels, tracks.
+    #[error("there is no channel \"{0}\"")]
+    NoChannel(Text),
+    #[error("a {kind} has no channel \"{channel}\"")]
+    NoChannelOfKind { kind: &'static str, channel: Text },
+    #[error("\"{node}\" has no channel \"{channel}\"")]
+    NoChannelOfNode { node: Text, channel: Text },
+    #[error("a channel of the host's own needs a name: value:NAME")]
+    ChannelWithoutName,
+    #[error("\"{node}\" has a track of its {channel}; it moves by keys or by a path")]
+    KeysMoveIt { node: Text, channel: Text },
+    #[error("\"{node}\" follows a path, which moves its {channel}")]
+    PathMovesIt { node: Text, channel: Text },
+    #[error("this was given further up already")]
+    GivenTwice,
+    #[error("a track needs a key")]
+    NoKey,
+    #[error("its frame must lie behind that of the key before")]
+    KeyOrder,
+    #[error("what is either 0 or 1 cannot repeat with offset")]
+    SwitchWithOffset,
+    #[error("there is no interpolation \"{0}\"")]
+    NoInterpolation(Text),
+    #[error("this channel cannot be interpolated by \"{0}\"")]
+    NotInterpolated(Text),
+    #[error("an interpolation of the host's own needs a name")]
+    InterpolationWithoutName,
+    #[error("channel \"{channel}\": no interpolation \"host:{name}\" is registered")]
+    NotRegistered { channel: Text, name: Text },
+    #[error("channel \"{channel}\": the interpolation \"host:{name}\" failed")]
+    InterpolationFailed { channel: Text, name: Text },
+    #[error(
+        "channel \"{channel}\": the interpolation \"host:{name}\" gave a number that cannot be used"
+    )]
+    InterpolationGave { channel: Text, name: Text },
+
+    // Objects, deformations.
+    #[error("this mesh has {given} points, the object's shapes have {wanted}")]
+    MeshOfShapes { given: usize, wanted: usize },
+    #[error("a weight must be a finite number up to 1e9")]
+    Weight,
+    #[error("there is no deformation \"{0}\"; known: taper, twist, bend, free-form")]
+    NoDeformation(Text),
+    #[error("a bend needs two different axes")]
+    BendAxes,
+    #[error("the box must not end before it begins")]
+    BoxEnds,
+}
+
+/// An index or a value outside its range.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)]
+pub enum OutOfRange {
+    #[error("{0} must lie between {low} and {high}", low = Bound(*.1), high = Bound(*.2))]
+    Between(Quantity, f64, f64),
+    #[error("{0} must not exceed {max}", max = Bound(*.1))]
+    Exceeds(Quantity, f64),
+
+    // Paths.
+    #[error("a path needs at least two support points")]
+    TooFewSupportPoints,
+    #[error("there is no point {point}: the path has points 0 to {last}")]
+    NoPoint { point: usize, last: usize },
+    #[error("a point has between 1 and 10 orientations")]
+    Orientations,
+    #[error("the hold must lie between 0 and 1000000 frames")]
+    Hold,
+    #[error("a frame must lie between 1 and the number of frames")]
+    FrameOfPath,
+    #[error("a list has at least one pose")]
+    NoPose,
+    #[error("a section has at most {} frames", limits::MAX_FRAMES)]
+    SectionFrames,
+    #[error(
+        "a given distance has between 2 and {} keys",
+        limits::MAX_DISTANCE_KEYS
+    )]
+    DistanceKeys,
+    #[error(
+        "the keys of a given distance must lead from 0, 0 to 1, 1, with both numbers increasing"
+    )]
+    DistanceOrder,
+    #[error(
+        "the shares of time for speeding up and slowing down must not be negative, and together not exceed 1"
+    )]
+    EaseShares,
+    #[error("a part must begin and end between 0 and 1, its end after its start")]
+    Part,
+    #[error("the first point of a range must not lie behind its last one")]
+    PointOrder,
+    #[error("{frames} frames are too few: it must have at least {least}")]
+    TooFewFrames { frames: usize, least: usize },
+    #[error("{frames} frames are too many: it can have at most {most}")]
+    TooManyFrames { frames: usize, most: usize },
+    #[error("at frame {0} the camera is at a key already")]
+    AtKey(f64),
+    #[error("at frame {frame} the camera turns at point {point}, there is no way to divide")]
+    Turning { frame: f64, point: usize },
+    #[error("the place is too near to a point of the path")]
+    NearPoint,
+
+    // The space.
+    #[error("the half size of the space must lie between 1e-30 and 1e30")]
+    HalfSize,
+    #[error("the centre of the space must lie within 1e9 half sizes of the world's origin")]
+    Centre,
+    #[error("a coordinate must lie within 1e9 half sizes of the space's centre")]
+    FarFromCentre,
+    #[error("the distance ahead must lie between 0 and 1e9 half sizes of the space")]
+    DistanceAhead,
+
+    // What is shown.
+    #[error("the frames per second must be greater than 0 and at most 100000")]
+    Fps,
+    #[error("the zoom of a view must be positive and finite")]
+    ViewZoom,
+    #[error("the aspect of a view must be positive and finite")]
+    ViewAspect,
+    #[error("the front plane must lie before the camera, at a positive distance")]
+    FrontPlane,
+    #[error("the back plane must lie farther from the camera than the front plane")]
+    BackPlane,
+    #[error("the window of a view must not be empty")]
+    ViewWindow,
+    #[error("the back plane of a view must lie behind its front plane")]
+    ViewPlanes,
+    #[error("the projection reference point must lie before the front plane")]
+    ReferenceBehindFront,
+    #[error("the projection reference point must not lie in the view plane")]
+    ReferenceInViewPlane,
+    #[error("the numbers of a view must not be so large or so close together")]
+    ViewNumbers,
+    #[error("the position of the camera is too large")]
+    CameraTooFar,
+
+    // Curves through points.
+    #[error("the knots with indices {0} and {next} must not be so close together or far apart", next = .0 + 1)]
+    KnotDistance(usize),
+    #[error("a quaternion curve needs at least two keys, each with a time")]
+    QuaternionKeys,
+    #[error("the time asked for must lie between the first and the last key")]
+    Time,
+    #[error("each key needs its tension, continuity and bias")]
+    KeyShapes,
+
+    // Scenes.
+    #[error("there is no node {node} among {count}, counted from 0")]
+    NoNode { node: usize, count: usize },
+    #[error("node \"{node}\": there is no node {number} among {count} for its {link}")]
+    NoLink {
+        node: Text,
+        number: usize,
+        count: usize,
+        link: &'static str,
+    },
+    #[error("the path of \"{node}\" has no point {point} among {count}, counted from 0")]
+    NoPathPoint {
+        node: Text,
+        point: usize,
+        count: usize,
+    },
+    #[error("{nodes} nodes need as many states, not {given}")]
+    States { nodes: usize, given: usize },
+    #[error("a colour's numbers must lie between 0 and 1e9")]
+    Colour,
+    #[error("the inner angle of a cone must lie between 0 and the outer one, that one below 90")]
+    Cone,
+    #[error("a camera's near plane must lie behind 0 and before the far one, that one within 1e9")]
+    CameraPlanes,
+
+    // Tracks.
+    #[error(
+        "a channel of the host's own has 1 to {} numbers: value:NAME:3",
+        limits::MAX_CHANNEL_WIDTH
+    )]
+    ChannelWidth,
+    #[error("the channel \"{channel}\" has {wanted} numbers a key here, not {given}")]
+    TrackWidth {
+        channel: Text,
+        wanted: usize,
+        given: usize,
+    },
+    #[error("{keys} keys cannot share {numbers} numbers")]
+    KeyNumbers { keys: usize, numbers: usize },
+    #[error("a key has {wanted} numbers here, not {given}")]
+    KeyWidth { wanted: usize, given: usize },
+    #[error(
+        "the interpolation \"{interpolation}\" needs {wanted} numbers for the shape of {keys} keys, not {given}"
+    )]
+    KeyShapeNumbers {
+        interpolation: Text,
+        wanted: usize,
+        keys: usize,
+        given: usize,
+    },
+    #[error("the frames of two keys are too close together to be joined smoothly")]
+    KeyDistance,
+    #[error("a value lies outside the range of its channel")]
+    ChannelValue,
+    #[error("a tangent must be finite and not exceed {}", limits::MAX_TANGENT)]
+    Tangent,
+
+    // Objects, deformations.
+    #[error("there is no point {point} among {count}, counted from 0")]
+    NoMeshPoint { point: u32, count: usize },
+    #[error("{points} points need as many colours, not {given}")]
+    MeshColours { points: usize, given: usize },
+    #[error("{points} points need as much room, not {given}")]
+    PointRoom { points: usize, given: usize },
+    #[error("the shape \"{shape}\" has {given} points, the mesh {wanted}")]
+    ShapePoints {
+        shape: Text,
+        given: usize,
+        wanted: usize,
+    },
+    #[error("{shapes} shapes need as many weights, not {given}")]
+    ShapeWeights { shapes: usize, given: usize },
+    #[error("there is no deformation {at} among {count}, counted from 0")]
+    NoDeformation { at: usize, count: usize },
+    #[error("the deformation \"{deformation}\" does not take {given} numbers")]
+    DeformationNumbers { deformation: Text, given: usize },
+    #[error("an axis of a deformation is 0, 1 or 2")]
+    DeformationAxis,
+}
+
+/// More of something than [`crate::limits`] allows.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)]
+pub enum TooMany {
+    #[error("at most {} bytes are allowed", limits::MAX_NAME_BYTES)]
+    NameBytes,
+    #[error("the comment has at most {} bytes", limits::MAX_COMMENT_BYTES)]
+    CommentBytes,
+    #[error("a path has at most {} support points", limits::MAX_POINTS)]
+    SupportPoints,
+    #[error("a point has at most 10 orientations")]
+    Orientations,
+    #[error(
+        "the points of a path have at most {} orientations together",
+        limits::MAX_ALL_ORIENTATIONS
+    )]
+    AllOrientations,
+    #[error("the path would yield more than 100000000 frames; lower the base speeds")]
+    Frames,
+    #[error("a list cannot number so many poses")]
+    Poses,
+    #[error(
+        "a Bézier curve has at most {} control points",
+        limits::MAX_BEZIER_POINTS
+    )]
+    ControlPoints,
+    #[error("a curve has at most {} points", limits::MAX_POINTS)]
+    CurvePoints,
+    #[error("a spline has at most {} points", limits::MAX_POINTS)]
+    SplinePoints,
+    #[error("a quaternion curve has at most 1000000 keys")]
+    QuaternionKeys,
+    #[error("an object has at most {} points", limits::MAX_OBJECT_POINTS)]
+    ObjectPoints,
+    #[error(
+        "the wireframe of an object has at most {} points",
+        limits::MAX_OBJECT_POINTS
+    )]
+    WireframePoints,
+    #[error("an object has at most {} points", limits::MAX_MESH_POINTS)]
+    MeshPoints,
+    #[error(
+        "an object has at most {} corners of triangles and as many ends of lines",
+        limits::MAX_MESH_CORNERS
+    )]
+    MeshCorners,
+    #[error("an object has at most {} shapes", limits::MAX_SHAPES)]
+    Shapes,
+    #[error("an object has at most {} deformations", limits::MAX_DEFORMATIONS)]
+    Deformations,
+    #[error("a scene has at most {} nodes", limits::MAX_NODES)]
+    Nodes,
+    #[error("a scene has at most {} levels", limits::MAX_LEVELS)]
+    Levels,
+    #[error("a scene has at most {} markers", limits::MAX_MARKERS)]
+    Markers,
+    #[error("a scene has at most {} pins", limits::MAX_PINS)]
+    Pins,
+    #[error("a node has at most {} tracks", limits::MAX_TRACKS)]
+    Tracks,
+    #[error("a track has at most {} keys", limits::MAX_KEYS)]
+    Keys,
+    #[error(
+        "the keys of a scene have at most {} numbers",
+        limits::MAX_SCENE_NUMBERS
+    )]
+    SceneNumbers,
+    #[error(
+        "at most {} interpolations can be registered",
+        limits::MAX_INTERPOLATIONS
+    )]
+    Interpolations,
+}

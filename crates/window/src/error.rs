@@ -1,0 +1,48 @@
+//! What can go wrong with a window.
+
+use std::io;
+
+pub(crate) use vides_document::error::EngineError;
+use vides_document::error::{Error as DocumentError, ErrorKind, reason};
+pub(crate) use vides_engine::error::{complain, panic_said};
+
+use crate::x11;
+
+/// What can go wrong with a window.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The document's fault, or that memory ran out.
+    #[error(transparent)]
+    Document(#[from] DocumentError),
+    /// There is no screen for the window, or it is gone.
+    #[error(transparent)]
+    Screen(#[from] x11::Error),
+    /// The system gives no descriptor.
+    #[error("no descriptor for the windows: {}", reason(.0))]
+    NoDescriptor(io::Error),
+    /// The window was lost, and this was said.
+    #[error("{0}")]
+    Lost(String),
+}
+
+/// The result of everything that can fail.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+impl Error {
+    /// What kind it is.
+    #[must_use]
+    pub fn kind(&self) -> ErrorKind {
+        match self {
+            Self::Document(error) => error.kind(),
+            Self::Screen(error) => error.kind(),
+            Self::NoDescriptor(_) => ErrorKind::Limit,
+            Self::Lost(_) => ErrorKind::Display,
+        }
+    }
+}
+
+impl From<EngineError> for Error {
+    fn from(error: EngineError) -> Self {
+        DocumentError::from(error).into()
+    }
+}

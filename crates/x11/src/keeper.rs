@@ -1,0 +1,198 @@
+//! Panes for other programs to draw in: windows that outlive ours.
+//!
+//! A host that draws in a window of ours must not find it gone: Xlib ends the
+//! program then, and OpenGL writes into memory that it has freed. So panes belong
+//! to a connection of their own, one for each display, which lives as long as
+//! the process; a pane that is closed is parked on the root window, and used again
+//! for the next. It is never destroyed.
+
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use x11rb::connection::{Connection as _, RequestConnection as _};
+use x11rb::protocol::xfixes::{
+    self, ConnectionExt as _, SaveSetMapping, SaveSetMode, SaveSetTarget,
+};
+use x11rb::protocol::xproto::{ConnectionExt as _, CreateWindowAux, WindowClass};
+
+use super::connection::Connection;
+use crate::error::Result;
+
+/// Where nobody sees a pane, should anybody map it.
+const AWAY: i16 = -2000;
+
+/// The connection of a display's panes.
+struct Keeper {
+    display: String,
+    connection: Connection,
+    /// Panes that are parked.
+    free: Vec<u32>,
+}
+
+/// All keepers, and the process that made them: a child by `fork` has none.
+static KEEPERS: Mutex<(u32, Vec<Keeper>)> = Mutex::new((0, Vec::new()));
+
+fn keepers() -> MutexGuard<'static, (u32, Vec<Keeper>)> {
+    let mut keepers = KEEPERS.lock().unwrap_or_else(PoisonError::into_inner);
+    let process = std::process::id();
+    if keepers.0 != process {
+        keepers.0 = process;
+        std::mem::forget(std::mem::take(&mut keepers.1));
+    }
+    keepers
+}
+
+/// Calls `f` with the keeper of a display; that is forgotten if its connection fails,
+/// and its panes are gone with it.
+fn with<R>(display: &str, f: impl FnOnce(&mut Keeper) -> Result<R>) -> Option<Result<R>> {
+    let mut keepers = keepers();
+    let place = (keepers.1.iter()).position(|keeper| keeper.display == display)?;
+    let keeper = &mut keepers.1[place];
+    let done = keeper.read().and_then(|()| f(keeper));
+    if done.is_err() {
+        keepers.1.swap_remove(place);
+    }
+    Some(done)
+}
+
+/// A pane, parked until the caller shows it: of the screen's own visual, without a
+/// background. `None` if the server cannot keep one safe.
+///
+/// # Errors
+/// The server cannot be reached.
+pub(super) fn take(display: &str) -> Result<Option<u32>> {
+    // One may have lost its connection meanwhile: then a new one does it.
+    for _ in 0..2 {
+        if let Some(Ok(pane)) = with(display, Keeper::take) {
+            return Ok(pane);
+        }
+        let keeper = Keeper::new(display)?;
+        keepers().1.push(keeper);
+    }
+    Ok(None)
+}
+
+/// Takes a pane away from wherever it is: it and what is in it come unmapped to the
+/// root window. Before that the caller's own requests for it must be done.
+pub(super) fn park(display: &str, pane: u32) {
+    with(display, |keeper| keeper.park(pane));
+}
+
+/// Keeps a window in a pane alive should the pane's connection end; or not any more.
+pub(super) fn save(display: &str, window: u32, mode: SaveSetMode) {
+    with(display, |keeper| {
+        save_in(&keeper.connection, window, mode)?;
+        keeper.flush()
+    });
+}
+
+/// Asks the server to put a window out to the root, unmapped, when the connection ends;
+/// or not to do so any more.
+///
+/// # Errors
+/// The server is gone.
+pub(super) fn save_in(connection: &Connection, window: u32, mode: SaveSetMode) -> Result<()> {
+    let (target, map) = (SaveSetTarget::ROOT, SaveSetMapping::UNMAP);
+    let asked = connection.xfixes_change_save_set(mode, target, map, window);
+    asked.map(drop).map_err(|error| connection.lost(error))
+}
+
+/// Whether the server has what panes need: save-sets that lead to the root, and
+/// windows that are not rectangles. Must be asked before either is used.
+///
+/// # Errors
+/// The server is gone.
+pub(super) fn can(connection: &Connection) -> Result<bool> {
+    let shape = x11rb::protocol::shape::X11_EXTENSION_NAME;
+    for name in [xfixes::X11_EXTENSION_NAME, shape] {
+        match connection.extension_information(name) {
+            Ok(Some(_)) => {}
+            Ok(None) => return Ok(false),
+            Err(error) => return Err(connection.lost(error)),
+        }
+    }
+    let version = connection.answer(connection.xfixes_query_version(1, 0))?;
+    Ok(version.is_some_and(|version| version.major_version >= 1))
+}
+
+impl Keeper {
+    fn new(display: &str) -> Result<Self> {
+        let connection = Connection::open(Some(display))?;
+        let able = can(&connection)?;
+        connection.settle();
+        if !able {
+            return Err(connection.unfit(crate::error::Cause::NoKeeper));
+        }
+        Ok(Self {
+            display: display.to_owned(),
+            connection,
+            free: Vec::new(),
+        })
+    }
+
+    /// Nothing that comes here is of interest, but it must not pile up.
+    fn read(&self) -> Result<()> {
+        while self.connection.next()?.is_some() {}
+        Ok(())
+    }
+
+    fn flush(&self) -> Result<()> {
+        let flushed = self.connection.flush();
+        flushed.map_err(|error| self.connection.lost(error))
+    }
+
+    fn take(&mut self) -> Result<Option<u32>> {
+        // What was parked may have been destroyed by somebody else meanwhile.
+        while let Some(pane) = self.free.pop() {
+            let asked = self.connection.get_window_attributes(pane);
+            if self.connection.answer(asked)?.is_some() {
+                return Ok(Some(pane));
+            }
+        }
+        self.make()
+    }
+
+    fn make(&self) -> Result<Option<u32>> {
+        let connection = &self.connection;
+        let pane = connection.generate_id();
+        let pane = pane.map_err(|error| connection.lost(error))?;
+        let screen = connection.screen();
+        // Window managers leave it alone while it is on the root.
+        let attributes = CreateWindowAux::new()
+            .border_pixel(0)
+            .colormap(screen.default_colormap)
+            .override_redirect(1);
+        let made = connection.create_window(
+            screen.root_depth,
+            pane,
+            screen.root,
+            AWAY,
+            AWAY,
+            1,
+            1,
+            0,
+            WindowClass::INPUT_OUTPUT,
+            screen.root_visual,
+            &attributes,
+        );
+        Ok(connection.done(made)?.then_some(pane))
+    }
+
+    fn park(&mut self, pane: u32) -> Result<()> {
+        let connection = &self.connection;
+        let lost = |error| connection.lost(error);
+        let root = connection.screen().root;
+        connection.unmap_window(pane).map_err(lost)?;
+        let inside = connection.answer(connection.query_tree(pane))?;
+        for child in inside.map_or_else(Vec::new, |tree| tree.children) {
+            connection.unmap_window(child).map_err(lost)?;
+            connection
+                .reparent_window(child, root, 0, 0)
+                .map_err(lost)?;
+            save_in(connection, child, SaveSetMode::DELETE)?;
+        }
+        if connection.done(connection.reparent_window(pane, root, AWAY, AWAY))? {
+            self.free.push(pane);
+        }
+        Ok(())
+    }
+}
