@@ -85,7 +85,7 @@ header: toolchain
 # The Motif host on the user's display; without one it is played by mouse and
 # keyboard on an X server without a screen.
 demo: all
-	@mk/need.sh /usr/include/Xm/Xm.h=libmotif-dev
+	@mk/need.sh /usr/include/Xm/Xm.h=libmotif-dev /usr/include/GL/freeglut.h=freeglut3-dev
 	@mkdir -p $(DEMO)
 	$(RELEASE)/vides info examples/pyramid.vid
 	$(RELEASE)/vides sample examples/pyramid.vid -o $(DEMO)/pyramid.txt
@@ -95,6 +95,8 @@ demo: all
 	$(RELEASE)/vides plot examples/pyramid.vid -o $(DEMO)/pyramid.svg
 	$(CC) -Iinclude -o $(DEMO)/pyramid_motif c_examples/pyramid_motif.c \
 	    -L$(LIB) -lvides -lm -lXm -lXt -lX11
+	$(CC) -Iinclude -o $(DEMO)/glut_flight c_examples/glut_flight.c \
+	    -L$(LIB) -lvides -lm -lglut -lGL
 	@echo
 	@echo 'A flight around a pyramid, in $(DEMO):'
 	@echo '  pyramid.svg   the path in space, its views, speed and turning: open it in a browser'
@@ -103,11 +105,14 @@ demo: all
 	@if [ -n "$$DISPLAY" ]; then \
 	    echo 'A Motif program of 1994: press "Edit Kurve", plan a flight, hand it over with Alt-U.'; \
 	    LD_LIBRARY_PATH=$(abspath $(LIB)) $(DEMO)/pyramid_motif; \
+	    echo 'A program of today flies along: drag, scrub and play in the editor beside it.'; \
+	    LD_LIBRARY_PATH=$(abspath $(LIB)) $(DEMO)/glut_flight examples/pyramid.vid; \
 	else \
 	    mk/need.sh $(X_TOOLS) && \
 	    echo 'No display: mouse and keyboard play it by themselves. Screens and poses:' && \
 	    LD_LIBRARY_PATH=$(abspath $(LIB)) PYTHONDONTWRITEBYTECODE=1 \
-	        python3 tests/x/demo.py $(DEMO)/pyramid_motif $(DEMO); \
+	        python3 tests/x/demo.py $(DEMO)/pyramid_motif $(DEMO)/glut_flight \
+	        examples/pyramid.vid $(DEMO); \
 	fi
 
 # ---- Checks, the cheap ones first -----------------------------------------------

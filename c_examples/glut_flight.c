@@ -3,19 +3,18 @@
  *
  *     cc -o glut_flight glut_flight.c -lvides -lm -lglut -lGL
  *
- * The editor stands beside the picture. Whenever the user hands the poses over
- * (Alt-U), the flight plays from the beginning, 25 poses a second, round and
- * round. Escape ends the program.
+ * The picture follows the editor beside it: what is dragged, scrubbed or played there
+ * is seen here at once. Dragging here leads a camera of its own about the object; the
+ * editor shows it as a ghost and takes it over into the path (Ctrl-Enter). Escape ends.
  */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
+#define GL_GLEXT_PROTOTYPES
 #include <GL/freeglut.h>
 
 #include <libvides.h>
-
-#define FRAME 40 /* milliseconds */
 
 /* What both show: points, and the lines between them. */
 static const double xyz[5][3] = {
@@ -23,61 +22,71 @@ static const double xyz[5][3] = {
 };
 static const unsigned lines[16] = {0, 1, 1, 2, 2, 3, 3, 0, 0, 4, 1, 4, 2, 4, 3, 4};
 static const V_MESH pyramid = {sizeof pyramid, xyz[0], 5, NULL, lines, 16, NULL, 0};
-static V_POSE *flight;     /* a copy of what was handed over */
-static size_t poses, now;
 
-/* The poses are the library's and go when this returns: copy them. */
-static void on_poses(V_EDITOR *editor, const V_POSE *handed_over, size_t count, void *user)
+static V_EDITOR *editor;
+static V_POSE shown, own = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 30};
+static char caption[40];
+
+/* The camera in the editor has moved: this picture shows the same moment. */
+static void on_view(V_EDITOR *of, const V_POSE *pose, double at, int reason, void *user)
 {
-    V_POSE *copy = malloc(count * sizeof *copy);
+    (void)of, (void)reason, (void)user;
+    sprintf(caption, "frame %g", at);
+    shown = *pose;
+    glutPostRedisplay();
+}
 
-    (void)editor, (void)user;
-    if (copy == NULL)
-        return;
-    memcpy(copy, handed_over, count * sizeof *copy);
-    free(flight);
-    flight = copy;
-    poses = count;
-    now = 0;
+/* "Take over the view". */
+static int on_capture(V_EDITOR *of, V_POSE *pose, void *user)
+{
+    (void)of, (void)user;
+    *pose = own;
+    return 1;
+}
+
+/* The own camera goes about the object, and stands in the editor as a ghost. Its vectors
+ * may have any length; up is made perpendicular to the view. */
+static void drag(int x, int y)
+{
+    double turn = 0.01 * x, lean = 0.005 * y;
+
+    own.vrp[0] = 1.6 * sin(turn) * cos(lean);
+    own.vrp[1] = 1.6 * sin(lean), own.vrp[2] = 1.6 * cos(turn) * cos(lean);
+    own.vpn[0] = -own.vrp[0], own.vpn[1] = 0.2 - own.vrp[1], own.vpn[2] = -own.vrp[2];
+    v_editor_set_view(editor, &own);
+    shown = own;
+    sprintf(caption, "own view");
+    glutPostRedisplay();
 }
 
 static void display(void)
 {
-    double matrix[16], slope, aspect;
+    double matrix[16];
+    /* The zoom is a focal length in mm of a camera with a picture 24 mm high. */
+    double slope = 0.01 * 12.0 / shown.zoom;
+    double aspect = (double)glutGet(GLUT_WINDOW_WIDTH) / glutGet(GLUT_WINDOW_HEIGHT);
     int i;
 
     glClear(GL_COLOR_BUFFER_BIT);
-    if (poses > 0 && v_pose_gl_matrix(&flight[now], matrix) == V_OK) {
-        /* The zoom is the focal length, in mm, of a camera with a picture of
-         * 36 x 24 mm: half the picture's height, seen from there, gives the
-         * vertical field of view, 2 atan (12 / zoom). */
-        slope = 12.0 / flight[now].zoom;
-        aspect = (double)glutGet(GLUT_WINDOW_WIDTH) / glutGet(GLUT_WINDOW_HEIGHT);
-        glMatrixMode(GL_PROJECTION);
-        glLoadIdentity();
-        glFrustum(-0.01 * slope * aspect, 0.01 * slope * aspect, -0.01 * slope, 0.01 * slope,
-                  0.01, 10.0);
-        glMatrixMode(GL_MODELVIEW);
+    glMatrixMode(GL_PROJECTION), glLoadIdentity();
+    glFrustum(-slope * aspect, slope * aspect, -slope, slope, 0.01, 10.0);
+    glMatrixMode(GL_MODELVIEW);
+    if (v_pose_gl_matrix(&shown, matrix) == V_OK)
         glLoadMatrixd(matrix);
-        glBegin(GL_LINES);
-        for (i = 0; i < 16; i++)
-            glVertex3dv(xyz[lines[i]]);
-        glEnd();
-    }
+    glBegin(GL_LINES);
+    for (i = 0; i < 16; i++)
+        glVertex3dv(xyz[lines[i]]);
+    glEnd();
+    glWindowPos2i(10, 10);
+    glutBitmapString(GLUT_BITMAP_HELVETICA_18, (const unsigned char *)caption);
     glutSwapBuffers();
 }
 
-/* GLUT cannot watch a descriptor, so the timer that moves the flight on looks
- * after the editor, too. */
+/* GLUT watches no descriptor: a timer serves the editor. */
 static void tick(int unused)
 {
-    (void)unused;
     v_dispatch();
-    if (poses > 0) {
-        now = (now + 1) % poses;
-        glutPostRedisplay();
-    }
-    glutTimerFunc(FRAME, tick, 0);
+    glutTimerFunc(8, tick, unused);
 }
 
 static void key(unsigned char character, int x, int y)
@@ -90,26 +99,22 @@ static void key(unsigned char character, int x, int y)
 int main(int argc, char **argv)
 {
     V_EDITOR_OPTIONS options;
-    V_EDITOR *editor;
 
     glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB);
     glutInitWindowSize(600, 400);
     glutCreateWindow("glut_flight");
-    glutDisplayFunc(display);
-    glutKeyboardFunc(key);
+    glutDisplayFunc(display), glutKeyboardFunc(key), glutMotionFunc(drag);
 
     v_editor_options_init(&options);
-    options.title = "glut_flight";
+    options.title = options.host_name = "glut_flight";
     options.object = &pyramid;
-    options.on_poses = on_poses;
-    if (argc > 1)
-        options.file = argv[1];
-    if (v_editor_open(&options, &editor) != V_OK) {
-        fprintf(stderr, "glut_flight: %s\n", v_last_error());
-        return 1;
-    }
-    glutTimerFunc(FRAME, tick, 0);
+    options.on_view = on_view, options.on_capture = on_capture;
+    options.file = argc > 1 ? argv[1] : NULL;
+    if (v_editor_open(&options, &editor) != V_OK)
+        return fprintf(stderr, "glut_flight: %s\n", v_last_error()), 1;
+    drag(60, 70);
+    glutTimerFunc(8 /* milliseconds */, tick, 0);
     glutMainLoop();
     return 0;
 }

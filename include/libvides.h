@@ -198,7 +198,8 @@ typedef V_PUNKT V_POS;
  * The first element is the host's; it must outlive the list. Before the first
  * hand-over the host sets its number to -1: no data yet, and prev and next
  * mean nothing. VIDES makes the other elements with malloc(), one each, so
- * that the host may free() them; v_free_liste() does that, too.
+ * that the host may free() them; v_free_liste() does that, too. The next list uses
+ * them again as far as it goes.
  *
  * The list is closed both ways: first->prev is the last element, whose number
  * is the count, and the last one's next is the first. A list of one element
@@ -284,6 +285,32 @@ struct v_orientation {
 };
 
 typedef struct v_orientation V_ORIENTATION;
+
+/**
+ * Points, and what connects them: with neither lines nor triangles points
+ * alone.
+ *
+ * Set size to sizeof (V_MESH) before any call, see V_ORIENTATION.
+ */
+struct v_mesh {
+    /** sizeof (V_MESH) */
+    size_t size;
+    /** three numbers a point */
+    const double *xyz;
+    size_t points;
+    /** three bytes a point; NULL: no colours */
+    const unsigned char *rgb;
+    /** two indices a line; NULL: none */
+    const unsigned int *lines;
+    /** number of indices, even */
+    size_t line_ends;
+    /** three indices a triangle; NULL: none */
+    const unsigned int *triangles;
+    /** number of indices, a multiple of 3 */
+    size_t corners;
+};
+
+typedef struct v_mesh V_MESH;
 
 /** One camera pose. This layout will never change. */
 struct v_pose {
@@ -373,32 +400,6 @@ typedef int (*V_INTERPOLATE)(const double *frames,
                              double frame,
                              double *value,
                              void *user);
-
-/**
- * Points, and what connects them: with neither lines nor triangles points
- * alone.
- *
- * Set size to sizeof (V_MESH) before any call, see V_ORIENTATION.
- */
-struct v_mesh {
-    /** sizeof (V_MESH) */
-    size_t size;
-    /** three numbers a point */
-    const double *xyz;
-    size_t points;
-    /** three bytes a point; NULL: no colours */
-    const unsigned char *rgb;
-    /** two indices a line; NULL: none */
-    const unsigned int *lines;
-    /** number of indices, even */
-    size_t line_ends;
-    /** three indices a triangle; NULL: none */
-    const unsigned int *triangles;
-    /** number of indices, a multiple of 3 */
-    size_t corners;
-};
-
-typedef struct v_mesh V_MESH;
 
 /** A node at a frame. This layout will never change. */
 struct v_node_state {
@@ -1102,6 +1103,13 @@ int v_path_set_first_frame(V_PATH *path, int number);
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_first_frame(const V_PATH *path, int *number);
+
+/**
+ * Sets the object that is shown with a path, copied; NULL: none.
+ * Any thread; from callbacks too. V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE,
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_set_object(V_PATH *path, const V_MESH *object);
 
 
 /* ---- Where a path lies ------------------------------------------------------- */
@@ -2106,6 +2114,106 @@ int v_editor_get_path(const V_EDITOR *editor, V_PATH **path);
  * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY.
  */
 int v_editor_set_path(V_EDITOR *editor, const V_PATH *path);
+
+
+/* ---- The window and the host's own picture ----------------------------------- */
+
+/**
+ * Shows the host's camera in a window, as a ghost in the movement space that the
+ * user can take over into the path. NULL: no more. vpn and vup may have any length
+ * but 0.
+ *
+ * What a callback changes by these functions or by v_editor_set_path(), that
+ * callbacks are not called for.
+ * The thread that opened the window; from callbacks too. V_ERR_HANDLE,
+ * V_ERR_CLOSED, V_ERR_NULL (editor), V_ERR_ARGUMENT, V_ERR_RANGE.
+ */
+int v_editor_set_view(V_EDITOR *editor, const V_POSE *pose);
+
+/**
+ * The frame at the playhead, from 1: v_path_pose() of it is what the camera there
+ * sees. It lies between two frames where the user has gone there.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+ */
+int v_editor_get_frame(const V_EDITOR *editor, double *frame);
+
+/**
+ * The playhead goes to a frame, from 1 to v_path_frame_count(), also between two,
+ * and stays there. The orientation from which the camera comes there is current
+ * then.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+ */
+int v_editor_set_frame(V_EDITOR *editor, double frame);
+
+/**
+ * Plays the flight from the playhead on, at the end from the beginning; play 0:
+ * no more. It begins with the window's next picture.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED.
+ */
+int v_editor_play(V_EDITOR *editor, int play);
+
+/**
+ * Makes an orientation of a point current, both counted from 0.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE.
+ */
+int v_editor_select(V_EDITOR *editor, int point, int orientation);
+
+/**
+ * Shows another object, copied, in one step that the user can take back. NULL:
+ * none.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
+ * V_ERR_SIZE, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_editor_set_object(V_EDITOR *editor, const V_MESH *object);
+
+/**
+ * Sets what follows "VIDES" in the window's title, UTF-8, one line; NULL: the
+ * file's name.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT.
+ */
+int v_editor_set_title(V_EDITOR *editor, const char *title);
+
+/**
+ * Whether there is work in a window that would be lost with it: *modified is 1 or 0.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED.
+ */
+int v_editor_is_modified(const V_EDITOR *editor,
+                         int *modified);
+
+/**
+ * Saves the path of a window as a .vid file, whatever is there, which the window
+ * edits from then on. NULL: its own file, unless another program has changed that
+ * meanwhile.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no file yet, or changed by others),
+ * V_ERR_IO, V_ERR_MEMORY.
+ */
+int v_editor_save(V_EDITOR *editor, const char *file);
+
+/**
+ * Brings a window before all others, if the desktop lets it.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_DISPLAY.
+ */
+int v_editor_raise(V_EDITOR *editor);
+
+/**
+ * Closes all windows of this thread, those of v_haupt(), too: for the host's own
+ * Quit. ask not 0: each window asks about unsaved work, then on_close or ende, one
+ * after the other; all are served until the last is closed or somebody says no.
+ * Handles are freed by v_editor_close() nevertheless.
+ * The thread that opens the windows. V_ERR_REFUSED (the windows before that one are
+ * closed), V_ERR_BUSY from within a callback, V_ERR_DISPLAY, V_ERR_LIMIT without
+ * descriptors.
+ */
+int v_editors_close(int ask);
 
 
 /* ---- Toolbox: quaternions ---------------------------------------------------- */

@@ -12,6 +12,61 @@
 //! | `capi` | the functions of `include/libvides.h` |
 //! | `cli` | the command `vides` |
 //!
+//! A path becomes poses:
+//!
+//! ```
+//! use vides::document::{Document, Edit};
+//! use vides::glam::DVec3;
+//! use vides::path::Pose;
+//!
+//! # fn main() -> vides::Result<()> {
+//! // Two points, and a third between them.
+//! let mut document = Document::new();
+//! let position = DVec3::new(-0.6, 0.2, 0.8);
+//! document.apply(Edit::SetPosition { at: 0, position })?;
+//! document.apply(Edit::InsertPoint { at: 1, position: DVec3::new(0.1, 0.5, 0.4) })?;
+//!
+//! let sampler = document.sampler()?;
+//! let mut poses = vec![Pose::default(); sampler.frame_count()];
+//! sampler.sample(1, &mut poses)?;
+//! assert_eq!(poses[0].vrp, position.to_array());
+//!
+//! assert!(document.undo());
+//! assert_eq!(document.path().points.len(), 2);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! With the feature `window` somebody plans it, and the program sees the flight
+//! meanwhile (`examples/watch.rs` gives its own camera, too):
+//!
+#![cfg_attr(feature = "window", doc = "```no_run")]
+#![cfg_attr(not(feature = "window"), doc = "```ignore")]
+//! use std::rc::Rc;
+//!
+//! use vides::document::Document;
+//! use vides::path::Pose;
+//! use vides::window::{self, Host, Id, Options, Reason};
+//!
+//! struct Picture;
+//!
+//! impl Host for Picture {
+//!     fn watches(&self) -> bool {
+//!         true
+//!     }
+//!
+//!     fn view(&self, _: Id, pose: &Pose, frame: f64, reason: Reason) {
+//!         println!("frame {frame}: the camera is at {:?} ({reason:?})", pose.vrp);
+//!     }
+//! }
+//!
+//! # fn main() -> window::Result<()> {
+//! window::open(Options::new(Document::new(), Rc::new(Picture)))?;
+//! window::main_loop()?;
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! "The thesis" is W.-D. Groß, *Orts- und Orientierungsinterpolation zur
 //! kontrollierten Generierung von Zwischenpositionen für Animationssequenzen*,
 //! Jül-2948, 1994.

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 23] = [
+const SOURCES: [&str; 24] = [
     "status",
     "types",
     "legacy",
@@ -27,6 +27,7 @@ const SOURCES: [&str; 23] = [
     "scene_states",
     "checks",
     "editor",
+    "live",
     "quaternions",
     "splines",
     "view",

@@ -19,19 +19,22 @@ use super::space::up_from_c;
 use super::status::{
     Answer, Failure, V_ERR_ARGUMENT, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_ERR_RANGE, V_OK,
 };
-use super::types::{V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_POSE, V_UP_Y};
+use super::types::{
+    V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_POSE, V_UP_Y, V_VIEW_EDITED, V_VIEW_PLAYED,
+    V_VIEW_RESTED, V_VIEW_SCRUBBED, V_VIEW_SELECTED,
+};
 use crate::document::{Document, Edit};
 use crate::editor::{self, Language};
 use crate::error::{Result, complain, vec_with_room};
-use crate::instance::{self, Gone, Host, Id};
+use crate::instance::{self, Gone, Host, Id, Reason};
 use crate::path::{BaseSpeeds, Pose, Sampler, Space};
 
 /// All windows that C holds.
 static EDITORS: Handles<Opened, V_EDITOR> = Handles::new(KIND_EDITOR);
 
 /// What a handle names.
-struct Opened {
-    window: Id,
+pub(super) struct Opened {
+    pub(super) window: Id,
     /// Its number: [`instance::own_thread`].
     thread: usize,
     /// The host's base speeds stand.
@@ -40,7 +43,7 @@ struct Opened {
     gone: OnceLock<Gone>,
 }
 
-const CLOSED: Failure = Failure::Border(V_ERR_CLOSED, "the window has been closed");
+pub(super) const CLOSED: Failure = Failure::Border(V_ERR_CLOSED, "the window has been closed");
 
 /// What a handle says of a window that is gone.
 fn gone(why: Gone) -> Failure {
@@ -57,7 +60,7 @@ const OTHER_THREAD: Failure =
     Failure::Border(V_ERR_HANDLE, "this window belongs to another thread");
 
 /// The window of a handle, if it is open and the calling thread's.
-fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
+pub(super) fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
     if editor.is_null() {
         check(editor)?;
     }
@@ -163,10 +166,7 @@ pub unsafe extern "C" fn v_editor_open(
             Callbacks {
                 handle: Cell::new(ptr::null_mut()),
                 poses: RefCell::default(),
-                on_poses: options.on_poses,
-                on_close: options.on_close,
-                on_pane: options.on_pane,
-                user: options.user,
+                on: options,
             },
         )?;
         // SAFETY: room for a handle, as the header says.
@@ -314,7 +314,7 @@ fn program(options: &V_EDITOR_OPTIONS, application: Option<&str>) -> editor::Pro
 ///
 /// # Safety
 /// A pointer that is not NULL points to a text ended by zero.
-unsafe fn text(text: *const c_char, not_utf8: &'static str) -> Answer<Option<String>> {
+pub(super) unsafe fn text(text: *const c_char, not_utf8: &'static str) -> Answer<Option<String>> {
     if text.is_null() {
         return Ok(None);
     }
@@ -438,15 +438,9 @@ struct Callbacks {
     handle: Cell<*mut V_EDITOR>,
     /// Ready to be handed over.
     poses: RefCell<Vec<Pose>>,
-    on_poses: Option<OnPoses>,
-    on_close: Option<OnClose>,
-    on_pane: Option<OnPane>,
-    user: *mut c_void,
+    /// Its callbacks and what is handed on to them; nothing else of it is looked at.
+    on: V_EDITOR_OPTIONS,
 }
-
-type OnPoses = unsafe extern "C" fn(*mut V_EDITOR, *const V_POSE, usize, *mut c_void);
-type OnPane = unsafe extern "C" fn(*mut V_EDITOR, c_ulong, c_int, c_int, *mut c_void);
-type OnClose = unsafe extern "C" fn(*mut V_EDITOR, *mut c_void) -> c_int;
 
 impl Host for Callbacks {
     fn prepare(&self, _: Id, sampler: &Sampler) -> Result<()> {
@@ -458,7 +452,7 @@ impl Host for Callbacks {
     }
 
     fn hand_over(&self, _: Id) {
-        if let Some(on_poses) = self.on_poses {
+        if let Some(on_poses) = self.on.on_poses {
             let (handle, poses) = (self.handle.get(), self.poses.take());
             // SAFETY: the host's function; the poses live until it returns, and
             // both kinds of pose are laid out alike.
@@ -467,15 +461,70 @@ impl Host for Callbacks {
                     handle => *mut V_EDITOR,
                     poses.as_ptr().cast() => *const V_POSE,
                     poses.len() => usize,
-                    self.user => *mut c_void,
+                    self.on.user => *mut c_void,
                 ) -> ());
             }
         }
     }
 
+    fn watches(&self) -> bool {
+        self.on.on_view.is_some() || self.on.on_change.is_some()
+    }
+
+    fn view(&self, _: Id, pose: &Pose, frame: f64, reason: Reason) {
+        let Some(on_view) = self.on.on_view else {
+            return;
+        };
+        let reason = match reason {
+            Reason::Selected => V_VIEW_SELECTED,
+            Reason::Edited => V_VIEW_EDITED,
+            Reason::Scrubbed => V_VIEW_SCRUBBED,
+            Reason::Played => V_VIEW_PLAYED,
+            Reason::Rested => V_VIEW_RESTED,
+        };
+        // SAFETY: the host's function; the pose lives until it returns, and both kinds
+        // are laid out alike.
+        unsafe {
+            enter!("on_view", on_view(
+                self.handle.get() => *mut V_EDITOR,
+                ptr::from_ref(pose).cast() => *const V_POSE,
+                frame => f64,
+                reason => c_int,
+                self.on.user => *mut c_void,
+            ) -> ());
+        }
+    }
+
+    fn changed(&self, _: Id) {
+        if let Some(on_change) = self.on.on_change {
+            // SAFETY: the host's function.
+            unsafe {
+                enter!("on_change", on_change(
+                    self.handle.get() => *mut V_EDITOR,
+                    self.on.user => *mut c_void,
+                ) -> ());
+            }
+        }
+    }
+
+    fn capture(&self, _: Id) -> Option<Pose> {
+        let on_capture = self.on.on_capture?;
+        let mut pose = Pose::default();
+        // SAFETY: the host's function; the pose may be written until it returns, any
+        // bits make one, and both kinds are laid out alike.
+        let given = unsafe {
+            enter!("on_capture", on_capture(
+                self.handle.get() => *mut V_EDITOR,
+                ptr::from_mut(&mut pose).cast() => *mut V_POSE,
+                self.on.user => *mut c_void,
+            ) -> c_int)
+        };
+        (given != 0).then_some(pose)
+    }
+
     fn may_close(&self, _: Id) -> bool {
-        let (handle, user) = (self.handle.get(), self.user);
-        self.on_close.is_none_or(|on_close| {
+        let (handle, user) = (self.handle.get(), self.on.user);
+        self.on.on_close.is_none_or(|on_close| {
             // SAFETY: the host's function.
             let answer = unsafe {
                 enter!("on_close", on_close(
@@ -488,10 +537,10 @@ impl Host for Callbacks {
     }
 
     fn pane(&self, _: Id, pane: u32, size: [u32; 2]) {
-        let Some(on_pane) = self.on_pane else {
+        let Some(on_pane) = self.on.on_pane else {
             return;
         };
-        let (handle, user) = (self.handle.get(), self.user);
+        let (handle, user) = (self.handle.get(), self.on.user);
         let [width, height] = size.map(|side| c_int::try_from(side).unwrap_or(c_int::MAX));
         // SAFETY: the host's function.
         unsafe {

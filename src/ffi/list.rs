@@ -119,6 +119,12 @@ impl Chain {
     }
 }
 
+impl Default for Chain {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Drop for Chain {
     fn drop(&mut self) {
         let mut element = self.second;
@@ -164,8 +170,9 @@ fn rounded(zoom: f64) -> c_int {
     (zoom + 0.5) as c_int
 }
 
-/// Builds a list of `frames` poses on the host's element `first`, and frees
-/// the list that was there if this library made it. `fill(n, poses)` computes
+/// Builds a list of `frames` poses on the host's element `first`. A list that was
+/// there, if this library made it, gives its elements to the new one as far as that
+/// goes, and the others are freed. `fill(n, poses)` computes
 /// the poses number n, n + 1, … (counted from 1).
 ///
 /// # Errors
@@ -215,6 +222,11 @@ unsafe fn publish(chain: Chain, head: V_KAMERAPAR, first: *mut V_KAMERAPAR) -> R
     made.0.try_reserve(1)?;
     // SAFETY: the caller's word.
     let old = unsafe { known(&made, first) };
+    let (chain, spare) = match old {
+        // SAFETY: found whole.
+        Some(old) => unsafe { reuse(chain, old) },
+        None => (chain, Spare::default()),
+    };
     let chain = ManuallyDrop::new(chain);
     let single = chain.last.is_null();
     let second = if single { first } else { chain.second };
@@ -235,11 +247,56 @@ unsafe fn publish(chain: Chain, head: V_KAMERAPAR, first: *mut V_KAMERAPAR) -> R
         (*second).prev = first;
         (*last).next = first;
     }
-    if let Some(old) = old {
-        // SAFETY: found whole, and nobody can find it any more.
-        unsafe { release(old) };
-    }
+    drop(spare);
     Ok(())
+}
+
+/// Elements of which a new list has no need.
+type Spare = [Chain; 2];
+
+/// Puts poses into the elements of an old list as far as both go, so that a host that
+/// kept one of them has it still; behind them the list goes on with its own elements.
+///
+/// # Safety
+/// The old list was found whole by [`known`].
+unsafe fn reuse(chain: Chain, old: Known) -> (Chain, Spare) {
+    let chain = ManuallyDrop::new(chain);
+    let both = chain.count.min(old.count);
+    let (mut from, mut into) = (chain.second, old.second);
+    let mut last = ptr::null_mut();
+    for _ in 1..both {
+        // SAFETY: both have so many elements.
+        unsafe {
+            let pose = from.read();
+            into.write(V_KAMERAPAR {
+                prev: (*into).prev,
+                next: (*into).next,
+                ..pose
+            });
+            last = into;
+            (from, into) = (pose.next, (*into).next);
+        }
+    }
+    if chain.count > both && !last.is_null() {
+        // SAFETY: elements of either list.
+        unsafe {
+            (*last).next = from;
+            (*from).prev = last;
+        }
+        last = chain.last;
+    }
+    let piece = |second, last, count| Chain {
+        second,
+        last,
+        count,
+    };
+    if both == 1 {
+        let all = piece(chain.second, chain.last, chain.count);
+        return (all, [Chain::new(), piece(into, into, old.count)]);
+    }
+    let used = piece(chain.second, chain.second, both);
+    let rest = piece(into, into, old.count - both + 1);
+    (piece(old.second, last, chain.count), [used, rest])
 }
 
 /// Frees all elements but the first of a list that this library made, and sets

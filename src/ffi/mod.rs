@@ -33,6 +33,7 @@ mod handles;
 mod host_loop;
 mod legacy;
 mod list;
+mod live;
 mod object;
 mod orientations;
 mod pace;

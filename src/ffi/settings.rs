@@ -3,8 +3,10 @@
 use std::ffi::{c_char, c_int};
 
 use super::border::border;
+use super::object::wireframe;
 use super::path::{edit, edit_info, read};
 use super::pointers::{Out, TextOut, text};
+use super::scene_types::V_MESH;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
 use super::types::V_PATH;
 use crate::document::Edit;
@@ -268,5 +270,17 @@ pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mu
         // SAFETY: room for an int, as the header says.
         unsafe { out.write(number) };
         Ok(V_OK)
+    })
+}
+
+/// Sets the object that is shown with a path, copied; NULL: none.
+/// Any thread; from callbacks too. V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE,
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_MESH) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a mesh, as the header says.
+        let object = unsafe { wireframe(object) }?;
+        edit_info(path, |info| info.object = object)
     })
 }

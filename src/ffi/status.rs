@@ -312,6 +312,7 @@ pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
         V_ERR_BUSY => c"not possible at this moment",
         V_ERR_CLOSED => c"the window has been closed",
         V_ERR_INTERNAL => c"a fault inside the library",
+        V_ERR_REFUSED => c"a user said no",
         _ => c"not a status of this library",
     }
     .as_ptr()

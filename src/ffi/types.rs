@@ -51,7 +51,8 @@ pub type V_OBJEKT_LIST = V_OBJEKT_LISTE;
 /// The first element is the host's; it must outlive the list. Before the first
 /// hand-over the host sets its number to -1: no data yet, and prev and next
 /// mean nothing. VIDES makes the other elements with malloc(), one each, so
-/// that the host may free() them; v_free_liste() does that, too.
+/// that the host may free() them; v_free_liste() does that, too. The next list uses
+/// them again as far as it goes.
 ///
 /// The list is closed both ways: first->prev is the last element, whose number
 /// is the count, and the last one's next is the first. A list of one element

@@ -102,6 +102,30 @@ static void the_same_head_again(void)
     v_path_free(longer);
 }
 
+/* A host that keeps an element has it still, until a list is too short for it. */
+static void a_kept_element(void)
+{
+    double frames[] = {100, 300, 100, 20, 19, 1, 2, 40};
+    V_KAMERAPAR *head = new_head(), *kept = NULL, *element;
+    size_t i;
+    int n, before = 0;
+    for (i = 0; i < sizeof frames / sizeof *frames; i++) {
+        V_PATH *path = straight(frames[i], 24 + (double)i);
+        OK(v_path_to_list(path, head));
+        is_list_of(head, path);
+        if (before >= 15 && head->prev->number >= 15)
+            CHECK(head->next->next->next->next->next == kept);
+        for (element = head, n = 1; n < 6; n++)
+            element = element->next;
+        kept = element;
+        before = head->prev->number;
+        v_path_free(path);
+    }
+    v_free_liste(head);
+    CHECK(v_last_error()[0] == '\0');
+    free(head);
+}
+
 /* The elements are the host's to free, too. */
 static void the_host_frees(void)
 {
@@ -271,6 +295,7 @@ int main(void)
     a_fresh_head();
     the_list_outlives_the_path();
     the_same_head_again();
+    a_kept_element();
     the_host_frees();
     somebody_elses_list();
     one_pose();

@@ -125,6 +125,9 @@ CALL(v_editor_open)
     }
     options.on_poses = chance(80) ? callback_on_poses : NULL;
     options.on_close = chance(80) ? callback_on_close : NULL;
+    options.on_view = chance(80) ? callback_on_view : NULL;
+    options.on_change = chance(80) ? callback_on_change : NULL;
+    options.on_capture = chance(80) ? callback_on_capture : NULL;
     options.user = a_user();
     if (chance(wild)) {
         frame->unfit = 1;
@@ -167,6 +170,77 @@ CALL(v_editor_set_path)
 {
     V_EDITOR *editor = an_editor();
     return v_editor_set_path(editor, a_path());
+}
+
+CALL(v_editor_set_view)
+{
+    V_EDITOR *editor = an_editor();
+    return v_editor_set_view(editor, a_pose());
+}
+
+CALL(v_editor_get_frame)
+{
+    const V_EDITOR *editor = an_editor();
+    return v_editor_get_frame(editor, result(sizeof(double), 0));
+}
+
+CALL(v_editor_set_frame)
+{
+    V_EDITOR *editor = an_editor();
+    return v_editor_set_frame(editor, number(1, 2));
+}
+
+CALL(v_editor_play)
+{
+    V_EDITOR *editor = an_editor();
+    return v_editor_play(editor, (int)below(2));
+}
+
+CALL(v_editor_select)
+{
+    V_EDITOR *editor = an_editor();
+    int point = whole(0, 1);
+    return v_editor_select(editor, point, whole(0, 0));
+}
+
+CALL(v_editor_set_object)
+{
+    V_EDITOR *editor = an_editor();
+    return v_editor_set_object(editor, a_mesh());
+}
+
+CALL(v_editor_set_title)
+{
+    static const char *const titles[] = {NULL, "", "Flug", "\xc3\xbc", "a\nb", "\377"};
+    V_EDITOR *editor = an_editor();
+    int odd = chance(wild);
+
+    frame->unfit |= odd;
+    return v_editor_set_title(editor, text(titles[below(odd ? 6 : 4)]));
+}
+
+CALL(v_editor_is_modified)
+{
+    const V_EDITOR *editor = an_editor();
+    return v_editor_is_modified(editor, result(sizeof(int), 0));
+}
+
+CALL(v_editor_save)
+{
+    V_EDITOR *editor = an_editor();
+    return v_editor_save(editor, a_file("saved.vid"));
+}
+
+CALL(v_editor_raise) { return v_editor_raise(an_editor()); }
+
+CALL(v_editors_close)
+{
+    /* As v_main_loop(): nobody is there to answer, and the others are needed. */
+    if (depth == 0 && v_dispatch() > 0) {
+        word("(windows are open)");
+        return v_editor_close(NULL);
+    }
+    return v_editors_close((int)below(2));
 }
 
 int (*ask_after_call)(void);
@@ -254,7 +328,8 @@ int call(const struct function *function, int instead)
     char said[200];
     int answer, expected = instead != -2 ? instead : function->normally;
 
-    if (depth > 0 && function->call == call_v_main_loop)
+    if (depth > 0
+        && (function->call == call_v_main_loop || function->call == call_v_editors_close))
         expected = V_ERR_BUSY;
     frame_begin(&here, function->name);
     answer = function->call();

@@ -28,7 +28,7 @@ extern const struct function functions[];
 extern const int function_count;
 
 /* Which callback of a window runs. */
-enum callback { RUECK, ENDE, ON_POSES, ON_CLOSE, CALLBACKS };
+enum callback { RUECK, ENDE, ON_POSES, ON_CLOSE, ON_VIEW, ON_CHANGE, ON_CAPTURE, CALLBACKS };
 extern const char *const callback_names[CALLBACKS];
 
 /* What a callback does, after it has looked at what it was given; the answer
@@ -58,6 +58,9 @@ void callback_rueck(V_KAMERAPAR *first, int count);
 int callback_ende(void);
 void callback_on_poses(V_EDITOR *editor, const V_POSE *poses, size_t count, void *user);
 int callback_on_close(V_EDITOR *editor, void *user);
+void callback_on_view(V_EDITOR *editor, const V_POSE *pose, double at, int reason, void *user);
+void callback_on_change(V_EDITOR *editor, void *user);
+int callback_on_capture(V_EDITOR *editor, V_POSE *pose, void *user);
 
 /* Makes one call and holds its answer against what is promised: a documented
  * status (V_ERR_INTERNAL is none), a message after a failure and none after a

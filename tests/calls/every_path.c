@@ -52,7 +52,7 @@ static V_VIEW a_view(void)
     return view;
 }
 
-static const V_POSE *a_pose(void)
+const V_POSE *a_pose(void)
 {
     V_POSE pose = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 24};
 
@@ -461,6 +461,12 @@ CALL(v_path_set_comment)
 CALL(v_path_get_comment)
 {
     return text_of(v_path_get_comment, a_path(), 2000);
+}
+
+CALL(v_path_set_object)
+{
+    V_PATH *path = a_path();
+    return v_path_set_object(path, a_mesh());
 }
 
 CALL(v_path_set_fps)

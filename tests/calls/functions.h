@@ -62,6 +62,7 @@
     F(v_path_set_space, STATUS, V_OK, 0) \
     F(v_path_get_space, STATUS, V_OK, 0) \
     F(v_orientation_from_pose, STATUS, V_OK, 0) \
+    F(v_path_set_object, STATUS, V_OK, 0) \
     F(v_path_set_curve, STATUS, V_OK, 0) \
     F(v_path_get_curve, STATUS, V_OK, 0) \
     F(v_path_set_tangents, STATUS, V_OK, 0) \
@@ -138,6 +139,17 @@
     F(v_editor_close, STATUS, V_OK, 1) \
     F(v_editor_get_path, STATUS, V_OK, 1) \
     F(v_editor_set_path, STATUS, V_OK, 1) \
+    F(v_editor_set_view, STATUS, V_OK, 1) \
+    F(v_editor_get_frame, STATUS, V_OK, 1) \
+    F(v_editor_set_frame, STATUS, V_OK, 1) \
+    F(v_editor_play, STATUS, V_OK, 1) \
+    F(v_editor_select, STATUS, V_OK, 1) \
+    F(v_editor_set_object, STATUS, V_OK, 1) \
+    F(v_editor_set_title, STATUS, V_OK, 1) \
+    F(v_editor_is_modified, STATUS, V_OK, 1) \
+    F(v_editor_save, STATUS, V_OK, 1) \
+    F(v_editor_raise, STATUS, V_OK, 1) \
+    F(v_editors_close, STATUS, V_OK, 1) \
     F(v_quat_slerp, STATUS, V_OK, 0) \
     F(v_quat_from_view, STATUS, V_OK, 0) \
     F(v_view_from_quat, STATUS, V_OK, 0) \

@@ -106,7 +106,8 @@ void hands_raise(unsigned long window)
     hands_finish();
 }
 
-void hands_hand_over(unsigned long window)
+/* A key for a window that has the keyboard. */
+static void press(Window window, KeySym sign, unsigned state)
 {
     XEvent event;
 
@@ -114,8 +115,28 @@ void hands_hand_over(unsigned long window)
     event.type = FocusIn;
     event.xfocus.detail = NotifyNonlinear;
     send_event(window, &event);
-    key(window, XK_u, Mod1Mask);
+    key(window, sign, state);
     hands_finish();
+}
+
+void hands_hand_over(unsigned long window)
+{
+    press(window, XK_u, Mod1Mask);
+}
+
+void hands_next_point(unsigned long window)
+{
+    press(window, XK_Next, ControlMask);
+}
+
+void hands_change(unsigned long window)
+{
+    press(window, XK_Insert, Mod1Mask);
+}
+
+void hands_take_over(unsigned long window)
+{
+    press(window, XK_Return, ControlMask);
 }
 
 void hands_close(unsigned long window)

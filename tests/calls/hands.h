@@ -19,6 +19,11 @@ unsigned long hands_window(int number);
 void hands_raise(unsigned long window);
 /* Alt-U: the poses are to be handed over. */
 void hands_hand_over(unsigned long window);
+/* Another point becomes current; there is one orientation more; the host's view is
+ * taken over. */
+void hands_next_point(unsigned long window);
+void hands_change(unsigned long window);
+void hands_take_over(unsigned long window);
 /* What a window manager sends when its cross is pressed. */
 void hands_close(unsigned long window);
 /* The window is gone without a word. */

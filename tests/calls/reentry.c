@@ -3,8 +3,8 @@
  *
  * For each pair a window is opened whose callback makes the call, with fit
  * arguments: about the callback's own window, about another one, about neither.
- * It must do there what it does elsewhere, but for v_main_loop(), which is
- * refused. Afterwards both windows are used again.
+ * It must do there what it does elsewhere, but for v_main_loop() and
+ * v_editors_close(), which are refused. Afterwards both windows are used again.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -65,6 +65,9 @@ struct window open_editor(void)
     v_editor_options_init(&options);
     options.on_poses = callback_on_poses;
     options.on_close = callback_on_close;
+    options.on_view = callback_on_view;
+    options.on_change = callback_on_change;
+    options.on_capture = callback_on_capture;
     options.user = a_user();
     if (v_editor_open(&options, &window.editor) != V_OK) {
         fault("v_editor_open: %s", v_last_error());
@@ -97,7 +100,13 @@ void use(const struct window *window, enum callback which)
 {
     awaited = which;
     count_before = callback_count[which];
-    if (which == RUECK || which == ON_POSES)
+    if (which == ON_VIEW)
+        hands_next_point(window->shown);
+    else if (which == ON_CHANGE)
+        hands_change(window->shown);
+    else if (which == ON_CAPTURE)
+        hands_take_over(window->shown);
+    else if (which == RUECK || which == ON_POSES)
         hands_hand_over(window->shown);
     else
         hands_close(window->shown);

@@ -8,7 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const callback_names[CALLBACKS] = {"rueck", "ende", "on_poses", "on_close"};
+const char *const callback_names[CALLBACKS] = {
+    "rueck", "ende", "on_poses", "on_close", "on_view", "on_change", "on_capture"
+};
 int (*within_callback)(enum callback which, V_EDITOR *editor);
 int depth, faults, display_there, windows_may_go;
 long callback_count[CALLBACKS];
@@ -93,6 +95,32 @@ int callback_on_close(V_EDITOR *editor, void *user)
     if (user != (void *)lists)
         fault("on_close was given another user");
     return called(ON_CLOSE, editor);
+}
+
+void callback_on_view(V_EDITOR *editor, const V_POSE *pose, double at, int reason, void *user)
+{
+    if (user != (void *)lists || !(at >= 1) || reason < V_VIEW_SELECTED || reason > V_VIEW_RESTED)
+        fault("on_view was given another user, frame %g or reason %d", at, reason);
+    look_at(pose, 1);
+    called(ON_VIEW, editor);
+    look_at(pose, 1);
+}
+
+void callback_on_change(V_EDITOR *editor, void *user)
+{
+    if (user != (void *)lists)
+        fault("on_change was given another user");
+    called(ON_CHANGE, editor);
+}
+
+int callback_on_capture(V_EDITOR *editor, V_POSE *pose, void *user)
+{
+    static const V_POSE camera = {{0.3, 0.5, -0.2}, {0, -3, 4}, {0, 4, 3.5}, 30};
+
+    if (user != (void *)lists)
+        fault("on_capture was given another user");
+    *pose = camera;
+    return called(ON_CAPTURE, editor);
 }
 
 /* ---- What calls work on ------------------------------------------------------------ */

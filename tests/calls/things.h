@@ -38,6 +38,8 @@ void keep_editor(V_EDITOR *made);
 
 V_KAMERAPAR *a_list(void);
 
+/* A camera. */
+const V_POSE *a_pose(void);
 /* A mesh of a few points. */
 const V_MESH *a_mesh(void);
 

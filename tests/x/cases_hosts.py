@@ -128,7 +128,7 @@ def a_loop_over_xlib(place):
 
 @test()
 def a_flight_in_opengl(place):
-    """Plays what was handed over."""
+    """It flies along, and gives its own view."""
     server = place.server(options=("+extension", "GLX"))
     # The plainest of Mesa's drivers: others compile for minutes under valgrind.
     program = place.program(server, "glut_flight", LIBGL_ALWAYS_SOFTWARE="1",
@@ -136,9 +136,19 @@ def a_flight_in_opengl(place):
     host = server.named("^glut_flight$")
     server.place(host, 1250, 100)
     window = server.new_window()
-    hand_over(server, window)
     first = wait(lambda: (lambda p: p.colours() > 1 and p)(server.picture(host)), "the pyramid")
-    wait(lambda: server.picture(host).differs(first), "the flight to go on")
+    server.press(window, "ctrl+Next")
+    wait(lambda: server.picture(host).differs(first), "the other point's view")
+    shown = server.drawn(window)
+    server.drag(host, (100, 100), (300, 200))
+    wait(lambda: server.picture(window).differs(shown), "the ghost to move")
+    own = server.drawn(host, 1)
+    server.press(window, "ctrl+Prior")
+    wait(lambda: server.picture(host).differs(own), "the first point's view")
+    server.press(window, "ctrl+Return")  # a third point, with the own view
+    wait(lambda: server.picture(window).differs(shown), "the new point")
+    server.press(window, "ctrl+z")  # so that nobody asks
+    server.drawn(window)
     server.press(window, "ctrl+q")
     server.gone(window)
     server.press(host, "Escape")

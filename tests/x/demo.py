@@ -1,8 +1,10 @@
 """The pyramid example of the thesis (7.5), played on the Motif host with mouse
-and keyboard, in English and in German: demo.py PYRAMID_MOTIF FOLDER
+and keyboard, in English and in German; then the same flight beside a program that
+flies along: demo.py PYRAMID_MOTIF GLUT_FLIGHT FLIGHT FOLDER
 
 Leaves a picture of each step and the poses in the folders FOLDER/en and
-FOLDER/de. The poses must be the same.
+FOLDER/de. The poses must be the same. FOLDER/glut.png shows both programs at the
+same moment of the flight.
 """
 
 import concurrent.futures
@@ -229,15 +231,44 @@ def demo(binary, folder, locale):
         return poses.read()
 
 
+def fly_along(binary, flight, folder):
+    """The editor and a program with a picture of its own, at the same moment."""
+    with tempfile.TemporaryDirectory(prefix="vides-demo-") as work:
+        server = Server(work, screen="1840x860x24", options=("+extension", "GLX"))
+        server.env.update(LIBGL_ALWAYS_SOFTWARE="1", LC_ALL="C.UTF-8")
+        program = Program(work, [binary, flight], server.env)
+        try:
+            host = server.named("^glut_flight$")
+            server.place(host, 1220, 40)
+            window = server.new_window()
+            # Its own camera goes round the object; then the flight is scrubbed.
+            server.drag(host, (100, 60), (150, 120))
+            width, height = server.geometry(window)[2:]
+            rail = (PANEL + 520, height - 28)
+            before = server.picture(host)
+            server.drag(window, rail, (width - 330, rail[1]))
+            wait(lambda: server.picture(host).differs(before), "the host to fly along")
+            server.xdotool("mousemove", "--window", window, PANEL + 60, 120)
+            server.drawn(host, 1)
+            server.drawn(window)
+            server.picture().save(os.path.join(folder, "glut.png"))
+            print("  glut.png: a program of today beside the editor, at the same moment",
+                  flush=True)
+        finally:
+            program.kill()
+            server.end()
+
+
 def main():
     """See the top."""
-    binary, folder = map(os.path.abspath, sys.argv[1:3])
+    binary, glut, flight, folder = map(os.path.abspath, sys.argv[1:5])
     # Side by side: most of the time is waiting.
     with concurrent.futures.ThreadPoolExecutor() as pool:
         flights = list(pool.map(
             lambda one: demo(binary, os.path.join(folder, one[0]), one[1]),
             (("en", "en_GB.UTF-8"), ("de", "de_DE.UTF-8"))))
     check(flights[0] == flights[1], "the flight depends on the language")
+    fly_along(glut, flight, folder)
 
 
 if __name__ == "__main__":

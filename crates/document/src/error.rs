@@ -152,14 +152,21 @@ pub enum Refused {
     TargetTooFar,
     #[error("this scene has no camera on a path")]
     NoCamera,
+    #[error("this path has no file yet")]
+    NoFile,
+    #[error("another program has changed the file since it was read or written here")]
+    FileChanged,
 }
 
 impl Refused {
     fn kind(&self) -> ErrorKind {
         match self {
-            Self::NoEnds | Self::NoDirection(_) | Self::OnTarget { .. } | Self::NoCamera => {
-                ErrorKind::Argument
-            }
+            Self::NoEnds
+            | Self::NoDirection(_)
+            | Self::OnTarget { .. }
+            | Self::NoCamera
+            | Self::NoFile
+            | Self::FileChanged => ErrorKind::Argument,
             _ => ErrorKind::Range,
         }
     }

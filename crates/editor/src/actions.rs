@@ -74,6 +74,13 @@ pub(super) enum Action {
     Export,
     /// Hand the poses over to the host.
     HandOver,
+    /// Hand them over after each change, or do so no more.
+    SwitchHandsOver,
+    /// Take over the host's view, in a new point or here.
+    TakeOver {
+        /// In place of the current orientation.
+        replace: bool,
+    },
     /// Open the curve window.
     Curve,
     /// Open the speed-curve window.
@@ -261,6 +268,8 @@ impl Editor {
             Action::Export => self.choose_file(Purpose::Export),
             Action::HandOver if self.hand_over => self.requests.push(Request::HandOver),
             Action::HandOver => self.complain(self.texts().menu.nobody_takes),
+            Action::SwitchHandsOver => self.hands_over = !self.hands_over && self.hand_over,
+            Action::TakeOver { replace } => self.ask_for_view(replace),
             Action::Curve => windows::open::<CurveWindow>(self, context),
             Action::SpeedCurve => windows::open::<SpeedWindow>(self, context),
             Action::Colours => windows::open::<ColourWindow>(self, context),

@@ -191,30 +191,27 @@ impl Editor {
     /// changed since it was read or written here.
     fn write_path(&mut self, file: &Path, replaced: bool) -> Result<bool, String> {
         let texts = self.texts();
-        let saved = self.document.to_toml().and_then(|text| {
-            let bytes = text.as_bytes();
-            let done = if replaced {
-                save::save(file, bytes).map(|()| true)
-            } else {
-                save::save_unless_changed(file, bytes, self.known)
-            };
-            Ok(done?.then(|| Contents::of(bytes)))
-        });
-        match saved {
-            Ok(None) => Ok(false),
-            Ok(known) => {
-                self.document.mark_saved();
-                self.file = Some(file.to_owned());
-                self.known = known;
-                self.note_file(file);
-                self.say(fill(texts.output.saved, &[&short(file)]));
-                Ok(true)
-            }
-            Err(error) => {
-                let why = self.without_name(&error);
-                Err(fill(texts.errors.cannot_save, &[&short(file), &why]))
-            }
+        self.write(file, replaced).map_err(|error| {
+            let why = self.without_name(&error);
+            fill(texts.errors.cannot_save, &[&short(file), &why])
+        })
+    }
+
+    /// The same, for whoever can tell an error himself.
+    pub(super) fn write(&mut self, file: &Path, replaced: bool) -> Result<bool> {
+        let text = self.document.to_toml()?;
+        let bytes = text.as_bytes();
+        if replaced {
+            save::save(file, bytes)?;
+        } else if !save::save_unless_changed(file, bytes, self.known)? {
+            return Ok(false);
         }
+        self.document.mark_saved();
+        self.file = Some(file.to_owned());
+        self.known = Some(Contents::of(bytes));
+        self.note_file(file);
+        self.say(fill(self.texts().output.saved, &[&short(file)]));
+        Ok(true)
     }
 
     /// Writes the poses in the format that the file's name says: lines of ten numbers

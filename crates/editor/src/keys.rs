@@ -39,6 +39,8 @@ pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (CTRL, Key::C, Action::CopyOrientation),
     (CTRL, Key::V, Action::PasteOrientation),
     (ALT, Key::U, Action::HandOver),
+    (CTRL, Key::Enter, Action::TakeOver { replace: false }),
+    (CTRL_SHIFT, Key::Enter, Action::TakeOver { replace: true }),
     (ALT, Key::F, Action::Colours),
     (ALT, Key::Z, Action::Display),
     (ALT, Key::T, Action::LoadSetup),

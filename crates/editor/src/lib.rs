@@ -22,6 +22,7 @@ mod host_pane;
 #[cfg(any(test, fuzzing))]
 pub mod hostile;
 mod keys;
+mod live;
 mod menu;
 mod number;
 mod output;
@@ -54,6 +55,7 @@ use vides_raster as raster;
 
 pub use folders::Folders;
 pub use host_pane::HostPane;
+pub use live::Standing;
 pub use program::{Date, Program};
 pub use state::{Editor, HostView, Options, Reason, Request};
 pub use texts::Language;

@@ -196,6 +196,10 @@ fn output(editor: &Editor) -> Vec<Entry> {
         Entry::new(texts.hand_over, hints.hand_over, Action::HandOver)
             .letter(Key::U)
             .only_if(editor.hand_over, texts.nobody_takes),
+        Entry::new(texts.hands_over, hints.hands_over, Action::SwitchHandsOver)
+            .letter(Key::L)
+            .on(editor.hands_over)
+            .only_if(editor.hand_over, texts.nobody_takes),
     ]
 }
 

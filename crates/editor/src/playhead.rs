@@ -166,6 +166,32 @@ impl Editor {
         true
     }
 
+    /// A new point with this one orientation.
+    pub(super) fn add_point_at(
+        &mut self,
+        at: usize,
+        position: DVec3,
+        orientation: Orientation,
+    ) -> bool {
+        if !self.edit(Edit::InsertPoint { at, position }) {
+            return false;
+        }
+        let copied = self.point().map_or(1, |point| point.orientations.len());
+        let alone = (1..copied).rev().all(|number| {
+            self.edit(Edit::RemoveOrientation {
+                point: at,
+                at: number,
+            })
+        });
+        alone
+            && self.edit(Edit::SetOrientation {
+                point: at,
+                at: 0,
+                orientation,
+            })
+            && self.document.select(at, 0).is_ok()
+    }
+
     /// Does what was entered into a number of what the panels show and the path has
     /// not got: the entry adds it first, in the same step.
     pub(super) fn enter_missing(&mut self, entry: Entry<Edit>) {

@@ -44,6 +44,10 @@ pub(super) struct Playing {
     frame: Option<f64>,
     /// It plays: since when (in egui's time), from which frame.
     since: Option<(f64, f64)>,
+    /// It shall play, or shall not, from the next pass on.
+    ordered: Option<bool>,
+    /// The bar has led here.
+    scrubbed: bool,
     /// It begins anew at the end.
     loops: bool,
     pace: Pace,
@@ -148,6 +152,16 @@ impl Playing {
         self.since.is_some()
     }
 
+    /// The bar has led to where the playhead stands.
+    pub(super) fn was_scrubbed(&self) -> bool {
+        self.scrubbed
+    }
+
+    /// Plays from the next pass on, or plays no more.
+    pub(super) fn order(&mut self, plays: bool) {
+        self.ordered = Some(plays);
+    }
+
     /// The frame that is shown; none: the current key.
     pub(super) fn frame(&self) -> Option<f64> {
         self.frame
@@ -176,6 +190,7 @@ impl Playing {
     /// The playhead goes to the current key, and stays there.
     pub(super) fn leave(&mut self) {
         (self.frame, self.since) = (None, None);
+        self.scrubbed = false;
     }
 }
 
@@ -236,6 +251,7 @@ impl Editor {
         // The path may have changed since they were shown. Too many frames have none.
         let _ = self.playing.marks.update(&self.document);
         self.playing.frame = Some(frame.clamp(1.0, as_frame(self.playing.marks.frames)));
+        self.playing.scrubbed = true;
         self.select_at_playhead();
     }
 
@@ -279,7 +295,7 @@ impl Editor {
         let selection = self.document.selection();
         // Another current orientation is one that somebody wants to see.
         if playing.selection != selection && playing.since.is_none() {
-            playing.frame = None;
+            playing.leave();
         }
         playing.selection = selection;
         if playing.marks.frames == 0 {
@@ -287,6 +303,11 @@ impl Editor {
         }
         let last = as_frame(playing.marks.frames);
         playing.frame = playing.frame.map(|frame| frame.clamp(1.0, last.max(1.0)));
+        let ordered = playing.ordered.take();
+        if ordered.is_some_and(|plays| plays != playing.is_playing()) {
+            self.play_or_pause(context);
+        }
+        let playing = &mut self.playing;
         if context.text_edit_focused() && playing.since.take().is_some() {
             // What is typed must stay what it is typed for.
             self.select_at_playhead();

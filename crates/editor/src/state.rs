@@ -15,7 +15,7 @@ use super::theme;
 use super::{playing, space, windows};
 use crate::document::{Contents, Document, Edit};
 use crate::error::{Error, Result};
-use crate::path::{Orientation, SupportPoint};
+use crate::path::{Orientation, Pose, SupportPoint};
 use crate::warning::Warnings;
 
 /// How a window begins.
@@ -74,6 +74,11 @@ pub enum Reason {
 pub enum Request {
     /// Hand the poses over to the host.
     HandOver,
+    /// Give its view, for [`Editor::take_over`].
+    Capture {
+        /// It comes in place of the current orientation.
+        replace: bool,
+    },
     /// Close the window: unsaved work was asked about, the host may refuse.
     Close,
 }
@@ -94,6 +99,10 @@ pub struct Editor {
     pub(super) program: Program,
     /// The host's own view.
     pub(super) host_view: HostView,
+    /// Its camera as the host has shown it last.
+    pub(super) ghost: Option<Pose>,
+    /// Poses are handed over after each change.
+    pub(super) hands_over: bool,
     /// Where the host draws it.
     pub(super) host_pane: Option<HostPane>,
     /// What the file contained when it was read or written last; none if there was none.
@@ -155,6 +164,8 @@ impl Editor {
             folders: options.folders,
             program: options.program,
             host_view: options.host_view,
+            ghost: None,
+            hands_over: false,
             host_pane: None,
             copied: None,
             last_folder: None,
@@ -190,6 +201,18 @@ impl Editor {
         self.closing = false;
         super::frame::show(self, ui);
         self.keep_work(ui.ctx());
+    }
+
+    /// Closing was asked for, and nobody has said no yet.
+    pub fn asks_to_close(&self) -> bool {
+        self.waiting == Some(Action::Quit)
+            || self.requests.contains(&Request::Close)
+            || self.windows.ask()
+    }
+
+    /// Poses are to be handed over after each change.
+    pub fn hands_over(&self) -> bool {
+        self.hands_over
     }
 
     /// The oldest request that was not seen to.
@@ -229,12 +252,16 @@ impl Editor {
         }
     }
 
-    /// Says how a hand-over went: the number of poses.
-    pub fn handed_over(&mut self, result: Result<usize, Error>) {
+    /// Says how a hand-over went: the number of poses. One that the user has not asked
+    /// for by itself says nothing but why it failed.
+    pub fn handed_over(&mut self, result: Result<usize, Error>, asked: bool) {
         match result {
             Ok(count) => {
                 if self.program.hand_over_saves {
                     self.handed = Some(self.document.state_number());
+                }
+                if !asked {
+                    return;
                 }
                 self.say(fill(self.texts().output.handed_over, &[&count]));
             }

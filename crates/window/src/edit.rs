@@ -6,11 +6,10 @@
 use std::path::Path;
 use std::rc::Rc;
 
-use crate::document::{self, Document};
+use crate::document::Document;
 use crate::editor::{self, Folders, Warnings};
 use crate::error::{Error, Result};
-use crate::path::Sampler;
-use crate::{Gone, Host, Id, Options, document_of, main_loop, open, own_program};
+use crate::{Host, Options, document_of, main_loop, open, own_program};
 
 /// Opens the editor in a window of its own and returns when it is closed. What
 /// is saved goes to `file`; one that does not exist yet is a new path of that
@@ -53,17 +52,5 @@ pub fn edit(file: Option<&Path>) -> Result<()> {
 struct Nobody;
 
 impl Host for Nobody {
-    fn prepare(&self, _: Id, _: &Sampler) -> document::Result<()> {
-        Ok(())
-    }
-
-    fn hand_over(&self, _: Id) {}
-
-    fn may_close(&self, _: Id) -> bool {
-        true
-    }
-
     fn lost(&self, _: &str) {}
-
-    fn closed(&self, _: Id, _: Gone) {}
 }

@@ -12,6 +12,7 @@ mod edit;
 mod ending;
 mod error;
 mod hint;
+mod live;
 mod lookout;
 mod program;
 mod pump;
@@ -46,7 +47,7 @@ pub use edit::edit;
 pub use editor::Reason;
 pub use error::{Error, Result};
 pub use program::{host_program, own_program};
-pub use pump::{dispatch, main_loop};
+pub use pump::{close_all, dispatch, main_loop};
 pub use registry::{Lost, is_open, within_a_call};
 pub use xt::{Refusal, own_thread};
 
@@ -58,15 +59,23 @@ pub trait Host {
     ///
     /// # Errors
     /// Shown in the window; what the host has is as it was.
-    fn prepare(&self, window: Id, sampler: &Sampler) -> document::Result<()>;
+    fn prepare(&self, window: Id, sampler: &Sampler) -> document::Result<()> {
+        let _ = (window, sampler);
+        Ok(())
+    }
 
     /// Calls the host with the poses that were made ready last.
-    fn hand_over(&self, window: Id);
+    fn hand_over(&self, window: Id) {
+        let _ = window;
+    }
 
     /// Asks the host whether the window may close.
-    fn may_close(&self, window: Id) -> bool;
+    fn may_close(&self, window: Id) -> bool {
+        let _ = window;
+        true
+    }
 
-    /// Whether [`Host::view`] is to be called at all.
+    /// Whether [`Host::view`] and [`Host::changed`] are to be called at all.
     fn watches(&self) -> bool {
         false
     }
@@ -98,10 +107,14 @@ pub trait Host {
 
     /// A window is about to be gone for this reason, which nobody was told yet.
     /// Calls no host code.
-    fn lost(&self, why: &str);
+    fn lost(&self, why: &str) {
+        error::complain(why);
+    }
 
     /// The window is gone, and its owner has not closed it. Calls no host code.
-    fn closed(&self, window: Id, why: Gone);
+    fn closed(&self, window: Id, why: Gone) {
+        let _ = (window, why);
+    }
 }
 
 /// Why a window is gone that its owner has not closed.
@@ -137,6 +150,32 @@ pub struct Options {
     pub warnings: Warnings,
     /// Its owner.
     pub host: Rc<dyn Host>,
+}
+
+impl Options {
+    /// A window of its own that shows a path, for a program that takes its poses when
+    /// they are handed over.
+    pub fn new(document: Document, host: Rc<dyn Host>) -> Self {
+        Self {
+            editor: editor::Options {
+                document,
+                file: None,
+                title: None,
+                language: None,
+                hand_over: true,
+                fixed_speeds: false,
+                folders: editor::Folders::of_environment(),
+                program: host_program(true),
+                host_view: editor::HostView::default(),
+            },
+            display: None,
+            application: None,
+            parent: None,
+            transient_for: None,
+            warnings: Warnings::default(),
+            host,
+        }
+    }
 }
 
 /// Inner size of a new window in points.
@@ -199,12 +238,33 @@ pub fn read<R>(id: Id, f: impl FnOnce(&Document) -> R) -> Option<R> {
     registry::look(id, |window| f(window.document()))
 }
 
-/// Changes the path of a window; `None` if it is not open.
+/// Changes the path of a window; `None` if it is not open. What a callback changes it
+/// is not called for.
 pub fn change<R>(id: Id, f: impl FnOnce(&mut Document) -> R) -> Option<R> {
-    let mut lost = None;
-    let done = registry::work(id, &mut lost, |window, _| {
-        f(window.editor_mut().document_mut())
-    });
+    command(id, |editor| f(editor.document_mut()))
+}
+
+/// Tells a window what to do or to show: its frame, what is current, the host's view,
+/// see [`Editor`]; `None` if it is not open. What a callback changes it is not called
+/// for.
+pub fn command<R>(id: Id, f: impl FnOnce(&mut Editor) -> R) -> Option<R> {
+    let within = within_a_call();
+    let done = registry::work(id, &mut None, |window, _| window.command(within, f));
+    registry::ring();
+    done
+}
+
+/// Looks at what a window shows; `None` if it is not open.
+pub fn look<R>(id: Id, f: impl FnOnce(&Editor) -> R) -> Option<R> {
+    registry::look(id, |window| f(window.editor()))
+}
+
+/// Brings a window before all others; `None` if it is not open.
+///
+/// # Errors
+/// `ErrorKind::Display` if its X server went away.
+pub fn raise(id: Id) -> Option<Result<()>> {
+    let done = registry::work(id, &mut None, |window, _| window.raise());
     registry::ring();
     done
 }

@@ -7,6 +7,9 @@
 //! host from its own work: after some rounds the call returns, and the timer
 //! brings it back at once.
 
+use std::time::Instant;
+
+use super::live::Call;
 use super::registry::Lost;
 use super::window::HostRequest;
 use super::{Id, registry};
@@ -75,6 +78,22 @@ fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
         Some(HostRequest::HandOver) => {
             registry::call(id, lost, |host| host.hand_over(id));
         }
+        Some(HostRequest::Capture { replace }) => {
+            if let Some(view) = registry::call(id, lost, |host| host.capture(id)) {
+                registry::work(id, lost, |window, _| {
+                    window.command(false, |editor| editor.take_over(view.as_ref(), replace));
+                });
+            }
+        }
+        Some(HostRequest::Live(call)) => {
+            let began = Instant::now();
+            registry::call(id, lost, |host| match call {
+                Call::View(pose, frame, reason) => host.view(id, &pose, frame, reason),
+                Call::Changed => host.changed(id),
+                Call::HandOver => host.hand_over(id),
+            });
+            registry::work(id, lost, |window, _| window.called(began));
+        }
         Some(HostRequest::Pane(pane)) => {
             let (window, size) =
                 pane.map_or((0, [0; 2]), |pane| (pane.window, [pane.width, pane.height]));
@@ -105,4 +124,32 @@ pub fn main_loop() -> Result<Served> {
         }
         registry::sleep()?;
     }
+}
+
+/// Closes all windows of this thread. If they shall `ask`, each asks its user about
+/// unsaved work and its host, one after the other, and all are served meanwhile; false
+/// if one of them said no. Not from within a callback.
+///
+/// # Errors
+/// `ErrorKind::Limit` without descriptors.
+pub fn close_all(ask: bool) -> Result<bool> {
+    while let Some(id) = registry::first() {
+        if !ask {
+            registry::close(id);
+            continue;
+        }
+        registry::work(id, &mut None, |window, _| window.ask_to_close()).transpose()?;
+        loop {
+            dispatch();
+            if !registry::is_open(id) {
+                break;
+            }
+            if registry::look(id, |window| window.editor().asks_to_close()) != Some(true) {
+                return Ok(false);
+            }
+            super::told();
+            registry::sleep()?;
+        }
+    }
+    Ok(true)
 }

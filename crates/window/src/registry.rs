@@ -202,6 +202,14 @@ pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
     })
 }
 
+/// The window that was opened first of those that are open.
+pub(super) fn first() -> Option<Id> {
+    table(|table| {
+        let mut open = table.slots.iter().filter(|slot| !slot.closing);
+        open.next().map(|slot| slot.id)
+    })
+}
+
 /// How many windows are open.
 pub(super) fn count() -> usize {
     table(|table| table.slots.iter().filter(|slot| !slot.closing).count())

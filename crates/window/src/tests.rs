@@ -1,6 +1,7 @@
 //! Windows without an X server: what the table and the loop promise.
 
 mod drags;
+mod live;
 mod panes;
 
 use std::cell::{Cell, RefCell};
@@ -18,7 +19,7 @@ use super::screen::Screen;
 use super::window::Window;
 use super::{Gone, Host, Id, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
 use crate::document::Document;
-use crate::editor::{Editor, Folders, Language, Options};
+use crate::editor::{Editor, Folders, HostView, Language, Options};
 use crate::error::EngineError;
 use crate::path::Sampler;
 use crate::raster::{Area, Target};
@@ -32,6 +33,7 @@ struct Remote {
     fails: Cell<Fails>,
     polls: Cell<usize>,
     presents: Cell<usize>,
+    presented: Cell<Option<Instant>>,
     dropped: Cell<bool>,
     raised: Cell<bool>,
     deadline: Cell<Option<Instant>>,
@@ -151,6 +153,7 @@ impl Screen for Fake {
     fn present(&mut self, areas: &[Area]) -> Result<()> {
         assert!(!areas.is_empty());
         self.remote.presents.set(self.remote.presents.get() + 1);
+        self.remote.presented.set(Some(Instant::now()));
         self.remote.shown.borrow_mut().clone_from(&self.pixels);
         Ok(())
     }
@@ -253,10 +256,17 @@ const CLOSE: News = News {
 };
 
 fn open() -> (Id, Rc<Remote>, Rc<Calls>) {
-    open_for(crate::editor::HostView::default())
+    open_with(HostView::default())
 }
 
-fn open_for(host_view: crate::editor::HostView) -> (Id, Rc<Remote>, Rc<Calls>) {
+fn open_with(host_view: HostView) -> (Id, Rc<Remote>, Rc<Calls>) {
+    let calls = Rc::new(Calls::default());
+    let (id, remote) = open_for(Rc::<Calls>::clone(&calls), host_view);
+    (id, remote, calls)
+}
+
+/// A window of this host.
+fn open_for(host: Rc<dyn Host>, host_view: HostView) -> (Id, Rc<Remote>) {
     let (ours, theirs) = UnixStream::pair().expect("a pair");
     ours.set_nonblocking(true).expect("non-blocking");
     let remote = Rc::new(Remote {
@@ -265,6 +275,7 @@ fn open_for(host_view: crate::editor::HostView) -> (Id, Rc<Remote>, Rc<Calls>) {
         fails: Cell::new(Fails::No),
         polls: Cell::new(0),
         presents: Cell::new(0),
+        presented: Cell::new(None),
         dropped: Cell::new(false),
         raised: Cell::new(false),
         deadline: Cell::new(None),
@@ -275,7 +286,6 @@ fn open_for(host_view: crate::editor::HostView) -> (Id, Rc<Remote>, Rc<Calls>) {
         pane: Cell::new(None),
         paneless: Cell::new(false),
     });
-    let calls = Rc::new(Calls::default());
     let editor = Editor::new(Options {
         document: Document::new(),
         file: None,
@@ -294,9 +304,8 @@ fn open_for(host_view: crate::editor::HostView) -> (Id, Rc<Remote>, Rc<Calls>) {
         pixels: Vec::new(),
     };
     let window = Window::new(Box::new(screen), editor, String::new());
-    let host: Rc<dyn Host> = Rc::<Calls>::clone(&calls);
     let id = registry::insert(Box::new(window), host).expect("room");
-    (id, remote, calls)
+    (id, remote)
 }
 
 /// Whether the descriptor that hosts watch is readable.

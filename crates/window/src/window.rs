@@ -12,6 +12,7 @@ use std::time::{Duration, Instant};
 
 use egui::{ClippedPrimitive, Context, FullOutput, ViewportId};
 
+use super::live::{Call, Live};
 use super::screen::Screen;
 use super::{Host, Id};
 use crate::document::Document;
@@ -56,6 +57,9 @@ pub(super) struct Window {
     in_flight: bool,
     /// What stands in the title bar.
     title: String,
+    /// A button is held.
+    held: bool,
+    live: Live,
     /// The pane that the host knows of.
     pane: Option<PaneWindow>,
 }
@@ -74,6 +78,13 @@ pub(super) enum HostRequest {
     HandOver,
     /// May the window close?
     Close,
+    /// It gives its own view, to be taken over.
+    Capture {
+        /// In place of the current orientation.
+        replace: bool,
+    },
+    /// It is told of what the user does.
+    Live(Call),
     /// It draws in this pane from now on; none: the pane is closed.
     Pane(Option<PaneWindow>),
 }
@@ -95,6 +106,8 @@ impl Window {
             ran: None,
             in_flight: false,
             title,
+            held: false,
+            live: Live::default(),
             pane: None,
         }
     }
@@ -135,7 +148,13 @@ impl Window {
         } else {
             self.due
         };
-        due.into_iter().chain(self.screen.deadline()).min()
+        let told = if self.is_shown() {
+            self.live.due(&self.editor, self.held)
+        } else {
+            None
+        };
+        let due = due.into_iter().chain(told);
+        due.chain(self.screen.deadline()).min()
     }
 
     /// Does what there is to do.
@@ -187,7 +206,68 @@ impl Window {
         }
         polled.busy |= self.paint()?;
         self.screen.flush()?;
+        if polled.request.is_none() && self.is_shown() {
+            polled.request = self.next_live_call(id, host);
+        }
         Ok(polled)
+    }
+
+    /// What there is to be seen is on the screen, or on its way there.
+    fn is_shown(&self) -> bool {
+        !self.fresh && self.picture.is_none()
+    }
+
+    /// What the host is to be told of.
+    fn next_live_call(&mut self, id: Id, host: &Rc<dyn Host>) -> Option<HostRequest> {
+        let (watched, now) = (host.watches(), Instant::now());
+        let call = self.live.next(&self.editor, watched, self.held, now)?;
+        let ready = !matches!(call, Call::HandOver) || self.make_ready(id, host, false);
+        self.called(now);
+        ready.then_some(HostRequest::Live(call))
+    }
+
+    /// A call into the host has ended that began then.
+    pub(super) fn called(&mut self, began: Instant) {
+        let now = Instant::now();
+        self.live.called(now.saturating_duration_since(began), now);
+    }
+
+    /// Host code changes something. What it changes within a call it need not be told.
+    pub(super) fn command<R>(
+        &mut self,
+        within_a_call: bool,
+        change: impl FnOnce(&mut Editor) -> R,
+    ) -> R {
+        self.fresh = true;
+        if within_a_call {
+            self.live.known(&mut self.editor, change)
+        } else {
+            change(&mut self.editor)
+        }
+    }
+
+    /// The editor.
+    pub(super) fn editor(&self) -> &Editor {
+        &self.editor
+    }
+
+    /// Asks the user about unsaved work, and then the host whether the window may close.
+    ///
+    /// # Errors
+    /// `ErrorKind::Display`.
+    pub(super) fn ask_to_close(&mut self) -> Result<()> {
+        self.editor_mut().ask_to_close();
+        // Nobody sees a question behind other windows.
+        self.raise()
+    }
+
+    /// Brings the window before all others.
+    ///
+    /// # Errors
+    /// `ErrorKind::Display`.
+    pub(super) fn raise(&mut self) -> Result<()> {
+        self.screen.raise()?;
+        Ok(self.screen.flush()?)
     }
 
     /// Runs egui once: makes a picture of what there is now.
@@ -224,6 +304,7 @@ impl Window {
         self.passes = self.passes.saturating_add(1);
         let (held, pressed) =
             context.input(|input| (input.pointer.any_down(), input.pointer.any_pressed()));
+        self.held = held;
         self.resting = !held && delay == Duration::MAX;
         let delay = if held && !pressed {
             delay.max(DRAG_PAUSE)
@@ -300,21 +381,28 @@ impl Window {
         loop {
             match self.editor.next_request()? {
                 Request::Close => return Some(HostRequest::Close),
+                Request::Capture { replace } => return Some(HostRequest::Capture { replace }),
                 Request::HandOver => {
                     self.fresh = true;
-                    inject::point(Place::HandOver);
-                    let count = self.editor.document().sampler().and_then(|sampler| {
-                        host.prepare(id, sampler)?;
-                        Ok(sampler.frame_count())
-                    });
-                    inject::point(Place::Prepared);
-                    let ready = count.is_ok();
-                    self.editor.handed_over(count);
-                    if ready {
+                    if self.make_ready(id, host, true) {
                         return Some(HostRequest::HandOver);
                     }
                 }
             }
         }
+    }
+
+    /// Makes the poses ready for the host; else the window says why not.
+    fn make_ready(&mut self, id: Id, host: &Rc<dyn Host>, asked: bool) -> bool {
+        inject::point(Place::HandOver);
+        let count = self.editor.document().sampler().and_then(|sampler| {
+            host.prepare(id, sampler)?;
+            Ok(sampler.frame_count())
+        });
+        inject::point(Place::Prepared);
+        let ready = count.is_ok();
+        self.fresh |= asked || !ready;
+        self.editor.handed_over(count, asked);
+        ready
     }
 }

@@ -66,6 +66,10 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, viewport: Rect) {
                 aims(editor, ui, corner);
                 ui.separator();
             }
+            if editor.has_host_view() {
+                take_over(editor, ui);
+                ui.separator();
+            }
             if of_point {
                 entries(editor, ui);
             } else {
@@ -102,6 +106,19 @@ fn aims(editor: &mut Editor, ui: &mut Ui, corner: DVec3) {
     if button.on_hover_text(hints.aim_all_here).clicked() {
         editor.message = None;
         editor.aim_all_at(corner);
+    }
+}
+
+/// The host's view becomes one of the path.
+fn take_over(editor: &mut Editor, ui: &mut Ui) {
+    let texts = &editor.texts().space;
+    for (text, hint, replace) in [
+        (texts.take_over, texts.take_over_tip, false),
+        (texts.take_over_here, texts.take_over_here_tip, true),
+    ] {
+        if ui.button(text).on_hover_text(hint).clicked() {
+            editor.act(Action::TakeOver { replace }, ui.ctx());
+        }
     }
 }
 

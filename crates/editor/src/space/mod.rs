@@ -36,7 +36,7 @@ use self::strokes::Strokes;
 use super::setup::{Element, View};
 use super::state::Editor;
 use super::texts::Texts;
-use super::{camera_view, playing};
+use super::{camera_view, live, playing};
 use crate::document::Document;
 use crate::path;
 use crate::raster::Lines;
@@ -172,6 +172,10 @@ fn view(editor: &mut Editor, ui: &mut Ui, viewport: Rect) {
         context.set_cursor_icon(editor.space.pointer.cursor());
     }
     menu::show(editor, ui, viewport);
+    if let Some(ghost) = editor.ghost.map(Camera::from) {
+        let place = projection_of(editor, viewport).pos(ghost.position);
+        live::button(editor, &context, viewport, place);
+    }
     draw(editor, &ui.painter_at(viewport), viewport);
 }
 
@@ -244,6 +248,13 @@ fn draw(editor: &mut Editor, painter: &Painter, viewport: Rect) {
         let mut strokes = Strokes::new(look.projection, viewport);
         cameras::camera(&mut strokes, &look, &camera, 44.0, 1.8, color);
         add(strokes.finish());
+    }
+    if let Some(ghost) = editor.ghost.map(Camera::from) {
+        let color = editor.setup.theme().palette().text.gamma_multiply(0.65);
+        let mut strokes = Strokes::new(look.projection, viewport);
+        cameras::camera(&mut strokes, &look, &ghost, 40.0, 1.4, color);
+        add(strokes.finish());
+        overlay::name(painter, &look, &ghost, editor.host_name(), color);
     }
     let pointed = match pointer.hover {
         Some(Handle::Point(at)) => Some(at),

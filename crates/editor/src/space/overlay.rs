@@ -335,6 +335,21 @@ fn label(
     painter.galley(rect.min, galley, color);
 }
 
+/// What a camera is called, beside its foot.
+pub(super) fn name(
+    painter: &Painter,
+    look: &Look<'_>,
+    camera: &Camera,
+    text: &str,
+    color: Color32,
+) {
+    let pos = look.projection.pos(camera.position) + vec2(8.0, -6.0);
+    if look.viewport.contains(pos) {
+        let text = text.to_owned();
+        label(painter, pos, Align2::LEFT_BOTTOM, text, 11.0, color, look);
+    }
+}
+
 /// A hint in the upper left corner, where it covers least.
 pub(super) fn hint(painter: &Painter, look: &Look<'_>, text: &str, color: Color32) {
     let pos = look.viewport.left_top() + vec2(12.0, 10.0);

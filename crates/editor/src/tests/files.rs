@@ -509,7 +509,7 @@ fn after_a_hand_over_nothing_is_unsaved_where_the_host_keeps_it() {
         assert_eq!(title(&window), "VIDES*");
         press(&mut window, Modifiers::ALT, Key::U);
         assert_eq!(window.state_mut().next_request(), Some(Request::HandOver));
-        window.state_mut().handed_over(Ok(121));
+        window.state_mut().handed_over(Ok(121), true);
         assert_eq!(title(&window), if saves { "VIDES" } else { "VIDES*" });
         window.state_mut().ask_to_close();
         let closes = window.state_mut().next_request() == Some(Request::Close);

@@ -328,12 +328,12 @@ fn a_hand_over_is_told() {
     for language in BOTH {
         let texts = language.texts();
         let mut window = window(language);
-        window.state_mut().handed_over(Ok(121));
+        window.state_mut().handed_over(Ok(121), true);
         window.run();
         assert_eq!(said(&window), Some(fill(texts.output.handed_over, &[&121])));
         window
             .state_mut()
-            .handed_over(Err(EngineError::Memory.into()));
+            .handed_over(Err(EngineError::Memory.into()), true);
         window.run();
         assert_eq!(
             said(&window),

@@ -44,6 +44,8 @@ german! {
             "Punkt {} darf nicht auf dem Ziel seiner Orientierung {} liegen", point + 1, orientation + 1;
         TargetTooFar => "ein Ziel in dieser Richtung läge weiter draußen als 1e9 halbe Größen";
         NoCamera => "diese Szene hat keine Kamera auf einem Pfad";
+        NoFile => "dieser Pfad hat noch keine Datei";
+        FileChanged => "ein anderes Programm hat die Datei geändert, seit sie hier gelesen oder geschrieben wurde";
     }
     MeshError {
         Line { line, problem } => "Zeile {line}: {}", German(problem);

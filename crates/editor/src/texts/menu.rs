@@ -33,6 +33,7 @@ texts! {
 
         export: "Write to a file …", "In Datei ausgeben …";
         hand_over: "Hand over directly", "Direkt übergeben";
+        hands_over: "Hand over continuously", "Laufend übergeben";
         nobody_takes: "No program takes camera settings from this window",
             "Kein Programm nimmt von diesem Fenster Kameraeinstellungen entgegen";
 

@@ -39,6 +39,8 @@ texts! {
             "Alle Kameraeinstellungen berechnen und in eine Datei schreiben: Zeilen von zehn Zahlen, CSV oder JSON";
         hand_over: "Compute all camera settings and give them to the program that opened this window",
             "Alle Kameraeinstellungen berechnen und dem Programm geben, das dieses Fenster öffnete";
+        hands_over: "Give them to that program after each change, and while something is dragged",
+            "Sie dem Programm nach jeder Änderung geben, und während etwas gezogen wird";
 
         colours: "Choose the colour of each element of the movement window",
             "Die Farbe jedes Elements im Bewegungsfenster wählen";

@@ -104,6 +104,16 @@ texts! {
         fine_meaning: "Ten times finer", "Zehnmal feiner";
         escape_keys: "Esc while dragging", "Esc beim Ziehen";
         escape_meaning: "Leave all as it was", "Alles lassen, wie es war";
+        host_view: "program", "Programm";
+        no_host_view: "{0}: there is no view to take over", "{0}: Es gibt keine Ansicht zu übernehmen";
+        host_view_refused: "{0}: the view cannot be taken over: {1}",
+            "{0}: Die Ansicht lässt sich nicht übernehmen: {1}";
+        take_over: "Take over the view", "Ansicht übernehmen";
+        take_over_tip: "A new point behind this one, with the program's camera (Ctrl+Enter; with Shift: in place of this one)",
+            "Ein neuer Punkt hinter diesem, mit der Kamera des Programms (Strg+Enter; mit Umschalt: an Stelle von diesem)";
+        take_over_here: "Take over the view here", "Ansicht hierher übernehmen";
+        take_over_here_tip: "The program's camera in place of this point and orientation",
+            "Die Kamera des Programms an Stelle von diesem Punkt und dieser Orientierung";
         view_reset: "Reset the view", "Ansicht zurücksetzen";
         view_front: "From the front", "Von vorn";
         view_right: "From the right", "Von rechts";

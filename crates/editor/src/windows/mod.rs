@@ -41,6 +41,8 @@ use super::state::Editor;
 /// Which of them are open, and what is pending in them.
 #[derive(Debug, Default)]
 pub(super) struct Windows {
+    /// How many paths were loaded in the place of the first.
+    pub(crate) paths: u64,
     pub(super) curve: Option<CurveWindow>,
     pub(super) speed: Option<SpeedWindow>,
     /// Ten speeds to be pasted.
@@ -132,6 +134,7 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
 impl Windows {
     /// Another path is open: what waits was meant for the old one.
     pub(super) fn path_replaced(&mut self) {
+        self.paths += 1;
         if let Some(window) = &mut self.curve {
             window.lose();
         }

@@ -1,11 +1,10 @@
 //! The camera pane that the host fills: when it is told of what.
 
 use super::*;
-use crate::editor::HostView;
 
 /// A window of this size with a pane.
 fn filled(size: [u32; 2]) -> (Id, Rc<Remote>, Rc<Calls>) {
-    let (id, remote, calls) = open_for(HostView {
+    let (id, remote, calls) = open_with(HostView {
         fills_pane: true,
         ..HostView::default()
     });
@@ -86,7 +85,7 @@ fn a_pane_that_is_lost_comes_back() {
 
 #[test]
 fn where_there_can_be_none_the_editor_draws() {
-    let (ours, remote, calls) = open_for(HostView {
+    let (ours, remote, calls) = open_with(HostView {
         fills_pane: true,
         ..HostView::default()
     });

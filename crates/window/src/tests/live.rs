@@ -1,0 +1,327 @@
+//! What the host is told while something is done, and when.
+
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use egui::{Event, Modifiers, PointerButton, pos2};
+
+use super::{Remote, open_for, settle};
+use crate::document::{Edit, Result};
+use crate::editor::HostView;
+use crate::path::{Pose, Sampler};
+use crate::x11::News;
+use crate::{Gone, Host, Id, Reason, change, close, command, dispatch, is_open, look, wait};
+
+/// What a host does when it is told of a view.
+type OnView = Box<dyn FnMut(Id)>;
+
+/// A host that watches.
+#[derive(Default)]
+struct Watcher {
+    views: RefCell<Vec<(Instant, f64, Reason, Pose)>>,
+    changes: Cell<usize>,
+    handed_over: Cell<usize>,
+    camera: Cell<Option<Pose>>,
+    on_view: RefCell<Option<OnView>>,
+    takes: Cell<Duration>,
+}
+
+impl Host for Watcher {
+    fn prepare(&self, _: Id, _: &Sampler) -> Result<()> {
+        Ok(())
+    }
+
+    fn hand_over(&self, _: Id) {
+        self.handed_over.set(self.handed_over.get() + 1);
+    }
+
+    fn may_close(&self, _: Id) -> bool {
+        true
+    }
+
+    fn watches(&self) -> bool {
+        true
+    }
+
+    fn view(&self, window: Id, pose: &Pose, frame: f64, reason: Reason) {
+        let now = Instant::now();
+        self.views.borrow_mut().push((now, frame, reason, *pose));
+        sleep(self.takes.get());
+        let function = self.on_view.borrow_mut().take();
+        if let Some(mut function) = function {
+            function(window);
+            self.on_view.borrow_mut().get_or_insert(function);
+        }
+    }
+
+    fn changed(&self, _: Id) {
+        self.changes.set(self.changes.get() + 1);
+    }
+
+    fn capture(&self, _: Id) -> Option<Pose> {
+        self.camera.get()
+    }
+
+    fn lost(&self, _: &str) {}
+
+    fn closed(&self, _: Id, _: Gone) {}
+}
+
+impl Watcher {
+    fn reasons(&self) -> Vec<Reason> {
+        self.views.borrow().iter().map(|view| view.2).collect()
+    }
+
+    fn forget(&self) {
+        self.views.borrow_mut().clear();
+        self.changes.set(0);
+        self.handed_over.set(0);
+    }
+}
+
+fn open() -> (Id, Rc<Remote>, Rc<Watcher>) {
+    let host = Rc::new(Watcher::default());
+    let (id, remote) = open_for(Rc::<Watcher>::clone(&host), HostView::default());
+    remote.size.set([900, 700]);
+    (id, remote, host)
+}
+
+/// Serves until the host has been told that nothing moves any more.
+fn rest(remote: &Remote) {
+    for _ in 0..2000 {
+        remote.send(News {
+            shown: true,
+            ..News::default()
+        });
+        dispatch();
+        match wait() {
+            Some(wait) => sleep(wait.min(Duration::from_millis(20))),
+            None => return,
+        }
+    }
+    panic!("it never comes to rest");
+}
+
+fn button(x: f32, y: f32, pressed: bool) -> Event {
+    Event::PointerButton {
+        pos: pos2(x, y),
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    }
+}
+
+fn move_first_point(id: Id, x: f64) {
+    change(id, |document| {
+        let mut position = document.path().points[0].position;
+        position.x = x;
+        document.apply(Edit::SetPosition { at: 0, position })
+    })
+    .expect("open")
+    .expect("possible");
+}
+
+#[test]
+fn a_row_of_views_ends_with_a_rest() {
+    let (id, remote, host) = open();
+    rest(&remote);
+    assert_eq!(host.reasons(), [Reason::Selected, Reason::Rested]);
+    assert_eq!(host.changes.get(), 0);
+    host.forget();
+    move_first_point(id, 0.25);
+    rest(&remote);
+    assert_eq!(host.reasons(), [Reason::Edited, Reason::Rested]);
+    assert_eq!(host.changes.get(), 1);
+    assert!(host.views.borrow().iter().all(|view| view.3.vrp[0] == 0.25));
+    host.forget();
+    command(id, |editor| editor.set_frame(33.5))
+        .expect("open")
+        .expect("a frame");
+    rest(&remote);
+    assert_eq!(host.reasons(), [Reason::Scrubbed, Reason::Rested]);
+    assert!(host.views.borrow().iter().all(|view| view.1 == 33.5));
+    let expected = look(id, |editor| editor.document().sampler().unwrap().pose(33.5));
+    assert_eq!(host.views.borrow()[1].3, expected.unwrap().unwrap());
+    // The same again is nothing new.
+    host.forget();
+    command(id, |editor| editor.set_frame(33.5))
+        .expect("open")
+        .expect("a frame");
+    rest(&remote);
+    assert_eq!(host.reasons(), []);
+    // Undone and redone.
+    for undo in [true, false] {
+        host.forget();
+        change(id, |document| {
+            if undo {
+                document.undo()
+            } else {
+                document.redo()
+            }
+        });
+        rest(&remote);
+        assert_eq!(host.changes.get(), 1);
+    }
+    close(id);
+}
+
+/// The host's picture follows the window's: no later than a millisecond.
+#[test]
+fn the_view_follows_the_picture_of_a_drag() {
+    let (id, remote, host) = open();
+    rest(&remote);
+    host.forget();
+    // The frames' bar is dragged.
+    let at = |x: f32| pos2(600.0 + x, 672.0);
+    remote.hand(Event::PointerMoved(at(0.0)));
+    dispatch();
+    remote.hand(button(at(0.0).x, at(0.0).y, true));
+    dispatch();
+    let mut late = Vec::new();
+    for step in 0..60_u8 {
+        let seen = host.views.borrow().len();
+        remote.hand(Event::PointerMoved(at(2.0 * f32::from(step))));
+        dispatch();
+        if host.views.borrow().len() > seen {
+            assert_eq!(
+                host.views.borrow().len(),
+                seen + 1,
+                "more than one a picture"
+            );
+            let told = host.views.borrow()[seen].0;
+            late.push(told.saturating_duration_since(remote.presented.get().expect("a picture")));
+        }
+        sleep(Duration::from_millis(17));
+    }
+    assert!(!host.reasons().contains(&Reason::Rested), "it is held");
+    assert!(
+        host.reasons()
+            .iter()
+            .all(|&reason| reason == Reason::Scrubbed)
+    );
+    remote.hand(button(at(118.0).x, at(118.0).y, false));
+    rest(&remote);
+    assert_eq!(host.reasons().last(), Some(&Reason::Rested));
+    late.sort();
+    assert!(late.len() >= 20, "{} views", late.len());
+    println!("after the picture: median {:?}", late[late.len() / 2]);
+    assert!(late[late.len() / 2] < Duration::from_millis(1), "{late:?}");
+    close(id);
+}
+
+#[test]
+fn a_slow_host_has_time_for_itself_and_is_told_the_last() {
+    let (id, remote, host) = open();
+    rest(&remote);
+    host.forget();
+    host.takes.set(Duration::from_millis(60));
+    let began = Instant::now();
+    let mut x = 0.0;
+    while began.elapsed() < Duration::from_millis(600) {
+        x += 0.001;
+        move_first_point(id, x);
+        remote.send(News {
+            shown: true,
+            ..News::default()
+        });
+        let start = Instant::now();
+        dispatch();
+        assert!(
+            start.elapsed() < Duration::from_millis(300),
+            "more than a call"
+        );
+        sleep(Duration::from_millis(2));
+    }
+    rest(&remote);
+    let views = host.views.borrow();
+    // A call and as long again: at most one in 120 ms.
+    assert!(views.len() <= 8, "{}", views.len());
+    let last = views.last().expect("views");
+    assert_eq!((last.2, last.3.vrp[0]), (Reason::Rested, x));
+    close(id);
+}
+
+#[test]
+fn what_a_callback_changes_it_is_not_called_for() {
+    let (id, remote, host) = open();
+    rest(&remote);
+    host.forget();
+    let told = Rc::clone(&host);
+    *host.on_view.borrow_mut() = Some(Box::new(move |window| {
+        move_first_point(window, 0.125);
+        command(window, |editor| editor.set_frame(12.0))
+            .expect("open")
+            .expect("a frame");
+        command(window, |editor| editor.select_key(1, 0))
+            .expect("open")
+            .expect("a key");
+        assert_eq!(told.views.borrow().len(), 1);
+        *told.on_view.borrow_mut() = Some(Box::new(|_| {}));
+    }));
+    command(id, |editor| editor.set_frame(40.0))
+        .expect("open")
+        .expect("a frame");
+    rest(&remote);
+    assert_eq!(host.reasons(), [Reason::Scrubbed, Reason::Rested]);
+    assert_eq!(host.changes.get(), 0);
+    let at = look(id, |editor| editor.frame())
+        .expect("open")
+        .expect("a frame");
+    assert_eq!(host.views.borrow()[1].1, at);
+    // And it may close its own window.
+    *host.on_view.borrow_mut() = Some(Box::new(|window| assert!(close(window))));
+    command(id, |editor| editor.set_frame(50.0))
+        .expect("open")
+        .expect("a frame");
+    dispatch();
+    assert!(!is_open(id));
+}
+
+#[test]
+fn the_hosts_camera_is_taken_over() {
+    let (id, remote, host) = open();
+    rest(&remote);
+    let camera = Pose {
+        vrp: [0.5, 0.25, -0.125],
+        vpn: [0.0, 0.0, 2.0],
+        vup: [0.0, 3.0, 0.0],
+        zoom: 30.0,
+    };
+    let take_over = |camera: Option<Pose>| {
+        host.camera.set(camera);
+        for pressed in [true, false] {
+            remote.hand(Event::Key {
+                key: egui::Key::Enter,
+                physical_key: None,
+                pressed,
+                repeat: false,
+                modifiers: Modifiers::CTRL,
+            });
+            rest(&remote);
+        }
+        look(id, |editor| editor.document().path().points.len()).expect("open")
+    };
+    assert_eq!(take_over(Some(camera)), 3);
+    assert_eq!(host.views.borrow().last().unwrap().3.vrp, camera.vrp);
+    assert_eq!(take_over(None), 3);
+    let parallel = Pose {
+        vup: camera.vpn,
+        ..camera
+    };
+    assert_eq!(take_over(Some(parallel)), 3);
+    close(id);
+}
+
+#[test]
+fn windows_are_closed_all_at_once() {
+    let (one, remote, _) = open();
+    let (other, _, _) = open();
+    settle(&[&remote]);
+    assert!(crate::close_all(true).expect("descriptors"));
+    assert!(!is_open(one) && !is_open(other));
+    let (id, _, _) = open();
+    assert!(crate::close_all(false).expect("descriptors"));
+    assert!(!is_open(id));
+}

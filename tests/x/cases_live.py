@@ -1,0 +1,308 @@
+"""The host's own picture beside the window: it is told of the flight while that is
+planned, gives its view, and serves windows that follow it."""
+
+import math
+import os
+import time
+
+from harness import check, wait
+from run import test
+from space import first_look
+
+SELECTED, EDITED, SCRUBBED, PLAYED, RESTED = range(5)
+
+
+class Views:
+    """What `views` of loop_live.c says."""
+
+    def __init__(self, line):
+        words = line.split()
+        (self.count, self.others, self.changes, self.captures,
+         self.handed_over) = map(int, words[1:6])
+        self.reason = int(words[7])
+        self.frame, *pose = map(float, words[8:])
+        self.vrp, self.vpn, self.vup, self.zoom = pose[0:3], pose[3:6], pose[6:9], pose[9]
+
+
+def views(host):
+    """How things stand."""
+    return Views(host.tell("views"))
+
+
+def points(host):
+    """The points' positions."""
+    values = [float(word) for word in host.tell("points").split()[2:]]
+    return [values[i:i + 3] for i in range(0, len(values), 3)]
+
+
+def rested(host, more_than=0):
+    """Waits until the host knows that nothing moves any more."""
+    return wait(lambda: (now := views(host)).reason == RESTED and now.count > more_than and now,
+                "the host to be told of the rest")
+
+
+def opened(place, file=""):
+    """A window with a host that watches."""
+    server = place.server()
+    host = place.told(server, "loop_live")
+    check(host.tell(f"live {file}").split()[1] == "0", "v_editor_open")
+    window = server.new_window()
+    server.xdotool("mousemove", "--window", window, 400, 100)
+    return server, host, window, rested(host)
+
+
+def path_of(place, frames, fps):
+    """A file with a straight flight of about so many frames."""
+    file = place.path("flight.vid")
+    with open(file, "w", encoding="ascii") as out:
+        out.write(f"version = 1\nfps = {fps}.0\n[base_speeds]\nmove_frames = {frames}.0\n"
+                  "turn_frames = 100.0\nzoom_frames = 100.0\nroll_frames = 100.0\n")
+        for x in (-0.5, 0.5):
+            out.write(f"[[point]]\nposition = [{x}, 0.0, 0.0]\n"
+                      "[[point.orientation]]\ntarget = [0.0, 0.0, -5.0]\n")
+    return file
+
+
+@test()
+def the_host_is_told_what_is_done(place):
+    """Each pose is the path's to the last bit; a row of them ends with a rest."""
+    server, host, window, now = opened(place)
+    check(now.count == 2 and now.changes == 0, f"at first: {vars(now)}")
+    server.press(window, "ctrl+Next")
+    now = rested(host, now.count)
+    check(now.vrp == points(host)[1], f"another point: {vars(now)}")
+    server.press(window, "alt+Insert")
+    wait(lambda: views(host).changes == 1, "a change")
+    server.press(window, "ctrl+z")
+    wait(lambda: views(host).changes == 2, "undo")
+    server.press(window, "ctrl+y")
+    wait(lambda: views(host).changes == 3, "redo")
+    server.press(window, "ctrl+Prior")
+    now = rested(host, now.count)
+
+    space = first_look(server.drawn(window))
+    at = space.image(points(host)[0])
+    to = (at[0] + 60, at[1] - 40)
+    host.tell("reset")
+    words = server.drag_words(window, at, to, 3, 12, release=False)
+    server.xdotool(*words)
+    during = wait(lambda: (now := views(host)).count > 0 and now, "the drag")
+    check(during.reason == EDITED and during.changes == 3, f"in the drag: {vars(during)}")
+    time.sleep(0.3)  # held: that is no rest
+    check(views(host).reason == EDITED, "a rest while it is held")
+    server.xdotool("mouseup", 3)
+    now = rested(host)
+    check(now.vrp == points(host)[0], f"the drag's end: {vars(now)}")
+    wait(lambda: views(host).changes == 4, "the drag's one change")
+
+    check(host.tell("frame 20.25").split()[1] == "0", "v_editor_set_frame")
+    now = rested(host, now.count)
+    check(now.frame == 20.25 == float(host.tell("at").split()[2]), f"the frame: {vars(now)}")
+    check(host.tell("frame 0.5").split()[1] == "5", "a frame that there is not")
+    check(host.tell("select 1 0").split()[1] == "0", "v_editor_select")
+    now = rested(host, now.count)
+    check(now.vrp == points(host)[1], "the selected point")
+    check(host.tell("select 1 9").split()[1] == "5", "a key that there is not")
+    check(now.others == 0, f"{now.others} poses are not those of v_path_pose()")
+    host.leave()
+
+
+@test()
+def the_hosts_view_is_taken_over(place):
+    """By key; to the last digits; what is no view is refused."""
+    server, host, window, now = opened(place)
+    turn, lean, roll = 2.1, 0.4, 0.7
+    view = [math.sin(turn) * math.cos(lean), math.sin(lean), math.cos(turn) * math.cos(lean)]
+    right = [math.cos(turn), 0.0, -math.sin(turn)]
+    over = [right[1] * view[2] - right[2] * view[1], right[2] * view[0] - right[0] * view[2],
+            right[0] * view[1] - right[1] * view[0]]
+    over = [-x for x in over] if over[1] < 0 else over
+    up = [math.cos(roll) * over[k] + math.sin(roll) * right[k] for k in range(3)]
+    numbers = [0.3, 0.5, -0.2] + [7 * x for x in view] + [0.01 * x for x in up] + [42.5]
+    words = " ".join(f"{x:.17g}" for x in numbers)
+    check(host.tell(f"camera {words}") == "camera 1", "a camera")
+    check(host.tell("ghost 1").split()[1] == "0", "v_editor_set_view")
+    server.drawn(window)
+    for key, count in (("ctrl+Return", 3), ("ctrl+shift+Return", 3)):
+        server.press(window, key)
+        now = rested(host, now.count)
+        check(len(points(host)) == count, f"{key}: {points(host)}")
+        check(now.vrp == numbers[:3] and now.zoom == 42.5, f"{key}: {vars(now)}")
+        check(math.dist(now.vpn, view) < 1e-12, f"{key}: {now.vpn}, not {view}")
+        check(math.dist(now.vup, up) < 1e-12, f"{key}: {now.vup}, not {up}")
+        check(host.tell("frame 1").split()[1] == "0", "v_editor_set_frame")
+        now = rested(host, now.count)
+    check(now.captures == 2, f"asked {now.captures} times")
+    check(host.tell("camera 0 0 0 0 0 1 0 0 -2 24") == "camera 1", "a camera")
+    check(host.tell("ghost 1").split()[1] == "3", "a view whose up lies along it")
+    before = server.drawn(window)
+    server.press(window, "ctrl+Return")
+    wait(lambda: views(host).captures == 3, "the question")
+    wait(lambda: server.picture(window).rows != before.rows, "a sentence")
+    check(len(points(host)) == 3, "a point of no view")
+    check(host.tell("ghost 0").split()[1] == "0", "no view")
+    host.leave()
+
+
+@test()
+def hosts_do_odd_things_in_on_view(place):
+    """They change what they are told of, never come back for long, close the window."""
+    server, host, window, now = opened(place)
+    for word in ("frame", "select", "object"):
+        host.tell(f"in-view {word}")
+        before = views(host)
+        server.press(window, "ctrl+Next")
+        check(host.expect("within").split()[1] == "0", word)
+        now = rested(host, before.count + 1)
+        check(now.count <= before.count + 2 and now.changes == before.changes,
+              f"{word}: called for itself: {vars(now)}")
+        check(now.others == 0, f"{word}: other poses")
+    frame = float(host.tell("at").split()[2])
+    check(frame == now.frame, f"told of {now.frame}, is at {frame}")
+
+    # Ten seconds; what is done meanwhile is not lost.
+    space = first_look(server.drawn(window))
+    host.tell("select 0 0")
+    now = rested(host, now.count)
+    at = space.image(points(host)[0])
+    to = (at[0] + 70, at[1] - 30)
+    host.tell("in-view sleep")
+    server.xdotool(*server.drag_words(window, at, to, 3, 12))
+    host.expect("within")
+    now = rested(host, now.count)
+    check(now.vrp == points(host)[0] and now.others == 0, f"after the sleep: {vars(now)}")
+    check(math.dist(space.image(now.vrp), to) < 4, "the drag's end")
+
+    host.tell("in-view close")
+    server.press(window, "ctrl+Next")
+    check(host.expect("within").split()[1] == "0", "closing")
+    server.gone(window)
+    host.live()
+    host.leave()
+
+
+@test()
+def windows_do_what_the_host_says(place):
+    """Title, saving, raising; its Quit asks, and a user may say no."""
+    server, host, window, _ = opened(place)
+    check(host.tell("title Probe").split()[1] == "0", "v_editor_set_title")
+    wait(lambda: "Probe" in server.property(window, "_NET_WM_NAME"), "the title")
+    check(host.tell("modified").split()[2] == "0", "nothing is modified")
+    check(host.tell("keep").split()[1] == "3", "it has no file")
+    server.press(window, "alt+Insert")
+    wait(lambda: host.tell("modified").split()[2] == "1", "a modified path")
+    check(host.tell("raise").split()[1] == "0", "v_editor_raise")
+
+    before = server.drawn(window)
+    host.send("quit 1")
+    wait(lambda: server.picture(window).rows != before.rows, "the question")
+    server.drawn(window)
+    server.press(window, "Escape")
+    check(host.expect("quit").split()[1] == "14", "the user said no")
+    file = place.path("kept.vid")
+    check(host.tell(f"keep {file}").split()[1] == "0" and os.path.exists(file), "saving")
+    check(host.tell("modified").split()[2] == "0", "it is saved")
+    with open(file, "a", encoding="ascii") as other:
+        other.write("# another program\n")
+    check(host.tell("keep").split()[1] == "3", "the file has changed")
+    check(host.tell("quit 1").split()[1] == "0", "nobody said no")
+    server.gone(window)
+    check(host.tell("frame 1").split()[1] == "12", "a window that is closed")
+    check(host.tell("quit 0").split()[1] == "0", "no windows")
+    host.leave()
+
+
+@test()
+def old_hosts_get_the_flight_continuously(place):
+    """Not recompiled: the menu is ticked, and every change comes by rueck."""
+    server = place.server()
+    program = place.program(server, "pyramid_motif")
+    host = server.window("^MainTest$")
+    server.place(host, 1500, 600)
+    _, _, width, height = server.geometry(host)
+    server.xdotool("windowraise", host)
+    server.click(host, width / 2, height / 6)
+    window = server.new_window()
+    server.press(window, "alt+a", "l")
+    program.expect("121 poses came")
+    server.press(window, "alt+Insert")  # changes no pose
+    program.expect("121 poses came")
+    server.press(window, "ctrl+z")
+    program.expect("121 poses came")
+
+    def handed():
+        return sum(line.endswith("poses came") for line in list(program.said))
+
+    space = first_look(server.drawn(window))
+    at = space.image((-0.6, 0.0, 0.0))
+    before = handed()
+    server.xdotool(*server.drag_words(window, at, (at[0] - 60, at[1]), 3, 12, release=False))
+    wait(lambda: handed() > before, "poses while it is dragged")
+    server.xdotool("mouseup", 3)
+    time.sleep(0.5)
+    server.press(window, "alt+a", "l")
+    before = handed()
+    server.press(window, "alt+Insert")
+    time.sleep(0.5)
+    check(handed() == before, "poses although it is not ticked")
+    check(not program.complained, f"it complained: {program.complained}")
+
+
+def logged(place, host):
+    """Every call of on_view: milliseconds, frame, reason."""
+    file = place.path("log")
+    host.tell(f"log {file}")
+    with open(file, encoding="ascii") as lines:
+        return [tuple(map(float, line.split())) for line in lines]
+
+
+@test(kinds=("shared",), alone=True)
+def playing_keeps_the_clock(place):
+    """10 s at 60 frames a second, with a host that takes 10 ms for each."""
+    fps, seconds = 60, 10
+    server, host, _, _ = opened(place, path_of(place, fps * seconds, fps))
+    host.tell("delay 10")
+    host.tell("clocked 1")
+    host.tell("reset")
+    host.tell("play 1")
+    time.sleep(seconds)
+    rested(host)
+    calls = logged(place, host)
+    played = [(at, frame) for at, frame, reason in calls if reason == PLAYED]
+    # Against the first: when each frame should have been there, in frames.
+    began, first = played[0]
+    late = [(at - began) / 1000 * fps - (frame - first) for at, frame in played]
+    over = sum(1 for one in late if one > 2) / len(late)
+    taken = (played[-1][0] - began) / 1000
+    due = (played[-1][1] - first) / fps
+    print(f"playing: {len(played)} of {fps * seconds} frames, {100 * over:.1f} % late by more "
+          f"than one, last frame {played[-1][1]:g} after {taken:.3f} s instead of {due:.3f} s",
+          flush=True)
+    check(over <= 0.01, f"{100 * over:.1f} % late")
+    check(abs(taken - due) < 2 / fps, f"the clock: {taken} instead of {due}")
+    check(calls[-1][2] == RESTED and calls[-1][1] == played[-1][1], f"the end: {calls[-1]}")
+    host.leave()
+
+
+@test(kinds=("shared",), alone=True)
+def a_host_that_takes_200_ms(place):
+    """The drag's end is right, and no call of v_dispatch() is long."""
+    server, host, window, _ = opened(place)
+    space = first_look(server.drawn(window))
+    at = space.image(points(host)[0])
+    to = (at[0] + 80, at[1] - 50)
+    host.tell("delay 200")
+    host.tell("reset")
+    for step in range(12):
+        words = server.drag_words(window, at, to, 3, 12, release=False) if step == 0 else [
+            "mousemove", "--window", window, round(to[0]) - step % 2, round(to[1])]
+        server.xdotool(*words)
+        time.sleep(0.05)
+    server.xdotool("mousemove", "--window", window, round(to[0]), round(to[1]), "mouseup", 3)
+    now = rested(host)
+    longest = float(host.tell("longest").split()[1])
+    print(f"a host of 200 ms: {now.count} calls, longest v_dispatch {longest:.0f} ms", flush=True)
+    check(now.vrp == points(host)[0] and now.others == 0, f"the end: {vars(now)}")
+    check(math.dist(space.image(now.vrp), to) < 4, "the drag's end")
+    check(longest < 2 * 200 + 50, f"v_dispatch ran for {longest} ms")
+    host.leave()
