@@ -5,6 +5,7 @@ use egui::Id;
 use egui_kittest::kittest::{NodeT, by};
 
 use super::*;
+use crate::actions::Action;
 use crate::texts::Texts;
 use crate::theme;
 
@@ -75,6 +76,11 @@ fn nothing_is_cut_off_in_the_smallest_window() {
         press(&mut window, Modifiers::NONE, Key::Escape);
         click(&mut window, texts.position.add_many);
         check_nothing_is_cut_off(&window, "points");
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        let context = window.ctx.clone();
+        window.state_mut().act(Action::Space, &context);
+        window.run();
+        check_nothing_is_cut_off(&window, "space");
         press(&mut window, Modifiers::NONE, Key::Escape);
         window.state_mut().ask_to_close();
         window.run();

@@ -61,6 +61,7 @@ impl SubWindow for SpaceWindow {
         }
         let texts = &editor.texts().space_window;
         sub_window(context, Self::ID, texts.title, |ui| {
+            ui.set_width(NAME + 3.0 * (NUMBER + theme::GAP));
             Grid::new("space")
                 .num_columns(2)
                 .spacing(vec2(theme::GAP, theme::GAP))
@@ -122,7 +123,7 @@ impl SpaceWindow {
             ui.label(texts.unit);
             let edit = TextEdit::singleline(&mut self.unit)
                 .id(egui::Id::unique("space.unit"))
-                .desired_width(ui.available_width())
+                .desired_width(NUMBER)
                 .frame(theme::field(ui))
                 .align(egui::Align2::LEFT_CENTER)
                 .margin(egui::Margin::symmetric(6, 0))
