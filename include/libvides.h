@@ -1444,11 +1444,15 @@ int v_scene_new(V_SCENE **scene);
  * Reads a scene from a .vid file; one with a path alone is that of a camera on
  * it. file is a name as open() takes it. *scene is the caller's, to be freed
  * with v_scene_free().
+ *
+ * A mesh in a file of its own that is gone or broken leaves its object empty, and one
+ * that has changed is taken: the answer is V_OK, and v_last_error() tells.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
  * line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
  * runs out while the text itself is read or parsed ends the program.
  */
-int v_scene_load(const char *file, V_SCENE **scene);
+int v_scene_load(const char *file,
+                 V_SCENE **scene);
 
 /**
  * Writes a scene into a .vid file, as v_path_save() writes a path: afterwards
@@ -1664,6 +1668,17 @@ int v_register_interpolation(const char *name, V_INTERPOLATE function, void *use
  * V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_geometry(V_SCENE *scene, int node, const V_MESH *mesh);
+
+/**
+ * Reads the geometry of an object from an OBJ, PLY or STL file, by the ending of its
+ * name. A .vid file then names that file, relative to itself if it lies beside or below
+ * it, in the place of points; v_scene_load() reads it again.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT,
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ */
+int v_scene_load_geometry(V_SCENE *scene,
+                          int node,
+                          const char *file);
 
 /**
  * Adds a shape to an object: other places for all its points. Its weight is 0;

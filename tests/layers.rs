@@ -7,7 +7,8 @@ use serde_json::Value;
 
 const ARROWS: &[(&str, &[&str])] = &[
     ("vides-engine", &[]),
-    ("vides-document", &["vides-engine"]),
+    ("vides-document", &["vides-engine", "vides-mesh"]),
+    ("vides-mesh", &["vides-engine"]),
     ("vides-raster", &[]),
     ("vides-x11", &["vides-engine", "vides-raster"]),
     (

@@ -9,28 +9,28 @@ use vides::path::{
 };
 
 use super::table::{Align, Table, decimals};
-use super::{Failure, input, one_line, print};
+use super::{Failure, input, one_line, print, scene};
 
 pub(super) fn run(file: &Path) -> Result<(), Failure> {
-    let document = input::load(file)?;
-    let (path, info) = (document.path(), document.info());
-    let text = document.timeline(|timeline| {
-        let frames = timeline.frame_count()?;
-        let mut text = String::new();
-        // Writing into a string cannot fail.
-        let _ = writeln!(
-            text,
-            "{}\nPoints\n{}\nSections\n{}",
-            summary(file, path, info, timeline, frames),
-            points(path),
-            sections(path, info, timeline)
-        );
-        Ok(text)
-    });
-    let text = text
-        .and_then(|inner| inner)
-        .map_err(|error| Failure::from(error.at(input::name(file))))?;
+    let document = input::load_scene(file)?;
+    let text = match document.path_alone() {
+        Some(path) => tables(file, path, &document.info)
+            .map_err(|error| Failure::from(error.at(input::name(file))))?,
+        None => scene::tables(file, &document),
+    };
     print(text.trim_end_matches('\n')).and_then(|()| print("\n"))
+}
+
+/// The tables of a path.
+fn tables(file: &Path, path: &CameraPath, info: &Info) -> vides::Result<String> {
+    let timeline = Timeline::new(path)?;
+    let frames = timeline.frame_count()?;
+    Ok(format!(
+        "{}\nPoints\n{}\nSections\n{}",
+        summary(file, path, info, &timeline, frames),
+        points(path),
+        sections(path, info, &timeline)
+    ))
 }
 
 /// Title, comment, and the numbers that stand for the whole.

@@ -2,28 +2,47 @@
 //! puts in a file's place.
 
 use std::fs::{self, File, Metadata};
-use std::io;
+use std::io::{self, Read};
 use std::os::unix::fs::{FileTypeExt, MetadataExt};
 use std::path::Path;
 
-use vides::document::Document;
+use vides::document::{Document, SceneDocument};
 use vides::error::reason;
 
-use super::Failure;
+use super::{Failure, complain, one_line};
 
 /// Loads a path; `-` is standard input.
 pub(super) fn load(file: &Path) -> Result<Document, Failure> {
+    match stream(file)? {
+        Some(mut stream) => Ok(Document::load_from(&mut stream, &name(file))?),
+        None => Ok(Document::load(file)?),
+    }
+}
+
+/// Loads a scene, which a path alone is too.
+pub(super) fn load_scene(file: &Path) -> Result<SceneDocument, Failure> {
+    let document = match stream(file)? {
+        Some(mut stream) => SceneDocument::load_from(&mut stream, &name(file))?,
+        None => SceneDocument::load(file)?,
+    };
+    for warning in document.warnings() {
+        complain(&one_line(&format!("{}: {warning}", name(file))));
+    }
+    Ok(document)
+}
+
+/// What is read from one end to the other. `vides info <(make-a-path)`: the library
+/// refuses a pipe, since a window must not wait for one; a command may.
+fn stream(file: &Path) -> Result<Option<Box<dyn Read>>, Failure> {
     if is_standard_stream(file) {
-        return Ok(Document::load_from(&mut io::stdin().lock(), &name(file))?);
+        return Ok(Some(Box::new(io::stdin().lock())));
     }
-    // `vides info <(make-a-path)`: the library refuses a pipe, since a window
-    // must not wait for one; a command may.
     if fs::metadata(file).is_ok_and(|metadata| is_stream(&metadata)) {
-        let mut opened = File::open(file)
+        let opened = File::open(file)
             .map_err(|error| Failure::Input(format!("{}: {}", name(file), reason(&error))))?;
-        return Ok(Document::load_from(&mut opened, &name(file))?);
+        return Ok(Some(Box::new(opened)));
     }
-    Ok(Document::load(file)?)
+    Ok(None)
 }
 
 /// What the file is called in messages.

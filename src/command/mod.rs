@@ -10,6 +10,7 @@ mod info;
 mod input;
 mod progress;
 mod sample;
+mod scene;
 mod table;
 
 use std::io::{self, Write};
@@ -45,7 +46,8 @@ enum Command {
     },
     /// Writes every camera pose of a path
     Sample(sample::Arguments),
-    /// Shows points, sections, lengths, frames and seconds of a path
+    /// Shows points, sections, lengths, frames and seconds of a path; of a
+    /// scene its nodes and what moves them
     Info {
         /// The path; - is standard input
         #[arg(value_name = "FILE.vid")]

@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use vides::document::export::{self, Progress};
-use vides::document::{Document, Edit};
+use vides::document::save::save_with;
+use vides::document::{Document, Edit, write_node};
 
 use super::progress::Bar;
-use super::{Failure, input, output_failed};
+use super::{Failure, input, output_failed, scene};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -26,6 +27,16 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 
+    /// A node of a scene, at each of the scene's frames: cameras and lights as
+    /// poses, others as matrices (16 numbers, column by column)
+    #[arg(long, value_name = "NAME")]
+    node: Option<String>,
+
+    /// A function of the type V_INTERPOLATE for the interpolation "host:NAME" of a
+    /// scene's tracks
+    #[arg(long, value_name = "NAME=FILE.so:SYMBOL")]
+    interpolation: Vec<String>,
+
     #[command(flatten)]
     speeds: Speeds,
 }
@@ -39,6 +50,16 @@ enum Format {
     Csv,
     /// Title, frames per second and the poses, all digits
     Json,
+}
+
+impl From<Format> for export::Format {
+    fn from(format: Format) -> Self {
+        match format {
+            Format::Ascii => Self::Ascii,
+            Format::Csv => Self::Csv,
+            Format::Json => Self::Json,
+        }
+    }
 }
 
 /// Base speeds: greater than 0, each instead of the file's own.
@@ -71,6 +92,16 @@ fn base_speed(text: &str) -> Result<f64, String> {
 }
 
 impl Speeds {
+    fn are_given(&self) -> bool {
+        let all = [
+            self.move_frames,
+            self.turn_frames,
+            self.zoom_frames,
+            self.roll_frames,
+        ];
+        all.iter().any(Option::is_some)
+    }
+
     fn apply(&self, document: &mut Document) -> vides::Result<()> {
         let mut speeds = document.path().speeds;
         for (given, speed) in [
@@ -96,17 +127,49 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             out.display()
         )));
     }
-    let mut document = input::load(file)?.without_history();
+    for interpolation in &arguments.interpolation {
+        scene::register(interpolation)?;
+    }
     let place = |error: vides::Error| Failure::from(error.at(input::name(file)));
+    if let Some(name) = &arguments.node {
+        if arguments.speeds.are_given() {
+            let reason = "base speeds are those of a path, not of a node of a scene";
+            return Err(Failure::Usage(reason.to_owned()));
+        }
+        let document = input::load_scene(file)?;
+        let Some(node) = document.scene.find(name) else {
+            let file = input::name(file);
+            return Err(Failure::Input(format!(
+                "{file}: there is no node \"{name}\""
+            )));
+        };
+        let format = arguments.format.into();
+        // What cannot be evaluated is told before any file is touched.
+        document
+            .scene
+            .prepare(document.scene.frame_range().0)
+            .map_err(|error| place(error.into()))?;
+        return write_out(out, &mut |out, progress| {
+            let name = input::name(file);
+            write_node(&document, node, format, out, progress).map_err(|error| error.at(name))
+        });
+    }
+    let mut document = input::load(file)?.without_history();
     arguments.speeds.apply(&mut document).map_err(place)?;
     // Too many frames is a fault of the path: told before any file is touched.
     document.sampler().map_err(place)?;
+    let format = arguments.format.into();
+    write_out(out, &mut |out, progress| {
+        export::write(&document, format, out, progress)
+    })
+}
 
-    let format = match arguments.format {
-        Format::Ascii => export::Format::Ascii,
-        Format::Csv => export::Format::Csv,
-        Format::Json => export::Format::Json,
-    };
+/// What writes poses, and how far it is.
+type Writer<'a> = &'a mut dyn FnMut(&mut dyn Write, Progress<'_>) -> vides::Result<()>;
+
+/// To standard output, into a pipe or a file, with a bar on a terminal.
+fn write_out(out: &Path, write: Writer<'_>) -> Result<(), Failure> {
+    let to_standard_output = input::is_standard_stream(out);
     // Lines of poses on a terminal are progress enough.
     let shown = io::stderr().is_terminal() && !(to_standard_output && io::stdout().is_terminal());
     let mut bar = shown.then(|| Bar::new(io::stderr()));
@@ -116,25 +179,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
     };
     if to_standard_output {
-        write_to_standard_output(&document, format, &mut progress)
+        write_to_standard_output(write, &mut progress)
     } else if fs::metadata(out).is_ok_and(|metadata| input::is_stream(&metadata)) {
-        Ok(write_to_stream(&document, format, out, &mut progress)?)
+        Ok(write_to_stream(write, out, &mut progress)?)
     } else {
-        Ok(export::write_file(&document, format, out, &mut progress)?)
+        Ok(save_with(out, &mut |out| write(out, &mut progress))?)
     }
 }
 
 /// Bytes that go to the system at once.
 const BUFFER: usize = 1 << 16;
 
-fn write_to_standard_output(
-    document: &Document,
-    format: export::Format,
-    progress: Progress<'_>,
-) -> Result<(), Failure> {
+fn write_to_standard_output(write: Writer<'_>, progress: Progress<'_>) -> Result<(), Failure> {
     // Locked once, and past the search for line ends that standard output does.
     let mut out = BufWriter::with_capacity(BUFFER, io::stdout().lock());
-    export::write(document, format, &mut out, progress).map_err(|error| match error {
+    write(&mut out, progress).map_err(|error| match error {
         vides::Error::Io { source, .. } => output_failed(&source),
         other => other.into(),
     })?;
@@ -142,19 +201,14 @@ fn write_to_standard_output(
 }
 
 /// Into a pipe or a device, which cannot be replaced as a file is.
-fn write_to_stream(
-    document: &Document,
-    format: export::Format,
-    file: &Path,
-    progress: Progress<'_>,
-) -> vides::Result<()> {
+fn write_to_stream(write: Writer<'_>, file: &Path, progress: Progress<'_>) -> vides::Result<()> {
     let named = |source| vides::Error::Io {
         place: file.display().to_string(),
         source,
     };
     let opened = OpenOptions::new().write(true).open(file).map_err(named)?;
     let mut out = BufWriter::with_capacity(BUFFER, opened);
-    export::write(document, format, &mut out, progress).map_err(|error| match error {
+    write(&mut out, progress).map_err(|error| match error {
         vides::Error::Io { source, .. } => named(source),
         other => other,
     })?;

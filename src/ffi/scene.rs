@@ -15,6 +15,7 @@ use super::pointers::{
 use super::scene_types::*;
 use super::status::{
     Answer, Failure, V_ERR_ARGUMENT, V_ERR_BUSY, V_ERR_INTERNAL, V_ERR_RANGE, V_OK,
+    clear_last_error, set_last_error,
 };
 use super::types::V_PATH;
 use crate::document::{Document, Info, SceneDocument};
@@ -279,6 +280,9 @@ pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
 /// Reads a scene from a .vid file; one with a path alone is that of a camera on
 /// it. file is a name as open() takes it. *scene is the caller's, to be freed
 /// with v_scene_free().
+///
+/// A mesh in a file of its own that is gone or broken leaves its object empty, and one
+/// that has changed is taken: the answer is V_OK, and v_last_error() tells.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
 /// line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
 /// runs out while the text itself is read or parsed ends the program.
@@ -287,7 +291,12 @@ pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SC
     border(V_ERR_INTERNAL, || {
         let out = Out::new(scene)?;
         // SAFETY: a text ended by zero, as the header says.
-        let made = keep(SceneDocument::load(unsafe { file_name(file) }?)?)?;
+        let document = SceneDocument::load(unsafe { file_name(file) }?)?;
+        clear_last_error();
+        if let Some(warning) = document.warnings().first() {
+            set_last_error(format_args!("{warning}"));
+        }
+        let made = keep(document)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { out.write(made) };
         Ok(V_OK)

@@ -6,11 +6,12 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::border::border;
-use super::pointers::{Out, index, read_array, read_growing, slice, slice_mut};
+use super::pointers::{Out, file_name, index, read_array, read_growing, slice, slice_mut};
 use super::scene::{asked, beyond, copy, edit, lend, read, text};
 use super::scene_types::*;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_ERR_SIZE, V_OK};
 use crate::deform::{Bounds, Deformation};
+use crate::document::load_mesh;
 use crate::error::{can_allocate, vec_with_room};
 use crate::limits::{MAX_KEYS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SCENE_NUMBERS};
 use crate::scene::host::{self, Function};
@@ -335,6 +336,33 @@ pub unsafe extern "C" fn v_scene_set_geometry(
         // SAFETY: a mesh, as the header says.
         let mesh = unsafe { self::mesh(mesh) }?;
         edit(scene, |document| Ok(document.scene.set_mesh(node, mesh)?))?;
+        Ok(V_OK)
+    })
+}
+
+/// Reads the geometry of an object from an OBJ, PLY or STL file, by the ending of its
+/// name. A .vid file then names that file, relative to itself if it lies beside or below
+/// it, in the place of points; v_scene_load() reads it again.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT,
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_load_geometry(
+    scene: *mut V_SCENE,
+    node: c_int,
+    file: *const c_char,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let node = index(node)?;
+        // SAFETY: a text ended by zero, as the header says.
+        let file = unsafe { file_name(file) }?;
+        read(scene, |document| {
+            Ok(document.scene.node(node).map(|_| ())?)
+        })?;
+        // The lock is not held while the file is read.
+        let (source, mesh) = load_mesh(file)?;
+        edit(scene, |document| {
+            Ok(document.scene.set_mesh_of(node, source, mesh)?)
+        })?;
         Ok(V_OK)
     })
 }

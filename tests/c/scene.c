@@ -400,6 +400,77 @@ static void files(void)
     v_scene_free(scene);
 }
 
+static void write_file(const char *name, const char *text)
+{
+    FILE *file = fopen(name, "w");
+    CHECK(file != NULL && fputs(text, file) >= 0 && fclose(file) == 0);
+}
+
+static int holds(const char *name, const char *words)
+{
+    static char text[1 << 16];
+    FILE *file = fopen(name, "r");
+    size_t length = file == NULL ? 0 : fread(text, 1, sizeof text - 1, file);
+    text[length] = 0;
+    return file != NULL && fclose(file) == 0 && strstr(text, words) != NULL;
+}
+
+static size_t vertices(V_SCENE *scene, int node)
+{
+    size_t points = 99;
+    OK(v_scene_vertices(scene, node, 1, NULL, 0, &points));
+    return points;
+}
+
+/* A mesh beside the scene: named there, not copied; gone, broken, changed, and back. */
+static void a_mesh_of_a_file(void)
+{
+    static const char corner[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    char mesh[512], file[512];
+    V_SCENE *scene, *loaded;
+    V_NODE node;
+    int at;
+    snprintf(mesh, sizeof mesh, "%s/corner.obj", folder);
+    snprintf(file, sizeof file, "%s/corner.vid", folder);
+    write_file(mesh, corner);
+    OK(v_scene_new(&scene));
+    v_node_init(&node, V_NODE_OBJECT);
+    OK(v_scene_add_node(scene, "corner", &node, &at));
+    STATUS(V_ERR_NULL, v_scene_load_geometry(scene, at, NULL));
+    STATUS(V_ERR_RANGE, v_scene_load_geometry(scene, 7, mesh));
+    STATUS(V_ERR_ARGUMENT, v_scene_load_geometry(scene, 0, mesh));
+    STATUS(V_ERR_IO, v_scene_load_geometry(scene, at, "/nowhere/at.obj"));
+    STATUS(V_ERR_FORMAT, v_scene_load_geometry(scene, at, file));
+    CHECK(vertices(scene, at) == 0);
+    OK(v_scene_load_geometry(scene, at, mesh));
+    CHECK(vertices(scene, at) == 3);
+    OK(v_scene_save(scene, file));
+    CHECK(holds(file, "file = \"corner.obj\"") && !holds(file, "points = "));
+    OK(v_scene_load(file, &loaded));
+    CHECK(vertices(loaded, at) == 3 && *v_last_error() == 0);
+    v_scene_free(loaded);
+    write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\nf 1 2 4\n");
+    OK(v_scene_load(file, &loaded));
+    CHECK(vertices(loaded, at) == 4 && strstr(v_last_error(), "changed") != NULL);
+    v_scene_free(loaded);
+    write_file(mesh, "v 0 0\n");
+    OK(v_scene_load(file, &loaded));
+    CHECK(vertices(loaded, at) == 0 && strstr(v_last_error(), "line 1") != NULL);
+    CHECK(strstr(v_last_error(), "corner.obj") != NULL);
+    v_scene_free(loaded);
+    CHECK(remove(mesh) == 0);
+    OK(v_scene_load(file, &loaded));
+    CHECK(vertices(loaded, at) == 0 && strstr(v_last_error(), "corner.obj") != NULL);
+    /* What is saved now finds the mesh again as soon as it is back. */
+    OK(v_scene_save(loaded, file));
+    v_scene_free(loaded);
+    write_file(mesh, corner);
+    OK(v_scene_load(file, &loaded));
+    CHECK(vertices(loaded, at) == 3 && *v_last_error() == 0);
+    v_scene_free(loaded);
+    v_scene_free(scene);
+}
+
 int main(int argc, char **argv)
 {
     folder = argc > 1 ? argv[1] : ".";
@@ -409,5 +480,6 @@ int main(int argc, char **argv)
     a_hosts_interpolation();
     what_is_wrong_is_refused();
     files();
+    a_mesh_of_a_file();
     return failures != 0;
 }

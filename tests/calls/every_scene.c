@@ -325,6 +325,13 @@ CALL(v_scene_set_geometry)
     return v_scene_set_geometry(of, node, a_mesh());
 }
 
+CALL(v_scene_load_geometry)
+{
+    V_SCENE *of = a_scene();
+    int node = whole(1, 1);
+    return v_scene_load_geometry(of, node, a_file("a.obj"));
+}
+
 CALL(v_scene_add_shape)
 {
     V_SCENE *of = a_scene();

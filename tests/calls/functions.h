@@ -111,6 +111,7 @@
     F(v_scene_get_track, STATUS, V_OK, 0) \
     F(v_register_interpolation, STATUS, V_OK, 0) \
     F(v_scene_set_geometry, STATUS, V_OK, 0) \
+    F(v_scene_load_geometry, STATUS, V_OK, 0) \
     F(v_scene_add_shape, STATUS, V_OK, 0) \
     F(v_scene_add_deformation, STATUS, V_OK, 0) \
     F(v_scene_remove_deformation, STATUS, V_OK, 0) \

@@ -2,6 +2,7 @@
 
 import os
 import time
+import tomllib
 
 from harness import Program, check, run, wait
 from run import test
@@ -150,6 +151,29 @@ def a_flight_in_opengl(place):
     server.drawn(window)
     server.press(window, "ctrl+q")
     server.gone(window)
+    server.press(host, "Escape")
+    check(program.ends() == 0, "its exit status")
+
+
+@test()
+def a_scene_in_opengl(place):
+    """Draws what it built, which is what examples/car.vid says; a key gives the car's way
+    another interpolation."""
+    server = place.server(options=("+extension", "GLX"))
+    software = {"LIBGL_ALWAYS_SOFTWARE": "1", "GALLIUM_DRIVER": "softpipe"}
+    saved = place.path("saved.vid")
+    check(place.program(server, "glut_scene", "--save", saved).ends() == 0, "it cannot save")
+    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    with open(saved, "rb") as ours, open(os.path.join(root, "examples/car.vid"), "rb") as file:
+        ours, file = tomllib.load(ours), tomllib.load(file)
+    for table in ("node", "marker"):
+        check(ours[table] == file[table], f"the {table}s of examples/car.vid are others")
+    program = place.program(server, "glut_scene", **software)
+    host = server.named("^glut_scene$")
+    first = wait(lambda: (lambda p: p.colours() > 10 and p)(server.picture(host)), "the car")
+    wait(lambda: server.picture(host).differs(first), "the car to drive")
+    server.press(host, "space")
+    server.named("^linear$")
     server.press(host, "Escape")
     check(program.ends() == 0, "its exit status")
 

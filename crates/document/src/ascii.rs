@@ -40,7 +40,7 @@ pub(super) fn write_with_progress(
     })
 }
 
-fn push_line(text: &mut Vec<u8>, pose: &Pose) {
+pub(super) fn push_line(text: &mut Vec<u8>, pose: &Pose) {
     for number in [pose.vrp, pose.vpn, pose.vup].as_flattened() {
         push_number(text, *number);
         text.push(b' ');
@@ -61,7 +61,7 @@ const FAST: f64 = 1e11;
 /// `p`, the rounded product 10⁴·x, decides alone wherever it is not exactly
 /// half-way: half-way numbers are multiples of `p`'s last place here, so the
 /// product's own rounding cannot step over one. Half-way, its sign decides.
-fn push_number(text: &mut Vec<u8>, x: f64) {
+pub(super) fn push_number(text: &mut Vec<u8>, x: f64) {
     let magnitude = x.abs();
     if magnitude >= FAST {
         // A world may be that large.

@@ -4,10 +4,9 @@
 use std::fmt;
 use std::io;
 
-use vides_engine::error::Cause;
 pub use vides_engine::error::{
-    Bound, Error as EngineError, ErrorKind, Invalid, OutOfRange, Place, Quantity, Text, TooMany,
-    reason,
+    Bound, Cause, Error as EngineError, ErrorKind, Invalid, OutOfRange, Place, Quantity, Text,
+    TooMany, reason,
 };
 #[doc(hidden)]
 pub use vides_engine::error::{can_allocate, complain, panic_said, try_box, vec_with_room};
@@ -50,6 +49,12 @@ pub enum Error {
         most = limits::MAX_PARSE_BYTES >> 20
     )]
     PieceTooLarge(usize),
+    /// A file is no mesh.
+    #[error(transparent)]
+    Mesh(#[from] vides_mesh::Error),
+    /// One of these at a place of a scene.
+    #[error("{0}: {1}")]
+    At(Place, Cause<Error>),
     /// One of these in a file.
     #[error("{0}: {1}")]
     In(Text, Cause<Error>),
@@ -78,7 +83,12 @@ impl Error {
             Self::Io { .. } => ErrorKind::Io,
             Self::Format { .. } => ErrorKind::Format,
             Self::FileTooLarge(_) | Self::PieceTooLarge(_) => ErrorKind::Limit,
-            Self::In(_, cause) => cause.kind(),
+            Self::Mesh(error) => match error {
+                vides_mesh::Error::Memory => ErrorKind::Memory,
+                vides_mesh::Error::Mesh(error) => error.kind(),
+                _ => ErrorKind::Format,
+            },
+            Self::At(_, cause) | Self::In(_, cause) => cause.kind(),
         }
     }
 }
@@ -265,6 +275,10 @@ pub enum Malformed {
     ValueCount { keys: usize, values: usize },
     #[error("this deformation has no kind")]
     NoDeformationKind,
+    #[error("a checksum has up to 16 digits 0 to 9, a to f")]
+    Checksum,
+    #[error("a mesh has points of its own, or a file, its bytes and its checksum")]
+    MeshFile,
     #[error("a pin has a point and a marker")]
     Pin,
     #[error("a track has a channel, an interpolation, frames and values")]

@@ -83,7 +83,8 @@ pub fn write_file(
     save::save_with(file, &mut |out| write(document, format, out, progress))
 }
 
-const HEADER: &str = "frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom\n";
+pub(super) const HEADER: &str =
+    "frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom\n";
 
 fn write_csv(
     document: &Document,
@@ -142,7 +143,7 @@ fn write_json(
     out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
 }
 
-fn push_json_pose(text: &mut Vec<u8>, pose: &Pose) {
+pub(super) fn push_json_pose(text: &mut Vec<u8>, pose: &Pose) {
     for (name, [x, y, z]) in [("vrp", pose.vrp), ("vpn", pose.vpn), ("vup", pose.vup)] {
         let open = if name == "vrp" { "{" } else { "" };
         let _ = write!(text, "{open}\"{name}\": [{x:?}, {y:?}, {z:?}], ");
@@ -151,7 +152,7 @@ fn push_json_pose(text: &mut Vec<u8>, pose: &Pose) {
 }
 
 /// Appends a text as a JSON string.
-fn push_json_text(out: &mut Vec<u8>, text: &str) {
+pub(super) fn push_json_text(out: &mut Vec<u8>, text: &str) {
     out.push(b'"');
     for character in text.chars() {
         let _ = match character {

@@ -19,8 +19,10 @@ mod edit;
 mod editing;
 pub mod error;
 pub mod export;
+mod export_node;
 mod history;
 mod info;
+mod mesh_file;
 mod not_a_file;
 mod place;
 mod prepare;
@@ -35,11 +37,15 @@ pub use contents::Contents;
 pub use edit::Edit;
 pub use editing::{Document, Selection};
 pub use error::{Error, Result};
+pub use export_node::write_node;
 pub use info::{Info, Object, ObjectPoint};
+pub use mesh_file::load_mesh;
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
 
 pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;
+
+pub use vides_mesh as mesh;
 
 use vides_engine::{limits, math, path};

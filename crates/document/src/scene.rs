@@ -4,11 +4,12 @@ use std::io::Read;
 use std::path::Path;
 
 use super::info::Info;
+use super::mesh_file;
 use super::vid::{self, Comments};
 use crate::error::{Error, Result, can_allocate};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
-use vides_engine::scene::Scene;
+use vides_engine::scene::{FollowPath, Scene};
 
 /// A scene and what its file says besides. A file with a path alone is the scene
 /// of one camera on it, and the other way round.
@@ -20,9 +21,16 @@ pub struct SceneDocument {
     pub info: Info,
     /// Those of the file, if it had a path alone.
     comments: Comments,
+    /// What was wrong with the files of its meshes.
+    warnings: Vec<Error>,
 }
 
-/// Comments make no difference.
+/// Names of meshes in a scene's file lead from here.
+fn folder_of(file: &Path) -> &Path {
+    file.parent().unwrap_or(Path::new(""))
+}
+
+/// Comments and warnings make no difference.
 impl PartialEq for SceneDocument {
     fn eq(&self, other: &Self) -> bool {
         self.scene == other.scene && self.info == other.info
@@ -39,6 +47,7 @@ impl SceneDocument {
             scene: Scene::of_path(CameraPath::try_new()?)?,
             info: Info::default(),
             comments: Comments::default(),
+            warnings: Vec::new(),
         })
     }
 
@@ -49,7 +58,9 @@ impl SceneDocument {
     /// reason if its contents are not what they should be.
     pub fn load(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, MAX_FILE_BYTES)?;
-        Self::from_toml(&text).map_err(|error| error.at(file.display()))
+        Self::from_toml(&text)
+            .and_then(|document| document.with_meshes(folder_of(file)))
+            .map_err(|error| error.at(file.display()))
     }
 
     /// The scene in what `reader` gives, to its end; `name` stands for it in
@@ -59,10 +70,24 @@ impl SceneDocument {
     /// As [`SceneDocument::load`].
     pub fn load_from(reader: &mut dyn Read, name: &str) -> Result<Self> {
         let text = vid::read_from(reader, name)?;
-        Self::from_toml(&text).map_err(|error| error.at(name))
+        Self::from_toml(&text)
+            .and_then(|document| document.with_meshes(Path::new("")))
+            .map_err(|error| error.at(name))
     }
 
-    /// The scene in the text of a `.vid` file.
+    fn with_meshes(mut self, folder: &Path) -> Result<Self> {
+        self.warnings = mesh_file::read_meshes(&mut self.scene, folder)?;
+        Ok(self)
+    }
+
+    /// What was wrong with meshes in files of their own when the scene was loaded: their
+    /// objects are empty, or have a mesh that has changed since.
+    #[must_use]
+    pub fn warnings(&self) -> &[Error] {
+        &self.warnings
+    }
+
+    /// The scene in the text of a `.vid` file. Files of meshes are not read.
     ///
     /// # Errors
     /// `ErrorKind::Format` with line and reason.
@@ -78,6 +103,7 @@ impl SceneDocument {
             scene,
             info,
             comments,
+            warnings: Vec::new(),
         })
     }
 
@@ -86,7 +112,11 @@ impl SceneDocument {
     /// # Errors
     /// `ErrorKind::Memory`; `ErrorKind::Limit` if it is longer than what is read.
     pub fn to_toml(&self) -> Result<String> {
-        let text = vid::scene_to_toml(&self.scene, &self.info, &self.comments)?;
+        self.text(None)
+    }
+
+    fn text(&self, folder: Option<&Path>) -> Result<String> {
+        let text = vid::scene_to_toml(&self.scene, &self.info, &self.comments, folder)?;
         if text.len() as u64 > MAX_FILE_BYTES {
             return Err(Error::FileTooLarge(MAX_FILE_BYTES >> 20));
         }
@@ -99,7 +129,13 @@ impl SceneDocument {
     /// `ErrorKind::Io` with the file and what the system said; the old file is
     /// whole then. As [`SceneDocument::to_toml`].
     pub fn save(&self, file: &Path) -> Result<()> {
-        super::save::save(file, self.to_toml()?.as_bytes())
+        super::save::save(file, self.text(Some(folder_of(file)))?.as_bytes())
+    }
+
+    /// The path, if one camera on it is all that there is.
+    #[must_use]
+    pub fn path_alone(&self) -> Option<&CameraPath> {
+        vid::alone(&self.scene).map(FollowPath::path)
     }
 
     /// A copy.
@@ -113,6 +149,7 @@ impl SceneDocument {
             scene: self.scene.clone(),
             info,
             comments: self.comments.try_clone()?,
+            warnings: Vec::new(),
         })
     }
 }

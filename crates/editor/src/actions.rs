@@ -14,7 +14,7 @@ use super::windows::{
 };
 use crate::document::{Edit, Selection};
 use crate::limits::SPEEDS;
-use crate::path::{Orientation, Target};
+use crate::path::{Orientation, Target, insertion};
 
 /// What a menu entry, a key, a button or a field stands for.
 #[derive(Clone, Debug, PartialEq)]
@@ -200,12 +200,12 @@ impl Editor {
             Action::Quit => self.ask_to_close(),
             Action::Undo => self.undo(),
             Action::Redo => self.redo(),
-            Action::AddPoint => self.add_points(1),
+            Action::AddPoint => self.add_points(1, context),
             Action::AskPoints if self.has_segment() => {
                 windows::open::<PointsWindow>(self, context);
             }
             Action::AskPoints => self.complain(self.texts().position.last_point),
-            Action::AddPoints(points) => self.add_points(points),
+            Action::AddPoints(points) => self.add_points(points, context),
             Action::AddHere => {
                 self.add_here();
             }
@@ -317,9 +317,31 @@ impl Editor {
         }
     }
 
-    fn add_points(&mut self, points: usize) {
+    /// Puts points at equal distances on the way to the next one, where the camera flies
+    /// on as before. With Shift, and where the way has too few frames, copies of the
+    /// point before, as in 1994.
+    fn add_points(&mut self, points: usize, context: &egui::Context) {
         let segment = self.document.selection().point;
-        self.edit(Edit::DivideSegment { segment, points });
+        let frames = insertion::dividing_frames(self.document.path(), segment, points);
+        let copies = context.input(|input| input.modifiers.shift);
+        let Some(frames) = frames.ok().filter(|_| !copies) else {
+            self.edit(Edit::DivideSegment { segment, points });
+            return;
+        };
+        let within = self.document.in_step();
+        if !within {
+            self.document.begin_step();
+        }
+        let mut frames = frames.into_iter();
+        if !frames.all(|frame| self.edit(Edit::InsertOnCurve { frame })) {
+            self.document.cancel_step();
+            return;
+        }
+        // There are as many points as asked for, so there is a first one.
+        let _ = self.document.select(segment + 1, 0);
+        if !within {
+            self.document.end_step();
+        }
     }
 
     /// Lets every orientation look at the place that the current one looks at,

@@ -150,7 +150,10 @@ impl Editor {
                 at: orientation,
                 orientation: Some(shown.orientation),
             }),
-            Missing::Point => self.add_point_at(point, shown.position, shown.orientation),
+            Missing::Point => self
+                .playing
+                .frame()
+                .is_some_and(|frame| self.edit(Edit::InsertOnCurve { frame })),
         };
         if !done {
             self.document.cancel_step();
@@ -161,32 +164,6 @@ impl Editor {
         }
         self.playing.leave();
         true
-    }
-
-    /// A new point with this one orientation.
-    pub(super) fn add_point_at(
-        &mut self,
-        at: usize,
-        position: DVec3,
-        orientation: Orientation,
-    ) -> bool {
-        if !self.edit(Edit::InsertPoint { at, position }) {
-            return false;
-        }
-        let copied = self.point().map_or(1, |point| point.orientations.len());
-        let alone = (1..copied).rev().all(|number| {
-            self.edit(Edit::RemoveOrientation {
-                point: at,
-                at: number,
-            })
-        });
-        alone
-            && self.edit(Edit::SetOrientation {
-                point: at,
-                at: 0,
-                orientation,
-            })
-            && self.document.select(at, 0).is_ok()
     }
 
     /// Does what was entered into a number of what the panels show and the path has

@@ -13,8 +13,8 @@ use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::scene::motion::check_frame;
 use vides_engine::scene::node::check_node_name;
 use vides_engine::scene::{
-    Beyond, Camera, Channel, FollowPath, Interpolation, Kind, Light, Mesh, Node, Object, Scene,
-    Shape, Track,
+    Beyond, Camera, Channel, FollowPath, Interpolation, Kind, Light, Mesh, MeshSource, Node,
+    Object, Scene, Shape, Track,
 };
 
 /// What has been read of a scene: nodes name each other, also those further down.
@@ -275,11 +275,12 @@ fn draft(table: Field<'_>, orientations: &mut usize, space: Space) -> Result<Dra
                 *light = light_kind(field)?;
             }
             "mesh" => {
-                let mesh = mesh(field)?;
+                let (source, mesh) = mesh(field)?;
                 let Kind::Object(object) = &mut node.kind else {
                     return Err(misplaced(&field, &node.kind));
                 };
                 field.checked(object.set_mesh(mesh))?;
+                field.checked(object.set_source(source))?;
             }
             "deformation" => {
                 let Kind::Object(object) = &mut node.kind else {
@@ -429,18 +430,47 @@ fn colours(array: Field<'_>) -> Result<Vec<[u8; 3]>> {
     Ok(all)
 }
 
-fn mesh(table: Field<'_>) -> Result<Mesh> {
+/// A mesh: its points, or the file that has them.
+fn mesh(table: Field<'_>) -> Result<(Option<MeshSource>, Mesh)> {
     let mut mesh = Mesh::default();
+    let (mut file, mut bytes, mut checksum) = (None, None, None);
     for field in table.fields()? {
         match field.key {
             "points" => mesh.points = vectors(field, limits::MAX_MESH_POINTS)?,
             "colours" => mesh.colours = colours(field)?,
             "lines" => mesh.lines = indices(field)?,
             "triangles" => mesh.triangles = indices(field)?,
-            _ => return Err(field.unknown(&["points", "colours", "lines", "triangles"])),
+            "file" => file = Some(field.text()?),
+            "bytes" => bytes = Some(field.integer_in(0, i64::MAX)?),
+            "checksum" => {
+                let number = u64::from_str_radix(field.text()?, 16);
+                checksum = Some(number.map_err(|_| field.error(Malformed::Checksum))?);
+            }
+            _ => {
+                return Err(field.unknown(&[
+                    "points",
+                    "colours",
+                    "lines",
+                    "triangles",
+                    "file",
+                    "bytes",
+                    "checksum",
+                ]));
+            }
         }
     }
-    Ok(mesh)
+    match (file, bytes, checksum, mesh == Mesh::default()) {
+        (None, None, None, _) => Ok((None, mesh)),
+        (Some(file), Some(bytes), Some(checksum), true) => {
+            let source = MeshSource {
+                file: file.to_owned(),
+                bytes: bytes.unsigned_abs(),
+                checksum,
+            };
+            Ok((Some(source), mesh))
+        }
+        _ => Err(table.error(Malformed::MeshFile)),
+    }
 }
 
 fn shape(table: Field<'_>) -> Result<Shape> {

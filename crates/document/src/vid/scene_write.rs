@@ -1,6 +1,7 @@
 //! From a scene to the text of its `.vid` file.
 
 use std::fmt::{self, Write};
+use std::path::Path;
 
 use super::comments::Comments;
 use super::write::{
@@ -9,6 +10,7 @@ use super::write::{
 };
 use crate::error::{EngineError, Result};
 use crate::info::Info;
+use crate::mesh_file::name_from;
 use crate::path::Space;
 use crate::path::camera_path::DEFAULT_PRESETS;
 use vides_engine::deform::{Bounds, Deformation};
@@ -18,13 +20,19 @@ use vides_engine::scene::{
 
 /// The text of a scene. One that is nothing but a camera on a path is written as
 /// that path; of nodes, values with the default of a new one are left out.
-pub(crate) fn scene_to_toml(scene: &Scene, info: &Info, comments: &Comments) -> Result<String> {
+/// Meshes of files are named as from `folder`.
+pub(crate) fn scene_to_toml(
+    scene: &Scene,
+    info: &Info,
+    comments: &Comments,
+    folder: Option<&Path>,
+) -> Result<String> {
     if let Some(path) = alone(scene) {
         return to_toml(path.path(), info, comments);
     }
     let mut out = Text(String::new());
     // Nothing here fails but for want of memory.
-    document(&mut out, scene, info).map_err(|_| EngineError::Memory)?;
+    document(&mut out, scene, info, folder).map_err(|_| EngineError::Memory)?;
     Ok(out.0)
 }
 
@@ -72,7 +80,7 @@ fn rest(values: &Values) -> [(&'static str, Vec<f64>); 9] {
     ]
 }
 
-fn document(out: &mut Text, scene: &Scene, info: &Info) -> fmt::Result {
+fn document(out: &mut Text, scene: &Scene, info: &Info, folder: Option<&Path>) -> fmt::Result {
     head(out, info)?;
     if scene.nodes().is_empty() {
         writeln!(out, "node = []")?;
@@ -87,12 +95,18 @@ fn document(out: &mut Text, scene: &Scene, info: &Info) -> fmt::Result {
         let own = pins.partition_point(|pin| pin.node <= at);
         let (here, rest) = pins.split_at(own);
         pins = rest;
-        self::node(out, scene, node, here)?;
+        self::node(out, scene, node, here, folder)?;
     }
     Ok(())
 }
 
-fn node(out: &mut Text, scene: &Scene, node: &Node, pins: &[Pin]) -> fmt::Result {
+fn node(
+    out: &mut Text,
+    scene: &Scene,
+    node: &Node,
+    pins: &[Pin],
+    folder: Option<&Path>,
+) -> fmt::Result {
     writeln!(out, "\n[[node]]\nname = {}", Quoted(&node.name))?;
     writeln!(out, "kind = \"{}\"", node.kind.name())?;
     for (key, link) in [("parent", node.parent), ("aim", node.aim)] {
@@ -125,7 +139,7 @@ fn node(out: &mut Text, scene: &Scene, node: &Node, pins: &[Pin]) -> fmt::Result
             let light: Light = *light;
             writeln!(out, "light = \"{}\"", light.name())?;
         }
-        Kind::Object(object) => self::object(out, object)?,
+        Kind::Object(object) => self::object(out, object, folder)?,
     }
     if let Some(path) = node.path() {
         self::path(out, path, pins, scene.space())?;
@@ -159,12 +173,20 @@ fn rows<T: Copy>(
     writeln!(out, "]")
 }
 
-fn object(out: &mut Text, object: &Object) -> fmt::Result {
+fn object(out: &mut Text, object: &Object, folder: Option<&Path>) -> fmt::Result {
     if object.weights().iter().any(|weight| weight.to_bits() != 0) {
         write!(out, "weights = ")?;
         line(out, object.weights())?;
     }
-    if !object.mesh().points.is_empty() {
+    if let Some(source) = object.source() {
+        let file = name_from(folder, &source.file);
+        writeln!(out, "\n[node.mesh]\nfile = {}", Quoted(&file))?;
+        writeln!(
+            out,
+            "bytes = {}\nchecksum = \"{:x}\"",
+            source.bytes, source.checksum
+        )?;
+    } else if !object.mesh().points.is_empty() {
         mesh(out, object.mesh())?;
     }
     for shape in object.shapes() {

@@ -23,7 +23,7 @@ use super::setup::Theme;
 use super::texts::fill;
 use super::{Editor, Folders, Language, Options, Program};
 use crate::document::{Document, Edit};
-use crate::path::{Orientation, Target};
+use crate::path::{Orientation, Pose, Target};
 
 pub(super) type Window = Harness<'static, Editor>;
 
@@ -108,6 +108,14 @@ pub(super) fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
 }
 
 /// Clicks what has this label.
+/// Every pose of the path.
+pub(crate) fn poses(editor: &Editor) -> Vec<Pose> {
+    let sampler = editor.document.sampler().unwrap();
+    let mut poses = vec![Pose::default(); sampler.frame_count()];
+    sampler.sample(1, &mut poses).unwrap();
+    poses
+}
+
 pub(super) fn click(window: &mut Window, label: &str) {
     window.get_by_label(label).click();
     window.run();

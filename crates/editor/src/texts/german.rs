@@ -187,6 +187,7 @@ german! {
         TooManyFrames { frames, most } =>
             "{frames} Bilder sind zu viele: es können höchstens {most} sein";
         AtKey(frame) => "bei Bild {} ist die Kamera schon an einem Schlüssel", number(*frame);
+        FewerFrames(point) => "auf dem Weg von Punkt {} sind weniger Bilder als neue Punkte", point;
         Turning { frame, point } =>
             "bei Bild {} dreht sich die Kamera an Punkt {point}, dort gibt es keinen Weg zu teilen", number(*frame);
         NearPoint => "die Stelle liegt zu nah an einem Punkt des Pfads";
@@ -262,6 +263,7 @@ german! {
             "die Punkte einer Bahn haben zusammen höchstens {} Orientierungen", limits::MAX_ALL_ORIENTATIONS;
         Frames =>
             "die Bahn ergäbe mehr als 100000000 Bilder; die Grundgeschwindigkeiten sind zu hoch";
+        SceneFrames => "die Szene hat mehr als {} Bilder", limits::MAX_FRAMES;
         Poses => "so viele Posen kann eine Liste nicht zählen";
         ControlPoints =>
             "eine Bézierkurve hat höchstens {} Kontrollpunkte", limits::MAX_BEZIER_POINTS;

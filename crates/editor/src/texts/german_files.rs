@@ -3,6 +3,7 @@
 use super::Language;
 use super::errors::Errors;
 use super::german::{German, german, number};
+use crate::document::mesh::{Error as MeshError, Problem};
 use crate::error::{End, Error, Malformed, Refused, Value, one_of};
 use crate::limits;
 use crate::refusals::of_system;
@@ -18,6 +19,8 @@ german! {
         PieceTooLarge(line) =>
             "Zeile {line}: was hier beginnt, könnte beim Lesen mehr als {} MiB Speicher brauchen",
             limits::MAX_PARSE_BYTES >> 20;
+        Mesh(error) => "{}", German(error);
+        At(place, cause) => "{}: {}", German(place), German::<Error>(cause);
         In(file, cause) => "{file}: {}", German::<Error>(cause);
     }
     Refused {
@@ -43,6 +46,24 @@ german! {
         NoCamera => "diese Szene hat keine Kamera auf einem Pfad";
         NoFile => "dieser Pfad hat noch keine Datei";
         FileChanged => "ein anderes Programm hat die Datei geändert, seit sie hier gelesen oder geschrieben wurde";
+    }
+    MeshError {
+        Line { line, problem } => "Zeile {line}: {}", German(problem);
+        File(problem) => "{}", German(problem);
+        Ply(said) => "der PLY-Leser sagt: {said}";
+        Memory => "der Speicher reicht nicht";
+        Stopped => "das Lesen wurde abgebrochen";
+        UnknownFormat => "die Namen von Dateien mit Netzen enden auf .obj, .ply oder .stl";
+        Changed => "das Netz hat sich geändert, seit die Szene gespeichert wurde";
+        Mesh(error) => "{}", German(error);
+    }
+    Problem {
+        Coordinates => "drei endliche Zahlen erwartet";
+        Indices => "Nummern von Punkten erwartet, die in der Datei stehen";
+        End => "die Datei endet zu früh";
+        Expected(word) => "erwartet: „{word}“";
+        Empty => "in dieser Datei sind keine Punkte";
+        Format => "das ist keine Datei dieses Formats";
     }
     End {
         First => "erste";
@@ -91,6 +112,8 @@ german! {
         ValueCount { keys, values } =>
             "{keys} Schlüssel brauchen ebenso viele Werte, nicht {values}";
         NoDeformationKind => "diese Verformung hat keine Art (kind)";
+        Checksum => "eine Prüfsumme hat bis zu 16 Ziffern 0 bis 9, a bis f";
+        MeshFile => "ein Netz hat eigene Punkte, oder eine Datei mit Länge (bytes) und Prüfsumme (checksum)";
         Pin => "zum Anheften gehören ein Punkt (point) und eine Marke (marker)";
         Track => "eine Spur hat channel, interpolation, frames und values";
         SetupVersion { version, known } =>

@@ -7,11 +7,11 @@ texts! {
     Position {
         heading: "Position and curve", "Position und Kurve";
         add: "Pos.+", "Pos.+";
-        add_hint: "Insert a point half-way to the next one",
-            "Einen Punkt auf halber Strecke zum nächsten einfügen";
+        add_hint: "Insert a point half-way to the next one; the flight stays as it is. With Shift: a copy of this point",
+            "Einen Punkt auf halber Strecke zum nächsten einfügen; der Flug bleibt, wie er ist. Mit Umschalt: eine Kopie dieses Punkts";
         add_many: "Pos.++", "Pos.++";
-        add_many_hint: "Insert 1 to 10 points at equal distances up to the next one",
-            "1 bis 10 Punkte in gleichen Abständen bis zum nächsten einfügen";
+        add_many_hint: "Insert 1 to 10 points at equal distances up to the next one; the flight stays as it is",
+            "1 bis 10 Punkte in gleichen Abständen bis zum nächsten einfügen; der Flug bleibt, wie er ist";
         remove: "Pos.-", "Pos.-";
         remove_hint: "Remove this point", "Diesen Punkt löschen";
         previous: "<< Pos.", "<< Pos.";

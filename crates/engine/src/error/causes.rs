@@ -280,6 +280,8 @@ pub enum OutOfRange {
     TooManyFrames { frames: usize, most: usize },
     #[error("at frame {0} the camera is at a key already")]
     AtKey(f64),
+    #[error("on the way from point {0} there are fewer frames than new points")]
+    FewerFrames(usize),
     #[error("at frame {frame} the camera turns at point {point}, there is no way to divide")]
     Turning { frame: f64, point: usize },
     #[error("the place is too near to a point of the path")]
@@ -428,6 +430,8 @@ pub enum TooMany {
     AllOrientations,
     #[error("the path would yield more than 100000000 frames; lower the base speeds")]
     Frames,
+    #[error("the scene has more than {} frames", limits::MAX_FRAMES)]
+    SceneFrames,
     #[error("a list cannot number so many poses")]
     Poses,
     #[error(

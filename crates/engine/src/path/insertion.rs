@@ -102,6 +102,46 @@ pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     })
 }
 
+/// The frames in which the camera is nearest to the places that divide the way from
+/// a point to the next into equal lengths: for [`on_curve`], which moves no pose, one
+/// after the other.
+///
+/// # Errors
+/// [`Error::Range`] where there is no such way, or fewer frames between its ends than
+/// points; [`Error::Limit`], [`Error::Memory`].
+#[allow(clippy::cast_precision_loss)]
+pub fn dividing_frames(path: &CameraPath, segment: usize, points: usize) -> Result<Vec<f64>> {
+    let timeline = Timeline::new(path)?;
+    let sampler = Sampler::new(path, &timeline)?;
+    let section = (segment < timeline.segment_count())
+        .then(|| path.points[segment].orientations.len() - 1)
+        .and_then(|last| timeline.section_from(segment, last))
+        .filter(|&section| timeline.section(section).frames > points);
+    let too_few = || Error::Range(OutOfRange::FewerFrames(segment + 1));
+    let section = section.ok_or_else(too_few)?;
+    let moving = |section: &usize| timeline.section(*section).change != Change::Nothing;
+    let sampled = sampler
+        .sections()
+        .get((0..section).filter(moving).count())
+        .ok_or_else(too_few)?;
+    let timing = timeline.timing(path, section)?;
+    let all = sampled.frames;
+    let mut found = vec_with_room(points)?;
+    let mut least = 1;
+    for number in 0..points {
+        let share = (number + 1) as f64 / (points + 1) as f64;
+        let at = |frame: usize| timing.fraction(frame as f64 / all as f64);
+        let most = all - (points - number);
+        let mut frame = least;
+        while frame < most && (at(frame + 1) - share).abs() < (at(frame) - share).abs() {
+            frame += 1;
+        }
+        found.push((sampled.start + frame) as f64);
+        least = frame + 1;
+    }
+    Ok(found)
+}
+
 /// The section that is the so-many-th of those with frames.
 fn section_of(timeline: &Timeline, number: usize) -> usize {
     let moving = |section: &usize| timeline.section(*section).change != Change::Nothing;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::deform::{Bounds, Deformation};
-use crate::error::{Invalid, OutOfRange, Place, Result, TooMany};
+use crate::error::{Invalid, OutOfRange, Place, Result, TooMany, can_allocate};
 use crate::limits::{
     MAX_COORDINATE, MAX_DEFORMATIONS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SHAPES,
 };
@@ -79,11 +79,24 @@ pub struct Shape {
     pub colours: Vec<[u8; 3]>,
 }
 
+/// The file that a mesh came from, which stands in its place where a scene is saved.
+/// Nothing here opens it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MeshSource {
+    /// Its name.
+    pub file: String,
+    /// How long it was.
+    pub bytes: u64,
+    /// A checksum of its bytes.
+    pub checksum: u64,
+}
+
 /// An object: its mesh, shapes with their weights, and deformations, each with
 /// its box (none: the bounds of the mesh at rest).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Object {
     mesh: Option<Arc<Mesh>>,
+    source: Option<Arc<MeshSource>>,
     bounds: Option<Bounds>,
     shapes: Vec<Arc<Shape>>,
     weights: Vec<f64>,
@@ -112,15 +125,36 @@ impl Object {
     /// not fit its points.
     pub fn set_mesh(&mut self, mesh: Mesh) -> Result<()> {
         mesh.check()?;
-        if !self.shapes.is_empty() && mesh.points.len() != self.mesh().points.len() {
+        if let Some(shape) = self.shapes.first()
+            && mesh.points.len() != shape.points.len()
+        {
             return Err(Invalid::MeshOfShapes {
                 given: mesh.points.len(),
-                wanted: self.mesh().points.len(),
+                wanted: shape.points.len(),
             }
             .into());
         }
         self.bounds = Some(Bounds::of(&mesh.points));
         self.mesh = Some(Arc::new(mesh));
+        self.source = None;
+        Ok(())
+    }
+
+    /// The file that the mesh came from, if that is kept in its place. The mesh is empty
+    /// where the file could not be read.
+    #[must_use]
+    pub fn source(&self) -> Option<&MeshSource> {
+        self.source.as_deref()
+    }
+
+    /// Says which file the mesh came from, or will come from where it is empty; none: it
+    /// is the object's own.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn set_source(&mut self, source: Option<MeshSource>) -> Result<()> {
+        can_allocate(256)?;
+        self.source = source.map(Arc::new);
         Ok(())
     }
 
@@ -161,7 +195,12 @@ impl Object {
         if self.shapes.len() >= MAX_SHAPES {
             return Err(TooMany::Shapes.into());
         }
-        let count = self.mesh().points.len();
+        // Where the mesh lies in a file that was not read, shapes agree with each other.
+        let count = match self.shapes.first() {
+            Some(other) => other.points.len(),
+            None if self.source.is_some() && self.mesh().points.is_empty() => shape.points.len(),
+            None => self.mesh().points.len(),
+        };
         let colours = shape.colours.len();
         if shape.points.len() != count || (colours != 0 && colours != count) {
             return Err(OutOfRange::ShapePoints {

@@ -31,7 +31,7 @@ mod vertices;
 
 pub use channel::Channel;
 pub use keys::Keys;
-pub use mesh::{Mesh, Object, Shape};
+pub use mesh::{Mesh, MeshSource, Object, Shape};
 pub use motion::{FollowPath, Motion};
 pub use node::{Camera, Kind, Light, Node, Values};
 pub use scene::{Marker, Pin, Scene};

@@ -2,7 +2,7 @@
 
 use super::channel::Channel;
 use super::hierarchy;
-use super::mesh::{Mesh, Shape};
+use super::mesh::{Mesh, MeshSource, Shape};
 use super::motion::{FollowPath, Motion, check_frame};
 use super::node::{Kind, Node, check_node_name};
 use super::track::Track;
@@ -395,6 +395,26 @@ impl Scene {
     /// As [`super::Object::set_mesh`]; [`Error::Argument`] if it is no object.
     pub fn set_mesh(&mut self, at: usize, mesh: Mesh) -> Result<()> {
         self.object_mut(at)?.set_mesh(mesh)
+    }
+
+    /// Sets an object's mesh and the file that it came from.
+    ///
+    /// # Errors
+    /// As [`Scene::set_mesh`].
+    pub fn set_mesh_of(&mut self, at: usize, source: MeshSource, mesh: Mesh) -> Result<()> {
+        let object = self.object_mut(at)?;
+        object.set_mesh(mesh)?;
+        object.set_source(Some(source))
+    }
+
+    /// Gives the file that an object's mesh comes from another name.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] if it is no object, [`Error::Memory`].
+    pub fn name_mesh(&mut self, at: usize, file: String) -> Result<()> {
+        let object = self.object_mut(at)?;
+        let source = object.source().cloned();
+        object.set_source(source.map(|source| MeshSource { file, ..source }))
     }
 
     /// Adds a shape to an object; its weight is 0, also in a track of the weights.

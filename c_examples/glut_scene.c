@@ -1,0 +1,312 @@
+/*
+ * glut_scene: a scene of moving things, drawn with OpenGL.
+ *
+ *     cc -o glut_scene glut_scene.c -lvides -lm -lglut -lGL
+ *
+ * A car drives along its keys, its wheels turn, an arm of three parts swings, and a
+ * camera looks at the car wherever it is. The program builds all of it, asks for the
+ * state of every node at the frame of its clock, and draws them. The space key gives
+ * the car's way another interpolation, s shows its headlights' cones or not, Escape
+ * ends. "glut_scene --save FILE.vid" writes the scene and ends.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <GL/freeglut.h>
+
+#include <libvides.h>
+
+#define TICK 40 /* milliseconds */
+#define NODES 13
+
+static V_SCENE *scene;
+static int car, camera, lights[2];
+static double frame = 1.0, first, last;
+static int way;        /* which interpolation the car's way has */
+static int cones = 1;
+static const char *const ways[] = {"catmull-rom", "linear", "tcb"};
+
+static void check(int status)
+{
+    if (status != V_OK) {
+        fprintf(stderr, "glut_scene: %s\n", v_last_error());
+        exit(1);
+    }
+}
+
+/* The corners and sides of a box, and the rim and spokes of a wheel. */
+static const unsigned sides[36] = {
+    0, 3, 1, 0, 2, 3, 4, 7, 6, 4, 5, 7, 0, 5, 4, 0, 1, 5,
+    2, 7, 3, 2, 6, 7, 0, 6, 2, 0, 4, 6, 1, 7, 5, 1, 3, 7
+};
+static const double rim[39] = {
+    0, 0.03, 0, 0, 0.025981, 0.015, 0, 0.015, 0.025981, 0, 0, 0.03,
+    0, -0.015, 0.025981, 0, -0.025981, 0.015, 0, -0.03, 0, 0, -0.025981, -0.015,
+    0, -0.015, -0.025981, 0, 0, -0.03, 0, 0.015, -0.025981, 0, 0.025981, -0.015,
+    0, 0, 0
+};
+static const unsigned spokes[30] = {
+    0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 9, 9, 10, 10, 11, 11, 0,
+    12, 0, 12, 4, 12, 8
+};
+
+static int add(const char *name, int kind, int parent, double x, double y, double z,
+               const V_NODE *values)
+{
+    V_NODE node;
+    int number;
+
+    v_node_init(&node, kind);
+    if (values != NULL)
+        node = *values;
+    node.parent = parent;
+    node.position[0] = x;
+    node.position[1] = y;
+    node.position[2] = z;
+    check(v_scene_add_node(scene, name, &node, &number));
+    return number;
+}
+
+/* A box from -width to width, from 0 to height and from -depth to depth. */
+static void shape_box(int node, double width, double height, double depth)
+{
+    double xyz[24];
+    V_MESH mesh;
+    int i;
+
+    for (i = 0; i < 8; i++) {
+        xyz[3 * i] = i & 1 ? width : -width;
+        xyz[3 * i + 1] = i & 2 ? height : 0.0;
+        xyz[3 * i + 2] = i & 4 ? depth : -depth;
+    }
+    memset(&mesh, 0, sizeof mesh);
+    mesh.size = sizeof mesh;
+    mesh.xyz = xyz;
+    mesh.points = 8;
+    mesh.triangles = sides;
+    mesh.corners = 36;
+    check(v_scene_set_geometry(scene, node, &mesh));
+}
+
+static void shape_wheel(int node)
+{
+    V_MESH mesh;
+
+    memset(&mesh, 0, sizeof mesh);
+    mesh.size = sizeof mesh;
+    mesh.xyz = rim;
+    mesh.points = 13;
+    mesh.lines = spokes;
+    mesh.line_ends = 30;
+    check(v_scene_set_geometry(scene, node, &mesh));
+}
+
+/* The keys of the car: where it is and how it is turned. */
+static void drive(void)
+{
+    static const double frames[] = {1, 26, 51, 76};
+    static const double places[] = {
+        -0.8, 0, -0.3, -0.3, 0, 0.2, 0.2, 0, -0.1, 0.8, 0, 0.3
+    };
+    static const double turns[] = {
+        0.92388, 0, 0.382683, 0, 0.773342, 0, 0.633989, 0,
+        0.738423, 0, 0.674338, 0, 0.881675, 0, 0.471858, 0
+    };
+    static const double tense[12]; /* tension, continuity and bias of each key: 0 */
+    const double *shape = way == 2 ? tense : NULL;
+
+    check(v_scene_set_track(scene, car, "position", ways[way], frames, places, shape, 4,
+                            V_AFTER_HOLD));
+    check(v_scene_set_track(scene, car, "rotation", ways[way], frames, turns, shape, 4,
+                            V_AFTER_HOLD));
+}
+
+static void build(void)
+{
+    static const double round[] = {1, 26}, angles[] = {0, 0, 0, 0, 1440, 0};
+    static const double quarters[] = {1, 26, 51, 76};
+    static const double bends[] = {0, 20, 0, 0, -30, 0, 0, 45, 0, 0, 20, 0};
+    static const double halves[] = {1, 38.5, 76};
+    static const double turns[] = {
+        1, 0, 0, 0, 0.315322, 0, 0.948985, 0, 0.801144, 0, -0.598472, 0
+    };
+    static const double thirds[] = {1, 38, 76}, zooms[] = {24, 40, 24}, rolls[] = {0, 10, 0};
+    static const double places[] = {-0.4, 0.5, 1.4, 0, 0.35, 1.1, 0.6, 0.6, 1.5};
+    static const char *const wheels[] = {
+        "wheel front left", "wheel front right", "wheel rear left", "wheel rear right"
+    };
+    V_NODE node;
+    int body, arm, forearm, hand, wheel, i;
+
+    check(v_scene_new(&scene));
+    check(v_scene_remove_node(scene, 0)); /* the camera on a path that it begins with */
+    car = add("car", V_NODE_GROUP, -1, 0, 0, 0, NULL);
+    drive();
+    v_node_init(&node, V_NODE_OBJECT);
+    node.colour[0] = 0.7;
+    node.colour[1] = node.colour[2] = 0.1;
+    body = add("body", V_NODE_OBJECT, car, 0, 0.06, 0, &node);
+    shape_box(body, 0.06, 0.07, 0.14);
+    for (i = 0; i < 4; i++) {
+        wheel = add(wheels[i], V_NODE_OBJECT, car, i % 2 ? -0.07 : 0.07, 0.03,
+                    i < 2 ? 0.09 : -0.09, NULL);
+        shape_wheel(wheel);
+        /* Four turns a second, for ever: angles count on where quaternions would not. */
+        check(v_scene_set_track(scene, wheel, "rotation", "euler-linear", round, angles, NULL,
+                                2, V_AFTER_OFFSET));
+    }
+    v_node_init(&node, V_NODE_LIGHT);
+    node.light = V_LIGHT_SPOT;
+    node.intensity = 2.0;
+    node.cone[0] = 15.0;
+    node.cone[1] = 25.0;
+    lights[0] = add("headlight left", V_NODE_LIGHT, body, 0.04, 0.03, 0.141, &node);
+    lights[1] = add("headlight right", V_NODE_LIGHT, body, -0.04, 0.03, 0.141, &node);
+
+    v_node_init(&node, V_NODE_OBJECT);
+    node.colour[0] = 0.8;
+    node.colour[1] = 0.7;
+    node.colour[2] = 0.1;
+    arm = add("arm", V_NODE_OBJECT, -1, 0.4, 0, -0.4, &node);
+    shape_box(arm, 0.03, 0.25, 0.03);
+    forearm = add("forearm", V_NODE_OBJECT, arm, 0, 0.25, 0, &node);
+    shape_box(forearm, 0.02, 0.2, 0.02);
+    check(v_scene_set_track(scene, forearm, "rotation", "euler-catmull-rom", quarters, bends,
+                            NULL, 4, V_AFTER_REPEAT));
+    v_node_init(&node, V_NODE_OBJECT);
+    node.pivot[1] = 0.02;
+    hand = add("hand", V_NODE_OBJECT, forearm, 0, 0.2, 0, &node);
+    shape_box(hand, 0.03, 0.08, 0.01);
+    check(v_scene_set_track(scene, hand, "rotation", "linear", halves, turns, NULL, 3,
+                            V_AFTER_PINGPONG));
+
+    v_node_init(&node, V_NODE_LIGHT);
+    node.rotation[0] = 0.9;
+    node.rotation[1] = 0.4;
+    node.intensity = 0.8;
+    add("sun", V_NODE_LIGHT, -1, 0, 0, 0, &node);
+    v_node_init(&node, V_NODE_CAMERA);
+    node.aim = car;
+    camera = add("camera", V_NODE_CAMERA, -1, 0, 0.5, 1.6, &node);
+    check(v_scene_set_track(scene, camera, "position", "cubic", thirds, places, NULL, 3,
+                            V_AFTER_HOLD));
+    check(v_scene_set_track(scene, camera, "zoom", "ramp", thirds, zooms, NULL, 3,
+                            V_AFTER_HOLD));
+    check(v_scene_set_track(scene, camera, "roll", "sine", thirds, rolls, NULL, 3,
+                            V_AFTER_HOLD));
+    check(v_scene_set_marker(scene, "at the arm", 51.0));
+    check(v_scene_frame_range(scene, &first, &last));
+}
+
+/* A box by its sides, each with its own brightness, or a wheel by its lines. */
+static void draw_points(const double *xyz, size_t points, const double *colour)
+{
+    size_t i;
+    double shade;
+
+    glBegin(points == 8 ? GL_TRIANGLES : GL_LINES);
+    for (i = 0; i < (points == 8 ? 36u : 30u); i++) {
+        shade = points == 8 ? 0.4 + 0.1 * (double)(i / 6) : 0.6;
+        glColor3d(shade * colour[0], shade * colour[1], shade * colour[2]);
+        glVertex3dv(xyz + 3 * (points == 8 ? sides[i] : spokes[i]));
+    }
+    glEnd();
+}
+
+/* Four lines along the outer cone of a light, in its own coordinates. */
+static void draw_cone(const V_NODE_STATE *state)
+{
+    static const double radius = 0.14; /* 0.3 * tan (25 degrees) */
+    int i;
+
+    glColor3d(1.0, 1.0, 0.6);
+    glBegin(GL_LINES);
+    for (i = 0; i < 4 && state->visible; i++) {
+        glVertex3d(0.0, 0.0, 0.0);
+        glVertex3d(i & 1 ? radius : -radius, i & 2 ? radius : -radius, 0.3);
+    }
+    glEnd();
+}
+
+static void display(void)
+{
+    static V_NODE_STATE states[NODES];
+    double view[16], xyz[3 * 13], slope, aspect;
+    size_t points;
+    int i;
+
+    check(v_scene_evaluate(scene, frame, states, NODES, NULL));
+    check(v_pose_gl_matrix(&states[camera].pose, view));
+    /* The zoom is the focal length of a camera with a picture 24 mm high. */
+    slope = 12.0 / states[camera].pose.zoom;
+    aspect = (double)glutGet(GLUT_WINDOW_WIDTH) / glutGet(GLUT_WINDOW_HEIGHT);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glFrustum(-0.01 * slope * aspect, 0.01 * slope * aspect, -0.01 * slope, 0.01 * slope,
+              0.01, 10.0);
+    glMatrixMode(GL_MODELVIEW);
+    glLoadMatrixd(view);
+    glColor3d(0.3, 0.3, 0.35);
+    glBegin(GL_LINES);
+    for (i = -10; i <= 10; i++) {
+        glVertex3d(0.1 * i, 0.0, -1.0);
+        glVertex3d(0.1 * i, 0.0, 1.0);
+        glVertex3d(-1.0, 0.0, 0.1 * i);
+        glVertex3d(1.0, 0.0, 0.1 * i);
+    }
+    glEnd();
+    for (i = 0; i < NODES; i++) {
+        glPushMatrix();
+        glMultMatrixd(states[i].matrix);
+        if (cones && (i == lights[0] || i == lights[1]))
+            draw_cone(&states[i]);
+        else if (states[i].visible && v_scene_vertices(scene, i, frame, xyz, 13, &points) == V_OK
+                 && points > 0)
+            draw_points(xyz, points, states[i].colour);
+        glPopMatrix();
+    }
+    glutSwapBuffers();
+}
+
+static void tick(int unused)
+{
+    (void)unused;
+    frame = frame < last ? frame + 1.0 : first;
+    glutPostRedisplay();
+    glutTimerFunc(TICK, tick, 0);
+}
+
+static void key(unsigned char character, int x, int y)
+{
+    (void)x, (void)y;
+    if (character == 27)
+        exit(0);
+    if (character == 's')
+        cones = !cones;
+    if (character == ' ') {
+        way = (way + 1) % 3;
+        drive();
+        glutSetWindowTitle(ways[way]);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    build();
+    if (argc == 3 && strcmp(argv[1], "--save") == 0) {
+        check(v_scene_save(scene, argv[2]));
+        return 0;
+    }
+    glutInit(&argc, argv);
+    glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB | GLUT_DEPTH);
+    glutInitWindowSize(600, 400);
+    glutCreateWindow("glut_scene");
+    glEnable(GL_DEPTH_TEST);
+    glutDisplayFunc(display);
+    glutKeyboardFunc(key);
+    glutTimerFunc(TICK, tick, 0);
+    glutMainLoop();
+    return 0;
+}

@@ -1,0 +1,116 @@
+//! Meshes that lie in files of their own, beside the scene's: a scene keeps their
+//! names, lengths and checksums, and reads them when it is loaded.
+
+use std::fs::OpenOptions;
+use std::io::Read;
+use std::os::unix::fs::OpenOptionsExt;
+use std::path::{Path, PathBuf, absolute};
+
+use vides_engine::scene::{Kind, Mesh, MeshSource, Scene};
+use vides_mesh::Format;
+
+use super::NotAFile;
+use crate::error::{Cause, EngineError, Error, Place, Result, vec_with_room};
+use crate::limits::MAX_FILE_BYTES;
+
+/// The mesh in an OBJ, PLY or STL file, by the ending of its name.
+///
+/// # Errors
+/// [`Error::Io`], [`Error::FileTooLarge`], [`Error::Mesh`], each with the file.
+pub fn load_mesh(file: &Path) -> Result<(MeshSource, Mesh)> {
+    let name = file.display().to_string();
+    read(file, &name).map_err(|error| error.at(name))
+}
+
+fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
+    let format = Format::of(file).ok_or(vides_mesh::Error::UnknownFormat)?;
+    let io = |source| Error::Io {
+        place: name.to_owned(),
+        source,
+    };
+    // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
+    let mut opened = OpenOptions::new()
+        .read(true)
+        .custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY)
+        .open(file)
+        .map_err(io)?;
+    let metadata = opened.metadata().map_err(io)?;
+    NotAFile::refuse(&metadata).map_err(io)?;
+    let length = metadata.len();
+    let mut bytes = vec_with_room(usize::try_from(length.min(MAX_FILE_BYTES)).unwrap_or(0) + 1)?;
+    // Both the file and the claim of its size may change while it is read.
+    (&mut opened)
+        .take(MAX_FILE_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .map_err(io)?;
+    if bytes.len() as u64 > MAX_FILE_BYTES {
+        return Err(Error::FileTooLarge(MAX_FILE_BYTES >> 20));
+    }
+    let mesh = vides_mesh::read(format, &bytes, &mut |_| true)?;
+    let source = MeshSource {
+        file: name.to_owned(),
+        bytes: bytes.len() as u64,
+        checksum: checksum(&bytes),
+    };
+    Ok((source, mesh))
+}
+
+/// FNV-1a of 64 bits: to see a change, not to prove that there is none.
+fn checksum(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+/// Reads the meshes that a scene from `folder` names. One that is gone or broken leaves
+/// its object empty; one that is another than when the scene was saved is taken. What
+/// there is to say of them comes back.
+pub(super) fn read_meshes(scene: &mut Scene, folder: &Path) -> Result<Vec<Error>> {
+    let mut warnings = Vec::new();
+    for at in 0..scene.nodes().len() {
+        let node = &scene.nodes()[at];
+        let Kind::Object(object) = &node.kind else {
+            continue;
+        };
+        let Some(known) = object.source().cloned() else {
+            continue;
+        };
+        let place = Place::Node((&node.name).into());
+        let file = folder.join(&known.file);
+        let trouble = match load_mesh(&file) {
+            Ok((source, mesh)) => {
+                let same = (source.bytes, source.checksum) == (known.bytes, known.checksum);
+                match scene.set_mesh_of(at, source, mesh) {
+                    Ok(()) if same => None,
+                    Ok(()) => Some(vides_mesh::Error::Changed.into()),
+                    Err(error) => Some(error.into()),
+                }
+                .map(|error: Error| error.at(file.display()))
+            }
+            Err(error) => Some(error),
+        };
+        if let Some(error) = trouble {
+            if matches!(error, Error::Engine(EngineError::Memory)) {
+                return Err(error);
+            }
+            warnings.try_reserve(1)?;
+            warnings.push(Error::At(place, Cause::new(error)?));
+        }
+        // An empty object still knows where its mesh should be.
+        scene.name_mesh(at, file.display().to_string())?;
+    }
+    Ok(warnings)
+}
+
+/// How a file in `folder` names a mesh: relative to it where the mesh lies in it.
+pub(super) fn name_from(folder: Option<&Path>, file: &str) -> String {
+    let within = || -> Option<PathBuf> {
+        let folder = absolute(folder?).ok()?;
+        let file = absolute(file).ok()?;
+        Some(
+            file.strip_prefix(folder)
+                .map_or(file.clone(), Path::to_owned),
+        )
+    };
+    within().map_or_else(|| file.to_owned(), |path| path.display().to_string())
+}

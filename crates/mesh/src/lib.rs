@@ -1,0 +1,172 @@
+//! Meshes and point clouds from files: Wavefront OBJ, PLY (ASCII and both binary
+//! encodings), STL (ASCII and binary).
+//!
+//! A file is read from memory, whose length bounds what reading it takes: nothing is
+//! allocated because a header claims a number. Only geometry is taken: points, their
+//! colours, lines, and polygons as fans of triangles.
+//!
+//! It opens no files and knows neither scenes nor windows.
+
+#![forbid(unsafe_code)]
+
+mod obj;
+mod ply;
+mod stl;
+#[cfg(test)]
+mod tests;
+
+use std::ffi::OsStr;
+use std::path::Path;
+
+use vides_engine::scene::Mesh;
+
+/// A format of files with meshes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Wavefront OBJ: `v` (with colours, if it has six numbers), `f`, `l`.
+    Obj,
+    /// Polygon file format: the elements `vertex`, `face` and `edge`.
+    Ply,
+    /// Stereolithography. Corners of the same coordinates become one point.
+    Stl,
+}
+
+impl Format {
+    /// The format that the ending of a file's name stands for, in any case.
+    #[must_use]
+    pub fn of(file: &Path) -> Option<Self> {
+        let ending = file.extension().and_then(OsStr::to_str)?;
+        [("obj", Self::Obj), ("ply", Self::Ply), ("stl", Self::Stl)]
+            .into_iter()
+            .find_map(|(name, format)| ending.eq_ignore_ascii_case(name).then_some(format))
+    }
+}
+
+/// Why a file is no mesh.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A line of a text file.
+    #[error("line {line}: {problem}")]
+    Line {
+        /// Its number, from 1.
+        line: usize,
+        /// What is wrong with it.
+        problem: Problem,
+    },
+    /// The whole file.
+    #[error("{0}")]
+    File(Problem),
+    /// What the PLY reader says.
+    #[error("{0}")]
+    Ply(String),
+    /// There is not enough memory.
+    #[error("out of memory")]
+    Memory,
+    /// The reader was told to stop.
+    #[error("reading was stopped")]
+    Stopped,
+    /// The ending of the file's name is none of [`Format`]'s.
+    #[error("the names of files with meshes end in .obj, .ply or .stl")]
+    UnknownFormat,
+    /// A warning: the file is not the one that a scene was saved with.
+    #[error("the mesh has changed since the scene was saved")]
+    Changed,
+    /// What was read is no mesh of the engine's: too large, or not finite.
+    #[error(transparent)]
+    Mesh(#[from] vides_engine::Error),
+}
+
+/// What is wrong with a place of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Problem {
+    /// A coordinate is no number.
+    #[error("expected three finite numbers")]
+    Coordinates,
+    /// A line or polygon with too few points, or one that is not there.
+    #[error("expected numbers of points that are in the file")]
+    Indices,
+    /// The file ends within something.
+    #[error("the file ends too early")]
+    End,
+    /// A line that does not belong there.
+    #[error("expected \"{0}\"")]
+    Expected(&'static str),
+    /// Nothing that can be shown.
+    #[error("there are no points in this file")]
+    Empty,
+    /// A file that must begin otherwise.
+    #[error("this is no file of this format")]
+    Format,
+}
+
+impl From<std::collections::TryReserveError> for Error {
+    fn from(_: std::collections::TryReserveError) -> Self {
+        Self::Memory
+    }
+}
+
+type Result<T> = std::result::Result<T, Error>;
+
+/// Reads a mesh. `go_on` is asked now and then with the share that is done, in 0…1.
+///
+/// # Errors
+/// [`Error`]; [`Error::Stopped`] if `go_on` says no.
+pub fn read(format: Format, bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<Mesh> {
+    let mesh = match format {
+        Format::Obj => obj::read(bytes, go_on),
+        Format::Ply => ply::read(bytes, go_on),
+        Format::Stl => stl::read(bytes, go_on),
+    }?;
+    if mesh.points.is_empty() {
+        return Err(Error::File(Problem::Empty));
+    }
+    mesh.check()?;
+    Ok(mesh)
+}
+
+/// So many lines or records lie between two questions whether to go on.
+const EVERY: usize = 1 << 14;
+
+/// The words of each line that has some, with the line's number; asks `go_on`.
+fn lines<'a>(
+    bytes: &'a [u8],
+    go_on: &'a mut dyn FnMut(f64) -> bool,
+) -> impl Iterator<Item = Result<(usize, impl Iterator<Item = &'a str> + Clone)>> {
+    let mut done = 0;
+    bytes
+        .split(|&byte| byte == b'\n')
+        .enumerate()
+        .filter_map(move |(at, line)| {
+            done += line.len() + 1;
+            if at % EVERY == 0 && !go_on(done as f64 / bytes.len().max(1) as f64) {
+                return Some(Err(Error::Stopped));
+            }
+            // What is not UTF-8 is a name or a comment, or else no number.
+            let text = str::from_utf8(line).unwrap_or("?").trim();
+            (!text.is_empty()).then(|| Ok((at + 1, text.split_ascii_whitespace())))
+        })
+}
+
+/// Three coordinates from the next words.
+fn coordinates<'a>(words: &mut impl Iterator<Item = &'a str>) -> Option<glam::DVec3> {
+    let mut next = || {
+        words
+            .next()?
+            .parse()
+            .ok()
+            .filter(|number: &f64| number.is_finite())
+    };
+    Some(glam::DVec3::new(next()?, next()?, next()?))
+}
+
+/// A polygon as a fan of triangles around its first corner.
+fn fan(corners: &[u32], triangles: &mut Vec<[u32; 3]>) -> Result<()> {
+    triangles.try_reserve(corners.len().saturating_sub(2))?;
+    triangles.extend(
+        corners
+            .windows(2)
+            .skip(1)
+            .map(|pair| [corners[0], pair[0], pair[1]]),
+    );
+    Ok(())
+}

@@ -1,0 +1,230 @@
+//! Scenes in the shell: `vides info` of one, and interpolations that a shared
+//! library brings along.
+
+#![allow(unsafe_code)] // functions of a library that the user names
+
+use std::ffi::{CStr, CString, c_int, c_void};
+use std::fmt::Write;
+use std::path::Path;
+use std::sync::Arc;
+
+use vides::document::SceneDocument;
+use vides::scene::host::{self, Question};
+use vides::scene::{Beyond, Kind, Node};
+
+use super::table::{Align, Table};
+use super::{Failure, input, one_line};
+
+/// The tables of a scene: its nodes, its tracks, its markers.
+pub(super) fn tables(file: &Path, document: &SceneDocument) -> String {
+    let scene = &document.scene;
+    let info = &document.info;
+    let mut text = String::new();
+    // Writing into a string cannot fail.
+    if !info.title.is_empty() {
+        let _ = writeln!(text, "{}\n", one_line(&info.title));
+    }
+    for line in info.comment.trim_end().lines() {
+        let _ = writeln!(text, "  {}", one_line(line));
+    }
+    if !info.comment.trim_end().is_empty() {
+        text.push('\n');
+    }
+    let (first, last) = scene.frame_range();
+    let _ = write!(
+        text,
+        "File         {}\nScene        {} nodes\nFrames       {first} to {last}\n\
+         Time         {:.2} s at {} frames per second\n",
+        one_line(&input::name(file)),
+        scene.nodes().len(),
+        (last - first + 1.0) / info.fps,
+        info.fps
+    );
+    let _ = write!(text, "\nNodes\n{}", nodes(scene.nodes()));
+    let tracks = tracks(scene.nodes());
+    if scene
+        .nodes()
+        .iter()
+        .any(|node| !node.keys().tracks().is_empty())
+    {
+        let _ = write!(text, "\nTracks\n{tracks}");
+    }
+    if !scene.markers().is_empty() {
+        let _ = writeln!(text, "\nMarkers");
+        let mut table = Table::new(&[
+            ("Frame", Align::Right),
+            ("Name", Align::Left),
+            ("Pinned", Align::Left),
+        ]);
+        for marker in scene.markers() {
+            let pins = scene.pins().iter().filter(|pin| pin.marker == marker.name);
+            let pinned = pins.map(|pin| {
+                let name = &scene.nodes()[pin.node].name;
+                format!("{} {}", one_line(name), pin.point + 1)
+            });
+            table.row(vec![
+                marker.frame.to_string(),
+                one_line(&marker.name),
+                pinned.collect::<Vec<_>>().join(", "),
+            ]);
+        }
+        let _ = write!(text, "{table}");
+    }
+    text
+}
+
+fn nodes(nodes: &[Node]) -> Table {
+    let mut table = Table::new(&[
+        ("Name", Align::Left),
+        ("Kind", Align::Left),
+        ("Parent", Align::Left),
+        ("Moves by", Align::Left),
+        ("Aims at", Align::Left),
+        ("Mesh", Align::Left),
+    ]);
+    let name = |at: Option<usize>| at.map_or(String::new(), |at| one_line(&nodes[at].name));
+    for node in nodes {
+        let motion = match (node.path(), node.keys().tracks().len()) {
+            (Some(path), _) => format!(
+                "path, {} points, from {}",
+                path.path().points.len(),
+                path.start_frame()
+            ),
+            (None, 0) => String::new(),
+            (None, 1) => "1 track".to_owned(),
+            (None, tracks) => format!("{tracks} tracks"),
+        };
+        let mesh = match &node.kind {
+            Kind::Object(object) => {
+                let mesh = object.mesh();
+                let mut parts = Vec::new();
+                for (count, what) in [
+                    (mesh.points.len(), "points"),
+                    (mesh.lines.len(), "lines"),
+                    (mesh.triangles.len(), "triangles"),
+                    (object.shapes().len(), "shapes"),
+                    (object.deformations().len(), "deformations"),
+                ] {
+                    if count > 0 {
+                        parts.push(format!("{count} {what}"));
+                    }
+                }
+                parts.join(", ")
+            }
+            _ => String::new(),
+        };
+        table.row(vec![
+            one_line(&node.name),
+            node.kind.name().to_owned(),
+            name(node.parent),
+            motion,
+            name(node.aim),
+            mesh,
+        ]);
+    }
+    table
+}
+
+fn tracks(nodes: &[Node]) -> Table {
+    let mut table = Table::new(&[
+        ("Node", Align::Left),
+        ("Channel", Align::Left),
+        ("Interpolation", Align::Left),
+        ("Keys", Align::Right),
+        ("First", Align::Right),
+        ("Last", Align::Right),
+        ("After", Align::Left),
+    ]);
+    for node in nodes {
+        for track in node.keys().tracks() {
+            let (first, last) = track.ends();
+            let after = match track.beyond().1 {
+                Beyond::Hold => "",
+                other => other.name(),
+            };
+            table.row(vec![
+                one_line(&node.name),
+                one_line(&track.channel().to_string()),
+                one_line(&track.interpolation().to_string()),
+                track.frames().len().to_string(),
+                first.to_string(),
+                last.to_string(),
+                after.to_owned(),
+            ]);
+        }
+    }
+    table
+}
+
+/// A function of the type `V_INTERPOLATE` in `libvides.h`; 0 if it succeeds.
+type Interpolate =
+    unsafe extern "C" fn(*const f64, *const f64, usize, usize, f64, *mut f64, *mut c_void) -> c_int;
+
+/// Makes an interpolation known, as `NAME=file.so:symbol` says.
+///
+/// # Errors
+/// In one sentence, what is wrong with it.
+pub(super) fn register(text: &str) -> Result<(), Failure> {
+    let wrong = || {
+        Failure::Usage(format!(
+            "--interpolation {}: expected NAME=FILE.so:SYMBOL",
+            one_line(text)
+        ))
+    };
+    let (name, place) = text.split_once('=').ok_or_else(wrong)?;
+    let (file, symbol) = place.rsplit_once(':').ok_or_else(wrong)?;
+    if name.is_empty() || file.is_empty() || symbol.is_empty() {
+        return Err(wrong());
+    }
+    // Without a slash the system would look for it in its own folders.
+    let file = if file.contains('/') {
+        file.to_owned()
+    } else {
+        format!("./{file}")
+    };
+    let (file, symbol) = CString::new(file)
+        .ok()
+        .zip(CString::new(symbol).ok())
+        .ok_or_else(wrong)?;
+    // SAFETY: both are strings that end in NUL. The library's constructors run: the
+    // user asked for this library. It is never closed.
+    let function = unsafe {
+        let library = libc::dlopen(file.as_ptr(), libc::RTLD_NOW | libc::RTLD_LOCAL);
+        if library.is_null() {
+            return Err(loader_failed());
+        }
+        libc::dlsym(library, symbol.as_ptr())
+    };
+    if function.is_null() {
+        return Err(loader_failed());
+    }
+    // SAFETY: the user's word that this symbol is such a function.
+    let function: Interpolate = unsafe { std::mem::transmute(function) };
+    let call = move |question: Question<'_>, value: &mut [f64]| {
+        // SAFETY: as the header says: so many frames, as many rows of values, and
+        // room for one row.
+        let status = unsafe {
+            function(
+                question.frames.as_ptr(),
+                question.values.as_ptr(),
+                question.width,
+                question.frames.len(),
+                question.frame,
+                value.as_mut_ptr(),
+                std::ptr::null_mut(),
+            )
+        };
+        status == 0
+    };
+    Ok(host::register(name, Some(Arc::new(call))).map_err(vides::Error::from)?)
+}
+
+/// What the dynamic loader says: it names the file.
+fn loader_failed() -> Failure {
+    // SAFETY: a string of the loader's, until its next call; no other thread is there.
+    let said = unsafe {
+        let said = libc::dlerror();
+        (!said.is_null()).then(|| CStr::from_ptr(said).to_string_lossy().into_owned())
+    };
+    Failure::Input(said.unwrap_or_else(|| "the library cannot be loaded".to_owned()))
+}
