@@ -233,6 +233,27 @@ impl Editor {
         }
     }
 
+    /// A new point with this one orientation.
+    fn add_point_at(&mut self, at: usize, position: DVec3, orientation: Orientation) -> bool {
+        if !self.edit(Edit::InsertPoint { at, position }) {
+            return false;
+        }
+        let copied = self.point().map_or(1, |point| point.orientations.len());
+        let alone = (1..copied).rev().all(|number| {
+            self.edit(Edit::RemoveOrientation {
+                point: at,
+                at: number,
+            })
+        });
+        alone
+            && self.edit(Edit::SetOrientation {
+                point: at,
+                at: 0,
+                orientation,
+            })
+            && self.document.select(at, 0).is_ok()
+    }
+
     /// What the window calls the host's view.
     pub(super) fn host_name(&self) -> &str {
         let name = self.host_view.name.as_deref();

@@ -10,9 +10,9 @@ use super::space::Camera;
 use super::state::Editor;
 use crate::document::{Edit, Selection};
 use crate::math::orientation;
-use crate::path::{Orientation, Space, Target};
+use crate::path::{Orientation, Target};
 
-/// Length of a direction that stands for no other, in half sizes of the space.
+/// Length of a direction that stands for no other.
 const DIRECTION: f64 = 0.4;
 
 /// What the panels show and change.
@@ -100,7 +100,7 @@ impl Editor {
         Some(Shown {
             at,
             position: camera.position,
-            orientation: between(from, to, &camera, self.document.path().space),
+            orientation: between(from, to, &camera),
             missing,
         })
     }
@@ -166,32 +166,6 @@ impl Editor {
         true
     }
 
-    /// A new point with this one orientation.
-    pub(super) fn add_point_at(
-        &mut self,
-        at: usize,
-        position: DVec3,
-        orientation: Orientation,
-    ) -> bool {
-        if !self.edit(Edit::InsertPoint { at, position }) {
-            return false;
-        }
-        let copied = self.point().map_or(1, |point| point.orientations.len());
-        let alone = (1..copied).rev().all(|number| {
-            self.edit(Edit::RemoveOrientation {
-                point: at,
-                at: number,
-            })
-        });
-        alone
-            && self.edit(Edit::SetOrientation {
-                point: at,
-                at: 0,
-                orientation,
-            })
-            && self.document.select(at, 0).is_ok()
-    }
-
     /// Does what was entered into a number of what the panels show and the path has
     /// not got: the entry adds it first, in the same step.
     pub(super) fn enter_missing(&mut self, entry: Entry<Edit>) {
@@ -216,12 +190,7 @@ impl Editor {
 
 /// An orientation in between, with which a camera sees what this one does: looking at
 /// a place if both keys do, with the speeds of the first.
-fn between(
-    from: &Orientation,
-    to: Option<&Orientation>,
-    camera: &Camera,
-    space: Space,
-) -> Orientation {
+fn between(from: &Orientation, to: Option<&Orientation>, camera: &Camera) -> Orientation {
     let target = match (from.target, to.map(|to| to.target)) {
         (Target::Absolute(place), Some(Target::Absolute(other)))
             if place == other && place != camera.position =>
@@ -229,9 +198,9 @@ fn between(
             from.target
         }
         (Target::Relative(offset), _) => Target::Relative(camera.view * offset.length()),
-        _ => Target::Relative(camera.view * (DIRECTION * space.half_size)),
+        _ => Target::Relative(camera.view * DIRECTION),
     };
-    let roll = space.up.roll_from_up(camera.view, camera.up).to_degrees();
+    let roll = orientation::roll_from_up(camera.view, camera.up).to_degrees();
     Orientation {
         target,
         roll: orientation::wrap_degrees(roll),
