@@ -549,9 +549,12 @@ fn options(text: &str) -> BTreeSet<String> {
 
 #[test]
 fn the_manual_page_knows_every_option_and_no_other() {
-    const COMMANDS: [&str; 9] = [
+    const COMMANDS: [&str; 12] = [
         "sample",
         "info",
+        "fit",
+        "check",
+        "plot",
         "transform",
         "deform",
         "extract",

@@ -283,6 +283,7 @@ fn every_entry_has_a_tooltip() {
                     (menu.copy_orientation, hints.copy_orientation),
                     (menu.paste_orientation, texts.output.nothing_copied),
                     (menu.aim_all, hints.aim_all),
+                    (menu.space, hints.space),
                 ],
             ),
             (
@@ -290,6 +291,7 @@ fn every_entry_has_a_tooltip() {
                 vec![
                     (menu.export, hints.export),
                     (menu.hand_over, hints.hand_over),
+                    (menu.hands_over, hints.hands_over),
                 ],
             ),
             (

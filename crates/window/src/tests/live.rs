@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use egui::{Event, Modifiers, PointerButton, pos2};
 
-use super::{Remote, open_for, settle};
+use super::{Remote, open_for};
 use crate::document::{Edit, Result};
 use crate::editor::HostView;
 use crate::path::{Pose, Sampler};
@@ -83,22 +83,35 @@ impl Watcher {
 
 fn open() -> (Id, Rc<Remote>, Rc<Watcher>) {
     let host = Rc::new(Watcher::default());
-    let (id, remote) = open_for(Rc::<Watcher>::clone(&host), HostView::default());
+    let view = HostView {
+        captures: true,
+        ..HostView::default()
+    };
+    let (id, remote) = open_for(Rc::<Watcher>::clone(&host), view);
     remote.size.set([900, 700]);
     (id, remote, host)
 }
 
 /// Serves until the host has been told that nothing moves any more.
 fn rest(remote: &Remote) {
+    rest_all(&[remote]);
+}
+
+fn rest_all(remotes: &[&Remote]) {
+    let mut quiet = 0;
     for _ in 0..2000 {
-        remote.send(News {
-            shown: true,
-            ..News::default()
-        });
+        for remote in remotes {
+            remote.send(News {
+                shown: true,
+                ..News::default()
+            });
+        }
         dispatch();
+        // Once may be while a picture was on its way.
         match wait() {
             Some(wait) => sleep(wait.min(Duration::from_millis(20))),
-            None => return,
+            None if quiet == 2 => return,
+            None => quiet += 1,
         }
     }
     panic!("it never comes to rest");
@@ -272,7 +285,7 @@ fn what_a_callback_changes_it_is_not_called_for() {
     assert_eq!(host.views.borrow()[1].1, at);
     // And it may close its own window.
     *host.on_view.borrow_mut() = Some(Box::new(|window| assert!(close(window))));
-    command(id, |editor| editor.set_frame(50.0))
+    command(id, |editor| editor.set_frame(30.0))
         .expect("open")
         .expect("a frame");
     dispatch();
@@ -317,8 +330,8 @@ fn the_hosts_camera_is_taken_over() {
 #[test]
 fn windows_are_closed_all_at_once() {
     let (one, remote, _) = open();
-    let (other, _, _) = open();
-    settle(&[&remote]);
+    let (other, other_remote, _) = open();
+    rest_all(&[&remote, &other_remote]);
     assert!(crate::close_all(true).expect("descriptors"));
     assert!(!is_open(one) && !is_open(other));
     let (id, _, _) = open();
