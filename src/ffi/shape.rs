@@ -19,7 +19,7 @@ const KINDS: [(CurveKind, &std::ffi::CStr); 3] = [
 
 fn curve_kind(name: &[u8]) -> Answer<CurveKind> {
     let found = KINDS.iter().find(|(_, text)| text.to_bytes() == name);
-    found.map(|(kind, _)| *kind).ok_or_else(|| {
+    found.map(|(kind, _)| *kind).ok_or({
         Failure::Border(
             V_ERR_RANGE,
             "the kind of a curve is \"tcb\", \"cubic\" or \"linear\"",

@@ -269,13 +269,13 @@ pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || edit(path, Edit::Reverse))
 }
 
-/// The way times times, each beginning where the one before ended, its targets with
+/// The way count times, each beginning where the one before ended, its targets with
 /// it; a closed path goes round so often.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, times: c_int) -> c_int {
-    border(V_ERR_INTERNAL, || edit(path, Edit::Repeat(index(times)?)))
+pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int {
+    border(V_ERR_INTERNAL, || edit(path, Edit::Repeat(index(count)?)))
 }
 
 /// The sum of paths times their weights: positions, curve, targets, roll, zoom and

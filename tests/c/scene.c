@@ -450,22 +450,22 @@ static void a_mesh_of_a_file(void)
     CHECK(vertices(loaded, at) == 3 && *v_last_error() == 0);
     v_scene_free(loaded);
     write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\nf 1 2 4\n");
-    OK(v_scene_load(file, &loaded));
+    CHECK(v_scene_load(file, &loaded) == V_OK);
     CHECK(vertices(loaded, at) == 4 && strstr(v_last_error(), "changed") != NULL);
     v_scene_free(loaded);
     write_file(mesh, "v 0 0\n");
-    OK(v_scene_load(file, &loaded));
+    CHECK(v_scene_load(file, &loaded) == V_OK);
     CHECK(vertices(loaded, at) == 0 && strstr(v_last_error(), "line 1") != NULL);
     CHECK(strstr(v_last_error(), "corner.obj") != NULL);
     v_scene_free(loaded);
     CHECK(remove(mesh) == 0);
-    OK(v_scene_load(file, &loaded));
+    CHECK(v_scene_load(file, &loaded) == V_OK);
     CHECK(vertices(loaded, at) == 0 && strstr(v_last_error(), "corner.obj") != NULL);
     /* What is saved now finds the mesh again as soon as it is back. */
     OK(v_scene_save(loaded, file));
     v_scene_free(loaded);
     write_file(mesh, corner);
-    OK(v_scene_load(file, &loaded));
+    CHECK(v_scene_load(file, &loaded) == V_OK);
     CHECK(vertices(loaded, at) == 3 && *v_last_error() == 0);
     v_scene_free(loaded);
     v_scene_free(scene);

@@ -25,7 +25,6 @@ static V_PATH *bent_path(const double centre[3], double half_size, int up)
     V_PATH *path = new_path();
     V_ORIENTATION o;
     int point, k;
-    OK(v_path_remove_point(path, 0));
     OK(v_path_set_space(path, centre, half_size, up));
     for (point = 0; point < 4; point++) {
         double in_cube[3], at[3];
@@ -45,6 +44,8 @@ static V_PATH *bent_path(const double centre[3], double half_size, int up)
         }
         OK(v_path_set_orientation(path, point, 0, &o));
     }
+    OK(v_path_remove_point(path, 4));
+    OK(v_path_remove_point(path, 4));
     OK(v_path_remove_point(path, 4));
     return path;
 }

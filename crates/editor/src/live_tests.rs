@@ -118,9 +118,9 @@ fn what_led_there_is_told_apart() {
 fn a_view_is_taken_over_as_it_is() {
     let mut window = window();
     let before = window.state().document.path().points.len();
-    let mut attitudes = vec![DQuat::from_rotation_x(1.570_796_326_794_896_6)];
-    attitudes.push(DQuat::from_rotation_x(-1.570_796_326_794_896_6));
-    attitudes.push(DQuat::from_rotation_x(1.570_796_326 + 1e-9));
+    let mut attitudes = vec![DQuat::from_rotation_x(std::f64::consts::FRAC_PI_2)];
+    attitudes.push(DQuat::from_rotation_x(-std::f64::consts::FRAC_PI_2));
+    attitudes.push(DQuat::from_rotation_x(std::f64::consts::FRAC_PI_2 + 1e-9));
     for n in 0..40 {
         let n = f64::from(n);
         attitudes.push(DQuat::from_euler(glam::EulerRot::YXZ, n, 1.3 * n, 0.7 * n));

@@ -133,10 +133,10 @@ impl Window {
             return Ok(());
         };
         match event {
-            Event::CreateNotify(event) if event.response_type & SENT == 0 => {
-                if event.parent == pane.window {
-                    pane.adopt(&self.connection, event.window)?;
-                }
+            Event::CreateNotify(event)
+                if event.response_type & SENT == 0 && event.parent == pane.window =>
+            {
+                pane.adopt(&self.connection, event.window)?;
             }
             Event::ReparentNotify(event) if event.response_type & SENT == 0 => {
                 if event.parent == pane.window {

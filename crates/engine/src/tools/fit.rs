@@ -132,9 +132,13 @@ impl Data {
         fps: f64,
         tolerance: Tolerance,
     ) -> Result<Self> {
-        if !(fps > 0.0 && fps <= MAX_FPS && tolerance.position > 0.0 && tolerance.angle > 0.0)
-            || !(tolerance.position.is_finite() && tolerance.angle <= 180.0)
-        {
+        let sound = fps > 0.0
+            && fps <= MAX_FPS
+            && tolerance.position > 0.0
+            && tolerance.position.is_finite()
+            && tolerance.angle > 0.0
+            && tolerance.angle <= 180.0;
+        if !sound {
             return Err(OutOfRange::Tolerance.into());
         }
         if poses.len() < 3 {
