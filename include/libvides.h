@@ -1467,12 +1467,12 @@ int v_path_insert_path(V_PATH *path, int at, const V_PATH *block, int fit);
 int v_path_reverse(V_PATH *path);
 
 /**
- * The way times times, each beginning where the one before ended, its targets with
+ * The way count times, each beginning where the one before ended, its targets with
  * it; a closed path goes round so often.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_repeat(V_PATH *path, int times);
+int v_path_repeat(V_PATH *path, int count);
 
 /**
  * The sum of paths times their weights: positions, curve, targets, roll, zoom and
