@@ -24,8 +24,8 @@ const BYTES: usize = 512;
 /// here: nobody looks at a file and sees that something stood still.
 ///
 /// # Errors
-/// [`vides_engine::Error::Range`] if there is no such node,
-/// [`vides_engine::Error::Limit`] for more frames than a path may have; [`vides_engine::Error::Io`] if `out` fails; as
+/// `ErrorKind::Range` if there is no such node,
+/// `ErrorKind::Limit` for more frames than a path may have; `ErrorKind::Io` if `out` fails; as
 /// [`vides_engine::scene::Scene::sample`].
 pub fn write_node(
     document: &SceneDocument,

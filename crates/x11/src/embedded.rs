@@ -35,7 +35,7 @@ impl Home {
     /// Looks at a window of the host's and listens to its size, which is given back.
     ///
     /// # Errors
-    /// [`Error::Argument`]: there is no such window, or nothing can live in it.
+    /// `ErrorKind::Argument`: there is no such window, or nothing can live in it.
     pub(super) fn enter(connection: &Connection, parent: u32) -> Result<(Self, (u32, u32))> {
         let unfit = |why| Error::Parent {
             parent,

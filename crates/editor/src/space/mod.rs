@@ -3,7 +3,7 @@
 //!
 //! [`projection`] says where something is seen, [`picking`] what lies under
 //! the pointer, [`drag`] what a motion makes of it: three pieces of arithmetic
-//! that are tested without a window. [`pointer`] and [`keyboard`] take the events,
+//! that are tested without a window. [`mod@pointer`] and [`keyboard`] take the events,
 //! [`scene`], [`cameras`], [`ribbon`] and [`overlay`] draw, [`sliders`] stand
 //! around, [`menu`] is a point's menu.
 

@@ -76,7 +76,7 @@ impl Target {
     /// Finite, in range, and seen in some direction from `position`.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`].
     pub fn check(self, position: DVec3, space: Space) -> Result<()> {
         match self {
             Self::Absolute(target) => space.check_place(target)?,
@@ -139,7 +139,7 @@ impl Orientation {
     /// direction.
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`] with the reason.
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`] with the reason.
     pub fn check(&self, position: DVec3, space: Space) -> Result<()> {
         self.target.check(position, space)?;
         if !self.roll.is_finite() {

@@ -29,7 +29,7 @@ impl Tangents {
     /// Finite, and small enough to compute with.
     ///
     /// # Errors
-    /// [`Error::Argument`] or [`Error::Range`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`].
     pub fn check(self, space: Space) -> Result<()> {
         space.check_offset(self.before)?;
         space.check_offset(self.after)
@@ -211,7 +211,7 @@ impl Own {
     /// Everything finite and in range.
     ///
     /// # Errors
-    /// [`Error::Range`] or [`Error::Argument`].
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn check(&self, space: Space) -> Result<()> {
         match &self.pace {
             Pace::Speeds => {}
@@ -283,7 +283,7 @@ pub fn check_frames(frames: u32) -> Result<()> {
 /// A distance along the way, ≥ 0.
 ///
 /// # Errors
-/// [`Error::Range`] or [`Error::Argument`].
+/// [`crate::Error::Range`] or [`crate::Error::Argument`].
 pub fn check_ahead(distance: f64, space: Space) -> Result<()> {
     if !distance.is_finite() {
         return Err(Invalid::NotFinite(Quantity::DistanceAhead).into());

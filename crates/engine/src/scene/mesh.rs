@@ -151,7 +151,7 @@ impl Object {
     /// is the object's own.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`crate::Error::Memory`].
     pub fn set_source(&mut self, source: Option<MeshSource>) -> Result<()> {
         can_allocate(256)?;
         self.source = source.map(Arc::new);

@@ -1,6 +1,6 @@
 //! Recorded poses become a path of few points.
 //!
-//! Noise is taken out first ([`super::smooth`]). Then pieces, each as long as it may
+//! Noise is taken out first (`smooth.rs`). Then pieces, each as long as it may
 //! be, are fitted one after the other: a cubic by least squares with its
 //! parameters projected anew (Schneider 1990) that goes on in the direction of the
 //! one before; the way over the time as given distances; the turning as a spherical
