@@ -46,7 +46,6 @@ static V_PATH *bent_path(const double centre[3], double half_size, int up)
     }
     OK(v_path_remove_point(path, 4));
     OK(v_path_remove_point(path, 4));
-    OK(v_path_remove_point(path, 4));
     return path;
 }
 
