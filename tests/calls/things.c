@@ -336,10 +336,22 @@ void *a_user(void)
     return lists;
 }
 
+static void write_file(const char *called, const char *text)
+{
+    char name[400];
+    FILE *file;
+
+    snprintf(name, sizeof name, "%.300s/%s", folder, called);
+    file = fopen(name, "w");
+    if (file != NULL) {
+        fputs(text, file);
+        fclose(file);
+    }
+}
+
 void fresh_things(void)
 {
     char name[400];
-    FILE *broken;
     int i;
 
     end_things();
@@ -350,12 +362,8 @@ void fresh_things(void)
     snprintf(name, sizeof name, "%.300s/a.vid", folder);
     if (v_path_save(paths[0], name) != V_OK)
         fault("v_path_save: %s", v_last_error());
-    snprintf(name, sizeof name, "%.300s/broken.vid", folder);
-    broken = fopen(name, "w");
-    if (broken != NULL) {
-        fputs("version = 1\n[[point]]\nposition = [0, 0, nan]\n", broken);
-        fclose(broken);
-    }
+    write_file("broken.vid", "version = 1\n[[point]]\nposition = [0, 0, nan]\n");
+    write_file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n");
 }
 
 void end_things(void)

@@ -33,11 +33,11 @@ def is_ours(error):
                or frame.startswith("v_") for frame in FRAME.findall(error))
 
 
-def under_valgrind(place, story, all_of_them):
+def under_valgrind(place, story, all_of_them, leaks="definite,possible"):
     """Plays a test of cases_hosts under valgrind."""
     logs = place.path("valgrind.%p")
     place.wrapper = ("valgrind", "-q", "--fair-sched=yes", f"--log-file={logs}",
-                     "--leak-check=full", "--errors-for-leak-kinds=definite,possible")
+                     "--leak-check=full", f"--errors-for-leak-kinds={leaks}")
     with patience(180):
         story(place)
     logged = [name for name in os.listdir(place.folder) if name.startswith("valgrind.")]
