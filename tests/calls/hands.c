@@ -131,7 +131,7 @@ void hands_next_point(unsigned long window)
 
 void hands_change(unsigned long window)
 {
-    press(window, XK_Insert, Mod1Mask);
+    press(window, XK_F6, 0); /* absolute or relative: there is no end to it */
 }
 
 void hands_take_over(unsigned long window)

@@ -92,17 +92,23 @@ static void one_event(void)
         hands_destroy(hands_window(0));
     if (window == 0)
         return;
-    switch (below(8)) {
+    switch (below(11)) {
     case 0:
     case 1:
     case 2:
         hands_hand_over(window);
         break;
     case 3:
+        hands_change(window);
+        break;
     case 4:
-        hands_close(window);
+        hands_take_over(window);
         break;
     case 5:
+    case 6:
+        hands_close(window);
+        break;
+    case 7:
         if (chance(50))
             hands_destroy(window);
         else
