@@ -98,11 +98,11 @@ def the_host_is_told_what_is_done(place):
     check(host.tell("frame 20.25").split()[1] == "0", "v_editor_set_frame")
     now = rested(host, now.count)
     check(now.frame == 20.25 == float(host.tell("at").split()[2]), f"the frame: {vars(now)}")
-    check(host.tell("frame 0.5").split()[1] == "5", "a frame that there is not")
+    check(host.tell("frame 0.5").split()[1] == "4", "a frame that there is not")
     check(host.tell("select 1 0").split()[1] == "0", "v_editor_select")
     now = rested(host, now.count)
     check(now.vrp == points(host)[1], "the selected point")
-    check(host.tell("select 1 9").split()[1] == "5", "a key that there is not")
+    check(host.tell("select 1 9").split()[1] == "4", "a key that there is not")
     check(now.others == 0, f"{now.others} poses are not those of v_path_pose()")
     host.leave()
 
@@ -130,8 +130,9 @@ def the_hosts_view_is_taken_over(place):
         check(now.vrp == numbers[:3] and now.zoom == 42.5, f"{key}: {vars(now)}")
         check(math.dist(now.vpn, view) < 1e-12, f"{key}: {now.vpn}, not {view}")
         check(math.dist(now.vup, up) < 1e-12, f"{key}: {now.vup}, not {up}")
-        check(host.tell("frame 1").split()[1] == "0", "v_editor_set_frame")
-        now = rested(host, now.count)
+        if key == "ctrl+Return":  # back to the first point, to be replaced
+            check(host.tell("frame 1").split()[1] == "0", "v_editor_set_frame")
+            now = rested(host, now.count)
     check(now.captures == 2, f"asked {now.captures} times")
     check(host.tell("camera 0 0 0 0 0 1 0 0 -2 24") == "camera 1", "a camera")
     check(host.tell("ghost 1").split()[1] == "3", "a view whose up lies along it")
@@ -162,8 +163,9 @@ def hosts_do_odd_things_in_on_view(place):
 
     # Ten seconds; what is done meanwhile is not lost.
     space = first_look(server.drawn(window))
-    host.tell("select 0 0")
-    now = rested(host, now.count)
+    for point in (1, 0):
+        host.tell(f"select {point} 0")
+        now = rested(host, now.count)
     at = space.image(points(host)[0])
     to = (at[0] + 70, at[1] - 30)
     host.tell("in-view sleep")
@@ -234,7 +236,7 @@ def old_hosts_get_the_flight_continuously(place):
         return sum(line.endswith("poses came") for line in list(program.said))
 
     space = first_look(server.drawn(window))
-    at = space.image((-0.6, 0.0, 0.0))
+    at = space.image((-0.6, 0.2, 0.8))
     before = handed()
     server.xdotool(*server.drag_words(window, at, (at[0] - 60, at[1]), 3, 12, release=False))
     wait(lambda: handed() > before, "poses while it is dragged")

@@ -245,7 +245,8 @@ def fly_along(binary, flight, folder):
             server.drag(host, (100, 60), (150, 120))
             width, height = server.geometry(window)[2:]
             rail = (PANEL + 520, height - 28)
-            before = server.picture(host)
+            server.drawn(window)
+            before = server.drawn(host, 1)
             server.drag(window, rail, (width - 330, rail[1]))
             wait(lambda: server.picture(host).differs(before), "the host to fly along")
             server.xdotool("mousemove", "--window", window, PANEL + 60, 120)
