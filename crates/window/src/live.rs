@@ -50,6 +50,14 @@ pub(super) struct Live {
 }
 
 impl Live {
+    /// Of a window that opens: the host knows the path as it is then.
+    pub(super) fn new(editor: &Editor) -> Self {
+        Self {
+            step: Some(editor.step_number()),
+            ..Self::default()
+        }
+    }
+
     /// What the host is to be called for now, if anything. Whoever does not watch takes
     /// poses only. `held`: a button is.
     pub(super) fn next(
@@ -100,10 +108,7 @@ impl Live {
     fn look(&mut self, editor: &Editor) {
         let standing = editor.standing();
         match self.seen.replace(standing) {
-            None => {
-                self.waits = Some(Reason::Selected);
-                self.step = Some(editor.step_number());
-            }
+            None => self.waits = Some(Reason::Selected),
             Some(before) if before != standing => self.waits = Some(standing.reason(&before)),
             Some(_) => {}
         }

@@ -93,6 +93,7 @@ impl Window {
     /// A window whose first picture is made in its first turn.
     pub(super) fn new(screen: Box<dyn Screen>, editor: Editor, title: String) -> Self {
         let background = editor.background();
+        let live = Live::new(&editor);
         Self {
             screen,
             editor,
@@ -107,7 +108,7 @@ impl Window {
             in_flight: false,
             title,
             held: false,
-            live: Live::default(),
+            live,
             pane: None,
         }
     }
