@@ -1,16 +1,13 @@
 //! Meshes that lie in files of their own, beside the scene's: a scene keeps their
 //! names, lengths and checksums, and reads them when it is loaded.
 
-use std::fs::OpenOptions;
-use std::io::Read;
-use std::os::unix::fs::OpenOptionsExt;
 use std::path::{Path, PathBuf, absolute};
 
 use vides_engine::scene::{Kind, Mesh, MeshSource, Scene};
 use vides_mesh::Format;
 
-use super::NotAFile;
-use crate::error::{Cause, EngineError, Error, Place, Result, vec_with_room};
+use super::vid::read_bytes;
+use crate::error::{Cause, EngineError, Error, Place, Result};
 use crate::limits::MAX_FILE_BYTES;
 
 /// The mesh in an OBJ, PLY or STL file, by the ending of its name.
@@ -24,28 +21,7 @@ pub fn load_mesh(file: &Path) -> Result<(MeshSource, Mesh)> {
 
 fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
     let format = Format::of(file).ok_or(vides_mesh::Error::UnknownFormat)?;
-    let io = |source| Error::Io {
-        place: name.to_owned(),
-        source,
-    };
-    // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
-    let mut opened = OpenOptions::new()
-        .read(true)
-        .custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY)
-        .open(file)
-        .map_err(io)?;
-    let metadata = opened.metadata().map_err(io)?;
-    NotAFile::refuse(&metadata).map_err(io)?;
-    let length = metadata.len();
-    let mut bytes = vec_with_room(usize::try_from(length.min(MAX_FILE_BYTES)).unwrap_or(0) + 1)?;
-    // Both the file and the claim of its size may change while it is read.
-    (&mut opened)
-        .take(MAX_FILE_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .map_err(io)?;
-    if bytes.len() as u64 > MAX_FILE_BYTES {
-        return Err(Error::FileTooLarge(MAX_FILE_BYTES >> 20));
-    }
+    let bytes = read_bytes(file, MAX_FILE_BYTES)?;
     let mesh = vides_mesh::read(format, &bytes, &mut |_| true)?;
     let source = MeshSource {
         file: name.to_owned(),

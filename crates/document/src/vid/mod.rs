@@ -65,6 +65,8 @@ const ROOM: usize = 32 << 10;
 /// The text that a reader gives, to its end.
 pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
     read_all(reader, name, 0, MAX_FILE_BYTES)
+        .and_then(text_of)
+        .map_err(|error| error.at(name))
 }
 
 /// The text of a regular file of at most `most` bytes.
@@ -73,6 +75,16 @@ pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
 /// `ErrorKind::Io`, `ErrorKind::Limit`, `ErrorKind::Memory`; `ErrorKind::Format` if it
 /// is no UTF-8. Each names the file.
 pub fn read_text(file: &Path, most: u64) -> Result<String> {
+    read_bytes(file, most)
+        .and_then(text_of)
+        .map_err(|error| error.at(file.display()))
+}
+
+/// The bytes of a regular file of at most `most`.
+///
+/// # Errors
+/// `ErrorKind::Io`, which names the file, `ErrorKind::Limit`, `ErrorKind::Memory`.
+pub(crate) fn read_bytes(file: &Path, most: u64) -> Result<Vec<u8>> {
     can_allocate(ROOM)?;
     let place = file.display().to_string();
     let io = |source| Error::Io {
@@ -88,14 +100,14 @@ pub fn read_text(file: &Path, most: u64) -> Result<String> {
     let metadata = opened.metadata().map_err(io)?;
     NotAFile::refuse(&metadata).map_err(io)?;
     if metadata.len() > most {
-        return Err(too_large(most).at(place));
+        return Err(too_large(most));
     }
     // One byte more, so that the end is seen without growing.
     let room = usize::try_from(metadata.len()).map_err(|_| EngineError::Memory)? + 1;
     read_all(&mut opened, &place, room, most)
 }
 
-fn read_all(reader: &mut dyn Read, place: &str, room: usize, most: u64) -> Result<String> {
+fn read_all(reader: &mut dyn Read, place: &str, room: usize, most: u64) -> Result<Vec<u8>> {
     let mut bytes = vec_with_room(room)?;
     // Both the file and the claim of its size may change while it is read.
     reader
@@ -109,12 +121,16 @@ fn read_all(reader: &mut dyn Read, place: &str, room: usize, most: u64) -> Resul
             },
         })?;
     if bytes.len() as u64 > most {
-        return Err(too_large(most).at(place));
+        return Err(too_large(most));
     }
+    Ok(bytes)
+}
+
+fn text_of(bytes: Vec<u8>) -> Result<String> {
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        field::at_line(line, Malformed::NotUtf8).at(place)
+        field::at_line(line, Malformed::NotUtf8)
     })
 }
 
