@@ -3,19 +3,16 @@
 
 use glam::DVec3;
 
-use super::filing::{Purpose, Then};
-use super::number::Entry;
-use super::playing::Pace;
-use super::setup::{Setup, Theme};
-use super::state::{Editor, Request};
-use super::texts::{Language, fill};
-use super::windows::{
-    self, ColourWindow, CurveWindow, DisplayWindow, HelpWindow, PointsWindow, SpaceWindow,
-    SpeedWindow,
-};
 use crate::document::{Edit, Selection};
+use crate::files::{Purpose, Then};
 use crate::limits::SPEEDS;
+use crate::number::Entry;
 use crate::path::{Orientation, Target, insertion};
+use crate::playing::Pace;
+use crate::setup::{ColourWindow, DisplayWindow, Setup, Theme};
+use crate::state::{Editor, Request};
+use crate::texts::{Language, fill};
+use crate::windows::{self, CurveWindow, HelpWindow, PointsWindow, SpaceWindow, SpeedWindow};
 
 /// What a menu entry, a key, a button or a field stands for.
 #[derive(Clone, Debug, PartialEq)]

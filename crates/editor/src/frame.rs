@@ -5,9 +5,12 @@ use egui::{
     Color32, Context, CornerRadius, Id, Key, Rect, Stroke, StrokeKind, Ui, UiBuilder, vec2,
 };
 
-use super::setup::Theme;
-use super::state::Editor;
-use super::{camera_view, host_pane, keys, menu, output, panels, space, theme, windows};
+use crate::host::pane as host_pane;
+use crate::panels::output;
+use crate::setup::Theme;
+use crate::space::camera_view;
+use crate::state::Editor;
+use crate::{keys, menu, panels, space, theme, windows};
 
 /// Height of the menu bar, in points.
 const BAR: f32 = 32.0;

@@ -8,9 +8,9 @@
 use std::fs;
 use std::path::Path;
 
-use super::recovery::{self, Keeper, Origin};
-use super::setup_file;
 use crate::error::ErrorKind;
+use crate::files::recovery::{self, Keeper, Origin};
+use crate::setup::file as setup_file;
 
 /// Loads bytes as a setup. They are refused with one sentence that names file
 /// and line, or they give a setup that is saved and loaded without a bit

@@ -6,8 +6,8 @@
 
 use egui::{Context, Event, Id, Key, Modifiers};
 
-use super::actions::Action;
-use super::texts::Language;
+use crate::actions::Action;
+use crate::texts::Language;
 
 const NONE: Modifiers = Modifiers::NONE;
 const ALT: Modifiers = Modifiers::ALT;

@@ -12,35 +12,21 @@
 #![forbid(unsafe_code)]
 
 mod actions;
-mod ambiguities;
-mod camera_view;
-mod filing;
-mod folders;
-mod fonts;
+mod files;
 mod frame;
-mod host_pane;
+mod host;
 #[cfg(any(test, fuzzing))]
 pub mod hostile;
 mod keys;
-mod live;
 mod menu;
 mod number;
-mod output;
 mod panels;
-mod playhead;
 mod playing;
-mod program;
-mod recent;
-mod recovery;
-mod refusals;
-mod rescue;
 mod setup;
-mod setup_file;
 mod space;
 mod state;
 mod texts;
 mod theme;
-mod warning;
 mod windows;
 
 #[cfg(test)]
@@ -53,10 +39,7 @@ use vides_document::{Error, Result, error};
 use vides_engine::{limits, math, path};
 use vides_raster as raster;
 
-pub use folders::Folders;
-pub use host_pane::HostPane;
-pub use live::Standing;
-pub use program::{Date, Program};
+pub use files::Folders;
+pub use host::{Date, HostPane, Program, Standing, Warning, Warnings};
 pub use state::{Editor, HostView, Options, Reason, Request};
 pub use texts::Language;
-pub use warning::{Warning, Warnings};

@@ -8,7 +8,7 @@
 //!
 //! It changes nothing itself: an [`Entry`] says what happened, so that one
 //! entry or one drag becomes one step to be taken back
-//! ([`Editor::enter`](super::state::Editor::enter)).
+//! ([`Editor::enter`](crate::state::Editor::enter)).
 
 use std::ops::RangeInclusive;
 
@@ -18,9 +18,9 @@ use egui::{
     StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
 };
 
-use super::texts::{Language, fill};
-use super::theme;
 use crate::path::Space;
+use crate::texts::{Language, fill};
+use crate::theme;
 
 /// What the user did to a number.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,21 +2,21 @@
 
 use std::path::PathBuf;
 
-use super::actions::Action;
-use super::filing::Then;
-use super::folders::Folders;
-use super::host_pane::HostPane;
-use super::number::Entry;
-use super::program::Program;
-use super::recovery::Keeper;
-use super::setup::{Element, Setup};
-use super::texts::{Language, Texts, fill};
-use super::theme;
-use super::{playing, space, windows};
+use crate::actions::Action;
 use crate::document::{Contents, Document, Edit};
 use crate::error::{Error, Result};
+use crate::files::Folders;
+use crate::files::Then;
+use crate::files::recovery::Keeper;
+use crate::host::Program;
+use crate::host::Warnings;
+use crate::host::pane::HostPane;
+use crate::number::Entry;
 use crate::path::{Orientation, Pose, SupportPoint};
-use crate::warning::Warnings;
+use crate::setup::{Element, Setup};
+use crate::texts::{Language, Texts, fill};
+use crate::theme;
+use crate::{playing, space, windows};
 
 /// How a window begins.
 #[derive(Debug)]
@@ -199,7 +199,7 @@ impl Editor {
     /// One pass: shows everything and takes the input.
     pub fn show(&mut self, ui: &mut egui::Ui) {
         self.closing = false;
-        super::frame::show(self, ui);
+        crate::frame::show(self, ui);
         self.keep_work(ui.ctx());
     }
 
@@ -307,7 +307,7 @@ impl Editor {
         &mut self.document
     }
 
-    /// Does what was entered into a [`Number`](super::number::Number): one entry
+    /// Does what was entered into a [`Number`](crate::number::Number): one entry
     /// or one drag is one step to be taken back.
     pub(super) fn enter(&mut self, entry: Entry<Edit>) {
         match entry {

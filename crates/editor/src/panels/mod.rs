@@ -1,16 +1,17 @@
 //! The panels on the left, one file each (thesis A.4).
 
 mod orientation;
+pub(crate) mod output;
 mod position;
 mod speed;
 mod zoom;
 
 use egui::{Button, Color32, Response, RichText, ScrollArea, Sense, Stroke, Ui, WidgetInfo, vec2};
 
-use super::actions::Action;
-use super::keys;
-use super::state::Editor;
-use super::theme;
+use crate::actions::Action;
+use crate::keys;
+use crate::state::Editor;
+use crate::theme;
 
 /// Width of the panels: two, three and four columns with gaps between them
 /// fill it exactly.
@@ -198,3 +199,6 @@ fn share(ui: &Ui, count: usize) -> f32 {
     let gaps = (count - 1) as f32 * ui.spacing().item_spacing.x;
     ((ui.available_width() - gaps) / count as f32).floor()
 }
+
+#[cfg(test)]
+mod tests;

@@ -9,7 +9,7 @@ use crate::document::{Edit, Selection};
 use crate::limits::MAX_HOLD;
 use crate::number::Number;
 use crate::path::{Orientation, Target};
-use crate::playhead::Shown;
+use crate::playing::playhead::Shown;
 use crate::state::Editor;
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {

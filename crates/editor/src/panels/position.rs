@@ -10,7 +10,7 @@ use crate::document::Edit;
 use crate::limits::PRESETS;
 use crate::number::Number;
 use crate::path::CurveParameters;
-use crate::playhead::{Missing, Shown};
+use crate::playing::playhead::{Missing, Shown};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;

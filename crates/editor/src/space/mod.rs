@@ -7,6 +7,7 @@
 //! [`scene`], [`cameras`], [`ribbon`] and [`overlay`] draw, [`sliders`] stand
 //! around, [`menu`] is a point's menu.
 
+pub(crate) mod camera_view;
 mod cameras;
 mod drag;
 mod keyboard;
@@ -33,13 +34,13 @@ use self::projection::Projection;
 use self::ribbon::Ribbon;
 use self::scene::{Look, Scene};
 use self::strokes::Strokes;
-use super::setup::{Element, View};
-use super::state::Editor;
-use super::texts::Texts;
-use super::{camera_view, live, playing};
 use crate::document::Document;
 use crate::path;
 use crate::raster::Lines;
+use crate::setup::{Element, View};
+use crate::state::Editor;
+use crate::texts::Texts;
+use crate::{host, playing};
 
 /// What the movement window remembers.
 #[derive(Debug, Default)]
@@ -50,7 +51,7 @@ pub(super) struct Space {
     ribbon: Ribbon,
     menu: menu::PointMenu,
     /// The view before a number of it is dragged.
-    view_before: Option<super::setup::View>,
+    view_before: Option<crate::setup::View>,
 }
 
 impl Space {
@@ -166,7 +167,7 @@ fn view(editor: &mut Editor, ui: &mut Ui, viewport: Rect) {
     };
     PointerController::work(editor, &surface);
     if response.double_clicked() && editor.space.pointer.hover.is_none() {
-        editor.setup.view = super::setup::View::default();
+        editor.setup.view = crate::setup::View::default();
     }
     if response.hovered() || response.dragged() {
         context.set_cursor_icon(editor.space.pointer.cursor());
@@ -174,7 +175,7 @@ fn view(editor: &mut Editor, ui: &mut Ui, viewport: Rect) {
     menu::show(editor, ui, viewport);
     if let Some(ghost) = editor.ghost.map(Camera::from) {
         let place = projection_of(editor, viewport).pos(ghost.position);
-        live::button(editor, &context, viewport, place);
+        host::button(editor, &context, viewport, place);
     }
     draw(editor, &ui.painter_at(viewport), viewport);
 }

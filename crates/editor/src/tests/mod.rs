@@ -1,34 +1,26 @@
 //! The window's contents driven as a user drives them, without a screen: by
 //! the labels that a person reads, in both languages.
 
-mod curve;
-mod files;
 mod keyboard;
 mod looks;
 mod manual;
-mod menus;
-mod panels;
 mod pictures;
-mod recent;
-mod rescue;
-mod setup;
-mod speed;
 
-use egui::{Key, Modifiers, Role, vec2};
-use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
-use glam::DVec3;
+pub(crate) use egui::{Key, Modifiers, Role, vec2};
+pub(crate) use egui_kittest::Harness;
+pub(crate) use egui_kittest::kittest::Queryable;
+pub(crate) use glam::DVec3;
 
-use super::setup::Theme;
-use super::texts::fill;
-use super::{Editor, Folders, Language, Options, Program};
-use crate::document::{Document, Edit};
-use crate::path::{Orientation, Pose, Target};
+pub(crate) use crate::document::{Document, Edit};
+pub(crate) use crate::path::{Orientation, Pose, Target};
+pub(crate) use crate::setup::Theme;
+pub(crate) use crate::texts::fill;
+pub(crate) use crate::{Editor, Folders, Language, Options, Program};
 
-pub(super) type Window = Harness<'static, Editor>;
+pub(crate) type Window = Harness<'static, Editor>;
 
 /// Options of a window in a language.
-pub(super) fn options(language: Language) -> Options {
+pub(crate) fn options(language: Language) -> Options {
     Options {
         document: Document::new(),
         file: None,
@@ -43,14 +35,14 @@ pub(super) fn options(language: Language) -> Options {
 }
 
 /// A window of this size and scale.
-pub(super) fn window_of(options: Options, size: [f32; 2], scale: f32, theme: Theme) -> Window {
+pub(crate) fn window_of(options: Options, size: [f32; 2], scale: f32, theme: Theme) -> Window {
     let mut editor = Editor::new(options).expect("an editor");
     editor.setup.theme = Some(theme);
     window_of_editor(editor, size, scale)
 }
 
 /// A window of this editor, of this size and scale.
-pub(super) fn window_of_editor(editor: Editor, size: [f32; 2], scale: f32) -> Window {
+pub(crate) fn window_of_editor(editor: Editor, size: [f32; 2], scale: f32) -> Window {
     let mut prepared = false;
     let mut window = Harness::builder()
         .with_size(vec2(size[0], size[1]))
@@ -76,12 +68,12 @@ pub(super) fn window_of_editor(editor: Editor, size: [f32; 2], scale: f32) -> Wi
 }
 
 /// A window as it opens, in a language.
-pub(super) fn window(language: Language) -> Window {
+pub(crate) fn window(language: Language) -> Window {
     window_of(options(language), LARGE, 1.0, Theme::Dark)
 }
 
 /// A window with some points, of this size and look.
-pub(super) fn window_with_points(
+pub(crate) fn window_with_points(
     language: Language,
     size: [f32; 2],
     scale: f32,
@@ -95,14 +87,14 @@ pub(super) fn window_with_points(
 }
 
 /// A window with some points in which what has this label was clicked.
-pub(super) fn opened_with(language: Language, label: &str) -> Window {
+pub(crate) fn opened_with(language: Language, label: &str) -> Window {
     let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
     click(&mut window, label);
     window
 }
 
 /// Presses a key with others held.
-pub(super) fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
+pub(crate) fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.key_press_modifiers(modifiers, key);
     window.run();
 }
@@ -116,13 +108,13 @@ pub(crate) fn poses(editor: &Editor) -> Vec<Pose> {
     poses
 }
 
-pub(super) fn click(window: &mut Window, label: &str) {
+pub(crate) fn click(window: &mut Window, label: &str) {
     window.get_by_label(label).click();
     window.run();
 }
 
 /// What stands in the output field: a message, or nothing but the setting.
-pub(super) fn said(window: &Window) -> Option<String> {
+pub(crate) fn said(window: &Window) -> Option<String> {
     let message = window.state().message.as_ref();
     message.map(|message| {
         // It is there for the eye as well.
@@ -136,13 +128,13 @@ pub(super) fn said(window: &Window) -> Option<String> {
 }
 
 /// Types into the number of this name and presses Enter.
-pub(super) fn enter(window: &mut Window, name: &str, text: &str) {
+pub(crate) fn enter(window: &mut Window, name: &str, text: &str) {
     type_into(window, name, text);
     press(window, Modifiers::NONE, Key::Enter);
 }
 
 /// Types into the number of this name.
-pub(super) fn type_into(window: &mut Window, name: &str, text: &str) {
+pub(crate) fn type_into(window: &mut Window, name: &str, text: &str) {
     number(window, name).click();
     window.run();
     window.event(egui::Event::Text(text.to_owned()));
@@ -150,32 +142,32 @@ pub(super) fn type_into(window: &mut Window, name: &str, text: &str) {
 }
 
 /// The number of this name: that of the sub-window, if a panel has one too.
-pub(super) fn number<'a>(window: &'a Window, name: &'a str) -> egui_kittest::Node<'a> {
+pub(crate) fn number<'a>(window: &'a Window, name: &'a str) -> egui_kittest::Node<'a> {
     let all = window.get_all_by_role_and_label(Role::SpinButton, name);
     all.last().expect("a number")
 }
 
 /// The value that stands in the number of this name.
-pub(super) fn value(window: &Window, name: &str) -> String {
+pub(crate) fn value(window: &Window, name: &str) -> String {
     number(window, name).value().expect("a value")
 }
 
 /// Both languages.
-pub(super) const BOTH: [Language; 2] = [Language::German, Language::English];
+pub(crate) const BOTH: [Language; 2] = [Language::German, Language::English];
 
 /// A roomy window, and the smallest.
-pub(super) const LARGE: [f32; 2] = [1200.0, 800.0];
-pub(super) const SMALL: [f32; 2] = [800.0, 600.0];
+pub(crate) const LARGE: [f32; 2] = [1200.0, 800.0];
+pub(crate) const SMALL: [f32; 2] = [800.0, 600.0];
 
 /// Looks of which pictures of sub-windows are taken: language, theme, scale, name.
-pub(super) const LOOKS: [(Language, Theme, f32, &str); 3] = [
+pub(crate) const LOOKS: [(Language, Theme, f32, &str); 3] = [
     (Language::German, Theme::Dark, 1.0, "de-dark"),
     (Language::English, Theme::Light, 1.0, "en-light"),
     (Language::German, Theme::Light, 2.0, "de-light-2x"),
 ];
 
 /// A path with some points, of which the third has three orientations.
-pub(super) fn some_points() -> Document {
+pub(crate) fn some_points() -> Document {
     let mut document = Document::new();
     let place = |x, y, z| DVec3::new(x, y, z);
     let all = [

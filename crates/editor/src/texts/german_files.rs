@@ -5,9 +5,9 @@ use super::errors::Errors;
 use super::german::{German, german, number};
 use crate::document::mesh::{Error as MeshError, Problem};
 use crate::error::{End, Error, Malformed, Refused, Value, one_of};
+use crate::host::{Warning, Warnings};
 use crate::limits;
-use crate::refusals::of_system;
-use crate::warning::{Warning, Warnings};
+use crate::texts::refusals::of_system;
 
 german! {
     Error {

@@ -21,6 +21,7 @@ use std::fmt::{Display, Write};
 
 pub(super) use german::German;
 
+mod ambiguities;
 mod colours;
 mod curve;
 mod display;
@@ -35,6 +36,7 @@ mod orientation;
 mod output;
 mod position;
 mod questions;
+pub(crate) mod refusals;
 mod rescue;
 mod setup;
 mod space;

@@ -6,37 +6,23 @@
 //! asked for is done. [`open`] opens one or brings it to the front;
 //! [`sub_window`] gives all of them the same frame and the same ways to close.
 
-mod changed;
-mod colours;
 mod curve;
-mod curve_picture;
-mod display;
-mod files;
-mod folder;
 mod help;
-mod pending;
 mod points;
-mod question;
-mod rescue;
 mod space;
 mod speed;
-mod speed_shapes;
 
-pub(super) use changed::ChangedFile;
-pub(super) use colours::ColourWindow;
 pub(super) use curve::CurveWindow;
-pub(super) use display::DisplayWindow;
-pub(super) use files::FileWindow;
 pub(super) use help::HelpWindow;
 pub(super) use points::PointsWindow;
-pub(super) use question::Question;
-pub(super) use rescue::RescueWindow;
 pub(super) use space::SpaceWindow;
 pub(super) use speed::SpeedWindow;
 
-use super::actions::Action;
-use super::keys;
-use super::state::Editor;
+use crate::actions::Action;
+use crate::files::{ChangedFile, FileWindow, Question, RescueWindow};
+use crate::keys;
+use crate::setup::{ColourWindow, DisplayWindow};
+use crate::state::Editor;
 
 /// Which of them are open, and what is pending in them.
 #[derive(Debug, Default)]
@@ -175,7 +161,7 @@ pub(super) fn sub_window(
 }
 
 /// The same, arranged in its own way.
-fn sub_window_as(
+pub(crate) fn sub_window_as(
     context: &egui::Context,
     id: &'static str,
     title: &str,
@@ -235,7 +221,7 @@ fn topmost(context: &egui::Context) -> Option<egui::LayerId> {
 
 /// A window that wants an answer before anything else: in the middle, with all
 /// else darkened.
-fn modal(
+pub(crate) fn modal(
     context: &egui::Context,
     id: &'static str,
     title: &str,
@@ -256,7 +242,12 @@ fn modal(
 /// Buttons that end where the row ends, with these words and at least so wide. They
 /// are made from left to right, as they are read: Tab goes through them in the order
 /// in which they are made.
-fn row_at_right(ui: &mut egui::Ui, names: &[&str], least: f32, add: impl FnOnce(&mut egui::Ui)) {
+pub(crate) fn row_at_right(
+    ui: &mut egui::Ui,
+    names: &[&str],
+    least: f32,
+    add: impl FnOnce(&mut egui::Ui),
+) {
     ui.horizontal(|ui| {
         let padding = 2.0 * ui.spacing().button_padding.x;
         let widths = names.iter().map(|&name| {

@@ -9,8 +9,8 @@ use crate::actions::Action;
 use crate::document::Edit;
 use crate::number::{Entry, Number};
 use crate::path::{Space, Up};
-use crate::refusals;
 use crate::state::Editor;
+use crate::texts::refusals;
 use crate::theme;
 
 /// Width of a name, of a number, of a button.

@@ -1,0 +1,584 @@
+//! The file window: a directory, a filter, a name (thesis A.5, fig. A.8).
+//!
+//! By mouse alone: a click chooses, a double click takes, a name is proposed
+//! for saving. By keyboard alone: the name has the keyboard, arrow up and down
+//! go through the list, Enter takes, Alt and arrow up goes to the directory
+//! above.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use egui::{
+    Button, Context, Id, Key, Label, Modifiers, RichText, ScrollArea, Sense, TextEdit, Ui, vec2,
+};
+
+use super::listing::{Folder, MAX_ENTRIES, fits, is_hidden};
+use crate::document::export::Format;
+use crate::files::folders;
+use crate::files::{Purpose, readable, short};
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::texts::refusals::of_system;
+use crate::theme;
+use crate::windows::modal;
+
+/// Width of the window.
+const WIDTH: f32 = 520.0;
+/// Rows of the list that are seen at once, in a window that is high enough.
+const ROWS: f32 = 12.0;
+/// Width of the words before the fields.
+const LABELS: f32 = 88.0;
+
+/// A file that is being chosen.
+#[derive(Debug)]
+pub(crate) struct FileWindow {
+    purpose: Purpose,
+    folder: Folder,
+    /// The folder as it is typed.
+    place: String,
+    /// The name as it is typed.
+    name: String,
+    /// The name behind a name that was chosen and cannot be typed.
+    chosen: Option<OsString>,
+    filter: String,
+    hidden: bool,
+    /// What went wrong.
+    trouble: Option<String>,
+    /// It exists: is it to be overwritten?
+    overwrite: Option<PathBuf>,
+    /// It has just opened or the question came up: the keyboard goes there.
+    fresh: bool,
+    /// The list shows the chosen row.
+    scroll: bool,
+}
+
+/// What was done in one pass.
+#[derive(Default)]
+struct Done {
+    go: Option<PathBuf>,
+    take: bool,
+    cancel: bool,
+}
+
+impl FileWindow {
+    /// A file window as it opens.
+    pub(crate) fn open(editor: &Editor, purpose: Purpose) -> Self {
+        let texts = &editor.texts().files;
+        let (name, filter) = match purpose {
+            Purpose::LoadPath => (String::new(), "*.vid"),
+            Purpose::SavePath(_) => (editor.proposal(texts.proposal, "vid"), "*.vid"),
+            Purpose::Export => (editor.proposal(texts.poses, "txt"), "*.txt *.csv *.json"),
+            Purpose::LoadSetup => (String::new(), "*.toml"),
+            Purpose::SaveSetup => ("setup.toml".to_owned(), "*.toml"),
+        };
+        let mut window = Self {
+            purpose,
+            folder: Folder::empty(PathBuf::new()),
+            place: String::new(),
+            name,
+            chosen: None,
+            filter: filter.to_owned(),
+            hidden: false,
+            trouble: None,
+            overwrite: None,
+            fresh: true,
+            scroll: false,
+        };
+        window.go(editor, editor.folder_for(purpose));
+        window
+    }
+
+    /// Shows it; it puts itself back if it stays open.
+    pub(crate) fn show(mut self, editor: &mut Editor, context: &Context) {
+        self.folder.read_on();
+        if self.folder.is_reading() {
+            context.request_repaint();
+        }
+        let texts = &editor.texts().files;
+        let title = match self.purpose {
+            Purpose::LoadPath => texts.load_path,
+            Purpose::SavePath(_) => texts.save_path,
+            Purpose::Export => texts.export,
+            Purpose::LoadSetup => texts.load_setup,
+            Purpose::SaveSetup => texts.save_setup,
+        };
+        let mut done = Done::default();
+        let asks = self.overwrite.is_some();
+        if !asks {
+            self.keys(context, &mut done);
+        }
+        let escape = context.input(|input| input.key_pressed(Key::Escape));
+        modal(context, "files", title, WIDTH, |ui| {
+            if asks {
+                self.show_question(editor, ui, &mut done);
+            } else {
+                self.show_choice(editor, ui, &mut done);
+            }
+        });
+        if done.cancel || escape {
+            if asks {
+                self.overwrite = None;
+                self.fresh = true;
+                editor.windows.files = Some(self);
+            }
+            return;
+        }
+        if let Some(place) = done.go {
+            self.go(editor, place);
+        } else if done.take && self.take(editor) {
+            return;
+        }
+        // What was taken may have opened another file window.
+        editor.windows.files.get_or_insert(self);
+    }
+
+    /// Goes to a directory; where it cannot be read, all stays as it is.
+    fn go(&mut self, editor: &Editor, place: PathBuf) {
+        let place = tidy(&place);
+        self.trouble = None;
+        match Folder::open(place.clone()) {
+            Ok(folder) => self.folder = folder,
+            Err(error) => {
+                let why = of_system(editor.language(), &error);
+                let text = editor.texts().errors.cannot_list;
+                self.trouble = Some(fill(text, &[&readable(place.as_os_str()), &why]));
+                if self.folder.path.as_os_str().is_empty() {
+                    self.folder = Folder::empty(place);
+                }
+            }
+        }
+        self.place = readable(self.folder.path.as_os_str());
+        self.chosen = None;
+        if self.loads() {
+            self.name.clear();
+        }
+        self.folder.read_on();
+    }
+
+    fn loads(&self) -> bool {
+        matches!(self.purpose, Purpose::LoadPath | Purpose::LoadSetup)
+    }
+
+    /// The rows of the list: numbers of the items that are shown.
+    fn rows(&self) -> Vec<usize> {
+        let items = self.folder.items.iter().enumerate();
+        items
+            .filter(|(_, item)| self.hidden || !is_hidden(&item.name))
+            .filter(|(_, item)| item.is_folder || fits(&item.shown, &self.filter))
+            .map(|(index, _)| index)
+            .collect()
+    }
+
+    /// The number of the chosen item.
+    fn current(&self) -> Option<usize> {
+        let chosen = self.chosen.as_ref()?;
+        self.folder
+            .items
+            .iter()
+            .position(|item| item.name == *chosen)
+    }
+
+    fn choose(&mut self, index: usize) {
+        if let Some(item) = self.folder.items.get(index) {
+            self.chosen = Some(item.name.clone());
+            if !item.is_folder {
+                self.name.clone_from(&item.shown);
+            }
+            self.trouble = None;
+        }
+    }
+
+    /// Keys that work wherever the keyboard is.
+    fn keys(&mut self, context: &Context, done: &mut Done) {
+        let pressed = |modifiers, key| context.input_mut(|input| input.consume_key(modifiers, key));
+        if pressed(Modifiers::ALT, Key::ArrowUp) {
+            done.go = self.folder.above().map(Path::to_owned);
+        }
+        let by = isize::from(pressed(Modifiers::NONE, Key::ArrowDown))
+            - isize::from(pressed(Modifiers::NONE, Key::ArrowUp));
+        if by != 0 {
+            let rows = self.rows();
+            let at = self
+                .current()
+                .and_then(|index| rows.iter().position(|&row| row == index));
+            let next = match at {
+                Some(at) => at
+                    .saturating_add_signed(by)
+                    .min(rows.len().saturating_sub(1)),
+                None => 0,
+            };
+            if let Some(&index) = rows.get(next) {
+                self.choose(index);
+                self.scroll = true;
+            }
+            context.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
+        }
+    }
+
+    fn show_choice(&mut self, editor: &Editor, ui: &mut Ui, done: &mut Done) {
+        let texts = &editor.texts().files;
+        let field = |ui: &mut Ui, label: &str| {
+            let (rect, _) = ui.allocate_exact_size(vec2(LABELS, theme::ROW), Sense::hover());
+            let color = theme::palette(ui).weak;
+            let place = rect.left_center();
+            ui.painter().text(
+                place,
+                egui::Align2::LEFT_CENTER,
+                label,
+                theme::text(),
+                color,
+            );
+        };
+        ui.horizontal(|ui| {
+            field(ui, texts.folder);
+            let buttons = 2.0 * (88.0 + ui.spacing().item_spacing.x);
+            let edit = TextEdit::singleline(&mut self.place)
+                .id(Id::unique("files.place"))
+                .desired_width(ui.available_width() - buttons)
+                .frame(theme::field(ui))
+                .align(egui::Align2::LEFT_CENTER)
+                .margin(egui::Margin::symmetric(6, 0))
+                .min_size(vec2(0.0, theme::ROW));
+            let response = ui.add(edit).on_hover_text(texts.folder_hint);
+            ui.ctx()
+                .accesskit_node_builder(response.id, |node| node.set_label(texts.folder));
+            let known = self.place == readable(self.folder.path.as_os_str());
+            if entered(ui, &response) && !known {
+                done.go = Some(self.resolved(&self.place));
+            }
+            let above = self.folder.above().map(Path::to_owned);
+            let size = vec2(88.0, theme::ROW);
+            let up = ui.add_enabled(above.is_some(), Button::new(texts.up).min_size(size));
+            if up.on_hover_text(texts.up_hint).clicked() {
+                done.go = above;
+            }
+            let home = folders::home();
+            let button = ui.add_enabled(home.is_some(), Button::new(texts.home).min_size(size));
+            if button.on_hover_text(texts.home_hint).clicked() {
+                done.go = home;
+            }
+        });
+        self.show_list(editor, ui, done);
+        ui.horizontal(|ui| {
+            field(ui, texts.name);
+            let edit = TextEdit::singleline(&mut self.name)
+                .id(Id::unique("files.name"))
+                .desired_width(ui.available_width())
+                .frame(theme::field(ui))
+                .align(egui::Align2::LEFT_CENTER)
+                .margin(egui::Margin::symmetric(6, 0))
+                .min_size(vec2(0.0, theme::ROW));
+            let response = ui.add(edit).on_hover_text(texts.name_hint);
+            ui.ctx()
+                .accesskit_node_builder(response.id, |node| node.set_label(texts.name));
+            if self.fresh {
+                self.fresh = false;
+                response.request_focus();
+                select_stem(ui, response.id, &self.name);
+            }
+            if response.changed() {
+                self.chosen = None;
+            }
+            if entered(ui, &response) {
+                done.take = true;
+            }
+        });
+        ui.horizontal(|ui| {
+            field(ui, texts.filter);
+            let edit = TextEdit::singleline(&mut self.filter)
+                .id(Id::unique("files.filter"))
+                .desired_width(120.0)
+                .frame(theme::field(ui))
+                .align(egui::Align2::LEFT_CENTER)
+                .margin(egui::Margin::symmetric(6, 0))
+                .min_size(vec2(0.0, theme::ROW));
+            let response = ui.add(edit).on_hover_text(texts.filter_hint);
+            ui.ctx()
+                .accesskit_node_builder(response.id, |node| node.set_label(texts.filter));
+            ui.add_space(8.0);
+            theme::tick(ui, &mut self.hidden, texts.hidden).on_hover_text(texts.hidden_hint);
+        });
+        if self.purpose == Purpose::Export {
+            ui.horizontal(|ui| {
+                field(ui, texts.format);
+                self.show_formats(editor, ui);
+            });
+        }
+        let palette = theme::palette(ui);
+        let trouble = self.trouble.as_deref().unwrap_or_default();
+        ui.add_sized(
+            vec2(ui.available_width(), 20.0),
+            Label::new(RichText::new(trouble).color(palette.error)).halign(egui::Align::Min),
+        );
+        let take = match self.purpose {
+            Purpose::LoadPath | Purpose::LoadSetup => texts.load,
+            Purpose::SavePath(_) | Purpose::SaveSetup => texts.save,
+            Purpose::Export => texts.write,
+        };
+        let [cancel, taken] = buttons(ui, [texts.cancel, take]);
+        done.cancel |= cancel.on_hover_text(texts.cancel_hint).clicked();
+        done.take |= taken.on_hover_text(texts.take_hint).clicked();
+    }
+
+    /// The formats of poses: to choose one gives the name its ending.
+    fn show_formats(&mut self, editor: &Editor, ui: &mut Ui) {
+        let texts = &editor.texts().files;
+        let current = Format::of_file(Path::new(self.name.trim()));
+        for format in Format::ALL {
+            let (name, hint) = match format {
+                Format::Ascii => (texts.as_lines, texts.as_lines_hint),
+                Format::Csv => (texts.as_csv, texts.as_csv_hint),
+                Format::Json => (texts.as_json, texts.as_json_hint),
+            };
+            let choice = theme::choice(ui, format == current, name);
+            if choice.on_hover_text(hint).clicked() && format != current {
+                let stem = self.name.trim().to_owned();
+                let known = Path::new(&stem)
+                    .extension()
+                    .and_then(|ending| ending.to_str())
+                    .filter(|ending| {
+                        let is = |format: Format| ending.eq_ignore_ascii_case(format.ending());
+                        Format::ALL.into_iter().any(is)
+                    });
+                let cut = known.map_or(0, |ending| ending.len() + 1);
+                let stem = &stem[..stem.len() - cut];
+                self.name = format!("{stem}.{}", format.ending());
+                self.chosen = None;
+            }
+        }
+    }
+
+    fn show_list(&mut self, editor: &Editor, ui: &mut Ui, done: &mut Done) {
+        let texts = &editor.texts().files;
+        let palette = theme::palette(ui);
+        let rows = self.rows();
+        let formats = if self.purpose == Purpose::Export {
+            theme::ROW + ui.spacing().item_spacing.y
+        } else {
+            0.0
+        };
+        let room = ui.ctx().content_rect().height() - 320.0 - formats;
+        let height = (ROWS * theme::ROW).min(room).max(4.0 * theme::ROW);
+        let current = self.current();
+        let frame = egui::Frame::new()
+            .fill(palette.field)
+            .corner_radius(4)
+            .inner_margin(4);
+        frame.show(ui, |ui| {
+            ui.set_min_size(vec2(ui.available_width(), height));
+            ui.spacing_mut().item_spacing.y = 0.0;
+            let mut area = ScrollArea::vertical().max_height(height).auto_shrink(false);
+            if self.scroll
+                && let Some(at) =
+                    current.and_then(|index| rows.iter().position(|&row| row == index))
+            {
+                let middle = at as f32 * theme::ROW - height / 2.0;
+                area = area.vertical_scroll_offset(middle.max(0.0));
+                self.scroll = false;
+            }
+            let shown = area.show_rows(ui, theme::ROW, rows.len(), |ui, range| {
+                for &index in rows.get(range).unwrap_or_default() {
+                    self.show_row(ui, index, current == Some(index), done);
+                }
+            });
+            ui.ctx()
+                .accesskit_node_builder(shown.id, |node| node.set_label(texts.contents));
+            if rows.is_empty() {
+                let words = if self.folder.is_reading() {
+                    texts.reading
+                } else {
+                    texts.empty
+                };
+                let place = ui.max_rect().left_top() + vec2(8.0, theme::ROW / 2.0);
+                let align = egui::Align2::LEFT_CENTER;
+                ui.painter()
+                    .text(place, align, words, theme::text(), palette.weak);
+            }
+        });
+        if self.folder.more {
+            ui.colored_label(palette.weak, fill(texts.more, &[&MAX_ENTRIES]));
+        }
+    }
+
+    fn show_row(&mut self, ui: &mut Ui, index: usize, chosen: bool, done: &mut Done) {
+        let Some(item) = self.folder.items.get(index) else {
+            return;
+        };
+        let palette = theme::palette(ui);
+        let color = match (chosen, item.is_folder) {
+            (true, _) => palette.on_accent,
+            (false, true) => palette.accent,
+            (false, false) => palette.text,
+        };
+        let slash = if item.is_folder { "/" } else { "" };
+        let text = RichText::new(format!("{}{slash}", item.shown)).color(color);
+        let mut button = Button::new(text)
+            .truncate()
+            .frame_when_inactive(chosen)
+            .min_size(vec2(ui.available_width(), theme::ROW));
+        if chosen {
+            button = button.fill(palette.accent);
+        }
+        let (is_folder, path) = (item.is_folder, self.folder.path.join(&item.name));
+        let response = ui
+            .with_layout(egui::Layout::top_down_justified(egui::Align::Min), |ui| {
+                ui.add(button)
+            })
+            .inner;
+        if response.double_clicked() {
+            if is_folder {
+                done.go = Some(path);
+            } else {
+                self.choose(index);
+                done.take = true;
+            }
+        } else if response.clicked() {
+            self.choose(index);
+        }
+    }
+
+    fn show_question(&mut self, editor: &Editor, ui: &mut Ui, done: &mut Done) {
+        let texts = &editor.texts().files;
+        let name = self.overwrite.as_deref().map_or_else(String::new, short);
+        ui.label(fill(texts.exists, &[&name]));
+        ui.add_space(8.0);
+        let [cancel, overwrite] = buttons(ui, [texts.cancel, texts.overwrite]);
+        if self.fresh {
+            self.fresh = false;
+            cancel.request_focus();
+        }
+        done.cancel = cancel.on_hover_text(texts.cancel_hint).clicked();
+        done.take = overwrite.on_hover_text(texts.overwrite_hint).clicked();
+    }
+
+    /// A typed place: `~` is the personal directory, others begin where the
+    /// window is.
+    fn resolved(&self, typed: &str) -> PathBuf {
+        let home = folders::home();
+        match (typed.strip_prefix('~'), home) {
+            (Some(""), Some(home)) => home,
+            (Some(rest), Some(home)) if rest.starts_with('/') => {
+                home.join(rest.trim_start_matches('/'))
+            }
+            _ => self.folder.path.join(typed),
+        }
+    }
+
+    /// What Enter, a double click or the button takes. True: the window is
+    /// done with.
+    fn take(&mut self, editor: &mut Editor) -> bool {
+        if let Some(file) = self.overwrite.take() {
+            self.fresh = true;
+            return self.hand_in(editor, &file);
+        }
+        let typed = self.name.trim().to_owned();
+        // What was chosen in the list counts by its own name, which may be one
+        // that cannot be typed.
+        let item = self
+            .current()
+            .and_then(|index| self.folder.items.get(index));
+        let path = match item {
+            Some(item) if item.is_folder && (self.loads() || typed.is_empty()) => {
+                self.folder.path.join(&item.name)
+            }
+            Some(item) if !item.is_folder && item.shown == self.name => {
+                self.folder.path.join(&item.name)
+            }
+            _ if typed.is_empty() => {
+                self.trouble = Some(editor.texts().files.no_name.to_owned());
+                self.fresh = true;
+                return false;
+            }
+            _ => self.resolved(&typed),
+        };
+        if path.is_dir() {
+            self.go(editor, path);
+            self.fresh = true;
+            return false;
+        }
+        if self.loads() {
+            return self.hand_in(editor, &path);
+        }
+        let path = with_ending(path, self.purpose);
+        if path.symlink_metadata().is_ok() {
+            self.overwrite = Some(path);
+            self.fresh = true;
+            return false;
+        }
+        self.hand_in(editor, &path)
+    }
+
+    fn hand_in(&mut self, editor: &mut Editor, file: &Path) -> bool {
+        let file = tidy(file);
+        match editor.file_chosen(self.purpose, &file) {
+            Ok(()) => {
+                editor.last_folder = file.parent().map(Path::to_owned);
+                true
+            }
+            Err(text) => {
+                editor.complain(text.clone());
+                self.trouble = Some(text);
+                self.fresh = true;
+                false
+            }
+        }
+    }
+}
+
+/// Without `.` and, where that is sure to mean the same, `..`.
+fn tidy(path: &Path) -> PathBuf {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    if path
+        .components()
+        .any(|part| part == std::path::Component::ParentDir)
+    {
+        // Behind a link `..` is not what stands before it.
+        let folder = path.parent().and_then(|parent| parent.canonicalize().ok());
+        return match (path.canonicalize(), folder, path.file_name()) {
+            (Ok(whole), _, _) => whole,
+            (_, Some(folder), Some(name)) => folder.join(name),
+            _ => path,
+        };
+    }
+    path
+}
+
+/// A name without an ending gets the usual one.
+fn with_ending(path: PathBuf, purpose: Purpose) -> PathBuf {
+    let ending = match purpose {
+        Purpose::Export => Format::default().ending(),
+        Purpose::LoadSetup | Purpose::SaveSetup => "toml",
+        Purpose::LoadPath | Purpose::SavePath(_) => "vid",
+    };
+    if path.extension().is_some() {
+        path
+    } else {
+        path.with_extension(ending)
+    }
+}
+
+/// Whether Enter was pressed in a field.
+fn entered(ui: &Ui, response: &egui::Response) -> bool {
+    response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
+}
+
+/// A proposed name is selected up to its ending, so that typing replaces it.
+fn select_stem(ui: &Ui, id: Id, name: &str) {
+    use egui::text::{CCursor, CCursorRange};
+    let stem = name.rfind('.').map_or(name, |end| &name[..end]);
+    let range = CCursorRange::two(CCursor::default(), CCursor::new(stem.chars().count()));
+    let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
+    state.cursor.set_char_range(Some(range));
+    TextEdit::store_state(ui.ctx(), id, state);
+}
+
+/// Two buttons at the right, the second one rightmost.
+fn buttons(ui: &mut Ui, texts: [&str; 2]) -> [egui::Response; 2] {
+    let size = vec2(112.0, 28.0);
+    ui.horizontal(|ui| {
+        let used = 2.0 * size.x + ui.spacing().item_spacing.x;
+        ui.add_space(ui.available_width() - used);
+        texts.map(|text| ui.add(Button::new(text).min_size(size)))
+    })
+    .inner
+}

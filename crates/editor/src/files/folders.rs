@@ -1,0 +1,102 @@
+//! Where the editor keeps what is no work of the user's: the setup that is
+//! read at start, and the state (work not yet saved, recent files).
+//!
+//! Both by the XDG Base Directory Specification. A window that is given no
+//! folder keeps nothing and asks for nothing, as in tests.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+/// The folders of one window.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Folders {
+    /// Holds `setup.toml`: `$XDG_CONFIG_HOME/vides`.
+    pub setup: Option<PathBuf>,
+    /// Holds unsaved work and the list of recent files: `$XDG_STATE_HOME/vides`.
+    pub state: Option<PathBuf>,
+}
+
+impl Folders {
+    /// Those of the environment. None are made: that is for whoever writes.
+    pub fn of_environment() -> Self {
+        Self::by(|name| std::env::var_os(name))
+    }
+
+    fn by(variable: impl Fn(&str) -> Option<OsString>) -> Self {
+        let home = variable("HOME").map(PathBuf::from);
+        let home = home.filter(|home| home.is_absolute());
+        let folder = |name: &str, below_home: &str| {
+            // The specification: what is not absolute is to be ignored.
+            let base = variable(name)
+                .map(PathBuf::from)
+                .filter(|base| base.is_absolute())
+                .or_else(|| home.as_ref().map(|home| home.join(below_home)))?;
+            Some(base.join("vides"))
+        };
+        Self {
+            setup: folder("XDG_CONFIG_HOME", ".config"),
+            state: folder("XDG_STATE_HOME", ".local/state"),
+        }
+    }
+
+    /// The setup file that is read at start.
+    pub(crate) fn setup_file(&self) -> Option<PathBuf> {
+        self.setup.as_deref().map(|folder| folder.join(SETUP_NAME))
+    }
+}
+
+/// The user's own folder, as the environment has it: the system's list of users
+/// cannot be asked from a static program.
+pub(crate) fn home() -> Option<PathBuf> {
+    let home = PathBuf::from(std::env::var_os("HOME")?);
+    (!home.as_os_str().is_empty()).then_some(home)
+}
+
+/// The name of a setup file unless another is chosen.
+pub(crate) const SETUP_NAME: &str = "setup.toml";
+
+/// Makes a folder with those above it, for nobody else's eyes (as the
+/// specification asks). One that is there stays as it is.
+///
+/// # Errors
+/// The system's.
+pub(crate) fn make(folder: &Path) -> std::io::Result<()> {
+    use std::os::unix::fs::DirBuilderExt;
+    std::fs::DirBuilder::new()
+        .recursive(true)
+        .mode(0o700)
+        .create(folder)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(variables: &[(&str, &str)]) -> Folders {
+        Folders::by(|name| {
+            let found = variables.iter().find(|(known, _)| *known == name);
+            found.map(|(_, value)| value.into())
+        })
+    }
+
+    #[test]
+    fn the_variables_come_first_and_home_after_them() {
+        let folders = of(&[("HOME", "/h"), ("XDG_CONFIG_HOME", "/c")]);
+        assert_eq!(folders.setup, Some("/c/vides".into()));
+        assert_eq!(folders.state, Some("/h/.local/state/vides".into()));
+        assert_eq!(folders.setup_file(), Some("/c/vides/setup.toml".into()));
+    }
+
+    #[test]
+    fn what_is_not_absolute_is_ignored() {
+        let folders = of(&[
+            ("HOME", "/h"),
+            ("XDG_STATE_HOME", "s"),
+            ("XDG_CONFIG_HOME", ""),
+        ]);
+        assert_eq!(folders.setup, Some("/h/.config/vides".into()));
+        assert_eq!(folders.state, Some("/h/.local/state/vides".into()));
+        assert_eq!(of(&[("HOME", "h")]), Folders::default());
+        assert_eq!(of(&[]), Folders::default());
+    }
+}

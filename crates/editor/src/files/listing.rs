@@ -1,0 +1,251 @@
+//! The contents of a directory, read in small pieces so that a large one does
+//! not hold the window up. Names of any bytes are kept as they are.
+
+use std::ffi::{OsStr, OsString};
+use std::fs::ReadDir;
+use std::io;
+use std::os::unix::ffi::OsStrExt;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use crate::files::readable;
+
+/// Entries that are kept of one directory: more than anybody looks through.
+pub(crate) const MAX_ENTRIES: usize = 20_000;
+
+/// Time that one pass may spend on reading.
+const SLICE: Duration = Duration::from_millis(4);
+
+/// Entries between two looks at the clock.
+const BETWEEN: usize = 32;
+
+/// A file or a directory.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Item {
+    /// Its name, whatever bytes that is.
+    pub(crate) name: OsString,
+    /// The name as it is shown.
+    pub(crate) shown: String,
+    pub(crate) is_folder: bool,
+}
+
+/// A directory that is being read or has been.
+#[derive(Debug)]
+pub(crate) struct Folder {
+    pub(crate) path: PathBuf,
+    /// What was found so far: directories first, then by name.
+    pub(crate) items: Vec<Item>,
+    reading: Option<ReadDir>,
+    /// There are more than are kept.
+    pub(crate) more: bool,
+}
+
+impl Folder {
+    /// Begins to read a directory.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub(crate) fn open(path: PathBuf) -> io::Result<Self> {
+        let reading = std::fs::read_dir(&path)?;
+        Ok(Self {
+            path,
+            items: Vec::new(),
+            reading: Some(reading),
+            more: false,
+        })
+    }
+
+    /// One that cannot be read has nothing in it.
+    pub(crate) fn empty(path: PathBuf) -> Self {
+        Self {
+            path,
+            items: Vec::new(),
+            reading: None,
+            more: false,
+        }
+    }
+
+    /// Whether there is more to read.
+    pub(crate) fn is_reading(&self) -> bool {
+        self.reading.is_some()
+    }
+
+    /// Reads on for a short while.
+    pub(crate) fn read_on(&mut self) {
+        let Some(reading) = &mut self.reading else {
+            return;
+        };
+        let until = Instant::now() + SLICE;
+        let mut ended = false;
+        'reading: while Instant::now() < until {
+            for _ in 0..BETWEEN {
+                match reading.next() {
+                    None => {
+                        ended = true;
+                        break 'reading;
+                    }
+                    Some(_) if self.items.len() == MAX_ENTRIES => {
+                        self.more = true;
+                        ended = true;
+                        break 'reading;
+                    }
+                    Some(Ok(entry)) => {
+                        let name = entry.file_name();
+                        self.items.push(Item {
+                            shown: readable(&name),
+                            is_folder: is_folder(&entry),
+                            name,
+                        });
+                    }
+                    // One that vanished meanwhile, or cannot be looked at.
+                    Some(Err(_)) => {}
+                }
+            }
+        }
+        if ended {
+            self.reading = None;
+        }
+        self.items.sort_by(|a, b| {
+            let key = |item: &Item| {
+                (
+                    !item.is_folder,
+                    item.shown.to_lowercase(),
+                    item.name.clone(),
+                )
+            };
+            key(a).cmp(&key(b))
+        });
+    }
+
+    /// The directory above, if there is one.
+    pub(crate) fn above(&self) -> Option<&Path> {
+        self.path.parent()
+    }
+}
+
+/// A link to a directory counts as one.
+fn is_folder(entry: &std::fs::DirEntry) -> bool {
+    match entry.file_type() {
+        Ok(kind) if kind.is_symlink() => entry.path().is_dir(),
+        Ok(kind) => kind.is_dir(),
+        Err(_) => false,
+    }
+}
+
+/// Whether its name begins with a point.
+pub(crate) fn is_hidden(name: &OsStr) -> bool {
+    name.as_bytes().first() == Some(&b'.')
+}
+
+/// Whether a name fits one of the patterns, which stand between spaces or
+/// semicolons: `*` for any letters, `?` for one. No pattern fits all.
+pub(crate) fn fits(name: &str, patterns: &str) -> bool {
+    let mut all = patterns
+        .split([' ', ';', ','])
+        .filter(|one| !one.is_empty())
+        .peekable();
+    if all.peek().is_none() {
+        return true;
+    }
+    let name: Vec<char> = name.to_lowercase().chars().collect();
+    all.any(|pattern| {
+        let pattern: Vec<char> = pattern.to_lowercase().chars().collect();
+        fits_one(&name, &pattern)
+    })
+}
+
+/// The usual way: behind the last star, one letter more of the name each time.
+fn fits_one(name: &[char], pattern: &[char]) -> bool {
+    let (mut n, mut p) = (0, 0);
+    let mut star: Option<(usize, usize)> = None;
+    while n < name.len() {
+        match pattern.get(p) {
+            Some('*') => {
+                star = Some((p, n));
+                p += 1;
+            }
+            Some(&letter) if letter == '?' || letter == name[n] => {
+                n += 1;
+                p += 1;
+            }
+            _ => match star {
+                Some((at, from)) => {
+                    star = Some((at, from + 1));
+                    p = at + 1;
+                    n = from + 1;
+                }
+                None => return false,
+            },
+        }
+    }
+    pattern[p..].iter().all(|&letter| letter == '*')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patterns_fit_what_they_say() {
+        for (name, pattern) in [
+            ("a.vid", "*.vid"),
+            ("A.VID", "*.vid"),
+            ("a.vid", ""),
+            ("a.vid", "*"),
+            ("a.vid", "?.v?d"),
+            ("a.txt", "*.vid *.txt"),
+            ("a.txt", "*.vid;*.txt"),
+            ("abcabd", "*abd"),
+            ("größe.vid", "gr??e.*"),
+        ] {
+            assert!(fits(name, pattern), "{name} {pattern}");
+        }
+        for (name, pattern) in [
+            ("a.vid", "*.txt"),
+            ("a.vid.bak", "*.vid"),
+            ("", "?"),
+            ("ab", "?"),
+            ("abcabc", "*abd"),
+        ] {
+            assert!(!fits(name, pattern), "{name} {pattern}");
+        }
+        // Many stars do not take for ever.
+        assert!(!fits(&"a".repeat(200), &format!("{}b", "*a".repeat(50))));
+    }
+
+    #[test]
+    fn a_directory_is_read_with_odd_names_in_it() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let odd = OsStr::from_bytes(b"odd\xff\xfe.vid");
+        for name in [
+            odd,
+            OsStr::new("b.vid"),
+            OsStr::new("A.vid"),
+            OsStr::new(".hidden"),
+        ] {
+            std::fs::write(folder.path().join(name), "").expect("a file");
+        }
+        std::fs::create_dir(folder.path().join("z")).expect("a folder");
+        std::os::unix::fs::symlink("z", folder.path().join("link")).expect("a link");
+        std::os::unix::fs::symlink("nowhere", folder.path().join("lost")).expect("a link");
+        let mut read = Folder::open(folder.path().to_owned()).expect("can be read");
+        while read.is_reading() {
+            read.read_on();
+        }
+        let names: Vec<&str> = read.items.iter().map(|item| item.shown.as_str()).collect();
+        assert_eq!(
+            names,
+            [
+                "link",
+                "z",
+                ".hidden",
+                "A.vid",
+                "b.vid",
+                "lost",
+                "odd??.vid"
+            ]
+        );
+        assert!(read.items.iter().any(|item| item.name == odd));
+        assert!(is_hidden(OsStr::new(".hidden")) && !is_hidden(odd));
+    }
+}

@@ -1,0 +1,341 @@
+//! What is loaded, saved and written, and the question before work is lost.
+
+mod changed;
+mod chooser;
+pub(crate) mod folders;
+mod listing;
+mod question;
+mod recent;
+pub(crate) mod recovery;
+mod rescue;
+mod rescue_window;
+
+#[cfg(test)]
+mod recent_tests;
+#[cfg(test)]
+mod rescue_tests;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use changed::ChangedFile;
+pub(crate) use chooser::FileWindow;
+pub use folders::Folders;
+pub(crate) use question::Question;
+pub(crate) use rescue_window::RescueWindow;
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+use crate::document::{Contents, Document, Edit, export, save};
+use crate::error::{EngineError, Error, Result, TooMany};
+use crate::limits;
+use crate::state::{Editor, Request};
+use crate::texts::fill;
+use crate::texts::refusals::{of_edit, reason_of};
+
+/// What a file is chosen for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Purpose {
+    /// A path to be loaded.
+    LoadPath,
+    /// A path to be saved, and what was to be done after that.
+    SavePath(Option<Then>),
+    /// Poses to be written.
+    Export,
+    /// A setup to be loaded.
+    LoadSetup,
+    /// A setup to be saved.
+    SaveSetup,
+}
+
+/// What waits until unsaved work is saved or given up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Then {
+    /// The window closes.
+    Close,
+    /// Another path is loaded.
+    Load,
+    /// A recent file of this number is loaded.
+    Recent(usize),
+    /// Unsaved work that was found takes its place, the one of this number.
+    Restore(usize),
+}
+
+impl Editor {
+    /// Opens the window in which a file is chosen.
+    pub(crate) fn choose_file(&mut self, purpose: Purpose) {
+        self.windows.files = Some(FileWindow::open(self, purpose));
+    }
+
+    /// Loads another path, after a question if work would be lost.
+    pub(crate) fn ask_to_load(&mut self) {
+        self.ask_before(Then::Load);
+    }
+
+    /// Asks about unsaved work, if there is any, and goes on.
+    pub(crate) fn ask_before(&mut self, then: Then) {
+        if self.is_unsaved() {
+            self.windows.files = None;
+            self.windows.question = Some(Question::new(then));
+        } else {
+            self.go_on(then);
+        }
+    }
+
+    /// Nothing is lost any more, or it is given up.
+    pub(crate) fn go_on(&mut self, then: Then) {
+        match then {
+            Then::Close => self.requests.push(Request::Close),
+            Then::Load => self.choose_file(Purpose::LoadPath),
+            Then::Recent(number) => {
+                if let Some(file) = self.recent.get(number).cloned()
+                    && let Err(text) = self.load_path(&file)
+                {
+                    self.complain(text);
+                }
+            }
+            Then::Restore(number) => self.restore_found(number),
+        }
+    }
+
+    /// Saves under the known name, or asks for one; then goes on. A file that is not as
+    /// it was when it was read or written here is asked about.
+    pub(crate) fn save(&mut self, then: Option<Then>) {
+        let Some(file) = self.file.clone() else {
+            self.choose_file(Purpose::SavePath(then));
+            return;
+        };
+        match self.write_path(&file, false) {
+            Ok(true) => {
+                if let Some(then) = then {
+                    self.go_on(then);
+                }
+            }
+            Ok(false) => self.windows.changed = Some(ChangedFile::new(then)),
+            Err(text) => self.complain(text),
+        }
+    }
+
+    /// Loads the file that is open as it is by now.
+    pub(crate) fn reload(&mut self) {
+        if let Some(file) = self.file.clone()
+            && let Err(text) = self.load_path(&file)
+        {
+            self.complain(text);
+        }
+    }
+
+    /// Saves under the known name, whatever is there; then goes on.
+    pub(crate) fn overwrite(&mut self, then: Option<Then>) {
+        let Some(file) = self.file.clone() else {
+            return;
+        };
+        match (self.save_path(&file), then) {
+            (Ok(()), Some(then)) => self.go_on(then),
+            (Ok(()), None) => {}
+            (Err(text), _) => self.complain(text),
+        }
+    }
+
+    /// A file was chosen. What hindered it is given back in words, for the
+    /// window that asked.
+    ///
+    /// # Errors
+    /// The sentence.
+    pub(crate) fn file_chosen(&mut self, purpose: Purpose, file: &Path) -> Result<(), String> {
+        match purpose {
+            Purpose::LoadPath => self.load_path(file),
+            Purpose::SavePath(then) => {
+                self.save_path(file)?;
+                if let Some(then) = then {
+                    self.go_on(then);
+                }
+                Ok(())
+            }
+            Purpose::Export => self.write_poses(file),
+            Purpose::LoadSetup => self.load_setup(file),
+            Purpose::SaveSetup => self.save_setup(file),
+        }
+    }
+
+    /// Loads a path in place of the one that is open. Where the host's base
+    /// speeds stand they are kept, and its object if it gave one.
+    ///
+    /// # Errors
+    /// The sentence; what is open stays then.
+    pub(crate) fn load_path(&mut self, file: &Path) -> Result<(), String> {
+        let texts = self.texts();
+        match self.loaded(file) {
+            Ok(document) => {
+                self.known = document.read_contents();
+                self.document = document;
+                self.handed = None;
+                self.windows.path_replaced();
+                self.file = Some(file.to_owned());
+                self.note_file(file);
+                self.say(fill(texts.output.loaded, &[&short(file)]));
+                Ok(())
+            }
+            Err(error) => {
+                let why = self.without_name(&error);
+                Err(fill(texts.errors.cannot_load, &[&short(file), &why]))
+            }
+        }
+    }
+
+    fn loaded(&self, file: &Path) -> Result<Document> {
+        let mut loaded = Document::load(file)?;
+        if !self.fixed_speeds {
+            return Ok(loaded);
+        }
+        loaded.apply(Edit::SetSpeeds(self.document.path().speeds))?;
+        if !self.document.info().object.is_empty() {
+            let mut info = loaded.info().clone();
+            info.object = self.document.info().object.clone();
+            loaded.apply(Edit::SetInfo(Box::new(info)))?;
+        }
+        // A copy has no history: putting the host's values back is no step
+        // that could be undone.
+        let mut copy = loaded.try_clone()?;
+        copy.mark_saved();
+        Ok(copy)
+    }
+
+    /// Saves the path as this file, whatever is there, and edits it from now on.
+    ///
+    /// # Errors
+    /// The sentence.
+    pub(crate) fn save_path(&mut self, file: &Path) -> Result<(), String> {
+        self.write_path(file, true).map(drop)
+    }
+
+    /// The same; false, and nothing is done, if the file is not to be `replaced` and has
+    /// changed since it was read or written here.
+    fn write_path(&mut self, file: &Path, replaced: bool) -> Result<bool, String> {
+        let texts = self.texts();
+        self.write(file, replaced).map_err(|error| {
+            let why = self.without_name(&error);
+            fill(texts.errors.cannot_save, &[&short(file), &why])
+        })
+    }
+
+    /// The same, for whoever can tell an error himself.
+    pub(crate) fn write(&mut self, file: &Path, replaced: bool) -> Result<bool> {
+        let text = self.document.to_toml()?;
+        let bytes = text.as_bytes();
+        if replaced {
+            save::save(file, bytes)?;
+        } else if !save::save_unless_changed(file, bytes, self.known)? {
+            return Ok(false);
+        }
+        self.document.mark_saved();
+        self.file = Some(file.to_owned());
+        self.known = Some(Contents::of(bytes));
+        self.note_file(file);
+        self.say(fill(self.texts().output.saved, &[&short(file)]));
+        Ok(true)
+    }
+
+    /// Writes the poses in the format that the file's name says: lines of ten numbers
+    /// (thesis B.2.3), CSV or JSON.
+    ///
+    /// # Errors
+    /// The sentence.
+    pub(crate) fn write_poses(&mut self, file: &Path) -> Result<(), String> {
+        let texts = self.texts();
+        let mut count = 0;
+        let format = export::Format::of_file(file);
+        match export::write_file(&self.document, format, file, &mut |done, _| count = done) {
+            Ok(()) => {
+                self.say(fill(texts.output.written, &[&count, &short(file)]));
+                Ok(())
+            }
+            Err(error) => {
+                let why = self.without_name(&error);
+                Err(fill(texts.errors.cannot_write, &[&short(file), &why]))
+            }
+        }
+    }
+
+    /// Why it failed; the file's name stands before it already.
+    pub(crate) fn without_name(&self, error: &Error) -> String {
+        match error {
+            Error::In(_, cause) => self.without_name(cause),
+            Error::Engine(EngineError::Limit(TooMany::Frames)) => {
+                fill(self.texts().errors.frames, &[&limits::MAX_FRAMES])
+            }
+            _ => reason_of(self.language(), error),
+        }
+    }
+
+    /// Does an edit; what hinders it stands in the output field.
+    pub(crate) fn edit(&mut self, edit: Edit) -> bool {
+        match self.document.apply(edit) {
+            Ok(()) => {
+                self.message = None;
+                self.tell_ambiguities();
+                true
+            }
+            Err(error) => {
+                self.complain(of_edit(self.language(), &error));
+                false
+            }
+        }
+    }
+
+    /// The name to be proposed for a file with this ending.
+    pub(crate) fn proposal(&self, stem: &str, ending: &str) -> String {
+        let known = self.file.as_deref().and_then(Path::file_stem);
+        let title = self.document.info().title.trim();
+        let plain = |letter: char| !letter.is_control() && !matches!(letter, '/' | '\\');
+        let stem = match known {
+            Some(known) => known.to_string_lossy().into_owned(),
+            None if !title.is_empty() => title.chars().filter(|&letter| plain(letter)).collect(),
+            None => stem.to_owned(),
+        };
+        format!("{stem}.{ending}")
+    }
+
+    /// Where a file window begins.
+    pub(crate) fn folder_for(&self, purpose: Purpose) -> PathBuf {
+        if !matches!(purpose, Purpose::LoadSetup | Purpose::SaveSetup) {
+            return self.folder();
+        }
+        let ours = self.folders.setup.clone().filter(|folder| folder.is_dir());
+        ours.unwrap_or_else(|| self.folder())
+    }
+
+    /// Where the last file was chosen, else beside the file that is open, else
+    /// where the host stands.
+    fn folder(&self) -> PathBuf {
+        let beside = |file: &Path| {
+            let folder = file.parent()?;
+            let here = folder.as_os_str().is_empty();
+            Some(if here {
+                PathBuf::from(".")
+            } else {
+                folder.to_owned()
+            })
+        };
+        let folder = self.last_folder.clone();
+        let folder = folder.or_else(|| self.file.as_deref().and_then(beside));
+        let folder = folder.unwrap_or_else(|| PathBuf::from("."));
+        std::path::absolute(&folder).unwrap_or(folder)
+    }
+}
+
+/// A file's name without its folder.
+pub(crate) fn short(file: &Path) -> String {
+    readable(file.file_name().unwrap_or(file.as_os_str()))
+}
+
+/// A name as it is shown: what is no letter is a question mark.
+pub(crate) fn readable(name: &OsStr) -> String {
+    let letters = name.to_string_lossy();
+    let plain = letters.chars().map(|letter| match letter {
+        char::REPLACEMENT_CHARACTER => '?',
+        control if control.is_control() => '?',
+        other => other,
+    });
+    plain.collect()
+}

@@ -1,0 +1,72 @@
+//! The files that were open last, for the File menu: kept in the state folder,
+//! one a line, the newest first.
+
+use std::path::{Path, PathBuf};
+
+use super::folders;
+use super::recovery::{escaped, unescaped};
+use super::short;
+use crate::document::save;
+use crate::document::vid::read_text;
+use crate::state::Editor;
+
+/// So many are kept.
+const MOST: usize = 8;
+
+/// Bytes of the list: each path may be as long as paths can be.
+const MAX_BYTES: u64 = 1 << 20;
+
+/// The list's name in the state folder.
+const NAME: &str = "recent";
+
+/// Those that are still there. A list that cannot be read is empty.
+fn load(folder: &Path) -> Vec<PathBuf> {
+    let text = read_text(&folder.join(NAME), MAX_BYTES).unwrap_or_default();
+    let files = text.lines().filter_map(unescaped);
+    files.filter(|file| file.is_file()).take(MOST).collect()
+}
+
+/// Puts a file first.
+fn note(folder: &Path, file: &Path) -> crate::Result<()> {
+    // Read anew: other windows have lists too.
+    let mut files = load(folder);
+    files.retain(|known| known != file);
+    files.insert(0, file.to_owned());
+    files.truncate(MOST);
+    let lines: Vec<String> = files.iter().map(|file| escaped(file) + "\n").collect();
+    folders::make(folder).map_err(|source| crate::Error::Io {
+        place: folder.display().to_string(),
+        source,
+    })?;
+    save::save(&folder.join(NAME), lines.concat().as_bytes())
+}
+
+impl Editor {
+    /// A file was loaded or saved: it is the newest now.
+    pub(crate) fn note_file(&mut self, file: &Path) {
+        let Some(folder) = &self.folders.state else {
+            return;
+        };
+        let file = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
+        // A list that cannot be written is a comfort less, and no more.
+        let _ = note(folder, &file);
+        self.read_recent();
+    }
+
+    /// Reads the list.
+    pub(crate) fn read_recent(&mut self) {
+        self.recent = self.folders.state.as_deref().map(load).unwrap_or_default();
+    }
+
+    /// The recent files as the menu shows them: their names, with the folder
+    /// where two have the same.
+    pub(crate) fn recent_names(&self) -> Vec<String> {
+        let names: Vec<String> = self.recent.iter().map(|file| short(file)).collect();
+        let several = |name: &String| names.iter().filter(|other| *other == name).count() > 1;
+        let shown = self.recent.iter().zip(&names).map(|(file, name)| {
+            let folder = file.parent().filter(|_| several(name)).map(short);
+            folder.map_or_else(|| name.clone(), |folder| format!("{name} ({folder})"))
+        });
+        shown.collect()
+    }
+}

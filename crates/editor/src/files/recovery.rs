@@ -1,0 +1,427 @@
+//! Work not yet saved, kept so that a crash, a kill or an X server that goes
+//! away costs a second of it at most.
+//!
+//! One file per window, in the state folder: a `.vid` file that begins with
+//! comments on where it comes from. It is written beside and renamed, so that
+//! it is wholly the old or wholly the new; not brought to the disk each time,
+//! since the death of a process, unlike a power cut, loses nothing that was
+//! written. It is locked as long as its process lives, however that ends: what
+//! can be locked belongs to nobody any more and is offered to the next window.
+//! A new content is locked before it takes its name, so that no other process
+//! ever finds it free.
+//!
+//! No egui here; [`super::rescue`] joins it to the window.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, Read, Write};
+use std::os::unix::ffi::{OsStrExt, OsStringExt};
+use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+use super::folders;
+use crate::document::{Contents, Document};
+use crate::error::{Error, Result};
+use crate::limits::MAX_FILE_BYTES;
+
+/// From a change to its being written. What is left of the second is for the
+/// writing, which takes 20 ms for 10,000 points.
+pub(crate) const DELAY: Duration = Duration::from_millis(700);
+
+/// How names of recovery files begin and end; those being written end in `NEW`.
+const PREFIX: &str = "unsaved-";
+const SUFFIX: &str = ".vid";
+const NEW: &str = ".new";
+
+const PROGRAM_MARK: &str = "# program = ";
+const FILE_MARK: &str = "# file = ";
+const CONTENTS_MARK: &str = "# contents = ";
+
+/// How the lines of the header begin.
+const HEADER: [&str; 6] = [
+    "# Work in VIDES that was not saved.",
+    "# process = ",
+    "# written = ",
+    PROGRAM_MARK,
+    FILE_MARK,
+    CONTENTS_MARK,
+];
+
+/// Where unsaved work comes from.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Origin<'a> {
+    /// The program whose window it is in.
+    pub(crate) program: &'a str,
+    /// The file that it is a change of.
+    pub(crate) file: Option<&'a Path>,
+    /// What that file contained.
+    pub(crate) known: Option<Contents>,
+}
+
+/// Number of the next file of this process.
+static NEXT: AtomicU64 = AtomicU64::new(0);
+
+/// Keeps the unsaved work of one window.
+#[derive(Debug)]
+pub(crate) struct Keeper {
+    folder: PathBuf,
+    path: PathBuf,
+    /// The file as it stands there, locked.
+    held: Option<File>,
+    /// The state that was written, or needs no writing.
+    settled: u64,
+    /// Since when there is something to be written.
+    since: Option<Instant>,
+    /// It could not be written, and that was said.
+    failed: bool,
+}
+
+/// What came of looking after the unsaved work.
+#[derive(Debug)]
+pub(crate) enum Kept {
+    /// Nothing to do.
+    Idle,
+    /// To be looked after again when so much time has gone by.
+    In(Duration),
+    /// It could not be written; told once only.
+    Failed(Error),
+}
+
+impl Keeper {
+    /// A keeper for a window that shows this document. Writes nothing yet.
+    pub(crate) fn new(folder: &Path, document: &Document) -> Self {
+        let started = SystemTime::now().duration_since(UNIX_EPOCH);
+        let started = started.map_or(0, |since| since.as_millis());
+        let number = NEXT.fetch_add(1, Ordering::Relaxed);
+        let process = std::process::id();
+        let name = format!("{PREFIX}{process}-{started}-{number}{SUFFIX}");
+        Self {
+            folder: folder.to_owned(),
+            path: folder.join(name),
+            held: None,
+            settled: document.state_number(),
+            since: None,
+            failed: false,
+        }
+    }
+
+    /// To be called in each pass: writes what has changed, [`DELAY`] after the
+    /// first change, and removes the file when nothing is unsaved any more.
+    pub(crate) fn look_after(
+        &mut self,
+        document: &Document,
+        unsaved: bool,
+        origin: &Origin<'_>,
+        now: Instant,
+    ) -> Kept {
+        if !unsaved {
+            self.forget();
+            self.settled = document.state_number();
+            self.since = None;
+            return Kept::Idle;
+        }
+        if document.state_number() == self.settled {
+            self.since = None;
+            return Kept::Idle;
+        }
+        let since = *self.since.get_or_insert(now);
+        let waited = now.saturating_duration_since(since);
+        if waited < DELAY {
+            return Kept::In(DELAY - waited);
+        }
+        match self.write(document, origin) {
+            Ok(()) => Kept::Idle,
+            Err(_) if self.failed => Kept::Idle,
+            Err(error) => {
+                self.failed = true;
+                Kept::Failed(error)
+            }
+        }
+    }
+
+    /// Writes what is unsaved now.
+    ///
+    /// # Errors
+    /// `ErrorKind::Io`, `ErrorKind::Memory`; what was written before stays.
+    pub(crate) fn write(&mut self, document: &Document, origin: &Origin<'_>) -> Result<()> {
+        // Also if it fails: the next change tries again.
+        self.settled = document.state_number();
+        self.since = None;
+        let text = document.to_toml()?;
+        let io = |source| Error::Io {
+            place: self.folder.display().to_string(),
+            source,
+        };
+        folders::make(&self.folder).map_err(io)?;
+        let written = self.replace(&header(origin), &text).map_err(io)?;
+        self.held = Some(written);
+        Ok(())
+    }
+
+    fn replace(&self, header: &str, text: &str) -> io::Result<File> {
+        let mut new = self.path.clone().into_os_string();
+        new.push(NEW);
+        let new = PathBuf::from(new);
+        let written = locked_new(&new)
+            .and_then(|mut file| {
+                file.write_all(header.as_bytes())?;
+                file.write_all(text.as_bytes())?;
+                Ok(file)
+            })
+            .and_then(|file| fs::rename(&new, &self.path).map(|()| file));
+        if written.is_err() {
+            let _ = fs::remove_file(&new);
+        }
+        written
+    }
+
+    /// The work is saved, or nobody wants it.
+    pub(crate) fn forget(&mut self) {
+        if self.held.take().is_some() {
+            // If it cannot be removed it is offered at the next start: better
+            // than lost.
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+
+    /// Whether this state was not written yet.
+    pub(crate) fn is_behind(&self, document: &Document) -> bool {
+        document.state_number() != self.settled
+    }
+
+    /// The file that holds the work, when there is some.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+/// A new file that only we may read, locked before anybody could lock it for
+/// long: a process that looks around may hold it for a moment, and removes it.
+fn locked_new(path: &Path) -> io::Result<File> {
+    let mut attempts = 0;
+    loop {
+        attempts += 1;
+        // Left by a process that had our number long ago, if by any.
+        match fs::remove_file(path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+            _ => {}
+        }
+        let file = OpenOptions::new()
+            .write(true)
+            .create_new(true)
+            .mode(0o600)
+            .open(path)?;
+        match file.try_lock() {
+            Ok(()) if is_still(&file, path) => return Ok(file),
+            // A file system without locks: better kept than locked.
+            Err(TryLockError::Error(_)) => return Ok(file),
+            _ if attempts < 100 => {}
+            _ => return Err(io::Error::from(io::ErrorKind::WouldBlock)),
+        }
+    }
+}
+
+/// Whether this open file is the one that bears the name.
+fn is_still(file: &File, path: &Path) -> bool {
+    match (file.metadata(), fs::symlink_metadata(path)) {
+        (Ok(open), Ok(named)) => open.ino() == named.ino() && open.dev() == named.dev(),
+        _ => false,
+    }
+}
+
+/// What stands before the path: comments, so that the whole is a `.vid` file.
+fn header(origin: &Origin<'_>) -> String {
+    let written = SystemTime::now().duration_since(UNIX_EPOCH);
+    let written = written.map_or(0, |since| since.as_secs());
+    let process = std::process::id();
+    use std::fmt::Write as _;
+    let mut text = format!(
+        "# Work in VIDES that was not saved.\n# process = {process}\n# written = {written}\n"
+    );
+    if !origin.program.is_empty() {
+        text.push_str(PROGRAM_MARK);
+        text.push_str(&escaped(Path::new(origin.program)));
+        text.push('\n');
+    }
+    if let Some(file) = origin.file {
+        let file = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
+        text.push_str(FILE_MARK);
+        text.push_str(&escaped(&file));
+        text.push('\n');
+        if let Some(known) = origin.known {
+            // Writing into a text cannot fail.
+            let _ = writeln!(text, "{CONTENTS_MARK}{known}");
+        }
+    }
+    // What follows belongs to the document, be it a comment.
+    text.push('\n');
+    text
+}
+
+/// The document's own text: what we wrote above it is no comment of its user's.
+fn without_header(text: &str) -> &str {
+    let mut rest = text;
+    while let Some((line, after)) = rest.split_once('\n')
+        && HEADER.iter().any(|mark| line.starts_with(mark))
+    {
+        rest = after;
+    }
+    rest
+}
+
+/// A path as one line of text: `%` and two digits for bytes that are no plain
+/// letters.
+pub(crate) fn escaped(path: &Path) -> String {
+    use std::fmt::Write;
+    let mut text = String::new();
+    for &byte in path.as_os_str().as_bytes() {
+        if byte.is_ascii_graphic() && byte != b'%' || byte == b' ' {
+            text.push(char::from(byte));
+        } else {
+            // Writing into a text cannot fail.
+            let _ = write!(text, "%{byte:02X}");
+        }
+    }
+    text
+}
+
+/// The path in a line of [`escaped`]; none if it is none.
+pub(crate) fn unescaped(text: &str) -> Option<PathBuf> {
+    let mut bytes = Vec::with_capacity(text.len());
+    let mut rest = text.as_bytes();
+    while let [first, after @ ..] = rest {
+        rest = after;
+        if *first == b'%' {
+            let (digits, after) = after.split_at_checked(2)?;
+            let digits = std::str::from_utf8(digits).ok()?;
+            bytes.push(u8::from_str_radix(digits, 16).ok()?);
+            rest = after;
+        } else {
+            bytes.push(*first);
+        }
+    }
+    let plain = !bytes.is_empty() && !bytes.contains(&0);
+    plain.then(|| PathBuf::from(std::ffi::OsString::from_vec(bytes)))
+}
+
+/// Unsaved work that nobody holds any more, but we: as long as this lives no
+/// other window is offered it.
+#[derive(Debug)]
+pub(crate) struct Found {
+    path: PathBuf,
+    file: File,
+    /// The program in whose window it was made.
+    pub(crate) program: Option<String>,
+    /// The file that it was a change of.
+    pub(crate) original: Option<PathBuf>,
+    /// What that file contained.
+    pub(crate) known: Option<Contents>,
+    /// When it was written.
+    pub(crate) written: SystemTime,
+    text: String,
+}
+
+impl Found {
+    /// The document in it, unsaved as it was.
+    ///
+    /// # Errors
+    /// `ErrorKind::Format` if it is broken.
+    pub(crate) fn document(&self) -> Result<Document> {
+        let mut document = Document::from_toml(without_header(&self.text))?;
+        document.mark_unsaved();
+        Ok(document)
+    }
+
+    /// Removes it for good.
+    pub(crate) fn discard(self) {
+        if is_still(&self.file, &self.path) {
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+}
+
+/// Unsaved work of a program (none: of any) in the folder whose process does not live any
+/// more, the newest first. What is not readable is left alone.
+pub(crate) fn find(folder: &Path, program: Option<&str>) -> Vec<Found> {
+    let Ok(entries) = fs::read_dir(folder) else {
+        return Vec::new();
+    };
+    let mut found: Vec<Found> = entries
+        .flatten()
+        .filter_map(|entry| {
+            let name = entry.file_name();
+            let name = name.to_str()?;
+            let path = entry.path();
+            if !name.starts_with(PREFIX) {
+                return None;
+            }
+            if name.ends_with(NEW) {
+                remove_unfinished(&path);
+                return None;
+            }
+            name.ends_with(SUFFIX).then(|| take(&path))?
+        })
+        .filter(|found| program.is_none() || found.program.as_deref() == program)
+        .collect();
+    found.sort_by_key(|found| std::cmp::Reverse(found.written));
+    found
+}
+
+/// Takes one file, if nobody holds it.
+fn take(path: &Path) -> Option<Found> {
+    let mut file = OpenOptions::new()
+        .read(true)
+        .custom_flags(libc::O_NONBLOCK | libc::O_NOFOLLOW)
+        .open(path)
+        .ok()?;
+    let metadata = file.metadata().ok()?;
+    if !metadata.is_file() || metadata.len() > MAX_FILE_BYTES {
+        return None;
+    }
+    file.try_lock().ok()?;
+    // It was replaced after we opened it: its process lives.
+    if !is_still(&file, path) {
+        return None;
+    }
+    let mut text = String::new();
+    (&mut file)
+        .take(MAX_FILE_BYTES)
+        .read_to_string(&mut text)
+        .ok()?;
+    let said = |mark| {
+        let mut head = text.lines().take_while(|line| line.starts_with('#'));
+        head.find_map(|line| line.strip_prefix(mark))
+    };
+    let program = said(PROGRAM_MARK).and_then(unescaped);
+    let original = said(FILE_MARK).and_then(unescaped);
+    Some(Found {
+        program: program.and_then(|name| name.into_os_string().into_string().ok()),
+        known: said(CONTENTS_MARK)
+            .filter(|_| original.is_some())
+            .and_then(|known| known.parse().ok()),
+        original,
+        written: metadata.modified().unwrap_or(UNIX_EPOCH),
+        path: path.to_owned(),
+        file,
+        text,
+    })
+}
+
+/// A file whose process died while it wrote: what was there before is whole.
+fn remove_unfinished(path: &Path) {
+    let Ok(file) = OpenOptions::new()
+        .read(true)
+        .custom_flags(libc::O_NONBLOCK | libc::O_NOFOLLOW)
+        .open(path)
+    else {
+        return;
+    };
+    if file.try_lock().is_ok() && is_still(&file, path) {
+        let _ = fs::remove_file(path);
+    }
+}
+
+#[cfg(test)]
+#[path = "recovery_tests.rs"]
+mod tests;

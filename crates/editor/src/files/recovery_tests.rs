@@ -1,0 +1,388 @@
+use std::io::{BufRead, BufReader};
+use std::process::{Child, Command, Stdio};
+
+use glam::DVec3;
+
+use super::*;
+use crate::document::Edit;
+use crate::{Editor, Folders, Language, Options, Program};
+
+fn document() -> Document {
+    Document::new()
+}
+
+fn change(document: &mut Document, x: f64) {
+    let position = DVec3::new(x, 0.0, 0.5);
+    document
+        .apply(Edit::SetPosition { at: 0, position })
+        .unwrap();
+}
+
+fn x_of(document: &Document) -> f64 {
+    document.path().points[0].position.x
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).map(|all| {
+        let names = all.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        names.collect()
+    });
+    entries.unwrap_or_default()
+}
+
+#[test]
+fn a_change_is_written_within_a_second_and_no_sooner_asked_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("deep/state");
+    let mut document = document();
+    let mut keeper = Keeper::new(&state, &document);
+    let start = Instant::now();
+    let at = |ms| start + Duration::from_millis(ms);
+    assert!(matches!(
+        keeper.look_after(&document, document.is_modified(), &Origin::default(), at(0)),
+        Kept::Idle
+    ));
+    change(&mut document, 0.1);
+    let Kept::In(wait) = keeper.look_after(
+        &document,
+        document.is_modified(),
+        &Origin::default(),
+        at(100),
+    ) else {
+        panic!("a change is to be looked after");
+    };
+    assert_eq!(wait, DELAY);
+    assert!(names(&state).is_empty());
+    // Further changes do not put it off.
+    change(&mut document, 0.2);
+    assert!(matches!(
+        keeper.look_after(
+            &document,
+            document.is_modified(),
+            &Origin::default(),
+            at(600)
+        ),
+        Kept::In(_)
+    ));
+    change(&mut document, 0.3);
+    assert!(matches!(
+        keeper.look_after(
+            &document,
+            document.is_modified(),
+            &Origin::default(),
+            at(800)
+        ),
+        Kept::Idle
+    ));
+    assert_eq!(names(&state).len(), 1);
+    // Nothing new: nothing to wake up for.
+    assert!(matches!(
+        keeper.look_after(
+            &document,
+            document.is_modified(),
+            &Origin::default(),
+            at(900)
+        ),
+        Kept::Idle
+    ));
+    drop(keeper);
+    let found = find(&state, None);
+    assert_eq!(found.len(), 1);
+    assert_eq!(x_of(&found[0].document().unwrap()), 0.3);
+}
+
+#[test]
+fn saving_and_undoing_to_the_saved_state_remove_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut document = document();
+    let mut keeper = Keeper::new(folder.path(), &document);
+    for way in [Document::mark_saved as fn(&mut Document), |document| {
+        document.undo();
+    }] {
+        change(&mut document, 0.4);
+        keeper.write(&document, &Origin::default()).unwrap();
+        assert_eq!(names(folder.path()).len(), 1);
+        way(&mut document);
+        keeper.look_after(
+            &document,
+            document.is_modified(),
+            &Origin::default(),
+            Instant::now(),
+        );
+        assert_eq!(names(folder.path()), [""; 0]);
+        change(&mut document, 0.5);
+        document.mark_saved();
+    }
+}
+
+#[test]
+fn what_lives_is_offered_to_nobody() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut document = document();
+    change(&mut document, 0.25);
+    let file = Path::new("/tmp/näher 100%\n.vid");
+    let mut first = Keeper::new(folder.path(), &document);
+    first
+        .write(
+            &document,
+            &Origin {
+                file: Some(file),
+                ..Origin::default()
+            },
+        )
+        .unwrap();
+    let mut second = Keeper::new(folder.path(), &document);
+    second.write(&document, &Origin::default()).unwrap();
+    assert_eq!(names(folder.path()).len(), 2);
+    assert!(find(folder.path(), None).is_empty());
+    // Also not after it was written anew.
+    first
+        .write(
+            &document,
+            &Origin {
+                file: Some(file),
+                ..Origin::default()
+            },
+        )
+        .unwrap();
+    assert!(find(folder.path(), None).is_empty());
+    drop(first);
+    let found = find(folder.path(), None);
+    assert_eq!(found.len(), 1);
+    assert_eq!(found[0].original.as_deref(), Some(file));
+    assert!(found[0].document().unwrap().is_modified());
+    // Whoever found it holds it.
+    assert!(find(folder.path(), None).is_empty());
+    drop(found);
+    let mut found = find(folder.path(), None);
+    found.pop().unwrap().discard();
+    assert_eq!(names(folder.path()).len(), 1, "the other one lives");
+}
+
+#[test]
+fn paths_survive_as_one_line() {
+    use std::ffi::OsStr;
+    for bytes in [
+        &b"/a/b.vid"[..],
+        b"/\xff\xfe",
+        b"/a b%20\n\t\x7f",
+        "/ä→".as_bytes(),
+    ] {
+        let path = Path::new(OsStr::from_bytes(bytes));
+        let text = escaped(path);
+        assert_eq!(text.lines().count(), 1);
+        assert_eq!(unescaped(&text).as_deref(), Some(path));
+    }
+    for broken in ["", "%", "%4", "%zz", "%00", "a%"] {
+        assert_eq!(unescaped(broken), None, "{broken}");
+    }
+}
+
+#[test]
+fn odd_things_in_the_folder_do_no_harm() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    fs::write(at("unsaved-1-1-1.vid.new"), "half").unwrap();
+    fs::write(at("unsaved-2-2-2.vid"), "no path at all").unwrap();
+    fs::write(at("unsaved-3-3-3.vid"), b"\xff\xfe").unwrap();
+    fs::create_dir(at("unsaved-4-4-4.vid")).unwrap();
+    std::os::unix::fs::symlink("/etc/passwd", at("unsaved-5-5-5.vid")).unwrap();
+    fs::write(at("recent"), "other").unwrap();
+    let found = find(folder.path(), None);
+    assert_eq!(found.len(), 1);
+    assert!(found[0].document().is_err());
+    assert!(
+        !at("unsaved-1-1-1.vid.new").exists(),
+        "left by a dead process"
+    );
+    assert!(at("recent").exists() && at("unsaved-3-3-3.vid").exists());
+    assert!(find(Path::new("/nowhere/at all"), None).is_empty());
+}
+
+#[test]
+fn where_nothing_can_be_written_it_is_said_once() {
+    let mut document = document();
+    let mut keeper = Keeper::new(Path::new("/proc/vides"), &document);
+    let start = Instant::now();
+    let mut failures = 0;
+    for k in 1u32..5 {
+        change(&mut document, f64::from(k) / 10.0);
+        for ms in [0, 800] {
+            let now = start + Duration::from_secs(k.into()) + Duration::from_millis(ms);
+            if let Kept::Failed(error) =
+                keeper.look_after(&document, document.is_modified(), &Origin::default(), now)
+            {
+                assert!(error.to_string().starts_with("/proc/vides: "), "{error}");
+                failures += 1;
+            }
+        }
+    }
+    assert_eq!(failures, 1);
+}
+
+fn editor(folder: &Path) -> Editor {
+    let options = Options {
+        document: document(),
+        file: None,
+        title: None,
+        language: Some(Language::English),
+        hand_over: false,
+        fixed_speeds: false,
+        folders: Folders {
+            setup: None,
+            state: Some(folder.to_owned()),
+        },
+        program: Program::of_tests("tests"),
+        host_view: crate::HostView::default(),
+    };
+    Editor::new(options).unwrap()
+}
+
+/// The X server goes away: the editor is dropped in the middle of work.
+#[test]
+fn a_window_that_vanishes_leaves_its_work() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut vanished = editor(folder.path());
+    change(vanished.document_mut(), 0.125);
+    drop(vanished);
+    let found = find(folder.path(), None);
+    assert_eq!(x_of(&found[0].document().unwrap()), 0.125);
+    drop(found);
+    // One that was asked to close, or forgets, leaves nothing.
+    for answered in [true, false] {
+        let folder = tempfile::tempdir().unwrap();
+        let mut closed = editor(folder.path());
+        change(closed.document_mut(), 0.5);
+        closed
+            .keeper
+            .as_mut()
+            .unwrap()
+            .write(&closed.document, &Origin::default())
+            .unwrap();
+        if answered {
+            closed.requests.push(crate::Request::Close);
+            assert!(closed.next_request().is_some());
+        } else {
+            closed.forget_unsaved();
+        }
+        drop(closed);
+        assert_eq!(names(folder.path()), [""; 0]);
+    }
+    // Unmodified: nothing either.
+    let folder = tempfile::tempdir().unwrap();
+    drop(editor(folder.path()));
+    assert_eq!(names(folder.path()), [""; 0]);
+}
+
+/// Names the folder in which [`a_process_at_work`] works.
+const AT_WORK: &str = "VIDES_RECOVERY_AT_WORK";
+
+/// A process of its own, in [`killed_at_any_moment`]: edits without end and
+/// tells what it does. Elsewhere there is nothing for it to do.
+#[test]
+fn a_process_at_work() {
+    let Some(folder) = std::env::var_os(AT_WORK) else {
+        return;
+    };
+    let mut editor = editor(Path::new(&folder));
+    editor.windows.rescue = None;
+    let context = egui::Context::default();
+    editor.prepare(&context);
+    let start = Instant::now();
+    let out = std::io::stdout();
+    for number in 1u32.. {
+        change(editor.document_mut(), f64::from(number) / 1e6);
+        let began = start.elapsed().as_micros();
+        context
+            .run_ui(egui::RawInput::default(), |ui| editor.show(ui))
+            .textures_delta
+            .clear();
+        // The pass is over: what was due at its begin has been written.
+        if writeln!(out.lock(), "pass {number} {began}").is_err() {
+            return;
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+struct AtWork {
+    process: Child,
+    folder: tempfile::TempDir,
+}
+
+fn at_work() -> AtWork {
+    let folder = tempfile::tempdir().unwrap();
+    let process = Command::new(std::env::current_exe().unwrap())
+        .args([
+            "--exact",
+            "files::recovery::tests::a_process_at_work",
+            "--nocapture",
+        ])
+        .env(AT_WORK, folder.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    AtWork { process, folder }
+}
+
+/// kill -9 at random moments: the last second's work is lost at most. The time
+/// is the process's own, so that a busy machine is no matter.
+#[test]
+fn killed_at_any_moment() {
+    let kills: u64 = std::env::var("VIDES_KILLS").map_or(20, |kills| kills.parse().unwrap());
+    let mut random = SystemTime::now()
+        .duration_since(UNIX_EPOCH)
+        .unwrap()
+        .subsec_nanos();
+    let (mut done, mut longest) = (0, 0);
+    while done < kills {
+        // Some at a time: most of it is waiting.
+        let together: Vec<AtWork> = (0..(kills - done).min(10)).map(|_| at_work()).collect();
+        std::thread::sleep(Duration::from_millis(900));
+        for mut work in together {
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            std::thread::sleep(Duration::from_micros((random >> 13).into()));
+            work.process.kill().unwrap();
+            work.process.wait().unwrap();
+            longest = longest.max(lost(work));
+            done += 1;
+        }
+    }
+    println!(
+        "{done} kills: at most {} ms of work were lost",
+        longest / 1000
+    );
+    assert!(longest < 1_000_000, "{longest} µs");
+}
+
+/// How long before the end of its process the oldest change was made that is
+/// lost, in µs; 0 if none is.
+fn lost(mut work: AtWork) -> u64 {
+    let out = BufReader::new(work.process.stdout.take().unwrap());
+    let mut passes = Vec::new();
+    for line in out.lines() {
+        let line = line.unwrap();
+        // The test's own report may stand before it.
+        let Some((_, words)) = line.split_once("pass ") else {
+            continue;
+        };
+        let Some((number, began)) = words.split_once(' ') else {
+            continue;
+        };
+        passes.push((
+            number.parse::<u32>().unwrap(),
+            began.parse::<u64>().unwrap(),
+        ));
+    }
+    let found = find(work.folder.path(), None);
+    let restored = found.first().map_or(0, |found| {
+        // Whole, whenever it was killed.
+        let document = found.document().unwrap();
+        (x_of(&document) * 1e6).round() as u32
+    });
+    assert!(found.len() <= 1);
+    let end = passes.last().map_or(0, |&(_, began)| began);
+    let mut lost = passes.iter().filter(|(number, _)| *number > restored);
+    lost.next().map_or(0, |(_, began)| end - began)
+}

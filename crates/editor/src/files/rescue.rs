@@ -1,0 +1,142 @@
+//! Unsaved work and the window: kept while one works, offered at the start.
+
+use std::path::Path;
+use std::time::Instant;
+
+use super::recovery::{self, Found, Keeper, Kept, Origin};
+use crate::document::{Document, Edit};
+use crate::error::Result;
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::texts::refusals::reason_of;
+
+impl Editor {
+    /// Begins to keep unsaved work, if there is a folder for it, and offers
+    /// what was left behind.
+    pub(crate) fn begin_recovery(&mut self) {
+        let Some(folder) = self.folders.state.clone() else {
+            return;
+        };
+        self.keeper = Some(Keeper::new(&folder, &self.document));
+        let program = Some(self.program.name.as_str()).filter(|_| !self.program.offers_all);
+        let found = recovery::find(&folder, program);
+        if !found.is_empty() {
+            self.windows.rescue = Some(super::RescueWindow::of(found));
+        }
+    }
+
+    /// To be called at the end of each pass. An unmodified window, or one
+    /// whose changes are all written, asks for no wake-up.
+    pub(crate) fn keep_work(&mut self, context: &egui::Context) {
+        let unsaved = self.is_unsaved();
+        let Some(keeper) = &mut self.keeper else {
+            return;
+        };
+        let origin = Origin {
+            program: &self.program.name,
+            file: self.file.as_deref(),
+            known: self.known,
+        };
+        match keeper.look_after(&self.document, unsaved, &origin, Instant::now()) {
+            Kept::Idle => {}
+            Kept::In(time) => context.request_repaint_after(time),
+            Kept::Failed(error) => {
+                let why = reason_of(self.language(), &error);
+                let folder = self.folders.state.as_deref().unwrap_or(Path::new(""));
+                let text = self.texts().rescue.not_kept;
+                self.complain(fill(text, &[&folder.display(), &why]));
+                context.request_repaint();
+            }
+        }
+    }
+
+    /// The window closes because its user or its host wants it to: nothing is
+    /// to be offered at the next start. Without this call, when the window's
+    /// server or its process goes away, unsaved work stays.
+    pub fn forget_unsaved(&mut self) {
+        if let Some(mut keeper) = self.keeper.take() {
+            keeper.forget();
+        }
+    }
+
+    /// Puts unsaved work that was found in place of what is open.
+    ///
+    /// # Errors
+    /// The file is broken; what is open stays.
+    pub(crate) fn restore(&mut self, found: &Found) -> Result<()> {
+        let mut document = found.document()?;
+        if self.fixed_speeds {
+            document.apply(Edit::SetSpeeds(self.document.path().speeds))?;
+            document = unsaved_copy(&document)?;
+        }
+        self.document = document;
+        self.windows.path_replaced();
+        self.file.clone_from(&found.original);
+        self.known = found.known;
+        self.handed = None;
+        // Kept as this window's before the old file is removed.
+        self.write_work()?;
+        self.say(self.texts().rescue.restored);
+        Ok(())
+    }
+
+    /// Restores what the window that offers it has under this number.
+    pub(crate) fn restore_found(&mut self, number: usize) {
+        let Some(mut window) = self.windows.rescue.take() else {
+            return;
+        };
+        if let Some(found) = window.found(number) {
+            match self.restore(&found) {
+                Ok(()) => found.discard(),
+                Err(error) => {
+                    let why = reason_of(self.language(), &error);
+                    self.complain(fill(self.texts().rescue.broken, &[&why]));
+                }
+            }
+        }
+        if !window.is_empty() {
+            self.windows.rescue = Some(window);
+        }
+    }
+
+    fn write_work(&mut self) -> Result<()> {
+        let Some(keeper) = &mut self.keeper else {
+            return Ok(());
+        };
+        let origin = Origin {
+            program: &self.program.name,
+            file: self.file.as_deref(),
+            known: self.known,
+        };
+        keeper.write(&self.document, &origin)
+    }
+
+    /// The file that keeps its work while that is unsaved, if some may.
+    pub fn work_file(&self) -> Option<&Path> {
+        self.keeper.as_ref().map(Keeper::path)
+    }
+}
+
+/// Without the history of what was done to it here.
+fn unsaved_copy(document: &Document) -> Result<Document> {
+    let mut copy = document.try_clone()?;
+    copy.mark_unsaved();
+    Ok(copy)
+}
+
+impl Drop for Editor {
+    /// What is unsaved stays for the next start, up to the last change: the
+    /// X server went away, or the host ended. Closing that the user asked for
+    /// leaves nothing: unsaved work was asked about then.
+    fn drop(&mut self) {
+        let unsaved = self.is_unsaved() && !self.closing;
+        if let Some(keeper) = &mut self.keeper {
+            if !unsaved {
+                keeper.forget();
+            } else if keeper.is_behind(&self.document) {
+                // Nobody is left to be told.
+                let _ = self.write_work();
+            }
+        }
+    }
+}

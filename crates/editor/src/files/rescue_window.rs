@@ -1,0 +1,253 @@
+//! Unsaved work that was left behind, offered beside the work: nothing waits for an
+//! answer.
+
+use std::time::{Duration, SystemTime};
+
+use egui::{Button, Color32, Pos2, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
+
+use crate::actions::Action;
+use crate::files::recovery::Found;
+use crate::files::short;
+use crate::host::Date;
+use crate::setup::Element;
+use crate::space;
+use crate::state::Editor;
+use crate::texts::{Language, fill};
+use crate::theme;
+use crate::windows::{SubWindow, Windows, sub_window_as};
+
+/// So many are listed; the others come at later starts.
+const LISTED: usize = 6;
+/// So many are seen at once.
+const SEEN: usize = 2;
+/// Width of the window's contents.
+const WIDTH: f32 = 420.0;
+/// Size of a path's picture.
+const PICTURE: Vec2 = vec2(84.0, 64.0);
+const BUTTON: Vec2 = vec2(120.0, 28.0);
+/// Its lower left corner from the window's at first: in the movement window, above
+/// the bar, and right of the panels.
+const CORNER: Vec2 = vec2(272.0, -64.0);
+
+/// What was found, held for this window while it is offered.
+#[derive(Debug)]
+pub(crate) struct RescueWindow {
+    offered: Vec<Offered>,
+}
+
+#[derive(Debug)]
+struct Offered {
+    found: Found,
+    /// The edges of the movement space and the curve; none if it is broken.
+    picture: Option<(Vec<[Pos2; 2]>, Vec<Pos2>)>,
+}
+
+#[derive(Clone, Copy)]
+enum Answer {
+    Restore(usize),
+    Discard(usize),
+    Later,
+}
+
+impl RescueWindow {
+    pub(crate) fn of(mut found: Vec<Found>) -> Self {
+        found.truncate(LISTED);
+        let offered = found.into_iter().map(|found| Offered {
+            picture: found
+                .document()
+                .ok()
+                .map(|document| space::thumbnail(&document, PICTURE)),
+            found,
+        });
+        Self {
+            offered: offered.collect(),
+        }
+    }
+
+    /// What is offered under this number.
+    pub(crate) fn found(&mut self, number: usize) -> Option<Found> {
+        let is_there = number < self.offered.len();
+        is_there.then(|| self.offered.remove(number).found)
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.offered.is_empty()
+    }
+
+    fn show_list(&self, editor: &Editor, ui: &mut Ui) -> Option<Answer> {
+        let texts = &editor.texts().rescue;
+        let mut answer = None;
+        for (index, offered) in self.offered.iter().enumerate() {
+            ui.horizontal(|ui| {
+                paint(editor, ui, offered);
+                ui.vertical(|ui| {
+                    ui.set_width(ui.available_width() - BUTTON.x - 16.0);
+                    describe(editor, ui, &offered.found);
+                });
+                let size = vec2(BUTTON.x, PICTURE.y);
+                let column = egui::Layout::top_down_justified(egui::Align::Center);
+                ui.allocate_ui_with_layout(size, column, |ui| {
+                    let button = |text| Button::new(text).min_size(BUTTON);
+                    let restore = ui.add(button(texts.restore));
+                    if restore.on_hover_text(texts.restore_hint).clicked() {
+                        answer = Some(Answer::Restore(index));
+                    }
+                    let discard = ui.add(button(texts.discard));
+                    if discard.on_hover_text(texts.discard_hint).clicked() {
+                        answer = Some(Answer::Discard(index));
+                    }
+                });
+            });
+        }
+        answer
+    }
+}
+
+impl SubWindow for RescueWindow {
+    const ID: &'static str = "rescue";
+
+    fn slot(windows: &mut Windows) -> &mut Option<Self> {
+        &mut windows.rescue
+    }
+
+    fn new(_: &Editor) -> Self {
+        Self::of(Vec::new())
+    }
+
+    fn show(
+        &mut self,
+        editor: &Editor,
+        context: &egui::Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let texts = &editor.texts().rescue;
+        let mut answer = None;
+        let corner = context.content_rect().left_bottom() + CORNER;
+        let stays = sub_window_as(
+            context,
+            Self::ID,
+            texts.title,
+            // Without a size it begins so wide that it is moved away from its place.
+            |window| {
+                window
+                    .pivot(egui::Align2::LEFT_BOTTOM)
+                    .default_pos(corner)
+                    .default_size([WIDTH, PICTURE.y])
+            },
+            |ui| {
+                ui.set_width(WIDTH);
+                ui.label(texts.question);
+                ui.add_space(4.0);
+                let rows = self.offered.len().min(SEEN) as f32;
+                let height = rows * (PICTURE.y + ui.spacing().item_spacing.y);
+                let list = egui::ScrollArea::vertical().max_height(height);
+                answer = list.show(ui, |ui| self.show_list(editor, ui)).inner;
+                ui.add_space(4.0);
+                ui.horizontal(|ui| {
+                    ui.add_space(ui.available_width() - BUTTON.x);
+                    let later = ui.add(Button::new(texts.later).min_size(BUTTON));
+                    if later.on_hover_text(texts.later_hint).clicked() {
+                        answer = Some(Answer::Later);
+                    }
+                });
+            },
+        );
+        match answer {
+            None => stays,
+            // What is not answered stays where it is, for the next start.
+            Some(Answer::Later) => false,
+            Some(Answer::Restore(index)) => {
+                actions.push(Action::Restore(index));
+                true
+            }
+            Some(Answer::Discard(index)) => {
+                self.offered.remove(index).found.discard();
+                stays && !self.offered.is_empty()
+            }
+        }
+    }
+}
+
+/// The program, the file and when it was written.
+fn describe(editor: &Editor, ui: &mut Ui, found: &Found) {
+    ui.spacing_mut().item_spacing.y = 2.0;
+    let name = found
+        .original
+        .as_deref()
+        .map_or_else(|| editor.texts().questions.this_path.to_owned(), short);
+    let label = ui.add(egui::Label::new(name).truncate());
+    if let Some(original) = &found.original {
+        label.on_hover_text(original.display().to_string());
+    }
+    let weak = theme::palette(ui).weak;
+    let line = |ui: &mut Ui, text: String| {
+        let text = egui::RichText::new(text).color(weak).font(theme::small());
+        ui.add(egui::Label::new(text).truncate());
+    };
+    if let Some(program) = &found.program {
+        line(ui, program.clone());
+    }
+    let age = SystemTime::now().duration_since(found.written);
+    let age = age_in_words(editor.language(), age.unwrap_or(Duration::ZERO));
+    match (editor.program.local_time)(found.written) {
+        Some(date) => {
+            line(ui, date_in_words(editor.language(), date));
+            line(ui, age);
+        }
+        None => line(ui, age),
+    }
+}
+
+/// The path, small.
+fn paint(editor: &Editor, ui: &mut Ui, offered: &Offered) {
+    let texts = &editor.texts().rescue;
+    let (rect, response) = ui.allocate_exact_size(PICTURE, Sense::hover());
+    let colours = editor.setup.colours();
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(rect, 4.0, colours.of(Element::Background));
+    let name = match &offered.picture {
+        Some((edges, curve)) => {
+            let at = |point: &Pos2| pos2(rect.left() + point.x, rect.top() + point.y);
+            let faint = colours.of(Element::Cube).gamma_multiply(0.5);
+            for [from, to] in edges {
+                painter.line_segment([at(from), at(to)], Stroke::new(1.0, faint));
+            }
+            let line = Stroke::new(1.5, colours.of(Element::Curve));
+            painter.add(Shape::line(curve.iter().map(at).collect(), line));
+            texts.picture
+        }
+        None => {
+            let colour: Color32 = theme::palette(ui).error;
+            let font = theme::text();
+            painter.text(
+                rect.center(),
+                egui::Align2::CENTER_CENTER,
+                "?",
+                font,
+                colour,
+            );
+            texts.unreadable
+        }
+    };
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, name));
+    response.on_hover_text(name);
+}
+
+fn date_in_words(language: Language, date: Date) -> String {
+    let two = |number: i32| format!("{number:02}");
+    let text = language.texts().rescue.date;
+    let (month, day) = (two(date.month), two(date.day));
+    let (hour, minute) = (two(date.hour), two(date.minute));
+    fill(text, &[&date.year, &month, &day, &hour, &minute])
+}
+
+fn age_in_words(language: Language, age: Duration) -> String {
+    let texts = &language.texts().rescue;
+    let minutes = age.as_secs() / 60;
+    match minutes {
+        0 => texts.just_now.to_owned(),
+        1..120 => fill(texts.minutes, &[&minutes]),
+        120..2880 => fill(texts.hours, &[&(minutes / 60)]),
+        _ => fill(texts.days, &[&(minutes / 1440)]),
+    }
+}

@@ -1,0 +1,664 @@
+//! Loading, saving, writing, and the question before work is lost (thesis A.5).
+
+use crate::{Warning, Warnings};
+use std::ffi::OsStr;
+use std::os::unix::ffi::OsStrExt;
+use std::os::unix::fs::PermissionsExt;
+use std::path::Path;
+
+use egui_kittest::kittest::NodeT;
+
+use crate::Request;
+use crate::document::Object;
+use crate::document::ObjectPoint;
+use crate::tests::*;
+
+/// A window whose file windows begin in this folder.
+fn window_in(language: Language, folder: &Path) -> Window {
+    let mut window = window(language);
+    window.state_mut().last_folder = Some(folder.to_owned());
+    window
+}
+
+/// Types a name over the one that is proposed and presses Enter.
+fn name(window: &mut Window, name: &str) {
+    let label = window.state().texts().files.name;
+    press(window, Modifiers::COMMAND, Key::A);
+    window.get_by_label(label).type_text(name);
+    window.run();
+    press(window, Modifiers::NONE, Key::Enter);
+}
+
+fn modified(window: &Window) -> bool {
+    window.state().document.is_modified()
+}
+
+/// Why a file is refused is said in the window's language.
+#[test]
+fn a_broken_file_is_told_in_the_windows_language() {
+    for (language, why) in [
+        (
+            Language::English,
+            "line 3: zoom_mm: the zoom must lie between 1 and 100",
+        ),
+        (
+            Language::German,
+            "Zeile 3: zoom_mm: der Zoom muss zwischen 1 und 100 liegen",
+        ),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("broken.vid");
+        let text =
+            "version = 1\n[[point]]\norientation = [{ zoom_mm = 101 }]\nposition = [0, 0, 0]\n";
+        std::fs::write(&file, text).expect("written");
+        let mut window = window(language);
+        let said = window.state_mut().load_path(&file).unwrap_err();
+        let texts = &language.texts().errors;
+        assert_eq!(said, fill(texts.cannot_load, &[&"broken.vid", &why]));
+    }
+}
+
+/// So is what was wrong with a host's arguments.
+#[test]
+fn a_hosts_mistake_is_told_in_the_windows_language() {
+    let mut warnings = Warnings::default();
+    warnings.add(Warning::Misnumbered {
+        place: 2,
+        number: 5,
+    });
+    warnings.add(Warning::Speed {
+        name: "move_speed",
+        given: -0.5,
+        taken: 100.0,
+    });
+    let mut window = window(Language::German);
+    window.state_mut().warn(&warnings);
+    window.run();
+    let german = "Punkt 2 des Objekts hat die Nummer 5; es gilt die Reihenfolge im Feld; \
+                  move_speed ist −0,5 und muss endlich und größer als 0 sein: genommen wird 100";
+    assert_eq!(said(&window).as_deref(), Some(german));
+}
+
+#[test]
+fn a_path_is_saved_and_loaded_by_the_keyboard() {
+    for language in BOTH {
+        let texts = language.texts();
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut window = window_in(language, folder.path());
+        click(&mut window, "Pos.+");
+        press(&mut window, Modifiers::ALT, Key::S);
+        name(&mut window, "flight");
+        let file = folder.path().join("flight.vid");
+        assert_eq!(
+            said(&window),
+            Some(fill(texts.output.saved, &[&"flight.vid"]))
+        );
+        assert!(!modified(&window));
+        assert_eq!(window.state().window_title(), "VIDES – flight.vid");
+        let saved = Document::load(&file).expect("a path");
+        assert_eq!(saved.path(), window.state().document.path());
+
+        let mut other = window_in(language, folder.path());
+        press(&mut other, Modifiers::ALT, Key::L);
+        press(&mut other, Modifiers::NONE, Key::ArrowDown);
+        press(&mut other, Modifiers::NONE, Key::Enter);
+        assert_eq!(
+            said(&other),
+            Some(fill(texts.output.loaded, &[&"flight.vid"]))
+        );
+        assert_eq!(other.state().document.path(), saved.path());
+        assert!(!modified(&other));
+    }
+}
+
+#[test]
+fn a_path_is_saved_and_loaded_by_the_mouse() {
+    let texts = Language::German.texts();
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window_in(Language::German, folder.path());
+    click(&mut window, "Pos.+");
+    click(&mut window, texts.menu.file);
+    click(&mut window, texts.menu.save_as);
+    // A name is proposed.
+    click(&mut window, texts.files.save);
+    assert!(folder.path().join("kurve.vid").is_file());
+    click(&mut window, "Pos.+");
+    press(&mut window, Modifiers::CTRL, Key::S);
+    assert!(!modified(&window));
+    click(&mut window, texts.menu.file);
+    click(&mut window, texts.menu.load);
+    click(&mut window, "kurve.vid");
+    click(&mut window, texts.files.load);
+    assert_eq!(window.state().document.path().points.len(), 4);
+}
+
+#[test]
+fn the_filter_decides_what_is_seen() {
+    let texts = &Language::German.texts().files;
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["a.vid", "b.txt", ".hidden.vid"] {
+        std::fs::write(folder.path().join(name), "").expect("a file");
+    }
+    std::fs::create_dir(folder.path().join("deep")).expect("a folder");
+    let mut window = window_in(Language::German, folder.path());
+    press(&mut window, Modifiers::ALT, Key::L);
+    let sees = |window: &Window, name: &str| window.query_by_label(name).is_some();
+    assert!(sees(&window, "a.vid") && sees(&window, "deep/"));
+    assert!(!sees(&window, "b.txt") && !sees(&window, ".hidden.vid"));
+    click(&mut window, texts.hidden);
+    assert!(sees(&window, ".hidden.vid"));
+    window.get_by_label(texts.filter).click();
+    window.run();
+    press(&mut window, Modifiers::COMMAND, Key::A);
+    window.get_by_label(texts.filter).type_text("*.txt");
+    window.run();
+    assert!(sees(&window, "b.txt") && !sees(&window, "a.vid"));
+}
+
+#[test]
+fn directories_are_walked_through() {
+    let texts = &Language::German.texts().files;
+    let folder = tempfile::tempdir().expect("a folder");
+    let deep = folder.path().join("deep");
+    std::fs::create_dir(&deep).expect("a folder");
+    Document::new().save(&deep.join("x.vid")).expect("saved");
+    let mut window = window_in(Language::German, folder.path());
+    press(&mut window, Modifiers::ALT, Key::L);
+    // Into it by the keyboard, out of it by the button, into it by its name.
+    press(&mut window, Modifiers::NONE, Key::ArrowDown);
+    press(&mut window, Modifiers::NONE, Key::Enter);
+    assert!(window.query_by_label("x.vid").is_some());
+    click(&mut window, texts.up);
+    assert!(window.query_by_label("deep/").is_some());
+    window.get_by_label(texts.name).click();
+    window.run();
+    name(&mut window, "deep");
+    assert!(window.query_by_label("x.vid").is_some());
+    press(&mut window, Modifiers::ALT, Key::ArrowUp);
+    assert!(window.query_by_label("deep/").is_some());
+    window.get_by_label(texts.name).click();
+    window.run();
+    name(&mut window, "deep/x.vid");
+    assert_eq!(
+        window.state().file.as_deref(),
+        Some(deep.join("x.vid").as_path())
+    );
+}
+
+#[test]
+fn a_name_of_any_bytes_is_loaded() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join(OsStr::from_bytes(b"odd\xff.vid"));
+    Document::new().save(&file).expect("saved");
+    let mut window = window_in(Language::German, folder.path());
+    press(&mut window, Modifiers::ALT, Key::L);
+    press(&mut window, Modifiers::NONE, Key::ArrowDown);
+    press(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(window.state().file.as_deref(), Some(file.as_path()));
+}
+
+#[test]
+fn nothing_is_overwritten_unasked() {
+    for language in BOTH {
+        let texts = &language.texts().files;
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("a.vid");
+        std::fs::write(&file, "old").expect("a file");
+        let mut window = window_in(language, folder.path());
+        press(&mut window, Modifiers::ALT, Key::S);
+        name(&mut window, "a.vid");
+        assert!(
+            window
+                .query_by_label(&fill(texts.exists, &[&"a.vid"]))
+                .is_some()
+        );
+        click(&mut window, texts.cancel);
+        assert_eq!(std::fs::read(&file).expect("there"), b"old");
+        click(&mut window, texts.save);
+        click(&mut window, texts.overwrite);
+        assert!(Document::load(&file).is_ok());
+    }
+}
+
+#[test]
+fn what_is_open_stays_when_loading_fails() {
+    for language in BOTH {
+        let texts = language.texts();
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join("broken.vid"), "version = 1\nspeed = 3\n")
+            .expect("a file");
+        let mut window = window_in(language, folder.path());
+        press(&mut window, Modifiers::ALT, Key::L);
+        name(&mut window, "broken.vid");
+        let words = said(&window).expect("a message");
+        let line = match language {
+            Language::English => "line 2:",
+            Language::German => "Zeile 2:",
+        };
+        let begin = fill(texts.errors.cannot_load, &[&"broken.vid", &""]);
+        assert!(words.starts_with(&begin) && words.contains(line), "{words}");
+        assert_eq!(window.state().file, None);
+        name(&mut window, "missing.vid");
+        let missing = fill(
+            texts.errors.cannot_load,
+            &[&"missing.vid", &texts.errors.not_found],
+        );
+        assert_eq!(said(&window), Some(missing));
+        // The window is still there for another try.
+        assert!(window.query_by_label(texts.files.load_path).is_some());
+    }
+}
+
+#[test]
+fn what_cannot_be_written_is_told() {
+    let texts = Language::German.texts();
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window_in(Language::German, folder.path());
+    click(&mut window, "Pos.+");
+    press(&mut window, Modifiers::ALT, Key::S);
+    name(&mut window, "nowhere/a.vid");
+    let words = said(&window).expect("a message");
+    assert_eq!(
+        words,
+        fill(
+            texts.errors.cannot_save,
+            &[&"a.vid", &texts.errors.not_found]
+        )
+    );
+    assert!(modified(&window));
+    // Where one may not write. (Root may everywhere.)
+    let closed = folder.path().join("closed");
+    std::fs::create_dir(&closed).expect("a folder");
+    std::fs::set_permissions(&closed, std::fs::Permissions::from_mode(0o555)).expect("closed");
+    if std::fs::write(closed.join("try"), "").is_err() {
+        name(&mut window, "closed/a.vid");
+        let words = said(&window).expect("a message");
+        assert_eq!(
+            words,
+            fill(
+                texts.errors.cannot_save,
+                &[&"a.vid", &texts.errors.permission]
+            )
+        );
+    }
+}
+
+#[test]
+fn poses_are_written_as_lines_of_ten_numbers() {
+    for language in BOTH {
+        let texts = language.texts();
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut window = window_in(language, folder.path());
+        press(&mut window, Modifiers::ALT, Key::A);
+        press(&mut window, Modifiers::NONE, Key::D);
+        click(&mut window, texts.files.write);
+        let name = format!("{}.txt", texts.files.poses);
+        let written = std::fs::read_to_string(folder.path().join(&name)).expect("a file");
+        assert_eq!(written.lines().count(), 121);
+        assert!(written.lines().all(|line| line.split(' ').count() == 10));
+        assert_eq!(
+            written.lines().next(),
+            Some("-0.6000 0.2000 0.8000 0.0000 0.0000 -1.0000 0.0000 1.0000 0.0000 24.0000")
+        );
+        assert_eq!(
+            said(&window),
+            Some(fill(texts.output.written, &[&121, &name]))
+        );
+    }
+}
+
+/// By the ending, in letters of either case; what says nothing is lines, as ever.
+#[test]
+fn the_ending_chooses_the_format_of_poses() {
+    let text = |folder: &Path, file: &str| {
+        let mut window = window_in(Language::English, folder);
+        press(&mut window, Modifiers::ALT, Key::A);
+        press(&mut window, Modifiers::NONE, Key::D);
+        name(&mut window, file);
+        let file = folder.join(file);
+        let said = said(&window);
+        std::fs::read_to_string(file).unwrap_or_else(|error| panic!("{said:?}: {error}"))
+    };
+    let folder = tempfile::tempdir().expect("a folder");
+    for file in ["poses.csv", "POSES.CSV"] {
+        let csv = text(folder.path(), file);
+        assert!(csv.starts_with("frame,vrp_x,"), "{csv:.60}");
+        assert_eq!(csv.lines().count(), 122);
+    }
+    let json = text(folder.path(), "poses.json");
+    assert!(json.starts_with("{\n  \"title\": ") && json.ends_with("]\n}\n"));
+    for file in ["poses.txt", "poses.dat", "csv.d"] {
+        assert_eq!(text(folder.path(), file).lines().count(), 121, "{file}");
+    }
+}
+
+#[test]
+fn the_file_window_offers_all_formats_of_poses() {
+    for language in BOTH {
+        let texts = &language.texts().files;
+        let folder = tempfile::tempdir().expect("a folder");
+        for file in ["a.txt", "b.csv", "c.json", "d.vid"] {
+            std::fs::write(folder.path().join(file), "").expect("a file");
+        }
+        let mut window = window_in(language, folder.path());
+        press(&mut window, Modifiers::ALT, Key::A);
+        press(&mut window, Modifiers::NONE, Key::D);
+        for (file, seen) in [
+            ("a.txt", true),
+            ("b.csv", true),
+            ("c.json", true),
+            ("d.vid", false),
+        ] {
+            assert_eq!(window.query_by_label(file).is_some(), seen, "{file}");
+        }
+        let chosen = |window: &Window, format: &str| {
+            let node = window.get_by_role_and_label(Role::RadioButton, format);
+            node.accesskit_node().toggled() == Some(egui::accesskit::Toggled::True)
+        };
+        assert!(chosen(&window, texts.as_lines));
+        let place = |window: &Window| window.get_by_label(texts.name).value();
+        for (format, ending) in [
+            (texts.as_csv, "csv"),
+            (texts.as_json, "json"),
+            (texts.as_lines, "txt"),
+            (texts.as_json, "json"),
+        ] {
+            click(&mut window, format);
+            assert!(chosen(&window, format));
+            let name = format!("{}.{ending}", texts.poses);
+            assert_eq!(place(&window).as_deref(), Some(&*name));
+        }
+        window.get_by_label(texts.name).click();
+        name(&mut window, "my.flight.csv");
+        let file = folder.path().join("my.flight.csv");
+        let csv = std::fs::read_to_string(file).expect("a file");
+        assert!(csv.starts_with("frame,"));
+    }
+}
+
+/// Two windows on one file of which the other one has just saved what it did.
+fn overtaken(language: Language, folder: &Path) -> (Window, std::path::PathBuf) {
+    let file = folder.join("both.vid");
+    Document::new().save(&file).expect("a file");
+    let open = || {
+        let options = Options {
+            document: Document::load(&file).expect("a path"),
+            file: Some(file.clone()),
+            ..options(language)
+        };
+        window_of(options, SMALL, 1.0, Theme::Light)
+    };
+    let (mut first, mut second) = (open(), open());
+    click(&mut first, "Pos.+");
+    press(&mut first, Modifiers::CTRL, Key::S);
+    assert!(!modified(&first), "{:?}", said(&first));
+    click(&mut second, "Ori.+");
+    press(&mut second, Modifiers::CTRL, Key::S);
+    (second, file)
+}
+
+#[test]
+fn a_file_that_changed_is_not_overwritten_unasked() {
+    for language in BOTH {
+        let texts = language.texts();
+        let asks = |window: &Window| window.query_by_label(texts.questions.changed).is_some();
+        let points = |file: &Path| Document::load(file).expect("a path").path().points.len();
+
+        // The other one's work is there, ours is still unsaved.
+        let folder = tempfile::tempdir().expect("a folder");
+        let (mut window, file) = overtaken(language, folder.path());
+        assert!(asks(&window) && modified(&window));
+        assert_eq!(points(&file), 3);
+        let picture = format!("changed-{}.png", texts.questions.reload);
+        crate::screenshots::screenshot(&mut window, &picture);
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        assert!(!asks(&window) && modified(&window));
+        assert_eq!(points(&file), 3);
+
+        // Overwritten only when that was said, and not asked about again.
+        press(&mut window, Modifiers::CTRL, Key::S);
+        click(&mut window, texts.files.overwrite);
+        assert!(!asks(&window) && !modified(&window));
+        assert_eq!(points(&file), 2);
+        click(&mut window, "Ori.+");
+        press(&mut window, Modifiers::CTRL, Key::S);
+        assert!(!asks(&window) && !modified(&window));
+
+        let folder = tempfile::tempdir().expect("a folder");
+        let (mut window, file) = overtaken(language, folder.path());
+        click(&mut window, texts.questions.reload);
+        assert!(!asks(&window) && !modified(&window));
+        assert_eq!(window.state().document.path().points.len(), 3);
+        assert_eq!(points(&file), 3);
+
+        // On the way out: saved elsewhere, then closed.
+        let folder = tempfile::tempdir().expect("a folder");
+        let (mut window, file) = overtaken(language, folder.path());
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        window.state_mut().last_folder = Some(folder.path().to_owned());
+        window.state_mut().ask_to_close();
+        window.run();
+        click(&mut window, texts.questions.save);
+        assert!(asks(&window));
+        assert_eq!(window.state_mut().next_request(), None);
+        click(&mut window, texts.questions.save_as);
+        name(&mut window, "mine");
+        assert_eq!(window.state_mut().next_request(), Some(Request::Close));
+        assert_eq!(points(&file), 3);
+        assert_eq!(points(&folder.path().join("mine.vid")), 2);
+    }
+}
+
+/// What is there counts, and not when it came there.
+#[test]
+fn only_other_contents_are_a_change() {
+    let texts = Language::English.texts();
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("a.vid");
+    let asks = |window: &Window| window.query_by_label(texts.questions.changed).is_some();
+    // A name that had no file: one that has come since is somebody's.
+    let mut first = options(Language::English);
+    first.file = Some(file.clone());
+    let mut window = window_of(first, SMALL, 1.0, Theme::Dark);
+    click(&mut window, "Pos.+");
+    Document::new().save(&file).expect("saved");
+    press(&mut window, Modifiers::CTRL, Key::S);
+    assert!(asks(&window));
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    // Gone: there is nothing to lose.
+    std::fs::remove_file(&file).expect("gone");
+    press(&mut window, Modifiers::CTRL, Key::S);
+    assert!(!asks(&window) && !modified(&window));
+    // Written anew with the same bytes, by another file in its place.
+    let bytes = std::fs::read(&file).expect("there");
+    let other = folder.path().join("other");
+    std::fs::write(&other, &bytes).expect("written");
+    std::fs::rename(&other, &file).expect("renamed");
+    click(&mut window, "Pos.+");
+    press(&mut window, Modifiers::CTRL, Key::S);
+    assert!(!asks(&window) && !modified(&window));
+    // As many bytes, at the same time, in the same file.
+    let mut bytes = std::fs::read(&file).expect("there");
+    let times = std::fs::metadata(&file)
+        .expect("there")
+        .modified()
+        .expect("a time");
+    let last = bytes.len() - 1;
+    bytes[last] = b' ';
+    std::fs::write(&file, &bytes).expect("written");
+    let opened = std::fs::File::options()
+        .write(true)
+        .open(&file)
+        .expect("there");
+    opened.set_modified(times).expect("set");
+    click(&mut window, "Pos.+");
+    press(&mut window, Modifiers::CTRL, Key::S);
+    assert!(asks(&window));
+    assert_eq!(std::fs::read(&file).expect("there"), bytes);
+}
+
+/// A host has what was handed over to it.
+#[test]
+fn after_a_hand_over_nothing_is_unsaved_where_the_host_keeps_it() {
+    for saves in [true, false] {
+        let mut options = options(Language::English);
+        options.program.hand_over_saves = saves;
+        let mut window = window_of(options, SMALL, 1.0, Theme::Dark);
+        click(&mut window, "Pos.+");
+        let title = |window: &Window| window.state().window_title();
+        assert_eq!(title(&window), "VIDES*");
+        press(&mut window, Modifiers::ALT, Key::U);
+        assert_eq!(window.state_mut().next_request(), Some(Request::HandOver));
+        window.state_mut().handed_over(Ok(121), true);
+        assert_eq!(title(&window), if saves { "VIDES" } else { "VIDES*" });
+        window.state_mut().ask_to_close();
+        let closes = window.state_mut().next_request() == Some(Request::Close);
+        assert_eq!(closes, saves);
+        if !saves {
+            continue;
+        }
+        // What is done afterwards is unsaved again, what was taken back is not.
+        click(&mut window, "Pos.+");
+        assert!(window.state().is_unsaved());
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert!(!window.state().is_unsaved());
+        // Nothing was handed over of a path that is opened later.
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("a.vid");
+        Document::new().save(&file).expect("saved");
+        window.state_mut().load_path(&file).expect("loaded");
+        window.run();
+        click(&mut window, "Pos.+");
+        assert!(window.state().is_unsaved());
+    }
+}
+
+#[test]
+fn unsaved_work_is_asked_about_before_the_window_closes() {
+    for language in BOTH {
+        let texts = &language.texts().questions;
+        let folder = tempfile::tempdir().expect("a folder");
+        let closes = |window: &mut Window| window.state_mut().next_request();
+        let mut window = window_in(language, folder.path());
+        window.state_mut().ask_to_close();
+        assert_eq!(closes(&mut window), Some(Request::Close));
+
+        click(&mut window, "Pos.+");
+        window.state_mut().ask_to_close();
+        window.run();
+        assert_eq!(closes(&mut window), None);
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        assert!(window.query_by_label(texts.unsaved).is_none());
+        assert_eq!(closes(&mut window), None);
+        press(&mut window, Modifiers::CTRL, Key::Q);
+        click(&mut window, texts.cancel);
+        assert_eq!(closes(&mut window), None);
+        press(&mut window, Modifiers::ALT, Key::F4);
+        click(&mut window, texts.discard);
+        assert_eq!(closes(&mut window), Some(Request::Close));
+        // The host refused; the work is still there, and saved by the keyboard.
+        window.state_mut().ask_to_close();
+        window.run();
+        press(&mut window, Modifiers::NONE, Key::Enter);
+        name(&mut window, "kept");
+        assert_eq!(closes(&mut window), Some(Request::Close));
+        assert!(folder.path().join("kept.vid").is_file());
+    }
+}
+
+#[test]
+fn unsaved_work_is_asked_about_before_another_path_is_loaded() {
+    let texts = Language::German.texts();
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window_in(Language::German, folder.path());
+    click(&mut window, "Pos.+");
+    press(&mut window, Modifiers::CTRL, Key::O);
+    assert!(window.query_by_label(texts.files.load_path).is_none());
+    click(&mut window, texts.questions.save);
+    name(&mut window, "first");
+    assert!(folder.path().join("first.vid").is_file());
+    assert!(window.query_by_label(texts.files.load_path).is_some());
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(window.query_by_label(texts.files.load_path).is_none());
+}
+
+#[test]
+fn what_is_typed_counts_when_the_window_is_closed() {
+    let mut window = window(Language::German);
+    type_into(&mut window, "Position x", "0,5");
+    window.state_mut().ask_to_close();
+    assert_eq!(window.state_mut().next_request(), None);
+    window.run();
+    assert_eq!(window.state_mut().next_request(), None);
+    let texts = &Language::German.texts().questions;
+    assert!(window.query_by_label(texts.unsaved).is_some());
+}
+
+#[test]
+fn the_hosts_speeds_and_object_stand() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("a.vid");
+    Document::new().save(&file).expect("saved");
+    let mut hosts = Document::new();
+    let mut speeds = hosts.path().speeds;
+    speeds.movement = 7.0;
+    hosts.apply(Edit::SetSpeeds(speeds)).expect("possible");
+    let mut info = hosts.info().clone();
+    let point = ObjectPoint {
+        position: DVec3::ONE,
+        draw: false,
+    };
+    info.object = Object::from(vec![point]);
+    hosts
+        .apply(Edit::SetInfo(Box::new(info)))
+        .expect("possible");
+    hosts.mark_saved();
+    let options = Options {
+        document: hosts,
+        fixed_speeds: true,
+        ..options(Language::German)
+    };
+    let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
+    window.state_mut().load_path(&file).expect("loaded");
+    window.run();
+    let document = &window.state().document;
+    assert_eq!(document.path().speeds.movement, 7.0);
+    assert_eq!(document.info().object.len(), 1);
+    assert!(!document.is_modified() && !document.can_undo());
+}
+
+/// As two programs do: whoever looks finds a whole path, in the end one of the two.
+#[test]
+fn two_windows_that_save_to_one_file_leave_it_whole() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("both.vid");
+    Document::new().save(&file).expect("a file");
+    let work = |step: &str| {
+        let mut options = options(Language::English);
+        options.document = Document::load(&file).expect("a path");
+        options.file = Some(file.clone());
+        let mut window = window_of(options, [1200.0, 800.0], 1.0, Theme::Dark);
+        let texts = Language::English.texts();
+        for _ in 0..20 {
+            click(&mut window, step);
+            press(&mut window, Modifiers::CTRL, Key::S);
+            if window.query_by_label(texts.questions.changed).is_some() {
+                click(&mut window, texts.files.overwrite);
+            }
+            assert!(!modified(&window), "{:?}", said(&window));
+        }
+        window.state().document.to_toml().expect("a text")
+    };
+    let texts = std::thread::scope(|scope| {
+        let both = ["Pos.+", "Ori.+"].map(|step| scope.spawn(move || work(step)));
+        while !both.iter().all(|window| window.is_finished()) {
+            Document::load(&file).expect("a whole path");
+        }
+        both.map(|window| window.join().expect("a window"))
+    });
+    assert_ne!(texts[0], texts[1]);
+    let left = std::fs::read_to_string(&file).expect("a text");
+    assert!(texts.contains(&left));
+    let names = std::fs::read_dir(folder.path()).expect("a folder");
+    assert_eq!(names.count(), 1);
+}

@@ -1,0 +1,330 @@
+//! What passes between the window and its host's own picture while the flight is
+//! planned: where the playhead stands and what the camera sees there; the host's
+//! camera, shown as a ghost and taken over into the path.
+
+pub(crate) mod pane;
+mod program;
+mod warning;
+
+use std::path::Path;
+
+pub use pane::HostPane;
+pub use program::{Date, Program};
+pub use warning::{Warning, Warnings};
+
+use egui::{Area, Button, Context, Id, Order, Pos2, Rect, vec2};
+use glam::DVec3;
+
+use crate::actions::Action;
+use crate::document::{Edit, Object, Selection};
+use crate::error::{Refused, Result};
+use crate::math::{orientation, view::View};
+use crate::path::{Change, MayOwn, Orientation, Pose, Space, Target};
+use crate::state::{Editor, Reason, Request};
+use crate::texts::fill;
+use crate::texts::refusals::reason_of;
+
+/// How far away the target of a view that was taken over lies, in half sizes.
+const TARGET: f64 = 0.4;
+
+/// Where the playhead stands in which path: where two are equal, the host has nothing
+/// new to be told.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Standing {
+    revision: u64,
+    selection: Selection,
+    frame: Option<f64>,
+    plays: bool,
+    scrubbed: bool,
+}
+
+impl Standing {
+    /// What led here from another one.
+    pub fn reason(&self, before: &Self) -> Reason {
+        if self.plays || before.plays {
+            Reason::Played
+        } else if self.revision != before.revision {
+            Reason::Edited
+        } else if self.scrubbed {
+            Reason::Scrubbed
+        } else {
+            Reason::Selected
+        }
+    }
+}
+
+impl Editor {
+    /// Where the playhead stands.
+    pub fn standing(&self) -> Standing {
+        Standing {
+            revision: self.document.revision(),
+            selection: self.document.selection(),
+            frame: self.playing.frame(),
+            plays: self.playing.is_playing(),
+            scrubbed: self.playing.was_scrubbed(),
+        }
+    }
+
+    /// It plays, or a step of the document is open: more is to come.
+    pub fn is_under_way(&self) -> bool {
+        self.playing.is_playing() || self.document.in_step()
+    }
+
+    /// A number for what the path is after each step; an old one after undo.
+    pub fn step_number(&self) -> (u64, u64) {
+        (self.windows.paths, self.document.state_number())
+    }
+
+    /// The frame at the playhead, from 1.
+    ///
+    /// # Errors
+    /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
+    pub fn frame(&self) -> Result<f64> {
+        if let Some(frame) = self.playing.frame() {
+            return Ok(frame);
+        }
+        let Selection { point, orientation } = self.document.selection();
+        let sampler = self.document.sampler()?;
+        let section = self.document.timeline(|timeline| {
+            let at = timeline.section_from(point, orientation)?;
+            Some((at, timeline.section(at).change))
+        })?;
+        let hold = self.orientation().map_or(0, |key| key.hold as usize);
+        let frame = match section {
+            None => sampler.frame_count() - hold,
+            // Nothing rests there.
+            Some((at, Change::Nothing)) => sampler.first_frame(at),
+            Some((at, _)) => sampler.first_frame(at) - 1 - hold,
+        };
+        #[allow(clippy::cast_precision_loss)]
+        Ok(frame as f64)
+    }
+
+    /// The camera at the playhead, with its frame.
+    ///
+    /// # Errors
+    /// As [`Editor::frame`].
+    pub fn view(&self) -> Result<(Pose, f64)> {
+        let frame = self.frame()?;
+        Ok((self.document.sampler()?.pose(frame)?, frame))
+    }
+
+    /// The playhead goes to a frame, from 1, and stays there.
+    ///
+    /// # Errors
+    /// `ErrorKind::Range` for one that there is not; as [`Editor::frame`].
+    pub fn set_frame(&mut self, frame: f64) -> Result<()> {
+        self.document.sampler()?.pose(frame)?;
+        self.scrub(frame);
+        Ok(())
+    }
+
+    /// Plays from the next picture on, or plays no more.
+    pub fn set_playing(&mut self, plays: bool) {
+        self.playing.order(plays);
+    }
+
+    /// Makes a point and one of its orientations current, both counted from 0.
+    ///
+    /// # Errors
+    /// `ErrorKind::Range` for one that there is not.
+    pub fn select_key(&mut self, point: usize, orientation: usize) -> Result<()> {
+        self.document.select(point, orientation)?;
+        self.select(point, orientation);
+        Ok(())
+    }
+
+    /// Shows another object, in one step that the user can take back.
+    ///
+    /// # Errors
+    /// `ErrorKind::Memory`.
+    pub fn set_object(&mut self, object: Object) -> Result<()> {
+        let mut info = self.document.info().clone();
+        info.object = object;
+        self.document.apply(Edit::SetInfo(Box::new(info)))
+    }
+
+    /// What follows `VIDES` in the title; none: the file's name.
+    pub fn set_title(&mut self, title: Option<String>) {
+        self.title = title;
+    }
+
+    /// Saves under a name, or under its own one, and edits that file from now on.
+    ///
+    /// # Errors
+    /// `ErrorKind::Argument` without a name, or if the file of its own name is no more
+    /// what it was when it was read or written here: nothing is written then.
+    /// `ErrorKind::Io`.
+    pub fn save_as(&mut self, file: Option<&Path>) -> Result<()> {
+        let own = self.file.clone();
+        let Some(name) = file.or(own.as_deref()) else {
+            return Err(Refused::NoFile.into());
+        };
+        if self.write(name, file.is_some())? {
+            return Ok(());
+        }
+        Err(Refused::FileChanged.into())
+    }
+
+    /// The host's camera, to be shown; none: no more.
+    ///
+    /// # Errors
+    /// `ErrorKind::Argument`, `ErrorKind::Range` for one that is none.
+    pub fn set_ghost(&mut self, pose: Option<&Pose>) -> Result<()> {
+        let space = self.document.path().space;
+        let checked = pose.map(|pose| checked(pose, space)).transpose()?;
+        self.ghost = checked;
+        Ok(())
+    }
+
+    /// There is a view that could be taken over.
+    pub(crate) fn has_host_view(&self) -> bool {
+        self.host_view.captures || self.ghost.is_some()
+    }
+
+    /// The user wants the host's view.
+    pub(crate) fn ask_for_view(&mut self, replace: bool) {
+        if self.host_view.captures {
+            self.requests.push(Request::Capture { replace });
+        } else {
+            self.take_over(None, replace);
+        }
+    }
+
+    /// Takes over the view that the host has given, else the one that it shows: as a
+    /// new point behind the current one, or in place of the current orientation.
+    pub fn take_over(&mut self, given: Option<&Pose>, replace: bool) {
+        let texts = &self.texts().space;
+        let name = self.host_name().to_owned();
+        let Some(pose) = given.or(self.ghost.as_ref()) else {
+            self.complain(fill(texts.no_host_view, &[&name]));
+            return;
+        };
+        let space = self.document.path().space;
+        let pose = match checked(pose, space) {
+            Ok(pose) => pose,
+            Err(error) => {
+                let why = reason_of(self.language(), &error);
+                self.complain(fill(texts.host_view_refused, &[&name, &why]));
+                return;
+            }
+        };
+        let Selection { point, orientation } = self.document.selection();
+        let Some(current) = self.orientation() else {
+            return;
+        };
+        let taken = seen_by(&pose, space, current);
+        let position = DVec3::from_array(pose.vrp);
+        self.document.begin_step();
+        let done = if replace {
+            // The other way round the old target might lie where the point comes to.
+            let edits = [
+                Edit::SetOrientation {
+                    point,
+                    at: orientation,
+                    orientation: taken,
+                },
+                Edit::SetPosition {
+                    at: point,
+                    position,
+                },
+            ];
+            edits.into_iter().all(|edit| self.edit(edit))
+        } else {
+            self.add_point_at(point + 1, position, taken)
+        };
+        if done {
+            self.document.end_step();
+            self.playing.leave();
+        } else {
+            self.document.cancel_step();
+        }
+    }
+
+    /// A new point with this one orientation.
+    fn add_point_at(&mut self, at: usize, position: DVec3, orientation: Orientation) -> bool {
+        if !self.edit(Edit::InsertPoint { at, position }) {
+            return false;
+        }
+        let copied = self.point().map_or(1, |point| point.orientations.len());
+        let alone = (1..copied).rev().all(|number| {
+            self.edit(Edit::RemoveOrientation {
+                point: at,
+                at: number,
+            })
+        });
+        alone
+            && self.edit(Edit::SetOrientation {
+                point: at,
+                at: 0,
+                orientation,
+            })
+            && self.document.select(at, 0).is_ok()
+    }
+
+    /// What the window calls the host's view.
+    pub(crate) fn host_name(&self) -> &str {
+        let name = self.host_view.name.as_deref();
+        name.filter(|name| !name.is_empty())
+            .unwrap_or(self.texts().space.host_view)
+    }
+}
+
+/// A pose with vectors of length 1, perpendicular to each other.
+fn checked(pose: &Pose, space: Space) -> Result<Pose> {
+    let [position, view, up] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
+    space.check_place(position)?;
+    View::from_pose(DVec3::ZERO, view, up, pose.zoom, 1.5, 1e-3, 1.0)?;
+    let view = orientation::unit(view);
+    let up = orientation::unit(up);
+    let up = orientation::unit(up - view * up.dot(view));
+    let made = Pose {
+        vpn: view.to_array(),
+        vup: up.to_array(),
+        ..*pose
+    };
+    seen_by(&made, space, &Orientation::default()).check(position, space)?;
+    Ok(made)
+}
+
+/// The orientation of a pose, with speeds and pause of another one.
+fn seen_by(pose: &Pose, space: Space, other: &Orientation) -> Orientation {
+    let target = Target::Relative(DVec3::from_array(pose.vpn) * TARGET * space.half_size);
+    // As the path will understand it: near a pole each bit of the direction counts.
+    let view = orientation::unit(target.offset_from(DVec3::from_array(pose.vrp)));
+    let up = DVec3::from_array(pose.vup);
+    let roll = orientation::roll_from_up(space.up.upright(view), space.up.upright(up));
+    Orientation {
+        target,
+        roll: orientation::wrap_degrees(roll.to_degrees()),
+        zoom: pose.zoom,
+        own: MayOwn::default(),
+        ..other.clone()
+    }
+}
+
+/// The button beside the ghost, which is at this place of the movement window.
+pub(crate) fn button(editor: &mut Editor, context: &Context, viewport: Rect, ghost: Pos2) {
+    let id = Id::unique("take over the view");
+    let text = editor.texts().space.take_over;
+    let tip = editor.texts().space.take_over_tip;
+    let size = context
+        .data(|data| data.get_temp(id))
+        .unwrap_or(vec2(120.0, 24.0));
+    let room = Rect::from_min_max(viewport.min, viewport.max - size).shrink(6.0);
+    let shown = Area::new(id)
+        .order(Order::Middle)
+        .fixed_pos(room.clamp(ghost + vec2(14.0, 10.0)))
+        .constrain(false)
+        .show(context, |ui| {
+            ui.add(Button::new(text).small()).on_hover_text(tip)
+        });
+    context.data_mut(|data| data.insert_temp(id, shown.response.rect.size()));
+    if shown.inner.clicked() {
+        let replace = context.input(|input| input.modifiers.shift);
+        editor.act(Action::TakeOver { replace }, context);
+    }
+}
+
+#[cfg(test)]
+mod tests;

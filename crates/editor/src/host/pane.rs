@@ -1,0 +1,47 @@
+//! The camera's picture where the host draws it: what stands in a window of its own
+//! that covers ours. So what is shown above it must be known, to be cut out there.
+
+use egui::{Context, Id, LayerId, Order, Rect};
+
+use crate::state::Editor;
+
+/// Where the host draws, in points of the window.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HostPane {
+    /// The picture.
+    pub picture: Rect,
+    /// What is shown above it, in part perhaps.
+    pub above: Vec<Rect>,
+}
+
+impl Editor {
+    /// Where the host draws what the camera sees; `None` if that is not shown, or if
+    /// the editor draws it itself.
+    #[must_use]
+    pub fn host_pane(&self) -> Option<&HostPane> {
+        self.host_pane.as_ref()
+    }
+
+    /// The host cannot draw what the camera sees: the editor does.
+    pub fn draw_pane_itself(&mut self) {
+        self.host_view.fills_pane = false;
+        self.host_pane = None;
+    }
+}
+
+/// Adds the sub-windows, menus and hints that lie above the pane's own layer.
+pub(crate) fn add_what_lies_above(editor: &mut Editor, context: &Context, layer: Id) {
+    let Some(pane) = &mut editor.host_pane else {
+        return;
+    };
+    let own = LayerId::new(Order::Middle, layer);
+    context.memory(|memory| {
+        let above = (memory.layer_ids())
+            .skip_while(|&layer| layer != own)
+            .skip(1);
+        let shown = above.filter(|layer| memory.areas().is_visible(layer));
+        let rects = shown.filter_map(|layer| memory.area_rect(layer.id));
+        pane.above
+            .extend(rects.filter(|rect| rect.intersects(pane.picture)));
+    });
+}

@@ -1,0 +1,443 @@
+//! The menu bar (thesis A.5): opened by the pointer, by Alt and a letter or by
+//! F10, walked through by the arrow keys; in an open menu an entry's letter
+//! picks it.
+
+use std::borrow::Cow;
+
+use egui::{
+    Align2, Button, Color32, Context, CornerRadius, FocusDirection, Id, Key, Modifiers, Popup,
+    Response, Role, Sense, SetOpenCommand, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
+};
+
+use crate::actions::Action;
+use crate::keys;
+use crate::limits::MIN_POINTS;
+use crate::setup::Theme;
+use crate::state::Editor;
+use crate::texts::{Language, Texts, fill};
+use crate::theme;
+
+/// Room for a mark before an entry's text.
+const MARK: f32 = 28.0;
+/// Beside a menu's title.
+const TITLE_MARGIN: f32 = 6.0;
+/// Between the texts and their keys.
+const APART: f32 = 32.0;
+
+/// An entry of a menu.
+struct Entry {
+    text: Cow<'static, str>,
+    /// What it does, or why it cannot be picked.
+    hint: Cow<'static, str>,
+    action: Action,
+    /// Picks it while the menu is open.
+    letter: Option<Key>,
+    enabled: bool,
+    /// A switch, and whether it is on.
+    on: Option<bool>,
+    /// A line stands above it.
+    apart: bool,
+}
+
+impl Entry {
+    const fn new(text: &'static str, hint: &'static str, action: Action) -> Self {
+        Self {
+            text: Cow::Borrowed(text),
+            hint: Cow::Borrowed(hint),
+            action,
+            letter: None,
+            enabled: true,
+            on: None,
+            apart: false,
+        }
+    }
+
+    const fn letter(mut self, letter: Key) -> Self {
+        self.letter = Some(letter);
+        self
+    }
+
+    /// Else it says why not.
+    fn only_if(mut self, possible: bool, why_not: &'static str) -> Self {
+        self.enabled = possible;
+        if !possible {
+            self.hint = Cow::Borrowed(why_not);
+        }
+        self
+    }
+
+    const fn on(mut self, on: bool) -> Self {
+        self.on = Some(on);
+        self
+    }
+
+    const fn apart(mut self) -> Self {
+        self.apart = true;
+        self
+    }
+}
+
+/// One menu.
+struct Menu {
+    title: &'static str,
+    /// With Alt it opens the menu.
+    letter: Key,
+    entries: Vec<Entry>,
+}
+
+/// The letters that open the menus with Alt, and the menus' titles.
+pub(super) fn letters(texts: &Texts) -> [(Key, &'static str); 5] {
+    let menu = &texts.menu;
+    [
+        (Key::D, menu.file),
+        (Key::B, menu.edit),
+        (Key::A, menu.output),
+        (Key::E, menu.settings),
+        (Key::H, menu.help),
+    ]
+}
+
+/// The keys of an entry that has a letter of its own in its menu only: the menu's and
+/// then its own.
+pub(super) fn in_menu(language: Language, menu: Key, entry: Key) -> String {
+    let opens = keys::combination(language, Modifiers::ALT, menu);
+    format!("{opens}, {}", entry.name())
+}
+
+fn menus(editor: &Editor) -> [Menu; 5] {
+    let entries = [file, edit, output, settings, help];
+    let mut entries = entries.into_iter().map(|entries| entries(editor));
+    letters(editor.texts()).map(|(letter, title)| Menu {
+        title,
+        letter,
+        entries: entries.next().unwrap_or_default(),
+    })
+}
+
+fn file(editor: &Editor) -> Vec<Entry> {
+    let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    let mut file = vec![
+        Entry::new(texts.load, hints.load, Action::Load).letter(Key::L),
+        Entry::new(texts.save, hints.save, Action::Save).apart(),
+        Entry::new(texts.save_as, hints.save_as, Action::SaveAs).letter(Key::S),
+    ];
+    let recent = editor.recent.iter().zip(editor.recent_names());
+    file.extend(recent.enumerate().map(|(number, (path, name))| Entry {
+        text: name.into(),
+        hint: fill(hints.recent, &[&path.display()]).into(),
+        apart: number == 0,
+        ..Entry::new("", "", Action::Recent(number))
+    }));
+    file.push(Entry::new(texts.quit, hints.quit, Action::Quit).apart());
+    file
+}
+
+fn edit(editor: &Editor) -> Vec<Entry> {
+    let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    let (position, output) = (&editor.texts().position, &editor.texts().output);
+    let orientation = &editor.texts().orientation;
+    let orientations = editor.point().map_or(1, |point| point.orientations.len());
+    let path = editor.document.path();
+    let closed = path.closed;
+    let close_hint = if closed { hints.open } else { hints.close };
+    vec![
+        Entry::new(texts.undo, hints.undo, Action::Undo)
+            .only_if(editor.document.can_undo(), output.nothing_to_undo),
+        Entry::new(texts.redo, hints.redo, Action::Redo)
+            .only_if(editor.document.can_redo(), output.nothing_to_redo),
+        Entry::new(texts.add_point, position.add_hint, Action::AddPoint)
+            .only_if(editor.has_segment(), position.last_point)
+            .apart(),
+        Entry::new(texts.add_points, position.add_many_hint, Action::AskPoints)
+            .only_if(editor.has_segment(), position.last_point),
+        Entry::new(
+            texts.remove_point,
+            position.remove_hint,
+            Action::RemovePoint,
+        )
+        .only_if(path.points.len() > MIN_POINTS, position.two_remain),
+        Entry::new(texts.append, hints.append, Action::AppendPoint)
+            .only_if(!closed, position.closed_has_no_ends),
+        Entry::new(texts.prepend, hints.prepend, Action::PrependPoint)
+            .only_if(!closed, position.closed_has_no_ends),
+        Entry::new(texts.close, close_hint, Action::SetClosed(!closed)).on(closed),
+        Entry::new(
+            texts.add_orientation,
+            orientation.add_hint,
+            Action::AddOrientation,
+        )
+        .apart(),
+        Entry::new(
+            texts.remove_orientation,
+            orientation.remove_hint,
+            Action::RemoveOrientation,
+        )
+        .only_if(orientations > 1, orientation.one_remains),
+        Entry::new(
+            texts.copy_orientation,
+            hints.copy_orientation,
+            Action::CopyOrientation,
+        ),
+        Entry::new(
+            texts.paste_orientation,
+            hints.paste_orientation,
+            Action::PasteOrientation,
+        )
+        .only_if(editor.copied.is_some(), output.nothing_copied),
+        Entry::new(texts.aim_all, hints.aim_all, Action::AimAll),
+        Entry::new(texts.space, hints.space, Action::Space).apart(),
+    ]
+}
+
+fn output(editor: &Editor) -> Vec<Entry> {
+    let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    vec![
+        Entry::new(texts.export, hints.export, Action::Export).letter(Key::D),
+        Entry::new(texts.hand_over, hints.hand_over, Action::HandOver)
+            .letter(Key::U)
+            .only_if(editor.hand_over, texts.nobody_takes),
+        Entry::new(texts.hands_over, hints.hands_over, Action::SwitchHandsOver)
+            .letter(Key::L)
+            .on(editor.hands_over)
+            .only_if(editor.hand_over, texts.nobody_takes),
+    ]
+}
+
+fn settings(editor: &Editor) -> Vec<Entry> {
+    let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    let look = |text, hint, theme| {
+        Entry::new(text, hint, Action::Theme(theme)).on(editor.setup.theme == theme)
+    };
+    vec![
+        Entry::new(texts.colours, hints.colours, Action::Colours).letter(Key::F),
+        Entry::new(texts.display, hints.display, Action::Display).letter(Key::Z),
+        look(texts.as_system, hints.as_system, None).apart(),
+        look(texts.dark, hints.dark, Some(Theme::Dark)),
+        look(texts.light, hints.light, Some(Theme::Light)),
+        Entry::new(texts.load_setup, hints.load_setup, Action::LoadSetup)
+            .letter(Key::T)
+            .apart(),
+        Entry::new(texts.save_setup, hints.save_setup, Action::SaveSetup).letter(Key::P),
+    ]
+}
+
+fn help(editor: &Editor) -> Vec<Entry> {
+    let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    vec![Entry::new(texts.keys, hints.keys, Action::Keys)]
+}
+
+/// What is remembered of the bar from pass to pass.
+#[derive(Clone, Debug, Default)]
+struct Bar {
+    /// The popups, from left to right.
+    popups: Vec<Id>,
+    /// The entries of the open menu that can be picked.
+    entries: Vec<Id>,
+    /// The keyboard goes to the first entry as soon as it is there.
+    wants_first: bool,
+}
+
+impl Bar {
+    /// The menu that is open.
+    fn open(&self, context: &Context) -> Option<usize> {
+        let is_open = |&popup: &Id| Popup::is_id_open(context, popup);
+        self.popups.iter().position(is_open)
+    }
+}
+
+/// Shows the menus. The action whose entry was picked.
+pub(super) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
+    let memory = Id::unique("menu bar");
+    let mut bar: Bar = ui.data(|data| data.get_temp(memory)).unwrap_or_default();
+    let menus = menus(editor);
+    let mut picked = walk(ui.ctx(), &mut bar, &menus);
+    let open = bar.open(ui.ctx());
+    bar.popups.clear();
+    bar.entries.clear();
+    ui.spacing_mut().button_padding = vec2(TITLE_MARGIN, 0.0);
+    ui.spacing_mut().item_spacing.x = 0.0;
+    for (index, menu) in menus.iter().enumerate() {
+        let mut title = Button::new(menu.title).frame_when_inactive(false);
+        if open == Some(index) {
+            let fill = theme::palette(ui).hovered;
+            title = title.frame_when_inactive(true).fill(fill);
+        }
+        let response = ui.add(title);
+        let mut popup = Popup::menu(&response);
+        bar.popups.push(popup.get_id());
+        // An open menu gives way to the one that the pointer comes to. One that
+        // only rests there leaves the choice to the keyboard.
+        let came = response.hovered() && ui.input(|input| input.pointer.delta() != Vec2::ZERO);
+        if came && open.is_some_and(|open| open != index) {
+            popup = popup.open_memory(Some(SetOpenCommand::Bool(true)));
+        }
+        let inner = popup.show(|ui| show_entries(editor, ui, menu, &mut bar));
+        picked = picked.or(inner.and_then(|inner| inner.inner));
+    }
+    ui.data_mut(|data| data.insert_temp(memory, bar));
+    picked
+}
+
+fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Option<Action> {
+    let mut picked = None;
+    ui.spacing_mut().item_spacing.y = 0.0;
+    let keys = |entry: &Entry| {
+        let keys = keys::words(editor.language(), &entry.action);
+        let letter = || Some(in_menu(editor.language(), menu.letter, entry.letter?));
+        keys.or_else(letter).unwrap_or_default()
+    };
+    let width = |text: &str| {
+        let galley = ui
+            .painter()
+            .layout_no_wrap(text.to_owned(), theme::text(), Color32::WHITE);
+        galley.size().x
+    };
+    let widest = |of: &dyn Fn(&Entry) -> f32| menu.entries.iter().map(of).fold(0.0, f32::max);
+    let all =
+        MARK + widest(&|entry| width(&entry.text)) + APART + widest(&|entry| width(&keys(entry)));
+    let size = vec2((all + 8.0).ceil(), theme::ROW);
+    for entry in &menu.entries {
+        if entry.apart {
+            let (line, _) = ui.allocate_exact_size(vec2(size.x, 9.0), Sense::hover());
+            let stroke = Stroke::new(1.0, theme::palette(ui).line);
+            ui.painter().hline(line.x_range(), line.center().y, stroke);
+        }
+        let response = ui
+            .add_enabled_ui(entry.enabled, |ui| {
+                show_entry(ui, entry, &keys(entry), size)
+            })
+            .inner;
+        if entry.enabled {
+            bar.entries.push(response.id);
+            if bar.wants_first {
+                bar.wants_first = false;
+                response.request_focus();
+            }
+        }
+        if response.clicked() {
+            picked = Some(entry.action.clone());
+            ui.close();
+        }
+        response
+            .on_hover_text(&*entry.hint)
+            .on_disabled_hover_text(&*entry.hint);
+    }
+    picked
+}
+
+/// A row: room for a mark, the text, its keys at the right.
+fn show_entry(ui: &mut Ui, entry: &Entry, keys: &str, size: Vec2) -> Response {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let palette = theme::palette(ui);
+    let painter = ui.painter();
+    if entry.enabled && (response.hovered() || response.has_focus()) {
+        painter.rect_filled(rect, CornerRadius::same(4), palette.hovered);
+    }
+    let middle = rect.center().y;
+    if entry.on == Some(true) {
+        let at = |x: f32, y: f32| pos2(rect.left() + 8.0 + x, middle + y);
+        let tick = vec![at(0.0, 0.0), at(3.0, 3.5), at(9.0, -4.0)];
+        painter.add(Shape::line(tick, Stroke::new(1.5, palette.accent)));
+    }
+    let left = pos2(rect.left() + MARK, middle);
+    painter.text(
+        left,
+        Align2::LEFT_CENTER,
+        &entry.text,
+        theme::text(),
+        palette.text,
+    );
+    let right = pos2(rect.right() - 8.0, middle);
+    painter.text(
+        right,
+        Align2::RIGHT_CENTER,
+        keys,
+        theme::text(),
+        palette.weak,
+    );
+    response.widget_info(|| match entry.on {
+        Some(on) => WidgetInfo::selected(Role::MenuItemCheckBox, entry.enabled, on, &*entry.text),
+        None => WidgetInfo::labeled(Role::MenuItem, entry.enabled, &*entry.text),
+    });
+    response
+}
+
+/// The keyboard in the menus.
+fn walk(context: &Context, bar: &mut Bar, menus: &[Menu]) -> Option<Action> {
+    let open = bar.open(context);
+    if let Some(open) = open
+        && let Some(action) = pick_by_letter(context, &menus[open])
+    {
+        Popup::close_all(context);
+        return Some(action);
+    }
+    // F10 opens the first one, as in many programs.
+    let keys = menus.iter().map(|menu| (Modifiers::ALT, menu.letter));
+    let keys = keys.chain([(Modifiers::NONE, Key::F10)]);
+    for (index, (modifiers, key)) in keys.enumerate() {
+        if let Some(&popup) = bar.popups.get(index % menus.len())
+            && context.input_mut(|input| {
+                // Shift and F10 is another key.
+                !input.modifiers.shift && input.consume_key(modifiers, key)
+            })
+        {
+            keys::release(context);
+            Popup::open_id(context, popup);
+            bar.wants_first = true;
+            return None;
+        }
+    }
+    let open = open?;
+    let count = bar.popups.len();
+    let step = |forth: Key, back: Key| {
+        context.input_mut(|input| {
+            let forth = input.consume_key(Modifiers::NONE, forth);
+            let back = input.consume_key(Modifiers::NONE, back);
+            isize::from(forth) - isize::from(back)
+        })
+    };
+    let across = step(Key::ArrowRight, Key::ArrowLeft);
+    if across != 0 {
+        let next = (open + if across > 0 { 1 } else { count - 1 }) % count;
+        if let Some(&popup) = bar.popups.get(next) {
+            Popup::open_id(context, popup);
+            bar.wants_first = true;
+        }
+    }
+    let down = step(Key::ArrowDown, Key::ArrowUp);
+    let entries = bar.entries.len();
+    if down != 0 && entries > 0 {
+        let focused = context.memory(|memory| memory.focused());
+        let at = focused.and_then(|id| bar.entries.iter().position(|&entry| entry == id));
+        let next = match (at, down > 0) {
+            (Some(at), true) => (at + 1) % entries,
+            (Some(at), false) => (at + entries - 1) % entries,
+            (None, true) => 0,
+            (None, false) => entries - 1,
+        };
+        if let Some(&entry) = bar.entries.get(next) {
+            context.memory_mut(|memory| memory.request_focus(entry));
+        }
+    }
+    if across != 0 || down != 0 {
+        // egui would go on to whatever lies in that direction.
+        context.memory_mut(|memory| memory.move_focus(FocusDirection::None));
+    }
+    None
+}
+
+/// An entry's letter, with Alt or without, in the open menu.
+fn pick_by_letter(context: &Context, menu: &Menu) -> Option<Action> {
+    let entry = menu.entries.iter().find(|entry| {
+        let Some(letter) = entry.letter.filter(|_| entry.enabled) else {
+            return false;
+        };
+        context.input_mut(|input| {
+            input.consume_key(Modifiers::NONE, letter) || input.consume_key(Modifiers::ALT, letter)
+        })
+    })?;
+    Some(entry.action.clone())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,446 @@
+//! The menu bar and the output field (thesis A.2, A.5).
+
+use egui_kittest::kittest::by;
+
+use crate::Request;
+use crate::tests::*;
+
+#[test]
+fn the_output_field_shows_position_and_orientation() {
+    let window = window(Language::German);
+    let words = "Punkt 1 · Position −0,600 0,200 0,800 · Blick 0,000 0,000 −1,000 · Winkel 0,0° · Zoom 24,0";
+    assert!(window.query_by_label(words).is_some());
+    let window = crate::tests::window(Language::English);
+    let words =
+        "Point 1 · Position −0.600 0.200 0.800 · View 0.000 0.000 −1.000 · Roll 0.0° · Zoom 24.0";
+    assert!(window.query_by_label(words).is_some());
+}
+
+#[test]
+fn the_output_field_follows_at_once() {
+    let mut window = window(Language::English);
+    enter(&mut window, "Roll", "12.5");
+    click(&mut window, "Pos. >>");
+    click(&mut window, "<< Pos.");
+    let words =
+        "Point 1 · Position −0.600 0.200 0.800 · View 0.000 0.000 −1.000 · Roll 12.5° · Zoom 24.0";
+    assert!(window.query_by_label(words).is_some());
+}
+
+#[test]
+fn alt_and_a_letter_open_the_menus() {
+    for language in BOTH {
+        let texts = &language.texts().menu;
+        let mut window = window(language);
+        for (key, entries) in [
+            (
+                Key::D,
+                vec![texts.load, texts.save, texts.save_as, texts.quit],
+            ),
+            (Key::B, vec![texts.undo, texts.add_points, texts.aim_all]),
+            (Key::A, vec![texts.export, texts.hand_over]),
+            (
+                Key::E,
+                vec![
+                    texts.colours,
+                    texts.display,
+                    texts.load_setup,
+                    texts.save_setup,
+                ],
+            ),
+            (Key::H, vec![texts.keys]),
+        ] {
+            assert!(window.query_by_label(entries[0]).is_none());
+            press(&mut window, Modifiers::ALT, key);
+            for entry in entries {
+                assert!(window.query_by_label(entry).is_some(), "{entry}");
+            }
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+        assert!(window.query_by_label(texts.colours).is_none());
+    }
+}
+
+#[test]
+fn the_menus_are_walked_through_by_the_arrow_keys() {
+    let texts = &Language::German.texts().menu;
+    let mut window = window(Language::German);
+    press(&mut window, Modifiers::ALT, Key::D);
+    assert!(window.get_by_label(texts.load).is_focused());
+    press(&mut window, Modifiers::NONE, Key::ArrowUp);
+    assert!(window.get_by_label(texts.quit).is_focused());
+    press(&mut window, Modifiers::NONE, Key::ArrowDown);
+    press(&mut window, Modifiers::NONE, Key::ArrowDown);
+    assert!(window.get_by_label(texts.save).is_focused());
+    press(&mut window, Modifiers::NONE, Key::ArrowRight);
+    press(&mut window, Modifiers::NONE, Key::ArrowRight);
+    assert!(window.get_by_label(texts.export).is_focused());
+    press(&mut window, Modifiers::NONE, Key::ArrowLeft);
+    press(&mut window, Modifiers::NONE, Key::ArrowLeft);
+    press(&mut window, Modifiers::NONE, Key::ArrowLeft);
+    assert!(window.get_by_label(texts.keys).is_focused());
+    press(&mut window, Modifiers::NONE, Key::Enter);
+    assert!(window.state().windows.help.is_some());
+    let entry = window.query_by_role_and_label(egui::accesskit::Role::MenuItem, texts.quit);
+    assert!(entry.is_none());
+}
+
+#[test]
+fn f10_opens_the_first_menu_and_shift_f10_does_not() {
+    let texts = &Language::English.texts().menu;
+    let mut window = window(Language::English);
+    press(&mut window, Modifiers::NONE, Key::F10);
+    assert!(window.get_by_label(texts.load).is_focused());
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    press(&mut window, Modifiers::SHIFT, Key::F10);
+    assert!(window.query_by_label(texts.load).is_none());
+    assert!(window.query_by_label(texts.copy_orientation).is_some());
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    // Nor does it while another menu is open.
+    press(&mut window, Modifiers::ALT, Key::A);
+    press(&mut window, Modifiers::SHIFT, Key::F10);
+    assert!(window.query_by_label(texts.load).is_none());
+}
+
+#[test]
+fn a_pointer_at_rest_leaves_the_menus_to_the_keyboard() {
+    let texts = &Language::German.texts().menu;
+    let mut window = window(Language::German);
+    let place = |window: &Window, title: &str| window.get_by_label(title).rect().center();
+    click(&mut window, texts.file);
+    let on_file = place(&window, texts.file);
+    window.hover_at(on_file);
+    window.run();
+    assert!(window.query_by_label(texts.load).is_some());
+    press(&mut window, Modifiers::NONE, Key::ArrowRight);
+    assert!(window.query_by_label(texts.load).is_none());
+    assert!(window.get_by_label(texts.add_point).is_focused());
+    // One that moves chooses.
+    let on_output = place(&window, texts.output);
+    window.hover_at(on_output);
+    window.run();
+    assert!(window.query_by_label(texts.export).is_some());
+    assert!(window.query_by_label(texts.undo).is_none());
+}
+
+#[test]
+fn all_cameras_are_aimed_at_one_target_in_one_step() {
+    for language in BOTH {
+        let texts = language.texts();
+        let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+        let before = window.state().document.path().clone();
+        // The third point looks to the summit from one place, and elsewhere.
+        let place = DVec3::new(0.1, 0.5, -0.1);
+        window.state_mut().edit(Edit::SetAbsolute {
+            point: 2,
+            at: 0,
+            absolute: false,
+        });
+        window.state_mut().set_orientation(|current| {
+            current.target = Target::Relative(place - before.points[2].position);
+            current.zoom = 35.0;
+        });
+        window.run();
+        press(&mut window, Modifiers::NONE, Key::F7);
+        let told = said(&window);
+        assert_eq!(told.as_deref(), Some(texts.orientation.all_aimed));
+        for (point, was) in window
+            .state()
+            .document
+            .path()
+            .points
+            .iter()
+            .zip(&before.points)
+        {
+            assert_eq!(point.orientations.len(), was.orientations.len());
+            for (orientation, was) in point.orientations.iter().zip(&was.orientations) {
+                let Target::Absolute(found) = orientation.target else {
+                    panic!("{:?}", orientation.target);
+                };
+                assert!((found - place).length() < 1e-15, "{found}");
+                assert_eq!(orientation.speeds, was.speeds);
+            }
+        }
+        assert_eq!(window.state().orientation().expect("there").zoom, 35.0);
+        // Of a point that lies there nothing is changed.
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        let aimed = |window: &Window| {
+            let path = window.state().document.path();
+            let all = path.points.iter().flat_map(|point| &point.orientations);
+            all.filter(|one| one.target == Target::Absolute(before.points[4].position))
+                .count()
+        };
+        window.state_mut().set_orientation(|current| {
+            current.target = Target::Absolute(before.points[4].position);
+        });
+        window.run();
+        press(&mut window, Modifiers::NONE, Key::F7);
+        assert_eq!(
+            said(&window).as_deref(),
+            Some(texts.orientation.on_position)
+        );
+        assert_eq!(aimed(&window), 1);
+    }
+}
+
+#[test]
+fn the_thesis_shortcuts_do_what_the_menus_do() {
+    let opened = |key: Key| {
+        let mut window = window(Language::German);
+        press(&mut window, Modifiers::ALT, key);
+        window
+    };
+    let texts = &Language::German.texts().files;
+    let shows = |window: &Window, title: &str| window.query_by_label(title).is_some();
+    assert!(shows(&opened(Key::L), texts.load_path));
+    assert!(shows(&opened(Key::S), texts.save_path));
+    assert!(shows(&opened(Key::T), texts.load_setup));
+    assert!(shows(&opened(Key::P), texts.save_setup));
+    assert!(opened(Key::F).state().windows.colours.is_some());
+    assert!(opened(Key::Z).state().windows.display.is_some());
+    assert_eq!(
+        opened(Key::U).state_mut().next_request(),
+        Some(Request::HandOver)
+    );
+    assert_eq!(
+        opened(Key::F4).state_mut().next_request(),
+        Some(Request::Close)
+    );
+}
+
+#[test]
+fn d_in_the_open_output_menu_writes_to_a_file() {
+    for modifiers in [Modifiers::NONE, Modifiers::ALT] {
+        let mut window = window(Language::German);
+        press(&mut window, Modifiers::ALT, Key::A);
+        press(&mut window, modifiers, Key::D);
+        let texts = Language::German.texts();
+        assert!(window.query_by_label(texts.files.export).is_some());
+        assert!(window.query_by_label(texts.menu.load).is_none());
+    }
+}
+
+#[test]
+fn handing_over_is_grey_where_nobody_takes_it() {
+    for language in BOTH {
+        let texts = &language.texts().menu;
+        let options = Options {
+            hand_over: false,
+            ..options(language)
+        };
+        let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
+        press(&mut window, Modifiers::ALT, Key::A);
+        click(&mut window, texts.hand_over);
+        assert_eq!(window.state_mut().next_request(), None);
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        press(&mut window, Modifiers::ALT, Key::U);
+        assert_eq!(window.state_mut().next_request(), None);
+        assert_eq!(said(&window).as_deref(), Some(texts.nobody_takes));
+    }
+}
+
+/// Rests the pointer on an entry; what the tooltip says then is there to be read.
+fn has_tooltip(window: &mut Window, entry: &str, hint: &str) {
+    assert!(window.query_by_label(hint).is_none(), "{entry}: {hint}");
+    let at = window.get_by_label(entry).rect().center();
+    window.hover_at(at);
+    for _ in 0..4 {
+        window.step();
+    }
+    assert!(window.query_by_label(hint).is_some(), "{entry}: {hint}");
+}
+
+#[test]
+fn every_entry_has_a_tooltip() {
+    for language in BOTH {
+        let texts = language.texts();
+        let (menu, hints, position) = (&texts.menu, &texts.menu_hints, &texts.position);
+        let mut window = window(language);
+        for (title, entries) in [
+            (
+                menu.file,
+                vec![
+                    (menu.load, hints.load),
+                    (menu.save, hints.save),
+                    (menu.save_as, hints.save_as),
+                    (menu.quit, hints.quit),
+                ],
+            ),
+            (
+                menu.edit,
+                vec![
+                    // Those that are not possible say why.
+                    (menu.undo, texts.output.nothing_to_undo),
+                    (menu.redo, texts.output.nothing_to_redo),
+                    (menu.add_point, position.add_hint),
+                    (menu.add_points, position.add_many_hint),
+                    (menu.remove_point, position.two_remain),
+                    (menu.append, hints.append),
+                    (menu.prepend, hints.prepend),
+                    (menu.close, hints.close),
+                    (menu.add_orientation, texts.orientation.add_hint),
+                    (menu.remove_orientation, texts.orientation.one_remains),
+                    (menu.copy_orientation, hints.copy_orientation),
+                    (menu.paste_orientation, texts.output.nothing_copied),
+                    (menu.aim_all, hints.aim_all),
+                    (menu.space, hints.space),
+                ],
+            ),
+            (
+                menu.output,
+                vec![
+                    (menu.export, hints.export),
+                    (menu.hand_over, hints.hand_over),
+                    (menu.hands_over, hints.hands_over),
+                ],
+            ),
+            (
+                menu.settings,
+                vec![
+                    (menu.colours, hints.colours),
+                    (menu.display, hints.display),
+                    (menu.as_system, hints.as_system),
+                    (menu.dark, hints.dark),
+                    (menu.light, hints.light),
+                    (menu.load_setup, hints.load_setup),
+                    (menu.save_setup, hints.save_setup),
+                ],
+            ),
+            (menu.help, vec![(menu.keys, hints.keys)]),
+        ] {
+            click(&mut window, title);
+            let shown = window
+                .query_all(by().predicate(|node| {
+                    let role = node.role();
+                    matches!(role, Role::MenuItem | Role::MenuItemCheckBox)
+                }))
+                .count();
+            assert_eq!(shown, entries.len(), "{title}");
+            for (entry, hint) in entries {
+                has_tooltip(&mut window, entry, hint);
+            }
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+    }
+}
+
+#[test]
+fn a_hand_over_is_told() {
+    use crate::error::EngineError;
+    for language in BOTH {
+        let texts = language.texts();
+        let mut window = window(language);
+        window.state_mut().handed_over(Ok(121), true);
+        window.run();
+        assert_eq!(said(&window), Some(fill(texts.output.handed_over, &[&121])));
+        window
+            .state_mut()
+            .handed_over(Err(EngineError::Memory.into()), true);
+        window.run();
+        assert_eq!(
+            said(&window),
+            Some(fill(texts.errors.cannot_hand_over, &[&texts.errors.memory]))
+        );
+    }
+}
+
+#[test]
+fn light_and_dark_are_chosen_in_the_settings() {
+    let mut window = window(Language::German);
+    press(&mut window, Modifiers::ALT, Key::E);
+    click(&mut window, "Hell");
+    assert!(!window.ctx.global_style().visuals.dark_mode);
+    press(&mut window, Modifiers::ALT, Key::E);
+    click(&mut window, "Dunkel");
+    assert!(window.ctx.global_style().visuals.dark_mode);
+}
+
+#[test]
+fn the_ends_of_the_path_are_led_on() {
+    for language in BOTH {
+        let texts = language.texts();
+        let mut window = window(language);
+        let count = |window: &Window| window.state().document.path().points.len();
+        let pick = |window: &mut Window, entry: &str| {
+            click(window, texts.menu.edit);
+            click(window, entry);
+        };
+        pick(&mut window, texts.menu.append);
+        assert_eq!(count(&window), 3);
+        assert_eq!(window.state().document.selection().point, 2);
+        pick(&mut window, texts.menu.append);
+        assert_eq!(said(&window).as_deref(), Some(texts.position.no_room));
+        pick(&mut window, texts.menu.prepend);
+        assert_eq!(
+            (count(&window), window.state().document.selection().point),
+            (4, 0)
+        );
+        pick(&mut window, texts.menu.close);
+        assert!(window.state().document.path().closed);
+        window.state_mut().edit(Edit::AppendAfterLast);
+        window.run();
+        assert_eq!(
+            said(&window).as_deref(),
+            Some(texts.position.closed_has_no_ends)
+        );
+        pick(&mut window, texts.menu.close);
+        assert!(!window.state().document.path().closed);
+    }
+}
+
+#[test]
+fn every_key_stands_in_the_help() {
+    for language in BOTH {
+        let mut window = window(language);
+        press(&mut window, Modifiers::NONE, Key::F1);
+        for &(modifiers, key, _) in crate::keys::SHORTCUTS {
+            let words = crate::keys::combination(language, modifiers, key);
+            assert!(
+                window.query_all_by_label(&words).next().is_some(),
+                "{words}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_title_begins_with_the_name_and_marks_unsaved_work() {
+    let mut editor = Editor::new(options(Language::German)).expect("an editor");
+    assert_eq!(editor.window_title(), "VIDES");
+    editor.edit(Edit::SetClosed(true));
+    assert_eq!(editor.window_title(), "VIDES*");
+    editor.file = Some("/tmp/a b.vid".into());
+    assert_eq!(editor.window_title(), "VIDES – *a b.vid");
+    editor.title = Some("Flug".into());
+    assert_eq!(editor.window_title(), "VIDES – *Flug");
+}
+
+/// A letter alone would look as if it could be pressed anywhere.
+#[test]
+fn a_letter_of_one_menu_is_shown_behind_the_menus_keys() {
+    for language in BOTH {
+        let mut window = window(language);
+        let shown = |window: &Window| -> Vec<String> {
+            let shapes = window.output().shapes.iter();
+            let texts = shapes.filter_map(|clipped| match &clipped.shape {
+                egui::Shape::Text(text) => Some(text.galley.text().to_owned()),
+                _ => None,
+            });
+            texts.collect()
+        };
+        press(&mut window, Modifiers::ALT, Key::A);
+        let texts = shown(&window);
+        assert!(texts.iter().any(|text| text == "Alt+A, D"), "{texts:?}");
+        assert!(!texts.iter().any(|text| text == "D"), "{texts:?}");
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        press(&mut window, Modifiers::NONE, Key::F1);
+        assert!(window.query_by_label("Alt+A, D").is_some());
+        assert!(window.query_by_label("D").is_none());
+        // They are the keys that do it.
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        press(&mut window, Modifiers::ALT, Key::A);
+        press(&mut window, Modifiers::NONE, Key::D);
+        let export = language.texts().files.export;
+        assert!(window.query_by_label(export).is_some());
+    }
+}

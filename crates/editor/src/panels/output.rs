@@ -1,0 +1,220 @@
+//! The output field (thesis A.2): the current camera setting in steady columns,
+//! or what there is to say.
+
+use egui::{
+    Align, Align2, Color32, FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
+};
+
+use crate::number::decimals;
+use crate::path::ahead;
+use crate::playing::playhead::Missing;
+use crate::state::Editor;
+use crate::texts::Language;
+use crate::theme;
+
+/// One value: as it is written, and how wide it may become.
+struct Column {
+    /// Stands before it where there is room, else above it.
+    label: &'static str,
+    /// The numbers.
+    values: Vec<String>,
+    /// The widest number that is expected.
+    widest: &'static str,
+}
+
+/// Shows the field in the room that is left.
+pub(crate) fn show(editor: &Editor, ui: &mut Ui) {
+    let room = ui.available_rect_before_wrap();
+    let response = ui.allocate_rect(room, Sense::hover());
+    match &editor.message {
+        Some(message) => {
+            let palette = theme::palette(ui);
+            let color = if message.error {
+                palette.error
+            } else {
+                palette.text
+            };
+            show_message(ui, response, &message.text, color);
+        }
+        None => show_setting(editor, ui, response),
+    }
+}
+
+/// A sentence: on one line, or small on two; all of it in the tooltip.
+fn show_message(ui: &Ui, response: Response, text: &str, color: Color32) {
+    let rect = response.rect.shrink2(vec2(12.0, 0.0));
+    let painter = ui.painter().with_clip_rect(response.rect);
+    let layout = |size: f32, rows: usize| {
+        let mut job = egui::text::LayoutJob::simple(
+            text.to_owned(),
+            FontId::proportional(size),
+            color,
+            rect.width(),
+        );
+        job.wrap.max_rows = rows;
+        painter.layout_job(job)
+    };
+    let mut galley = layout(theme::TEXT, 1);
+    if galley.elided {
+        galley = layout(11.0, 2);
+    }
+    let size = galley.size();
+    let at = pos2(rect.right() - size.x, rect.center().y - size.y / 2.0);
+    let elided = galley.elided;
+    painter.galley(at, galley, color);
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
+    if elided {
+        response.on_hover_text(text);
+    }
+}
+
+/// The current camera setting.
+fn show_setting(editor: &Editor, ui: &Ui, response: Response) {
+    let columns = columns(editor);
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, in_words(&columns)));
+    let rect = response.rect.shrink2(vec2(12.0, 0.0));
+    let width = |text: &str, font: FontId| text_width(ui, text, font);
+    let digits = width("0", theme::text());
+    // Labels beside the numbers where there is room for them, else above.
+    for (above, between) in [(false, 20.0), (false, 12.0), (true, 14.0), (true, 8.0)] {
+        let mut places = Vec::new();
+        let mut x = 0.0;
+        for column in &columns {
+            let label_width = if above {
+                places.push((x, Align2::LEFT_BOTTOM, column.label, Kind::Above));
+                x + width(column.label, theme::small())
+            } else {
+                places.push((x, Align2::LEFT_CENTER, column.label, Kind::Beside));
+                x += width(column.label, theme::text()) + digits * 0.75;
+                x
+            };
+            for value in &column.values {
+                x += width(column.widest, theme::text()).max(width(value, theme::text()));
+                let align = if above {
+                    Align2::RIGHT_TOP
+                } else {
+                    Align2::RIGHT_CENTER
+                };
+                places.push((x, align, value, Kind::Value));
+                x += digits * 0.75;
+            }
+            x = x.max(label_width + digits * 0.75) + between - digits * 0.75;
+        }
+        let all = x - between;
+        if all <= rect.width() || (above && between < 10.0) {
+            paint(ui, rect, rect.right() - all, &places);
+            if above {
+                response.on_hover_text(in_words(&columns));
+            }
+            return;
+        }
+    }
+}
+
+/// A text of the field.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Value,
+    /// A label beside its values.
+    Beside,
+    /// A small label above them.
+    Above,
+}
+
+fn paint(ui: &Ui, rect: Rect, left: f32, places: &[(f32, Align2, &str, Kind)]) {
+    let palette = theme::palette(ui);
+    let painter = ui.painter().with_clip_rect(rect);
+    for &(x, align, text, kind) in places {
+        let (color, font) = match kind {
+            Kind::Value => (palette.text, theme::text()),
+            Kind::Beside => (palette.weak, theme::text()),
+            Kind::Above => (palette.weak, theme::small()),
+        };
+        // Two lines meet a little above the middle.
+        let line = if align.y() == Align::Center {
+            0.0
+        } else {
+            -2.0
+        };
+        let at = pos2(left + x, rect.center().y + line);
+        painter.text(at, align, text, font, color);
+    }
+}
+
+fn text_width(ui: &Ui, text: &str, font: FontId) -> f32 {
+    let galley = ui
+        .painter()
+        .layout_no_wrap(text.to_owned(), font, Color32::PLACEHOLDER);
+    galley.size().x
+}
+
+fn columns(editor: &Editor) -> Vec<Column> {
+    let texts = &editor.texts().output;
+    let language = editor.language();
+    let Some(shown) = editor.shown() else {
+        return Vec::new();
+    };
+    let orientation = &shown.orientation;
+    let view = match shown.missing {
+        Missing::Nothing => {
+            ahead::view(editor.document.path(), shown.at.point, shown.at.orientation)
+        }
+        Missing::Point | Missing::Orientation => orientation.view(shown.position),
+    };
+    let three = |v: [f64; 3], digits| v.map(|value| language.number(value, digits)).to_vec();
+    let space = decimals(editor.document.path().space.half_size);
+    let at = editor.document.selection().point;
+    let number = if shown.has_no_point() {
+        // On the way.
+        let next = (at + 1) % editor.document.path().points.len().max(1);
+        format!("{}–{}", at + 1, next + 1)
+    } else {
+        (at + 1).to_string()
+    };
+    let mut position = three(shown.position.to_array(), space);
+    let unit = &editor.document.info().unit;
+    if !unit.is_empty() {
+        position.push(unit.clone());
+    }
+    vec![
+        Column {
+            label: texts.point,
+            values: vec![number],
+            widest: "00",
+        },
+        Column {
+            label: texts.position,
+            values: position,
+            widest: "−0.000",
+        },
+        Column {
+            label: texts.view,
+            values: three(view.to_array(), 3),
+            widest: "−0.000",
+        },
+        Column {
+            label: texts.roll,
+            values: vec![format!("{}°", language.number(orientation.roll, 1))],
+            widest: "−000.0°",
+        },
+        Column {
+            label: texts.zoom,
+            values: vec![zoom(language, orientation.zoom)],
+            widest: "00.0",
+        },
+    ]
+}
+
+/// A zoom: as many decimals as it has, at most one.
+fn zoom(language: Language, zoom: f64) -> String {
+    language.number(zoom, 1)
+}
+
+/// The setting as a sentence.
+fn in_words(columns: &[Column]) -> String {
+    let parts: Vec<String> = columns
+        .iter()
+        .map(|column| format!("{} {}", column.label, column.values.join(" ")))
+        .collect();
+    parts.join(" · ")
+}

@@ -1,0 +1,566 @@
+//! The panels (thesis A.4.1, A.4.2, A.4.4), sentence by sentence.
+
+use crate::document::Selection;
+use crate::limits;
+use crate::path::{CurveParameters, Tcb};
+use crate::tests::*;
+
+fn selection(window: &Window) -> Selection {
+    window.state().document.selection()
+}
+
+fn points(window: &Window) -> usize {
+    window.state().document.path().points.len()
+}
+
+fn orientations(window: &Window) -> usize {
+    let point = selection(window).point;
+    window.state().document.path().points[point]
+        .orientations
+        .len()
+}
+
+fn large(language: Language) -> Window {
+    window_with_points(language, LARGE, 1.0, Theme::Dark)
+}
+
+#[test]
+fn the_panels_have_the_names_that_the_thesis_gives_them() {
+    let window = large(Language::German);
+    for name in [
+        "Pos.+",
+        "Pos.++",
+        "Pos.-",
+        "<< Pos.",
+        "Pos. >>",
+        "3 von 6",
+        "b1",
+        "c1",
+        "t1",
+        "b2",
+        "c2",
+        "t2",
+        "Ändern …",
+        "Ori.+",
+        "Ori.-",
+        "<< Ori",
+        "Ori >>",
+        "Ori 1 von 3",
+        "Abs.",
+        "Rel.",
+        "Zeitkurve ändern …",
+        "Zoom",
+    ] {
+        assert!(window.query_by_label(name).is_some(), "{name}");
+    }
+    let window = large(Language::English);
+    for name in ["3 of 6", "Change …", "Ori 1 of 3", "Change speed curve …"] {
+        assert!(window.query_by_label(name).is_some(), "{name}");
+    }
+}
+
+#[test]
+fn a_point_is_inserted_half_way_and_the_flight_stays_as_it_is() {
+    for (button, points) in [("Pos.+", 1), ("Pos.++", 7)] {
+        let mut window = window(Language::German);
+        enter(&mut window, "Zoomwert", "35");
+        window.state_mut().set_orientation(|orientation| {
+            orientation.roll = 20.0;
+            orientation.speeds[0] = 3.0;
+        });
+        window.run();
+        let before = poses(window.state());
+        click(&mut window, button);
+        if points > 1 {
+            press(&mut window, Modifiers::NONE, Key::Num7);
+        }
+        assert_eq!(
+            (self::points(&window), selection(&window).point),
+            (2 + points, 1)
+        );
+        let after = poses(window.state());
+        assert_eq!(after.len(), before.len());
+        for (frame, (a, b)) in before.iter().zip(&after).enumerate() {
+            let moved = DVec3::from(a.vrp).distance(b.vrp.into());
+            let turned = DVec3::from(a.vpn).angle_between(b.vpn.into());
+            assert!(
+                moved < 1e-9 && turned < 1e-6,
+                "{button}, frame {frame}: {moved}, {turned}"
+            );
+            assert!((a.zoom - b.zoom).abs() < 1e-6);
+        }
+        // Within half of the fastest frame's way of where they would be.
+        let path = window.state().document.path();
+        let frame = before
+            .windows(2)
+            .map(|pair| DVec3::from(pair[0].vrp).distance(pair[1].vrp.into()));
+        let fastest = frame.fold(0.0, f64::max);
+        for pair in path.points.windows(2) {
+            let way = pair[1].position.distance(pair[0].position);
+            assert!((way - 1.2 / (points + 1) as f64).abs() < fastest, "{way}");
+        }
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert_eq!(self::points(&window), 2);
+    }
+}
+
+#[test]
+fn with_shift_a_new_point_has_all_of_its_predecessor() {
+    let mut window = window(Language::German);
+    enter(&mut window, "Zoomwert", "35");
+    window
+        .get_by_label("Pos.+")
+        .click_modifiers(Modifiers::SHIFT);
+    window.run();
+    assert_eq!((points(&window), selection(&window).point), (3, 1));
+    let path = window.state().document.path();
+    let middle = path.points[1].position;
+    assert!((middle - DVec3::new(0.0, 0.2, 0.8)).length() < 1e-9);
+    assert_eq!(path.points[1].orientations, path.points[0].orientations);
+    assert_eq!(path.points[1].orientations[0].zoom, 35.0);
+    assert_eq!(said(&window), None);
+}
+
+#[test]
+fn several_points_are_asked_for_in_a_small_window() {
+    for language in BOTH {
+        let texts = &language.texts().position;
+        let mut window = window(language);
+        click(&mut window, "Pos.++");
+        assert!(window.query_by_label(texts.how_many).is_some());
+        click(&mut window, "10");
+        assert_eq!((points(&window), selection(&window).point), (12, 1));
+        assert!(window.query_by_label(texts.how_many).is_none());
+        let path = window.state().document.path();
+        for pair in path.points.windows(2) {
+            let way = pair[1].position - pair[0].position;
+            // As near as whole frames come to it.
+            assert!((way.length() - 1.2 / 11.0).abs() <= 0.01 + 1e-9);
+        }
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert_eq!(points(&window), 2);
+        // By the keyboard alone: a digit.
+        click(&mut window, "Pos.++");
+        press(&mut window, Modifiers::NONE, Key::Num3);
+        assert_eq!(points(&window), 5);
+        click(&mut window, "Pos.++");
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        assert_eq!(points(&window), 5);
+        assert!(window.query_by_label(texts.how_many).is_none());
+    }
+}
+
+#[test]
+fn behind_the_last_point_there_is_a_message() {
+    for language in BOTH {
+        let texts = &language.texts().position;
+        for button in [texts.add, texts.add_many] {
+            let mut window = window(language);
+            click(&mut window, texts.next);
+            click(&mut window, button);
+            assert_eq!(said(&window).as_deref(), Some(texts.last_point));
+            assert!(
+                window
+                    .state()
+                    .message
+                    .as_ref()
+                    .is_some_and(|message| message.error)
+            );
+            assert_eq!(points(&window), 2);
+            // It stays until the next action.
+            window.run();
+            assert_eq!(said(&window).as_deref(), Some(texts.last_point));
+            click(&mut window, texts.previous);
+            assert_eq!(said(&window), None);
+        }
+        // A closed path has a segment there.
+        let mut window = window(language);
+        click(&mut window, texts.next);
+        click(&mut window, language.texts().menu.edit);
+        click(&mut window, language.texts().menu.close);
+        click(&mut window, texts.add);
+        assert_eq!((points(&window), selection(&window).point), (3, 2));
+    }
+}
+
+#[test]
+fn the_predecessor_of_a_removed_point_becomes_current_and_two_remain() {
+    for language in BOTH {
+        let texts = &language.texts().position;
+        let mut window = large(language);
+        click(&mut window, texts.remove);
+        assert_eq!(
+            (points(&window), selection(&window)),
+            (5, Selection::at(1, 0))
+        );
+        click(&mut window, texts.remove);
+        click(&mut window, texts.remove);
+        assert_eq!((points(&window), selection(&window).point), (3, 0));
+        press(&mut window, Modifiers::NONE, Key::Delete);
+        assert_eq!(points(&window), 2);
+        click(&mut window, texts.remove);
+        assert_eq!(points(&window), 2);
+        assert_eq!(said(&window).as_deref(), Some(texts.two_remain));
+        // Undo brings back what was current.
+        for _ in 0..4 {
+            press(&mut window, Modifiers::CTRL, Key::Z);
+        }
+        assert_eq!(
+            (points(&window), selection(&window)),
+            (6, Selection::at(2, 0))
+        );
+        assert!(!window.state().document.is_modified());
+    }
+}
+
+#[test]
+fn the_choice_of_a_point_goes_round() {
+    let mut window = large(Language::German);
+    let mut seen = Vec::new();
+    for _ in 0..6 {
+        click(&mut window, "Pos. >>");
+        seen.push(selection(&window).point);
+    }
+    assert_eq!(seen, [3, 4, 5, 0, 1, 2]);
+    click(&mut window, "Ori >>");
+    click(&mut window, "<< Pos.");
+    // Another point begins with its first orientation.
+    assert_eq!(selection(&window), Selection::at(1, 0));
+    click(&mut window, "<< Pos.");
+    click(&mut window, "<< Pos.");
+    assert_eq!(selection(&window).point, 5);
+    assert!(window.query_by_label("6 von 6").is_some());
+}
+
+#[test]
+fn bias_continuity_and_tension_of_this_point_and_the_next_are_shown() {
+    let mut window = large(Language::German);
+    assert_eq!(value(&window, "c1"), "0,00");
+    assert_eq!(value(&window, "c2"), "−0,50");
+    click(&mut window, "Pos. >>");
+    assert_eq!(value(&window, "c1"), "−0,50");
+    assert!(
+        window
+            .query_by_label("Position und Kurve: Standard 5")
+            .is_some()
+    );
+    click(&mut window, "Pos. >>");
+    click(&mut window, "Pos. >>");
+    // Behind the last point there is none.
+    for name in ["b2", "c2", "t2"] {
+        assert_eq!(value(&window, name), "–");
+    }
+    window.state_mut().edit(Edit::SetClosed(true));
+    window.run();
+    assert_eq!(value(&window, "b2"), "0,00");
+}
+
+#[test]
+fn orientations_come_and_go_between_one_and_ten() {
+    for language in BOTH {
+        let texts = &language.texts().orientation;
+        let mut window = window(language);
+        enter(&mut window, texts.roll, "30");
+        for count in 2..=10 {
+            click(&mut window, texts.add);
+            assert_eq!(orientations(&window), count);
+            assert_eq!(selection(&window).orientation, count - 1);
+            let path = window.state().document.path();
+            assert_eq!(path.points[0].orientations[count - 1].roll, 30.0);
+        }
+        click(&mut window, texts.add);
+        assert_eq!(orientations(&window), 10);
+        let message = fill(texts.at_most, &[&limits::MAX_ORIENTATIONS]);
+        assert_eq!(said(&window), Some(message));
+        assert!(
+            window
+                .query_by_label(&fill(texts.count, &[&10, &10]))
+                .is_some()
+        );
+        for count in (1..10).rev() {
+            click(&mut window, texts.remove);
+            assert_eq!(orientations(&window), count);
+            assert_eq!(selection(&window).orientation, count - 1);
+        }
+        click(&mut window, texts.remove);
+        assert_eq!(said(&window).as_deref(), Some(texts.one_remains));
+        assert_eq!(orientations(&window), 1);
+        click(&mut window, texts.next);
+        assert_eq!(said(&window).as_deref(), Some(texts.only_one));
+    }
+}
+
+#[test]
+fn removing_the_first_orientation_makes_the_new_first_current() {
+    let mut window = large(Language::German);
+    click(&mut window, "Ori.-");
+    assert_eq!(selection(&window), Selection::at(2, 0));
+    assert!(window.query_by_label("Ori 1 von 2").is_some());
+}
+
+#[test]
+fn the_choice_of_an_orientation_goes_round() {
+    let mut window = large(Language::German);
+    let mut seen = Vec::new();
+    for _ in 0..3 {
+        click(&mut window, "Ori >>");
+        seen.push(selection(&window).orientation);
+    }
+    assert_eq!(seen, [1, 2, 0]);
+    click(&mut window, "<< Ori");
+    assert_eq!(selection(&window), Selection::at(2, 2));
+    assert!(window.query_by_label("Ori 3 von 3").is_some());
+}
+
+/// Where two orientations are half a turn apart, or a tracked target lies on the
+/// way, the window says so.
+#[test]
+fn what_the_path_leaves_open_is_said() {
+    for language in BOTH {
+        let texts = language.texts();
+        let mut window = window(language);
+        let direction = fill(texts.orientation.direction, &[&"z"]);
+        enter(&mut window, &direction, "0.3");
+        let half = fill(texts.output.half_turn, &[&1, &2]);
+        assert_eq!(said(&window), Some(half.clone()));
+        enter(&mut window, &direction, "-0.3");
+        assert_eq!(said(&window), None);
+        click(&mut window, texts.position.next);
+        enter(&mut window, texts.orientation.roll, "180");
+        assert_eq!(said(&window), Some(half));
+        enter(&mut window, texts.orientation.roll, "0");
+
+        // Both look at a place half-way between them.
+        for _ in 0..2 {
+            click(&mut window, texts.orientation.absolute);
+            for (axis, value) in [("x", "0"), ("y", "0.2"), ("z", "0.8")] {
+                enter(
+                    &mut window,
+                    &fill(texts.orientation.target, &[&axis]),
+                    value,
+                );
+            }
+            click(&mut window, texts.position.next);
+        }
+        enter(&mut window, texts.orientation.roll, "1");
+        assert_eq!(said(&window), Some(fill(texts.output.at_target, &[&1, &2])));
+        for _ in 0..2 {
+            enter(&mut window, &fill(texts.orientation.target, &[&"y"]), "0");
+            click(&mut window, texts.position.next);
+        }
+        enter(&mut window, texts.orientation.roll, "2");
+        assert_eq!(
+            said(&window),
+            Some(fill(texts.output.over_target, &[&1, &2]))
+        );
+    }
+}
+
+#[test]
+fn an_absolute_target_stays_and_a_relative_one_goes_along() {
+    let mut window = window(Language::German);
+    let target = |window: &Window| window.state().orientation().expect("there").target;
+    let view = |window: &Window| {
+        let editor = window.state();
+        let position = editor.point().expect("there").position;
+        editor.orientation().expect("there").view(position)
+    };
+    let before = view(&window);
+    click(&mut window, "Abs.");
+    let Target::Absolute(place) = target(&window) else {
+        panic!("absolute");
+    };
+    assert!((view(&window) - before).length() < 1e-12);
+    enter(&mut window, "Position y", "0,5");
+    assert_eq!(target(&window), Target::Absolute(place));
+    assert!((view(&window) - before).length() > 0.1);
+    click(&mut window, "Rel.");
+    let relative = target(&window);
+    assert!(matches!(relative, Target::Relative(_)));
+    let before = view(&window);
+    enter(&mut window, "Position y", "-0.5");
+    assert_eq!(target(&window), relative);
+    assert_eq!(view(&window), before);
+}
+
+#[test]
+fn the_numbers_of_the_target_are_those_of_its_kind() {
+    let mut window = window(Language::German);
+    assert_eq!(value(&window, "Richtung z"), "−0,400");
+    enter(&mut window, "Richtung x", "0,3");
+    assert_eq!(
+        window.state().orientation().expect("there").target,
+        Target::Relative(DVec3::new(0.3, 0.0, -0.4))
+    );
+    click(&mut window, "Abs.");
+    assert_eq!(value(&window, "Ziel x"), "−0,300");
+    assert!(window.query_by_label("Richtung x").is_none());
+    // A target on the camera's own position is refused.
+    enter(&mut window, "Ziel x", "-0,6");
+    enter(&mut window, "Ziel z", "0,8");
+    let message = Language::German.texts().orientation.on_position;
+    assert_eq!(said(&window).as_deref(), Some(message));
+    assert_eq!(value(&window, "Ziel z"), "0,400");
+    // And so is a position on the target.
+    enter(&mut window, "Position z", "0,4");
+    let message = Language::German.texts().position.on_target;
+    assert_eq!(said(&window).as_deref(), Some(message));
+}
+
+#[test]
+fn each_orientation_has_a_zoom_of_its_own() {
+    for language in BOTH {
+        let texts = &language.texts().zoom;
+        let mut window = large(language);
+        enter(&mut window, texts.value, "50");
+        let heading = format!("{}: {}°", texts.heading, language.number(26.991_466, 1));
+        assert!(window.query_by_label(&heading).is_some(), "{heading}");
+        let path = window.state().document.path();
+        let zooms: Vec<f64> = path.points[2].orientations.iter().map(|o| o.zoom).collect();
+        assert_eq!(zooms, [50.0, 24.0, 24.0]);
+        enter(&mut window, texts.value, "101");
+        let errors = &language.texts().errors;
+        let message = fill(errors.out_of_range, &[&texts.value, &1, &100]);
+        assert_eq!(said(&window), Some(message));
+        assert_eq!(window.state().orientation().expect("there").zoom, 50.0);
+    }
+}
+
+#[test]
+fn the_zoom_slider_is_dragged_in_one_step() {
+    let mut window = window(Language::German);
+    let rect = window.get_by_label("Zoom").rect();
+    let y = rect.center().y;
+    window.drag_at(egui::pos2(rect.left() + 60.0, y));
+    window.run();
+    for x in 61..140 {
+        window.hover_at(egui::pos2(rect.left() + x as f32, y));
+        window.run();
+    }
+    window.drop_at(egui::pos2(rect.left() + 140.0, y));
+    window.run();
+    let zoom = window.state().orientation().expect("there").zoom;
+    assert!((70.0..90.0).contains(&zoom), "{zoom}");
+    press(&mut window, Modifiers::CTRL, Key::Z);
+    assert_eq!(window.state().orientation().expect("there").zoom, 24.0);
+    assert!(!window.state().document.can_undo());
+}
+
+#[test]
+fn the_section_is_shown_with_its_frames_and_seconds() {
+    let mut window = window(Language::German);
+    assert!(
+        window
+            .query_by_label("Zeitkurve: 120 Bilder · 4,80 s")
+            .is_some()
+    );
+    click(&mut window, "Pos. >>");
+    assert!(window.query_by_label("Zeitkurve: Ende der Bahn").is_some());
+    click(&mut window, "Zeitkurve ändern …");
+    assert!(window.state().windows.speed.is_some());
+    click(&mut window, "Ändern …");
+    assert!(window.state().windows.curve.is_some());
+}
+
+#[test]
+fn holding_takes_whole_frames() {
+    let mut window = window(Language::English);
+    enter(&mut window, "Hold", "12");
+    assert_eq!(window.state().orientation().expect("there").hold, 12);
+    enter(&mut window, "Hold", "2.5");
+    assert_eq!(
+        said(&window).as_deref(),
+        Some("Hold must be a whole number")
+    );
+    enter(&mut window, "Hold", "-1");
+    assert_eq!(window.state().orientation().expect("there").hold, 12);
+}
+
+#[test]
+fn a_preset_is_chosen_in_the_panel() {
+    for language in BOTH {
+        let texts = &language.texts().position;
+        let mut window = large(language);
+        let curve = |window: &Window| window.state().point().expect("there").curve;
+        let before = curve(&window);
+        click(&mut window, texts.choice);
+        let word = language.texts().curve.corner_outwards;
+        let value = language.number(0.5, 2);
+        let entry = format!("{} {word}  c {value}", fill(texts.preset, &[&6]));
+        click(&mut window, &entry);
+        assert_eq!(curve(&window), CurveParameters::Preset(6));
+        let heading = format!("{}: {}", texts.heading, fill(texts.preset, &[&6]));
+        assert!(window.query_by_label(&heading).is_some());
+        assert!(window.query_by_label(&entry).is_none());
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert_eq!(curve(&window), before);
+        // By the keyboard, too.
+        window.get_by_label(texts.choice).focus();
+        window.run();
+        press(&mut window, Modifiers::NONE, Key::Enter);
+        press(&mut window, Modifiers::NONE, Key::ArrowDown);
+        press(&mut window, Modifiers::NONE, Key::ArrowDown);
+        press(&mut window, Modifiers::NONE, Key::Enter);
+        assert_eq!(curve(&window), CurveParameters::Preset(1));
+    }
+}
+
+/// Beside each preset stands what it makes of the curve, as it is at the moment.
+#[test]
+fn a_presets_shape_is_told_in_words() {
+    for (language, words) in [
+        (
+            Language::German,
+            [
+                "straffer  t 0,30",
+                "Ecke  c −0,50",
+                "biegt später  b 0,50",
+                "glatt",
+            ],
+        ),
+        (
+            Language::English,
+            [
+                "tighter  t 0.30",
+                "corner  c −0.50",
+                "turns late  b 0.50",
+                "smooth",
+            ],
+        ),
+    ] {
+        let mut window = large(language);
+        let texts = language.texts();
+        let edit = Edit::SetPreset {
+            preset: 2,
+            tcb: Tcb::new(-0.25, 0.0, -1.0),
+        };
+        window.state_mut().edit(edit);
+        click(&mut window, texts.position.choice);
+        for (preset, words) in [1, 5, 7, 9].into_iter().zip(words) {
+            let entry = format!("{} {words}", fill(texts.position.preset, &[&preset]));
+            assert!(window.query_by_label(&entry).is_some(), "{entry}");
+        }
+        let changed = match language {
+            Language::German => "Standard 2 runder  t −0,25, biegt früher  b −1,00",
+            Language::English => "Preset 2 rounder  t −0.25, turns early  b −1.00",
+        };
+        assert!(window.query_by_label(changed).is_some(), "{changed}");
+    }
+}
+
+/// The three numbers below say what they are: a place, or a direction.
+#[test]
+fn the_orientations_heading_says_how_it_looks() {
+    for language in BOTH {
+        let texts = &language.texts().orientation;
+        let mut window = large(language);
+        let says = |window: &Window, how: &str| {
+            let heading = format!("{}: {how}", texts.heading);
+            window.query_by_label(&heading).is_some()
+        };
+        click(&mut window, texts.absolute);
+        assert!(says(&window, texts.at_place) && !says(&window, texts.in_direction));
+        click(&mut window, texts.relative);
+        assert!(says(&window, texts.in_direction) && !says(&window, texts.at_place));
+    }
+}

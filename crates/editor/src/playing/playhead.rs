@@ -1,0 +1,222 @@
+//! Playhead and selection are one thought: at a key the playhead selects it, beside
+//! the keys the panels show what the camera does there, and what is entered then
+//! makes a key of it. No key elsewhere changes.
+
+use glam::DVec3;
+
+use super::Mark;
+use crate::document::{Edit, Selection};
+use crate::math::orientation;
+use crate::number::Entry;
+use crate::path::{Orientation, Target};
+use crate::space::Camera;
+use crate::state::Editor;
+
+/// Length of a direction that stands for no other.
+const DIRECTION: f64 = 0.4;
+
+/// What the panels show and change.
+#[derive(Clone, Debug)]
+pub(crate) struct Shown {
+    /// Where it stands in the path, or would.
+    pub(crate) at: Selection,
+    /// Where the camera stands.
+    pub(crate) position: DVec3,
+    /// How it looks.
+    pub(crate) orientation: Orientation,
+    /// What is missing for it to be a key.
+    pub(crate) missing: Missing,
+}
+
+/// What would have to be added.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Missing {
+    /// It is a key.
+    Nothing,
+    /// It is on the way to another point.
+    Point,
+    /// The camera pans at a point.
+    Orientation,
+}
+
+impl Shown {
+    /// The position is not that of a point.
+    pub(crate) fn has_no_point(&self) -> bool {
+        self.missing == Missing::Point
+    }
+
+    /// The orientation is none of a point.
+    pub(crate) fn has_no_orientation(&self) -> bool {
+        self.missing != Missing::Nothing
+    }
+}
+
+impl Editor {
+    /// What the panels show: the current key, or what the camera does where the
+    /// playhead stands.
+    pub(crate) fn shown(&self) -> Option<Shown> {
+        if let Some(shown) = self.at_playhead() {
+            return Some(shown);
+        }
+        let at = self.document.selection();
+        Some(Shown {
+            at,
+            position: self.point()?.position,
+            orientation: self.orientation()?.clone(),
+            missing: Missing::Nothing,
+        })
+    }
+
+    /// The same where the playhead is not simply at the current key.
+    fn at_playhead(&self) -> Option<Shown> {
+        let frame = self.playing.frame()?;
+        let mark = self.playing.mark_before(frame)?;
+        let points = &self.document.path().points;
+        let point = points.get(mark.point)?;
+        let from = point.orientations.get(mark.orientation)?;
+        if frame <= mark.last() {
+            // The camera is at this key, or rests there.
+            return Some(Shown {
+                at: Selection::at(mark.point, mark.orientation),
+                position: point.position,
+                orientation: from.clone(),
+                missing: Missing::Nothing,
+            });
+        }
+        let (camera, true) = self.camera()? else {
+            return None;
+        };
+        let (at, missing, to) = match point.orientations.get(mark.orientation + 1) {
+            Some(to) => {
+                let at = Selection::at(mark.point, mark.orientation + 1);
+                (at, Missing::Orientation, Some(to))
+            }
+            None => {
+                let next = points.get((mark.point + 1) % points.len())?;
+                let at = Selection::at(mark.point + 1, 0);
+                (at, Missing::Point, next.orientations.first())
+            }
+        };
+        Some(Shown {
+            at,
+            position: camera.position,
+            orientation: between(from, to, &camera),
+            missing,
+        })
+    }
+
+    /// Selects the key at which the playhead stands or from which the camera comes
+    /// there. At the key itself the playhead stands wherever that key goes.
+    pub(crate) fn select_at_playhead(&mut self) {
+        let Some(frame) = self.playing.frame() else {
+            return;
+        };
+        let current = self.playing.mark_of(self.document.selection());
+        // Of several keys at one frame the current one.
+        let here = current.filter(|mark| mark.begins_at(frame));
+        let Some(mark) = here.or_else(|| self.playing.mark_before(frame)) else {
+            return;
+        };
+        if Selection::at(mark.point, mark.orientation) != self.document.selection() {
+            self.message = None;
+            // The marks may be older than the path.
+            if self.document.select(mark.point, mark.orientation).is_err() {
+                return;
+            }
+        }
+        self.playing
+            .selected(self.document.selection(), mark.begins_at(frame));
+    }
+
+    /// Makes a key of what the panels show; part of a step that is open, else one of
+    /// its own.
+    pub(crate) fn add_here(&mut self) -> bool {
+        let Some(shown) = self.shown() else {
+            return false;
+        };
+        if shown.missing == Missing::Nothing {
+            self.say(self.texts().position.is_a_key);
+            return false;
+        }
+        let within = self.document.in_step();
+        if !within {
+            self.document.begin_step();
+        }
+        let Selection { point, orientation } = shown.at;
+        let done = match shown.missing {
+            Missing::Nothing => false,
+            Missing::Orientation => self.edit(Edit::InsertOrientation {
+                point,
+                at: orientation,
+                orientation: Some(shown.orientation),
+            }),
+            Missing::Point => self
+                .playing
+                .frame()
+                .is_some_and(|frame| self.edit(Edit::InsertOnCurve { frame })),
+        };
+        if !done {
+            self.document.cancel_step();
+            return false;
+        }
+        if !within {
+            self.document.end_step();
+        }
+        self.playing.leave();
+        true
+    }
+
+    /// Does what was entered into a number of what the panels show and the path has
+    /// not got: the entry adds it first, in the same step.
+    pub(crate) fn enter_missing(&mut self, entry: Entry<Edit>) {
+        match entry {
+            Entry::Begin => {
+                self.document.begin_step();
+                self.add_here();
+            }
+            // A drag without a beginning is that of a slider that was not held: it makes
+            // a step by itself.
+            Entry::Set(edit) | Entry::Drag(edit) => {
+                self.document.begin_step();
+                if self.add_here() {
+                    self.edit(edit);
+                    self.document.end_step();
+                }
+            }
+            entry => self.enter(entry),
+        }
+    }
+}
+
+/// An orientation in between, with which a camera sees what this one does: looking at
+/// a place if both keys do, with the speeds of the first.
+fn between(from: &Orientation, to: Option<&Orientation>, camera: &Camera) -> Orientation {
+    let target = match (from.target, to.map(|to| to.target)) {
+        (Target::Absolute(place), Some(Target::Absolute(other)))
+            if place == other && place != camera.position =>
+        {
+            from.target
+        }
+        (Target::Relative(offset), _) => Target::Relative(camera.view * offset.length()),
+        _ => Target::Relative(camera.view * DIRECTION),
+    };
+    let roll = orientation::roll_from_up(camera.view, camera.up).to_degrees();
+    Orientation {
+        target,
+        roll: orientation::wrap_degrees(roll),
+        zoom: camera.zoom,
+        hold: 0,
+        ..from.clone()
+    }
+}
+
+impl Mark {
+    /// The key is reached in this frame.
+    fn begins_at(self, frame: f64) -> bool {
+        self.first() == frame
+    }
+}
+
+#[cfg(test)]
+#[path = "playhead_tests.rs"]
+mod tests;

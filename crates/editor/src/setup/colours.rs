@@ -1,0 +1,199 @@
+//! The colours of the movement window (thesis A.5): an element is chosen from
+//! a list, three sliders change its red, green and blue. What is set is seen
+//! at once; it belongs to the theme that is shown.
+
+use egui::{
+    Button, Color32, CornerRadius, Grid, Rect, Sense, Slider, Stroke, StrokeKind, Ui, vec2,
+};
+
+use crate::actions::Action;
+use crate::number::{Entry, Number};
+use crate::setup::{Colours, Element, Setup, Theme};
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
+use crate::windows::{SubWindow, Windows, sub_window};
+
+const LIST: f32 = 190.0;
+const REST: f32 = 280.0;
+/// Of the rest: a name, a number, and between the columns.
+const NAME: f32 = 44.0;
+const NUMBER: f32 = 56.0;
+const APART: f32 = 8.0;
+
+/// The colour window.
+#[derive(Debug)]
+pub(crate) struct ColourWindow {
+    element: Element,
+    /// The colour before a number was dragged.
+    before: Option<Color32>,
+}
+
+impl SubWindow for ColourWindow {
+    const ID: &'static str = "colours";
+
+    fn slot(windows: &mut Windows) -> &mut Option<Self> {
+        &mut windows.colours
+    }
+
+    fn new(_: &Editor) -> Self {
+        Self {
+            element: Element::Background,
+            before: None,
+        }
+    }
+
+    fn show(
+        &mut self,
+        editor: &Editor,
+        context: &egui::Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let texts = &editor.texts().colours;
+        let mut setup = editor.setup.clone();
+        let stays = sub_window(context, Self::ID, texts.title, |ui| {
+            ui.set_width(LIST + REST + 16.0);
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = 16.0;
+                ui.vertical(|ui| {
+                    ui.set_width(LIST);
+                    self.list(editor, ui);
+                });
+                ui.vertical(|ui| {
+                    ui.spacing_mut().item_spacing.x = theme::GAP;
+                    ui.set_width(REST);
+                    self.mix(editor, ui, &mut setup, actions);
+                });
+            });
+        });
+        if setup != editor.setup {
+            actions.push(Action::Setup(Box::new(setup)));
+        }
+        stays
+    }
+}
+
+impl ColourWindow {
+    fn list(&mut self, editor: &Editor, ui: &mut Ui) {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        for element in Element::ALL {
+            let name = editor.texts().display.name(element);
+            let chosen = element == self.element;
+            let row = Button::selectable(chosen, format!("        {name}"))
+                .min_size(vec2(LIST, theme::ROW))
+                .wrap_mode(egui::TextWrapMode::Truncate);
+            let response = ui.add(row);
+            response.widget_info(|| {
+                egui::WidgetInfo::selected(egui::Role::RadioButton, true, chosen, name)
+            });
+            let at = response.rect.left_center() + vec2(18.0, 0.0);
+            swatch(
+                ui,
+                Rect::from_center_size(at, vec2(16.0, 14.0)),
+                editor.setup.colours().of(element),
+            );
+            if response.clicked() {
+                self.element = element;
+                self.before = None;
+            }
+        }
+    }
+
+    fn mix(&mut self, editor: &Editor, ui: &mut Ui, setup: &mut Setup, actions: &mut Vec<Action>) {
+        let texts = &editor.texts().colours;
+        let element = self.element;
+        let colour = setup.colours().of(element);
+        ui.strong(editor.texts().display.name(element));
+        let (rect, _) = ui.allocate_exact_size(vec2(REST, 64.0), Sense::hover());
+        swatch(ui, rect, colour);
+        ui.add_space(theme::GAP);
+        let [r, g, b, _] = colour.to_array();
+        let names = [texts.red, texts.green, texts.blue];
+        Grid::new("mix")
+            .num_columns(3)
+            .spacing(vec2(APART, theme::GAP))
+            .show(ui, |ui| {
+                for (part, (name, value)) in names.into_iter().zip([r, g, b]).enumerate() {
+                    let label = ui.horizontal(|ui| {
+                        ui.set_min_width(NAME);
+                        ui.label(name)
+                    });
+                    let label = label.inner;
+                    let mut slid = value;
+                    ui.spacing_mut().slider_width = REST - NAME - NUMBER - 2.0 * APART;
+                    let slider = Slider::new(&mut slid, 0..=255).show_value(false);
+                    if ui.add(slider).labelled_by(label.id).changed() {
+                        set(setup, element, part, slid);
+                    }
+                    let number = Number::new(name, f64::from(value))
+                        .decimals(0)
+                        .whole()
+                        .range(0.0..=255.0)
+                        .steps(1.0, 1.0);
+                    let id = format!("colour.{part}");
+                    let entry = number.show(ui, editor.language(), &id, NUMBER);
+                    match entry {
+                        Entry::Begin => self.before = Some(colour),
+                        // In range: the number saw to that.
+                        Entry::Drag(value) | Entry::Set(value) => {
+                            set(setup, element, part, value.round() as u8);
+                        }
+                        Entry::Cancel => {
+                            if let Some(before) = self.before.take() {
+                                setup.colours_mut().set(element, before);
+                            }
+                        }
+                        Entry::Wrong(text) => actions.push(Action::Complain(text)),
+                        Entry::Idle | Entry::End => {}
+                    }
+                    ui.end_row();
+                }
+            });
+        ui.add_space(theme::GAP * 2.0);
+        let original = match setup.theme() {
+            Theme::Dark => Colours::DARK,
+            Theme::Light => Colours::LIGHT,
+        };
+        ui.horizontal(|ui| {
+            let one = ui.add_enabled(colour != original.of(element), Button::new(texts.reset));
+            if one.on_hover_text(texts.reset_hint).clicked() {
+                setup.colours_mut().set(element, original.of(element));
+            }
+            let changed = *setup.colours() != original;
+            let all = ui.add_enabled(changed, Button::new(texts.reset_all));
+            if all.on_hover_text(texts.reset_all_hint).clicked() {
+                *setup.colours_mut() = original;
+            }
+        });
+        ui.add_space(theme::GAP);
+        let menu = &editor.texts().menu;
+        let theme = match setup.theme() {
+            Theme::Dark => menu.dark,
+            Theme::Light => menu.light,
+        };
+        let weak = theme::palette(ui).weak;
+        ui.colored_label(weak, fill(texts.of_theme, &[&theme]));
+    }
+}
+
+fn swatch(ui: &Ui, rect: Rect, colour: Color32) {
+    let edge = Stroke::new(1.0, theme::palette(ui).rim);
+    ui.painter().rect(
+        rect,
+        CornerRadius::same(3),
+        colour,
+        edge,
+        StrokeKind::Inside,
+    );
+}
+
+/// Changes one part of an element's colour.
+fn set(setup: &mut Setup, element: Element, part: usize, value: u8) {
+    let [mut r, mut g, mut b, _] = setup.colours().of(element).to_array();
+    match part {
+        0 => r = value,
+        1 => g = value,
+        _ => b = value,
+    }
+    setup.colours_mut().set(element, Color32::from_rgb(r, g, b));
+}

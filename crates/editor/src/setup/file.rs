@@ -1,0 +1,433 @@
+//! The setup file (thesis A.5): colours, what is shown, from where.
+//!
+//! TOML, as `.vid` files are, and read as strictly: an unknown key is refused
+//! with its line. What is not given is as in a new window. Not by `serde`: what it
+//! finds wrong are English sentences, which cannot be said in German.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use egui::Color32;
+use toml::de::DeTable;
+
+use super::{Colours, Element, Setup, Shown, Theme, View};
+use crate::document::save;
+use crate::document::vid::field::{Field, Source, fields};
+use crate::document::vid::read_text;
+use crate::error::{Error, Malformed, Result};
+use crate::files::folders;
+use crate::state::Editor;
+use crate::texts::{Language, fill};
+
+/// The version that is written, and the newest that is read.
+const VERSION: i64 = 1;
+
+/// Bytes of a setup file: forty times what is written. Parsed, they may take some
+/// hundred times as much.
+const MAX_BYTES: u64 = 64 << 10;
+
+const KEYS: [&str; 8] = [
+    "version",
+    "theme",
+    "language",
+    "camera_view",
+    "view",
+    "shown",
+    "dark",
+    "light",
+];
+const VIEW_KEYS: [&str; 4] = ["rotation_degrees", "tilt_degrees", "size", "shift"];
+
+/// Reads a setup.
+///
+/// # Errors
+/// `ErrorKind::Io`; `ErrorKind::Format` with file, line and reason.
+pub(crate) fn load(file: &Path) -> Result<Setup> {
+    let text = read_text(file, MAX_BYTES)?;
+    from_toml(&text).map_err(|error| error.at(file.display()))
+}
+
+/// Saves a setup, atomically; makes the folder if need be.
+///
+/// # Errors
+/// `ErrorKind::Io`.
+pub(crate) fn write(file: &Path, setup: &Setup) -> Result<()> {
+    write_text(file, &to_toml(setup))
+}
+
+fn write_text(file: &Path, text: &str) -> Result<()> {
+    if let Some(folder) = file
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+    {
+        folders::make(folder).map_err(|source| Error::Io {
+            place: folder.display().to_string(),
+            source,
+        })?;
+    }
+    save::save(file, text.as_bytes())
+}
+
+/// The text of a setup file.
+fn to_toml(setup: &Setup) -> String {
+    let mut out = String::with_capacity(2048);
+    // Writing into a text cannot fail.
+    let _ = write_setup(&mut out, setup);
+    out
+}
+
+const fn theme_word(theme: Option<Theme>) -> &'static str {
+    match theme {
+        None => "system",
+        Some(Theme::Dark) => "dark",
+        Some(Theme::Light) => "light",
+    }
+}
+
+const fn language_word(language: Option<Language>) -> &'static str {
+    match language {
+        None => "system",
+        Some(Language::English) => "en",
+        Some(Language::German) => "de",
+    }
+}
+
+/// The text of a setup file with another word for a key at its top, all else as it was.
+fn with_word(text: &str, key: &str, word: &str) -> Result<String> {
+    // What is not understood is not touched.
+    from_toml(text)?;
+    let source = Source { text, start: 0 };
+    let root = DeTable::parse(text).map_err(|error| source.not_toml(&error))?;
+    let known = root
+        .get_ref()
+        .iter()
+        .find(|(name, _)| name.get_ref() == key);
+    Ok(match known {
+        Some((_, value)) => {
+            let place = value.span();
+            format!("{}\"{word}\"{}", &text[..place.start], &text[place.end..])
+        }
+        None => format!("{key} = \"{word}\"\n{text}"),
+    })
+}
+
+fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
+    writeln!(out, "version = {VERSION}")?;
+    writeln!(out, "theme = \"{}\"", theme_word(setup.theme))?;
+    writeln!(out, "language = \"{}\"", language_word(setup.language))?;
+    writeln!(out, "camera_view = {}", setup.camera_view)?;
+    let view = &setup.view;
+    writeln!(out, "\n[view]")?;
+    writeln!(out, "rotation_degrees = {:?}", view.rotation)?;
+    writeln!(out, "tilt_degrees = {:?}", view.tilt)?;
+    writeln!(out, "size = {:?}", view.size)?;
+    writeln!(out, "shift = [{:?}, {:?}]", view.shift[0], view.shift[1])?;
+    writeln!(out, "\n[shown]")?;
+    for element in Element::ALL.into_iter().filter(|e| e.has_switch()) {
+        writeln!(out, "{} = {}", element.key(), setup.shown.has(element))?;
+    }
+    for (name, colours) in [("dark", &setup.dark), ("light", &setup.light)] {
+        writeln!(out, "\n[{name}]")?;
+        for element in Element::ALL {
+            let [r, g, b, _] = colours.of(element).to_array();
+            writeln!(out, "{} = \"#{r:02x}{g:02x}{b:02x}\"", element.key())?;
+        }
+    }
+    Ok(())
+}
+
+/// The setup in a text.
+fn from_toml(text: &str) -> Result<Setup> {
+    let source = Source { text, start: 0 };
+    let root = DeTable::parse(text).map_err(|error| source.not_toml(&error))?;
+    let root = root.get_ref();
+    // First of all: what a newer version means by its keys is not known here.
+    for field in fields(source, root).filter(|field| field.key == "version") {
+        let version = field.integer()?;
+        if version != VERSION {
+            return Err(field.error(Malformed::SetupVersion {
+                version,
+                known: VERSION,
+            }));
+        }
+    }
+    let mut setup = Setup::default();
+    for field in fields(source, root) {
+        match field.key {
+            "version" => {}
+            "theme" => {
+                setup.theme = match field.text()? {
+                    "system" => None,
+                    "dark" => Some(Theme::Dark),
+                    "light" => Some(Theme::Light),
+                    _ => {
+                        return Err(field.error(Malformed::OneOf(&["system", "dark", "light"])));
+                    }
+                }
+            }
+            "language" => {
+                setup.language = match field.text()? {
+                    "system" => None,
+                    "en" => Some(Language::English),
+                    "de" => Some(Language::German),
+                    _ => return Err(field.error(Malformed::OneOf(&["system", "en", "de"]))),
+                }
+            }
+            "camera_view" => setup.camera_view = field.boolean()?,
+            "view" => setup.view = view(field)?,
+            "shown" => read_shown(field, &mut setup.shown)?,
+            "dark" => read_colours(field, &mut setup.dark)?,
+            "light" => read_colours(field, &mut setup.light)?,
+            _ => return Err(field.unknown(&KEYS)),
+        }
+    }
+    Ok(setup)
+}
+
+fn view(table: Field<'_>) -> Result<View> {
+    let mut view = View::default();
+    for field in table.fields()? {
+        match field.key {
+            "rotation_degrees" => view.rotation = field.number()?,
+            "tilt_degrees" => view.tilt = field.number()?,
+            "size" => view.size = field.number()?,
+            "shift" => view.shift = field.numbers()?,
+            _ => return Err(field.unknown(&VIEW_KEYS)),
+        }
+        // A number by hand may be anything: told here, with its line.
+        let mended = view.in_range();
+        let rotation_only = View {
+            rotation: mended.rotation,
+            ..view
+        };
+        if mended != rotation_only {
+            return Err(field.error(Malformed::View {
+                least: View::MIN_SIZE,
+                most: View::MAX_SIZE,
+            }));
+        }
+    }
+    Ok(view.in_range())
+}
+
+fn element(field: &Field<'_>, known: impl Fn(Element) -> bool) -> Result<Element> {
+    let mut all = Element::ALL.into_iter().filter(|&element| known(element));
+    match all.find(|element| element.key() == field.key) {
+        Some(element) => Ok(element),
+        None => {
+            let all = Element::ALL.into_iter().filter(|&element| known(element));
+            Err(field.unknown(&all.map(Element::key).collect::<Vec<_>>()))
+        }
+    }
+}
+
+fn read_shown(table: Field<'_>, shown: &mut Shown) -> Result<()> {
+    for field in table.fields()? {
+        shown.set(element(&field, Element::has_switch)?, field.boolean()?);
+    }
+    Ok(())
+}
+
+fn read_colours(table: Field<'_>, colours: &mut Colours) -> Result<()> {
+    for field in table.fields()? {
+        let element = element(&field, |_| true)?;
+        let colour = colour(field.text()?).ok_or_else(|| field.error(Malformed::Colour))?;
+        colours.set(element, colour);
+    }
+    Ok(())
+}
+
+/// `#rrggbb`.
+fn colour(text: &str) -> Option<Color32> {
+    let digits = text.strip_prefix('#')?;
+    let six = digits.len() == 6 && digits.bytes().all(|byte| byte.is_ascii_hexdigit());
+    let [_, r, g, b] = u32::from_str_radix(digits, 16).ok()?.to_be_bytes();
+    six.then(|| Color32::from_rgb(r, g, b))
+}
+
+impl Editor {
+    /// Reads the setup that a window begins with. That there is none is
+    /// nothing to be told.
+    pub(crate) fn read_first_setup(&mut self) {
+        let Some(file) = self.folders.setup_file() else {
+            return;
+        };
+        match load(&file) {
+            Ok(setup) => self.take_setup(setup),
+            Err(Error::Io { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {}
+            Err(error) => {
+                let texts = &self.texts().setup;
+                let (name, why) = (file.display(), self.without_name(&error));
+                self.complain(fill(texts.ignored, &[&name, &why]));
+            }
+        }
+    }
+
+    /// Light, dark or as the desktop is, from now on and at the next start.
+    pub(crate) fn choose_theme(&mut self, theme: Option<Theme>) {
+        self.setup.theme = theme;
+        self.keep_word("theme", theme_word(theme));
+    }
+
+    /// This language, from now on and at the next start.
+    pub(crate) fn choose_language(&mut self, language: Option<Language>) {
+        self.setup.language = language;
+        self.keep_word("language", language_word(language));
+    }
+
+    /// Puts one word into the setup file that is read at start. Whatever else is set up
+    /// in this window is kept when its user saves the setup, not before.
+    fn keep_word(&mut self, key: &str, word: &str) {
+        let Some(file) = self.folders.setup_file() else {
+            return;
+        };
+        let text = match read_text(&file, MAX_BYTES) {
+            Err(Error::Io { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {
+                Ok(format!("version = {VERSION}\n"))
+            }
+            read => read,
+        };
+        let kept = text.and_then(|old| {
+            let new = with_word(&old, key, word)?;
+            if new == old {
+                return Ok(());
+            }
+            write_text(&file, &new)
+        });
+        if let Err(error) = kept {
+            let why = self.without_name(&error);
+            let text = self.texts().setup.not_saved;
+            self.complain(fill(text, &[&file.display(), &why]));
+        }
+    }
+
+    /// What the desktop is stays.
+    fn take_setup(&mut self, setup: Setup) {
+        self.setup = Setup {
+            desktop: self.setup.desktop,
+            ..setup
+        };
+    }
+
+    /// Loads a setup.
+    ///
+    /// # Errors
+    /// The sentence; the setup stays then.
+    pub(crate) fn load_setup(&mut self, file: &Path) -> Result<(), String> {
+        let texts = &self.texts().setup;
+        match load(file) {
+            Ok(setup) => {
+                self.take_setup(setup);
+                self.say(fill(texts.loaded, &[&file.display()]));
+                Ok(())
+            }
+            Err(error) => {
+                let why = self.without_name(&error);
+                Err(fill(texts.not_loaded, &[&file.display(), &why]))
+            }
+        }
+    }
+
+    /// Saves the setup.
+    ///
+    /// # Errors
+    /// The sentence.
+    pub(crate) fn save_setup(&mut self, file: &Path) -> Result<(), String> {
+        let texts = &self.texts().setup;
+        match write(file, &self.setup) {
+            Ok(()) => {
+                self.say(fill(texts.saved, &[&file.display()]));
+                Ok(())
+            }
+            Err(error) => {
+                let why = self.without_name(&error);
+                Err(fill(texts.not_saved, &[&file.display(), &why]))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn odd_setup() -> Setup {
+        let mut setup = Setup {
+            theme: Some(Theme::Light),
+            language: Some(Language::German),
+            camera_view: false,
+            view: View {
+                rotation: -12.345_678_901_234_5,
+                tilt: 1.0 / 3.0,
+                size: 2.5,
+                shift: [0.1, -0.2],
+            },
+            ..Setup::default()
+        };
+        for (index, element) in (0u8..).zip(Element::ALL) {
+            setup
+                .shown
+                .set(element, index % 3 != 0 || !element.has_switch());
+            let colour = Color32::from_rgb(index, 255 - index, 16 * index);
+            setup.dark.set(element, colour);
+            setup.light.set(element, Color32::from_rgb(index, 7, 9));
+        }
+        setup
+    }
+
+    #[test]
+    fn what_is_saved_comes_back() {
+        for setup in [Setup::default(), odd_setup()] {
+            assert_eq!(from_toml(&to_toml(&setup)).unwrap(), setup);
+        }
+    }
+
+    #[test]
+    fn nothing_given_is_a_new_window() {
+        assert_eq!(from_toml("").unwrap(), Setup::default());
+        let dark = from_toml("[dark]\ncurve = \"#010203\"\n").unwrap();
+        assert_eq!(dark.dark.of(Element::Curve), Color32::from_rgb(1, 2, 3));
+        assert_eq!(dark.dark.of(Element::Cube), Colours::DARK.of(Element::Cube));
+        // Turned further than once round is still a rotation.
+        let turned = from_toml("[view]\nrotation_degrees = 270").unwrap();
+        assert_eq!(turned.view.rotation, -90.0);
+    }
+
+    #[test]
+    fn what_is_wrong_is_refused_with_its_line() {
+        for (text, line, word) in [
+            ("version = 2", 1, "version 2"),
+            ("theme = \"dark\"\ncolor = 1", 2, "unknown key \"color\""),
+            ("theme = \"grey\"", 1, "\"dark\" or \"light\""),
+            ("language = \"fr\"", 1, "\"en\" or \"de\""),
+            ("\n[shown]\ncube = 1", 3, "true or false"),
+            ("[shown]\nbackground = false", 2, "unknown key"),
+            ("[dark]\ncurve = \"red\"", 2, "six digits"),
+            ("[dark]\ncurve = \"#+12345\"", 2, "six digits"),
+            ("[dark]\ncurve = \"#äöü\"", 2, "six digits"),
+            ("[light]\nkurve = \"#000000\"", 2, "unknown key \"kurve\""),
+            ("[view]\ntilt_degrees = 91", 2, "out of range"),
+            ("[view]\nsize = nan", 2, "finite"),
+            ("[view]\nsize = 0", 2, "out of range"),
+            ("[view]\nshift = [1]", 2, "expected 2 numbers"),
+            ("[view]\n\ntilt = 3", 3, "unknown key \"tilt\""),
+            ("theme = \"dark\"\ntheme = \"dark\"", 2, ""),
+            ("theme", 1, ""),
+        ] {
+            let error = from_toml(text).unwrap_err().to_string();
+            assert!(error.contains(&format!("line {line}:")), "{text}: {error}");
+            assert!(error.contains(word), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn a_folder_is_made_and_a_broken_file_left_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("a/b/setup.toml");
+        write(&file, &odd_setup()).unwrap();
+        assert_eq!(load(&file).unwrap(), odd_setup());
+        std::fs::write(&file, b"\n\xff").unwrap();
+        let error = load(&file).unwrap_err().to_string();
+        assert!(error.contains("setup.toml: line 2:"), "{error}");
+    }
+}

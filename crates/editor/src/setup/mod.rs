@@ -1,0 +1,369 @@
+//! What a person sets up once and wants to find again: the colours of the
+//! movement window, what it shows, from where it is seen (thesis A.5.3).
+//!
+//! Plain data with the values that a new window begins with. It knows neither
+//! files nor how anything is drawn.
+
+mod colours;
+mod display;
+pub(crate) mod file;
+
+#[cfg(test)]
+mod window_tests;
+
+pub(crate) use colours::ColourWindow;
+pub(crate) use display::DisplayWindow;
+use egui::Color32;
+
+use crate::texts::Language;
+
+/// Something in the movement window that has a colour of its own and can be
+/// switched off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Element {
+    /// What everything stands on.
+    Background,
+    /// The edges of the movement space.
+    Cube,
+    /// The host's wireframe object.
+    Object,
+    /// The curve.
+    Curve,
+    /// The segment that begins at the current point.
+    Segment,
+    /// The small crosses at the support points.
+    Crosses,
+    /// The numbers beside them.
+    Numbers,
+    /// The arrow from the current point to what its camera looks at.
+    Vpn,
+    /// The arrow upwards of the current camera.
+    Vup,
+    /// The circle on which the tip of VUP runs.
+    Circle,
+    /// The axes through a point that is dragged.
+    Axes,
+    /// The border of the plane in which it is dragged.
+    Plane,
+    /// The pieces of the curve outside the movement space.
+    Outside,
+    /// Each orientation of the path as a small camera.
+    Cameras,
+    /// The ribbon that shows view and roll all along the curve.
+    Ribbon,
+    /// The camera at the frame that is played.
+    Player,
+}
+
+impl Element {
+    /// All of them, in the order in which they are offered.
+    pub(super) const ALL: [Self; 16] = [
+        Self::Background,
+        Self::Cube,
+        Self::Object,
+        Self::Curve,
+        Self::Segment,
+        Self::Crosses,
+        Self::Numbers,
+        Self::Vpn,
+        Self::Vup,
+        Self::Circle,
+        Self::Axes,
+        Self::Plane,
+        Self::Outside,
+        Self::Cameras,
+        Self::Ribbon,
+        Self::Player,
+    ];
+
+    /// Its name in the setup file.
+    pub(super) const fn key(self) -> &'static str {
+        match self {
+            Self::Background => "background",
+            Self::Cube => "cube",
+            Self::Object => "object",
+            Self::Curve => "curve",
+            Self::Segment => "current_segment",
+            Self::Crosses => "crosses",
+            Self::Numbers => "numbers",
+            Self::Vpn => "vpn",
+            Self::Vup => "vup",
+            Self::Circle => "vup_circle",
+            Self::Axes => "axes",
+            Self::Plane => "plane",
+            Self::Outside => "outside",
+            Self::Cameras => "cameras",
+            Self::Ribbon => "ribbon",
+            Self::Player => "player",
+        }
+    }
+
+    /// Whether it can be switched off; the background cannot.
+    pub(super) const fn has_switch(self) -> bool {
+        !matches!(self, Self::Background)
+    }
+}
+
+/// A colour for each element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Colours([Color32; Element::ALL.len()]);
+
+impl Colours {
+    /// Those that stand on a dark ground.
+    pub(super) const DARK: Self = Self([
+        rgb(0x0f_13_18),
+        rgb(0x76_80_8e),
+        rgb(0xd5_dc_e6),
+        rgb(0xf2_a3_3c),
+        rgb(0x4f_a8_ff),
+        rgb(0xf4_f6_f9),
+        rgb(0x9a_a5_b4),
+        rgb(0xff_7d_78),
+        rgb(0x62_d0_8a),
+        rgb(0x3d_7f_58),
+        rgb(0xb9_8c_ff),
+        rgb(0x8d_6c_c8),
+        rgb(0xff_4d_8d),
+        rgb(0x8a_9b_b4),
+        rgb(0x5c_c8_d8),
+        rgb(0xff_d8_5e),
+    ]);
+
+    /// Those that stand on a light ground.
+    pub(super) const LIGHT: Self = Self([
+        rgb(0xfb_fb_fd),
+        rgb(0x80_88_94),
+        rgb(0x30_3a_48),
+        rgb(0xc0_5a_00),
+        rgb(0x0b_62_c4),
+        rgb(0x14_18_1e),
+        rgb(0x5b_65_73),
+        rgb(0xc0_24_2c),
+        rgb(0x12_7a_38),
+        rgb(0x7d_b8_92),
+        rgb(0x6a_38_c0),
+        rgb(0x9a_7a_d0),
+        rgb(0xd0_10_60),
+        rgb(0x66_74_88),
+        rgb(0x0d_86_96),
+        rgb(0xa8_72_00),
+    ]);
+
+    /// The colour of an element.
+    pub(super) const fn of(&self, element: Element) -> Color32 {
+        self.0[element as usize]
+    }
+
+    /// Gives an element another colour.
+    pub(super) const fn set(&mut self, element: Element, colour: Color32) {
+        self.0[element as usize] = colour;
+    }
+}
+
+/// Which elements are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Shown([bool; Element::ALL.len()]);
+
+impl Default for Shown {
+    /// All of them.
+    fn default() -> Self {
+        Self([true; Element::ALL.len()])
+    }
+}
+
+impl Shown {
+    /// Whether an element is shown.
+    pub(super) const fn has(&self, element: Element) -> bool {
+        self.0[element as usize] || !element.has_switch()
+    }
+
+    /// Shows or hides an element.
+    pub(super) const fn set(&mut self, element: Element, shown: bool) {
+        self.0[element as usize] = shown;
+    }
+}
+
+/// Light or dark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub(super) enum Theme {
+    /// Light on dark.
+    #[default]
+    Dark,
+    /// Dark on light.
+    Light,
+}
+
+/// From where the movement space is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct View {
+    /// Rotation about the y axis in degrees, in (−180, 180].
+    pub(super) rotation: f64,
+    /// Tilt in degrees, in [−90, 90]; at 90 one looks down.
+    pub(super) tilt: f64,
+    /// Size of the cube: 1 just fits into the window, however it is turned.
+    pub(super) size: f64,
+    /// What the movement space is shifted by on the screen, to the right and
+    /// up, in units of the movement space.
+    pub(super) shift: [f64; 2],
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self {
+            rotation: 28.0,
+            tilt: 20.0,
+            size: 1.0,
+            shift: [0.0; 2],
+        }
+    }
+}
+
+impl View {
+    /// The smallest size.
+    pub(super) const MIN_SIZE: f64 = 0.1;
+    /// The largest size.
+    pub(super) const MAX_SIZE: f64 = 50.0;
+
+    /// The same view with every value in its range; what is not finite is as
+    /// in a new window.
+    pub(super) fn in_range(self) -> Self {
+        let new = Self::default();
+        let or = |value: f64, instead: f64| if value.is_finite() { value } else { instead };
+        Self {
+            rotation: crate::math::orientation::wrap_degrees(or(self.rotation, new.rotation)),
+            tilt: or(self.tilt, new.tilt).clamp(-90.0, 90.0),
+            size: or(self.size, new.size).clamp(Self::MIN_SIZE, Self::MAX_SIZE),
+            shift: self.shift.map(|shift| or(shift, 0.0).clamp(-4.0, 4.0)),
+        }
+    }
+}
+
+/// Everything that the setup file keeps.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Setup {
+    /// Light or dark, as it was chosen; as the desktop is if it was not.
+    pub(super) theme: Option<Theme>,
+    /// What the desktop is. No file keeps that.
+    pub(super) desktop: Theme,
+    /// The colours on a dark ground.
+    pub(super) dark: Colours,
+    /// The colours on a light ground.
+    pub(super) light: Colours,
+    /// What is shown.
+    pub(super) shown: Shown,
+    /// From where.
+    pub(super) view: View,
+    /// Whether the picture of the camera is shown.
+    pub(super) camera_view: bool,
+    /// The language that was chosen; that of the host or the environment if none.
+    pub(super) language: Option<Language>,
+}
+
+impl Default for Setup {
+    fn default() -> Self {
+        Self {
+            theme: None,
+            desktop: Theme::default(),
+            dark: Colours::DARK,
+            light: Colours::LIGHT,
+            shown: Shown::default(),
+            view: View::default(),
+            camera_view: true,
+            language: None,
+        }
+    }
+}
+
+impl Setup {
+    /// The theme in force.
+    pub(super) fn theme(&self) -> Theme {
+        self.theme.unwrap_or(self.desktop)
+    }
+
+    /// The colours of the present theme.
+    pub(super) fn colours(&self) -> &Colours {
+        match self.theme() {
+            Theme::Dark => &self.dark,
+            Theme::Light => &self.light,
+        }
+    }
+
+    /// The colours of the present theme, to be changed.
+    pub(super) fn colours_mut(&mut self) -> &mut Colours {
+        match self.theme() {
+            Theme::Dark => &mut self.dark,
+            Theme::Light => &mut self.light,
+        }
+    }
+}
+
+const fn rgb(colour: u32) -> Color32 {
+    let [_, r, g, b] = colour.to_be_bytes();
+    Color32::from_rgb(r, g, b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::theme;
+
+    #[test]
+    fn the_list_is_in_the_order_of_the_enumeration() {
+        for (index, element) in Element::ALL.into_iter().enumerate() {
+            assert_eq!(element as usize, index);
+        }
+    }
+
+    #[test]
+    fn keys_differ() {
+        let mut keys = Element::ALL.map(Element::key);
+        keys.sort_unstable();
+        assert!(keys.windows(2).all(|pair| pair[0] != pair[1]));
+    }
+
+    #[test]
+    fn the_background_stays() {
+        let mut shown = Shown::default();
+        for element in Element::ALL {
+            shown.set(element, false);
+            assert_eq!(shown.has(element), element == Element::Background);
+        }
+    }
+
+    #[test]
+    fn what_must_be_seen_stands_out() {
+        for colours in [Colours::DARK, Colours::LIGHT] {
+            let ground = colours.of(Element::Background);
+            let contrast = |element| theme::contrast(colours.of(element), ground);
+            // Text, then lines (WCAG 1.4.3, 1.4.11).
+            assert!(contrast(Element::Numbers) >= 4.5);
+            for element in Element::ALL {
+                // The circle is a faint guide beside the arrow that it leads.
+                let least = match element {
+                    Element::Background => continue,
+                    Element::Circle => 2.0,
+                    _ => 3.0,
+                };
+                let found = contrast(element);
+                assert!(found >= least, "{element:?}: {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_view_is_brought_into_range() {
+        let odd = View {
+            rotation: 270.0,
+            tilt: f64::NAN,
+            size: 1e9,
+            shift: [f64::INFINITY, -9.0],
+        };
+        let mended = View {
+            rotation: -90.0,
+            tilt: 20.0,
+            size: View::MAX_SIZE,
+            shift: [0.0, -4.0],
+        };
+        assert_eq!(odd.in_range(), mended);
+    }
+}

@@ -1,0 +1,280 @@
+//! What the camera sees: cube and object in perspective, by its zoom, with the
+//! projection of the thesis's chapter 2. At the frame that is played, else for
+//! the current orientation.
+
+use std::sync::Arc;
+
+use egui::{Align2, Color32, Context, FontId, Pos2, Rect, Sense, Ui, vec2};
+use glam::{DMat4, DVec2, DVec3};
+
+use super::Camera;
+use crate::host::pane::HostPane;
+use crate::math::view::View;
+use crate::raster::{Line, Lines};
+use crate::setup::Element;
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
+
+/// Width by height of the picture: that of the film.
+const ASPECT: f32 = 1.5;
+
+/// Width of the picture at first, in points.
+const WIDTH: f32 = 228.0;
+
+/// The nearest thing that is seen, in half sizes of the movement space.
+const FRONT: f64 = 1e-3;
+
+/// Shows the pane if it is open; `viewport` is the movement window.
+pub(crate) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
+    editor.host_pane = None;
+    if !editor.setup.camera_view {
+        return;
+    }
+    let palette = editor.setup.theme().palette();
+    let ground = editor.setup.colours().of(Element::Background);
+    let frame = egui::Frame::new()
+        .fill(ground)
+        .stroke(egui::Stroke::new(1.0, palette.rim))
+        .corner_radius(4)
+        .inner_margin(1);
+    let id = id();
+    let width = first_width(viewport);
+    let mut pane = egui::Window::new(editor.texts().space.camera_view)
+        .id(id)
+        .title_bar(false)
+        .frame(frame)
+        .resizable([true, false])
+        .constrain_to(viewport)
+        .pivot(Align2::RIGHT_TOP)
+        .default_pos(corner(viewport))
+        .default_width(width)
+        .min_width(WIDTH / 2.0);
+    // Where no hand has moved it, it goes along with the window's size.
+    let known: Option<Placed> = context.data(|data| data.get_temp(id));
+    if known.is_some_and(|known| !known.by_hand && known.viewport != viewport) {
+        pane = pane
+            .current_pos(corner(viewport))
+            .min_width(width)
+            .max_width(width);
+    }
+    let Some(shown) = pane.show(context, |ui| contents(editor, ui)) else {
+        return;
+    };
+    let rect = shown.response.rect;
+    let held = context.input(|input| input.pointer.any_down());
+    let by_hand = known.is_some_and(|known| {
+        known.by_hand || (held && known.viewport == viewport && known.rect != rect)
+    });
+    let placed = Placed {
+        viewport,
+        rect,
+        by_hand,
+    };
+    context.data_mut(|data| data.insert_temp(id, placed));
+}
+
+/// The pane's area.
+pub(crate) fn id() -> egui::Id {
+    egui::Id::unique("camera view")
+}
+
+/// Where the pane is.
+#[derive(Clone, Copy, Debug)]
+struct Placed {
+    /// The movement window.
+    viewport: Rect,
+    rect: Rect,
+    /// Somebody has put it there.
+    by_hand: bool,
+}
+
+/// Where its upper right corner is at first.
+fn corner(viewport: Rect) -> Pos2 {
+    viewport.right_top() + vec2(-12.0, 12.0)
+}
+
+/// How wide its picture is at first.
+fn first_width(viewport: Rect) -> f32 {
+    WIDTH.min(viewport.width() * 0.27).max(WIDTH / 2.0)
+}
+
+fn contents(editor: &mut Editor, ui: &mut Ui) {
+    // The height follows the width.
+    let width = ui.available_width().max(60.0);
+    let (picture, response) = ui.allocate_exact_size(vec2(width, width / ASPECT), Sense::hover());
+    let texts = &editor.texts().space;
+    response
+        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, texts.camera_picture));
+    let Some((camera, _)) = editor.camera() else {
+        return;
+    };
+    let painter = ui.painter_at(picture);
+    let by_host = editor.host_view.fills_pane;
+    if !by_host {
+        let lines = picture_of(editor, &camera, picture);
+        painter.add(Lines::shape(&Arc::new(lines), picture));
+    }
+    let text = match editor.shown_frame() {
+        Some(frame) => fill(texts.camera_at_frame, &[&frame]),
+        None => {
+            let selection = editor.document.selection();
+            let (point, number) = (selection.point + 1, selection.orientation + 1);
+            fill(texts.camera_at_key, &[&point, &number])
+        }
+    };
+    let zoom = editor.language().number(camera.zoom, 0);
+    let palette = theme::palette(ui);
+    let zoom = fill(texts.millimetres, &[&zoom]);
+    let corners = [
+        (
+            picture.left_bottom() + vec2(8.0, -6.0),
+            Align2::LEFT_BOTTOM,
+            text,
+        ),
+        (picture.left_top() + vec2(8.0, 6.0), Align2::LEFT_TOP, zoom),
+    ];
+    let ground = editor
+        .setup
+        .colours()
+        .of(Element::Background)
+        .gamma_multiply(0.8);
+    for (corner, align, text) in corners {
+        let galley = painter.layout_no_wrap(text, FontId::proportional(11.0), palette.weak);
+        let place = align.anchor_size(corner, galley.size());
+        painter.rect_filled(place.expand2(vec2(3.0, 1.0)), 3.0, ground);
+        painter.galley(place.min, galley, palette.weak);
+    }
+    close_button(editor, ui, picture);
+    if by_host && !ui.is_sizing_pass() {
+        // All of it is the host's: our labels and the cross lie below.
+        editor.host_pane = Some(HostPane {
+            picture,
+            above: Vec::new(),
+        });
+    }
+}
+
+/// A small cross in the corner.
+fn close_button(editor: &mut Editor, ui: &Ui, rect: Rect) {
+    let place = Rect::from_min_size(rect.right_top() + vec2(-22.0, 2.0), vec2(20.0, 20.0));
+    let response = ui.interact(place, ui.scope_id().with("close"), Sense::click());
+    let text = editor.texts().space.close_camera_view;
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, text));
+    let palette = theme::palette(ui);
+    let color = if response.hovered() || response.has_focus() {
+        palette.text
+    } else {
+        palette.weak
+    };
+    let stroke = egui::Stroke::new(1.5, color);
+    let centre = place.center();
+    for way in [vec2(4.0, 4.0), vec2(4.0, -4.0)] {
+        ui.painter()
+            .line_segment([centre - way, centre + way], stroke);
+    }
+    if response.on_hover_text(text).clicked() {
+        editor.setup.camera_view = false;
+    }
+}
+
+/// Cube and object as the camera sees them, in `picture`.
+fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
+    let mut lines = Lines::default();
+    // Behind the farthest corner and beyond the object.
+    let object = &editor.document.info().object;
+    let space = editor.document.path().space;
+    // Counted from its middle in half sizes: what is far away loses no digits.
+    let local = |place: DVec3| (place - space.centre) / space.half_size;
+    let farthest = object
+        .iter()
+        .map(|point| local(point.position).abs().max_element())
+        .fold(1.0, f64::max);
+    let position = local(camera.position);
+    let back = 4.0 * (farthest + position.abs().max_element()) + 1.0;
+    let view = View::from_pose(
+        position,
+        camera.view,
+        camera.up,
+        camera.zoom,
+        f64::from(ASPECT),
+        FRONT,
+        back,
+    );
+    let Ok(matrix) = view.and_then(|view| view.matrix()) else {
+        return lines;
+    };
+    let mut add = |from: DVec3, to: DVec3, width: f32, color: Color32| {
+        let [from, to] = [from, to].map(local);
+        if let Some([from, to]) = seen(&matrix, FRONT / back, from, to) {
+            lines.lines.push(Line {
+                from: on_picture(from, picture),
+                to: on_picture(to, picture),
+                width,
+                color,
+            });
+        }
+    };
+    let colours = editor.setup.colours();
+    let shown = &editor.setup.shown;
+    if shown.has(Element::Cube) {
+        let color = colours.of(Element::Cube).gamma_multiply(0.7);
+        for (from, to) in super::cube(space) {
+            add(from, to, 1.0, color);
+        }
+    }
+    if shown.has(Element::Object) {
+        let color = colours.of(Element::Object);
+        for pair in object.windows(2) {
+            if pair[1].draw {
+                add(pair[0].position, pair[1].position, 1.2, color);
+            }
+        }
+    }
+    lines
+}
+
+/// The part of a line in the camera's pyramid, from −1 to 1 to the right and up
+/// on the picture; none if it is not seen. `front` is the depth of the front
+/// plane in the canonical volume (thesis 2.5.1).
+fn seen(matrix: &DMat4, front: f64, from: DVec3, to: DVec3) -> Option<[DVec2; 2]> {
+    let [a, b] = [from, to].map(|p| matrix.transform_point3(p));
+    // Distances to the planes: inside where they are not negative.
+    let planes = |p: DVec3| {
+        [
+            p.z - p.x,
+            p.z + p.x,
+            p.z - p.y,
+            p.z + p.y,
+            p.z - front,
+            1.0 - p.z,
+        ]
+    };
+    let [mut start, mut end] = [0.0f64, 1.0f64];
+    for (at_a, at_b) in planes(a).into_iter().zip(planes(b)) {
+        if !(at_a.is_finite() && at_b.is_finite()) || (at_a < 0.0 && at_b < 0.0) {
+            return None;
+        }
+        let crossing = at_a / (at_a - at_b);
+        if at_a < 0.0 {
+            start = start.max(crossing);
+        } else if at_b < 0.0 {
+            end = end.min(crossing);
+        }
+    }
+    (start < end).then(|| {
+        [start, end]
+            .map(|t| a.lerp(b, t))
+            .map(|p| p.truncate() / p.z)
+    })
+}
+
+fn on_picture(at: DVec2, picture: Rect) -> Pos2 {
+    #[allow(clippy::cast_possible_truncation)]
+    let [x, y] = at.to_array().map(|x| x as f32);
+    picture.center() + vec2(x, -y) * picture.size() / 2.0
+}
+
+#[cfg(test)]
+#[path = "camera_view_tests.rs"]
+mod tests;

@@ -1,0 +1,459 @@
+//! The curve window (thesis A.4.1): presets, own values, numbers. All of it
+//! waits for `Zeigen` or `ok`.
+
+use egui::{Grid, Rect, Sense, Slider, Ui, vec2};
+
+mod pending;
+mod picture;
+
+use self::pending::{Belonging, Choice, GivenUp, Pending, orientation};
+use super::{SubWindow, Windows, is_cramped, row_at_right, sub_window};
+use crate::actions::Action;
+use crate::limits::PRESETS;
+use crate::number::{Entry, Number};
+use crate::path::{Target, Tcb};
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
+
+/// Widths in points: the list of presets, and beside it a label and three
+/// numbers, which are narrower where there is little room.
+const LIST: f32 = 120.0;
+const LABEL: f32 = 78.0;
+const NUMBER: f32 = 82.0;
+const NARROW_NUMBER: f32 = 70.0;
+/// Height of the picture, and where there is little room.
+const PICTURE: f32 = 150.0;
+const LOW_PICTURE: f32 = 96.0;
+
+/// The curve window: what waits in it.
+#[derive(Debug)]
+pub(crate) struct CurveWindow {
+    pending: Pending,
+    belonging: Belonging,
+    /// The value that a drag began with, to be put back by Escape.
+    dragged: Option<Pending>,
+    /// A button was pressed. What was being typed has arrived one pass later.
+    pressed: Option<Button>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Button {
+    Show,
+    Ok,
+}
+
+/// A number of the window.
+#[derive(Clone, Copy)]
+enum Field {
+    Shape(usize),
+    Position(usize),
+    Target(usize),
+    Roll,
+}
+
+impl SubWindow for CurveWindow {
+    const ID: &'static str = "curve";
+
+    fn slot(windows: &mut Windows) -> &mut Option<Self> {
+        &mut windows.curve
+    }
+
+    fn new(editor: &Editor) -> Self {
+        Self {
+            pending: Pending::default(),
+            belonging: Belonging::of(&editor.document),
+            dragged: None,
+            pressed: None,
+        }
+    }
+
+    fn show(
+        &mut self,
+        editor: &Editor,
+        context: &egui::Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let texts = &editor.texts().curve;
+        self.follow(editor, context, actions);
+        let pressed = self.pressed.take();
+        let mut wrong = false;
+        let stays = sub_window(context, Self::ID, texts.title, |ui| {
+            ui.set_width(LIST + theme::GAP * 4.0 + rest(ui));
+            self.heading(editor, ui);
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = theme::GAP * 4.0;
+                ui.vertical(|ui| {
+                    ui.set_width(LIST);
+                    self.list(editor, ui);
+                });
+                ui.vertical(|ui| {
+                    ui.spacing_mut().item_spacing.x = theme::GAP;
+                    ui.set_width(rest(ui));
+                    wrong |= self.shape(editor, ui, actions);
+                    self.picture(editor, ui);
+                    wrong |= self.numbers(editor, ui, actions);
+                });
+            });
+            self.buttons(editor, ui);
+        });
+        if self.pressed.is_some() {
+            context.request_repaint();
+        }
+        if let Some(pressed) = pressed {
+            if !wrong {
+                actions.push(Action::ApplyCurve(pressed == Button::Ok));
+            }
+            // The output field has been drawn already.
+            context.request_repaint();
+        }
+        stays
+    }
+}
+
+impl CurveWindow {
+    /// Another path is open: what waits here was meant for the old one.
+    pub(super) fn lose(&mut self) {
+        self.belonging.lose();
+    }
+
+    /// Gives up what is pending if what it was meant for is gone.
+    fn follow(&mut self, editor: &Editor, context: &egui::Context, actions: &mut Vec<Action>) {
+        let Some(gone) = self.belonging.follow(&editor.document) else {
+            return;
+        };
+        self.pressed = None;
+        self.dragged = None;
+        if !std::mem::take(&mut self.pending).is_empty() {
+            let texts = &editor.texts().curve;
+            let text = match gone {
+                GivenUp::Elsewhere => texts.given_up,
+                GivenUp::Changed => texts.given_up_changed,
+            };
+            actions.push(Action::Say(text.to_owned()));
+            context.request_repaint();
+        }
+    }
+
+    /// Applies what is pending as one step, and closes the window if that is wanted. What
+    /// is refused is told, changes nothing and stays.
+    pub(crate) fn apply(editor: &mut Editor, closes: bool) {
+        let Some(mut window) = editor.windows.curve.take() else {
+            return;
+        };
+        let applied = window.apply_pending(editor);
+        if !(applied && closes) {
+            editor.windows.curve = Some(window);
+        }
+    }
+
+    fn apply_pending(&mut self, editor: &mut Editor) -> bool {
+        let edits = self.pending.edits(&editor.document);
+        editor.document.begin_step();
+        for edit in edits {
+            if !editor.edit(edit) {
+                editor.document.cancel_step();
+                self.belonging = Belonging::of(&editor.document);
+                return false;
+            }
+        }
+        editor.document.end_step();
+        self.pending = Pending::default();
+        self.belonging = Belonging::of(&editor.document);
+        true
+    }
+
+    fn heading(&self, editor: &Editor, ui: &mut Ui) {
+        let texts = &editor.texts().curve;
+        let selection = editor.document.selection();
+        let (point, orientation) = (selection.point + 1, selection.orientation + 1);
+        let palette = theme::palette(ui);
+        ui.horizontal(|ui| {
+            ui.colored_label(palette.weak, fill(texts.of, &[&point, &orientation]));
+            if !self.pending.is_empty() {
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    ui.colored_label(palette.accent, texts.waiting);
+                });
+            }
+        });
+        ui.add_space(theme::GAP);
+    }
+
+    fn list(&mut self, editor: &Editor, ui: &mut Ui) {
+        let texts = &editor.texts().curve;
+        let now = self.pending.choice(&editor.document);
+        let mut choose = None;
+        let mut radio = |ui: &mut Ui, choice, name: String, shape: String| {
+            let response = theme::choice(ui, now == choice, &name).on_hover_text(shape);
+            if response.clicked() && now != choice {
+                choose = Some(choice);
+            }
+        };
+        for preset in 0..PRESETS {
+            let changed = self
+                .pending
+                .presets
+                .get(preset)
+                .is_some_and(Option::is_some);
+            let mark = if changed { " *" } else { "" };
+            let name = format!("{}{mark}", fill(texts.preset, &[&preset]));
+            let tcb = self.pending.preset(&editor.document, preset);
+            let shape = texts.shape(editor.language(), tcb);
+            radio(ui, Choice::Preset(preset), name, shape);
+        }
+        let own = texts.own.to_owned();
+        radio(ui, Choice::Own, own, texts.own_hint.to_owned());
+        if let Some(choice) = choose {
+            self.pending.choose(&editor.document, choice);
+        }
+        ui.add_space(theme::GAP);
+        let users = match self.pending.choice(&editor.document) {
+            Choice::Preset(preset) => users(editor, preset),
+            Choice::Own => 1,
+        };
+        let text = if users == 1 {
+            texts.used_once.to_owned()
+        } else {
+            fill(texts.used, &[&users])
+        };
+        ui.colored_label(theme::palette(ui).weak, text);
+    }
+
+    /// The three sliders with their numbers. True: what was typed is no number.
+    fn shape(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) -> bool {
+        let texts = &editor.texts().curve;
+        let names = [
+            (texts.tension, texts.tension_hint),
+            (texts.continuity, texts.continuity_hint),
+            (texts.bias, texts.bias_hint),
+        ];
+        let mut wrong = false;
+        Grid::new("shape")
+            .num_columns(3)
+            .spacing(vec2(theme::GAP, theme::GAP))
+            .show(ui, |ui| {
+                for (part, (name, hint)) in names.into_iter().enumerate() {
+                    let label = in_column(ui, name).on_hover_text(hint);
+                    let value = parts(self.pending.tcb(&editor.document))[part];
+                    let mut slid = value.clamp(-1.0, 1.0);
+                    ui.spacing_mut().slider_width = 2.0 * number(ui) + theme::GAP;
+                    let slider = Slider::new(&mut slid, -1.0..=1.0)
+                        .show_value(false)
+                        // It runs both ways from the middle.
+                        .trailing_fill(false)
+                        .step_by(0.01);
+                    let response = ui.add(slider).labelled_by(label.id).on_hover_text(hint);
+                    // egui rounds to steps even where nobody touches it.
+                    if response.changed() && (slid - value.clamp(-1.0, 1.0)).abs() > 1e-9 {
+                        let rounded = (slid * 100.0).round() / 100.0;
+                        self.set(editor, Field::Shape(part), rounded);
+                    }
+                    let number = Number::new(name, value)
+                        .hint(hint)
+                        .decimals(2)
+                        .range(-1.0..=1.0)
+                        .steps(0.01, 0.01);
+                    wrong |= self.number(editor, ui, number, Field::Shape(part), actions);
+                    ui.end_row();
+                }
+            });
+        wrong
+    }
+
+    fn picture(&self, editor: &Editor, ui: &mut Ui) {
+        ui.add_space(theme::GAP);
+        let palette = theme::palette(ui);
+        let height = if is_cramped(ui.ctx()) {
+            LOW_PICTURE
+        } else {
+            PICTURE
+        };
+        let (rect, response) = ui.allocate_exact_size(vec2(rest(ui), height), Sense::hover());
+        let name = editor.texts().curve.picture;
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, name));
+        let painter = ui.painter().with_clip_rect(rect);
+        painter.rect(
+            rect,
+            egui::CornerRadius::same(4),
+            palette.field,
+            egui::Stroke::new(1.0, palette.line),
+            egui::StrokeKind::Inside,
+        );
+        picture::paint(&painter, rect, palette, &editor.document, &self.pending);
+        self.legend(editor, &painter, rect);
+        ui.add_space(theme::GAP);
+    }
+
+    /// Which curve is which, once there are two.
+    fn legend(&self, editor: &Editor, painter: &egui::Painter, rect: Rect) {
+        if self.pending.is_empty() {
+            return;
+        }
+        let texts = &editor.texts().curve;
+        let palette = editor.setup.theme().palette();
+        let font = theme::small();
+        let mut at = rect.left_bottom() + vec2(8.0, -6.0);
+        for (text, colour) in [(texts.before, palette.weak), (texts.after, palette.accent)] {
+            let end = painter.text(at, egui::Align2::LEFT_BOTTOM, text, font.clone(), colour);
+            at.x = end.right() + 12.0;
+        }
+    }
+
+    /// Position, target and roll. True: what was typed is no number.
+    fn numbers(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) -> bool {
+        let texts = &editor.texts().curve;
+        let absolute = matches!(orientation(&editor.document).target, Target::Absolute(_));
+        let (kind, hint) = if absolute {
+            (texts.target, texts.target_hint)
+        } else {
+            (texts.offset, texts.offset_hint)
+        };
+        let mut wrong = false;
+        Grid::new("numbers")
+            .num_columns(4)
+            .spacing(vec2(theme::GAP, theme::GAP))
+            .show(ui, |ui| {
+                let position = self.pending.position(&editor.document);
+                in_column(ui, texts.position);
+                for (axis, sign) in ["x", "y", "z"].into_iter().enumerate() {
+                    let name = format!("{} {sign}", texts.position);
+                    let number = Number::new(&name, position[axis])
+                        .label(sign)
+                        .in_space(editor.document.path().space);
+                    wrong |= self.number(editor, ui, number, Field::Position(axis), actions);
+                }
+                ui.end_row();
+                let target = self.pending.target(&editor.document);
+                in_column(ui, &format!("{} ({kind})", texts.orientation)).on_hover_text(hint);
+                for (axis, sign) in ["x", "y", "z"].into_iter().enumerate() {
+                    let name = format!("{} {sign}", texts.orientation);
+                    let number = Number::new(&name, target[axis])
+                        .label(sign)
+                        .hint(hint)
+                        .in_space(editor.document.path().space);
+                    wrong |= self.number(editor, ui, number, Field::Target(axis), actions);
+                }
+                ui.end_row();
+                let roll = self.pending.roll(&editor.document);
+                in_column(ui, texts.roll).on_hover_text(texts.roll_hint);
+                let number = Number::new(texts.roll, roll)
+                    .hint(texts.roll_hint)
+                    .unit("°")
+                    .decimals(1)
+                    .steps(1.0, 0.5);
+                wrong |= self.number(editor, ui, number, Field::Roll, actions);
+                ui.end_row();
+            });
+        wrong
+    }
+
+    /// Shows one number and takes what is entered. True: it is no number.
+    fn number(
+        &mut self,
+        editor: &Editor,
+        ui: &mut Ui,
+        number: Number<'_>,
+        field: Field,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let id = match field {
+            Field::Shape(part) => format!("curve.shape.{part}"),
+            Field::Position(axis) => format!("curve.position.{axis}"),
+            Field::Target(axis) => format!("curve.target.{axis}"),
+            Field::Roll => "curve.roll".to_owned(),
+        };
+        let width = self::number(ui);
+        match number.pending().show(ui, editor.language(), &id, width) {
+            Entry::Idle => {}
+            Entry::Begin => self.dragged = Some(self.pending.clone()),
+            Entry::Drag(value) | Entry::Set(value) => self.set(editor, field, value),
+            Entry::End => self.dragged = None,
+            Entry::Cancel => {
+                if let Some(before) = self.dragged.take() {
+                    self.pending = before;
+                }
+            }
+            Entry::Wrong(text) => {
+                actions.push(Action::Complain(text));
+                ui.ctx().request_repaint();
+                return true;
+            }
+        }
+        false
+    }
+
+    fn set(&mut self, editor: &Editor, field: Field, value: f64) {
+        let document = &editor.document;
+        let pending = &mut self.pending;
+        match field {
+            Field::Shape(part) => {
+                let mut shape = parts(pending.tcb(document));
+                shape[part] = value;
+                let [tension, continuity, bias] = shape;
+                pending.set_tcb(document, Tcb::new(tension, continuity, bias));
+            }
+            Field::Position(axis) => pending.position[axis] = Some(value),
+            Field::Target(axis) => pending.target[axis] = Some(value),
+            Field::Roll => pending.roll = Some(value),
+        }
+    }
+
+    fn buttons(&mut self, editor: &Editor, ui: &mut Ui) {
+        let texts = &editor.texts().curve;
+        ui.add_space(theme::GAP * 2.0);
+        let size = vec2(96.0, theme::ROW);
+        row_at_right(ui, &[texts.show, texts.ok], size.x, |ui| {
+            let mut button = |text: &str, hint: &str| {
+                ui.add_sized(size, egui::Button::new(text))
+                    .on_hover_text(hint)
+                    .clicked()
+            };
+            if button(texts.show, texts.show_hint) {
+                self.pressed = Some(Button::Show);
+            }
+            if button(texts.ok, texts.ok_hint) {
+                self.pressed = Some(Button::Ok);
+            }
+        });
+    }
+}
+
+/// Width of a number.
+fn number(ui: &Ui) -> f32 {
+    if is_cramped(ui.ctx()) {
+        NARROW_NUMBER
+    } else {
+        NUMBER
+    }
+}
+
+/// Width of what stands beside the list.
+fn rest(ui: &Ui) -> f32 {
+    LABEL + 3.0 * (number(ui) + theme::GAP)
+}
+
+/// A label as wide as all others.
+fn in_column(ui: &mut Ui, text: &str) -> egui::Response {
+    ui.horizontal(|ui| {
+        ui.set_width(LABEL);
+        ui.label(text)
+    })
+    .inner
+}
+
+fn parts(tcb: Tcb) -> [f64; 3] {
+    [tcb.tension, tcb.continuity, tcb.bias]
+}
+
+/// Points that use a preset, the current one as it will be.
+fn users(editor: &Editor, preset: usize) -> usize {
+    let current = editor.document.selection().point;
+    let points = editor.document.path().points.iter().enumerate();
+    let uses = |curve| matches!(curve, crate::path::CurveParameters::Preset(p) if usize::from(p) == preset);
+    points
+        .filter(|(number, point)| *number == current || uses(point.curve))
+        .count()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,230 @@
+//! What was entered into the curve window and waits for `Zeigen` or `ok`
+//! (thesis A.4.1). No egui here.
+//!
+//! What nobody entered is not pending: it follows the document. So a point
+//! that is dragged while the window is open shows its new place, and applying
+//! changes nothing but what was entered.
+
+use crate::document::{Document, Edit, Selection};
+use crate::limits::PRESETS;
+use crate::path::{CurveParameters, Orientation, SupportPoint, Target, Tcb};
+
+/// Where the parameters come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Choice {
+    /// `Standard n`.
+    Preset(usize),
+    /// `Eigendef.`
+    Own,
+}
+
+/// Values waiting to be applied to the current point and orientation.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Pending {
+    pub(crate) choice: Option<Choice>,
+    pub(crate) presets: [Option<Tcb>; PRESETS],
+    pub(crate) own: Option<Tcb>,
+    pub(crate) position: [Option<f64>; 3],
+    pub(crate) target: [Option<f64>; 3],
+    pub(crate) roll: Option<f64>,
+}
+
+impl Pending {
+    pub(crate) fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// What the radio buttons show.
+    pub(crate) fn choice(&self, document: &Document) -> Choice {
+        self.choice.unwrap_or_else(|| match point(document).curve {
+            CurveParameters::Preset(preset) => Choice::Preset(preset.into()),
+            CurveParameters::Own(_) => Choice::Own,
+        })
+    }
+
+    /// Chooses a preset, or own values, which begin as those in force.
+    pub(crate) fn choose(&mut self, document: &Document, choice: Choice) {
+        if choice == Choice::Own && self.own.is_none() {
+            let known = matches!(point(document).curve, CurveParameters::Own(_));
+            self.own = (!known).then(|| self.tcb(document));
+        }
+        self.choice = Some(choice);
+    }
+
+    /// The parameters that the sliders show.
+    pub(crate) fn tcb(&self, document: &Document) -> Tcb {
+        let in_force = document.path().tcb(document.selection().point);
+        match self.choice(document) {
+            Choice::Own => self.own.unwrap_or(in_force),
+            Choice::Preset(preset) => self.preset(document, preset),
+        }
+    }
+
+    /// A preset as it will be.
+    pub(crate) fn preset(&self, document: &Document, preset: usize) -> Tcb {
+        let pending = self.presets.get(preset).copied().flatten();
+        let known = || document.path().presets.get(preset).copied();
+        pending.or_else(known).unwrap_or_default()
+    }
+
+    /// Changes the parameters that the sliders show.
+    pub(crate) fn set_tcb(&mut self, document: &Document, tcb: Tcb) {
+        match self.choice(document) {
+            Choice::Own => self.own = Some(tcb),
+            Choice::Preset(preset) => {
+                if let Some(pending) = self.presets.get_mut(preset) {
+                    *pending = Some(tcb);
+                }
+            }
+        }
+    }
+
+    /// The position that the fields show.
+    pub(crate) fn position(&self, document: &Document) -> [f64; 3] {
+        merged(self.position, point(document).position.to_array())
+    }
+
+    /// The target (absolute) or offset (relative) that the fields show.
+    pub(crate) fn target(&self, document: &Document) -> [f64; 3] {
+        let (Target::Absolute(target) | Target::Relative(target)) = orientation(document).target;
+        merged(self.target, target.to_array())
+    }
+
+    /// The roll that the field shows.
+    pub(crate) fn roll(&self, document: &Document) -> f64 {
+        self.roll.unwrap_or_else(|| orientation(document).roll)
+    }
+
+    /// The edits that apply it, in an order in which each is possible if the
+    /// outcome is.
+    pub(crate) fn edits(&self, document: &Document) -> Vec<Edit> {
+        let Selection {
+            point: at,
+            orientation: number,
+        } = document.selection();
+        let mut edits = Vec::new();
+        for (preset, tcb) in self.presets.iter().enumerate() {
+            edits.extend(tcb.map(|tcb| Edit::SetPreset { preset, tcb }));
+        }
+        if self.choice.is_some() || self.own.is_some() {
+            edits.push(match self.choice(document) {
+                Choice::Preset(preset) => Edit::UsePreset { at, preset },
+                Choice::Own => Edit::SetOwn {
+                    at,
+                    tcb: self.tcb(document),
+                },
+            });
+        }
+        let moves = self.position.iter().any(Option::is_some);
+        let turns = self.target.iter().any(Option::is_some) || self.roll.is_some();
+        let mut orientation = orientation(document).clone();
+        if moves && turns && matches!(orientation.target, Target::Absolute(_)) {
+            // The new position may be the old target, or the new target the
+            // old position: meanwhile the target goes along.
+            edits.push(Edit::SetAbsolute {
+                point: at,
+                at: number,
+                absolute: false,
+            });
+        }
+        if moves {
+            edits.push(Edit::SetPosition {
+                at,
+                position: self.position(document).into(),
+            });
+        }
+        if turns {
+            let target = self.target(document).into();
+            orientation.target = match orientation.target {
+                Target::Absolute(_) => Target::Absolute(target),
+                Target::Relative(_) => Target::Relative(target),
+            };
+            orientation.roll = self.roll(document);
+            edits.push(Edit::SetOrientation {
+                point: at,
+                at: number,
+                orientation,
+            });
+        }
+        edits
+    }
+}
+
+/// The current point.
+pub(crate) fn point(document: &Document) -> &SupportPoint {
+    &document.path().points[document.selection().point]
+}
+
+/// The current orientation.
+pub(crate) fn orientation(document: &Document) -> &Orientation {
+    &point(document).orientations[document.selection().orientation]
+}
+
+fn merged(pending: [Option<f64>; 3], known: [f64; 3]) -> [f64; 3] {
+    let [a, b, c] = pending;
+    let [x, y, z] = known;
+    [a.unwrap_or(x), b.unwrap_or(y), c.unwrap_or(z)]
+}
+
+/// What pending values belong to. When it changes they are given up.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Belonging {
+    selection: Selection,
+    points: usize,
+    orientations: usize,
+    absolute: bool,
+    state: u64,
+    newest: u64,
+}
+
+/// Why pending values were given up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum GivenUp {
+    /// Another point or orientation is current.
+    Elsewhere,
+    /// Undo, redo, another path, an orientation that became absolute.
+    Changed,
+}
+
+impl Belonging {
+    pub(crate) fn of(document: &Document) -> Self {
+        Self {
+            selection: document.selection(),
+            points: document.path().points.len(),
+            orientations: point(document).orientations.len(),
+            absolute: matches!(orientation(document).target, Target::Absolute(_)),
+            state: document.state_number(),
+            newest: document.state_number(),
+        }
+    }
+
+    /// What it belonged to has been replaced as a whole.
+    pub(crate) fn lose(&mut self) {
+        // Any state that comes now looks as if gone back to.
+        (self.state, self.newest) = (u64::MAX, u64::MAX);
+    }
+
+    /// Brings it up to date; says whether what it belonged to is gone.
+    pub(crate) fn follow(&mut self, document: &Document) -> Option<GivenUp> {
+        let mut now = Self::of(document);
+        if self.newest != u64::MAX {
+            now.newest = self.newest.max(now.state);
+        }
+        // An edit has a number that was never there before; only undo, redo
+        // and another document come with an old one.
+        let back = now.state != self.state && now.state <= self.newest;
+        let gone = if now.selection != self.selection {
+            Some(GivenUp::Elsewhere)
+        } else if back
+            || now.points != self.points
+            || now.orientations != self.orientations
+            || now.absolute != self.absolute
+        {
+            Some(GivenUp::Changed)
+        } else {
+            None
+        };
+        *self = now;
+        gone
+    }
+}
