@@ -14,8 +14,8 @@ use std::ops::RangeInclusive;
 
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align2, CornerRadius, CursorIcon, Id, Key, Margin, Modifiers, Rect, Role, Sense, Stroke,
-    StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
+    Align2, Color32, CornerRadius, CursorIcon, Id, Key, Margin, Modifiers, Rect, Role, Sense,
+    Stroke, StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
 };
 
 use crate::path::Space;
@@ -83,6 +83,12 @@ struct Typing {
     /// window closed applies no more.
     frame: u64,
 }
+
+/// Between a field's edge and what it shows, points.
+const INSET: f32 = 6.0;
+
+/// Between its label and its value, points.
+const GAP: f32 = 4.0;
 
 /// Decimals that show a thousandth of a space.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
@@ -155,6 +161,17 @@ impl<'a> Number<'a> {
         self.decimals(decimals(half_size))
             .steps(0.01 * half_size, 0.005 * half_size)
             .range(-far..=far)
+    }
+
+    /// How wide a field must be for any coordinate within a space, points.
+    pub(super) fn room_in_space(ui: &Ui, language: Language, space: Space) -> f32 {
+        let widest = -(space.centre.abs().max_element() + space.half_size);
+        let text = language.number(widest, decimals(space.half_size));
+        let [text, label] = [text, "x".to_owned()].map(|text| {
+            let galley = (ui.painter()).layout_no_wrap(text, theme::text(), Color32::PLACEHOLDER);
+            galley.size().x
+        });
+        text + label + GAP + 2.0 * INSET
     }
 
     /// By how much an arrow key changes it, and a point of dragging.
@@ -396,7 +413,7 @@ impl<'a> Number<'a> {
             Stroke::new(1.0, border),
             StrokeKind::Inside,
         );
-        let inner = rect.shrink2(vec2(6.0, 0.0));
+        let inner = rect.shrink2(vec2(INSET, 0.0));
         let label = painter.text(
             inner.left_center(),
             Align2::LEFT_CENTER,
@@ -404,7 +421,7 @@ impl<'a> Number<'a> {
             theme::text(),
             palette.weak,
         );
-        let gap = if self.label.is_empty() { 0.0 } else { 4.0 };
+        let gap = if self.label.is_empty() { 0.0 } else { GAP };
         let words = self.fitting(ui, language, inner.right() - label.right() - gap);
         let shortened = words != self.shown(language);
         painter.text(
@@ -429,10 +446,8 @@ impl<'a> Number<'a> {
             return whole;
         };
         let fits = |text: &String| {
-            let color = egui::Color32::PLACEHOLDER;
-            let galley = ui
-                .painter()
-                .layout_no_wrap(text.clone(), theme::text(), color);
+            let galley =
+                (ui.painter()).layout_no_wrap(text.clone(), theme::text(), Color32::PLACEHOLDER);
             galley.size().x <= width
         };
         let decimals = (0..=self.decimals).rev();
@@ -468,11 +483,12 @@ impl<'a> Number<'a> {
     }
 }
 
-/// A value as it is offered for typing: all its decimals up to six, at least
-/// those that are shown.
+/// A value as it is offered for typing: all its decimals up to six, or three more than
+/// are shown, and at least those that are shown.
 fn written(language: Language, value: f64, decimals: usize) -> String {
-    let mut text = format!("{value:.6}");
-    let least = text.len() - 6 + decimals.min(6);
+    let most = (decimals + 3).max(6);
+    let mut text = format!("{value:.most$}");
+    let least = text.len() - most + decimals;
     while text.len() > least && text.ends_with('0') {
         text.pop();
     }
@@ -545,6 +561,10 @@ mod tests {
                     assert_eq!(parse(&text, ""), Some(value), "{text}");
                 }
             }
+        }
+        for value in [0.000_000_25, -0.000_001_000_5] {
+            let text = written(Language::German, value, 9);
+            assert_eq!(parse(&text, ""), Some(value), "{text}");
         }
         assert_eq!(written(Language::German, 0.5, 2), "0,50");
         assert_eq!(written(Language::English, 100.0, 0), "100");

@@ -155,14 +155,18 @@ pub(super) fn three_numbers(
     edit: impl Fn(DVec3) -> Edit,
     actions: &mut Vec<Action>,
 ) {
-    let width = share(ui, 3);
-    ui.horizontal(|ui| {
+    let space = editor.document.path().space;
+    let third = share(ui, 3);
+    // Side by side, unless the digits of such a space need more room.
+    let beside = Number::room_in_space(ui, editor.language(), space) <= third;
+    let width = if beside { third } else { ui.available_width() };
+    let mut rows = |ui: &mut Ui| {
         for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
             let entry = Number::new(&fill(name, &[&letter]), vector[axis])
                 .label(letter)
                 .hint(hint)
                 .faint(missing)
-                .in_space(editor.document.path().space)
+                .in_space(space)
                 .show(ui, editor.language(), &format!("{id}.{letter}"), width);
             let entry = entry.map(|value| {
                 let mut new = vector;
@@ -171,7 +175,12 @@ pub(super) fn three_numbers(
             });
             actions.push(Action::enter(missing, entry));
         }
-    });
+    };
+    if beside {
+        ui.horizontal(rows);
+    } else {
+        rows(ui);
+    }
 }
 
 /// Bias, continuity and tension at the current point (1) or the next (2);

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Color32, Context, FontId, Pos2, Rect, Sense, Ui, vec2};
+use egui::{Align2, Color32, Context, FontId, Pos2, Rect, Sense, Ui, Vec2, vec2};
 use glam::{DMat4, DVec2, DVec3};
 
 use super::Camera;
@@ -21,6 +21,9 @@ const ASPECT: f32 = 1.5;
 
 /// Width of the picture at first, in points.
 const WIDTH: f32 = 228.0;
+
+/// Height of the strip above it that says what it shows, in points.
+const CAPTION: f32 = 19.0;
 
 /// The nearest thing that is seen, in half sizes of the movement space.
 const FRONT: f64 = 1e-3;
@@ -100,22 +103,33 @@ fn first_width(viewport: Rect) -> f32 {
 }
 
 fn contents(editor: &mut Editor, ui: &mut Ui) {
+    ui.spacing_mut().item_spacing.y = 0.0;
     // The height follows the width.
     let width = ui.available_width().max(60.0);
-    let (picture, response) = ui.allocate_exact_size(vec2(width, width / ASPECT), Sense::hover());
-    let texts = &editor.texts().space;
-    response
-        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, texts.camera_picture));
     let Some((camera, _)) = editor.camera() else {
         return;
     };
-    let painter = ui.painter_at(picture);
-    let by_host = editor.host_view.fills_pane;
-    if !by_host {
+    caption(editor, ui, vec2(width, CAPTION), camera.zoom);
+    let (picture, response) = ui.allocate_exact_size(vec2(width, width / ASPECT), Sense::hover());
+    let name = editor.texts().space.camera_picture;
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
+    if !editor.host_view.fills_pane {
         let lines = picture_of(editor, &camera, picture);
-        painter.add(Lines::shape(&Arc::new(lines), picture));
+        ui.painter_at(picture)
+            .add(Lines::shape(&Arc::new(lines), picture));
+    } else if !ui.is_sizing_pass() {
+        let above = Vec::new();
+        editor.host_pane = Some(HostPane { picture, above });
     }
-    let text = match editor.shown_frame() {
+}
+
+/// What is shown, beside the picture and not on it: that may be the host's, whole. By
+/// this strip the pane can be moved then, too.
+fn caption(editor: &mut Editor, ui: &mut Ui, size: Vec2, zoom: f64) {
+    let (strip, _) = ui.allocate_exact_size(size, Sense::hover());
+    let palette = theme::palette(ui);
+    let texts = &editor.texts().space;
+    let what = match editor.shown_frame() {
         Some(frame) => fill(texts.camera_at_frame, &[&frame]),
         None => {
             let selection = editor.document.selection();
@@ -123,41 +137,23 @@ fn contents(editor: &mut Editor, ui: &mut Ui) {
             fill(texts.camera_at_key, &[&point, &number])
         }
     };
-    let zoom = editor.language().number(camera.zoom, 0);
-    let palette = theme::palette(ui);
-    let zoom = fill(texts.millimetres, &[&zoom]);
-    let corners = [
-        (
-            picture.left_bottom() + vec2(8.0, -6.0),
-            Align2::LEFT_BOTTOM,
-            text,
-        ),
-        (picture.left_top() + vec2(8.0, 6.0), Align2::LEFT_TOP, zoom),
-    ];
-    let ground = editor
-        .setup
-        .colours()
-        .of(Element::Background)
-        .gamma_multiply(0.8);
-    for (corner, align, text) in corners {
-        let galley = painter.layout_no_wrap(text, FontId::proportional(11.0), palette.weak);
-        let place = align.anchor_size(corner, galley.size());
-        painter.rect_filled(place.expand2(vec2(3.0, 1.0)), 3.0, ground);
-        painter.galley(place.min, galley, palette.weak);
-    }
-    close_button(editor, ui, picture);
-    if by_host && !ui.is_sizing_pass() {
-        // All of it is the host's: our labels and the cross lie below.
-        editor.host_pane = Some(HostPane {
-            picture,
-            above: Vec::new(),
-        });
-    }
+    let zoom = fill(texts.millimetres, &[&editor.language().number(zoom, 0)]);
+    let text = format!("{what} \u{b7} {zoom}");
+    let painter = ui.painter_at(strip);
+    let start = strip.left_center() + vec2(7.0, 0.0);
+    painter.text(
+        start,
+        Align2::LEFT_CENTER,
+        text,
+        FontId::proportional(11.0),
+        palette.weak,
+    );
+    close_button(editor, ui, strip);
 }
 
-/// A small cross in the corner.
-fn close_button(editor: &mut Editor, ui: &Ui, rect: Rect) {
-    let place = Rect::from_min_size(rect.right_top() + vec2(-22.0, 2.0), vec2(20.0, 20.0));
+/// A small cross at the strip's end.
+fn close_button(editor: &mut Editor, ui: &Ui, strip: Rect) {
+    let place = Rect::from_min_max(strip.right_top() - vec2(CAPTION, 0.0), strip.max);
     let response = ui.interact(place, ui.scope_id().with("close"), Sense::click());
     let text = editor.texts().space.close_camera_view;
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, text));

@@ -159,6 +159,25 @@ fn keys_and_fields_count_in_the_space() {
     }
 }
 
+/// A field's value fits into it whole: nothing of a thousandth of the half size is lost.
+#[test]
+fn fields_of_a_far_space_show_a_thousandth_of_it() {
+    for (half_size, shown_as) in [(1e-6, "0.000999750"), (1.0, "999.750"), (1e6, "999750000")] {
+        let mut document = carried(far_away(half_size));
+        let position = DVec3::new(999.75, -700.25, 300.5) * half_size;
+        let edit = Edit::SetPosition { at: 3, position };
+        document.apply(edit).unwrap();
+        let editor = editor(document, Language::English);
+        let mut harness = window(editor, vec2(1200.0, 800.0), 1.0);
+        let name = format!("far-fields-{half_size:e}.png");
+        screenshot(&mut harness, &name);
+        let field = harness.get_by_label("Position x");
+        assert_eq!(field.value().as_deref(), Some(shown_as));
+        let wide = field.rect().width();
+        assert!(wide > 120.0, "{half_size}: {wide}");
+    }
+}
+
 #[test]
 fn the_space_window_changes_it_in_one_step() {
     for language in [Language::English, Language::German] {

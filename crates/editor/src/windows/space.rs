@@ -13,6 +13,9 @@ use crate::state::Editor;
 use crate::texts::refusals;
 use crate::theme;
 
+/// Between two choices, points.
+const APART: f32 = 14.0;
+
 /// Width of a name, of a number, of a button.
 const NAME: f32 = 96.0;
 const NUMBER: f32 = 100.0;
@@ -135,6 +138,7 @@ impl SpaceWindow {
         ui.end_row();
         name(ui, texts.up, texts.up_hint);
         ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = APART;
             for up in [Up::Y, Up::Z] {
                 let choice = theme::choice(ui, self.space.up == up, up.name());
                 if choice.on_hover_text(texts.up_hint).clicked() {
@@ -145,6 +149,7 @@ impl SpaceWindow {
         ui.end_row();
         name(ui, texts.path, "");
         ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = APART;
             for (fit, text, hint) in [
                 (false, texts.keep, texts.keep_hint),
                 (true, texts.fit, texts.fit_hint),
