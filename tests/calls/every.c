@@ -128,6 +128,7 @@ CALL(v_editor_open)
     options.on_view = chance(80) ? callback_on_view : NULL;
     options.on_change = chance(80) ? callback_on_change : NULL;
     options.on_capture = chance(80) ? callback_on_capture : NULL;
+    options.on_pane = chance(50) ? callback_on_pane : NULL;
     options.user = a_user();
     if (chance(wild)) {
         frame->unfit = 1;

@@ -28,7 +28,8 @@ extern const struct function functions[];
 extern const int function_count;
 
 /* Which callback of a window runs. */
-enum callback { RUECK, ENDE, ON_POSES, ON_CLOSE, ON_VIEW, ON_CHANGE, ON_CAPTURE, CALLBACKS };
+enum callback { RUECK, ENDE, ON_POSES, ON_CLOSE, ON_VIEW, ON_CHANGE, ON_CAPTURE, ON_PANE,
+                CALLBACKS };
 extern const char *const callback_names[CALLBACKS];
 
 /* What a callback does, after it has looked at what it was given; the answer
@@ -61,6 +62,7 @@ int callback_on_close(V_EDITOR *editor, void *user);
 void callback_on_view(V_EDITOR *editor, const V_POSE *pose, double at, int reason, void *user);
 void callback_on_change(V_EDITOR *editor, void *user);
 int callback_on_capture(V_EDITOR *editor, V_POSE *pose, void *user);
+void callback_on_pane(V_EDITOR *editor, unsigned long window, int width, int height, void *user);
 
 /* Makes one call and holds its answer against what is promised: a documented
  * status (V_ERR_INTERNAL is none), a message after a failure and none after a

@@ -20,10 +20,11 @@ void hands_raise(unsigned long window);
 /* Alt-U: the poses are to be handed over. */
 void hands_hand_over(unsigned long window);
 /* Another point becomes current; there is one orientation more; the host's view is
- * taken over. */
+ * taken over; the camera pane goes, or comes again. */
 void hands_next_point(unsigned long window);
 void hands_change(unsigned long window);
 void hands_take_over(unsigned long window);
+void hands_switch_pane(unsigned long window);
 /* What a window manager sends when its cross is pressed. */
 void hands_close(unsigned long window);
 /* The window is gone without a word. */

@@ -62,12 +62,15 @@ static void cell(enum callback which, const struct function *function, enum abou
     cell_function = function;
     cell_about = about;
     cell_answer = answer;
-    done = 0;
+    done = 1;
     fresh_things();
     if (list != NULL)
         list->number = -1;
     other = open_editor();
     own = which == RUECK || which == ENDE ? open_haupt(list) : open_editor();
+    if (which == ON_PANE)
+        settle(); /* they open with the windows */
+    done = 0;
     use(&own, which);
     if (!done)
         fault("the callback was not for its own window");

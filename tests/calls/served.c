@@ -68,6 +68,7 @@ struct window open_editor(void)
     options.on_view = callback_on_view;
     options.on_change = callback_on_change;
     options.on_capture = callback_on_capture;
+    options.on_pane = callback_on_pane;
     options.user = a_user();
     if (v_editor_open(&options, &window.editor) != V_OK) {
         fault("v_editor_open: %s", v_last_error());
@@ -106,6 +107,8 @@ void use(const struct window *window, enum callback which)
         hands_change(window->shown);
     else if (which == ON_CAPTURE)
         hands_take_over(window->shown);
+    else if (which == ON_PANE)
+        hands_switch_pane(window->shown);
     else if (which == RUECK || which == ON_POSES)
         hands_hand_over(window->shown);
     else

@@ -9,7 +9,8 @@
 #include <string.h>
 
 const char *const callback_names[CALLBACKS] = {
-    "rueck", "ende", "on_poses", "on_close", "on_view", "on_change", "on_capture"
+    "rueck", "ende", "on_poses", "on_close", "on_view", "on_change", "on_capture",
+    "on_pane"
 };
 int (*within_callback)(enum callback which, V_EDITOR *editor);
 int depth, faults, display_there, windows_may_go;
@@ -121,6 +122,13 @@ int callback_on_capture(V_EDITOR *editor, V_POSE *pose, void *user)
         fault("on_capture was given another user");
     *pose = camera;
     return called(ON_CAPTURE, editor);
+}
+
+void callback_on_pane(V_EDITOR *editor, unsigned long window, int width, int height, void *user)
+{
+    if (user != (void *)lists || (window == 0) != (width == 0) || (window == 0) != (height == 0))
+        fault("on_pane was given another user, or %d x %d of %#lx", width, height, window);
+    called(ON_PANE, editor);
 }
 
 /* ---- What calls work on ------------------------------------------------------------ */
