@@ -68,6 +68,7 @@ pub(super) struct Number<'a> {
     step: f64,
     per_point: f64,
     fixed: bool,
+    typed: bool,
     whole: bool,
     pending: bool,
     faint: bool,
@@ -111,6 +112,7 @@ impl<'a> Number<'a> {
             step: 0.01,
             per_point: 0.005,
             fixed: false,
+            typed: false,
             whole: false,
             pending: false,
             faint: false,
@@ -177,6 +179,12 @@ impl<'a> Number<'a> {
     /// By how much an arrow key changes it, and a point of dragging.
     pub(super) fn steps(mut self, arrow: f64, point: f64) -> Self {
         (self.step, self.per_point) = (arrow, point);
+        self
+    }
+
+    /// It is typed, never dragged: each value would begin where the last one ended.
+    pub(super) fn typed(mut self) -> Self {
+        self.typed = true;
         self
     }
 
@@ -253,7 +261,12 @@ impl<'a> Number<'a> {
         rect: Rect,
         value: f64,
     ) -> Entry {
-        let response = ui.interact(rect, id, Sense::click_and_drag());
+        let sense = if self.typed {
+            Sense::click()
+        } else {
+            Sense::click_and_drag()
+        };
+        let response = ui.interact(rect, id, sense);
         let lively = response.hovered() || response.dragged();
         let shortened = self.paint(ui, language, rect, lively);
         self.describe(ui, language, &response);
@@ -285,7 +298,11 @@ impl<'a> Number<'a> {
             }
         }
         if lively {
-            ui.set_cursor_icon(CursorIcon::ResizeHorizontal);
+            ui.set_cursor_icon(if self.typed {
+                CursorIcon::Text
+            } else {
+                CursorIcon::ResizeHorizontal
+            });
         }
         self.tell(response, language, shortened);
         entry

@@ -7,9 +7,8 @@ use egui::{WidgetInfo, pos2, vec2};
 use super::{Editor, as_frame};
 use crate::actions::Action;
 use crate::document::{Edit, Info};
-use crate::limits::MAX_FPS;
+use crate::limits::{MAX_FPS, MAX_FRAMES};
 use crate::number::Number;
-use crate::texts::fill;
 use crate::theme;
 
 /// Width of frame and second, of the rate, and of a button; between them.
@@ -58,7 +57,6 @@ impl Pace {
 /// Shows them in two rows.
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
-    let palette = theme::palette(ui);
     let count = as_frame(editor.playing.marks.frames);
     if count == 0.0 {
         ui.label(texts.too_many_frames);
@@ -70,17 +68,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let language = editor.language();
     let last = first + count - 1.0;
     let seconds = |frames: f64| (frames - 1.0) / fps;
-    let totals = [
-        fill(texts.of_frames, &[&language.number(last, 0)]),
-        fill(texts.of_seconds, &[&language.number(seconds(count), 2)]),
-    ];
-    let galleys = totals.map(|text| {
-        let painter = ui.painter();
-        painter.layout_no_wrap(text, theme::text(), palette.weak)
-    });
-    let beside = galleys.iter().map(|galley| galley.size().x);
-    let beside = beside.fold(36.0, f32::max).ceil();
-    let size = vec2(FIELD + beside + RATE + 2.0 * GAP, 2.0 * theme::ROW + 2.0);
+    let size = vec2(2.0 * FIELD + RATE + 2.0 * GAP, 2.0 * theme::ROW + 2.0);
     let (block, _) = ui.allocate_exact_size(size, Sense::hover());
     let row = |number: u8| {
         let top = block.top() + f32::from(number) * (theme::ROW + 2.0);
@@ -88,13 +76,13 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let layout = Layout::left_to_right(Align::Center);
         UiBuilder::new().max_rect(rect).layout(layout)
     };
-    let [frames, times] = galleys;
-    let total = |ui: &mut Ui, galley: std::sync::Arc<egui::Galley>| {
-        let (rect, response) = ui.allocate_exact_size(vec2(beside, theme::ROW), Sense::hover());
-        let words = galley.text().to_owned();
-        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &words));
-        let place = pos2(rect.left(), rect.center().y - galley.size().y / 2.0);
-        ui.painter().galley(place, galley, palette.weak);
+    // As many poses for the whole flight, each section its share of them.
+    let points = editor.document.path().points.len();
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let fit = |frames: f64| Edit::FitFrames {
+        first: 0,
+        last: points - 1,
+        frames: frames as usize,
     };
     ui.scope_builder(row(0), |ui| {
         ui.spacing_mut().item_spacing.x = GAP;
@@ -106,7 +94,15 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             .steps(1.0, 1.0)
             .show(ui, language, "playing.frame", FIELD);
         actions.push(Action::Playhead(entry.map(|value| value - first + 1.0)));
-        total(ui, frames);
+        let entry = Number::new(texts.last_frame, last)
+            .label("/")
+            .hint(texts.last_frame_tip)
+            .whole()
+            .typed()
+            .range(first + 1.0..=first + as_frame(MAX_FRAMES) - 1.0)
+            .steps(1.0, 0.0)
+            .show(ui, language, "playing.last", FIELD);
+        actions.push(Action::Enter(entry.map(|last| fit(last - first + 1.0))));
         let entry = Number::new(texts.rate, fps)
             .hint(texts.rate_tip)
             .unit(texts.rate_unit)
@@ -129,7 +125,17 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             .show(ui, language, "playing.second", FIELD);
         let entry = entry.map(|value| (value * fps).round() + 1.0);
         actions.push(Action::Playhead(entry));
-        total(ui, times);
+        let entry = Number::new(texts.duration, seconds(count))
+            .label("/")
+            .hint(texts.duration_tip)
+            .unit(" s")
+            .decimals(2)
+            .typed()
+            .range(1.0 / fps..=seconds(as_frame(MAX_FRAMES)))
+            .steps(1.0, 0.0)
+            .show(ui, language, "playing.duration", FIELD);
+        let entry = entry.map(|seconds| fit((seconds * fps).round() + 1.0));
+        actions.push(Action::Enter(entry));
         how(editor, ui, actions);
     });
 }

@@ -301,6 +301,34 @@ fn a_number_of_the_bar_is_dragged_and_escape_takes_it_back() {
 }
 
 #[test]
+fn what_is_typed_as_the_whole_is_the_whole_exactly() {
+    for (name, text, frames) in [
+        ("Last frame", "360", 360),
+        ("Duration", "12", 301),
+        ("Duration", "12.04 s", 302),
+    ] {
+        let mut harness = pyramid_window();
+        let before = harness.state().document.path().clone();
+        type_into(&mut harness, name, text);
+        let editor = harness.state();
+        assert_eq!(editor.document.sampler().unwrap().frame_count(), frames);
+        let [new, old] = [editor.document.path(), &before].map(|path| {
+            let positions = path.points.iter().map(|point| point.position);
+            positions.collect::<Vec<_>>()
+        });
+        assert_eq!(new, old);
+        assert!(harness.state_mut().document.undo());
+        assert_eq!(*harness.state().document.path(), before);
+    }
+    // Fewer than there are sections and holds: a sentence, and nothing else.
+    let mut harness = pyramid_window();
+    let before = harness.state().document.path().clone();
+    type_into(&mut harness, "Last frame", "20");
+    assert_eq!(*harness.state().document.path(), before);
+    assert!(harness.state().message.is_some());
+}
+
+#[test]
 fn it_plays_in_a_loop_at_half_and_double_speed() {
     let mut harness = pyramid_window();
     let last = as_frame(harness.state().playing.marks.frames);

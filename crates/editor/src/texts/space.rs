@@ -44,11 +44,13 @@ texts! {
         frame_number: "Number of the frame", "Nummer des Bildes";
         frame_tip: "Go to a frame: drag, or click and type",
             "Zu einem Bild gehen: ziehen, oder klicken und tippen";
-        of_frames: "/ {0}", "/ {0}";
         second: "Seconds", "Sekunden";
         second_tip: "Go to a time: drag, or click and type",
             "Zu einem Zeitpunkt gehen: ziehen, oder klicken und tippen";
-        of_seconds: "/ {0} s", "/ {0} s";
+        last_frame: "Last frame", "Letztes Bild";
+        last_frame_tip: "Type how many frames the whole flight shall have: each section keeps its share", "Wie viele Bilder der ganze Flug haben soll: jeder Abschnitt behält seinen Anteil";
+        duration: "Duration", "Dauer";
+        duration_tip: "Type how long the whole flight shall take: each section keeps its share", "Wie lange der ganze Flug dauern soll: jeder Abschnitt behält seinen Anteil";
         rate: "Frames per second", "Bilder je Sekunde";
         rate_tip: "Frames shown in a second: drag, or click and type",
             "Bilder, die in einer Sekunde zu sehen sind: ziehen, oder klicken und tippen";
