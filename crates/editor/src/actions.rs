@@ -9,7 +9,8 @@ use crate::limits::SPEEDS;
 use crate::number::Entry;
 use crate::path::{Orientation, Target, insertion};
 use crate::playing::Pace;
-use crate::setup::{ColourWindow, DisplayWindow, Setup, Theme};
+use crate::setup::{ColourWindow, DisplayWindow, Setup, Theme, View};
+use crate::space::Gesture;
 use crate::state::{Editor, Request};
 use crate::texts::{Language, fill};
 use crate::windows::{self, CurveWindow, HelpWindow, PointsWindow, SpaceWindow, SpeedWindow};
@@ -110,6 +111,16 @@ pub(super) enum Action {
     Enter(Entry<Edit>),
     /// The same of what stands at the playhead between two keys: it is added first.
     EnterMissing(Entry<Edit>),
+    /// A part of a drag in the movement window.
+    Gesture(Gesture),
+    /// Make a point and one of its orientations current.
+    Select(Selection),
+    /// Let the current orientation look at a place.
+    AimAt(DVec3),
+    /// Let every orientation of the path look there.
+    AimAllAt(DVec3),
+    /// See the space from there.
+    View(View),
     /// What was entered into a number of the play bar, as a frame.
     Playhead(Entry),
     /// Play again and again, or once.
@@ -161,6 +172,8 @@ impl Action {
             Self::Edit(_)
                 | Self::Enter(_)
                 | Self::EnterMissing(_)
+                | Self::Gesture(_)
+                | Self::View(_)
                 | Self::Playhead(_)
                 | Self::SwitchLoops
                 | Self::Pace(_)
@@ -181,6 +194,18 @@ impl Action {
 }
 
 impl Editor {
+    /// Shows a part of the window, and does what it asks for before the next is shown.
+    pub(super) fn part<R>(
+        &mut self,
+        context: &egui::Context,
+        view: impl FnOnce(&Self, &mut Vec<Action>) -> R,
+    ) -> R {
+        let mut actions = Vec::new();
+        let shown = view(self, &mut actions);
+        self.act_all(actions, context);
+        shown
+    }
+
     /// Does what a view returned.
     pub(super) fn act_all(&mut self, actions: Vec<Action>, context: &egui::Context) {
         for action in actions {
@@ -285,6 +310,17 @@ impl Editor {
             }
             Action::Enter(entry) => self.enter(entry),
             Action::EnterMissing(entry) => self.enter_missing(entry),
+            Action::Gesture(gesture) => self.gesture(gesture),
+            Action::Select(Selection { point, orientation }) => {
+                if let Err(error) = self.document.select(point, orientation) {
+                    self.complain_of(&error);
+                }
+            }
+            Action::AimAt(place) => {
+                self.set_orientation(|current| current.target = Target::Absolute(place));
+            }
+            Action::AimAllAt(place) => self.aim_all_at(place),
+            Action::View(view) => self.setup.view = view,
             Action::Playhead(entry) => self.enter_frame(entry),
             Action::SwitchLoops => self.switch_loops(context),
             Action::Pace(pace) => self.set_pace(pace, context),
@@ -370,7 +406,7 @@ impl Editor {
     }
 
     /// Every camera looks at a place.
-    pub(super) fn aim_all_at(&mut self, place: DVec3) {
+    fn aim_all_at(&mut self, place: DVec3) {
         let aimed: Vec<Edit> = self
             .document
             .path()
@@ -441,7 +477,7 @@ impl Editor {
 }
 
 /// `at` + `by`, round and round through `count`.
-fn round(at: usize, by: isize, count: usize) -> usize {
+pub(super) fn round(at: usize, by: isize, count: usize) -> usize {
     let count = count.max(1);
     let at = at % count;
     match by {

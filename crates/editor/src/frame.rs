@@ -5,7 +5,8 @@ use egui::{
     Color32, Context, CornerRadius, Id, Key, Rect, Stroke, StrokeKind, Ui, UiBuilder, vec2,
 };
 
-use crate::host::pane as host_pane;
+use crate::actions::Action;
+use crate::number::Entry;
 use crate::panels::output;
 use crate::setup::Theme;
 use crate::space::camera_view;
@@ -34,7 +35,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let dragging = context.input(|input| input.pointer.any_down() || input.pointer.any_released());
     if !dragging && !editor.space.keeps_step_open() {
         // A drag whose end nobody saw: its control vanished meanwhile.
-        editor.document.end_step();
+        editor.act(Action::Enter(Entry::End), &context);
     }
     let mut actions = Vec::from_iter(editor.waiting.take());
     if !editor.windows.ask() {
@@ -86,7 +87,9 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         editor.act(action, &context);
     }
     show_focus(&context);
-    host_pane::add_what_lies_above(editor, &context, camera_view::id());
+    if let Some(pane) = &mut editor.host_pane {
+        pane.add_what_lies_above(&context, camera_view::id());
+    }
     editor.typing = keys::remember_typing(&context);
     if editor.stamp() != before {
         // What stands further up was shown before the change.

@@ -322,16 +322,6 @@ impl Editor {
         }
     }
 
-    /// Ends the step that a hand in space was at. The running coordinates give
-    /// way to the pose; what could not be done stays to be read.
-    pub(super) fn let_go(&mut self) {
-        self.document.end_step();
-        self.message.take_if(|message| !message.error);
-        if self.message.is_none() {
-            self.tell_ambiguities();
-        }
-    }
-
     /// What changes when something is done.
     pub(super) fn stamp(&self) -> impl PartialEq + use<> {
         let message = self.message.clone();

@@ -304,7 +304,12 @@ fn seen_by(pose: &Pose, space: Space, other: &Orientation) -> Orientation {
 }
 
 /// The button beside the ghost, which is at this place of the movement window.
-pub(crate) fn button(editor: &mut Editor, context: &Context, viewport: Rect, ghost: Pos2) {
+pub(crate) fn button(
+    editor: &Editor,
+    context: &Context,
+    viewport: Rect,
+    ghost: Pos2,
+) -> Option<Action> {
     let id = Id::unique("take over the view");
     let text = editor.texts().space.take_over;
     let tip = editor.texts().space.take_over_tip;
@@ -320,10 +325,11 @@ pub(crate) fn button(editor: &mut Editor, context: &Context, viewport: Rect, gho
             ui.add(Button::new(text).small()).on_hover_text(tip)
         });
     context.data_mut(|data| data.insert_temp(id, shown.response.rect.size()));
-    if shown.inner.clicked() {
-        let replace = context.input(|input| input.modifiers.shift);
-        editor.act(Action::TakeOver { replace }, context);
-    }
+    let replace = context.input(|input| input.modifiers.shift);
+    shown
+        .inner
+        .clicked()
+        .then_some(Action::TakeOver { replace })
 }
 
 #[cfg(test)]

@@ -25,9 +25,8 @@ const APART: f32 = 8.0;
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let height = ui.available_height();
     let mut panel = |ui: &mut Ui, show: &dyn Fn(&Editor, &mut Ui, &mut Vec<Action>)| {
-        let mut actions = Vec::new();
-        show(editor, ui, &mut actions);
-        editor.act_all(actions, ui.ctx());
+        let context = ui.ctx().clone();
+        editor.part(&context, |editor, actions| show(editor, ui, actions));
     };
     ScrollArea::vertical().show(ui, |ui| {
         ui.set_width(WIDTH);

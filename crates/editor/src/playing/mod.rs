@@ -345,9 +345,8 @@ fn as_frame(frame: usize) -> f64 {
 /// Shows the bar at the lower border.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     editor.advance(ui.ctx());
-    let mut actions = Vec::new();
-    bar(editor, ui, &mut actions);
-    editor.act_all(actions, ui.ctx());
+    let context = ui.ctx().clone();
+    editor.part(&context, |editor, actions| bar(editor, ui, actions));
 }
 
 fn bar(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {

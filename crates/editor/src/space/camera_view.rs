@@ -8,7 +8,8 @@ use egui::{Align2, Color32, Context, FontId, Pos2, Rect, Sense, Ui, vec2};
 use glam::{DMat4, DVec2, DVec3};
 
 use super::Camera;
-use crate::host::pane::HostPane;
+use crate::actions::Action;
+use crate::host::HostPane;
 use crate::math::view::View;
 use crate::raster::{Line, Lines};
 use crate::setup::Element;
@@ -25,11 +26,16 @@ const WIDTH: f32 = 228.0;
 /// The nearest thing that is seen, in half sizes of the movement space.
 const FRONT: f64 = 1e-3;
 
-/// Shows the pane if it is open; `viewport` is the movement window.
-pub(crate) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
-    editor.host_pane = None;
+/// Shows the pane if it is open; `viewport` is the movement window. Where the host draws
+/// it, what it is to draw into.
+pub(super) fn show(
+    editor: &Editor,
+    context: &Context,
+    viewport: Rect,
+    actions: &mut Vec<Action>,
+) -> Option<HostPane> {
     if !editor.setup.camera_view {
-        return;
+        return None;
     }
     let palette = editor.setup.theme().palette();
     let ground = editor.setup.colours().of(Element::Background);
@@ -58,9 +64,7 @@ pub(crate) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
             .min_width(width)
             .max_width(width);
     }
-    let Some(shown) = pane.show(context, |ui| contents(editor, ui)) else {
-        return;
-    };
+    let shown = pane.show(context, |ui| contents(editor, ui, actions))?;
     let rect = shown.response.rect;
     let held = context.input(|input| input.pointer.any_down());
     let by_hand = known.is_some_and(|known| {
@@ -72,6 +76,7 @@ pub(crate) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
         by_hand,
     };
     context.data_mut(|data| data.insert_temp(id, placed));
+    shown.inner?
 }
 
 /// The pane's area.
@@ -99,16 +104,14 @@ fn first_width(viewport: Rect) -> f32 {
     WIDTH.min(viewport.width() * 0.27).max(WIDTH / 2.0)
 }
 
-fn contents(editor: &mut Editor, ui: &mut Ui) {
+fn contents(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) -> Option<HostPane> {
     // The height follows the width.
     let width = ui.available_width().max(60.0);
     let (picture, response) = ui.allocate_exact_size(vec2(width, width / ASPECT), Sense::hover());
     let texts = &editor.texts().space;
     response
         .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, texts.camera_picture));
-    let Some((camera, _)) = editor.camera() else {
-        return;
-    };
+    let (camera, _) = editor.camera()?;
     let painter = ui.painter_at(picture);
     let by_host = editor.host_view.fills_pane;
     if !by_host {
@@ -145,18 +148,18 @@ fn contents(editor: &mut Editor, ui: &mut Ui) {
         painter.rect_filled(place.expand2(vec2(3.0, 1.0)), 3.0, ground);
         painter.galley(place.min, galley, palette.weak);
     }
-    close_button(editor, ui, picture);
-    if by_host && !ui.is_sizing_pass() {
-        // All of it is the host's: our labels and the cross lie below.
-        editor.host_pane = Some(HostPane {
-            picture,
-            above: Vec::new(),
-        });
+    if close_button(editor, ui, picture) {
+        actions.push(Action::SwitchCameraView);
     }
+    // All of it is the host's: our labels and the cross lie below.
+    (by_host && !ui.is_sizing_pass()).then(|| HostPane {
+        picture,
+        above: Vec::new(),
+    })
 }
 
-/// A small cross in the corner.
-fn close_button(editor: &mut Editor, ui: &Ui, rect: Rect) {
+/// A small cross in the corner: whether it was clicked.
+fn close_button(editor: &Editor, ui: &Ui, rect: Rect) -> bool {
     let place = Rect::from_min_size(rect.right_top() + vec2(-22.0, 2.0), vec2(20.0, 20.0));
     let response = ui.interact(place, ui.scope_id().with("close"), Sense::click());
     let text = editor.texts().space.close_camera_view;
@@ -173,9 +176,7 @@ fn close_button(editor: &mut Editor, ui: &Ui, rect: Rect) {
         ui.painter()
             .line_segment([centre - way, centre + way], stroke);
     }
-    if response.on_hover_text(text).clicked() {
-        editor.setup.camera_view = false;
-    }
+    response.on_hover_text(text).clicked()
 }
 
 /// Cube and object as the camera sees them, in `picture`.

@@ -14,7 +14,7 @@ pub(super) const VUP_LENGTH: f64 = 0.25;
 
 /// Something that can be taken hold of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Handle {
+pub(crate) enum Handle {
     /// The tip of the current VUP arrow.
     Vup,
     /// The tip of the current VPN arrow: what the camera looks at.
