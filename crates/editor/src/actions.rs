@@ -1,6 +1,8 @@
 //! What can be asked for in the window. The views draw the state and return actions;
 //! [`Editor::act`] alone does them.
 
+use std::path::PathBuf;
+
 use glam::DVec3;
 
 use crate::document::{Edit, Selection};
@@ -12,6 +14,7 @@ use crate::playing::Pace;
 use crate::setup::{ColourWindow, DisplayWindow, Setup, Theme, View};
 use crate::space::Gesture;
 use crate::state::{Editor, Request};
+use crate::texts::refusals::of_edit;
 use crate::texts::{Language, fill};
 use crate::windows::{self, CurveWindow, HelpWindow, PointsWindow, SpaceWindow, SpeedWindow};
 
@@ -137,6 +140,10 @@ pub(super) enum Action {
     ApplyCurve(bool),
     /// Apply what waits in the space window; true: and close it.
     ApplySpace(bool),
+    /// A file was chosen.
+    FileChosen(Purpose, PathBuf),
+    /// Discard unsaved work that was found, the one of this number in its window.
+    Discard(usize),
     /// Save, and then go on.
     SaveBefore(Then),
     /// Go on, whatever is lost.
@@ -182,6 +189,8 @@ impl Action {
                 | Self::CopySpeeds(_)
                 | Self::ApplyCurve(_)
                 | Self::ApplySpace(_)
+                | Self::FileChosen(..)
+                | Self::Discard(_)
                 | Self::SaveBefore(_)
                 | Self::GoOn(_)
                 | Self::Reload
@@ -339,6 +348,8 @@ impl Editor {
                 SpaceWindow::apply(self, closes);
                 context.request_repaint();
             }
+            Action::FileChosen(purpose, file) => self.file_chosen(purpose, &file),
+            Action::Discard(number) => self.discard_found(number),
             Action::SaveBefore(then) => self.save(Some(then)),
             Action::GoOn(then) => self.go_on(then),
             Action::Reload => self.reload(),
@@ -359,6 +370,33 @@ impl Editor {
         if !self.document.redo() {
             self.say(self.texts().output.nothing_to_redo);
         }
+    }
+
+    /// Does an edit; what hinders it stands in the output field.
+    pub(crate) fn edit(&mut self, edit: Edit) -> bool {
+        match self.document.apply(edit) {
+            Ok(()) => {
+                self.message = None;
+                self.tell_ambiguities();
+                true
+            }
+            Err(error) => {
+                self.complain(of_edit(self.language(), &error));
+                false
+            }
+        }
+    }
+
+    /// Does edits as one step of their own, or none of them.
+    pub(super) fn edit_all(&mut self, edits: impl IntoIterator<Item = Edit>) -> bool {
+        self.document.begin_step();
+        let done = edits.into_iter().all(|edit| self.edit(edit));
+        if done {
+            self.document.end_step();
+        } else {
+            self.document.cancel_step();
+        }
+        done
     }
 
     /// Puts points at equal distances on the way to the next one, where the camera flies
@@ -425,15 +463,9 @@ impl Editor {
                 })
             })
             .collect();
-        self.document.begin_step();
-        for edit in aimed {
-            if !self.edit(edit) {
-                self.document.cancel_step();
-                return;
-            }
+        if self.edit_all(aimed) {
+            self.say(self.texts().orientation.all_aimed);
         }
-        self.document.end_step();
-        self.say(self.texts().orientation.all_aimed);
     }
 
     /// Whether a segment begins at the current point.

@@ -13,6 +13,7 @@ use egui::{
 };
 
 use super::listing::{Folder, MAX_ENTRIES, fits, is_hidden};
+use crate::actions::Action;
 use crate::document::export::Format;
 use crate::files::folders;
 use crate::files::{Purpose, readable, short};
@@ -88,8 +89,13 @@ impl FileWindow {
         window
     }
 
-    /// Shows it; it puts itself back if it stays open.
-    pub(crate) fn show(mut self, editor: &mut Editor, context: &Context) {
+    /// Shows it; false: it closes. What is chosen is an action, which closes it.
+    pub(crate) fn show(
+        &mut self,
+        editor: &Editor,
+        context: &Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
         self.folder.read_on();
         if self.folder.is_reading() {
             context.request_repaint();
@@ -116,20 +122,24 @@ impl FileWindow {
             }
         });
         if done.cancel || escape {
-            if asks {
-                self.overwrite = None;
-                self.fresh = true;
-                editor.windows.files = Some(self);
-            }
-            return;
+            self.overwrite = None;
+            self.fresh = true;
+            return asks;
         }
         if let Some(place) = done.go {
             self.go(editor, place);
-        } else if done.take && self.take(editor) {
-            return;
+        } else if done.take {
+            let file = self.take(editor);
+            actions.extend(file.map(|file| Action::FileChosen(self.purpose, tidy(&file))));
         }
-        // What was taken may have opened another file window.
-        editor.windows.files.get_or_insert(self);
+        true
+    }
+
+    /// Tells why what was chosen will not do.
+    pub(crate) fn refused(mut self, trouble: String) -> Self {
+        self.trouble = Some(trouble);
+        self.fresh = true;
+        self
     }
 
     /// Goes to a directory; where it cannot be read, all stays as it is.
@@ -464,12 +474,11 @@ impl FileWindow {
         }
     }
 
-    /// What Enter, a double click or the button takes. True: the window is
-    /// done with.
-    fn take(&mut self, editor: &mut Editor) -> bool {
+    /// The file that Enter, a double click or the button takes; none if something else
+    /// comes first.
+    fn take(&mut self, editor: &Editor) -> Option<PathBuf> {
         if let Some(file) = self.overwrite.take() {
-            self.fresh = true;
-            return self.hand_in(editor, &file);
+            return Some(file);
         }
         let typed = self.name.trim().to_owned();
         // What was chosen in the list counts by its own name, which may be one
@@ -487,41 +496,25 @@ impl FileWindow {
             _ if typed.is_empty() => {
                 self.trouble = Some(editor.texts().files.no_name.to_owned());
                 self.fresh = true;
-                return false;
+                return None;
             }
             _ => self.resolved(&typed),
         };
         if path.is_dir() {
             self.go(editor, path);
             self.fresh = true;
-            return false;
+            return None;
         }
         if self.loads() {
-            return self.hand_in(editor, &path);
+            return Some(path);
         }
         let path = with_ending(path, self.purpose);
         if path.symlink_metadata().is_ok() {
             self.overwrite = Some(path);
             self.fresh = true;
-            return false;
+            return None;
         }
-        self.hand_in(editor, &path)
-    }
-
-    fn hand_in(&mut self, editor: &mut Editor, file: &Path) -> bool {
-        let file = tidy(file);
-        match editor.file_chosen(self.purpose, &file) {
-            Ok(()) => {
-                editor.last_folder = file.parent().map(Path::to_owned);
-                true
-            }
-            Err(text) => {
-                editor.complain(text.clone());
-                self.trouble = Some(text);
-                self.fresh = true;
-                false
-            }
-        }
+        Some(path)
     }
 }
 

@@ -1,6 +1,5 @@
 //! What is loaded, saved and written, and the question before work is lost.
 
-mod changed;
 mod chooser;
 pub(crate) mod folders;
 mod listing;
@@ -17,7 +16,6 @@ mod rescue_tests;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use changed::ChangedFile;
 pub(crate) use chooser::FileWindow;
 pub use folders::Folders;
 pub(crate) use question::Question;
@@ -31,7 +29,7 @@ use crate::error::{EngineError, Error, Result, TooMany};
 use crate::limits;
 use crate::state::{Editor, Request};
 use crate::texts::fill;
-use crate::texts::refusals::{of_edit, reason_of};
+use crate::texts::refusals::reason_of;
 
 /// What a file is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,7 +74,7 @@ impl Editor {
     pub(crate) fn ask_before(&mut self, then: Then) {
         if self.is_unsaved() {
             self.windows.files = None;
-            self.windows.question = Some(Question::new(then));
+            self.windows.question = Some(Question::unsaved(then));
         } else {
             self.go_on(then);
         }
@@ -111,7 +109,7 @@ impl Editor {
                     self.go_on(then);
                 }
             }
-            Ok(false) => self.windows.changed = Some(ChangedFile::new(then)),
+            Ok(false) => self.windows.changed = Some(Question::changed(then)),
             Err(text) => self.complain(text),
         }
     }
@@ -137,24 +135,26 @@ impl Editor {
         }
     }
 
-    /// A file was chosen. What hindered it is given back in words, for the
-    /// window that asked.
-    ///
-    /// # Errors
-    /// The sentence.
-    pub(crate) fn file_chosen(&mut self, purpose: Purpose, file: &Path) -> Result<(), String> {
-        match purpose {
+    /// A file was chosen. The window that asked closes, or tells what hindered it.
+    pub(crate) fn file_chosen(&mut self, purpose: Purpose, file: &Path) {
+        let window = self.windows.files.take();
+        let done = match purpose {
             Purpose::LoadPath => self.load_path(file),
-            Purpose::SavePath(then) => {
-                self.save_path(file)?;
+            Purpose::SavePath(then) => self.save_path(file).map(|()| {
                 if let Some(then) = then {
                     self.go_on(then);
                 }
-                Ok(())
-            }
+            }),
             Purpose::Export => self.write_poses(file),
             Purpose::LoadSetup => self.load_setup(file),
             Purpose::SaveSetup => self.save_setup(file),
+        };
+        match done {
+            Ok(()) => self.last_folder = file.parent().map(Path::to_owned),
+            Err(text) => {
+                self.complain(text.clone());
+                self.windows.files = window.map(|window| window.refused(text));
+            }
         }
     }
 
@@ -265,21 +265,6 @@ impl Editor {
                 fill(self.texts().errors.frames, &[&limits::MAX_FRAMES])
             }
             _ => reason_of(self.language(), error),
-        }
-    }
-
-    /// Does an edit; what hinders it stands in the output field.
-    pub(crate) fn edit(&mut self, edit: Edit) -> bool {
-        match self.document.apply(edit) {
-            Ok(()) => {
-                self.message = None;
-                self.tell_ambiguities();
-                true
-            }
-            Err(error) => {
-                self.complain(of_edit(self.language(), &error));
-                false
-            }
         }
     }
 

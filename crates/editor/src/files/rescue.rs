@@ -82,21 +82,30 @@ impl Editor {
 
     /// Restores what the window that offers it has under this number.
     pub(crate) fn restore_found(&mut self, number: usize) {
-        let Some(mut window) = self.windows.rescue.take() else {
+        let Some(found) = self.take_found(number) else {
             return;
         };
-        if let Some(found) = window.found(number) {
-            match self.restore(&found) {
-                Ok(()) => found.discard(),
-                Err(error) => {
-                    let why = reason_of(self.language(), &error);
-                    self.complain(fill(self.texts().rescue.broken, &[&why]));
-                }
+        match self.restore(&found) {
+            Ok(()) => found.discard(),
+            Err(error) => {
+                let why = reason_of(self.language(), &error);
+                self.complain(fill(self.texts().rescue.broken, &[&why]));
             }
         }
-        if !window.is_empty() {
-            self.windows.rescue = Some(window);
-        }
+    }
+
+    /// Removes what the window that offers it has under this number.
+    pub(crate) fn discard_found(&mut self, number: usize) {
+        let found = self.take_found(number);
+        found.into_iter().for_each(Found::discard);
+    }
+
+    /// What is offered under a number; the window closes with the last.
+    fn take_found(&mut self, number: usize) -> Option<Found> {
+        let window = self.windows.rescue.as_mut()?;
+        let found = window.found(number);
+        self.windows.rescue.take_if(|window| window.is_empty());
+        found
     }
 
     fn write_work(&mut self) -> Result<()> {

@@ -42,10 +42,8 @@ struct Offered {
     picture: Option<(Vec<[Pos2; 2]>, Vec<Pos2>)>,
 }
 
-#[derive(Clone, Copy)]
 enum Answer {
-    Restore(usize),
-    Discard(usize),
+    Of(Action),
     Later,
 }
 
@@ -90,11 +88,11 @@ impl RescueWindow {
                     let button = |text| Button::new(text).min_size(BUTTON);
                     let restore = ui.add(button(texts.restore));
                     if restore.on_hover_text(texts.restore_hint).clicked() {
-                        answer = Some(Answer::Restore(index));
+                        answer = Some(Answer::Of(Action::Restore(index)));
                     }
                     let discard = ui.add(button(texts.discard));
                     if discard.on_hover_text(texts.discard_hint).clicked() {
-                        answer = Some(Answer::Discard(index));
+                        answer = Some(Answer::Of(Action::Discard(index)));
                     }
                 });
             });
@@ -156,13 +154,9 @@ impl SubWindow for RescueWindow {
             None => stays,
             // What is not answered stays where it is, for the next start.
             Some(Answer::Later) => false,
-            Some(Answer::Restore(index)) => {
-                actions.push(Action::Restore(index));
+            Some(Answer::Of(action)) => {
+                actions.push(action);
                 true
-            }
-            Some(Answer::Discard(index)) => {
-                self.offered.remove(index).found.discard();
-                stays && !self.offered.is_empty()
             }
         }
     }

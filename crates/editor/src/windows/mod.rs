@@ -19,7 +19,7 @@ pub(super) use space::SpaceWindow;
 pub(super) use speed::SpeedWindow;
 
 use crate::actions::Action;
-use crate::files::{ChangedFile, FileWindow, Question, RescueWindow};
+use crate::files::{FileWindow, Question, RescueWindow};
 use crate::keys;
 use crate::setup::{ColourWindow, DisplayWindow};
 use crate::state::Editor;
@@ -43,7 +43,7 @@ pub(super) struct Windows {
     /// A question waits for its answer; nothing else happens meanwhile.
     pub(super) question: Option<Question>,
     /// The file has changed, and a question waits for its answer; nothing else happens.
-    pub(super) changed: Option<ChangedFile>,
+    pub(super) changed: Option<Question>,
     /// Unsaved work was left behind, and is offered.
     pub(super) rescue: Option<RescueWindow>,
 }
@@ -100,21 +100,9 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_one::<SpaceWindow>(editor, context);
     show_one::<HelpWindow>(editor, context);
     show_one::<RescueWindow>(editor, context);
-    if let Some(window) = editor.windows.files.take() {
-        window.show(editor, context);
-    }
-    if let Some(mut question) = editor.windows.question.take() {
-        match question.show(editor, context) {
-            Some(actions) => editor.act_all(actions, context),
-            None => editor.windows.question = Some(question),
-        }
-    }
-    if let Some(mut question) = editor.windows.changed.take() {
-        match question.show(editor, context) {
-            Some(actions) => editor.act_all(actions, context),
-            None => editor.windows.changed = Some(question),
-        }
-    }
+    show_slot(editor, context, |open| &mut open.files, FileWindow::show);
+    show_slot(editor, context, |open| &mut open.question, Question::show);
+    show_slot(editor, context, |open| &mut open.changed, Question::show);
 }
 
 impl Windows {
@@ -133,12 +121,30 @@ impl Windows {
 }
 
 fn show_one<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
-    if let Some(mut window) = W::slot(&mut editor.windows).take() {
+    show_slot(
+        editor,
+        context,
+        W::slot,
+        |window, editor, context, actions| {
+            let stays = W::show(window, editor, context, actions);
+            name_cross(context, layer(W::ID), editor.texts().menu.close_window);
+            stays
+        },
+    );
+}
+
+/// Shows what is open in a slot, out of which it is taken meanwhile; then does what it
+/// asked for.
+fn show_slot<W>(
+    editor: &mut Editor,
+    context: &egui::Context,
+    slot: impl Fn(&mut Windows) -> &mut Option<W>,
+    show: impl FnOnce(&mut W, &Editor, &egui::Context, &mut Vec<Action>) -> bool,
+) {
+    if let Some(mut window) = slot(&mut editor.windows).take() {
         let mut actions = Vec::new();
-        let stays = window.show(editor, context, &mut actions);
-        name_cross(context, layer(W::ID), editor.texts().menu.close_window);
-        if stays {
-            W::slot(&mut editor.windows).get_or_insert(window);
+        if show(&mut window, editor, context, &mut actions) {
+            *slot(&mut editor.windows) = Some(window);
         }
         editor.act_all(actions, context);
     }

@@ -224,21 +224,15 @@ impl SpaceWindow {
         let Some(mut window) = editor.windows.space.take() else {
             return;
         };
-        let edit = Edit::SetSpace {
+        let mut info = editor.document.info().clone();
+        info.unit.clone_from(&window.unit);
+        let info = (info != *editor.document.info()).then(|| Edit::SetInfo(Box::new(info)));
+        let space = Edit::SetSpace {
             space: window.space,
             fit: window.fit,
         };
-        let mut info = editor.document.info().clone();
-        info.unit.clone_from(&window.unit);
         editor.message = None;
-        editor.document.begin_step();
-        let done = editor.edit(edit)
-            && (info == *editor.document.info() || editor.edit(Edit::SetInfo(Box::new(info))));
-        if done {
-            editor.document.end_step();
-        } else {
-            editor.document.cancel_step();
-        }
+        let done = editor.edit_all([Some(space), info].into_iter().flatten());
         window.of = known(editor);
         if !(closes && done) {
             editor.windows.space = Some(window);

@@ -148,19 +148,12 @@ impl CurveWindow {
     }
 
     fn apply_pending(&mut self, editor: &mut Editor) -> bool {
-        let edits = self.pending.edits(&editor.document);
-        editor.document.begin_step();
-        for edit in edits {
-            if !editor.edit(edit) {
-                editor.document.cancel_step();
-                self.belonging = Belonging::of(&editor.document);
-                return false;
-            }
+        let done = editor.edit_all(self.pending.edits(&editor.document));
+        if done {
+            self.pending = Pending::default();
         }
-        editor.document.end_step();
-        self.pending = Pending::default();
         self.belonging = Belonging::of(&editor.document);
-        true
+        done
     }
 
     fn heading(&self, editor: &Editor, ui: &mut Ui) {
