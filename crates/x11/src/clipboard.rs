@@ -5,6 +5,7 @@
 //! says when a transfer has waited long enough. Other programs are not trusted:
 //! what they ask for and what they send is bounded in size, number and time.
 
+use rustix::event::PollFlags;
 use std::cell::OnceCell;
 use std::os::fd::AsFd as _;
 use std::rc::Rc;
@@ -293,7 +294,7 @@ impl Clipboard {
                 }
                 None => {
                     let rest = end.saturating_duration_since(Instant::now());
-                    let waited = wait(connection.as_fd(), libc::POLLIN, rest);
+                    let waited = wait(connection.as_fd(), PollFlags::IN, rest);
                     waited.map_err(|error| connection.lost(ConnectionError::from(error)))?;
                 }
             }
