@@ -25,13 +25,9 @@ pub(super) enum Action {
     Load,
     /// Save under the known name, else ask for one.
     Save,
-    /// Ask for a name and save.
     SaveAs,
-    /// Close the window.
     Quit,
-    /// Take the last step back.
     Undo,
-    /// Do it again.
     Redo,
     /// `Pos.+`.
     AddPoint,
@@ -47,11 +43,9 @@ pub(super) enum Action {
     PreviousPoint,
     /// `Pos. >>`
     NextPoint,
-    /// A new point behind the last one.
     AppendPoint,
     /// A new point before the first one.
     PrependPoint,
-    /// A closed or an open path.
     SetClosed(bool),
     /// `Ori.+`.
     AddOrientation,
@@ -73,7 +67,6 @@ pub(super) enum Action {
     PasteOrientation,
     /// Write the poses to a file.
     Export,
-    /// Hand the poses over to the host.
     HandOver,
     /// Hand them over after each change, or do so no more.
     SwitchHandsOver,
@@ -82,23 +75,15 @@ pub(super) enum Action {
         /// In place of the current orientation.
         replace: bool,
     },
-    /// Open the curve window.
     Curve,
-    /// Open the speed-curve window.
     SpeedCurve,
-    /// Open the colour window.
     Colours,
-    /// Open the display window.
     Display,
-    /// Open the space window.
     Space,
-    /// Ask for a setup file and load it.
     LoadSetup,
-    /// Load a recent file.
     Recent(usize),
     /// Open unsaved work that was found, the one of this number in its window.
     Restore(usize),
-    /// Ask for a name and save the setup.
     SaveSetup,
     /// Dark, light, or as the desktop is.
     Theme(Option<Theme>),
@@ -106,9 +91,7 @@ pub(super) enum Action {
     SwitchCameraView,
     /// Play the flight, or stop.
     PlayOrPause,
-    /// Show the keys.
     Keys,
-    /// A change of the path.
     Edit(Edit),
     /// What was entered into a number of the path.
     Enter(Entry<Edit>),
@@ -116,9 +99,7 @@ pub(super) enum Action {
     EnterMissing(Entry<Edit>),
     /// A part of a drag in the movement window.
     Gesture(Gesture),
-    /// Make a point and one of its orientations current.
     Select(Selection),
-    /// Let the current orientation look at a place.
     AimAt(DVec3),
     /// Let every orientation of the path look there.
     AimAllAt(DVec3),
@@ -130,25 +111,20 @@ pub(super) enum Action {
     SwitchLoops,
     /// Play slower or faster.
     Pace(Pace),
-    /// Colours, what is shown, from where.
     Setup(Box<Setup>),
     /// A language of the window, or the environment's.
     Language(Option<Language>),
-    /// Keep ten speeds for pasting.
     CopySpeeds([f64; SPEEDS]),
     /// Apply what waits in the curve window; true: and close it.
     ApplyCurve(bool),
     /// Apply what waits in the space window; true: and close it.
     ApplySpace(bool),
-    /// A file was chosen.
     FileChosen(Purpose, PathBuf),
     /// Discard unsaved work that was found, the one of this number in its window.
     Discard(usize),
-    /// Save, and then go on.
     SaveBefore(Then),
     /// Go on, whatever is lost.
     GoOn(Then),
-    /// Load the file anew that has changed.
     Reload,
     /// Save under another name, and then go on.
     SaveAsBefore(Option<Then>),
@@ -215,14 +191,12 @@ impl Editor {
         shown
     }
 
-    /// Does what a view returned.
     pub(super) fn act_all(&mut self, actions: Vec<Action>, context: &egui::Context) {
         for action in actions {
             self.act(action, context);
         }
     }
 
-    /// Does an action.
     pub(super) fn act(&mut self, action: Action, context: &egui::Context) {
         if action.is_command() {
             self.message = None;
@@ -473,7 +447,6 @@ impl Editor {
         self.document.selection().point < self.document.path().segment_count()
     }
 
-    /// Makes a point current, and one of its orientations.
     pub(super) fn select(&mut self, point: usize, orientation: usize) {
         self.message = None;
         self.playing.leave();
@@ -502,7 +475,6 @@ impl Editor {
         }
     }
 
-    /// Number and count of something, in words.
     pub(super) fn number_of(text: &str, index: usize, count: usize) -> String {
         fill(text, &[&(index + 1), &count])
     }

@@ -13,16 +13,13 @@ use crate::space::camera_view;
 use crate::state::Editor;
 use crate::{keys, menu, panels, space, theme, windows};
 
-/// Height of the menu bar, in points.
 const BAR: f32 = 32.0;
 
-/// Width of the panels, in points.
 const PANELS: f32 = panels::WIDTH + 2.0 * MARGIN;
 
 /// What is higher and wider than this is no control but a part of the window.
 const LARGE: f32 = 160.0;
 
-/// Around the panels, in points.
 const MARGIN: f32 = 12.0;
 
 /// Shows everything, and does what was asked for.

@@ -87,7 +87,6 @@ pub enum Request {
 pub struct Editor {
     /// The path, its history, what is current.
     pub(super) document: Document,
-    /// Where it is saved.
     pub(super) file: Option<PathBuf>,
     /// The host's name for the window.
     pub(super) title: Option<String>,
@@ -97,19 +96,16 @@ pub struct Editor {
     pub(super) fixed_speeds: bool,
     pub(super) folders: Folders,
     pub(super) program: Program,
-    /// The host's own view.
     pub(super) host_view: HostView,
     /// Its camera as the host has shown it last.
     pub(super) ghost: Option<Pose>,
     /// Poses are handed over after each change.
     pub(super) hands_over: bool,
-    /// Where the host draws it.
     pub(super) host_pane: Option<HostPane>,
     /// What the file contained when it was read or written last; none if there was none.
     pub(super) known: Option<Contents>,
     /// The state that the host has by a hand-over after which nothing is unsaved.
     pub(super) handed: Option<u64>,
-    /// An orientation to be pasted.
     pub(super) copied: Option<Orientation>,
     /// Where the last file was chosen.
     pub(super) last_folder: Option<PathBuf>,
@@ -123,15 +119,11 @@ pub struct Editor {
     pub(super) requests: Vec<Request>,
     /// Colours, what is shown, from where.
     pub(super) setup: Setup,
-    /// The movement window.
     pub(super) space: space::Space,
-    /// The bar below it.
     pub(super) playing: playing::Playing,
-    /// The sub-windows.
     pub(super) windows: windows::Windows,
     /// Files that were open last.
     pub(super) recent: Vec<PathBuf>,
-    /// Keeps unsaved work, where there is a folder for it.
     pub(super) keeper: Option<Keeper>,
     /// Closing was asked for, and nothing has happened since.
     pub(super) closing: bool,
@@ -333,19 +325,16 @@ impl Editor {
         )
     }
 
-    /// The current point.
     pub(super) fn point(&self) -> Option<&SupportPoint> {
         let at = self.document.selection().point;
         self.document.path().points.get(at)
     }
 
-    /// The current orientation.
     pub(super) fn orientation(&self) -> Option<&Orientation> {
         let at = self.document.selection().orientation;
         self.point()?.orientations.get(at)
     }
 
-    /// The edit that changes the current orientation.
     pub(super) fn orientation_edit(&self, change: impl FnOnce(&mut Orientation)) -> Option<Edit> {
         let at = self.document.selection();
         let mut orientation = self.orientation()?.clone();
@@ -357,14 +346,12 @@ impl Editor {
         })
     }
 
-    /// Changes the current orientation.
     pub(super) fn set_orientation(&mut self, change: impl FnOnce(&mut Orientation)) {
         if let Some(edit) = self.orientation_edit(change) {
             self.edit(edit);
         }
     }
 
-    /// The language of the window.
     pub(super) fn language(&self) -> Language {
         self.setup.language.unwrap_or(self.given_language)
     }

@@ -35,9 +35,6 @@ impl Cursors {
 
     /// Gives a window this shape. The database is the user's X resources: the
     /// theme's name and size stand there.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn apply(
         &mut self,
         connection: &Connection,

@@ -56,9 +56,6 @@ fn with<R>(display: &str, f: impl FnOnce(&mut Keeper) -> Result<R>) -> Option<Re
 
 /// A pane, parked until the caller shows it: of the screen's own visual, without a
 /// background. `None` if the server cannot keep one safe.
-///
-/// # Errors
-/// The server cannot be reached.
 pub(super) fn take(display: &str) -> Result<Option<u32>> {
     // One may have lost its connection meanwhile: then a new one does it.
     for _ in 0..2 {
@@ -87,9 +84,6 @@ pub(super) fn save(display: &str, window: u32, mode: SaveSetMode) {
 
 /// Asks the server to put a window out to the root, unmapped, when the connection ends;
 /// or not to do so any more.
-///
-/// # Errors
-/// The server is gone.
 pub(super) fn save_in(connection: &Connection, window: u32, mode: SaveSetMode) -> Result<()> {
     let (target, map) = (SaveSetTarget::ROOT, SaveSetMapping::UNMAP);
     let asked = connection.xfixes_change_save_set(mode, target, map, window);
@@ -98,9 +92,6 @@ pub(super) fn save_in(connection: &Connection, window: u32, mode: SaveSetMode) -
 
 /// Whether the server has what panes need: save-sets that lead to the root, and
 /// windows that are not rectangles. Must be asked before either is used.
-///
-/// # Errors
-/// The server is gone.
 pub(super) fn can(connection: &Connection) -> Result<bool> {
     let shape = x11rb::protocol::shape::X11_EXTENSION_NAME;
     for name in [xfixes::X11_EXTENSION_NAME, shape] {

@@ -181,7 +181,6 @@ struct Focus {
     own: bool,
     /// It belongs to the window under the pointer, and this is it.
     by_pointer: bool,
-    /// What egui was told.
     told: bool,
 }
 

@@ -40,7 +40,6 @@ pub struct PaneWindow {
     pub height: u32,
 }
 
-/// The pane that is shown.
 pub(super) struct Pane {
     window: u32,
     place: PanePlace,

@@ -92,9 +92,6 @@ struct Waiting {
 impl Stream {
     /// Takes a connected socket. Answers are waited for until `deadline`, or
     /// until [`Stream::settle`].
-    ///
-    /// # Errors
-    /// The system's.
     pub(super) fn new(socket: OwnedFd, deadline: Instant) -> Result<Self> {
         let watch = epoll::create(epoll::CreateFlags::CLOEXEC)?;
         epoll::add(&watch, &socket, EventData::new_u64(0), EventFlags::IN)?;
@@ -133,9 +130,6 @@ impl Stream {
     }
 
     /// Sends what waits, as far as it goes now.
-    ///
-    /// # Errors
-    /// The system's; the server is gone.
     pub(super) fn push(&self) -> Result<()> {
         let mut waiting = self.waiting.borrow_mut();
         let Waiting {
@@ -297,9 +291,6 @@ impl x11rb::rust_connection::Stream for Stream {
 }
 
 /// Waits for `events` at `socket`; which of them came, none if the time is over.
-///
-/// # Errors
-/// The system's.
 pub(super) fn wait(socket: BorrowedFd<'_>, events: PollFlags, time: Duration) -> Result<PollFlags> {
     let mut entry = [PollFd::from_borrowed_fd(socket, events)];
     let time = Timespec::try_from(time).ok();

@@ -23,29 +23,23 @@ use crate::texts::refusals::of_system;
 use crate::theme;
 use crate::windows::modal;
 
-/// Width of the window.
 const WIDTH: f32 = 520.0;
 /// Rows of the list that are seen at once, in a window that is high enough.
 const ROWS: f32 = 12.0;
 /// Width of the words before the fields.
 const LABELS: f32 = 88.0;
 
-/// A file that is being chosen.
 #[derive(Debug)]
 pub(crate) struct FileWindow {
     purpose: Purpose,
     folder: Folder,
-    /// The folder as it is typed.
     place: String,
-    /// The name as it is typed.
     name: String,
     /// The name behind a name that was chosen and cannot be typed.
     chosen: Option<OsString>,
     filter: String,
     hidden: bool,
-    /// What went wrong.
     trouble: Option<String>,
-    /// It exists: is it to be overwritten?
     overwrite: Option<PathBuf>,
     /// It has just opened or the question came up: the keyboard goes there.
     fresh: bool,
@@ -53,7 +47,6 @@ pub(crate) struct FileWindow {
     scroll: bool,
 }
 
-/// What was done in one pass.
 #[derive(Default)]
 struct Done {
     go: Option<PathBuf>,
@@ -179,7 +172,6 @@ impl FileWindow {
             .collect()
     }
 
-    /// The number of the chosen item.
     fn current(&self) -> Option<usize> {
         let chosen = self.chosen.as_ref()?;
         self.folder
@@ -550,7 +542,6 @@ fn with_ending(path: PathBuf, purpose: Purpose) -> PathBuf {
     }
 }
 
-/// Whether Enter was pressed in a field.
 fn entered(ui: &Ui, response: &egui::Response) -> bool {
     response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
 }

@@ -202,9 +202,6 @@ impl Editor {
     }
 
     /// Saves the path as this file, whatever is there, and edits it from now on.
-    ///
-    /// # Errors
-    /// The sentence.
     pub(crate) fn save_path(&mut self, file: &Path) -> Result<(), String> {
         self.write_path(file, true).map(drop)
     }
@@ -238,9 +235,6 @@ impl Editor {
 
     /// Writes the poses in the format that the file's name says: lines of ten numbers
     /// (thesis B.2.3), CSV or JSON.
-    ///
-    /// # Errors
-    /// The sentence.
     pub(crate) fn write_poses(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
         let mut count = 0;

@@ -38,7 +38,6 @@ impl Question {
         Self { about, fresh: true }
     }
 
-    /// Shows it; false: there is an answer.
     pub(crate) fn show(
         &mut self,
         editor: &Editor,

@@ -53,9 +53,7 @@ const HEADER: [&str; 6] = [
 pub(crate) struct Origin<'a> {
     /// The program whose window it is in.
     pub(crate) program: &'a str,
-    /// The file that it is a change of.
     pub(crate) file: Option<&'a Path>,
-    /// What that file contained.
     pub(crate) known: Option<Contents>,
 }
 
@@ -315,9 +313,7 @@ pub(crate) struct Found {
     pub(crate) program: Option<String>,
     /// The file that it was a change of.
     pub(crate) original: Option<PathBuf>,
-    /// What that file contained.
     pub(crate) known: Option<Contents>,
-    /// When it was written.
     pub(crate) written: SystemTime,
     text: String,
 }

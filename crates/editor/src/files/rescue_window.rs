@@ -20,9 +20,7 @@ use crate::windows::{SubWindow, Windows, sub_window_as};
 const LISTED: usize = 6;
 /// So many are seen at once.
 const SEEN: usize = 2;
-/// Width of the window's contents.
 const WIDTH: f32 = 420.0;
-/// Size of a path's picture.
 const PICTURE: Vec2 = vec2(84.0, 64.0);
 const BUTTON: Vec2 = vec2(120.0, 28.0);
 /// Its lower left corner from the window's at first: in the movement window, above
@@ -192,7 +190,6 @@ fn describe(editor: &Editor, ui: &mut Ui, found: &Found) {
     }
 }
 
-/// The path, small.
 fn paint(editor: &Editor, ui: &mut Ui, offered: &Offered) {
     let texts = &editor.texts().rescue;
     let (rect, response) = ui.allocate_exact_size(PICTURE, Sense::hover());

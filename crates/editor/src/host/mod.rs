@@ -177,12 +177,10 @@ impl Editor {
         Ok(())
     }
 
-    /// There is a view that could be taken over.
     pub(crate) fn has_host_view(&self) -> bool {
         self.host_view.captures || self.ghost.is_some()
     }
 
-    /// The user wants the host's view.
     pub(crate) fn ask_for_view(&mut self, replace: bool) {
         if self.host_view.captures {
             self.requests.push(Request::Capture { replace });
@@ -241,7 +239,6 @@ impl Editor {
         }
     }
 
-    /// A new point with this one orientation.
     fn add_point_at(&mut self, at: usize, position: DVec3, orientation: Orientation) -> bool {
         if !self.edit(Edit::InsertPoint { at, position }) {
             return false;

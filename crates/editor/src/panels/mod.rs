@@ -62,7 +62,6 @@ fn heading(ui: &mut Ui, text: &str, remark: &str) -> Response {
     heading_with_room(ui, text, remark, 0.0)
 }
 
-/// The same with room for something at the right of the remark.
 fn heading_with_room(ui: &mut Ui, text: &str, remark: &str, room: f32) -> Response {
     let palette = theme::palette(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());

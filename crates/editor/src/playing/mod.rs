@@ -25,10 +25,8 @@ use crate::space::Camera;
 use crate::state::Editor;
 use crate::theme;
 
-/// Height of the bar.
 const HEIGHT: f32 = 56.0;
 
-/// Width of a button.
 const BUTTON: f32 = 32.0;
 
 /// A press so near to a mark, in points, means the mark.
@@ -38,7 +36,6 @@ const SNAP: f64 = 6.0;
 /// space: every one does with the first section's frames.
 const MARKS_STEP: f64 = 0.25;
 
-/// What is played, and where.
 #[derive(Debug, Default)]
 pub(super) struct Playing {
     /// The frame that is shown, from 1; none: the current orientation.
@@ -148,7 +145,6 @@ impl Marks {
 }
 
 impl Playing {
-    /// Whether it plays.
     pub(super) fn is_playing(&self) -> bool {
         self.since.is_some()
     }
@@ -175,7 +171,6 @@ impl Playing {
         keys.get(behind.checked_sub(1)?).copied()
     }
 
-    /// The mark of a key.
     pub(super) fn mark_of(&self, selection: Selection) -> Option<Mark> {
         self.marks.of(selection)
     }
@@ -207,7 +202,6 @@ impl Editor {
         Camera::at(&self.document, point, orientation).map(|camera| (camera, false))
     }
 
-    /// The frame that is shown, as the film counts it.
     #[allow(clippy::cast_possible_truncation)]
     pub(super) fn shown_frame(&self) -> Option<i64> {
         let frame = self.playing.frame?.round() as i64;

@@ -24,7 +24,6 @@ pub(crate) struct Shown {
     pub(crate) position: DVec3,
     /// How it looks.
     pub(crate) orientation: Orientation,
-    /// What is missing for it to be a key.
     pub(crate) missing: Missing,
 }
 

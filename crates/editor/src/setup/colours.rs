@@ -21,7 +21,6 @@ const NAME: f32 = 44.0;
 const NUMBER: f32 = 56.0;
 const APART: f32 = 8.0;
 
-/// The colour window.
 #[derive(Debug)]
 pub(crate) struct ColourWindow {
     element: Element,

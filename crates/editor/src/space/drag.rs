@@ -19,7 +19,6 @@ pub(crate) enum Handle {
     Vup,
     /// The tip of the current VPN arrow: what the camera looks at.
     Vpn,
-    /// A support point.
     Point(usize),
 }
 
@@ -72,7 +71,6 @@ impl Freedom {
 /// What a motion of the mouse leads to.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Outcome {
-    /// This edit.
     Edit(Edit),
     /// The circle of VUP is seen edge-on: nothing moves.
     CircleEdgeOn,

@@ -14,7 +14,6 @@ use crate::setup::{Element, View};
 use crate::state::Editor;
 use crate::texts::fill;
 
-/// Where the menu is, and for what.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PointMenu {
     at: Pos2,

@@ -28,7 +28,6 @@ const TURN: f64 = 0.35;
 /// What a step of the wheel makes of the size.
 pub(super) const WHEEL: f64 = 1.1;
 
-/// What the pointer is doing.
 #[derive(Debug, Default)]
 pub(super) struct PointerController {
     /// A button is down.
@@ -52,7 +51,6 @@ pub(super) const PLANES: [(PointerButton, Axis); 3] = [
 #[derive(Clone, Copy, Debug)]
 struct Hold {
     button: PointerButton,
-    /// Where it was pressed.
     pressed: Pos2,
     /// Where the pointer is.
     now: Pos2,
@@ -64,21 +62,17 @@ struct Hold {
     lag: DVec2,
     /// It goes by steps.
     snaps: bool,
-    /// The view as it was.
     view: View,
     /// Empty space is shifted instead of turned.
     shifts: bool,
-    /// It has moved.
     moved: bool,
 }
 
-/// Where the pointer works.
 pub(super) struct PointerContext<'a> {
     pub(super) context: &'a Context,
     pub(super) viewport: Rect,
     /// Whether the pointer at a place means the movement window.
     pub(super) mine: &'a dyn Fn(Pos2) -> bool,
-    /// Whether the keyboard does.
     pub(super) keyboard: bool,
 }
 
@@ -376,7 +370,6 @@ pub(super) fn events(context: &Context) -> impl Iterator<Item = Event> {
     events.into_iter()
 }
 
-/// The axis that a key stands for.
 fn axis_of(key: Key) -> Option<Axis> {
     match key {
         Key::X => Some(Axis::X),

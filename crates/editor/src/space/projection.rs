@@ -57,9 +57,7 @@ const MARGIN: f64 = 0.98;
 /// From the movement space to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Projection {
-    /// The movement space.
     space: Space,
-    /// Where its middle is seen.
     middle: DVec2,
     /// Points to the right for a unit along each axis.
     across: DVec3,
@@ -110,7 +108,6 @@ impl Projection {
         }
     }
 
-    /// Where a point is seen.
     pub(super) fn image(&self, point: DVec3) -> DVec2 {
         self.middle + self.image_of_way(point - self.space.centre)
     }
@@ -125,7 +122,6 @@ impl Projection {
         to_pos(self.image(point))
     }
 
-    /// The space that is seen.
     pub(super) fn space(&self) -> Space {
         self.space
     }
@@ -226,7 +222,6 @@ pub(super) fn cube_edges() -> impl Iterator<Item = (Axis, [f64; 2])> {
     })
 }
 
-/// The ends of an edge of a space's cube.
 pub(super) fn edge_ends(space: Space, along: Axis, signs: [f64; 2]) -> [DVec3; 2] {
     [-1.0, 1.0].map(|end| {
         let mut corner = DVec3::ZERO;

@@ -72,7 +72,6 @@ pub(super) trait SubWindow: Sized {
     /// Where it is kept while it is open.
     fn slot(windows: &mut Windows) -> &mut Option<Self>;
 
-    /// As it opens.
     fn new(editor: &Editor) -> Self;
 
     /// Shows it and takes its input, by [`sub_window`]: what is asked for are actions,
@@ -81,7 +80,6 @@ pub(super) trait SubWindow: Sized {
     -> bool;
 }
 
-/// Opens a sub-window, or brings it to the front if it is open.
 pub(super) fn open<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
     if W::slot(&mut editor.windows).is_none() {
         let window = W::new(editor);
@@ -90,7 +88,6 @@ pub(super) fn open<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
     context.move_to_top(layer(W::ID));
 }
 
-/// Shows those that are open.
 pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_one::<CurveWindow>(editor, context);
     show_one::<SpeedWindow>(editor, context);

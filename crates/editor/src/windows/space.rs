@@ -18,7 +18,6 @@ const NAME: f32 = 96.0;
 const NUMBER: f32 = 100.0;
 const BUTTON: f32 = 96.0;
 
-/// The space window.
 #[derive(Debug)]
 pub(crate) struct SpaceWindow {
     /// What the document had when it was looked at last.

@@ -26,7 +26,6 @@ const NARROW_NUMBER: f32 = 70.0;
 const PICTURE: f32 = 150.0;
 const LOW_PICTURE: f32 = 96.0;
 
-/// The curve window: what waits in it.
 #[derive(Debug)]
 pub(crate) struct CurveWindow {
     pending: Pending,
@@ -411,7 +410,6 @@ impl CurveWindow {
     }
 }
 
-/// Width of a number.
 fn number(ui: &Ui) -> f32 {
     if is_cramped(ui.ctx()) {
         NARROW_NUMBER
