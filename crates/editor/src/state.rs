@@ -7,7 +7,7 @@ use crate::document::{Contents, Document, Edit};
 use crate::error::{Error, Result};
 use crate::files::Folders;
 use crate::files::Then;
-use crate::files::recovery::Keeper;
+use crate::files::recovery::Autosave;
 use crate::host::Program;
 use crate::host::Warnings;
 use crate::host::pane::HostPane;
@@ -124,7 +124,7 @@ pub struct Editor {
     pub(super) windows: windows::Windows,
     /// Files that were open last.
     pub(super) recent: Vec<PathBuf>,
-    pub(super) keeper: Option<Keeper>,
+    pub(super) autosave: Option<Autosave>,
     /// Closing was asked for, and nothing has happened since.
     pub(super) closing: bool,
 }
@@ -170,7 +170,7 @@ impl Editor {
             playing: playing::Playing::default(),
             windows: windows::Windows::default(),
             recent: Vec::new(),
-            keeper: None,
+            autosave: None,
             closing: false,
         };
         editor.read_first_setup();

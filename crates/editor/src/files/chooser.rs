@@ -234,16 +234,11 @@ impl FileWindow {
         ui.horizontal(|ui| {
             field(ui, texts.folder);
             let buttons = 2.0 * (88.0 + ui.spacing().item_spacing.x);
-            let edit = TextEdit::singleline(&mut self.place)
-                .id(Id::unique("files.place"))
-                .desired_width(ui.available_width() - buttons)
-                .frame(theme::field(ui))
-                .align(egui::Align2::LEFT_CENTER)
-                .margin(egui::Margin::symmetric(6, 0))
-                .min_size(vec2(0.0, theme::ROW));
-            let response = ui.add(edit).on_hover_text(texts.folder_hint);
-            ui.ctx()
-                .accesskit_node_builder(response.id, |node| node.set_label(texts.folder));
+            let (width, words) = (
+                ui.available_width() - buttons,
+                (texts.folder, texts.folder_hint),
+            );
+            let response = theme::line_edit(ui, &mut self.place, "files.place", width, words);
             let known = self.place == readable(self.folder.path.as_os_str());
             if entered(ui, &response) && !known {
                 done.go = Some(self.resolved(&self.place));
@@ -263,16 +258,8 @@ impl FileWindow {
         self.show_list(editor, ui, done);
         ui.horizontal(|ui| {
             field(ui, texts.name);
-            let edit = TextEdit::singleline(&mut self.name)
-                .id(Id::unique("files.name"))
-                .desired_width(ui.available_width())
-                .frame(theme::field(ui))
-                .align(egui::Align2::LEFT_CENTER)
-                .margin(egui::Margin::symmetric(6, 0))
-                .min_size(vec2(0.0, theme::ROW));
-            let response = ui.add(edit).on_hover_text(texts.name_hint);
-            ui.ctx()
-                .accesskit_node_builder(response.id, |node| node.set_label(texts.name));
+            let (width, words) = (ui.available_width(), (texts.name, texts.name_hint));
+            let response = theme::line_edit(ui, &mut self.name, "files.name", width, words);
             if self.fresh {
                 self.fresh = false;
                 response.request_focus();
@@ -287,16 +274,8 @@ impl FileWindow {
         });
         ui.horizontal(|ui| {
             field(ui, texts.filter);
-            let edit = TextEdit::singleline(&mut self.filter)
-                .id(Id::unique("files.filter"))
-                .desired_width(120.0)
-                .frame(theme::field(ui))
-                .align(egui::Align2::LEFT_CENTER)
-                .margin(egui::Margin::symmetric(6, 0))
-                .min_size(vec2(0.0, theme::ROW));
-            let response = ui.add(edit).on_hover_text(texts.filter_hint);
-            ui.ctx()
-                .accesskit_node_builder(response.id, |node| node.set_label(texts.filter));
+            let (width, words) = (120.0, (texts.filter, texts.filter_hint));
+            theme::line_edit(ui, &mut self.filter, "files.filter", width, words);
             ui.add_space(8.0);
             theme::tick(ui, &mut self.hidden, texts.hidden).on_hover_text(texts.hidden_hint);
         });

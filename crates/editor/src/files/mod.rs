@@ -1,25 +1,25 @@
 //! What is loaded, saved and written, and the question before work is lost.
 
+mod autosave;
 mod chooser;
 pub(crate) mod folders;
 mod listing;
 mod question;
 mod recent;
 pub(crate) mod recovery;
-mod rescue;
-mod rescue_window;
+mod recovery_window;
 
 #[cfg(test)]
 mod recent_tests;
 #[cfg(test)]
-mod rescue_tests;
+mod recovery_window_tests;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use chooser::FileWindow;
 pub use folders::Folders;
 pub(crate) use question::Question;
-pub(crate) use rescue_window::RescueWindow;
+pub(crate) use recovery_window::RecoveryWindow;
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};

@@ -11,8 +11,8 @@ mod fonts;
 
 use egui::style::{ScrollAnimation, ScrollStyle, Selection, TextCursorStyle, WidgetVisuals};
 use egui::{
-    Color32, CornerRadius, FontFamily, FontId, Margin, Mesh, Rect, Response, RichText, Shadow,
-    Shape, Stroke, Style, TextStyle, Ui, Visuals, vec2,
+    Align2, Color32, CornerRadius, FontFamily, FontId, Id, Margin, Mesh, Rect, Response, RichText,
+    Shadow, Shape, Stroke, Style, TextEdit, TextStyle, Ui, Visuals, vec2,
 };
 
 use crate::setup::Theme;
@@ -128,6 +128,27 @@ pub(super) fn field(ui: &egui::Ui) -> egui::Frame {
         .stroke(Stroke::new(1.0, palette.edge))
         .corner_radius(4)
         .inner_margin(Margin::symmetric(6, 0))
+}
+
+/// A field for a line of text with a name and a tooltip.
+pub(super) fn line_edit(
+    ui: &mut Ui,
+    text: &mut String,
+    id: &'static str,
+    width: f32,
+    (name, hint): (&'static str, &'static str),
+) -> Response {
+    let edit = TextEdit::singleline(text)
+        .id(Id::unique(id))
+        .desired_width(width)
+        .frame(field(ui))
+        .align(Align2::LEFT_CENTER)
+        .margin(Margin::symmetric(6, 0))
+        .min_size(vec2(0.0, ROW));
+    let response = ui.add(edit).on_hover_text(hint);
+    ui.ctx()
+        .accesskit_node_builder(response.id, |node| node.set_label(name));
+    response
 }
 
 pub(super) fn tick(ui: &mut Ui, on: &mut bool, text: &str) -> Response {

@@ -19,7 +19,7 @@ pub(super) use space::SpaceWindow;
 pub(super) use speed::SpeedWindow;
 
 use crate::actions::Action;
-use crate::files::{FileWindow, Question, RescueWindow};
+use crate::files::{FileWindow, Question, RecoveryWindow};
 use crate::keys;
 use crate::setup::{ColourWindow, DisplayWindow};
 use crate::state::Editor;
@@ -45,7 +45,7 @@ pub(super) struct Windows {
     /// The file has changed, and a question waits for its answer; nothing else happens.
     pub(super) changed: Option<Question>,
     /// Unsaved work was left behind, and is offered.
-    pub(super) rescue: Option<RescueWindow>,
+    pub(super) recovery: Option<RecoveryWindow>,
 }
 
 /// Where a sub-window opens: beside the panels; over them where it would hide
@@ -96,7 +96,7 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_one::<PointsWindow>(editor, context);
     show_one::<SpaceWindow>(editor, context);
     show_one::<HelpWindow>(editor, context);
-    show_one::<RescueWindow>(editor, context);
+    show_one::<RecoveryWindow>(editor, context);
     show_slot(editor, context, |open| &mut open.files, FileWindow::show);
     show_slot(editor, context, |open| &mut open.question, Question::show);
     show_slot(editor, context, |open| &mut open.changed, Question::show);

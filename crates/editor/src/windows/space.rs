@@ -2,7 +2,7 @@
 //! name of the unit, which axis stands upright. What is entered waits until it is
 //! applied, as one step.
 
-use egui::{Button, Grid, TextEdit, Ui, vec2};
+use egui::{Button, Grid, Ui, vec2};
 
 use super::{SubWindow, Windows, row_at_right, sub_window};
 use crate::actions::Action;
@@ -120,16 +120,8 @@ impl SpaceWindow {
                 space.half_size = value;
             });
             ui.label(texts.unit);
-            let edit = TextEdit::singleline(&mut self.unit)
-                .id(egui::Id::unique("space.unit"))
-                .desired_width(NUMBER)
-                .frame(theme::field(ui))
-                .align(egui::Align2::LEFT_CENTER)
-                .margin(egui::Margin::symmetric(6, 0))
-                .min_size(vec2(0.0, theme::ROW));
-            let response = ui.add(edit).on_hover_text(texts.unit_hint);
-            ui.ctx()
-                .accesskit_node_builder(response.id, |node| node.set_label(texts.unit));
+            let (width, words) = (NUMBER, (texts.unit, texts.unit_hint));
+            theme::line_edit(ui, &mut self.unit, "space.unit", width, words);
         });
         ui.end_row();
         name(ui, texts.up, texts.up_hint);

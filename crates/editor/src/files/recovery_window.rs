@@ -29,7 +29,7 @@ const CORNER: Vec2 = vec2(272.0, -64.0);
 
 /// What was found, held for this window while it is offered.
 #[derive(Debug)]
-pub(crate) struct RescueWindow {
+pub(crate) struct RecoveryWindow {
     offered: Vec<Offered>,
 }
 
@@ -45,7 +45,7 @@ enum Answer {
     Later,
 }
 
-impl RescueWindow {
+impl RecoveryWindow {
     pub(crate) fn of(mut found: Vec<Found>) -> Self {
         found.truncate(LISTED);
         let offered = found.into_iter().map(|found| Offered {
@@ -71,7 +71,7 @@ impl RescueWindow {
     }
 
     fn show_list(&self, editor: &Editor, ui: &mut Ui) -> Option<Answer> {
-        let texts = &editor.texts().rescue;
+        let texts = &editor.texts().recovery;
         let mut answer = None;
         for (index, offered) in self.offered.iter().enumerate() {
             ui.horizontal(|ui| {
@@ -99,11 +99,11 @@ impl RescueWindow {
     }
 }
 
-impl SubWindow for RescueWindow {
+impl SubWindow for RecoveryWindow {
     const ID: &'static str = "rescue";
 
     fn slot(windows: &mut Windows) -> &mut Option<Self> {
-        &mut windows.rescue
+        &mut windows.recovery
     }
 
     fn new(_: &Editor) -> Self {
@@ -116,7 +116,7 @@ impl SubWindow for RescueWindow {
         context: &egui::Context,
         actions: &mut Vec<Action>,
     ) -> bool {
-        let texts = &editor.texts().rescue;
+        let texts = &editor.texts().recovery;
         let mut answer = None;
         let corner = context.content_rect().left_bottom() + CORNER;
         let stays = sub_window_as(
@@ -191,7 +191,7 @@ fn describe(editor: &Editor, ui: &mut Ui, found: &Found) {
 }
 
 fn paint(editor: &Editor, ui: &mut Ui, offered: &Offered) {
-    let texts = &editor.texts().rescue;
+    let texts = &editor.texts().recovery;
     let (rect, response) = ui.allocate_exact_size(PICTURE, Sense::hover());
     let colours = editor.setup.colours();
     let painter = ui.painter_at(rect);
@@ -226,14 +226,14 @@ fn paint(editor: &Editor, ui: &mut Ui, offered: &Offered) {
 
 fn date_in_words(language: Language, date: Date) -> String {
     let two = |number: i32| format!("{number:02}");
-    let text = language.texts().rescue.date;
+    let text = language.texts().recovery.date;
     let (month, day) = (two(date.month), two(date.day));
     let (hour, minute) = (two(date.hour), two(date.minute));
     fill(text, &[&date.year, &month, &day, &hour, &minute])
 }
 
 fn age_in_words(language: Language, age: Duration) -> String {
-    let texts = &language.texts().rescue;
+    let texts = &language.texts().recovery;
     let minutes = age.as_secs() / 60;
     match minutes {
         0 => texts.just_now.to_owned(),
