@@ -203,7 +203,7 @@ impl Editor {
         }
         let Selection { point, orientation } = self.document.selection();
         match action {
-            Action::Load => self.ask_to_load(),
+            Action::Load => self.ask_before(Then::Load),
             Action::Save => {
                 self.save(None);
             }

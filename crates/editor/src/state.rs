@@ -111,7 +111,6 @@ pub struct Editor {
     pub(super) last_folder: Option<PathBuf>,
     /// What is to be done when what is typed at present has been applied.
     pub(super) waiting: Option<Action>,
-    /// A text is being typed.
     pub(super) typing: bool,
     /// What stands in the output field instead of the current pose.
     pub(super) message: Option<Message>,
@@ -122,7 +121,6 @@ pub struct Editor {
     pub(super) space: space::Space,
     pub(super) playing: playing::Playing,
     pub(super) windows: windows::Windows,
-    /// Files that were open last.
     pub(super) recent: Vec<PathBuf>,
     pub(super) autosave: Option<Autosave>,
     /// Closing was asked for, and nothing has happened since.

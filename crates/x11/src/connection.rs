@@ -34,7 +34,6 @@ const EVENT: usize = 32;
 /// How long opening a window may take in all.
 const OPENING: Duration = Duration::from_secs(2);
 
-/// See the module.
 pub(super) struct Connection {
     raw: Raw,
     /// Which of the setup's screens is ours; it exists.

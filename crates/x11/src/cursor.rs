@@ -18,7 +18,6 @@ use x11rb::resource_manager::Database;
 use super::connection::Connection;
 use crate::error::Result;
 
-/// See the module.
 #[derive(Default)]
 pub(super) struct Cursors {
     /// What the theme is loaded by; outer none if not yet asked for.
@@ -28,7 +27,6 @@ pub(super) struct Cursors {
 }
 
 impl Cursors {
-    /// Nothing is loaded yet.
     pub(super) fn new() -> Self {
         Self::default()
     }

@@ -50,7 +50,6 @@ pub(super) struct Incoming {
 /// What a transfer has come to.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Step {
-    /// It goes on.
     Underway,
     Over(Option<String>),
 }
@@ -97,7 +96,6 @@ impl Incoming {
         Ok(Some(incoming))
     }
 
-    /// The window that the answers come to.
     pub(super) fn window(&self) -> Window {
         self.window
     }

@@ -23,7 +23,6 @@ use super::core_keymap::{CONTROL, MOD1, SHIFT};
 use super::keymap::{KEYBOARD, Keymap, Meaning};
 use crate::error::Result;
 
-/// See the module.
 pub(super) struct Keyboard {
     extension: bool,
     keymap: Option<Keymap>,

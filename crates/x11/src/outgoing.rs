@@ -64,7 +64,6 @@ impl Outgoing {
         })
     }
 
-    /// Whom it goes to.
     pub(super) fn requestor(&self) -> Window {
         self.requestor
     }

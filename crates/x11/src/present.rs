@@ -155,7 +155,6 @@ impl Surface {
         (width, height.clamp(1, LONGEST).min(MOST_PIXELS / width))
     }
 
-    /// Nothing is on its way.
     pub(super) fn is_free(&self) -> bool {
         matches!(self.flight, Flight::None)
     }

@@ -127,7 +127,6 @@ fn is_dark(settings: &[u8]) -> Option<bool> {
     (!name.is_empty()).then(|| words.into_iter().any(is_dark))
 }
 
-/// The theme's name.
 fn theme(settings: &[u8]) -> Option<&[u8]> {
     let mut rest = Reader {
         bytes: settings,

@@ -119,7 +119,6 @@ impl Stream {
         self.watch.as_fd()
     }
 
-    /// The connection itself.
     pub(super) fn socket(&self) -> BorrowedFd<'_> {
         self.socket.as_fd()
     }

@@ -65,11 +65,6 @@ impl Editor {
         self.windows.files = Some(FileWindow::open(self, purpose));
     }
 
-    /// Loads another path, after a question if work would be lost.
-    pub(crate) fn ask_to_load(&mut self) {
-        self.ask_before(Then::Load);
-    }
-
     /// Asks about unsaved work, if there is any, and goes on.
     pub(crate) fn ask_before(&mut self, then: Then) {
         if self.is_unsaved() {

@@ -55,7 +55,6 @@ impl Pace {
     }
 }
 
-/// Shows them in two rows.
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     let palette = theme::palette(ui);

@@ -90,7 +90,6 @@ impl Mark {
 }
 
 impl Marks {
-    /// Brings them up to date.
     fn update(&mut self, document: &Document) -> Result<()> {
         let revision = document.revision();
         if self.revision == Some(revision) {
@@ -137,7 +136,6 @@ impl Marks {
         Ok(())
     }
 
-    /// That of an orientation.
     fn of(&self, selection: Selection) -> Option<Mark> {
         let mut keys = self.keys.iter().copied();
         keys.find(|mark| Selection::at(mark.point, mark.orientation) == selection)
@@ -336,7 +334,6 @@ fn as_frame(frame: usize) -> f64 {
     frame as f64
 }
 
-/// Shows the bar at the lower border.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     editor.advance(ui.ctx());
     let context = ui.ctx().clone();
@@ -369,7 +366,6 @@ fn bar(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         });
 }
 
-/// A square button with a picture.
 fn button(ui: &mut Ui, name: &str, tip: &str, on: bool) -> (egui::Response, Painter) {
     let size = vec2(BUTTON, theme::ROW + 4.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
@@ -447,7 +443,6 @@ fn timeline(editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>)
     response.on_hover_text(texts.timeline_tip);
 }
 
-/// The playhead goes to a frame.
 fn to_frame(frame: f64) -> Action {
     Action::Playhead(Entry::Set(frame))
 }

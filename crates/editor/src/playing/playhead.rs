@@ -20,9 +20,7 @@ const DIRECTION: f64 = 0.4;
 pub(crate) struct Shown {
     /// Where it stands in the path, or would.
     pub(crate) at: Selection,
-    /// Where the camera stands.
     pub(crate) position: DVec3,
-    /// How it looks.
     pub(crate) orientation: Orientation,
     pub(crate) missing: Missing,
 }

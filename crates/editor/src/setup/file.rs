@@ -65,7 +65,6 @@ fn write_text(file: &Path, text: &str) -> Result<()> {
     save::save(file, text.as_bytes())
 }
 
-/// The text of a setup file.
 fn to_toml(setup: &Setup) -> String {
     let mut out = String::with_capacity(2048);
     // Writing into a text cannot fail.
@@ -324,7 +323,6 @@ impl Editor {
         }
     }
 
-    /// Saves the setup.
     pub(crate) fn save_setup(&mut self, file: &Path) -> Result<(), String> {
         let texts = &self.texts().setup;
         match write(file, &self.setup) {

@@ -167,7 +167,6 @@ impl Default for Shown {
 }
 
 impl Shown {
-    /// Whether an element is shown.
     pub(super) const fn has(&self, element: Element) -> bool {
         self.0[element as usize] || !element.has_switch()
     }
@@ -177,7 +176,6 @@ impl Shown {
     }
 }
 
-/// Light or dark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub(super) enum Theme {
     #[default]
@@ -240,7 +238,6 @@ pub(super) struct Setup {
     pub(super) shown: Shown,
     /// From where.
     pub(super) view: View,
-    /// Whether the picture of the camera is shown.
     pub(super) camera_view: bool,
     /// The language that was chosen; that of the host or the environment if none.
     pub(super) language: Option<Language>,
@@ -266,7 +263,6 @@ impl Setup {
         self.theme.unwrap_or(self.desktop)
     }
 
-    /// The colours of the present theme.
     pub(super) fn colours(&self) -> &Colours {
         match self.theme() {
             Theme::Dark => &self.dark,
@@ -274,7 +270,6 @@ impl Setup {
         }
     }
 
-    /// The colours of the present theme, to be changed.
     pub(super) fn colours_mut(&mut self) -> &mut Colours {
         match self.theme() {
             Theme::Dark => &mut self.dark,

@@ -79,7 +79,6 @@ pub(super) fn show(
     shown.inner?
 }
 
-/// The pane's area.
 pub(crate) fn id() -> egui::Id {
     egui::Id::unique("camera view")
 }
@@ -94,12 +93,10 @@ struct Placed {
     by_hand: bool,
 }
 
-/// Where its upper right corner is at first.
 fn corner(viewport: Rect) -> Pos2 {
     viewport.right_top() + vec2(-12.0, 12.0)
 }
 
-/// How wide its picture is at first.
 fn first_width(viewport: Rect) -> f32 {
     WIDTH.min(viewport.width() * 0.27).max(WIDTH / 2.0)
 }

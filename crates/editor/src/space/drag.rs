@@ -136,7 +136,6 @@ pub(super) fn outcome(
     edit.map_or(Outcome::Nothing, Outcome::Edit)
 }
 
-/// Where the target of the current orientation lies.
 pub(super) fn current_tip(document: &Document) -> Option<DVec3> {
     let selection = document.selection();
     let point = document.path().points.get(selection.point)?;

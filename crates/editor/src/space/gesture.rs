@@ -25,7 +25,6 @@ pub(crate) enum Gesture {
 }
 
 impl Editor {
-    /// Does a part of a drag.
     pub(crate) fn gesture(&mut self, gesture: Gesture) {
         match gesture {
             Gesture::Press(what) => {

@@ -139,7 +139,6 @@ fn direction_of(projection: &Projection, key: Key) -> (Axis, f64) {
     }
 }
 
-/// Moves a coordinate by a step.
 fn nudge(
     editor: &Editor,
     projection: &Projection,

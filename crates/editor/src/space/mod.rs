@@ -72,7 +72,6 @@ impl Space {
     }
 }
 
-/// Shows the movement window in all the space that is left.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     playing::show(editor, ui);
     // What it remembers changes while the rest of the editor is only read.
@@ -214,7 +213,6 @@ impl Space {
         });
     }
 
-    /// Paints what stands in the space.
     fn draw(&mut self, editor: &Editor, painter: &Painter, viewport: Rect) -> Result<()> {
         let projection = projection_of(editor, viewport);
         let look = Look {

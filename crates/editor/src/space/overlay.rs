@@ -64,7 +64,6 @@ pub(super) fn circle(look: &Look<'_>, tips: &Tips) -> Lines {
     strokes.finish()
 }
 
-/// The arrows of the current camera.
 pub(super) fn arrows(painter: &Painter, look: &Look<'_>, tips: &Tips) {
     let mut shafts = Strokes::new(look.projection, look.viewport);
     let mut heads = Vec::new();

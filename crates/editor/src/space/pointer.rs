@@ -34,7 +34,6 @@ pub(super) struct PointerController {
     hold: Option<Hold>,
     /// Keys that move something are down; a step of the document is open.
     pub(super) nudging: bool,
-    /// What lies under the pointer.
     pub(super) hover: Option<Handle>,
     /// Where the last press without motion of the right button asks for a menu.
     pub(super) menu: Option<(Pos2, Option<Handle>)>,
@@ -52,9 +51,7 @@ pub(super) const PLANES: [(PointerButton, Axis); 3] = [
 struct Hold {
     button: PointerButton,
     pressed: Pos2,
-    /// Where the pointer is.
     now: Pos2,
-    /// On what.
     what: Option<Handle>,
     /// In which coordinates it moves.
     freedom: Freedom,
@@ -142,7 +139,6 @@ impl PointerController {
         }
     }
 
-    /// Finds what lies under the pointer.
     pub(super) fn point(&mut self, editor: &Editor, surface: &PointerContext<'_>) {
         let pointer = surface.context.input(|input| input.pointer.latest_pos());
         self.hover = match (&self.hold, pointer) {
@@ -156,7 +152,6 @@ impl PointerController {
         };
     }
 
-    /// The shape of the pointer.
     pub(super) fn cursor(&self) -> CursorIcon {
         match (&self.hold, self.hover) {
             (Some(hold), _) if hold.moved && hold.what.is_some() => CursorIcon::Crosshair,
@@ -167,7 +162,6 @@ impl PointerController {
         }
     }
 
-    /// Takes an event.
     pub(super) fn take(
         &mut self,
         editor: &Editor,
@@ -337,7 +331,6 @@ impl PointerController {
         }
     }
 
-    /// Takes back what was begun.
     fn cancel(&mut self, actions: &mut Vec<Action>) {
         let Some(hold) = self.hold.take().filter(|hold| hold.moved) else {
             return;

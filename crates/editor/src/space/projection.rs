@@ -20,10 +20,8 @@ pub(crate) enum Axis {
 }
 
 impl Axis {
-    /// All three.
     pub(super) const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
 
-    /// Its letter.
     pub(super) const fn letter(self) -> &'static str {
         match self {
             Self::X => "x",
@@ -32,12 +30,10 @@ impl Axis {
         }
     }
 
-    /// Its place in a vector.
     pub(super) const fn index(self) -> usize {
         self as usize
     }
 
-    /// The two others, in their order.
     pub(super) const fn others(self) -> [Self; 2] {
         match self {
             Self::X => [Self::Y, Self::Z],

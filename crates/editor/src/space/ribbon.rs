@@ -307,7 +307,6 @@ fn make(ribs: &[Rib], look: &Look<'_>, color: Color32) -> (Arc<Mesh>, Arc<Lines>
     (Arc::new(mesh), Arc::new(strokes.finish()))
 }
 
-/// A piece of the ribbon, if it is seen.
 fn add_quad(
     mesh: &mut Mesh,
     look: &Look<'_>,

@@ -125,7 +125,6 @@ pub(super) struct Scene {
 }
 
 impl Scene {
-    /// Brings everything up to date.
     pub(super) fn update(&mut self, document: &Document, look: &Look<'_>) -> Result<()> {
         let seen = look.seen();
         let other_look = self.seen.as_ref() != Some(&seen);
@@ -159,7 +158,6 @@ impl Scene {
         &self.still
     }
 
-    /// Paints curve and crosses.
     pub(super) fn paint(&self, painter: &Painter, viewport: Rect) {
         let add = |lines: &Arc<Lines>| {
             if !lines.lines.is_empty() {

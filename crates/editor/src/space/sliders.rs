@@ -21,7 +21,6 @@ const NUMBER: f32 = 56.0;
 const EDGE: f32 = 12.0;
 const GAP: f32 = 8.0;
 
-/// One of the three.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Part {
     Size,
@@ -90,7 +89,6 @@ struct Sliders<'a> {
 }
 
 impl Sliders<'_> {
-    /// A row: name, slider, number.
     fn along(&mut self, ui: &mut Ui, part: Part) {
         let text = match part {
             Part::Size => self.editor.texts().space.size,

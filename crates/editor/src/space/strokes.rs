@@ -104,7 +104,6 @@ impl<'a> Strokes<'a> {
         self.phase = (self.phase + length) % period;
     }
 
-    /// A dashed line in space.
     pub(super) fn dashed(&mut self, from: DVec3, to: DVec3, width: f32, color: Color32) {
         let [from, to] = [from, to].map(|end| self.projection.image(end));
         self.flat_dashed(from, to, width, color);

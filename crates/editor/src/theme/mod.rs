@@ -96,7 +96,6 @@ impl Theme {
         }
     }
 
-    /// egui's name for it.
     pub(super) fn of_egui(self) -> egui::Theme {
         match self {
             Self::Dark => egui::Theme::Dark,
@@ -115,7 +114,6 @@ pub(super) fn palette_of(visuals: &Visuals) -> &'static Palette {
     if visuals.dark_mode { &DARK } else { &LIGHT }
 }
 
-/// Text size in points.
 pub(super) const TEXT: f32 = 13.0;
 pub(super) const ROW: f32 = 24.0;
 /// Distance between things that belong together.
