@@ -36,7 +36,6 @@ impl Content {
     }
 }
 
-/// Orientations of some points together.
 pub(super) fn count_orientations(points: &[SupportPoint]) -> usize {
     points.iter().map(|point| point.orientations.len()).sum()
 }

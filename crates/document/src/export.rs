@@ -151,7 +151,6 @@ pub(super) fn push_json_pose(text: &mut Vec<u8>, pose: &Pose) {
     let _ = write!(text, "\"zoom\": {:?}}}", pose.zoom);
 }
 
-/// Appends a text as a JSON string.
 pub(super) fn push_json_text(out: &mut Vec<u8>, text: &str) {
     out.push(b'"');
     for character in text.chars() {

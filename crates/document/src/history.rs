@@ -62,7 +62,6 @@ impl Step {
         self.changes.reverse();
     }
 
-    /// Whether it holds nothing to take back.
     pub(super) fn is_empty(&self) -> bool {
         self.changes.is_empty()
     }

@@ -76,10 +76,6 @@ impl Default for Info {
 }
 
 impl Info {
-    /// A copy.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`.
     pub(super) fn try_clone(&self) -> Result<Self> {
         Ok(Self {
             title: copy_text(&self.title)?,

@@ -226,7 +226,6 @@ fn exchanged(points: transform::Changed) -> Result<Change> {
     Ok(Change::Several(changes))
 }
 
-/// The records of a block that is put in.
 fn put_in(content: &Content, inserted: block::Inserted) -> Result<(Change, Option<Selection>)> {
     let block::Inserted {
         at,
@@ -472,7 +471,6 @@ fn check_all_orientations(count: usize) -> Result<()> {
     Ok(())
 }
 
-/// The point of this number.
 pub(super) fn point(path: &CameraPath, at: usize) -> Result<&SupportPoint> {
     path.points.get(at).ok_or_else(|| {
         Error::from(OutOfRange::NoPoint {
@@ -482,7 +480,6 @@ pub(super) fn point(path: &CameraPath, at: usize) -> Result<&SupportPoint> {
     })
 }
 
-/// The orientation of this number.
 pub(super) fn orientation(path: &CameraPath, number: usize, at: usize) -> Result<&Orientation> {
     let point = point(path, number)?;
     point.orientations.get(at).ok_or_else(|| {

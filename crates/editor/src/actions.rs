@@ -1,6 +1,8 @@
 //! What can be asked for in the window. The views draw the state and return actions;
 //! [`Editor::act`] alone does them.
 
+use std::path::PathBuf;
+
 use glam::DVec3;
 
 use crate::document::{Edit, Selection};
@@ -9,8 +11,10 @@ use crate::limits::SPEEDS;
 use crate::number::Entry;
 use crate::path::{Orientation, Target, insertion};
 use crate::playing::Pace;
-use crate::setup::{ColourWindow, DisplayWindow, Setup, Theme};
+use crate::setup::{ColourWindow, DisplayWindow, Setup, Theme, View};
+use crate::space::Gesture;
 use crate::state::{Editor, Request};
+use crate::texts::refusals::of_edit;
 use crate::texts::{Language, fill};
 use crate::windows::{self, CurveWindow, HelpWindow, PointsWindow, SpaceWindow, SpeedWindow};
 
@@ -21,13 +25,9 @@ pub(super) enum Action {
     Load,
     /// Save under the known name, else ask for one.
     Save,
-    /// Ask for a name and save.
     SaveAs,
-    /// Close the window.
     Quit,
-    /// Take the last step back.
     Undo,
-    /// Do it again.
     Redo,
     /// `Pos.+`.
     AddPoint,
@@ -43,11 +43,9 @@ pub(super) enum Action {
     PreviousPoint,
     /// `Pos. >>`
     NextPoint,
-    /// A new point behind the last one.
     AppendPoint,
     /// A new point before the first one.
     PrependPoint,
-    /// A closed or an open path.
     SetClosed(bool),
     /// `Ori.+`.
     AddOrientation,
@@ -69,7 +67,6 @@ pub(super) enum Action {
     PasteOrientation,
     /// Write the poses to a file.
     Export,
-    /// Hand the poses over to the host.
     HandOver,
     /// Hand them over after each change, or do so no more.
     SwitchHandsOver,
@@ -78,23 +75,15 @@ pub(super) enum Action {
         /// In place of the current orientation.
         replace: bool,
     },
-    /// Open the curve window.
     Curve,
-    /// Open the speed-curve window.
     SpeedCurve,
-    /// Open the colour window.
     Colours,
-    /// Open the display window.
     Display,
-    /// Open the space window.
     Space,
-    /// Ask for a setup file and load it.
     LoadSetup,
-    /// Load a recent file.
     Recent(usize),
     /// Open unsaved work that was found, the one of this number in its window.
     Restore(usize),
-    /// Ask for a name and save the setup.
     SaveSetup,
     /// Dark, light, or as the desktop is.
     Theme(Option<Theme>),
@@ -102,35 +91,40 @@ pub(super) enum Action {
     SwitchCameraView,
     /// Play the flight, or stop.
     PlayOrPause,
-    /// Show the keys.
     Keys,
-    /// A change of the path.
     Edit(Edit),
     /// What was entered into a number of the path.
     Enter(Entry<Edit>),
     /// The same of what stands at the playhead between two keys: it is added first.
     EnterMissing(Entry<Edit>),
+    /// A part of a drag in the movement window.
+    Gesture(Gesture),
+    Select(Selection),
+    AimAt(DVec3),
+    /// Let every orientation of the path look there.
+    AimAllAt(DVec3),
+    /// See the space from there.
+    View(View),
     /// What was entered into a number of the play bar, as a frame.
     Playhead(Entry),
     /// Play again and again, or once.
     SwitchLoops,
     /// Play slower or faster.
     Pace(Pace),
-    /// Colours, what is shown, from where.
     Setup(Box<Setup>),
     /// A language of the window, or the environment's.
     Language(Option<Language>),
-    /// Keep ten speeds for pasting.
     CopySpeeds([f64; SPEEDS]),
     /// Apply what waits in the curve window; true: and close it.
     ApplyCurve(bool),
     /// Apply what waits in the space window; true: and close it.
     ApplySpace(bool),
-    /// Save, and then go on.
+    FileChosen(Purpose, PathBuf),
+    /// Discard unsaved work that was found, the one of this number in its window.
+    Discard(usize),
     SaveBefore(Then),
     /// Go on, whatever is lost.
     GoOn(Then),
-    /// Load the file anew that has changed.
     Reload,
     /// Save under another name, and then go on.
     SaveAsBefore(Option<Then>),
@@ -161,6 +155,8 @@ impl Action {
             Self::Edit(_)
                 | Self::Enter(_)
                 | Self::EnterMissing(_)
+                | Self::Gesture(_)
+                | Self::View(_)
                 | Self::Playhead(_)
                 | Self::SwitchLoops
                 | Self::Pace(_)
@@ -169,6 +165,8 @@ impl Action {
                 | Self::CopySpeeds(_)
                 | Self::ApplyCurve(_)
                 | Self::ApplySpace(_)
+                | Self::FileChosen(..)
+                | Self::Discard(_)
                 | Self::SaveBefore(_)
                 | Self::GoOn(_)
                 | Self::Reload
@@ -181,21 +179,31 @@ impl Action {
 }
 
 impl Editor {
-    /// Does what a view returned.
+    /// Shows a part of the window, and does what it asks for before the next is shown.
+    pub(super) fn part<R>(
+        &mut self,
+        context: &egui::Context,
+        view: impl FnOnce(&Self, &mut Vec<Action>) -> R,
+    ) -> R {
+        let mut actions = Vec::new();
+        let shown = view(self, &mut actions);
+        self.act_all(actions, context);
+        shown
+    }
+
     pub(super) fn act_all(&mut self, actions: Vec<Action>, context: &egui::Context) {
         for action in actions {
             self.act(action, context);
         }
     }
 
-    /// Does an action.
     pub(super) fn act(&mut self, action: Action, context: &egui::Context) {
         if action.is_command() {
             self.message = None;
         }
         let Selection { point, orientation } = self.document.selection();
         match action {
-            Action::Load => self.ask_to_load(),
+            Action::Load => self.ask_before(Then::Load),
             Action::Save => {
                 self.save(None);
             }
@@ -285,6 +293,17 @@ impl Editor {
             }
             Action::Enter(entry) => self.enter(entry),
             Action::EnterMissing(entry) => self.enter_missing(entry),
+            Action::Gesture(gesture) => self.gesture(gesture),
+            Action::Select(Selection { point, orientation }) => {
+                if let Err(error) = self.document.select(point, orientation) {
+                    self.complain_of(&error);
+                }
+            }
+            Action::AimAt(place) => {
+                self.set_orientation(|current| current.target = Target::Absolute(place));
+            }
+            Action::AimAllAt(place) => self.aim_all_at(place),
+            Action::View(view) => self.setup.view = view,
             Action::Playhead(entry) => self.enter_frame(entry),
             Action::SwitchLoops => self.switch_loops(context),
             Action::Pace(pace) => self.set_pace(pace, context),
@@ -303,6 +322,8 @@ impl Editor {
                 SpaceWindow::apply(self, closes);
                 context.request_repaint();
             }
+            Action::FileChosen(purpose, file) => self.file_chosen(purpose, &file),
+            Action::Discard(number) => self.discard_found(number),
             Action::SaveBefore(then) => self.save(Some(then)),
             Action::GoOn(then) => self.go_on(then),
             Action::Reload => self.reload(),
@@ -323,6 +344,33 @@ impl Editor {
         if !self.document.redo() {
             self.say(self.texts().output.nothing_to_redo);
         }
+    }
+
+    /// Does an edit; what hinders it stands in the output field.
+    pub(crate) fn edit(&mut self, edit: Edit) -> bool {
+        match self.document.apply(edit) {
+            Ok(()) => {
+                self.message = None;
+                self.tell_ambiguities();
+                true
+            }
+            Err(error) => {
+                self.complain(of_edit(self.language(), &error));
+                false
+            }
+        }
+    }
+
+    /// Does edits as one step of their own, or none of them.
+    pub(super) fn edit_all(&mut self, edits: impl IntoIterator<Item = Edit>) -> bool {
+        self.document.begin_step();
+        let done = edits.into_iter().all(|edit| self.edit(edit));
+        if done {
+            self.document.end_step();
+        } else {
+            self.document.cancel_step();
+        }
+        done
     }
 
     /// Puts points at equal distances on the way to the next one, where the camera flies
@@ -370,7 +418,7 @@ impl Editor {
     }
 
     /// Every camera looks at a place.
-    pub(super) fn aim_all_at(&mut self, place: DVec3) {
+    fn aim_all_at(&mut self, place: DVec3) {
         let aimed: Vec<Edit> = self
             .document
             .path()
@@ -389,15 +437,9 @@ impl Editor {
                 })
             })
             .collect();
-        self.document.begin_step();
-        for edit in aimed {
-            if !self.edit(edit) {
-                self.document.cancel_step();
-                return;
-            }
+        if self.edit_all(aimed) {
+            self.say(self.texts().orientation.all_aimed);
         }
-        self.document.end_step();
-        self.say(self.texts().orientation.all_aimed);
     }
 
     /// Whether a segment begins at the current point.
@@ -405,7 +447,6 @@ impl Editor {
         self.document.selection().point < self.document.path().segment_count()
     }
 
-    /// Makes a point current, and one of its orientations.
     pub(super) fn select(&mut self, point: usize, orientation: usize) {
         self.message = None;
         self.playing.leave();
@@ -434,14 +475,13 @@ impl Editor {
         }
     }
 
-    /// Number and count of something, in words.
     pub(super) fn number_of(text: &str, index: usize, count: usize) -> String {
         fill(text, &[&(index + 1), &count])
     }
 }
 
 /// `at` + `by`, round and round through `count`.
-fn round(at: usize, by: isize, count: usize) -> usize {
+pub(super) fn round(at: usize, by: isize, count: usize) -> usize {
     let count = count.max(1);
     let at = at % count;
     match by {

@@ -5,23 +5,21 @@ use egui::{
     Color32, Context, CornerRadius, Id, Key, Rect, Stroke, StrokeKind, Ui, UiBuilder, vec2,
 };
 
-use crate::host::pane as host_pane;
+use crate::actions::Action;
+use crate::number::Entry;
 use crate::panels::output;
 use crate::setup::Theme;
 use crate::space::camera_view;
 use crate::state::Editor;
 use crate::{keys, menu, panels, space, theme, windows};
 
-/// Height of the menu bar, in points.
 const BAR: f32 = 32.0;
 
-/// Width of the panels, in points.
 const PANELS: f32 = panels::WIDTH + 2.0 * MARGIN;
 
 /// What is higher and wider than this is no control but a part of the window.
 const LARGE: f32 = 160.0;
 
-/// Around the panels, in points.
 const MARGIN: f32 = 12.0;
 
 /// Shows everything, and does what was asked for.
@@ -34,7 +32,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let dragging = context.input(|input| input.pointer.any_down() || input.pointer.any_released());
     if !dragging && !editor.space.keeps_step_open() {
         // A drag whose end nobody saw: its control vanished meanwhile.
-        editor.document.end_step();
+        editor.act(Action::Enter(Entry::End), &context);
     }
     let mut actions = Vec::from_iter(editor.waiting.take());
     if !editor.windows.ask() {
@@ -86,7 +84,9 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         editor.act(action, &context);
     }
     show_focus(&context);
-    host_pane::add_what_lies_above(editor, &context, camera_view::id());
+    if let Some(pane) = &mut editor.host_pane {
+        pane.add_what_lies_above(&context, camera_view::id());
+    }
     editor.typing = keys::remember_typing(&context);
     if editor.stamp() != before {
         // What stands further up was shown before the change.

@@ -9,7 +9,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::error::ErrorKind;
-use crate::files::recovery::{self, Keeper, Origin};
+use crate::files::recovery::{self, Autosave, Origin};
 use crate::setup::file as setup_file;
 
 /// Loads bytes as a setup. They are refused with one sentence that names file
@@ -62,8 +62,8 @@ pub fn recovery(folder: &Path, bytes: &[u8]) {
         let (original, program) = (found.original.clone(), found.program.clone());
         let known = found.known;
         found.discard();
-        let mut keeper = Keeper::new(folder, &document);
-        keeper
+        let mut autosave = Autosave::new(folder, &document);
+        autosave
             .write(
                 &document,
                 &Origin {
@@ -73,7 +73,7 @@ pub fn recovery(folder: &Path, bytes: &[u8]) {
                 },
             )
             .expect("work to be kept");
-        drop(keeper);
+        drop(autosave);
         let mut again = recovery::find(folder, None);
         let kept = again.pop().expect("what was kept is found");
         assert!(again.is_empty());

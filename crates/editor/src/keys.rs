@@ -113,7 +113,6 @@ fn action_of(modifiers: Modifiers, key: Key) -> Option<Action> {
         .map(|shortcut| shortcut.2.clone())
 }
 
-/// The first shortcut of an action in words, if it has one.
 pub(super) fn words(language: Language, action: &Action) -> Option<String> {
     let &(modifiers, key, _) = SHORTCUTS.iter().find(|shortcut| shortcut.2 == *action)?;
     Some(combination(language, modifiers, key))

@@ -25,13 +25,11 @@ use crate::theme;
 /// What the user did to a number.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Entry<T = f64> {
-    /// Nothing.
     Idle,
     /// A drag begins: from here on all is one step.
     Begin,
     /// The value while it is dragged.
     Drag(T),
-    /// The drag is over.
     End,
     /// The drag was broken off: the value before it is wanted.
     Cancel,
@@ -56,7 +54,6 @@ impl Entry {
     }
 }
 
-/// A number to be shown.
 pub(super) struct Number<'a> {
     name: &'a str,
     label: &'a str,
@@ -125,7 +122,6 @@ impl<'a> Number<'a> {
         self
     }
 
-    /// A tooltip.
     pub(super) fn hint(mut self, hint: &'a str) -> Self {
         self.hint = hint;
         self
@@ -137,7 +133,6 @@ impl<'a> Number<'a> {
         self
     }
 
-    /// Decimals that are shown.
     pub(super) fn decimals(mut self, decimals: usize) -> Self {
         self.decimals = decimals;
         self
@@ -237,7 +232,6 @@ impl<'a> Number<'a> {
         entry
     }
 
-    /// The value in words.
     fn shown(&self, language: Language) -> String {
         match self.value {
             Some(value) => format!("{}{}", language.number(value, self.decimals), self.unit),

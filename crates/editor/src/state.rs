@@ -7,7 +7,7 @@ use crate::document::{Contents, Document, Edit};
 use crate::error::{Error, Result};
 use crate::files::Folders;
 use crate::files::Then;
-use crate::files::recovery::Keeper;
+use crate::files::recovery::Autosave;
 use crate::host::Program;
 use crate::host::Warnings;
 use crate::host::pane::HostPane;
@@ -87,7 +87,6 @@ pub enum Request {
 pub struct Editor {
     /// The path, its history, what is current.
     pub(super) document: Document,
-    /// Where it is saved.
     pub(super) file: Option<PathBuf>,
     /// The host's name for the window.
     pub(super) title: Option<String>,
@@ -97,25 +96,21 @@ pub struct Editor {
     pub(super) fixed_speeds: bool,
     pub(super) folders: Folders,
     pub(super) program: Program,
-    /// The host's own view.
     pub(super) host_view: HostView,
     /// Its camera as the host has shown it last.
     pub(super) ghost: Option<Pose>,
     /// Poses are handed over after each change.
     pub(super) hands_over: bool,
-    /// Where the host draws it.
     pub(super) host_pane: Option<HostPane>,
     /// What the file contained when it was read or written last; none if there was none.
     pub(super) known: Option<Contents>,
     /// The state that the host has by a hand-over after which nothing is unsaved.
     pub(super) handed: Option<u64>,
-    /// An orientation to be pasted.
     pub(super) copied: Option<Orientation>,
     /// Where the last file was chosen.
     pub(super) last_folder: Option<PathBuf>,
     /// What is to be done when what is typed at present has been applied.
     pub(super) waiting: Option<Action>,
-    /// A text is being typed.
     pub(super) typing: bool,
     /// What stands in the output field instead of the current pose.
     pub(super) message: Option<Message>,
@@ -123,16 +118,11 @@ pub struct Editor {
     pub(super) requests: Vec<Request>,
     /// Colours, what is shown, from where.
     pub(super) setup: Setup,
-    /// The movement window.
     pub(super) space: space::Space,
-    /// The bar below it.
     pub(super) playing: playing::Playing,
-    /// The sub-windows.
     pub(super) windows: windows::Windows,
-    /// Files that were open last.
     pub(super) recent: Vec<PathBuf>,
-    /// Keeps unsaved work, where there is a folder for it.
-    pub(super) keeper: Option<Keeper>,
+    pub(super) autosave: Option<Autosave>,
     /// Closing was asked for, and nothing has happened since.
     pub(super) closing: bool,
 }
@@ -178,7 +168,7 @@ impl Editor {
             playing: playing::Playing::default(),
             windows: windows::Windows::default(),
             recent: Vec::new(),
-            keeper: None,
+            autosave: None,
             closing: false,
         };
         editor.read_first_setup();
@@ -322,16 +312,6 @@ impl Editor {
         }
     }
 
-    /// Ends the step that a hand in space was at. The running coordinates give
-    /// way to the pose; what could not be done stays to be read.
-    pub(super) fn let_go(&mut self) {
-        self.document.end_step();
-        self.message.take_if(|message| !message.error);
-        if self.message.is_none() {
-            self.tell_ambiguities();
-        }
-    }
-
     /// What changes when something is done.
     pub(super) fn stamp(&self) -> impl PartialEq + use<> {
         let message = self.message.clone();
@@ -343,19 +323,16 @@ impl Editor {
         )
     }
 
-    /// The current point.
     pub(super) fn point(&self) -> Option<&SupportPoint> {
         let at = self.document.selection().point;
         self.document.path().points.get(at)
     }
 
-    /// The current orientation.
     pub(super) fn orientation(&self) -> Option<&Orientation> {
         let at = self.document.selection().orientation;
         self.point()?.orientations.get(at)
     }
 
-    /// The edit that changes the current orientation.
     pub(super) fn orientation_edit(&self, change: impl FnOnce(&mut Orientation)) -> Option<Edit> {
         let at = self.document.selection();
         let mut orientation = self.orientation()?.clone();
@@ -367,14 +344,12 @@ impl Editor {
         })
     }
 
-    /// Changes the current orientation.
     pub(super) fn set_orientation(&mut self, change: impl FnOnce(&mut Orientation)) {
         if let Some(edit) = self.orientation_edit(change) {
             self.edit(edit);
         }
     }
 
-    /// The language of the window.
     pub(super) fn language(&self) -> Language {
         self.setup.language.unwrap_or(self.given_language)
     }

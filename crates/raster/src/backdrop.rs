@@ -51,7 +51,6 @@ impl Backdrop {
         (painted, (same > painted).then_some(same))
     }
 
-    /// Keeps a tile as it is, and the fingerprint of what it shows.
     pub(super) fn keep(&mut self, hash: u64, tile: &mut Tile) {
         let nothing = || (0, Box::new([0; SIDE * SIDE]));
         let (kept, pixels) = self.pixels.get_or_insert_with(nothing);

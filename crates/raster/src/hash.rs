@@ -29,7 +29,6 @@ pub(super) fn pair(a: f32, b: f32) -> u64 {
     u64::from(a.to_bits()) << 32 | u64::from(b.to_bits())
 }
 
-/// A colour as a number, by its bits.
 #[inline(always)]
 pub(super) fn bits(color: Color32) -> u32 {
     u32::from_ne_bytes(color.to_array())

@@ -107,7 +107,6 @@ impl Key {
     }
 }
 
-/// The fingerprint of a whole mesh.
 fn fingerprint(mesh: &Mesh) -> u64 {
     // Side by side, since each waits for its last result.
     let texture = match mesh.texture_id {

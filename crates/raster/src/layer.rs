@@ -387,7 +387,6 @@ impl Layer {
         })
     }
 
-    /// Paints what the primitive puts into the tile at (x, y).
     pub(super) fn paint(
         &self,
         (x, y): (usize, usize),

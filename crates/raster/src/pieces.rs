@@ -6,7 +6,6 @@
 
 use egui::epaint::ClippedShape;
 
-/// Shapes in a piece.
 const PIECE: usize = 4;
 
 /// Sees that egui makes meshes of a few shapes each: of two pieces in a row one

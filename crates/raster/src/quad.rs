@@ -15,7 +15,6 @@ const NEAR: f32 = 1.0 / 64.0;
 
 /// An upright rectangle of one colour.
 pub(super) struct Quad {
-    /// Upper left and lower right corner.
     pub(super) low: Corner,
     pub(super) high: Corner,
 }

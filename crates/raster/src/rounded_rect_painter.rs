@@ -196,7 +196,6 @@ impl RoundedRectPainter {
             || (within(whole(x), cut.x0, cut.x1) && within(self.down, cut.y0, cut.y1))
     }
 
-    /// The colour within the border.
     pub(super) fn fill(&self) -> Color32 {
         self.fill
     }

@@ -13,11 +13,9 @@ use egui::{Color32, ImageData, Mesh, Pos2, Rect, TextureId, TexturesDelta, pos2}
 pub(super) enum Texels {
     /// White with premultiplied alpha: only the alpha.
     Coverage(Vec<u8>),
-    /// Any colours, premultiplied.
     Color(Vec<Color32>),
 }
 
-/// One texture.
 pub(super) struct Texture {
     pub(super) texels: Texels,
     pub(super) width: usize,
@@ -40,7 +38,6 @@ enum Changed {
 /// Texels along a side of a block.
 const BLOCK: usize = 8;
 
-/// All textures of one window.
 #[derive(Default)]
 pub(super) struct Textures {
     textures: HashMap<TextureId, Texture>,

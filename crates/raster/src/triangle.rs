@@ -18,7 +18,6 @@ pub(super) const STEPS: i32 = 256;
 /// products of coordinates fit: a million pixels.
 const FARTHEST: f32 = (1_u32 << 28) as f32;
 
-/// A corner in the target.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     /// Steps of 1/256 pixel from the left.
@@ -55,7 +54,6 @@ pub(super) fn first_pixel(at: i32) -> i32 {
     (at + STEPS / 2 - 1) >> 8
 }
 
-/// One triangle of a mesh, if it has corners that are there and finite.
 #[inline]
 pub(super) fn corners(mesh: &Mesh, triangle: usize, pixels_per_point: f32) -> Option<[Corner; 3]> {
     let &[a, b, c] = mesh.indices.get(triangle * 3..triangle * 3 + 3)? else {
@@ -143,7 +141,6 @@ enum Paint {
     Faded(Ink, [f64; 3]),
     /// Any colours, and one place in the texture.
     Shaded([Color32; 3]),
-    /// Any colours and the texture.
     Textured,
 }
 

@@ -5,6 +5,7 @@
 //! says when a transfer has waited long enough. Other programs are not trusted:
 //! what they ask for and what they send is bounded in size, number and time.
 
+use rustix::event::PollFlags;
 use std::cell::OnceCell;
 use std::os::fd::AsFd as _;
 use std::rc::Rc;
@@ -86,9 +87,6 @@ impl Clipboard {
     /// Offers a text to other programs. `time` is that of the user's action, on
     /// the server's clock. Another program that took the selection later than
     /// that keeps it.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn own(
         &mut self,
         connection: &Connection,
@@ -121,9 +119,6 @@ impl Clipboard {
     /// Asks for a selection's text. It comes as an [`Input::Paste`], or, if a
     /// place is given, as an [`Input::MiddleClickPaste`] there: now if it is our
     /// own, else later, or never.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn request(
         &mut self,
         connection: &Connection,
@@ -155,9 +150,6 @@ impl Clipboard {
     }
 
     /// Gives up what has taken too long.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn tick(&mut self, connection: &Connection, now: Instant) -> Result<()> {
         while let Some(late) = self.incoming.iter().position(|one| one.deadline() <= now) {
             self.incoming.remove(late).finish(connection)?;
@@ -169,9 +161,6 @@ impl Clipboard {
     }
 
     /// Takes what concerns selections; true if the event did.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn handle(
         &mut self,
         connection: &Connection,
@@ -244,9 +233,6 @@ impl Clipboard {
     /// Hands the clipboard's text over to the clipboard manager, if there is
     /// one, so that it outlives the window. Waits for that, but not longer than
     /// said; other events are lost meanwhile.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn hand_over(&mut self, connection: &Connection, limit: Duration) -> Result<()> {
         let end = Instant::now() + limit;
         let (Some(owner), Some(owned)) = (self.owner, &self.clipboard) else {
@@ -293,7 +279,7 @@ impl Clipboard {
                 }
                 None => {
                     let rest = end.saturating_duration_since(Instant::now());
-                    let waited = wait(connection.as_fd(), libc::POLLIN, rest);
+                    let waited = wait(connection.as_fd(), PollFlags::IN, rest);
                     waited.map_err(|error| connection.lost(ConnectionError::from(error)))?;
                 }
             }
@@ -562,7 +548,6 @@ fn which(connection: &Connection, selection: Atom) -> Option<Selection> {
         .find(|which| atom(connection, *which) == selection)
 }
 
-/// Whether a window was made by this connection.
 fn is_ours(connection: &Connection, window: Window) -> bool {
     let setup = connection.setup();
     window & !setup.resource_id_mask == setup.resource_id_base

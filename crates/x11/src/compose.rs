@@ -31,7 +31,6 @@ pub(super) struct Compose {
 }
 
 impl Compose {
-    /// Takes the next key.
     pub(super) fn feed(&mut self, keysym: Keysym) -> Fed {
         if self.table.is_none() {
             self.table = shared();

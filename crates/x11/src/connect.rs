@@ -2,19 +2,22 @@
 //!
 //! Every step has the same deadline. Whatever goes wrong becomes one sentence
 //! that names the display and the reason.
-#![allow(unsafe_code)] // system calls
+#![allow(unsafe_code)] // the mask of signals
 
 use std::io::{Error, ErrorKind, Result};
 use std::mem::MaybeUninit;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpStream, ToSocketAddrs};
-use std::os::fd::{AsFd, AsRawFd, OwnedFd};
+use std::os::fd::{AsFd, OwnedFd};
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
+use rustix::event::PollFlags;
+use rustix::io::Errno;
+use rustix::net::{AddressFamily, SocketAddrUnix, SocketFlags, SocketType};
 use x11rb::reexports::x11rb_protocol::parse_display::{self, ConnectAddress, ParsedDisplay};
 use x11rb::reexports::x11rb_protocol::xauth::{Family, get_auth};
 
-use super::stream::{descriptor, wait};
+use super::stream::wait;
 
 /// A socket, and how its peer is called in an authority file.
 pub(super) struct Peer {
@@ -63,36 +66,26 @@ pub(super) fn authority(peer: &Peer, display: u16) -> (Vec<u8>, Vec<u8>) {
 }
 
 fn unix(path: &str, deadline: Instant) -> Result<Peer> {
-    // SAFETY: all zero is a valid address structure.
-    let mut address = unsafe { MaybeUninit::<libc::sockaddr_un>::zeroed().assume_init() };
-    address.sun_family = libc::AF_UNIX as libc::sa_family_t;
-    if path.len() >= address.sun_path.len() || path.bytes().any(|byte| byte == 0) {
-        return Err(ErrorKind::InvalidInput.into());
-    }
-    for (place, byte) in address.sun_path.iter_mut().zip(path.bytes()) {
-        *place = byte as libc::c_char;
-    }
-    let kind = libc::SOCK_STREAM | libc::SOCK_CLOEXEC | libc::SOCK_NONBLOCK;
-    // SAFETY: no pointer is involved.
-    let socket = descriptor(unsafe { libc::socket(libc::AF_UNIX, kind, 0) })?;
-    let length = size_of_val(&address) as libc::socklen_t;
+    let address = SocketAddrUnix::new(path).map_err(|_| ErrorKind::InvalidInput)?;
+    let flags = SocketFlags::CLOEXEC | SocketFlags::NONBLOCK;
+    let (family, kind) = (AddressFamily::UNIX, SocketType::STREAM);
+    let socket = rustix::net::socket_with(family, kind, flags, None)?;
     // A local connection is made at once, or there are too many waiting already:
     // for that there is nothing to poll.
     loop {
-        // SAFETY: the address is whole and outlives the call.
-        let result =
-            unsafe { libc::connect(socket.as_raw_fd(), (&raw const address).cast(), length) };
-        if result == 0 {
-            break;
-        }
-        let error = Error::last_os_error();
-        match error.kind() {
-            ErrorKind::Interrupted => {}
-            ErrorKind::WouldBlock if Instant::now() < deadline => {
-                wait(socket.as_fd(), 0, Duration::from_millis(20)).ok();
+        match rustix::net::connect(&socket, &address) {
+            Ok(()) => break,
+            Err(Errno::INTR) => {}
+            Err(Errno::AGAIN) if Instant::now() < deadline => {
+                wait(
+                    socket.as_fd(),
+                    PollFlags::empty(),
+                    Duration::from_millis(20),
+                )
+                .ok();
             }
-            ErrorKind::WouldBlock => return Err(ErrorKind::TimedOut.into()),
-            _ => return Err(error),
+            Err(Errno::AGAIN) => return Err(ErrorKind::TimedOut.into()),
+            Err(error) => return Err(error.into()),
         }
     }
     Ok(Peer {
@@ -184,11 +177,5 @@ fn peer_name(ip: IpAddr) -> (Family, Vec<u8>) {
 
 /// This machine's name, as the window manager and the authority file know it.
 pub(super) fn host_name() -> Vec<u8> {
-    let mut name = vec![0_u8; 256];
-    // SAFETY: the pointer and the length are those of one vector; the last byte
-    // stays out, so that the name ends with a zero.
-    let result = unsafe { libc::gethostname(name.as_mut_ptr().cast(), name.len() - 1) };
-    let end = name.iter().position(|&byte| byte == 0).unwrap_or(0);
-    name.truncate(if result == 0 { end } else { 0 });
-    name
+    rustix::system::uname().nodename().to_bytes().to_vec()
 }

@@ -34,7 +34,6 @@ const EVENT: usize = 32;
 /// How long opening a window may take in all.
 const OPENING: Duration = Duration::from_secs(2);
 
-/// See the module.
 pub(super) struct Connection {
     raw: Raw,
     /// Which of the setup's screens is ours; it exists.
@@ -100,17 +99,14 @@ impl Connection {
         &self.display
     }
 
-    /// Our screen.
     pub(super) fn screen(&self) -> &xproto::Screen {
         &self.raw.setup().roots[self.screen]
     }
 
-    /// Our screen's number.
     pub(super) fn screen_number(&self) -> usize {
         self.screen
     }
 
-    /// The atoms.
     pub(super) fn atoms(&self) -> &Atoms {
         &self.atoms
     }
@@ -120,16 +116,12 @@ impl Connection {
         self.local
     }
 
-    /// The stream beneath.
     pub(super) fn stream(&self) -> &Stream {
         self.raw.stream()
     }
 
     /// The next event that is there, without waiting. One that cannot be read is
     /// left out.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn next(&self) -> Result<Option<Event>> {
         loop {
             match self.raw.poll_for_event() {
@@ -146,9 +138,6 @@ impl Connection {
 
     /// Waits for the answer to a question. `None` if the server answers with an
     /// error or not in time: neither ends the window.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn answer<R: TryParse>(
         &self,
         question: Result<Cookie<'_, Raw, R>, ConnectionError>,
@@ -163,18 +152,12 @@ impl Connection {
 
     /// Waits until the server has done what was asked. `false` if it refused or
     /// did not say so in time.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn done(&self, asked: Result<VoidCookie<'_, Raw>, ConnectionError>) -> Result<bool> {
         let result = asked.map_err(ReplyError::from).and_then(VoidCookie::check);
         Ok(self.excuse(result.map_err(ReplyOrIdError::from))?.is_some())
     }
 
     /// A result without those failures that do not end the window.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn excuse<T>(&self, result: Result<T, ReplyOrIdError>) -> Result<Option<T>> {
         match result {
             Ok(value) => Ok(Some(value)),

@@ -10,9 +10,7 @@ use x11rb::protocol::xproto::{GetKeyboardMappingReply, GetModifierMappingReply};
 
 /// Bits of the modifiers in an event's state.
 pub(super) const SHIFT: u16 = 1;
-/// Caps lock, or shift lock.
 pub(super) const LOCK: u16 = 1 << 1;
-/// Control.
 pub(super) const CONTROL: u16 = 1 << 2;
 /// The first of the modifiers without a fixed meaning.
 pub(super) const MOD1: u16 = 1 << 3;

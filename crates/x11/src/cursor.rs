@@ -18,7 +18,6 @@ use x11rb::resource_manager::Database;
 use super::connection::Connection;
 use crate::error::Result;
 
-/// See the module.
 #[derive(Default)]
 pub(super) struct Cursors {
     /// What the theme is loaded by; outer none if not yet asked for.
@@ -28,16 +27,12 @@ pub(super) struct Cursors {
 }
 
 impl Cursors {
-    /// Nothing is loaded yet.
     pub(super) fn new() -> Self {
         Self::default()
     }
 
     /// Gives a window this shape. The database is the user's X resources: the
     /// theme's name and size stand there.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn apply(
         &mut self,
         connection: &Connection,

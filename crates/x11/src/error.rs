@@ -72,7 +72,7 @@ pub enum Cause {
     #[error("the screen shows no true colours, which are needed")]
     NoTrueColour,
     #[error("it cannot keep a pane")]
-    NoKeeper,
+    NoSaveSet,
     #[error("the X server does not answer")]
     Silent,
     #[error("the X server has no more identifiers")]

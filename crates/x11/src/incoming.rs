@@ -40,7 +40,6 @@ pub(super) struct Incoming {
     pub(super) place: Option<Pos2>,
     /// Which of [`targets`] was asked for.
     target: usize,
-    /// It comes in pieces.
     pieces: bool,
     kind: Atom,
     bytes: Vec<u8>,
@@ -51,13 +50,10 @@ pub(super) struct Incoming {
 /// What a transfer has come to.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Step {
-    /// It goes on.
     Underway,
-    /// It is over, and this came of it.
     Over(Option<String>),
 }
 
-/// One property as it was read.
 enum Read {
     /// There is none.
     Missing,
@@ -72,9 +68,6 @@ enum Read {
 impl Incoming {
     /// Asks the owner of a selection for its text. Nothing if the server gives
     /// no more windows.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn start(
         connection: &Connection,
         selection: Atom,
@@ -103,7 +96,6 @@ impl Incoming {
         Ok(Some(incoming))
     }
 
-    /// The window that the answers come to.
     pub(super) fn window(&self) -> Window {
         self.window
     }
@@ -114,9 +106,6 @@ impl Incoming {
     }
 
     /// The owner has answered.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn answered(
         &mut self,
         connection: &Connection,
@@ -151,9 +140,6 @@ impl Incoming {
 
     /// A property of the window has a new value: the next piece, if pieces are
     /// what we wait for.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn written(
         &mut self,
         connection: &Connection,
@@ -177,9 +163,6 @@ impl Incoming {
 
     /// Leaves nothing of it on the server; what is still sent, is sent to
     /// nobody.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn finish(self, connection: &Connection) -> Result<()> {
         let destroyed = connection.destroy_window(self.window);
         destroyed
@@ -286,9 +269,6 @@ fn clean(text: &str) -> String {
 }
 
 /// Makes a window that is never seen, for selections.
-///
-/// # Errors
-/// `ErrorKind::Display` if the server is gone.
 pub(super) fn create(connection: &Connection, window: Window, events: EventMask) -> Result<()> {
     let root = connection.screen().root;
     let aux = CreateWindowAux::new().event_mask(events);

@@ -23,9 +23,7 @@ use super::core_keymap::{CONTROL, MOD1, SHIFT};
 use super::keymap::{KEYBOARD, Keymap, Meaning};
 use crate::error::Result;
 
-/// See the module.
 pub(super) struct Keyboard {
-    /// The keyboard extension is there.
     extension: bool,
     keymap: Option<Keymap>,
     /// The keymap is to be asked for before it is used again.
@@ -61,9 +59,6 @@ struct Release {
 
 impl Keyboard {
     /// A keyboard of which nothing is known yet.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn new(connection: &Connection) -> Result<Self> {
         let found = connection
             .extension_information(xkb::X11_EXTENSION_NAME)
@@ -99,7 +94,6 @@ impl Keyboard {
         }
     }
 
-    /// The modifiers that are held.
     pub(super) fn modifiers(&self) -> Modifiers {
         let alt = self.keymap.as_ref().map_or(MOD1, Keymap::alt);
         let held = |bits| self.state & bits != 0;
@@ -129,9 +123,6 @@ impl Keyboard {
     /// Takes what concerns the keyboard: keys, its keymap, its modifiers. Looks
     /// at the focus and at the modifiers in the pointer's events too, but leaves
     /// those to others. True if the event was the keyboard's.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn handle(
         &mut self,
         connection: &Connection,
@@ -177,9 +168,6 @@ impl Keyboard {
     }
 
     /// To be called when there are no more events for now.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn settle(&mut self, connection: &Connection, out: &mut Vec<Input>) -> Result<()> {
         self.release_waiting(out);
         // Who changes the keymap to type what it lacks changes it back soon.

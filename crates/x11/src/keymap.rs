@@ -45,9 +45,6 @@ pub(super) struct Keymap {
 impl Keymap {
     /// Asks the server. With `extension` its keyboard extension is asked first;
     /// it must have been set up. `None` if the server does not answer sensibly.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn load(connection: &Connection, extension: bool) -> Result<Option<Self>> {
         let setup = connection.setup();
         let first = setup.min_keycode;
@@ -142,7 +139,6 @@ const GROUPS: u32 = 4;
 /// The end of Latin Extended-B: what follows are other alphabets.
 const LAST_LATIN: char = '\u{250}';
 
-/// The group of an event's state.
 fn group(state: u16) -> u32 {
     u32::from(state >> 13) & 3
 }

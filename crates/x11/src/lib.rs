@@ -23,12 +23,12 @@ mod error;
 mod events;
 mod icon;
 mod incoming;
-mod keeper;
 mod keyboard;
 mod keymap;
 mod keys;
 mod outgoing;
 mod pane;
+mod pane_pool;
 mod pixels;
 mod pointer;
 mod present;
@@ -181,7 +181,6 @@ struct Focus {
     own: bool,
     /// It belongs to the window under the pointer, and this is it.
     by_pointer: bool,
-    /// What egui was told.
     told: bool,
 }
 

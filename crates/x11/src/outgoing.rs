@@ -40,9 +40,6 @@ pub(super) fn piece(connection: &Connection) -> usize {
 
 impl Outgoing {
     /// Announces the pieces.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn start(
         connection: &Connection,
         (requestor, property): (Window, Atom),
@@ -67,7 +64,6 @@ impl Outgoing {
         })
     }
 
-    /// Whom it goes to.
     pub(super) fn requestor(&self) -> Window {
         self.requestor
     }
@@ -84,9 +80,6 @@ impl Outgoing {
 
     /// The other has taken what was written: writes the next piece, an empty
     /// one at the end. True if that was the end.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` if the server is gone.
     pub(super) fn taken(&mut self, connection: &Connection, now: Instant) -> Result<bool> {
         self.patience = now + PATIENCE;
         let rest = self.bytes.get(self.sent..).unwrap_or_default();
@@ -107,9 +100,6 @@ impl Outgoing {
 }
 
 /// Has the server tell us what becomes of a foreign window, or not.
-///
-/// # Errors
-/// `ErrorKind::Display` if the server is gone.
 pub(super) fn listen(connection: &Connection, window: Window, listen: bool) -> Result<()> {
     let events = match listen {
         true => EventMask::PROPERTY_CHANGE | EventMask::STRUCTURE_NOTIFY,

@@ -16,7 +16,7 @@ use x11rb::protocol::xproto::{
 
 use super::connection::Connection;
 use super::events::SENT;
-use super::{Window, keeper, window};
+use super::{Window, pane_pool, window};
 use crate::error::Result;
 use crate::raster::Area;
 
@@ -40,7 +40,6 @@ pub struct PaneWindow {
     pub height: u32,
 }
 
-/// The pane that is shown.
 pub(super) struct Pane {
     window: u32,
     place: PanePlace,
@@ -75,10 +74,10 @@ impl Window {
 
     fn open_pane(&mut self, place: &PanePlace) -> Result<bool> {
         let connection = &self.connection;
-        if !keeper::can(connection)? {
+        if !pane_pool::can(connection)? {
             return Ok(false);
         }
-        let Ok(Some(pane)) = keeper::take(connection.display()) else {
+        let Ok(Some(pane)) = pane_pool::take(connection.display()) else {
             return Ok(false);
         };
         // Of its end we hear as its parent.
@@ -93,7 +92,7 @@ impl Window {
                 .change_window_attributes(window, &listen)
                 .map_err(lost)?;
         }
-        keeper::save_in(connection, pane, SaveSetMode::INSERT)?;
+        pane_pool::save_in(connection, pane, SaveSetMode::INSERT)?;
         let [x, y] = corner(place.area);
         connection.reparent_window(pane, ours, x, y).map_err(lost)?;
         let mut made = Pane {
@@ -119,10 +118,10 @@ impl Window {
         let deaf = ChangeWindowAttributesAux::new().event_mask(EventMask::NO_EVENT);
         let asked = connection.change_window_attributes(pane.window, &deaf);
         asked.map_err(|error| connection.lost(error))?;
-        let forgotten = keeper::save_in(connection, pane.window, SaveSetMode::DELETE);
+        let forgotten = pane_pool::save_in(connection, pane.window, SaveSetMode::DELETE);
         // All that was asked for the pane is done before it goes.
         let done = forgotten.and_then(|()| connection.answer(connection.get_input_focus()));
-        keeper::park(connection.display(), pane.window);
+        pane_pool::park(connection.display(), pane.window);
         done.map(drop)
     }
 
@@ -144,7 +143,7 @@ impl Window {
                 } else if event.event == pane.window {
                     pane.children.retain(|&child| child != event.window);
                     let display = self.connection.display();
-                    keeper::save(display, event.window, SaveSetMode::DELETE);
+                    pane_pool::save(display, event.window, SaveSetMode::DELETE);
                 }
             }
             Event::DestroyNotify(event) if event.response_type & SENT == 0 => {
@@ -202,7 +201,7 @@ impl Pane {
         if !self.children.contains(&child) {
             self.children.push(child);
         }
-        keeper::save(connection.display(), child, SaveSetMode::INSERT);
+        pane_pool::save(connection.display(), child, SaveSetMode::INSERT);
         self.fill(connection, child)
     }
 

@@ -28,7 +28,6 @@ impl Pointer {
         }
     }
 
-    /// The pointer came into the window.
     pub(super) fn entered(&mut self, pos: Pos2, out: &mut Vec<Event>) {
         self.inside = true;
         self.moved(pos, out);

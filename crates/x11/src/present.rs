@@ -53,7 +53,6 @@ pub(super) struct Surface {
     store: Store,
     /// The server takes shared memory.
     shares: bool,
-    /// The buffer has something painted in it.
     painted: bool,
     /// What is to be shown when the frame on its way has arrived.
     waiting: Vec<Area>,
@@ -115,9 +114,6 @@ impl Surface {
     }
 
     /// Finds out whether the server takes shared memory, by a try.
-    ///
-    /// # Errors
-    /// The server is gone.
     pub(super) fn try_sharing(&mut self, connection: &Connection) -> Result<()> {
         if !connection.is_local() {
             return Ok(());
@@ -149,7 +145,6 @@ impl Surface {
         Ok(())
     }
 
-    /// The size of the buffer.
     pub(super) fn size(&self) -> (u32, u32) {
         self.size
     }
@@ -160,7 +155,6 @@ impl Surface {
         (width, height.clamp(1, LONGEST).min(MOST_PIXELS / width))
     }
 
-    /// Nothing is on its way.
     pub(super) fn is_free(&self) -> bool {
         matches!(self.flight, Flight::None)
     }
@@ -240,9 +234,6 @@ impl Surface {
 
     /// These parts of the window are to be shown: now, or after the frame that
     /// is on its way.
-    ///
-    /// # Errors
-    /// The server is gone.
     pub(super) fn show(&mut self, connection: &Connection, areas: &[Area]) -> Result<()> {
         for &area in areas {
             areas::add(&mut self.waiting, area, self.size);
@@ -251,9 +242,6 @@ impl Surface {
     }
 
     /// Sends what can be sent.
-    ///
-    /// # Errors
-    /// The server is gone.
     pub(super) fn go_on(&mut self, connection: &Connection) -> Result<()> {
         if self.is_free() && self.painted && !self.waiting.is_empty() {
             let areas = std::mem::take(&mut self.waiting);
@@ -374,9 +362,6 @@ impl Surface {
     }
 
     /// A piece has arrived, by its message. True if that was the frame's last.
-    ///
-    /// # Errors
-    /// The server is gone.
     pub(super) fn arrived(&mut self, connection: &Connection, serial: u32) -> Result<bool> {
         if let Flight::Pieces { under_way, .. } = &mut self.flight {
             // Only of those that are under way: anybody can send messages.
@@ -392,9 +377,6 @@ impl Surface {
     /// Looks at an error that the server sent: was it about something of ours
     /// here? Then the frame is given up; what shared memory did not bring is sent
     /// as an image. True if a frame was on its way.
-    ///
-    /// # Errors
-    /// The server is gone.
     pub(super) fn failed(&mut self, connection: &Connection, error: &X11Error) -> Result<bool> {
         let known = connection
             .extension_information(shm::X11_EXTENSION_NAME)

@@ -8,9 +8,6 @@ use crate::error::Result;
 
 /// Asks for the desktop's settings, the resources of the root window; `None` if
 /// nobody answers.
-///
-/// # Errors
-/// The server is gone.
 pub(super) fn ask(connection: &Connection) -> Result<Option<Database>> {
     let mut question = Database::GET_RESOURCE_DATABASE;
     question.window = root(connection);

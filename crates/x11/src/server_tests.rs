@@ -1,6 +1,7 @@
 //! Servers that are not there, that refuse, that stand still or go away.
 #![allow(unsafe_code)] // signals for servers of our own
 
+use rustix::event::PollFlags;
 use std::os::fd::AsFd;
 use std::process::Command;
 use std::time::{Duration, Instant};
@@ -38,7 +39,7 @@ fn signal(server: &Server, signal: i32) {
 
 /// Does what an owner does at each turn.
 fn turn(window: &mut Window) -> crate::error::Result<bool> {
-    wait(window.as_fd(), libc::POLLIN, Duration::from_millis(5)).unwrap();
+    wait(window.as_fd(), PollFlags::IN, Duration::from_millis(5)).unwrap();
     let news = window.poll()?;
     window.take_input();
     if let Some(target) = window.target() {

@@ -19,7 +19,6 @@ use crate::error::Result;
 /// hundred.
 const MOST_WORDS: u32 = 16 << 10;
 
-/// The setting with the theme's name.
 const THEME: &[u8] = b"Net/ThemeName";
 
 /// What the desktop wants.
@@ -38,9 +37,6 @@ pub(super) struct Settings {
 impl Settings {
     /// Asks the settings manager, if there is one; hears of changes from now on.
     /// The one of the first screen, as the resources are.
-    ///
-    /// # Errors
-    /// The server is gone.
     pub(super) fn ask(connection: &Connection) -> Result<Self> {
         let mut settings = Self::default();
         settings.find(connection)?;
@@ -90,9 +86,6 @@ impl Settings {
 
     /// Reads what has changed; true if that makes a difference. Once for all
     /// changes that were noted, so that a flood of them costs little.
-    ///
-    /// # Errors
-    /// The server is gone.
     pub(super) fn renew(&mut self, connection: &Connection) -> Result<bool> {
         let before = self.dark;
         let stale = std::mem::take(&mut self.stale);
@@ -134,7 +127,6 @@ fn is_dark(settings: &[u8]) -> Option<bool> {
     (!name.is_empty()).then(|| words.into_iter().any(is_dark))
 }
 
-/// The theme's name.
 fn theme(settings: &[u8]) -> Option<&[u8]> {
     let mut rest = Reader {
         bytes: settings,
@@ -167,7 +159,6 @@ fn theme(settings: &[u8]) -> Option<&[u8]> {
     None
 }
 
-/// Reads on, as far as there is something.
 struct Reader<'a> {
     bytes: &'a [u8],
     big_endian: bool,

@@ -1,6 +1,7 @@
 //! The desktop's settings manager: there, gone, changing its mind, or writing
 //! what it likes.
 
+use rustix::event::PollFlags;
 use std::os::fd::AsFd as _;
 use std::time::{Duration, Instant};
 
@@ -112,7 +113,7 @@ fn open(server: &Server) -> Window {
 /// Waits until egui is told this.
 fn hears(window: &mut Window, wanted: Option<egui::Theme>) {
     until("the desktop's theme", || {
-        wait(window.as_fd(), libc::POLLIN, Duration::from_millis(5)).unwrap();
+        wait(window.as_fd(), PollFlags::IN, Duration::from_millis(5)).unwrap();
         window.poll().unwrap();
         (window.take_input().system_theme == wanted).then_some(())
     });
@@ -271,7 +272,7 @@ fn what_is_not_answered_changes_nothing() {
     manager.theme("Adwaita");
     let start = Instant::now();
     for _ in 0..20 {
-        wait(window.as_fd(), libc::POLLIN, Duration::from_millis(5)).unwrap();
+        wait(window.as_fd(), PollFlags::IN, Duration::from_millis(5)).unwrap();
         window.poll().unwrap();
         assert_eq!(said(&mut window), (Some(egui::Theme::Dark), 2.0));
     }

@@ -4,13 +4,13 @@
 //! happens, sealed against shrinking, so that the server may trust it, and with
 //! all its pages taken beforehand, so that a lack of memory is an error here
 //! and not a signal later.
-#![allow(unsafe_code)] // system calls, mapped memory
+#![allow(unsafe_code)] // mapped memory
 
 use std::io::{Error, Result};
 use std::os::fd::{AsRawFd, OwnedFd};
 use std::ptr::NonNull;
 
-use super::stream::descriptor;
+use rustix::fs::{FallocateFlags, MemfdFlags, SealFlags, fallocate, fcntl_add_seals, memfd_create};
 
 /// A run of pixels or bytes.
 #[derive(Debug)]
@@ -28,20 +28,10 @@ impl Memory {
     /// The system's; there is no memory left.
     pub(super) fn new(length: usize) -> Result<(Self, OwnedFd)> {
         let length = length.max(1).next_multiple_of(4096);
-        let flags = libc::MFD_CLOEXEC | libc::MFD_ALLOW_SEALING;
-        // SAFETY: the name ends with a zero.
-        let file = descriptor(unsafe { libc::memfd_create(c"vides".as_ptr(), flags) })?;
-        let raw = file.as_raw_fd();
-        let size = libc::off_t::try_from(length).map_err(Error::other)?;
-        // SAFETY: no pointer is involved.
-        if unsafe { libc::fallocate(raw, 0, 0, size) } != 0 {
-            return Err(Error::last_os_error());
-        }
-        let seals = libc::F_SEAL_SHRINK | libc::F_SEAL_GROW | libc::F_SEAL_SEAL;
-        // SAFETY: no pointer is involved.
-        if unsafe { libc::fcntl(raw, libc::F_ADD_SEALS, seals) } != 0 {
-            return Err(Error::last_os_error());
-        }
+        let flags = MemfdFlags::CLOEXEC | MemfdFlags::ALLOW_SEALING;
+        let file = memfd_create("vides", flags)?;
+        fallocate(&file, FallocateFlags::empty(), 0, length as u64)?;
+        fcntl_add_seals(&file, SealFlags::SHRINK | SealFlags::GROW | SealFlags::SEAL)?;
         let protection = libc::PROT_READ | libc::PROT_WRITE;
         // SAFETY: a new mapping where the system likes; it replaces none.
         let start = unsafe {
@@ -50,7 +40,7 @@ impl Memory {
                 length,
                 protection,
                 libc::MAP_SHARED,
-                raw,
+                file.as_raw_fd(),
                 0,
             )
         };

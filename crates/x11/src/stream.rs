@@ -7,15 +7,18 @@
 //! an answer is waited for, and no longer than [`PATIENCE`] allows.
 //!
 //! It knows nothing of what the bytes mean.
-#![allow(unsafe_code)] // system calls
 
 use std::cell::{Cell, RefCell};
 use std::collections::VecDeque;
 use std::io::{Error, ErrorKind, IoSlice, Result};
 use std::mem::MaybeUninit;
-use std::os::fd::{AsFd, AsRawFd, BorrowedFd, FromRawFd, OwnedFd, RawFd};
+use std::os::fd::{AsFd, BorrowedFd, OwnedFd};
 use std::time::{Duration, Instant};
 
+use rustix::event::epoll::{self, EventData, EventFlags};
+use rustix::event::{PollFd, PollFlags, Timespec};
+use rustix::io::{Errno, retry_on_intr};
+use rustix::net::{RecvFlags, SendAncillaryBuffer, SendAncillaryMessage, SendFlags, recv, sendmsg};
 use x11rb::rust_connection::PollMode;
 use x11rb::utils::RawFdContainer;
 
@@ -89,13 +92,10 @@ struct Waiting {
 impl Stream {
     /// Takes a connected socket. Answers are waited for until `deadline`, or
     /// until [`Stream::settle`].
-    ///
-    /// # Errors
-    /// The system's.
     pub(super) fn new(socket: OwnedFd, deadline: Instant) -> Result<Self> {
-        // SAFETY: no pointer is involved.
-        let watch = descriptor(unsafe { libc::epoll_create1(libc::EPOLL_CLOEXEC) })?;
-        let stream = Self {
+        let watch = epoll::create(epoll::CreateFlags::CLOEXEC)?;
+        epoll::add(&watch, &socket, EventData::new_u64(0), EventFlags::IN)?;
+        Ok(Self {
             socket,
             watch,
             waiting: RefCell::default(),
@@ -105,9 +105,7 @@ impl Stream {
             rest: Cell::new(None),
             taken: Cell::new(0),
             ahead: Cell::new(0),
-        };
-        stream.set_watch(libc::EPOLL_CTL_ADD, libc::EPOLLIN)?;
-        Ok(stream)
+        })
     }
 
     /// The window stands: from now on each answer is waited for on its own.
@@ -121,7 +119,6 @@ impl Stream {
         self.watch.as_fd()
     }
 
-    /// The connection itself.
     pub(super) fn socket(&self) -> BorrowedFd<'_> {
         self.socket.as_fd()
     }
@@ -132,9 +129,6 @@ impl Stream {
     }
 
     /// Sends what waits, as far as it goes now.
-    ///
-    /// # Errors
-    /// The system's; the server is gone.
     pub(super) fn push(&self) -> Result<()> {
         let mut waiting = self.waiting.borrow_mut();
         let Waiting {
@@ -163,24 +157,12 @@ impl Stream {
     fn look_for_room(&self, waiting: &mut Waiting) -> Result<()> {
         let wanted = !waiting.bytes.is_empty();
         if wanted != waiting.watched {
-            let room = if wanted { libc::EPOLLOUT } else { 0 };
-            self.set_watch(libc::EPOLL_CTL_MOD, libc::EPOLLIN | room)?;
+            let mut events = EventFlags::IN;
+            events.set(EventFlags::OUT, wanted);
+            epoll::modify(&self.watch, &self.socket, EventData::new_u64(0), events)?;
             waiting.watched = wanted;
         }
         Ok(())
-    }
-
-    fn set_watch(&self, what: libc::c_int, events: libc::c_int) -> Result<()> {
-        let mut event = libc::epoll_event {
-            events: events.cast_unsigned(),
-            u64: 0,
-        };
-        let (watch, socket) = (self.watch.as_raw_fd(), self.socket.as_raw_fd());
-        // SAFETY: both descriptors are open, `event` outlives the call.
-        match unsafe { libc::epoll_ctl(watch, what, socket, &raw mut event) } {
-            0 => Ok(()),
-            _ => Err(Error::last_os_error()),
-        }
     }
 
     /// Takes all of `slices`: sends it, and keeps what the socket does not take.
@@ -264,16 +246,14 @@ impl x11rb::rust_connection::Stream for Stream {
         }
         loop {
             self.push()?;
-            let mut events = libc::POLLIN;
-            if self.waiting() > 0 {
-                events |= libc::POLLOUT;
-            }
+            let mut events = PollFlags::IN;
+            events.set(PollFlags::OUT, self.waiting() > 0);
             let left = awaited.end.saturating_duration_since(Instant::now());
             let ready = wait(self.socket.as_fd(), events, left)?;
-            if ready & !libc::POLLOUT != 0 {
+            if !(ready - PollFlags::OUT).is_empty() {
                 return Ok(()); // what it was is told by reading
             }
-            if ready == 0 && late() {
+            if ready.is_empty() && late() {
                 return Err(self.give_up(awaited));
             }
         }
@@ -286,19 +266,8 @@ impl x11rb::rust_connection::Stream for Stream {
         if taken >= MOST_AT_ONCE {
             return Err(ErrorKind::WouldBlock.into());
         }
-        let socket = self.socket.as_raw_fd();
         // Descriptors are never asked for; the system closes what comes anyway.
-        let count = again(|| {
-            // SAFETY: the pointer and the length are those of one slice.
-            unsafe {
-                libc::recv(
-                    socket,
-                    buf.as_mut_ptr().cast(),
-                    buf.len(),
-                    libc::MSG_DONTWAIT,
-                )
-            }
-        })?;
+        let (count, _) = retry_on_intr(|| recv(&self.socket, &mut *buf, RecvFlags::DONTWAIT))?;
         // What speaks after a silence is waited for again, from now on.
         let spoken = self.silent.replace(false);
         let awaited = self.awaited.get().filter(|_| !spoken);
@@ -320,28 +289,13 @@ impl x11rb::rust_connection::Stream for Stream {
     }
 }
 
-/// Waits for `events` at `socket`; which of them came, 0 for none.
-///
-/// # Errors
-/// The system's.
-pub(super) fn wait(
-    socket: BorrowedFd<'_>,
-    events: libc::c_short,
-    time: Duration,
-) -> Result<libc::c_short> {
-    let mut entry = libc::pollfd {
-        fd: socket.as_raw_fd(),
-        events,
-        revents: 0,
-    };
-    // Rounded up, so that a rest of less than a millisecond is not spun through.
-    let milliseconds = time.as_nanos().div_ceil(1_000_000);
-    let milliseconds = i32::try_from(milliseconds).unwrap_or(i32::MAX);
-    // SAFETY: one entry, which outlives the call.
-    match unsafe { libc::poll(&raw mut entry, 1, milliseconds) } {
-        -1 if Error::last_os_error().kind() == ErrorKind::Interrupted => Ok(0),
-        -1 => Err(Error::last_os_error()),
-        _ => Ok(entry.revents),
+/// Waits for `events` at `socket`; which of them came, none if the time is over.
+pub(super) fn wait(socket: BorrowedFd<'_>, events: PollFlags, time: Duration) -> Result<PollFlags> {
+    let mut entry = [PollFd::from_borrowed_fd(socket, events)];
+    let time = Timespec::try_from(time).ok();
+    match rustix::event::poll(&mut entry, time.as_ref()) {
+        Err(Errno::INTR) => Ok(PollFlags::empty()),
+        result => Ok(result.map(|_| entry[0].revents())?),
     }
 }
 
@@ -352,65 +306,17 @@ fn send(
     slices: &[IoSlice<'_>],
     descriptors: &mut Vec<OwnedFd>,
 ) -> Result<usize> {
-    const BYTES: usize = size_of::<RawFd>() * MOST_DESCRIPTORS;
-    // SAFETY: computes a number only.
-    const SPACE: usize = unsafe { libc::CMSG_SPACE(BYTES as u32) } as usize;
-    // Of 64-bit words, since a header must stand aligned.
-    let mut control = [0_u64; SPACE.div_ceil(8)];
-
-    // SAFETY: a header without name, data and control data, as C would zero it.
-    let mut message = unsafe { MaybeUninit::<libc::msghdr>::zeroed().assume_init() };
-    message.msg_iov = slices.as_ptr().cast_mut().cast(); // IoSlice is an iovec
-    message.msg_iovlen = slices.len() as _;
+    let mut space = [MaybeUninit::uninit(); rustix::cmsg_space!(ScmRights(MOST_DESCRIPTORS))];
+    let mut control = SendAncillaryBuffer::new(&mut space);
     let count = descriptors.len().min(MOST_DESCRIPTORS);
+    let first: Vec<_> = descriptors[..count].iter().map(OwnedFd::as_fd).collect();
     if count > 0 {
-        let bytes = (size_of::<RawFd>() * count) as u32;
-        message.msg_control = control.as_mut_ptr().cast();
-        // SAFETY: `control` has room for a header and `MOST_DESCRIPTORS`
-        // descriptors; the first header lies at its start, and only as many
-        // descriptors are written as its length says.
-        unsafe {
-            message.msg_controllen = libc::CMSG_SPACE(bytes) as _;
-            let header = libc::CMSG_FIRSTHDR(&raw const message);
-            (*header).cmsg_level = libc::SOL_SOCKET;
-            (*header).cmsg_type = libc::SCM_RIGHTS;
-            (*header).cmsg_len = libc::CMSG_LEN(bytes) as _;
-            let data = libc::CMSG_DATA(header).cast::<RawFd>();
-            for (place, descriptor) in descriptors.iter().take(count).enumerate() {
-                data.add(place).write_unaligned(descriptor.as_raw_fd());
-            }
-        }
+        control.push(SendAncillaryMessage::ScmRights(&first));
     }
-    let flags = libc::MSG_NOSIGNAL | libc::MSG_DONTWAIT;
-    // SAFETY: the message and all that it points to outlive the call, which
-    // changes none of it.
-    let sent = again(|| unsafe { libc::sendmsg(socket.as_raw_fd(), &raw const message, flags) })?;
+    let flags = SendFlags::NOSIGNAL | SendFlags::DONTWAIT;
+    let sent = retry_on_intr(|| sendmsg(socket, slices, &mut control, flags))?;
     descriptors.drain(..count);
     Ok(sent)
-}
-
-/// The call's result; repeated when a signal came between.
-fn again(mut call: impl FnMut() -> isize) -> Result<usize> {
-    loop {
-        match usize::try_from(call()) {
-            Ok(count) => return Ok(count),
-            Err(_) => {
-                let error = Error::last_os_error();
-                if error.kind() != ErrorKind::Interrupted {
-                    return Err(error);
-                }
-            }
-        }
-    }
-}
-
-/// A new descriptor as a system call returned it.
-pub(super) fn descriptor(result: libc::c_int) -> Result<OwnedFd> {
-    if result < 0 {
-        return Err(Error::last_os_error());
-    }
-    // SAFETY: the call has just made it, and nobody else has it.
-    Ok(unsafe { OwnedFd::from_raw_fd(result) })
 }
 
 #[cfg(test)]
@@ -431,7 +337,7 @@ mod tests {
     }
 
     fn ready(stream: &Stream) -> bool {
-        wait(stream.watch(), libc::POLLIN, Duration::ZERO).unwrap() != 0
+        wait(stream.watch(), PollFlags::IN, Duration::ZERO).unwrap() == PollFlags::IN
     }
 
     #[test]
@@ -454,7 +360,8 @@ mod tests {
                 got.extend(&buffer[..count]);
             }
             assert!(
-                stream.waiting() == 0 || wait(stream.watch(), libc::POLLIN, SOON).unwrap() != 0
+                stream.waiting() == 0
+                    || wait(stream.watch(), PollFlags::IN, SOON).unwrap() == PollFlags::IN
             );
             stream.push().unwrap();
         }

@@ -45,9 +45,6 @@ pub(super) struct Frame {
 
 /// Asks to be told of another resolution, and of a manager of settings that begins.
 /// Before they are looked at, so that nothing is missed in between.
-///
-/// # Errors
-/// The server is gone.
 pub(super) fn watch_desktop(connection: &Connection) -> Result<()> {
     let mask = EventMask::PROPERTY_CHANGE | EventMask::STRUCTURE_NOTIFY;
     let watch = ChangeWindowAttributesAux::new().event_mask(mask);
@@ -285,9 +282,6 @@ pub(super) fn set_sizes(
 }
 
 /// Another title, for new and for old window managers.
-///
-/// # Errors
-/// The server is gone.
 pub(super) fn set_title(connection: &Connection, window: u32, title: &str) -> Result<()> {
     let title = title.chars().filter(|c| !c.is_control());
     let title: String = title.take(LONGEST_TITLE).collect();
@@ -344,9 +338,6 @@ fn locale() -> String {
 }
 
 /// To the front, with the keyboard; `top` is the top-level window around it. `time` is that of the user's last action.
-///
-/// # Errors
-/// The server is gone.
 pub(super) fn raise(connection: &Connection, window: u32, top: u32, time: u32) -> Result<()> {
     let lost = |error| connection.lost(error);
     connection.map_window(window).map_err(lost)?;
@@ -368,9 +359,6 @@ pub(super) fn raise(connection: &Connection, window: u32, top: u32, time: u32) -
 }
 
 /// Answers a window manager that asks whether we are alive.
-///
-/// # Errors
-/// The server is gone.
 pub(super) fn answer_ping(connection: &Connection, question: &ClientMessageEvent) -> Result<()> {
     let root = connection.screen().root;
     let answer = ClientMessageEvent {

@@ -72,15 +72,11 @@ impl Comment {
 #[derive(Debug, Default)]
 pub(crate) struct Comments {
     all: Vec<Comment>,
-    /// Removals so far.
     removals: u64,
 }
 
 impl Comments {
     /// Those of a text that has been read without an error.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`.
     pub(crate) fn of(text: &str) -> Result<Self> {
         let mut comments = Self::default();
         // Elsewhere than in what we write there is nothing to be kept.
@@ -110,9 +106,6 @@ impl Comments {
     }
 
     /// A copy without what was removed.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`.
     pub(crate) fn try_clone(&self) -> Result<Self> {
         let mut copy = Self::default();
         copy.all.try_reserve_exact(self.all.len())?;
@@ -183,9 +176,6 @@ impl Comments {
     }
 
     /// The text of a document with the comments at their places.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`.
     pub(super) fn put_into(&self, text: String) -> Result<String> {
         let there = || self.all.iter().filter(|comment| comment.parked == 0);
         let sizes = there().map(|comment| comment.before.len() + comment.behind.len() + 2);

@@ -28,7 +28,6 @@ pub(super) const KEYS: [&str; 9] = [
     "zoom_slope_mm",
 ];
 
-/// What of one orientation has been read.
 #[derive(Default)]
 pub(super) struct Reader(Option<Own>);
 
@@ -77,7 +76,6 @@ impl Reader {
     }
 }
 
-/// Tangents of a point.
 pub(super) fn tangents(table: Field<'_>, space: Space) -> Result<Tangents> {
     let [before, after] = two_vectors(table, ["before", "after"])?;
     let tangents = Tangents { before, after };
@@ -242,13 +240,11 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
     Ok(part)
 }
 
-/// Tangents of a point.
 pub(super) fn write_tangents(out: &mut impl Write, tangents: &Tangents) -> fmt::Result {
     let (before, after) = (Vector(tangents.before), Vector(tangents.after));
     writeln!(out, "tangents = {{ before = {before}, after = {after} }}")
 }
 
-/// What an orientation owns.
 pub(super) fn write(out: &mut impl Write, owned: &MayOwn) -> fmt::Result {
     if owned.is_empty() {
         return Ok(());

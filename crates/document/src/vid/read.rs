@@ -88,7 +88,6 @@ pub(crate) fn scene_from_toml(text: &str) -> Result<(Scene, Info)> {
     reader.scene(end)
 }
 
-/// What has been read so far.
 struct Reader {
     path: CameraPath,
     info: Info,

@@ -96,7 +96,6 @@ impl Drafts {
         Ok(())
     }
 
-    /// The scene of all nodes.
     pub(super) fn finish(mut self, text: &str) -> Result<Scene> {
         let source = Source { text, start: 0 };
         let placed = |place, error| placed(source.line(place), error);
@@ -168,7 +167,6 @@ impl Drafts {
         Ok(scene)
     }
 
-    /// Puts the markers into a scene.
     pub(super) fn mark(self, mut scene: Scene, text: &str) -> Result<Scene> {
         let source = Source { text, start: 0 };
         for (place, name, frame) in self.markers {
@@ -345,7 +343,6 @@ fn beyond(field: Field<'_>) -> Result<Beyond> {
         .ok_or_else(|| field.error(Malformed::OneOf(&["hold", "repeat", "pingpong", "offset"])))
 }
 
-/// Numbers, or rows of equally many numbers.
 fn numbers(array: Field<'_>, rows: Option<usize>) -> Result<Vec<f64>> {
     let elements = array.elements()?;
     let mut all: Vec<f64> = Vec::new();

@@ -6,7 +6,8 @@
 //! six hundred times its size. So every byte is looked at: what may begin a
 //! token, a value, a table. Texts and comments are counted as if they were
 //! values, so it may be too much by far; `tests/parsing_memory.rs` holds it
-//! against what is really taken.
+//! against what is really taken. (The events of `toml_parser` come too late: they are
+//! made of a list of all tokens, which is the first thing that has to be bounded.)
 
 /// Bytes for a token, the list's doubling included.
 const TOKEN: usize = 60;

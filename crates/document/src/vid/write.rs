@@ -97,7 +97,6 @@ pub(super) fn space(out: &mut Text, space: Space, info: &Info) -> fmt::Result {
     object(out, &info.object)
 }
 
-/// The keys of a space.
 pub(super) fn place(out: &mut Text, space: Space) -> fmt::Result {
     writeln!(out, "centre = {}", Vector(space.centre))?;
     writeln!(out, "half_size = {:?}", space.half_size)?;

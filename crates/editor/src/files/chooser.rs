@@ -13,6 +13,7 @@ use egui::{
 };
 
 use super::listing::{Folder, MAX_ENTRIES, fits, is_hidden};
+use crate::actions::Action;
 use crate::document::export::Format;
 use crate::files::folders;
 use crate::files::{Purpose, readable, short};
@@ -22,29 +23,23 @@ use crate::texts::refusals::of_system;
 use crate::theme;
 use crate::windows::modal;
 
-/// Width of the window.
 const WIDTH: f32 = 520.0;
 /// Rows of the list that are seen at once, in a window that is high enough.
 const ROWS: f32 = 12.0;
 /// Width of the words before the fields.
 const LABELS: f32 = 88.0;
 
-/// A file that is being chosen.
 #[derive(Debug)]
 pub(crate) struct FileWindow {
     purpose: Purpose,
     folder: Folder,
-    /// The folder as it is typed.
     place: String,
-    /// The name as it is typed.
     name: String,
     /// The name behind a name that was chosen and cannot be typed.
     chosen: Option<OsString>,
     filter: String,
     hidden: bool,
-    /// What went wrong.
     trouble: Option<String>,
-    /// It exists: is it to be overwritten?
     overwrite: Option<PathBuf>,
     /// It has just opened or the question came up: the keyboard goes there.
     fresh: bool,
@@ -52,7 +47,6 @@ pub(crate) struct FileWindow {
     scroll: bool,
 }
 
-/// What was done in one pass.
 #[derive(Default)]
 struct Done {
     go: Option<PathBuf>,
@@ -88,8 +82,13 @@ impl FileWindow {
         window
     }
 
-    /// Shows it; it puts itself back if it stays open.
-    pub(crate) fn show(mut self, editor: &mut Editor, context: &Context) {
+    /// Shows it; false: it closes. What is chosen is an action, which closes it.
+    pub(crate) fn show(
+        &mut self,
+        editor: &Editor,
+        context: &Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
         self.folder.read_on();
         if self.folder.is_reading() {
             context.request_repaint();
@@ -116,20 +115,24 @@ impl FileWindow {
             }
         });
         if done.cancel || escape {
-            if asks {
-                self.overwrite = None;
-                self.fresh = true;
-                editor.windows.files = Some(self);
-            }
-            return;
+            self.overwrite = None;
+            self.fresh = true;
+            return asks;
         }
         if let Some(place) = done.go {
             self.go(editor, place);
-        } else if done.take && self.take(editor) {
-            return;
+        } else if done.take {
+            let file = self.take(editor);
+            actions.extend(file.map(|file| Action::FileChosen(self.purpose, tidy(&file))));
         }
-        // What was taken may have opened another file window.
-        editor.windows.files.get_or_insert(self);
+        true
+    }
+
+    /// Tells why what was chosen will not do.
+    pub(crate) fn refused(mut self, trouble: String) -> Self {
+        self.trouble = Some(trouble);
+        self.fresh = true;
+        self
     }
 
     /// Goes to a directory; where it cannot be read, all stays as it is.
@@ -169,7 +172,6 @@ impl FileWindow {
             .collect()
     }
 
-    /// The number of the chosen item.
     fn current(&self) -> Option<usize> {
         let chosen = self.chosen.as_ref()?;
         self.folder
@@ -232,16 +234,11 @@ impl FileWindow {
         ui.horizontal(|ui| {
             field(ui, texts.folder);
             let buttons = 2.0 * (88.0 + ui.spacing().item_spacing.x);
-            let edit = TextEdit::singleline(&mut self.place)
-                .id(Id::unique("files.place"))
-                .desired_width(ui.available_width() - buttons)
-                .frame(theme::field(ui))
-                .align(egui::Align2::LEFT_CENTER)
-                .margin(egui::Margin::symmetric(6, 0))
-                .min_size(vec2(0.0, theme::ROW));
-            let response = ui.add(edit).on_hover_text(texts.folder_hint);
-            ui.ctx()
-                .accesskit_node_builder(response.id, |node| node.set_label(texts.folder));
+            let (width, words) = (
+                ui.available_width() - buttons,
+                (texts.folder, texts.folder_hint),
+            );
+            let response = theme::line_edit(ui, &mut self.place, "files.place", width, words);
             let known = self.place == readable(self.folder.path.as_os_str());
             if entered(ui, &response) && !known {
                 done.go = Some(self.resolved(&self.place));
@@ -261,16 +258,8 @@ impl FileWindow {
         self.show_list(editor, ui, done);
         ui.horizontal(|ui| {
             field(ui, texts.name);
-            let edit = TextEdit::singleline(&mut self.name)
-                .id(Id::unique("files.name"))
-                .desired_width(ui.available_width())
-                .frame(theme::field(ui))
-                .align(egui::Align2::LEFT_CENTER)
-                .margin(egui::Margin::symmetric(6, 0))
-                .min_size(vec2(0.0, theme::ROW));
-            let response = ui.add(edit).on_hover_text(texts.name_hint);
-            ui.ctx()
-                .accesskit_node_builder(response.id, |node| node.set_label(texts.name));
+            let (width, words) = (ui.available_width(), (texts.name, texts.name_hint));
+            let response = theme::line_edit(ui, &mut self.name, "files.name", width, words);
             if self.fresh {
                 self.fresh = false;
                 response.request_focus();
@@ -285,16 +274,8 @@ impl FileWindow {
         });
         ui.horizontal(|ui| {
             field(ui, texts.filter);
-            let edit = TextEdit::singleline(&mut self.filter)
-                .id(Id::unique("files.filter"))
-                .desired_width(120.0)
-                .frame(theme::field(ui))
-                .align(egui::Align2::LEFT_CENTER)
-                .margin(egui::Margin::symmetric(6, 0))
-                .min_size(vec2(0.0, theme::ROW));
-            let response = ui.add(edit).on_hover_text(texts.filter_hint);
-            ui.ctx()
-                .accesskit_node_builder(response.id, |node| node.set_label(texts.filter));
+            let (width, words) = (120.0, (texts.filter, texts.filter_hint));
+            theme::line_edit(ui, &mut self.filter, "files.filter", width, words);
             ui.add_space(8.0);
             theme::tick(ui, &mut self.hidden, texts.hidden).on_hover_text(texts.hidden_hint);
         });
@@ -464,12 +445,11 @@ impl FileWindow {
         }
     }
 
-    /// What Enter, a double click or the button takes. True: the window is
-    /// done with.
-    fn take(&mut self, editor: &mut Editor) -> bool {
+    /// The file that Enter, a double click or the button takes; none if something else
+    /// comes first.
+    fn take(&mut self, editor: &Editor) -> Option<PathBuf> {
         if let Some(file) = self.overwrite.take() {
-            self.fresh = true;
-            return self.hand_in(editor, &file);
+            return Some(file);
         }
         let typed = self.name.trim().to_owned();
         // What was chosen in the list counts by its own name, which may be one
@@ -487,41 +467,25 @@ impl FileWindow {
             _ if typed.is_empty() => {
                 self.trouble = Some(editor.texts().files.no_name.to_owned());
                 self.fresh = true;
-                return false;
+                return None;
             }
             _ => self.resolved(&typed),
         };
         if path.is_dir() {
             self.go(editor, path);
             self.fresh = true;
-            return false;
+            return None;
         }
         if self.loads() {
-            return self.hand_in(editor, &path);
+            return Some(path);
         }
         let path = with_ending(path, self.purpose);
         if path.symlink_metadata().is_ok() {
             self.overwrite = Some(path);
             self.fresh = true;
-            return false;
+            return None;
         }
-        self.hand_in(editor, &path)
-    }
-
-    fn hand_in(&mut self, editor: &mut Editor, file: &Path) -> bool {
-        let file = tidy(file);
-        match editor.file_chosen(self.purpose, &file) {
-            Ok(()) => {
-                editor.last_folder = file.parent().map(Path::to_owned);
-                true
-            }
-            Err(text) => {
-                editor.complain(text.clone());
-                self.trouble = Some(text);
-                self.fresh = true;
-                false
-            }
-        }
+        Some(path)
     }
 }
 
@@ -557,7 +521,6 @@ fn with_ending(path: PathBuf, purpose: Purpose) -> PathBuf {
     }
 }
 
-/// Whether Enter was pressed in a field.
 fn entered(ui: &Ui, response: &egui::Response) -> bool {
     response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
 }

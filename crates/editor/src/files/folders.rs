@@ -39,7 +39,6 @@ impl Folders {
         }
     }
 
-    /// The setup file that is read at start.
     pub(crate) fn setup_file(&self) -> Option<PathBuf> {
         self.setup.as_deref().map(|folder| folder.join(SETUP_NAME))
     }
@@ -57,9 +56,6 @@ pub(crate) const SETUP_NAME: &str = "setup.toml";
 
 /// Makes a folder with those above it, for nobody else's eyes (as the
 /// specification asks). One that is there stays as it is.
-///
-/// # Errors
-/// The system's.
 pub(crate) fn make(folder: &Path) -> std::io::Result<()> {
     use std::os::unix::fs::DirBuilderExt;
     std::fs::DirBuilder::new()

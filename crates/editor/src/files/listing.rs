@@ -24,7 +24,6 @@ const BETWEEN: usize = 32;
 pub(crate) struct Item {
     /// Its name, whatever bytes that is.
     pub(crate) name: OsString,
-    /// The name as it is shown.
     pub(crate) shown: String,
     pub(crate) is_folder: bool,
 }
@@ -42,9 +41,6 @@ pub(crate) struct Folder {
 
 impl Folder {
     /// Begins to read a directory.
-    ///
-    /// # Errors
-    /// What the system says.
     pub(crate) fn open(path: PathBuf) -> io::Result<Self> {
         let reading = std::fs::read_dir(&path)?;
         Ok(Self {
@@ -65,7 +61,6 @@ impl Folder {
         }
     }
 
-    /// Whether there is more to read.
     pub(crate) fn is_reading(&self) -> bool {
         self.reading.is_some()
     }
@@ -117,7 +112,6 @@ impl Folder {
         });
     }
 
-    /// The directory above, if there is one.
     pub(crate) fn above(&self) -> Option<&Path> {
         self.path.parent()
     }
@@ -132,7 +126,6 @@ fn is_folder(entry: &std::fs::DirEntry) -> bool {
     }
 }
 
-/// Whether its name begins with a point.
 pub(crate) fn is_hidden(name: &OsStr) -> bool {
     name.as_bytes().first() == Some(&b'.')
 }

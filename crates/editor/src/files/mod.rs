@@ -1,27 +1,25 @@
 //! What is loaded, saved and written, and the question before work is lost.
 
-mod changed;
+mod autosave;
 mod chooser;
 pub(crate) mod folders;
 mod listing;
 mod question;
 mod recent;
 pub(crate) mod recovery;
-mod rescue;
-mod rescue_window;
+mod recovery_window;
 
 #[cfg(test)]
 mod recent_tests;
 #[cfg(test)]
-mod rescue_tests;
+mod recovery_window_tests;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use changed::ChangedFile;
 pub(crate) use chooser::FileWindow;
 pub use folders::Folders;
 pub(crate) use question::Question;
-pub(crate) use rescue_window::RescueWindow;
+pub(crate) use recovery_window::RecoveryWindow;
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -31,7 +29,7 @@ use crate::error::{EngineError, Error, Result, TooMany};
 use crate::limits;
 use crate::state::{Editor, Request};
 use crate::texts::fill;
-use crate::texts::refusals::{of_edit, reason_of};
+use crate::texts::refusals::reason_of;
 
 /// What a file is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,16 +65,11 @@ impl Editor {
         self.windows.files = Some(FileWindow::open(self, purpose));
     }
 
-    /// Loads another path, after a question if work would be lost.
-    pub(crate) fn ask_to_load(&mut self) {
-        self.ask_before(Then::Load);
-    }
-
     /// Asks about unsaved work, if there is any, and goes on.
     pub(crate) fn ask_before(&mut self, then: Then) {
         if self.is_unsaved() {
             self.windows.files = None;
-            self.windows.question = Some(Question::new(then));
+            self.windows.question = Some(Question::unsaved(then));
         } else {
             self.go_on(then);
         }
@@ -111,7 +104,7 @@ impl Editor {
                     self.go_on(then);
                 }
             }
-            Ok(false) => self.windows.changed = Some(ChangedFile::new(then)),
+            Ok(false) => self.windows.changed = Some(Question::changed(then)),
             Err(text) => self.complain(text),
         }
     }
@@ -137,24 +130,26 @@ impl Editor {
         }
     }
 
-    /// A file was chosen. What hindered it is given back in words, for the
-    /// window that asked.
-    ///
-    /// # Errors
-    /// The sentence.
-    pub(crate) fn file_chosen(&mut self, purpose: Purpose, file: &Path) -> Result<(), String> {
-        match purpose {
+    /// A file was chosen. The window that asked closes, or tells what hindered it.
+    pub(crate) fn file_chosen(&mut self, purpose: Purpose, file: &Path) {
+        let window = self.windows.files.take();
+        let done = match purpose {
             Purpose::LoadPath => self.load_path(file),
-            Purpose::SavePath(then) => {
-                self.save_path(file)?;
+            Purpose::SavePath(then) => self.save_path(file).map(|()| {
                 if let Some(then) = then {
                     self.go_on(then);
                 }
-                Ok(())
-            }
+            }),
             Purpose::Export => self.write_poses(file),
             Purpose::LoadSetup => self.load_setup(file),
             Purpose::SaveSetup => self.save_setup(file),
+        };
+        match done {
+            Ok(()) => self.last_folder = file.parent().map(Path::to_owned),
+            Err(text) => {
+                self.complain(text.clone());
+                self.windows.files = window.map(|window| window.refused(text));
+            }
         }
     }
 
@@ -202,9 +197,6 @@ impl Editor {
     }
 
     /// Saves the path as this file, whatever is there, and edits it from now on.
-    ///
-    /// # Errors
-    /// The sentence.
     pub(crate) fn save_path(&mut self, file: &Path) -> Result<(), String> {
         self.write_path(file, true).map(drop)
     }
@@ -238,9 +230,6 @@ impl Editor {
 
     /// Writes the poses in the format that the file's name says: lines of ten numbers
     /// (thesis B.2.3), CSV or JSON.
-    ///
-    /// # Errors
-    /// The sentence.
     pub(crate) fn write_poses(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
         let mut count = 0;
@@ -265,21 +254,6 @@ impl Editor {
                 fill(self.texts().errors.frames, &[&limits::MAX_FRAMES])
             }
             _ => reason_of(self.language(), error),
-        }
-    }
-
-    /// Does an edit; what hinders it stands in the output field.
-    pub(crate) fn edit(&mut self, edit: Edit) -> bool {
-        match self.document.apply(edit) {
-            Ok(()) => {
-                self.message = None;
-                self.tell_ambiguities();
-                true
-            }
-            Err(error) => {
-                self.complain(of_edit(self.language(), &error));
-                false
-            }
         }
     }
 

@@ -1,6 +1,7 @@
-//! The question before unsaved work is lost.
+//! The questions before something is lost: unsaved work, or a file that somebody else
+//! has changed since it was read or written here.
 
-use egui::{Button, Key, Modifiers, Vec2, vec2};
+use egui::{Button, Key, Modifiers, vec2};
 
 use crate::actions::Action;
 use crate::files::{Then, short};
@@ -8,71 +9,116 @@ use crate::state::Editor;
 use crate::texts::fill;
 use crate::windows::{modal, row_at_right};
 
-/// The question, and what it stands before.
+/// A question, and what it stands before.
 #[derive(Debug)]
 pub(crate) struct Question {
-    then: Then,
+    about: About,
     fresh: bool,
 }
 
-/// A button's least size.
-const BUTTON: Vec2 = vec2(96.0, 28.0);
-
-/// The answers.
-#[derive(Clone, Copy)]
-enum Answer {
-    Save,
-    Discard,
-    Cancel,
+#[derive(Clone, Copy, Debug)]
+enum About {
+    Unsaved(Then),
+    Changed(Option<Then>),
 }
 
+/// An answer: its words, the hint, what it does.
+type Answer = (&'static str, &'static str, Option<Action>);
+
 impl Question {
-    pub(crate) fn new(then: Then) -> Self {
-        Self { then, fresh: true }
+    /// Unsaved work would be lost.
+    pub(crate) fn unsaved(then: Then) -> Self {
+        let about = About::Unsaved(then);
+        Self { about, fresh: true }
     }
 
-    /// Shows it: none until there is an answer.
-    pub(crate) fn show(&mut self, editor: &Editor, context: &egui::Context) -> Option<Vec<Action>> {
-        let texts = &editor.texts().questions;
-        let text = match self.then {
-            Then::Close => texts.before_close,
-            Then::Load | Then::Recent(_) => texts.before_load,
-            Then::Restore(_) => texts.before_restore,
-        };
-        let name = editor
-            .file
-            .as_deref()
-            .map_or_else(|| texts.this_path.to_owned(), short);
-        let mut answer = None;
-        modal(context, "question", texts.unsaved, 380.0, |ui| {
-            ui.label(fill(text, &[&name]));
+    /// The file would be overwritten.
+    pub(crate) fn changed(then: Option<Then>) -> Self {
+        let about = About::Changed(then);
+        Self { about, fresh: true }
+    }
+
+    pub(crate) fn show(
+        &mut self,
+        editor: &Editor,
+        context: &egui::Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let (texts, files) = (&editor.texts().questions, &editor.texts().files);
+        let name = editor.file.as_deref().map(short);
+        let cancel = (texts.cancel, texts.cancel_hint, None);
+        match self.about {
+            About::Unsaved(then) => {
+                let text = match then {
+                    Then::Close => texts.before_close,
+                    Then::Load | Then::Recent(_) => texts.before_load,
+                    Then::Restore(_) => texts.before_restore,
+                };
+                let name = name.unwrap_or_else(|| texts.this_path.to_owned());
+                let save = Action::SaveBefore(then);
+                let discard = Action::GoOn(then);
+                let answers = [
+                    (texts.save, texts.save_hint, Some(save)),
+                    (texts.discard, texts.discard_hint, Some(discard)),
+                    cancel,
+                ];
+                let place = ("question", texts.unsaved, 380.0, 96.0);
+                self.ask(context, place, &fill(text, &[&name]), answers, 0, actions)
+            }
+            About::Changed(then) => {
+                let Some(name) = name else {
+                    return false;
+                };
+                let (overwrite, hint) = (files.overwrite, files.overwrite_hint);
+                let save_as = Action::SaveAsBefore(then);
+                let answers = [
+                    (texts.reload, texts.reload_hint, Some(Action::Reload)),
+                    (texts.save_as, texts.save_as_hint, Some(save_as)),
+                    (overwrite, hint, Some(Action::Overwrite(then))),
+                    cancel,
+                ];
+                let text = fill(texts.changed_since, &[&name]);
+                let place = ("changed", texts.changed, 480.0, 112.0);
+                // The keyboard is at the one by which nobody loses anything.
+                self.ask(context, place, &text, answers, 1, actions)
+            }
+        }
+    }
+
+    /// Asks in a window with this name, title, width and least width of a button; the
+    /// keyboard is at one of the answers first.
+    fn ask<const N: usize>(
+        &mut self,
+        context: &egui::Context,
+        (id, title, width, least): (&'static str, &str, f32, f32),
+        text: &str,
+        answers: [Answer; N],
+        first: usize,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let mut open = true;
+        modal(context, id, title, width, |ui| {
+            ui.label(text);
             ui.add_space(8.0);
-            let names = [texts.save, texts.discard, texts.cancel];
-            row_at_right(ui, &names, BUTTON.x, |ui| {
-                for (text, hint, which) in [
-                    (texts.save, texts.save_hint, Answer::Save),
-                    (texts.discard, texts.discard_hint, Answer::Discard),
-                    (texts.cancel, texts.cancel_hint, Answer::Cancel),
-                ] {
-                    let button = Button::new(text).min_size(BUTTON);
+            let words = answers.each_ref().map(|&(text, ..)| text);
+            row_at_right(ui, &words, least, |ui| {
+                for (number, (text, hint, action)) in answers.into_iter().enumerate() {
+                    let button = Button::new(text).min_size(vec2(least, 28.0));
                     let response = ui.add(button).on_hover_text(hint);
-                    if self.fresh && matches!(which, Answer::Save) {
-                        self.fresh = false;
+                    if number == first && std::mem::take(&mut self.fresh) {
                         response.request_focus();
                     }
                     if response.clicked() {
-                        answer = Some(which);
+                        open = false;
+                        actions.extend(action);
                     }
                 }
             });
         });
         if context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
-            answer = Some(Answer::Cancel);
+            actions.clear();
+            open = false;
         }
-        Some(match answer? {
-            Answer::Save => vec![Action::SaveBefore(self.then)],
-            Answer::Discard => vec![Action::GoOn(self.then)],
-            Answer::Cancel => Vec::new(),
-        })
+        open
     }
 }

@@ -53,7 +53,6 @@ impl Editor {
         self.read_recent();
     }
 
-    /// Reads the list.
     pub(crate) fn read_recent(&mut self) {
         self.recent = self.folders.state.as_deref().map(load).unwrap_or_default();
     }

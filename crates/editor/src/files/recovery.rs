@@ -10,7 +10,7 @@
 //! A new content is locked before it takes its name, so that no other process
 //! ever finds it free.
 //!
-//! No egui here; [`super::rescue`] joins it to the window.
+//! No egui here; [`super::autosave`] joins it to the window.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Write};
@@ -53,9 +53,7 @@ const HEADER: [&str; 6] = [
 pub(crate) struct Origin<'a> {
     /// The program whose window it is in.
     pub(crate) program: &'a str,
-    /// The file that it is a change of.
     pub(crate) file: Option<&'a Path>,
-    /// What that file contained.
     pub(crate) known: Option<Contents>,
 }
 
@@ -64,7 +62,7 @@ static NEXT: AtomicU64 = AtomicU64::new(0);
 
 /// Keeps the unsaved work of one window.
 #[derive(Debug)]
-pub(crate) struct Keeper {
+pub(crate) struct Autosave {
     folder: PathBuf,
     path: PathBuf,
     /// The file as it stands there, locked.
@@ -79,7 +77,7 @@ pub(crate) struct Keeper {
 
 /// What came of looking after the unsaved work.
 #[derive(Debug)]
-pub(crate) enum Kept {
+pub(crate) enum Saved {
     /// Nothing to do.
     Idle,
     /// To be looked after again when so much time has gone by.
@@ -88,8 +86,8 @@ pub(crate) enum Kept {
     Failed(Error),
 }
 
-impl Keeper {
-    /// A keeper for a window that shows this document. Writes nothing yet.
+impl Autosave {
+    /// An autosave for a window that shows this document. Writes nothing yet.
     pub(crate) fn new(folder: &Path, document: &Document) -> Self {
         let started = SystemTime::now().duration_since(UNIX_EPOCH);
         let started = started.map_or(0, |since| since.as_millis());
@@ -114,28 +112,28 @@ impl Keeper {
         unsaved: bool,
         origin: &Origin<'_>,
         now: Instant,
-    ) -> Kept {
+    ) -> Saved {
         if !unsaved {
             self.forget();
             self.settled = document.state_number();
             self.since = None;
-            return Kept::Idle;
+            return Saved::Idle;
         }
         if document.state_number() == self.settled {
             self.since = None;
-            return Kept::Idle;
+            return Saved::Idle;
         }
         let since = *self.since.get_or_insert(now);
         let waited = now.saturating_duration_since(since);
         if waited < DELAY {
-            return Kept::In(DELAY - waited);
+            return Saved::In(DELAY - waited);
         }
         match self.write(document, origin) {
-            Ok(()) => Kept::Idle,
-            Err(_) if self.failed => Kept::Idle,
+            Ok(()) => Saved::Idle,
+            Err(_) if self.failed => Saved::Idle,
             Err(error) => {
                 self.failed = true;
-                Kept::Failed(error)
+                Saved::Failed(error)
             }
         }
     }
@@ -315,9 +313,7 @@ pub(crate) struct Found {
     pub(crate) program: Option<String>,
     /// The file that it was a change of.
     pub(crate) original: Option<PathBuf>,
-    /// What that file contained.
     pub(crate) known: Option<Contents>,
-    /// When it was written.
     pub(crate) written: SystemTime,
     text: String,
 }

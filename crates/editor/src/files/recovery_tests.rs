@@ -35,15 +35,15 @@ fn a_change_is_written_within_a_second_and_no_sooner_asked_again() {
     let folder = tempfile::tempdir().unwrap();
     let state = folder.path().join("deep/state");
     let mut document = document();
-    let mut keeper = Keeper::new(&state, &document);
+    let mut autosave = Autosave::new(&state, &document);
     let start = Instant::now();
     let at = |ms| start + Duration::from_millis(ms);
     assert!(matches!(
-        keeper.look_after(&document, document.is_modified(), &Origin::default(), at(0)),
-        Kept::Idle
+        autosave.look_after(&document, document.is_modified(), &Origin::default(), at(0)),
+        Saved::Idle
     ));
     change(&mut document, 0.1);
-    let Kept::In(wait) = keeper.look_after(
+    let Saved::In(wait) = autosave.look_after(
         &document,
         document.is_modified(),
         &Origin::default(),
@@ -56,36 +56,36 @@ fn a_change_is_written_within_a_second_and_no_sooner_asked_again() {
     // Further changes do not put it off.
     change(&mut document, 0.2);
     assert!(matches!(
-        keeper.look_after(
+        autosave.look_after(
             &document,
             document.is_modified(),
             &Origin::default(),
             at(600)
         ),
-        Kept::In(_)
+        Saved::In(_)
     ));
     change(&mut document, 0.3);
     assert!(matches!(
-        keeper.look_after(
+        autosave.look_after(
             &document,
             document.is_modified(),
             &Origin::default(),
             at(800)
         ),
-        Kept::Idle
+        Saved::Idle
     ));
     assert_eq!(names(&state).len(), 1);
     // Nothing new: nothing to wake up for.
     assert!(matches!(
-        keeper.look_after(
+        autosave.look_after(
             &document,
             document.is_modified(),
             &Origin::default(),
             at(900)
         ),
-        Kept::Idle
+        Saved::Idle
     ));
-    drop(keeper);
+    drop(autosave);
     let found = find(&state, None);
     assert_eq!(found.len(), 1);
     assert_eq!(x_of(&found[0].document().unwrap()), 0.3);
@@ -95,15 +95,15 @@ fn a_change_is_written_within_a_second_and_no_sooner_asked_again() {
 fn saving_and_undoing_to_the_saved_state_remove_it() {
     let folder = tempfile::tempdir().unwrap();
     let mut document = document();
-    let mut keeper = Keeper::new(folder.path(), &document);
+    let mut autosave = Autosave::new(folder.path(), &document);
     for way in [Document::mark_saved as fn(&mut Document), |document| {
         document.undo();
     }] {
         change(&mut document, 0.4);
-        keeper.write(&document, &Origin::default()).unwrap();
+        autosave.write(&document, &Origin::default()).unwrap();
         assert_eq!(names(folder.path()).len(), 1);
         way(&mut document);
-        keeper.look_after(
+        autosave.look_after(
             &document,
             document.is_modified(),
             &Origin::default(),
@@ -121,7 +121,7 @@ fn what_lives_is_offered_to_nobody() {
     let mut document = document();
     change(&mut document, 0.25);
     let file = Path::new("/tmp/näher 100%\n.vid");
-    let mut first = Keeper::new(folder.path(), &document);
+    let mut first = Autosave::new(folder.path(), &document);
     first
         .write(
             &document,
@@ -131,7 +131,7 @@ fn what_lives_is_offered_to_nobody() {
             },
         )
         .unwrap();
-    let mut second = Keeper::new(folder.path(), &document);
+    let mut second = Autosave::new(folder.path(), &document);
     second.write(&document, &Origin::default()).unwrap();
     assert_eq!(names(folder.path()).len(), 2);
     assert!(find(folder.path(), None).is_empty());
@@ -202,15 +202,15 @@ fn odd_things_in_the_folder_do_no_harm() {
 #[test]
 fn where_nothing_can_be_written_it_is_said_once() {
     let mut document = document();
-    let mut keeper = Keeper::new(Path::new("/proc/vides"), &document);
+    let mut autosave = Autosave::new(Path::new("/proc/vides"), &document);
     let start = Instant::now();
     let mut failures = 0;
     for k in 1u32..5 {
         change(&mut document, f64::from(k) / 10.0);
         for ms in [0, 800] {
             let now = start + Duration::from_secs(k.into()) + Duration::from_millis(ms);
-            if let Kept::Failed(error) =
-                keeper.look_after(&document, document.is_modified(), &Origin::default(), now)
+            if let Saved::Failed(error) =
+                autosave.look_after(&document, document.is_modified(), &Origin::default(), now)
             {
                 assert!(error.to_string().starts_with("/proc/vides: "), "{error}");
                 failures += 1;
@@ -254,7 +254,7 @@ fn a_window_that_vanishes_leaves_its_work() {
         let mut closed = editor(folder.path());
         change(closed.document_mut(), 0.5);
         closed
-            .keeper
+            .autosave
             .as_mut()
             .unwrap()
             .write(&closed.document, &Origin::default())
@@ -285,7 +285,7 @@ fn a_process_at_work() {
         return;
     };
     let mut editor = editor(Path::new(&folder));
-    editor.windows.rescue = None;
+    editor.windows.recovery = None;
     let context = egui::Context::default();
     editor.prepare(&context);
     let start = Instant::now();

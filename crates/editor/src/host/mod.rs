@@ -177,12 +177,10 @@ impl Editor {
         Ok(())
     }
 
-    /// There is a view that could be taken over.
     pub(crate) fn has_host_view(&self) -> bool {
         self.host_view.captures || self.ghost.is_some()
     }
 
-    /// The user wants the host's view.
     pub(crate) fn ask_for_view(&mut self, replace: bool) {
         if self.host_view.captures {
             self.requests.push(Request::Capture { replace });
@@ -241,7 +239,6 @@ impl Editor {
         }
     }
 
-    /// A new point with this one orientation.
     fn add_point_at(&mut self, at: usize, position: DVec3, orientation: Orientation) -> bool {
         if !self.edit(Edit::InsertPoint { at, position }) {
             return false;
@@ -304,7 +301,12 @@ fn seen_by(pose: &Pose, space: Space, other: &Orientation) -> Orientation {
 }
 
 /// The button beside the ghost, which is at this place of the movement window.
-pub(crate) fn button(editor: &mut Editor, context: &Context, viewport: Rect, ghost: Pos2) {
+pub(crate) fn button(
+    editor: &Editor,
+    context: &Context,
+    viewport: Rect,
+    ghost: Pos2,
+) -> Option<Action> {
     let id = Id::unique("take over the view");
     let text = editor.texts().space.take_over;
     let tip = editor.texts().space.take_over_tip;
@@ -320,10 +322,11 @@ pub(crate) fn button(editor: &mut Editor, context: &Context, viewport: Rect, gho
             ui.add(Button::new(text).small()).on_hover_text(tip)
         });
     context.data_mut(|data| data.insert_temp(id, shown.response.rect.size()));
-    if shown.inner.clicked() {
-        let replace = context.input(|input| input.modifiers.shift);
-        editor.act(Action::TakeOver { replace }, context);
-    }
+    let replace = context.input(|input| input.modifiers.shift);
+    shown
+        .inner
+        .clicked()
+        .then_some(Action::TakeOver { replace })
 }
 
 #[cfg(test)]

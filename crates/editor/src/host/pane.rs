@@ -29,19 +29,18 @@ impl Editor {
     }
 }
 
-/// Adds the sub-windows, menus and hints that lie above the pane's own layer.
-pub(crate) fn add_what_lies_above(editor: &mut Editor, context: &Context, layer: Id) {
-    let Some(pane) = &mut editor.host_pane else {
-        return;
-    };
-    let own = LayerId::new(Order::Middle, layer);
-    context.memory(|memory| {
-        let above = (memory.layer_ids())
-            .skip_while(|&layer| layer != own)
-            .skip(1);
-        let shown = above.filter(|layer| memory.areas().is_visible(layer));
-        let rects = shown.filter_map(|layer| memory.area_rect(layer.id));
-        pane.above
-            .extend(rects.filter(|rect| rect.intersects(pane.picture)));
-    });
+impl HostPane {
+    /// Adds the sub-windows, menus and hints that lie above the pane's own layer.
+    pub(crate) fn add_what_lies_above(&mut self, context: &Context, layer: Id) {
+        let own = LayerId::new(Order::Middle, layer);
+        context.memory(|memory| {
+            let above = (memory.layer_ids())
+                .skip_while(|&layer| layer != own)
+                .skip(1);
+            let shown = above.filter(|layer| memory.areas().is_visible(layer));
+            let rects = shown.filter_map(|layer| memory.area_rect(layer.id));
+            self.above
+                .extend(rects.filter(|rect| rect.intersects(self.picture)));
+        });
+    }
 }

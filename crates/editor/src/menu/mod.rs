@@ -24,7 +24,6 @@ const TITLE_MARGIN: f32 = 6.0;
 /// Between the texts and their keys.
 const APART: f32 = 32.0;
 
-/// An entry of a menu.
 struct Entry {
     text: Cow<'static, str>,
     /// What it does, or why it cannot be picked.
@@ -77,7 +76,6 @@ impl Entry {
     }
 }
 
-/// One menu.
 struct Menu {
     title: &'static str,
     /// With Alt it opens the menu.
@@ -226,10 +224,8 @@ fn help(editor: &Editor) -> Vec<Entry> {
     vec![Entry::new(texts.keys, hints.keys, Action::Keys)]
 }
 
-/// What is remembered of the bar from pass to pass.
 #[derive(Clone, Debug, Default)]
 struct Bar {
-    /// The popups, from left to right.
     popups: Vec<Id>,
     /// The entries of the open menu that can be picked.
     entries: Vec<Id>,
@@ -238,7 +234,6 @@ struct Bar {
 }
 
 impl Bar {
-    /// The menu that is open.
     fn open(&self, context: &Context) -> Option<usize> {
         let is_open = |&popup: &Id| Popup::is_id_open(context, popup);
         self.popups.iter().position(is_open)
@@ -362,7 +357,6 @@ fn show_entry(ui: &mut Ui, entry: &Entry, keys: &str, size: Vec2) -> Response {
     response
 }
 
-/// The keyboard in the menus.
 fn walk(context: &Context, bar: &mut Bar, menus: &[Menu]) -> Option<Action> {
     let open = bar.open(context);
     if let Some(open) = open

@@ -25,9 +25,8 @@ const APART: f32 = 8.0;
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let height = ui.available_height();
     let mut panel = |ui: &mut Ui, show: &dyn Fn(&Editor, &mut Ui, &mut Vec<Action>)| {
-        let mut actions = Vec::new();
-        show(editor, ui, &mut actions);
-        editor.act_all(actions, ui.ctx());
+        let context = ui.ctx().clone();
+        editor.part(&context, |editor, actions| show(editor, ui, actions));
     };
     ScrollArea::vertical().show(ui, |ui| {
         ui.set_width(WIDTH);
@@ -63,7 +62,6 @@ fn heading(ui: &mut Ui, text: &str, remark: &str) -> Response {
     heading_with_room(ui, text, remark, 0.0)
 }
 
-/// The same with room for something at the right of the remark.
 fn heading_with_room(ui: &mut Ui, text: &str, remark: &str, room: f32) -> Response {
     let palette = theme::palette(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());

@@ -68,7 +68,6 @@ fn show_message(ui: &Ui, response: Response, text: &str, color: Color32) {
     }
 }
 
-/// The current camera setting.
 fn show_setting(editor: &Editor, ui: &Ui, response: Response) {
     let columns = columns(editor);
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, in_words(&columns)));

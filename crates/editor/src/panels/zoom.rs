@@ -9,7 +9,6 @@ use crate::limits::{MAX_ZOOM, MIN_ZOOM};
 use crate::number::{Entry, Number};
 use crate::state::Editor;
 
-/// Width of the field beside the slider.
 const FIELD: f32 = 56.0;
 
 /// Half the height of the picture in mm: of a 36×24 mm camera.

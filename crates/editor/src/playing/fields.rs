@@ -54,7 +54,6 @@ impl Pace {
     }
 }
 
-/// Shows them in two rows.
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     let count = as_frame(editor.playing.marks.frames);

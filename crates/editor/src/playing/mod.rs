@@ -25,10 +25,8 @@ use crate::space::Camera;
 use crate::state::Editor;
 use crate::theme;
 
-/// Height of the bar.
 const HEIGHT: f32 = 56.0;
 
-/// Width of a button.
 const BUTTON: f32 = 32.0;
 
 /// A press so near to a mark, in points, means the mark.
@@ -38,7 +36,6 @@ const SNAP: f64 = 6.0;
 /// space: every one does with the first section's frames.
 const MARKS_STEP: f64 = 0.25;
 
-/// What is played, and where.
 #[derive(Debug, Default)]
 pub(super) struct Playing {
     /// The frame that is shown, from 1; none: the current orientation.
@@ -93,7 +90,6 @@ impl Mark {
 }
 
 impl Marks {
-    /// Brings them up to date.
     fn update(&mut self, document: &Document) -> Result<()> {
         let revision = document.revision();
         if self.revision == Some(revision) {
@@ -140,7 +136,6 @@ impl Marks {
         Ok(())
     }
 
-    /// That of an orientation.
     fn of(&self, selection: Selection) -> Option<Mark> {
         let mut keys = self.keys.iter().copied();
         keys.find(|mark| Selection::at(mark.point, mark.orientation) == selection)
@@ -148,7 +143,6 @@ impl Marks {
 }
 
 impl Playing {
-    /// Whether it plays.
     pub(super) fn is_playing(&self) -> bool {
         self.since.is_some()
     }
@@ -175,7 +169,6 @@ impl Playing {
         keys.get(behind.checked_sub(1)?).copied()
     }
 
-    /// The mark of a key.
     pub(super) fn mark_of(&self, selection: Selection) -> Option<Mark> {
         self.marks.of(selection)
     }
@@ -207,7 +200,6 @@ impl Editor {
         Camera::at(&self.document, point, orientation).map(|camera| (camera, false))
     }
 
-    /// The frame that is shown, as the film counts it.
     #[allow(clippy::cast_possible_truncation)]
     pub(super) fn shown_frame(&self) -> Option<i64> {
         let frame = self.playing.frame?.round() as i64;
@@ -342,12 +334,10 @@ fn as_frame(frame: usize) -> f64 {
     frame as f64
 }
 
-/// Shows the bar at the lower border.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     editor.advance(ui.ctx());
-    let mut actions = Vec::new();
-    bar(editor, ui, &mut actions);
-    editor.act_all(actions, ui.ctx());
+    let context = ui.ctx().clone();
+    editor.part(&context, |editor, actions| bar(editor, ui, actions));
 }
 
 fn bar(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
@@ -376,7 +366,6 @@ fn bar(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         });
 }
 
-/// A square button with a picture.
 fn button(ui: &mut Ui, name: &str, tip: &str, on: bool) -> (egui::Response, Painter) {
     let size = vec2(BUTTON, theme::ROW + 4.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
@@ -454,7 +443,6 @@ fn timeline(editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>)
     response.on_hover_text(texts.timeline_tip);
 }
 
-/// The playhead goes to a frame.
 fn to_frame(frame: f64) -> Action {
     Action::Playhead(Entry::Set(frame))
 }

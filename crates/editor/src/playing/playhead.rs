@@ -20,11 +20,8 @@ const DIRECTION: f64 = 0.4;
 pub(crate) struct Shown {
     /// Where it stands in the path, or would.
     pub(crate) at: Selection,
-    /// Where the camera stands.
     pub(crate) position: DVec3,
-    /// How it looks.
     pub(crate) orientation: Orientation,
-    /// What is missing for it to be a key.
     pub(crate) missing: Missing,
 }
 

@@ -21,7 +21,6 @@ const NAME: f32 = 44.0;
 const NUMBER: f32 = 56.0;
 const APART: f32 = 8.0;
 
-/// The colour window.
 #[derive(Debug)]
 pub(crate) struct ColourWindow {
     element: Element,
@@ -187,7 +186,6 @@ fn swatch(ui: &Ui, rect: Rect, colour: Color32) {
     );
 }
 
-/// Changes one part of an element's colour.
 fn set(setup: &mut Setup, element: Element, part: usize, value: u8) {
     let [mut r, mut g, mut b, _] = setup.colours().of(element).to_array();
     match part {

@@ -12,7 +12,6 @@ use crate::windows::{SubWindow, Windows, sub_window};
 /// From one choice to the next.
 const APART: f32 = 16.0;
 
-/// The display window.
 #[derive(Debug)]
 pub(crate) struct DisplayWindow {}
 

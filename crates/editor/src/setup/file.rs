@@ -48,9 +48,6 @@ pub(crate) fn load(file: &Path) -> Result<Setup> {
 }
 
 /// Saves a setup, atomically; makes the folder if need be.
-///
-/// # Errors
-/// `ErrorKind::Io`.
 pub(crate) fn write(file: &Path, setup: &Setup) -> Result<()> {
     write_text(file, &to_toml(setup))
 }
@@ -68,7 +65,6 @@ fn write_text(file: &Path, text: &str) -> Result<()> {
     save::save(file, text.as_bytes())
 }
 
-/// The text of a setup file.
 fn to_toml(setup: &Setup) -> String {
     let mut out = String::with_capacity(2048);
     // Writing into a text cannot fail.
@@ -136,7 +132,6 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
     Ok(())
 }
 
-/// The setup in a text.
 fn from_toml(text: &str) -> Result<Setup> {
     let source = Source { text, start: 0 };
     let root = DeTable::parse(text).map_err(|error| source.not_toml(&error))?;
@@ -328,10 +323,6 @@ impl Editor {
         }
     }
 
-    /// Saves the setup.
-    ///
-    /// # Errors
-    /// The sentence.
     pub(crate) fn save_setup(&mut self, file: &Path) -> Result<(), String> {
         let texts = &self.texts().setup;
         match write(file, &self.setup) {

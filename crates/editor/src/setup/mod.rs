@@ -27,13 +27,11 @@ pub(super) enum Element {
     Cube,
     /// The host's wireframe object.
     Object,
-    /// The curve.
     Curve,
     /// The segment that begins at the current point.
     Segment,
     /// The small crosses at the support points.
     Crosses,
-    /// The numbers beside them.
     Numbers,
     /// The arrow from the current point to what its camera looks at.
     Vpn,
@@ -104,7 +102,6 @@ impl Element {
     }
 }
 
-/// A colour for each element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Colours([Color32; Element::ALL.len()]);
 
@@ -149,12 +146,10 @@ impl Colours {
         rgb(0xa8_72_00),
     ]);
 
-    /// The colour of an element.
     pub(super) const fn of(&self, element: Element) -> Color32 {
         self.0[element as usize]
     }
 
-    /// Gives an element another colour.
     pub(super) const fn set(&mut self, element: Element, colour: Color32) {
         self.0[element as usize] = colour;
     }
@@ -172,24 +167,19 @@ impl Default for Shown {
 }
 
 impl Shown {
-    /// Whether an element is shown.
     pub(super) const fn has(&self, element: Element) -> bool {
         self.0[element as usize] || !element.has_switch()
     }
 
-    /// Shows or hides an element.
     pub(super) const fn set(&mut self, element: Element, shown: bool) {
         self.0[element as usize] = shown;
     }
 }
 
-/// Light or dark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub(super) enum Theme {
-    /// Light on dark.
     #[default]
     Dark,
-    /// Dark on light.
     Light,
 }
 
@@ -219,9 +209,7 @@ impl Default for View {
 }
 
 impl View {
-    /// The smallest size.
     pub(super) const MIN_SIZE: f64 = 0.1;
-    /// The largest size.
     pub(super) const MAX_SIZE: f64 = 50.0;
 
     /// The same view with every value in its range; what is not finite is as
@@ -245,15 +233,11 @@ pub(super) struct Setup {
     pub(super) theme: Option<Theme>,
     /// What the desktop is. No file keeps that.
     pub(super) desktop: Theme,
-    /// The colours on a dark ground.
     pub(super) dark: Colours,
-    /// The colours on a light ground.
     pub(super) light: Colours,
-    /// What is shown.
     pub(super) shown: Shown,
     /// From where.
     pub(super) view: View,
-    /// Whether the picture of the camera is shown.
     pub(super) camera_view: bool,
     /// The language that was chosen; that of the host or the environment if none.
     pub(super) language: Option<Language>,
@@ -275,12 +259,10 @@ impl Default for Setup {
 }
 
 impl Setup {
-    /// The theme in force.
     pub(super) fn theme(&self) -> Theme {
         self.theme.unwrap_or(self.desktop)
     }
 
-    /// The colours of the present theme.
     pub(super) fn colours(&self) -> &Colours {
         match self.theme() {
             Theme::Dark => &self.dark,
@@ -288,7 +270,6 @@ impl Setup {
         }
     }
 
-    /// The colours of the present theme, to be changed.
     pub(super) fn colours_mut(&mut self) -> &mut Colours {
         match self.theme() {
             Theme::Dark => &mut self.dark,

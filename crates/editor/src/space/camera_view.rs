@@ -8,7 +8,8 @@ use egui::{Align2, Color32, Context, FontId, Pos2, Rect, Sense, Ui, Vec2, vec2};
 use glam::{DMat4, DVec2, DVec3};
 
 use super::Camera;
-use crate::host::pane::HostPane;
+use crate::actions::Action;
+use crate::host::HostPane;
 use crate::math::view::View;
 use crate::raster::{Line, Lines};
 use crate::setup::Element;
@@ -28,11 +29,16 @@ const CAPTION: f32 = 19.0;
 /// The nearest thing that is seen, in half sizes of the movement space.
 const FRONT: f64 = 1e-3;
 
-/// Shows the pane if it is open; `viewport` is the movement window.
-pub(crate) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
-    editor.host_pane = None;
+/// Shows the pane if it is open; `viewport` is the movement window. Where the host draws
+/// it, what it is to draw into.
+pub(super) fn show(
+    editor: &Editor,
+    context: &Context,
+    viewport: Rect,
+    actions: &mut Vec<Action>,
+) -> Option<HostPane> {
     if !editor.setup.camera_view {
-        return;
+        return None;
     }
     let palette = editor.setup.theme().palette();
     let ground = editor.setup.colours().of(Element::Background);
@@ -61,9 +67,7 @@ pub(crate) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
             .min_width(width)
             .max_width(width);
     }
-    let Some(shown) = pane.show(context, |ui| contents(editor, ui)) else {
-        return;
-    };
+    let shown = pane.show(context, |ui| contents(editor, ui, actions))?;
     let rect = shown.response.rect;
     let held = context.input(|input| input.pointer.any_down());
     let by_hand = known.is_some_and(|known| {
@@ -75,9 +79,9 @@ pub(crate) fn show(editor: &mut Editor, context: &Context, viewport: Rect) {
         by_hand,
     };
     context.data_mut(|data| data.insert_temp(id, placed));
+    shown.inner?
 }
 
-/// The pane's area.
 pub(crate) fn id() -> egui::Id {
     egui::Id::unique("camera view")
 }
@@ -92,40 +96,36 @@ struct Placed {
     by_hand: bool,
 }
 
-/// Where its upper right corner is at first.
 fn corner(viewport: Rect) -> Pos2 {
     viewport.right_top() + vec2(-12.0, 12.0)
 }
 
-/// How wide its picture is at first.
 fn first_width(viewport: Rect) -> f32 {
     WIDTH.min(viewport.width() * 0.27).max(WIDTH / 2.0)
 }
 
-fn contents(editor: &mut Editor, ui: &mut Ui) {
+fn contents(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) -> Option<HostPane> {
     ui.spacing_mut().item_spacing.y = 0.0;
     // The height follows the width.
     let width = ui.available_width().max(60.0);
-    let Some((camera, _)) = editor.camera() else {
-        return;
-    };
-    caption(editor, ui, vec2(width, CAPTION), camera.zoom);
+    let (camera, _) = editor.camera()?;
+    caption(editor, ui, vec2(width, CAPTION), camera.zoom, actions);
     let (picture, response) = ui.allocate_exact_size(vec2(width, width / ASPECT), Sense::hover());
     let name = editor.texts().space.camera_picture;
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
-    if !editor.host_view.fills_pane {
-        let lines = picture_of(editor, &camera, picture);
-        ui.painter_at(picture)
-            .add(Lines::shape(&Arc::new(lines), picture));
-    } else if !ui.is_sizing_pass() {
+    if editor.host_view.fills_pane {
         let above = Vec::new();
-        editor.host_pane = Some(HostPane { picture, above });
+        return (!ui.is_sizing_pass()).then_some(HostPane { picture, above });
     }
+    let lines = picture_of(editor, &camera, picture);
+    ui.painter_at(picture)
+        .add(Lines::shape(&Arc::new(lines), picture));
+    None
 }
 
 /// What is shown, beside the picture and not on it: that may be the host's, whole. By
 /// this strip the pane can be moved then, too.
-fn caption(editor: &mut Editor, ui: &mut Ui, size: Vec2, zoom: f64) {
+fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, zoom: f64, actions: &mut Vec<Action>) {
     let (strip, _) = ui.allocate_exact_size(size, Sense::hover());
     let palette = theme::palette(ui);
     let texts = &editor.texts().space;
@@ -139,20 +139,17 @@ fn caption(editor: &mut Editor, ui: &mut Ui, size: Vec2, zoom: f64) {
     };
     let zoom = fill(texts.millimetres, &[&editor.language().number(zoom, 0)]);
     let text = format!("{what} \u{b7} {zoom}");
-    let painter = ui.painter_at(strip);
     let start = strip.left_center() + vec2(7.0, 0.0);
-    painter.text(
-        start,
-        Align2::LEFT_CENTER,
-        text,
-        FontId::proportional(11.0),
-        palette.weak,
-    );
-    close_button(editor, ui, strip);
+    let font = FontId::proportional(11.0);
+    ui.painter_at(strip)
+        .text(start, Align2::LEFT_CENTER, text, font, palette.weak);
+    if close_button(editor, ui, strip) {
+        actions.push(Action::SwitchCameraView);
+    }
 }
 
-/// A small cross at the strip's end.
-fn close_button(editor: &mut Editor, ui: &Ui, strip: Rect) {
+/// A small cross at the strip's end: whether it was clicked.
+fn close_button(editor: &Editor, ui: &Ui, strip: Rect) -> bool {
     let place = Rect::from_min_max(strip.right_top() - vec2(CAPTION, 0.0), strip.max);
     let response = ui.interact(place, ui.scope_id().with("close"), Sense::click());
     let text = editor.texts().space.close_camera_view;
@@ -169,9 +166,7 @@ fn close_button(editor: &mut Editor, ui: &Ui, strip: Rect) {
         ui.painter()
             .line_segment([centre - way, centre + way], stroke);
     }
-    if response.on_hover_text(text).clicked() {
-        editor.setup.camera_view = false;
-    }
+    response.on_hover_text(text).clicked()
 }
 
 /// Cube and object as the camera sees them, in `picture`.

@@ -48,7 +48,6 @@ impl From<Pose> for Camera {
 }
 
 impl Camera {
-    /// The camera of an orientation.
     pub(crate) fn at(document: &Document, point: usize, number: usize) -> Option<Self> {
         let index = point;
         let point = document.path().points.get(index)?;
@@ -116,7 +115,6 @@ pub(super) struct Keys {
 }
 
 impl Keys {
-    /// Brings the lines up to date.
     pub(super) fn update(&mut self, document: &Document, look: &Look<'_>) -> &Arc<Lines> {
         self.now.clear();
         if look.shown.has(Element::Cameras) {

@@ -14,12 +14,11 @@ pub(super) const VUP_LENGTH: f64 = 0.25;
 
 /// Something that can be taken hold of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Handle {
+pub(crate) enum Handle {
     /// The tip of the current VUP arrow.
     Vup,
     /// The tip of the current VPN arrow: what the camera looks at.
     Vpn,
-    /// A support point.
     Point(usize),
 }
 
@@ -72,7 +71,6 @@ impl Freedom {
 /// What a motion of the mouse leads to.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Outcome {
-    /// This edit.
     Edit(Edit),
     /// The circle of VUP is seen edge-on: nothing moves.
     CircleEdgeOn,
@@ -138,7 +136,6 @@ pub(super) fn outcome(
     edit.map_or(Outcome::Nothing, Outcome::Edit)
 }
 
-/// Where the target of the current orientation lies.
 pub(super) fn current_tip(document: &Document) -> Option<DVec3> {
     let selection = document.selection();
     let point = document.path().points.get(selection.point)?;

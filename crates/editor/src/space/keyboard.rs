@@ -5,14 +5,16 @@
 //! roll. With Ctrl the arrow keys turn the space; plus, minus and Home are its
 //! size. N and O go to the next point and orientation, with Shift back.
 
-use egui::{Key, Modifiers};
+use egui::{Key, Modifiers, Rect};
 use glam::DVec3;
 
 use super::drag::{self, Handle};
-use super::pointer::{PointerContext, WHEEL, make_current, resize, tell_place};
+use super::gesture::Gesture;
+use super::pointer::{PointerController, WHEEL, resized};
 use super::projection::{Axis, Projection};
 use super::projection_of;
-use crate::document::Edit;
+use crate::actions::{Action, round};
+use crate::document::{Edit, Selection};
 use crate::setup::View;
 use crate::state::Editor;
 
@@ -34,13 +36,14 @@ pub(super) const NUDGES: [Key; 8] = [
 
 /// Takes a key that was pressed while the movement window has the keyboard.
 pub(super) fn press(
-    editor: &mut Editor,
-    surface: &PointerContext<'_>,
-    key: Key,
-    modifiers: Modifiers,
+    controller: &mut PointerController,
+    editor: &Editor,
+    viewport: Rect,
+    (key, modifiers): (Key, Modifiers),
+    actions: &mut Vec<Action>,
 ) {
     if modifiers.command {
-        let view = &mut editor.setup.view;
+        let mut view = editor.setup.view;
         match key {
             Key::ArrowLeft => view.rotation -= 5.0,
             Key::ArrowRight => view.rotation += 5.0,
@@ -48,7 +51,7 @@ pub(super) fn press(
             Key::ArrowDown => view.tilt += 5.0,
             _ => return,
         }
-        *view = view.in_range();
+        actions.push(Action::View(view.in_range()));
         return;
     }
     // With Alt only what moves; the rest are the menus' keys.
@@ -56,34 +59,60 @@ pub(super) fn press(
         return;
     }
     let step = STEPS[usize::from(modifiers.shift)];
-    let projection = projection_of(editor, surface.viewport);
-    let what = if modifiers.alt {
-        Handle::Vpn
-    } else {
-        Handle::Point(editor.document.selection().point)
+    let by = if modifiers.shift { -1 } else { 1 };
+    let projection = projection_of(editor, viewport);
+    let selection = editor.document.selection();
+    let what = match key {
+        Key::Comma | Key::Period => Handle::Vup,
+        _ if modifiers.alt => Handle::Vpn,
+        _ => Handle::Point(selection.point),
     };
-    match key {
+    let resized = |factor| Action::View(resized(&editor.setup.view, viewport, None, factor));
+    let edit = match key {
         Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown => {
             let (axis, sign) = direction_of(&projection, key);
-            nudge(editor, &projection, what, axis, sign * step);
+            nudge(editor, &projection, what, axis, sign * step)
         }
         Key::PageUp | Key::PageDown => {
             let axis = projection.facing();
             let away = -projection.toward()[axis.index()].signum();
             let sign = if key == Key::PageUp { away } else { -away };
-            nudge(editor, &projection, what, axis, sign * step);
+            nudge(editor, &projection, what, axis, sign * step)
         }
         Key::Comma => nudge_roll(editor, -100.0 * step),
         Key::Period => nudge_roll(editor, 100.0 * step),
-        Key::Plus | Key::Equals => resize(&mut editor.setup.view, surface.viewport, None, WHEEL),
-        Key::Minus => resize(&mut editor.setup.view, surface.viewport, None, 1.0 / WHEEL),
-        Key::Num0 | Key::Home => editor.setup.view = View::default(),
-        Key::Space => editor.play_or_pause(surface.context),
-        Key::L => editor.switch_loops(surface.context),
-        Key::C => editor.setup.camera_view = !editor.setup.camera_view,
-        Key::N => step_point(editor, if modifiers.shift { -1 } else { 1 }),
-        Key::O => step_orientation(editor, if modifiers.shift { -1 } else { 1 }),
-        _ => {}
+        key => {
+            if matches!(key, Key::N | Key::O) {
+                controller.end_nudge(actions);
+            }
+            actions.push(match key {
+                Key::Plus | Key::Equals => resized(WHEEL),
+                Key::Minus => resized(1.0 / WHEEL),
+                Key::Num0 | Key::Home => Action::View(View::default()),
+                Key::Space => Action::PlayOrPause,
+                Key::L => Action::SwitchLoops,
+                Key::C => Action::SwitchCameraView,
+                Key::N => {
+                    let count = editor.document.path().points.len();
+                    Action::Select(Selection::at(round(selection.point, by, count), 0))
+                }
+                Key::O => {
+                    let count = editor.point().map_or(1, |point| point.orientations.len());
+                    let next = round(selection.orientation, by, count);
+                    Action::Select(Selection::at(selection.point, next))
+                }
+                _ => return,
+            });
+            return;
+        }
+    };
+    if let Some(edit) = edit {
+        // Repeated while the key is down, it is one step of the history.
+        if !(controller.nudging && editor.document.in_step()) {
+            controller.nudging = true;
+            actions.push(Action::Gesture(Gesture::Begin));
+        }
+        actions.push(Action::Gesture(Gesture::Move(what, edit)));
     }
 }
 
@@ -110,13 +139,14 @@ fn direction_of(projection: &Projection, key: Key) -> (Axis, f64) {
     }
 }
 
-/// Moves a coordinate by a step; repeated while the key is down, it is one step
-/// of the history.
-fn nudge(editor: &mut Editor, projection: &Projection, what: Handle, axis: Axis, by: f64) {
-    let selection = editor.document.selection();
-    let Some(point) = editor.document.path().points.get(selection.point) else {
-        return;
-    };
+fn nudge(
+    editor: &Editor,
+    projection: &Projection,
+    what: Handle,
+    axis: Axis,
+    by: f64,
+) -> Option<Edit> {
+    let point = editor.point()?;
     let space = projection.space();
     let (low, high) = (space.low()[axis.index()], space.high()[axis.index()]);
     let moved = |from: DVec3| {
@@ -128,16 +158,13 @@ fn nudge(editor: &mut Editor, projection: &Projection, what: Handle, axis: Axis,
         *at = wanted.clamp(at.min(low), at.max(high));
         to
     };
-    let edit = match what {
+    match what {
         Handle::Vpn => drag::current_tip(&editor.document)
             .and_then(|tip| drag::move_target(&editor.document, moved(tip))),
         _ => Some(Edit::SetPosition {
-            at: selection.point,
+            at: editor.document.selection().point,
             position: moved(point.position),
         }),
-    };
-    if let Some(edit) = edit {
-        nudge_by(editor, what, edit);
     }
 }
 
@@ -154,73 +181,8 @@ fn rounded(value: f64, half_size: f64) -> f64 {
     }
 }
 
-fn nudge_roll(editor: &mut Editor, degrees: f64) {
-    let selection = editor.document.selection();
-    let Some(current) = editor
-        .document
-        .path()
-        .points
-        .get(selection.point)
-        .and_then(|point| point.orientations.get(selection.orientation))
-    else {
-        return;
-    };
-    let mut orientation = current.clone();
-    orientation.roll = ((orientation.roll + degrees) * 1e9).round() / 1e9;
-    let edit = Edit::SetOrientation {
-        point: selection.point,
-        at: selection.orientation,
-        orientation,
-    };
-    nudge_by(editor, Handle::Vup, edit);
-}
-
-fn nudge_by(editor: &mut Editor, what: Handle, edit: Edit) {
-    if !(editor.space.pointer.nudging && editor.document.in_step()) {
-        editor.document.begin_step();
-        editor.space.pointer.nudging = true;
-    }
-    if editor.edit(edit) {
-        tell_place(editor, what);
-    }
-}
-
-/// Ends the step that the keys opened.
-pub(super) fn end_nudge(editor: &mut Editor) {
-    if std::mem::take(&mut editor.space.pointer.nudging) {
-        editor.let_go();
-    }
-}
-
-/// The next point or the one before, round and round.
-fn step_point(editor: &mut Editor, by: isize) {
-    end_nudge(editor);
-    let count = editor.document.path().points.len();
-    let at = editor.document.selection().point;
-    editor.message = None;
-    make_current(editor, around(at, by, count));
-}
-
-/// The next orientation of the current point or the one before.
-fn step_orientation(editor: &mut Editor, by: isize) {
-    end_nudge(editor);
-    let selection = editor.document.selection();
-    let points = &editor.document.path().points;
-    let count = points
-        .get(selection.point)
-        .map_or(1, |point| point.orientations.len());
-    let next = around(selection.orientation, by, count);
-    editor.message = None;
-    if let Err(error) = editor.document.select(selection.point, next) {
-        editor.complain_of(&error);
-    }
-}
-
-fn around(at: usize, by: isize, count: usize) -> usize {
-    let count = count.max(1);
-    if by < 0 {
-        (at + count - 1) % count
-    } else {
-        (at + 1) % count
-    }
+fn nudge_roll(editor: &Editor, degrees: f64) -> Option<Edit> {
+    editor.orientation_edit(|orientation| {
+        orientation.roll = ((orientation.roll + degrees) * 1e9).round() / 1e9;
+    })
 }

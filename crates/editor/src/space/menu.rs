@@ -9,13 +9,11 @@ use super::drag::Handle;
 use super::picking::REACH;
 use super::projection::from_pos;
 use crate::actions::Action;
-use crate::document::Edit;
-use crate::path::{Target, Up};
+use crate::path::Up;
 use crate::setup::{Element, View};
 use crate::state::Editor;
 use crate::texts::fill;
 
-/// Where the menu is, and for what.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PointMenu {
     at: Pos2,
@@ -25,9 +23,15 @@ pub(super) struct PointMenu {
     corner: Option<DVec3>,
 }
 
-/// Shows the menu if it is open, and opens it if the hand asks for it.
-pub(super) fn show(editor: &mut Editor, ui: &Ui, viewport: Rect) {
-    let mut asked = editor.space.pointer.menu.take();
+/// Shows the menu if it is open, and opens it where the hand has asked for it.
+pub(super) fn show(
+    menu: &mut PointMenu,
+    mut asked: Option<(Pos2, Option<Handle>)>,
+    editor: &Editor,
+    ui: &Ui,
+    viewport: Rect,
+    actions: &mut Vec<Action>,
+) {
     let id = ui.scope_id().with("point menu");
     let context = ui.ctx();
     let projection = super::projection_of(editor, viewport);
@@ -43,7 +47,7 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, viewport: Rect) {
         }
     }
     let open = asked.map(|(at, what)| {
-        editor.space.menu = PointMenu {
+        *menu = PointMenu {
             at,
             of_point: what.is_some(),
             corner: corner_at(editor, &projection, at),
@@ -54,7 +58,7 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, viewport: Rect) {
         at,
         of_point,
         corner,
-    } = editor.space.menu;
+    } = *menu;
     Popup::new(id, context.clone(), at, ui.layer_id())
         .kind(PopupKind::Menu)
         .layout(Layout::top_down_justified(Align::Min))
@@ -63,17 +67,17 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, viewport: Rect) {
         .show(|ui| {
             ui.set_min_width(200.0);
             if let Some(corner) = corner {
-                aims(editor, ui, corner);
+                aims(editor, ui, corner, actions);
                 ui.separator();
             }
             if editor.has_host_view() {
-                take_over(editor, ui);
+                take_over(editor, ui, actions);
                 ui.separator();
             }
             if of_point {
-                entries(editor, ui);
+                entries(editor, ui, actions);
             } else {
-                views(editor, ui);
+                views(editor, ui, actions);
             }
         });
 }
@@ -95,35 +99,33 @@ fn corner_at(editor: &Editor, projection: &super::Projection, at: Pos2) -> Optio
 }
 
 /// Cameras that are to look at a corner of the object.
-fn aims(editor: &mut Editor, ui: &mut Ui, corner: DVec3) {
+fn aims(editor: &Editor, ui: &mut Ui, corner: DVec3, actions: &mut Vec<Action>) {
     let (texts, hints) = (&editor.texts().space, &editor.texts().menu_hints);
     let button = ui.button(texts.aim_here).on_hover_text(hints.aim_here);
     if button.clicked() {
-        editor.message = None;
-        editor.set_orientation(|orientation| orientation.target = Target::Absolute(corner));
+        actions.push(Action::AimAt(corner));
     }
     let button = ui.button(texts.aim_all_here);
     if button.on_hover_text(hints.aim_all_here).clicked() {
-        editor.message = None;
-        editor.aim_all_at(corner);
+        actions.push(Action::AimAllAt(corner));
     }
 }
 
 /// The host's view becomes one of the path.
-fn take_over(editor: &mut Editor, ui: &mut Ui) {
+fn take_over(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     for (text, hint, replace) in [
         (texts.take_over, texts.take_over_tip, false),
         (texts.take_over_here, texts.take_over_here_tip, true),
     ] {
         if ui.button(text).on_hover_text(hint).clicked() {
-            editor.act(Action::TakeOver { replace }, ui.ctx());
+            actions.push(Action::TakeOver { replace });
         }
     }
 }
 
 /// What can be done with the current point.
-fn entries(editor: &mut Editor, ui: &mut Ui) {
+fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = editor.texts();
     let (space, menu, hints) = (&texts.space, &texts.menu, &texts.menu_hints);
     let (position, output) = (&texts.position, &texts.output);
@@ -138,10 +140,10 @@ fn entries(editor: &mut Editor, ui: &mut Ui) {
     };
     let no_ends = closed.then_some(position.closed_has_no_ends);
     if entry(ui, menu.append, hints.append, no_ends) {
-        do_edit(editor, Edit::AppendAfterLast);
+        actions.push(Action::AppendPoint);
     }
     if entry(ui, menu.prepend, hints.prepend, no_ends) {
-        do_edit(editor, Edit::PrependBeforeFirst);
+        actions.push(Action::PrependPoint);
     }
     let (text, hint) = if closed {
         (space.make_open, hints.open)
@@ -149,28 +151,28 @@ fn entries(editor: &mut Editor, ui: &mut Ui) {
         (space.make_closed, hints.close)
     };
     if entry(ui, text, hint, None) {
-        do_edit(editor, Edit::SetClosed(!closed));
+        actions.push(Action::SetClosed(!closed));
     }
     ui.separator();
     if entry(ui, menu.copy_orientation, hints.copy_orientation, None) {
-        editor.act(Action::CopyOrientation, ui.ctx());
+        actions.push(Action::CopyOrientation);
     }
     let nothing = editor.copied.is_none().then_some(output.nothing_copied);
     if entry(ui, menu.paste_orientation, hints.paste_orientation, nothing) {
-        editor.act(Action::PasteOrientation, ui.ctx());
+        actions.push(Action::PasteOrientation);
     }
     if entry(ui, menu.aim_all, hints.aim_all, None) {
-        editor.act(Action::AimAll, ui.ctx());
+        actions.push(Action::AimAll);
     }
     ui.separator();
     let two = (count <= crate::limits::MIN_POINTS).then_some(position.two_remain);
     if entry(ui, menu.remove_point, position.remove_hint, two) {
-        editor.act(Action::RemovePoint, ui.ctx());
+        actions.push(Action::RemovePoint);
     }
 }
 
 /// From where the space can be seen.
-fn views(editor: &mut Editor, ui: &mut Ui) {
+fn views(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let (texts, hints) = (&editor.texts().space, &editor.texts().menu_hints);
     let [right, upright, front] = match editor.document.path().space.up {
         Up::Y => ["x", "y", "z"],
@@ -191,12 +193,7 @@ fn views(editor: &mut Editor, ui: &mut Ui) {
     ];
     for (text, hint, view) in views {
         if ui.button(text).on_hover_text(hint).clicked() {
-            editor.setup.view = view;
+            actions.push(Action::View(view));
         }
     }
-}
-
-fn do_edit(editor: &mut Editor, edit: Edit) {
-    editor.message = None;
-    editor.edit(edit);
 }

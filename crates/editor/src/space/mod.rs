@@ -3,13 +3,15 @@
 //!
 //! [`projection`] says where something is seen, [`picking`] what lies under
 //! the pointer, [`drag`] what a motion makes of it: three pieces of arithmetic
-//! that are tested without a window. [`mod@pointer`] and [`keyboard`] take the events,
+//! that are tested without a window. [`mod@pointer`] and [`keyboard`] make actions of the events,
+//! [`gesture`] says what those of a drag change,
 //! [`scene`], [`cameras`], [`ribbon`] and [`overlay`] draw, [`sliders`] stand
 //! around, [`menu`] is a point's menu.
 
 pub(crate) mod camera_view;
 mod cameras;
 mod drag;
+mod gesture;
 mod keyboard;
 mod menu;
 mod overlay;
@@ -29,17 +31,21 @@ use glam::DVec3;
 pub(super) use self::cameras::Camera;
 use self::cameras::Keys;
 use self::drag::Handle;
+pub(super) use self::gesture::Gesture;
 use self::pointer::{PointerContext, PointerController};
 use self::projection::Projection;
 use self::ribbon::Ribbon;
 use self::scene::{Look, Scene};
 use self::strokes::Strokes;
+use crate::actions::Action;
 use crate::document::Document;
+use crate::error::Result;
 use crate::path;
 use crate::raster::Lines;
 use crate::setup::{Element, View};
 use crate::state::Editor;
 use crate::texts::Texts;
+use crate::texts::refusals::reason_of;
 use crate::{host, playing};
 
 /// What the movement window remembers.
@@ -51,7 +57,7 @@ pub(super) struct Space {
     ribbon: Ribbon,
     menu: menu::PointMenu,
     /// The view before a number of it is dragged.
-    view_before: Option<crate::setup::View>,
+    view_before: Option<View>,
 }
 
 impl Space {
@@ -66,12 +72,20 @@ impl Space {
     }
 }
 
-/// Shows the movement window in all the space that is left.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     playing::show(editor, ui);
-    let viewport = sliders::show(editor, ui);
-    view(editor, ui, viewport);
-    camera_view::show(editor, ui.ctx(), viewport);
+    // What it remembers changes while the rest of the editor is only read.
+    let mut space = std::mem::take(&mut editor.space);
+    let context = ui.ctx().clone();
+    let before = &mut space.view_before;
+    let viewport = editor.part(&context, |editor, actions| {
+        sliders::show(editor, before, ui, actions)
+    });
+    space.show(editor, ui, viewport);
+    editor.host_pane = editor.part(&context, |editor, actions| {
+        camera_view::show(editor, &context, viewport, actions)
+    });
+    editor.space = space;
 }
 
 /// What mouse and keys do here beside what the thesis names: hand, meaning.
@@ -132,143 +146,154 @@ pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec
 /// About so many pieces has the curve in a [`thumbnail`].
 const THUMBNAIL_PIECES: usize = 400;
 
-/// The part in which the space is seen.
-fn view(editor: &mut Editor, ui: &mut Ui, viewport: Rect) {
-    let response = ui.interact(
-        viewport,
-        ui.scope_id().with("movement"),
-        Sense::click_and_drag(),
-    );
-    let name = editor.texts().space.name;
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
-    let context = ui.ctx().clone();
-    let layer = ui.layer_id();
-    let mine = |at| {
-        viewport.contains(at)
-            && context.layer_id_at(at).is_none_or(|found| found == layer)
-            && context.memory(|memory| memory.top_modal_layer().is_none())
-    };
-    if response.is_pointer_button_down_on() || context.memory(|memory| memory.focused().is_none()) {
-        response.request_focus();
+impl Space {
+    /// The part in which the space is seen.
+    fn show(&mut self, editor: &mut Editor, ui: &mut Ui, viewport: Rect) {
+        let response = ui.interact(
+            viewport,
+            ui.scope_id().with("movement"),
+            Sense::click_and_drag(),
+        );
+        let name = editor.texts().space.name;
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
+        let context = ui.ctx().clone();
+        let layer = ui.layer_id();
+        let mine = |at| {
+            viewport.contains(at)
+                && context.layer_id_at(at).is_none_or(|found| found == layer)
+                && context.memory(|memory| memory.top_modal_layer().is_none())
+        };
+        if response.is_pointer_button_down_on()
+            || context.memory(|memory| memory.focused().is_none())
+        {
+            response.request_focus();
+        }
+        // The arrow keys move points here; Escape takes a drag back.
+        let filter = EventFilter {
+            horizontal_arrows: true,
+            vertical_arrows: true,
+            escape: self.pointer.dragged().is_some(),
+            ..EventFilter::default()
+        };
+        context.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+        let surface = PointerContext {
+            context: &context,
+            viewport,
+            mine: &mine,
+            keyboard: response.has_focus() && !egui::Popup::is_any_open(&context),
+        };
+        // Each sees what the one before has changed.
+        for event in pointer::events(&context) {
+            editor.part(&context, |editor, actions| {
+                self.pointer.take(editor, &surface, event, actions)
+            });
+        }
+        editor.part(&context, |editor, actions| {
+            self.pointer.settle(editor, &surface, actions)
+        });
+        self.pointer.point(editor, &surface);
+        if response.hovered() || response.dragged() {
+            context.set_cursor_icon(self.pointer.cursor());
+        }
+        if response.double_clicked() && self.pointer.hover.is_none() {
+            editor.act(Action::View(View::default()), &context);
+        }
+        editor.part(&context, |editor, actions| {
+            let asked = self.pointer.menu.take();
+            menu::show(&mut self.menu, asked, editor, ui, viewport, actions);
+            if let Some(ghost) = editor.ghost.map(Camera::from) {
+                let place = projection_of(editor, viewport).pos(ghost.position);
+                actions.extend(host::button(editor, &context, viewport, place));
+            }
+        });
+        editor.part(&context, |editor, actions| {
+            if let Err(error) = self.draw(editor, &ui.painter_at(viewport), viewport) {
+                actions.push(Action::Complain(reason_of(editor.language(), &error)));
+            }
+        });
     }
-    // The arrow keys move points here; Escape takes a drag back.
-    let filter = EventFilter {
-        horizontal_arrows: true,
-        vertical_arrows: true,
-        escape: editor.space.pointer.dragged().is_some(),
-        ..EventFilter::default()
-    };
-    context.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
-    let surface = PointerContext {
-        context: &context,
-        viewport,
-        mine: &mine,
-        keyboard: response.has_focus() && !egui::Popup::is_any_open(&context),
-    };
-    PointerController::work(editor, &surface);
-    if response.double_clicked() && editor.space.pointer.hover.is_none() {
-        editor.setup.view = crate::setup::View::default();
+
+    fn draw(&mut self, editor: &Editor, painter: &Painter, viewport: Rect) -> Result<()> {
+        let projection = projection_of(editor, viewport);
+        let look = Look {
+            projection: &projection,
+            viewport,
+            pixels_per_point: f64::from(painter.pixels_per_point()),
+            colours: editor.setup.colours(),
+            shown: &editor.setup.shown,
+        };
+        painter.rect_filled(viewport, 0.0, look.colours.of(Element::Background));
+        let add_shared = |lines: &Arc<Lines>| {
+            if !lines.lines.is_empty() {
+                painter.add(Lines::shape(lines, viewport));
+            }
+        };
+        let add = |lines: Lines| add_shared(&Arc::new(lines));
+        let document = &editor.document;
+        let pointer = &self.pointer;
+        let dragged = pointer.dragged();
+        let through = dragged.and_then(|(what, freedom)| {
+            let place = pointer::place_held(editor, what)?;
+            Some((place, freedom))
+        });
+        if let Some((through, freedom)) = through {
+            overlay::plane(painter, &look, through, freedom);
+        }
+        let trouble = self.scene.update(document, &look);
+        add_shared(self.scene.still());
+        // Cameras and ribbon below the curve, at which people look more; and what lies
+        // below all that changes in a drag need not be painted again.
+        add_shared(self.keys.update(document, &look));
+        if editor.setup.shown.has(Element::Ribbon) && self.ribbon.update(document).is_ok() {
+            self.ribbon.paint(painter, &look);
+        }
+        self.scene.paint(painter, viewport);
+        add(cameras::current_key(document, &look));
+        if let Some((through, freedom)) = through {
+            add(overlay::guides(&look, through, freedom));
+        }
+        let current = scene::current(document, &look).map(add);
+        if let Some(tips) = picking::tips(document) {
+            add(overlay::circle(&look, &tips));
+            overlay::arrows(painter, &look, &tips);
+            let held = dragged.map(|(what, _)| what);
+            if let Some(handle) = held.or(pointer.hover)
+                && let Some((at, color)) = overlay::place_of(document, &look, &tips, handle)
+            {
+                add(overlay::ring(&look, at, color, held.is_some()));
+            }
+        }
+        if let Some(color) = look.of(Element::Player)
+            && let Some((camera, true)) = editor.camera()
+        {
+            let mut strokes = Strokes::new(look.projection, viewport);
+            cameras::camera(&mut strokes, &look, &camera, 44.0, 1.8, color);
+            add(strokes.finish());
+        }
+        if let Some(ghost) = editor.ghost.map(Camera::from) {
+            let color = editor.setup.theme().palette().text.gamma_multiply(0.65);
+            let mut strokes = Strokes::new(look.projection, viewport);
+            cameras::camera(&mut strokes, &look, &ghost, 40.0, 1.4, color);
+            add(strokes.finish());
+            overlay::name(painter, &look, &ghost, editor.host_name(), color);
+        }
+        let pointed = match pointer.hover {
+            Some(Handle::Point(at)) => Some(at),
+            _ => None,
+        };
+        overlay::numbers(painter, document, &look, pointed);
+        overlay::directions(painter, &look);
+        if let Some(hint) = pointer.hint(editor.texts(), &projection) {
+            overlay::hint(painter, &look, &hint, editor.setup.theme().palette().weak);
+        }
+        current.and(trouble)
     }
-    if response.hovered() || response.dragged() {
-        context.set_cursor_icon(editor.space.pointer.cursor());
-    }
-    menu::show(editor, ui, viewport);
-    if let Some(ghost) = editor.ghost.map(Camera::from) {
-        let place = projection_of(editor, viewport).pos(ghost.position);
-        host::button(editor, &context, viewport, place);
-    }
-    draw(editor, &ui.painter_at(viewport), viewport);
 }
 
 /// The movement space as it is seen.
 fn projection_of(editor: &Editor, viewport: Rect) -> Projection {
     let space = editor.document.path().space;
     Projection::of(&editor.setup.view, viewport, space)
-}
-
-/// Paints what stands in the space.
-fn draw(editor: &mut Editor, painter: &Painter, viewport: Rect) {
-    let projection = projection_of(editor, viewport);
-    let look = Look {
-        projection: &projection,
-        viewport,
-        pixels_per_point: f64::from(painter.pixels_per_point()),
-        colours: editor.setup.colours(),
-        shown: &editor.setup.shown,
-    };
-    painter.rect_filled(viewport, 0.0, look.colours.of(Element::Background));
-    let add_shared = |lines: &Arc<Lines>| {
-        if !lines.lines.is_empty() {
-            painter.add(Lines::shape(lines, viewport));
-        }
-    };
-    let add = |lines: Lines| add_shared(&Arc::new(lines));
-    let document = &editor.document;
-    let pointer = &editor.space.pointer;
-    let dragged = pointer.dragged();
-    let through = dragged.and_then(|(what, freedom)| {
-        let place = pointer::place_held(editor, what)?;
-        Some((place, freedom))
-    });
-    if let Some((through, freedom)) = through {
-        overlay::plane(painter, &look, through, freedom);
-    }
-    let trouble = editor.space.scene.update(document, &look).err();
-    add_shared(editor.space.scene.still());
-    // Cameras and ribbon below the curve, at which people look more; and what lies
-    // below all that changes in a drag need not be painted again.
-    add_shared(editor.space.keys.update(document, &look));
-    if editor.setup.shown.has(Element::Ribbon) && editor.space.ribbon.update(document).is_ok() {
-        editor.space.ribbon.paint(painter, &look);
-    }
-    editor.space.scene.paint(painter, viewport);
-    add(cameras::current_key(document, &look));
-    if let Some((through, freedom)) = through {
-        add(overlay::guides(&look, through, freedom));
-    }
-    let trouble = match scene::current(document, &look) {
-        Ok(lines) => {
-            add(lines);
-            trouble
-        }
-        Err(error) => Some(error),
-    };
-    if let Some(tips) = picking::tips(document) {
-        add(overlay::circle(&look, &tips));
-        overlay::arrows(painter, &look, &tips);
-        let held = dragged.map(|(what, _)| what);
-        if let Some(handle) = held.or(pointer.hover)
-            && let Some((at, color)) = overlay::place_of(document, &look, &tips, handle)
-        {
-            add(overlay::ring(&look, at, color, held.is_some()));
-        }
-    }
-    if let Some(color) = look.of(Element::Player)
-        && let Some((camera, true)) = editor.camera()
-    {
-        let mut strokes = Strokes::new(look.projection, viewport);
-        cameras::camera(&mut strokes, &look, &camera, 44.0, 1.8, color);
-        add(strokes.finish());
-    }
-    if let Some(ghost) = editor.ghost.map(Camera::from) {
-        let color = editor.setup.theme().palette().text.gamma_multiply(0.65);
-        let mut strokes = Strokes::new(look.projection, viewport);
-        cameras::camera(&mut strokes, &look, &ghost, 40.0, 1.4, color);
-        add(strokes.finish());
-        overlay::name(painter, &look, &ghost, editor.host_name(), color);
-    }
-    let pointed = match pointer.hover {
-        Some(Handle::Point(at)) => Some(at),
-        _ => None,
-    };
-    overlay::numbers(painter, document, &look, pointed);
-    overlay::directions(painter, &look);
-    if let Some(hint) = pointer.hint(editor.texts(), &projection) {
-        overlay::hint(painter, &look, &hint, editor.setup.theme().palette().weak);
-    }
-    if let Some(error) = trouble {
-        editor.complain_of(&error);
-    }
 }
 
 #[cfg(test)]

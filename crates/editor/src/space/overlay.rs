@@ -30,7 +30,6 @@ const HEAD: [f64; 2] = [12.0, 4.2];
 const RING: f64 = 8.0;
 const RING_WIDTH: f32 = 1.5;
 
-/// Width of the arrows.
 const ARROW: f32 = 2.0;
 
 /// A number keeps the others out of the cells around its own, of this size.
@@ -65,7 +64,6 @@ pub(super) fn circle(look: &Look<'_>, tips: &Tips) -> Lines {
     strokes.finish()
 }
 
-/// The arrows of the current camera.
 pub(super) fn arrows(painter: &Painter, look: &Look<'_>, tips: &Tips) {
     let mut shafts = Strokes::new(look.projection, look.viewport);
     let mut heads = Vec::new();

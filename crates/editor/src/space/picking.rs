@@ -14,15 +14,12 @@ pub(super) const REACH: f64 = 6.0;
 /// The tips of the current camera's arrows and its position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Tips {
-    /// Where the camera stands.
     pub(super) position: DVec3,
     /// Its view direction, a unit vector.
     pub(super) view: DVec3,
     /// Its up vector, a unit vector.
     pub(super) up: DVec3,
-    /// What it looks at.
     pub(super) target: DVec3,
-    /// The tip of the VUP arrow.
     pub(super) up_tip: DVec3,
 }
 

@@ -20,10 +20,8 @@ pub(crate) enum Axis {
 }
 
 impl Axis {
-    /// All three.
     pub(super) const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
 
-    /// Its letter.
     pub(super) const fn letter(self) -> &'static str {
         match self {
             Self::X => "x",
@@ -32,12 +30,10 @@ impl Axis {
         }
     }
 
-    /// Its place in a vector.
     pub(super) const fn index(self) -> usize {
         self as usize
     }
 
-    /// The two others, in their order.
     pub(super) const fn others(self) -> [Self; 2] {
         match self {
             Self::X => [Self::Y, Self::Z],
@@ -57,9 +53,7 @@ const MARGIN: f64 = 0.98;
 /// From the movement space to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Projection {
-    /// The movement space.
     space: Space,
-    /// Where its middle is seen.
     middle: DVec2,
     /// Points to the right for a unit along each axis.
     across: DVec3,
@@ -110,7 +104,6 @@ impl Projection {
         }
     }
 
-    /// Where a point is seen.
     pub(super) fn image(&self, point: DVec3) -> DVec2 {
         self.middle + self.image_of_way(point - self.space.centre)
     }
@@ -125,7 +118,6 @@ impl Projection {
         to_pos(self.image(point))
     }
 
-    /// The space that is seen.
     pub(super) fn space(&self) -> Space {
         self.space
     }
@@ -226,7 +218,6 @@ pub(super) fn cube_edges() -> impl Iterator<Item = (Axis, [f64; 2])> {
     })
 }
 
-/// The ends of an edge of a space's cube.
 pub(super) fn edge_ends(space: Space, along: Axis, signs: [f64; 2]) -> [DVec3; 2] {
     [-1.0, 1.0].map(|end| {
         let mut corner = DVec3::ZERO;

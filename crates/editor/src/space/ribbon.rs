@@ -54,7 +54,6 @@ struct Rib {
 }
 
 impl Rib {
-    /// The two ends of it.
     fn ends(&self, half_size: f64) -> [DVec3; 2] {
         let foot = self.camera.position;
         [foot, foot + self.camera.up * (WIDTH * half_size)]
@@ -232,7 +231,6 @@ impl Ribbon {
         }
     }
 
-    /// The poses that it is made of.
     #[cfg(test)]
     pub(super) fn poses(&self) -> impl ExactSizeIterator<Item = Camera> {
         self.ribs.iter().map(|rib| rib.camera)
@@ -309,7 +307,6 @@ fn make(ribs: &[Rib], look: &Look<'_>, color: Color32) -> (Arc<Mesh>, Arc<Lines>
     (Arc::new(mesh), Arc::new(strokes.finish()))
 }
 
-/// A piece of the ribbon, if it is seen.
 fn add_quad(
     mesh: &mut Mesh,
     look: &Look<'_>,

@@ -46,7 +46,6 @@ pub(super) const THIN: f32 = 1.0;
 const CURVE: f32 = 1.7;
 const SEGMENT: f32 = 2.6;
 
-/// How everything is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Look<'a> {
     pub(super) projection: &'a Projection,
@@ -77,7 +76,6 @@ impl Look<'_> {
         }
     }
 
-    /// The colour of an element that is shown.
     pub(super) fn of(&self, element: Element) -> Option<Color32> {
         self.shown.has(element).then(|| self.colours.of(element))
     }
@@ -116,7 +114,6 @@ struct Chunk {
     crosses: Arc<Lines>,
 }
 
-/// What has been made so far.
 #[derive(Debug, Default)]
 pub(super) struct Scene {
     seen: Option<Seen>,
@@ -128,10 +125,6 @@ pub(super) struct Scene {
 }
 
 impl Scene {
-    /// Brings everything up to date.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`.
     pub(super) fn update(&mut self, document: &Document, look: &Look<'_>) -> Result<()> {
         let seen = look.seen();
         let other_look = self.seen.as_ref() != Some(&seen);
@@ -161,12 +154,10 @@ impl Scene {
         Ok(())
     }
 
-    /// Cube and object.
     pub(super) fn still(&self) -> &Arc<Lines> {
         &self.still
     }
 
-    /// Paints curve and crosses.
     pub(super) fn paint(&self, painter: &Painter, viewport: Rect) {
         let add = |lines: &Arc<Lines>| {
             if !lines.lines.is_empty() {
@@ -189,7 +180,6 @@ impl Scene {
     }
 }
 
-/// Segments in each chunk of a path.
 fn chunk(path: &CameraPath) -> usize {
     if path.points.len() <= FEW {
         CHUNK
@@ -204,7 +194,6 @@ fn segments(path: &CameraPath, index: usize) -> Range<usize> {
     first..(first + chunk(path)).min(path.points.len())
 }
 
-/// The knots of a chunk.
 fn knots(path: &CameraPath, index: usize) -> impl Iterator<Item = Option<Knot>> {
     let count = path.points.len();
     let Range { start: first, end } = segments(path, index);
@@ -393,9 +382,6 @@ fn cross(
 
 /// The segment that begins at the current point and the point's own cross,
 /// above everything else.
-///
-/// # Errors
-/// `ErrorKind::Memory`.
 pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
     let path = document.path();
     let at = document.selection().point;

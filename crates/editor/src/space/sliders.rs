@@ -3,7 +3,8 @@
 
 use egui::{Align, Layout, Rect, Slider, SliderOrientation, Ui, UiBuilder, pos2};
 
-use super::pointer::resize;
+use super::pointer::resized;
+use crate::actions::Action;
 use crate::number::{Entry, Number};
 use crate::setup::View;
 use crate::state::Editor;
@@ -20,7 +21,6 @@ const NUMBER: f32 = 56.0;
 const EDGE: f32 = 12.0;
 const GAP: f32 = 8.0;
 
-/// One of the three.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Part {
     Size,
@@ -28,10 +28,17 @@ enum Part {
     Tilt,
 }
 
-/// Shows the sliders and gives back the viewport between them.
-pub(super) fn show(editor: &mut Editor, ui: &mut Ui) -> Rect {
+/// Shows the sliders and gives back the viewport between them. `before`: the view as it
+/// was before a number is dragged.
+pub(super) fn show(
+    editor: &Editor,
+    before: &mut Option<View>,
+    ui: &mut Ui,
+    actions: &mut Vec<Action>,
+) -> Rect {
     let all = ui.available_rect_before_wrap();
     ui.advance_cursor_after_rect(all);
+    let mut view = editor.setup.view;
     let right = (all.right() - COLUMN).max(all.left());
     let bottom = (all.bottom() - ROW).max(all.top() + ROW);
     let between = Rect::from_min_max(pos2(all.left(), all.top() + ROW), pos2(right, bottom));
@@ -43,12 +50,15 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) -> Rect {
         let layout = Layout::left_to_right(Align::Center);
         UiBuilder::new().max_rect(row(top)).layout(layout)
     };
-    ui.scope_builder(level(all.top()), |ui| {
-        along(editor, ui, Part::Size, between)
-    });
-    ui.scope_builder(level(bottom), |ui| {
-        along(editor, ui, Part::Rotation, between)
-    });
+    let mut sliders = Sliders {
+        editor,
+        view: &mut view,
+        before,
+        viewport: between,
+        actions,
+    };
+    ui.scope_builder(level(all.top()), |ui| sliders.along(ui, Part::Size));
+    ui.scope_builder(level(bottom), |ui| sliders.along(ui, Part::Rotation));
     let column = Rect::from_min_max(
         pos2(all.right() - EDGE - NUMBER, between.top()),
         pos2(all.right() - EDGE, between.bottom()),
@@ -59,30 +69,106 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) -> Rect {
         ui.spacing_mut().item_spacing.y = GAP;
         ui.weak(editor.texts().space.tilt);
         ui.spacing_mut().slider_width = (ui.available_height() - ROW).max(40.0);
-        slide(editor, ui, Part::Tilt, between);
-        number(editor, ui, Part::Tilt, between);
+        sliders.slide(ui, Part::Tilt);
+        sliders.number(ui, Part::Tilt);
     });
+    if view != editor.setup.view {
+        actions.push(Action::View(view));
+    }
     between
 }
 
-/// A row: name, slider, number.
-fn along(editor: &mut Editor, ui: &mut Ui, part: Part, viewport: Rect) {
-    let text = match part {
-        Part::Size => editor.texts().space.size,
-        _ => editor.texts().space.rotate,
-    };
-    ui.allocate_ui_with_layout(
-        egui::vec2(NAME, ROW),
-        Layout::left_to_right(Align::Center),
-        |ui| {
-            ui.set_min_width(NAME);
-            ui.weak(text);
-        },
-    );
-    ui.spacing_mut().item_spacing.x = GAP;
-    ui.spacing_mut().slider_width = (ui.available_width() - NUMBER - GAP).max(40.0);
-    slide(editor, ui, part, viewport);
-    number(editor, ui, part, viewport);
+/// What the three share.
+struct Sliders<'a> {
+    editor: &'a Editor,
+    /// As the hand changes it.
+    view: &'a mut View,
+    before: &'a mut Option<View>,
+    viewport: Rect,
+    actions: &'a mut Vec<Action>,
+}
+
+impl Sliders<'_> {
+    fn along(&mut self, ui: &mut Ui, part: Part) {
+        let text = match part {
+            Part::Size => self.editor.texts().space.size,
+            _ => self.editor.texts().space.rotate,
+        };
+        ui.allocate_ui_with_layout(
+            egui::vec2(NAME, ROW),
+            Layout::left_to_right(Align::Center),
+            |ui| {
+                ui.set_min_width(NAME);
+                ui.weak(text);
+            },
+        );
+        ui.spacing_mut().item_spacing.x = GAP;
+        ui.spacing_mut().slider_width = (ui.available_width() - NUMBER - GAP).max(40.0);
+        self.slide(ui, part);
+        self.number(ui, part);
+    }
+
+    fn slide(&mut self, ui: &mut Ui, part: Part) {
+        let texts = &self.editor.texts().space;
+        let (name, tip) = match part {
+            Part::Size => (texts.size, texts.size_tip),
+            Part::Rotation => (texts.rotate, texts.rotate_tip),
+            Part::Tilt => (texts.tilt, texts.tilt_tip),
+        };
+        let mut value = part.of(self.view);
+        let slider = Slider::new(&mut value, part.range())
+            .show_value(false)
+            .logarithmic(part == Part::Size)
+            .trailing_fill(part == Part::Size)
+            .orientation(if part == Part::Tilt {
+                SliderOrientation::Vertical
+            } else {
+                SliderOrientation::Horizontal
+            });
+        let response = ui.add(slider);
+        ui.ctx()
+            .accesskit_node_builder(response.id, |node| node.set_label(name));
+        if response.changed() {
+            part.set(self.view, self.viewport, value);
+        }
+        if response.double_clicked() {
+            part.set(self.view, self.viewport, part.of(&View::default()));
+        }
+        response.on_hover_text(tip);
+    }
+
+    /// The number beside it, to be dragged or typed.
+    fn number(&mut self, ui: &mut Ui, part: Part) {
+        let texts = &self.editor.texts().space;
+        let (name, unit) = match part {
+            Part::Size => (texts.size, " %"),
+            Part::Rotation => (texts.rotate, "°"),
+            Part::Tilt => (texts.tilt, "°"),
+        };
+        let value = part.of(self.view);
+        let id = match part {
+            Part::Size => "space size",
+            Part::Rotation => "space rotation",
+            Part::Tilt => "space tilt",
+        };
+        let entry = Number::new(name, value)
+            .unit(unit)
+            .decimals(0)
+            .range(part.range())
+            .steps(1.0, 0.5)
+            .show(ui, self.editor.language(), id, NUMBER);
+        match entry {
+            Entry::Drag(value) | Entry::Set(value) => part.set(self.view, self.viewport, value),
+            Entry::Begin => *self.before = Some(*self.view),
+            Entry::Cancel => {
+                if let Some(view) = self.before.take() {
+                    *self.view = view;
+                }
+            }
+            Entry::Wrong(why) => self.actions.push(Action::Complain(why)),
+            Entry::Idle | Entry::End => {}
+        }
+    }
 }
 
 impl Part {
@@ -97,7 +183,7 @@ impl Part {
 
     fn set(self, view: &mut View, viewport: Rect, value: f64) {
         match self {
-            Self::Size => resize(view, viewport, None, value / 100.0 / view.size),
+            Self::Size => *view = resized(view, viewport, None, value / 100.0 / view.size),
             Self::Rotation => view.rotation = value,
             Self::Tilt => view.tilt = value,
         }
@@ -110,67 +196,5 @@ impl Part {
             Self::Rotation => -180.0..=180.0,
             Self::Tilt => -90.0..=90.0,
         }
-    }
-}
-
-fn slide(editor: &mut Editor, ui: &mut Ui, part: Part, viewport: Rect) {
-    let texts = &editor.texts().space;
-    let (name, tip) = match part {
-        Part::Size => (texts.size, texts.size_tip),
-        Part::Rotation => (texts.rotate, texts.rotate_tip),
-        Part::Tilt => (texts.tilt, texts.tilt_tip),
-    };
-    let mut value = part.of(&editor.setup.view);
-    let slider = Slider::new(&mut value, part.range())
-        .show_value(false)
-        .logarithmic(part == Part::Size)
-        .trailing_fill(part == Part::Size)
-        .orientation(if part == Part::Tilt {
-            SliderOrientation::Vertical
-        } else {
-            SliderOrientation::Horizontal
-        });
-    let response = ui.add(slider);
-    ui.ctx()
-        .accesskit_node_builder(response.id, |node| node.set_label(name));
-    if response.changed() {
-        part.set(&mut editor.setup.view, viewport, value);
-    }
-    if response.double_clicked() {
-        part.set(&mut editor.setup.view, viewport, part.of(&View::default()));
-    }
-    response.on_hover_text(tip);
-}
-
-/// The number beside it, to be dragged or typed.
-fn number(editor: &mut Editor, ui: &mut Ui, part: Part, viewport: Rect) {
-    let texts = &editor.texts().space;
-    let (name, unit) = match part {
-        Part::Size => (texts.size, " %"),
-        Part::Rotation => (texts.rotate, "°"),
-        Part::Tilt => (texts.tilt, "°"),
-    };
-    let value = part.of(&editor.setup.view);
-    let id = match part {
-        Part::Size => "space size",
-        Part::Rotation => "space rotation",
-        Part::Tilt => "space tilt",
-    };
-    let entry = Number::new(name, value)
-        .unit(unit)
-        .decimals(0)
-        .range(part.range())
-        .steps(1.0, 0.5)
-        .show(ui, editor.language(), id, NUMBER);
-    match entry {
-        Entry::Drag(value) | Entry::Set(value) => part.set(&mut editor.setup.view, viewport, value),
-        Entry::Begin => editor.space.view_before = Some(editor.setup.view),
-        Entry::Cancel => {
-            if let Some(view) = editor.space.view_before.take() {
-                editor.setup.view = view;
-            }
-        }
-        Entry::Wrong(why) => editor.complain(why),
-        Entry::Idle | Entry::End => {}
     }
 }

@@ -37,12 +37,10 @@ impl<'a> Strokes<'a> {
         }
     }
 
-    /// The movement space.
     pub(super) fn space(&self) -> Space {
         self.projection.space()
     }
 
-    /// What was collected.
     pub(super) fn finish(self) -> Lines {
         self.out
     }
@@ -65,7 +63,6 @@ impl<'a> Strokes<'a> {
         self.flat(centre, centre, 2.0 * radius as f32, color);
     }
 
-    /// A line in space.
     pub(super) fn line(&mut self, from: DVec3, to: DVec3, width: f32, color: Color32) {
         let [from, to] = [from, to].map(|end| self.projection.image(end));
         self.flat(from, to, width, color);
@@ -107,7 +104,6 @@ impl<'a> Strokes<'a> {
         self.phase = (self.phase + length) % period;
     }
 
-    /// A dashed line in space.
     pub(super) fn dashed(&mut self, from: DVec3, to: DVec3, width: f32, color: Color32) {
         let [from, to] = [from, to].map(|end| self.projection.image(end));
         self.flat_dashed(from, to, width, color);

@@ -36,8 +36,8 @@ mod orientation;
 mod output;
 mod position;
 mod questions;
+mod recovery;
 pub(crate) mod refusals;
-mod rescue;
 mod setup;
 mod space;
 mod space_window;
@@ -166,7 +166,7 @@ parts! {
     output: Output;
     position: Position;
     questions: Questions;
-    rescue: Rescue;
+    recovery: Recovery;
     setup: Setup;
     space: Space;
     space_window: SpaceWindow;

@@ -11,42 +11,34 @@ mod fonts;
 
 use egui::style::{ScrollAnimation, ScrollStyle, Selection, TextCursorStyle, WidgetVisuals};
 use egui::{
-    Color32, CornerRadius, FontFamily, FontId, Margin, Mesh, Rect, Response, RichText, Shadow,
-    Shape, Stroke, Style, TextStyle, Ui, Visuals, vec2,
+    Align2, Color32, CornerRadius, FontFamily, FontId, Id, Margin, Mesh, Rect, Response, RichText,
+    Shadow, Shape, Stroke, Style, TextEdit, TextStyle, Ui, Visuals, vec2,
 };
 
 use crate::setup::Theme;
 
-/// The colours of one theme.
 #[derive(Debug)]
 pub(super) struct Palette {
     /// Behind panels, menu bar and windows.
     pub(super) panel: Color32,
     /// Behind numbers and texts that can be typed into, and behind pictures.
     pub(super) field: Color32,
-    /// A button at rest.
     pub(super) button: Color32,
-    /// A button under the pointer.
     pub(super) hovered: Color32,
-    /// A button that is pressed.
     pub(super) pressed: Color32,
-    /// Borders and separators.
     pub(super) line: Color32,
     /// The border of a window.
     pub(super) rim: Color32,
     /// The border of a field, a box or a circle, and rails.
     pub(super) edge: Color32,
-    /// Text.
     pub(super) text: Color32,
     /// Headings, units, what matters less.
     pub(super) weak: Color32,
     /// What is chosen, the handle of the play bar, the curve of a picture.
     pub(super) accent: Color32,
-    /// Text on the accent.
     pub(super) on_accent: Color32,
     /// An error in words.
     pub(super) error: Color32,
-    /// The border of what has the keyboard.
     pub(super) focus: Color32,
 }
 
@@ -90,7 +82,6 @@ static LIGHT: Palette = Palette {
 };
 
 impl Theme {
-    /// Its colours.
     pub(super) fn palette(self) -> &'static Palette {
         match self {
             Self::Dark => &DARK,
@@ -98,7 +89,6 @@ impl Theme {
         }
     }
 
-    /// What egui calls so.
     pub(super) fn of_system(theme: egui::Theme) -> Self {
         match theme {
             egui::Theme::Dark => Self::Dark,
@@ -106,7 +96,6 @@ impl Theme {
         }
     }
 
-    /// egui's name for it.
     pub(super) fn of_egui(self) -> egui::Theme {
         match self {
             Self::Dark => egui::Theme::Dark,
@@ -125,14 +114,11 @@ pub(super) fn palette_of(visuals: &Visuals) -> &'static Palette {
     if visuals.dark_mode { &DARK } else { &LIGHT }
 }
 
-/// Text size in points.
 pub(super) const TEXT: f32 = 13.0;
-/// Height of buttons and fields in points.
 pub(super) const ROW: f32 = 24.0;
 /// Distance between things that belong together.
 pub(super) const GAP: f32 = 4.0;
 
-/// The frame of a field to be typed into.
 pub(super) fn field(ui: &egui::Ui) -> egui::Frame {
     let palette = palette(ui);
     egui::Frame::new()
@@ -142,7 +128,27 @@ pub(super) fn field(ui: &egui::Ui) -> egui::Frame {
         .inner_margin(Margin::symmetric(6, 0))
 }
 
-/// A box to be ticked.
+/// A field for a line of text with a name and a tooltip.
+pub(super) fn line_edit(
+    ui: &mut Ui,
+    text: &mut String,
+    id: &'static str,
+    width: f32,
+    (name, hint): (&'static str, &'static str),
+) -> Response {
+    let edit = TextEdit::singleline(text)
+        .id(Id::unique(id))
+        .desired_width(width)
+        .frame(field(ui))
+        .align(Align2::LEFT_CENTER)
+        .margin(Margin::symmetric(6, 0))
+        .min_size(vec2(0.0, ROW));
+    let response = ui.add(edit).on_hover_text(hint);
+    ui.ctx()
+        .accesskit_node_builder(response.id, |node| node.set_label(name));
+    response
+}
+
 pub(super) fn tick(ui: &mut Ui, on: &mut bool, text: &str) -> Response {
     marked(ui, *on, text, |ui, text| ui.checkbox(on, text))
 }
@@ -195,7 +201,6 @@ pub(super) fn text() -> FontId {
     FontId::new(TEXT, FontFamily::Proportional)
 }
 
-/// The font of headings.
 pub(super) fn heading() -> FontId {
     FontId::new(14.0, FontFamily::Proportional)
 }

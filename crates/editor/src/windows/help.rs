@@ -13,10 +13,8 @@ use crate::state::Editor;
 use crate::texts::{Language, fill};
 use crate::theme;
 
-/// Width of the first column, the same in all sections.
 const KEYS: f32 = 232.0;
 
-/// The window.
 #[derive(Debug)]
 pub(crate) struct HelpWindow {}
 
@@ -61,7 +59,6 @@ impl SubWindow for HelpWindow {
 /// Keys or what a hand does, and the meaning.
 type Row = (String, Cow<'static, str>);
 
-/// The headings, each with its rows.
 fn sections(language: Language) -> [(&'static str, Vec<Row>); 4] {
     let texts = &language.texts().help;
     let row = |keys: &str, meaning: &'static str| (keys.to_owned(), meaning.into());

@@ -19,7 +19,7 @@ pub(super) use space::SpaceWindow;
 pub(super) use speed::SpeedWindow;
 
 use crate::actions::Action;
-use crate::files::{ChangedFile, FileWindow, Question, RescueWindow};
+use crate::files::{FileWindow, Question, RecoveryWindow};
 use crate::keys;
 use crate::setup::{ColourWindow, DisplayWindow};
 use crate::state::Editor;
@@ -43,9 +43,9 @@ pub(super) struct Windows {
     /// A question waits for its answer; nothing else happens meanwhile.
     pub(super) question: Option<Question>,
     /// The file has changed, and a question waits for its answer; nothing else happens.
-    pub(super) changed: Option<ChangedFile>,
+    pub(super) changed: Option<Question>,
     /// Unsaved work was left behind, and is offered.
-    pub(super) rescue: Option<RescueWindow>,
+    pub(super) recovery: Option<RecoveryWindow>,
 }
 
 /// Where a sub-window opens: beside the panels; over them where it would hide
@@ -72,7 +72,6 @@ pub(super) trait SubWindow: Sized {
     /// Where it is kept while it is open.
     fn slot(windows: &mut Windows) -> &mut Option<Self>;
 
-    /// As it opens.
     fn new(editor: &Editor) -> Self;
 
     /// Shows it and takes its input, by [`sub_window`]: what is asked for are actions,
@@ -81,7 +80,6 @@ pub(super) trait SubWindow: Sized {
     -> bool;
 }
 
-/// Opens a sub-window, or brings it to the front if it is open.
 pub(super) fn open<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
     if W::slot(&mut editor.windows).is_none() {
         let window = W::new(editor);
@@ -90,7 +88,6 @@ pub(super) fn open<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
     context.move_to_top(layer(W::ID));
 }
 
-/// Shows those that are open.
 pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_one::<CurveWindow>(editor, context);
     show_one::<SpeedWindow>(editor, context);
@@ -99,22 +96,10 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_one::<PointsWindow>(editor, context);
     show_one::<SpaceWindow>(editor, context);
     show_one::<HelpWindow>(editor, context);
-    show_one::<RescueWindow>(editor, context);
-    if let Some(window) = editor.windows.files.take() {
-        window.show(editor, context);
-    }
-    if let Some(mut question) = editor.windows.question.take() {
-        match question.show(editor, context) {
-            Some(actions) => editor.act_all(actions, context),
-            None => editor.windows.question = Some(question),
-        }
-    }
-    if let Some(mut question) = editor.windows.changed.take() {
-        match question.show(editor, context) {
-            Some(actions) => editor.act_all(actions, context),
-            None => editor.windows.changed = Some(question),
-        }
-    }
+    show_one::<RecoveryWindow>(editor, context);
+    show_slot(editor, context, |open| &mut open.files, FileWindow::show);
+    show_slot(editor, context, |open| &mut open.question, Question::show);
+    show_slot(editor, context, |open| &mut open.changed, Question::show);
 }
 
 impl Windows {
@@ -133,12 +118,30 @@ impl Windows {
 }
 
 fn show_one<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
-    if let Some(mut window) = W::slot(&mut editor.windows).take() {
+    show_slot(
+        editor,
+        context,
+        W::slot,
+        |window, editor, context, actions| {
+            let stays = W::show(window, editor, context, actions);
+            name_cross(context, layer(W::ID), editor.texts().menu.close_window);
+            stays
+        },
+    );
+}
+
+/// Shows what is open in a slot, out of which it is taken meanwhile; then does what it
+/// asked for.
+fn show_slot<W>(
+    editor: &mut Editor,
+    context: &egui::Context,
+    slot: impl Fn(&mut Windows) -> &mut Option<W>,
+    show: impl FnOnce(&mut W, &Editor, &egui::Context, &mut Vec<Action>) -> bool,
+) {
+    if let Some(mut window) = slot(&mut editor.windows).take() {
         let mut actions = Vec::new();
-        let stays = window.show(editor, context, &mut actions);
-        name_cross(context, layer(W::ID), editor.texts().menu.close_window);
-        if stays {
-            W::slot(&mut editor.windows).get_or_insert(window);
+        if show(&mut window, editor, context, &mut actions) {
+            *slot(&mut editor.windows) = Some(window);
         }
         editor.act_all(actions, context);
     }

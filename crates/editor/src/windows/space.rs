@@ -2,7 +2,7 @@
 //! name of the unit, which axis stands upright. What is entered waits until it is
 //! applied, as one step.
 
-use egui::{Button, Grid, TextEdit, Ui, vec2};
+use egui::{Button, Grid, Ui, vec2};
 
 use super::{SubWindow, Windows, row_at_right, sub_window};
 use crate::actions::Action;
@@ -21,7 +21,6 @@ const NAME: f32 = 96.0;
 const NUMBER: f32 = 100.0;
 const BUTTON: f32 = 96.0;
 
-/// The space window.
 #[derive(Debug)]
 pub(crate) struct SpaceWindow {
     /// What the document had when it was looked at last.
@@ -124,16 +123,8 @@ impl SpaceWindow {
                 space.half_size = value;
             });
             ui.label(texts.unit);
-            let edit = TextEdit::singleline(&mut self.unit)
-                .id(egui::Id::unique("space.unit"))
-                .desired_width(NUMBER)
-                .frame(theme::field(ui))
-                .align(egui::Align2::LEFT_CENTER)
-                .margin(egui::Margin::symmetric(6, 0))
-                .min_size(vec2(0.0, theme::ROW));
-            let response = ui.add(edit).on_hover_text(texts.unit_hint);
-            ui.ctx()
-                .accesskit_node_builder(response.id, |node| node.set_label(texts.unit));
+            let (width, words) = (NUMBER, (texts.unit, texts.unit_hint));
+            theme::line_edit(ui, &mut self.unit, "space.unit", width, words);
         });
         ui.end_row();
         name(ui, texts.up, texts.up_hint);
@@ -229,21 +220,15 @@ impl SpaceWindow {
         let Some(mut window) = editor.windows.space.take() else {
             return;
         };
-        let edit = Edit::SetSpace {
+        let mut info = editor.document.info().clone();
+        info.unit.clone_from(&window.unit);
+        let info = (info != *editor.document.info()).then(|| Edit::SetInfo(Box::new(info)));
+        let space = Edit::SetSpace {
             space: window.space,
             fit: window.fit,
         };
-        let mut info = editor.document.info().clone();
-        info.unit.clone_from(&window.unit);
         editor.message = None;
-        editor.document.begin_step();
-        let done = editor.edit(edit)
-            && (info == *editor.document.info() || editor.edit(Edit::SetInfo(Box::new(info))));
-        if done {
-            editor.document.end_step();
-        } else {
-            editor.document.cancel_step();
-        }
+        let done = editor.edit_all([Some(space), info].into_iter().flatten());
         window.of = known(editor);
         if !(closes && done) {
             editor.windows.space = Some(window);

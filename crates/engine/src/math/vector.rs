@@ -6,6 +6,8 @@
 //! has; [`Avx2`] comes with fused multiplication. (Vectors twice as wide again
 //! were tried and gained nothing.) Everything is forced inline, since a
 //! function that is called would be compiled for the plainest processor.
+//! No crate for it: `fearless_simd` has nothing between plain code and SSE 4.2, so that
+//! plain x86-64 would lose its vectors, and no storing of rows of ten.
 //! This file names the instructions, `path::dispatch` chooses between them.
 
 #![allow(unsafe_code)]

@@ -134,8 +134,6 @@ pub(super) struct Rail {
 }
 
 impl Rail {
-    /// # Errors
-    /// [`crate::Error::Memory`].
     pub(super) fn new(path: &CameraPath, timeline: &Timeline) -> Result<Arc<Self>> {
         let count = timeline.segment_count();
         let mut curves = vec_with_room(count)?;

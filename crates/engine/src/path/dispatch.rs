@@ -36,9 +36,6 @@ macro_rules! widest {
 }
 
 /// See [`fill::fill`].
-///
-/// # Errors
-/// [`crate::Error::Memory`].
 pub(super) fn fill(
     section: &SectionSampler,
     scratch: &mut Scratch,

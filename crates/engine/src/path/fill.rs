@@ -85,9 +85,6 @@ const KEEP: usize = 1024;
 
 /// Frames of a section: fills `poses`, `first` being the number of the first
 /// of them within the section (from 1).
-///
-/// # Errors
-/// [`crate::Error::Memory`].
 #[inline(always)]
 pub(super) fn fill<V: Vector>(
     section: &SectionSampler,

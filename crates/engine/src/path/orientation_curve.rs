@@ -291,9 +291,6 @@ struct Work<'a> {
 }
 
 /// Works out how the camera turns in each span, and fixes the signs of the keys.
-///
-/// # Errors
-/// [`crate::Error::Memory`].
 pub(super) fn turnings(
     keys: &mut [Key],
     spans: &[Span<'_>],
@@ -321,9 +318,6 @@ pub(super) struct Rates {
 }
 
 /// The rates of every key, as the mode tcb has them.
-///
-/// # Errors
-/// [`crate::Error::Memory`].
 pub(super) fn rates(
     keys: &mut [Key],
     spans: &[Span<'_>],

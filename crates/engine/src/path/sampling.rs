@@ -43,9 +43,6 @@ pub(super) struct Layout<'a> {
 
 impl<'a> Layout<'a> {
     /// The timeline must be that path's.
-    ///
-    /// # Errors
-    /// [`crate::Error::Memory`].
     #[allow(clippy::cast_precision_loss)]
     pub(super) fn new(path: &CameraPath, timeline: &'a Timeline) -> Result<Self> {
         let count = timeline.section_count();

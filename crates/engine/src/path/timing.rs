@@ -151,9 +151,6 @@ impl Timing {
 
     /// Mean speed, and whether the speed is the same everywhere; without taking
     /// memory for most.
-    ///
-    /// # Errors
-    /// [`crate::Error::Memory`].
     pub(super) fn outline(
         orientation: &Orientation,
         before: Option<f64>,

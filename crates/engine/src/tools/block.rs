@@ -333,7 +333,6 @@ fn joined(before: DVec3, after: DVec3, first: bool, fit: Fit) -> Tangents {
     }
 }
 
-/// The names that a path has.
 struct Names(HashSet<String>);
 
 impl Names {
@@ -345,7 +344,6 @@ impl Names {
         Ok(Self(named().cloned().collect()))
     }
 
-    /// The name, with a number behind it if there is one of that name.
     fn unique(&mut self, name: String) -> Result<String> {
         can_allocate(2 * name.len() + 256)?;
         let mut found = name.clone();

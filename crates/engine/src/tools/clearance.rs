@@ -8,7 +8,6 @@ use glam::DVec3;
 use crate::error::{Invalid, Result, vec_with_room};
 use crate::scene::Mesh;
 
-/// Primitives of a leaf.
 const LEAF: usize = 4;
 
 /// A point, a line or a triangle; corners repeat where there are fewer than three.

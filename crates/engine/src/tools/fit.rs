@@ -57,7 +57,6 @@ struct Sample {
     zoom: f64,
 }
 
-/// One fitted piece.
 struct Piece {
     first: usize,
     last: usize,
@@ -578,7 +577,6 @@ impl Data {
         [first, clip(second, to, -1.0)]
     }
 
-    /// The path of all pieces.
     fn path(&self, pieces: &[Piece]) -> Result<CameraPath> {
         let mut points: Vec<SupportPoint> = vec_with_room(pieces.len() + 2)?;
         let mut start = Start::default();
@@ -605,7 +603,6 @@ impl Data {
         Ok(path)
     }
 
-    /// The point between two pieces.
     fn point(&self, start: &Start<'_>, next: Option<&Piece>) -> Result<SupportPoint> {
         let at = &self.smooth[start.at];
         let before = start.before;

@@ -42,7 +42,6 @@ pub(super) fn check_upright(paths: &[&CameraPath]) -> Result<()> {
     Ok(())
 }
 
-/// There is no such point.
 pub(super) fn no_point(path: &CameraPath, point: usize) -> Error {
     OutOfRange::NoPoint {
         point,
@@ -51,7 +50,6 @@ pub(super) fn no_point(path: &CameraPath, point: usize) -> Error {
     .into()
 }
 
-/// The tangents of all points.
 pub(super) fn tangents(path: &CameraPath) -> Result<Vec<Option<Tangents>>> {
     let mut found = vec_with_room(path.points.len())?;
     found.extend((0..path.points.len()).map(|point| Some(curve::tangents(path, point))));

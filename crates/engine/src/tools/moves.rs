@@ -431,7 +431,6 @@ fn point(given: &Given<'_>, offset: DVec3, tangent: Option<DVec3>) -> Result<Sup
     Ok(point)
 }
 
-/// A straight line.
 fn straight(given: &Given<'_>, [from, to]: [DVec3; 2]) -> Result<Vec<SupportPoint>> {
     let mut points = vec_with_room(2)?;
     for place in [from, to] {

@@ -12,7 +12,6 @@ use crate::error::{Result, vec_with_room};
 /// Position, quaternion, zoom.
 pub(super) const CHANNELS: usize = 8;
 
-/// One sample of all channels.
 pub(super) type Row = [f64; CHANNELS];
 
 /// Samples that a piece must have, to tell noise from motion.

@@ -12,7 +12,6 @@ use super::{Shown, colour};
 use crate::raster::Area;
 use crate::testing::Server;
 
-/// A look from outside.
 pub(super) struct Looker {
     pub(super) connection: RustConnection,
     screen: usize,

@@ -6,6 +6,7 @@ mod looker;
 mod painting;
 mod pane;
 
+use rustix::event::PollFlags;
 use std::os::fd::AsFd;
 use std::time::{Duration, Instant};
 
@@ -45,7 +46,12 @@ impl Shown {
 
     /// Waits for the window's descriptor and does what an owner does.
     fn turn(&mut self) -> News {
-        wait(self.window.as_fd(), libc::POLLIN, Duration::from_millis(20)).unwrap();
+        wait(
+            self.window.as_fd(),
+            PollFlags::IN,
+            Duration::from_millis(20),
+        )
+        .unwrap();
         let news = self.window.poll().expect("the server is there");
         if news.input || news.motion {
             self.input = self.window.take_input();

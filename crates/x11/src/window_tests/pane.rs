@@ -10,7 +10,6 @@ use crate::raster::Area;
 use crate::testing::{Server, until};
 use crate::{PanePlace, PaneWindow};
 
-/// A pane of this size.
 fn place(width: u32, height: u32) -> PanePlace {
     PanePlace {
         area: Area {

@@ -26,7 +26,6 @@ const NARROW_NUMBER: f32 = 70.0;
 const PICTURE: f32 = 150.0;
 const LOW_PICTURE: f32 = 96.0;
 
-/// The curve window: what waits in it.
 #[derive(Debug)]
 pub(crate) struct CurveWindow {
     pending: Pending,
@@ -148,19 +147,12 @@ impl CurveWindow {
     }
 
     fn apply_pending(&mut self, editor: &mut Editor) -> bool {
-        let edits = self.pending.edits(&editor.document);
-        editor.document.begin_step();
-        for edit in edits {
-            if !editor.edit(edit) {
-                editor.document.cancel_step();
-                self.belonging = Belonging::of(&editor.document);
-                return false;
-            }
+        let done = editor.edit_all(self.pending.edits(&editor.document));
+        if done {
+            self.pending = Pending::default();
         }
-        editor.document.end_step();
-        self.pending = Pending::default();
         self.belonging = Belonging::of(&editor.document);
-        true
+        done
     }
 
     fn heading(&self, editor: &Editor, ui: &mut Ui) {
@@ -418,7 +410,6 @@ impl CurveWindow {
     }
 }
 
-/// Width of a number.
 fn number(ui: &Ui) -> f32 {
     if is_cramped(ui.ctx()) {
         NARROW_NUMBER

@@ -60,7 +60,6 @@ impl Pending {
         }
     }
 
-    /// A preset as it will be.
     pub(crate) fn preset(&self, document: &Document, preset: usize) -> Tcb {
         let pending = self.presets.get(preset).copied().flatten();
         let known = || document.path().presets.get(preset).copied();
@@ -79,7 +78,6 @@ impl Pending {
         }
     }
 
-    /// The position that the fields show.
     pub(crate) fn position(&self, document: &Document) -> [f64; 3] {
         merged(self.position, point(document).position.to_array())
     }
@@ -90,7 +88,6 @@ impl Pending {
         merged(self.target, target.to_array())
     }
 
-    /// The roll that the field shows.
     pub(crate) fn roll(&self, document: &Document) -> f64 {
         self.roll.unwrap_or_else(|| orientation(document).roll)
     }
@@ -150,12 +147,10 @@ impl Pending {
     }
 }
 
-/// The current point.
 pub(crate) fn point(document: &Document) -> &SupportPoint {
     &document.path().points[document.selection().point]
 }
 
-/// The current orientation.
 pub(crate) fn orientation(document: &Document) -> &Orientation {
     &point(document).orientations[document.selection().orientation]
 }

@@ -21,7 +21,6 @@ const PIECES: usize = 24;
 /// The neighbourhood of the current point as a path of its own.
 struct Around {
     path: CameraPath,
-    /// The current point in it.
     current: usize,
     /// Number of each point in the whole path.
     numbers: Vec<usize>,
@@ -83,7 +82,6 @@ impl Around {
         path
     }
 
-    /// The segments that are drawn.
     fn segments(&self) -> impl Iterator<Item = usize> + use<> {
         let (count, closed) = (self.path.segment_count(), self.path.closed);
         let current = self.current;

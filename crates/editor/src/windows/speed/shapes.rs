@@ -4,7 +4,6 @@
 use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::path::speed_curve::SpeedCurve;
 
-/// A shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Shape {
     /// The same speed all the way.

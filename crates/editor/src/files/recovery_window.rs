@@ -20,9 +20,7 @@ use crate::windows::{SubWindow, Windows, sub_window_as};
 const LISTED: usize = 6;
 /// So many are seen at once.
 const SEEN: usize = 2;
-/// Width of the window's contents.
 const WIDTH: f32 = 420.0;
-/// Size of a path's picture.
 const PICTURE: Vec2 = vec2(84.0, 64.0);
 const BUTTON: Vec2 = vec2(120.0, 28.0);
 /// Its lower left corner from the window's at first: in the movement window, above
@@ -31,7 +29,7 @@ const CORNER: Vec2 = vec2(272.0, -64.0);
 
 /// What was found, held for this window while it is offered.
 #[derive(Debug)]
-pub(crate) struct RescueWindow {
+pub(crate) struct RecoveryWindow {
     offered: Vec<Offered>,
 }
 
@@ -42,14 +40,12 @@ struct Offered {
     picture: Option<(Vec<[Pos2; 2]>, Vec<Pos2>)>,
 }
 
-#[derive(Clone, Copy)]
 enum Answer {
-    Restore(usize),
-    Discard(usize),
+    Of(Action),
     Later,
 }
 
-impl RescueWindow {
+impl RecoveryWindow {
     pub(crate) fn of(mut found: Vec<Found>) -> Self {
         found.truncate(LISTED);
         let offered = found.into_iter().map(|found| Offered {
@@ -75,7 +71,7 @@ impl RescueWindow {
     }
 
     fn show_list(&self, editor: &Editor, ui: &mut Ui) -> Option<Answer> {
-        let texts = &editor.texts().rescue;
+        let texts = &editor.texts().recovery;
         let mut answer = None;
         for (index, offered) in self.offered.iter().enumerate() {
             ui.horizontal(|ui| {
@@ -90,11 +86,11 @@ impl RescueWindow {
                     let button = |text| Button::new(text).min_size(BUTTON);
                     let restore = ui.add(button(texts.restore));
                     if restore.on_hover_text(texts.restore_hint).clicked() {
-                        answer = Some(Answer::Restore(index));
+                        answer = Some(Answer::Of(Action::Restore(index)));
                     }
                     let discard = ui.add(button(texts.discard));
                     if discard.on_hover_text(texts.discard_hint).clicked() {
-                        answer = Some(Answer::Discard(index));
+                        answer = Some(Answer::Of(Action::Discard(index)));
                     }
                 });
             });
@@ -103,11 +99,11 @@ impl RescueWindow {
     }
 }
 
-impl SubWindow for RescueWindow {
+impl SubWindow for RecoveryWindow {
     const ID: &'static str = "rescue";
 
     fn slot(windows: &mut Windows) -> &mut Option<Self> {
-        &mut windows.rescue
+        &mut windows.recovery
     }
 
     fn new(_: &Editor) -> Self {
@@ -120,7 +116,7 @@ impl SubWindow for RescueWindow {
         context: &egui::Context,
         actions: &mut Vec<Action>,
     ) -> bool {
-        let texts = &editor.texts().rescue;
+        let texts = &editor.texts().recovery;
         let mut answer = None;
         let corner = context.content_rect().left_bottom() + CORNER;
         let stays = sub_window_as(
@@ -156,13 +152,9 @@ impl SubWindow for RescueWindow {
             None => stays,
             // What is not answered stays where it is, for the next start.
             Some(Answer::Later) => false,
-            Some(Answer::Restore(index)) => {
-                actions.push(Action::Restore(index));
+            Some(Answer::Of(action)) => {
+                actions.push(action);
                 true
-            }
-            Some(Answer::Discard(index)) => {
-                self.offered.remove(index).found.discard();
-                stays && !self.offered.is_empty()
             }
         }
     }
@@ -198,9 +190,8 @@ fn describe(editor: &Editor, ui: &mut Ui, found: &Found) {
     }
 }
 
-/// The path, small.
 fn paint(editor: &Editor, ui: &mut Ui, offered: &Offered) {
-    let texts = &editor.texts().rescue;
+    let texts = &editor.texts().recovery;
     let (rect, response) = ui.allocate_exact_size(PICTURE, Sense::hover());
     let colours = editor.setup.colours();
     let painter = ui.painter_at(rect);
@@ -235,14 +226,14 @@ fn paint(editor: &Editor, ui: &mut Ui, offered: &Offered) {
 
 fn date_in_words(language: Language, date: Date) -> String {
     let two = |number: i32| format!("{number:02}");
-    let text = language.texts().rescue.date;
+    let text = language.texts().recovery.date;
     let (month, day) = (two(date.month), two(date.day));
     let (hour, minute) = (two(date.hour), two(date.minute));
     fill(text, &[&date.year, &month, &day, &hour, &minute])
 }
 
 fn age_in_words(language: Language, age: Duration) -> String {
-    let texts = &language.texts().rescue;
+    let texts = &language.texts().recovery;
     let minutes = age.as_secs() / 60;
     match minutes {
         0 => texts.just_now.to_owned(),

@@ -27,7 +27,7 @@ fn start_of(program: Program, language: Language, folder: &std::path::Path) -> W
 fn vanish(folder: &std::path::Path, x: f64) {
     let mut window = start(Language::English, folder);
     let editor = window.state_mut();
-    editor.windows.rescue = None;
+    editor.windows.recovery = None;
     editor.file = Some("/somewhere/flight.vid".into());
     let position = DVec3::new(x, 0.0, 0.0);
     editor
@@ -43,7 +43,7 @@ fn files(folder: &std::path::Path) -> usize {
 #[test]
 fn it_is_restored() {
     for language in BOTH {
-        let texts = &language.texts().rescue;
+        let texts = &language.texts().recovery;
         let folder = tempfile::tempdir().unwrap();
         vanish(folder.path(), 0.25);
         let mut window = start(language, folder.path());
@@ -76,7 +76,7 @@ fn it_is_restored() {
 #[test]
 fn it_is_discarded_or_left_for_later() {
     for language in BOTH {
-        let texts = &language.texts().rescue;
+        let texts = &language.texts().recovery;
         let folder = tempfile::tempdir().unwrap();
         vanish(folder.path(), 0.5);
         for by_key in [true, false] {
@@ -106,7 +106,7 @@ fn nothing_waits_for_an_answer() {
     vanish(folder.path(), 0.5);
     let mut window = start(Language::English, folder.path());
     let texts = Language::English.texts();
-    let offers = |window: &Window| window.query_by_label(texts.rescue.title).is_some();
+    let offers = |window: &Window| window.query_by_label(texts.recovery.title).is_some();
     assert!(offers(&window));
     press(&mut window, Modifiers::ALT, Key::U);
     let request = window.state_mut().next_request();
@@ -115,12 +115,12 @@ fn nothing_waits_for_an_answer() {
     assert_eq!(window.state().document.path().points.len(), 3);
     assert!(offers(&window));
     // It would take the place of work: that is asked about like any other.
-    click(&mut window, texts.rescue.restore);
+    click(&mut window, texts.recovery.restore);
     assert!(window.query_by_label(texts.questions.unsaved).is_some());
     press(&mut window, Modifiers::NONE, Key::Escape);
     assert_eq!(window.state().document.path().points.len(), 3);
     assert!(offers(&window));
-    click(&mut window, texts.rescue.restore);
+    click(&mut window, texts.recovery.restore);
     // Of the two with this name the question's lies above.
     let answer = window.get_all_by_label(texts.questions.discard).last();
     answer.expect("an answer").click();
@@ -137,7 +137,7 @@ fn work_is_offered_to_the_program_that_it_was_made_in() {
     let folder = tempfile::tempdir().unwrap();
     vanish(folder.path(), 0.5);
     let mut other = start_of(Program::of_tests("other"), Language::English, folder.path());
-    assert!(other.state().windows.rescue.is_none());
+    assert!(other.state().windows.recovery.is_none());
     let edit = Edit::SetClosed(true);
     other.state_mut().document.apply(edit).unwrap();
     drop(other);
@@ -173,7 +173,7 @@ fn a_file_that_changed_since_the_crash_is_not_overwritten_unasked() {
         }
         let texts = Language::English.texts();
         let mut window = start(Language::English, &state);
-        click(&mut window, texts.rescue.restore);
+        click(&mut window, texts.recovery.restore);
         press(&mut window, Modifiers::CTRL, Key::S);
         let asks = window.query_by_label(texts.questions.changed).is_some();
         assert_eq!(asks, changed);
@@ -233,7 +233,7 @@ fn tab_goes_through_the_answers_as_they_are_read() {
     let folder = tempfile::tempdir().unwrap();
     vanish(folder.path(), 0.25);
     let mut window = start(Language::English, folder.path());
-    let texts = &Language::English.texts().rescue;
+    let texts = &Language::English.texts().recovery;
     // It lies beside the work, which has the keyboard.
     assert!(!window.get_by_label(texts.restore).is_focused());
     window.get_by_label(texts.restore).focus();

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use super::recovery::{self, Found, Keeper, Kept, Origin};
+use super::recovery::{self, Autosave, Found, Origin, Saved};
 use crate::document::{Document, Edit};
 use crate::error::Result;
 use crate::state::Editor;
@@ -17,11 +17,11 @@ impl Editor {
         let Some(folder) = self.folders.state.clone() else {
             return;
         };
-        self.keeper = Some(Keeper::new(&folder, &self.document));
+        self.autosave = Some(Autosave::new(&folder, &self.document));
         let program = Some(self.program.name.as_str()).filter(|_| !self.program.offers_all);
         let found = recovery::find(&folder, program);
         if !found.is_empty() {
-            self.windows.rescue = Some(super::RescueWindow::of(found));
+            self.windows.recovery = Some(super::RecoveryWindow::of(found));
         }
     }
 
@@ -29,7 +29,7 @@ impl Editor {
     /// whose changes are all written, asks for no wake-up.
     pub(crate) fn keep_work(&mut self, context: &egui::Context) {
         let unsaved = self.is_unsaved();
-        let Some(keeper) = &mut self.keeper else {
+        let Some(autosave) = &mut self.autosave else {
             return;
         };
         let origin = Origin {
@@ -37,13 +37,13 @@ impl Editor {
             file: self.file.as_deref(),
             known: self.known,
         };
-        match keeper.look_after(&self.document, unsaved, &origin, Instant::now()) {
-            Kept::Idle => {}
-            Kept::In(time) => context.request_repaint_after(time),
-            Kept::Failed(error) => {
+        match autosave.look_after(&self.document, unsaved, &origin, Instant::now()) {
+            Saved::Idle => {}
+            Saved::In(time) => context.request_repaint_after(time),
+            Saved::Failed(error) => {
                 let why = reason_of(self.language(), &error);
                 let folder = self.folders.state.as_deref().unwrap_or(Path::new(""));
-                let text = self.texts().rescue.not_kept;
+                let text = self.texts().recovery.not_kept;
                 self.complain(fill(text, &[&folder.display(), &why]));
                 context.request_repaint();
             }
@@ -54,8 +54,8 @@ impl Editor {
     /// to be offered at the next start. Without this call, when the window's
     /// server or its process goes away, unsaved work stays.
     pub fn forget_unsaved(&mut self) {
-        if let Some(mut keeper) = self.keeper.take() {
-            keeper.forget();
+        if let Some(mut autosave) = self.autosave.take() {
+            autosave.forget();
         }
     }
 
@@ -74,33 +74,42 @@ impl Editor {
         self.file.clone_from(&found.original);
         self.known = found.known;
         self.handed = None;
-        // Kept as this window's before the old file is removed.
+        // Saved as this window's before the old file is removed.
         self.write_work()?;
-        self.say(self.texts().rescue.restored);
+        self.say(self.texts().recovery.restored);
         Ok(())
     }
 
     /// Restores what the window that offers it has under this number.
     pub(crate) fn restore_found(&mut self, number: usize) {
-        let Some(mut window) = self.windows.rescue.take() else {
+        let Some(found) = self.take_found(number) else {
             return;
         };
-        if let Some(found) = window.found(number) {
-            match self.restore(&found) {
-                Ok(()) => found.discard(),
-                Err(error) => {
-                    let why = reason_of(self.language(), &error);
-                    self.complain(fill(self.texts().rescue.broken, &[&why]));
-                }
+        match self.restore(&found) {
+            Ok(()) => found.discard(),
+            Err(error) => {
+                let why = reason_of(self.language(), &error);
+                self.complain(fill(self.texts().recovery.broken, &[&why]));
             }
-        }
-        if !window.is_empty() {
-            self.windows.rescue = Some(window);
         }
     }
 
+    /// Removes what the window that offers it has under this number.
+    pub(crate) fn discard_found(&mut self, number: usize) {
+        let found = self.take_found(number);
+        found.into_iter().for_each(Found::discard);
+    }
+
+    /// What is offered under a number; the window closes with the last.
+    fn take_found(&mut self, number: usize) -> Option<Found> {
+        let window = self.windows.recovery.as_mut()?;
+        let found = window.found(number);
+        self.windows.recovery.take_if(|window| window.is_empty());
+        found
+    }
+
     fn write_work(&mut self) -> Result<()> {
-        let Some(keeper) = &mut self.keeper else {
+        let Some(autosave) = &mut self.autosave else {
             return Ok(());
         };
         let origin = Origin {
@@ -108,12 +117,12 @@ impl Editor {
             file: self.file.as_deref(),
             known: self.known,
         };
-        keeper.write(&self.document, &origin)
+        autosave.write(&self.document, &origin)
     }
 
     /// The file that keeps its work while that is unsaved, if some may.
     pub fn work_file(&self) -> Option<&Path> {
-        self.keeper.as_ref().map(Keeper::path)
+        self.autosave.as_ref().map(Autosave::path)
     }
 }
 
@@ -130,10 +139,10 @@ impl Drop for Editor {
     /// leaves nothing: unsaved work was asked about then.
     fn drop(&mut self) {
         let unsaved = self.is_unsaved() && !self.closing;
-        if let Some(keeper) = &mut self.keeper {
+        if let Some(autosave) = &mut self.autosave {
             if !unsaved {
-                keeper.forget();
-            } else if keeper.is_behind(&self.document) {
+                autosave.forget();
+            } else if autosave.is_behind(&self.document) {
                 // Nobody is left to be told.
                 let _ = self.write_work();
             }

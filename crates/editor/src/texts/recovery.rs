@@ -4,7 +4,7 @@ use super::texts;
 
 texts! {
     /// Texts about unsaved work that is kept and offered.
-    Rescue {
+    Recovery {
         title: "Unsaved work was found", "Nicht gespeicherte Arbeit gefunden";
         question: "A program ended before this was saved.",
             "Ein Programm wurde beendet, bevor dies gespeichert war.";

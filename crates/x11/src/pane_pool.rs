@@ -21,52 +21,49 @@ use crate::error::Result;
 const AWAY: i16 = -2000;
 
 /// The connection of a display's panes.
-struct Keeper {
+struct Pool {
     display: String,
     connection: Connection,
     /// Panes that are parked.
     free: Vec<u32>,
 }
 
-/// All keepers, and the process that made them: a child by `fork` has none.
-static KEEPERS: Mutex<(u32, Vec<Keeper>)> = Mutex::new((0, Vec::new()));
+/// All pools, and the process that made them: a child by `fork` has none.
+static POOLS: Mutex<(u32, Vec<Pool>)> = Mutex::new((0, Vec::new()));
 
-fn keepers() -> MutexGuard<'static, (u32, Vec<Keeper>)> {
-    let mut keepers = KEEPERS.lock().unwrap_or_else(PoisonError::into_inner);
+fn pools() -> MutexGuard<'static, (u32, Vec<Pool>)> {
+    let mut pools = POOLS.lock().unwrap_or_else(PoisonError::into_inner);
     let process = std::process::id();
-    if keepers.0 != process {
-        keepers.0 = process;
-        std::mem::forget(std::mem::take(&mut keepers.1));
+    if pools.0 != process {
+        pools.0 = process;
+        std::mem::forget(std::mem::take(&mut pools.1));
     }
-    keepers
+    pools
 }
 
-/// Calls `f` with the keeper of a display; that is forgotten if its connection fails,
+/// Calls `f` with the pool of a display; that is forgotten if its connection fails,
 /// and its panes are gone with it.
-fn with<R>(display: &str, f: impl FnOnce(&mut Keeper) -> Result<R>) -> Option<Result<R>> {
-    let mut keepers = keepers();
-    let place = (keepers.1.iter()).position(|keeper| keeper.display == display)?;
-    let keeper = &mut keepers.1[place];
-    let done = keeper.read().and_then(|()| f(keeper));
+fn with<R>(display: &str, f: impl FnOnce(&mut Pool) -> Result<R>) -> Option<Result<R>> {
+    let mut pools = pools();
+    let place = (pools.1.iter()).position(|pool| pool.display == display)?;
+    let pool = &mut pools.1[place];
+    let done = pool.read().and_then(|()| f(pool));
     if done.is_err() {
-        keepers.1.swap_remove(place);
+        pools.1.swap_remove(place);
     }
     Some(done)
 }
 
 /// A pane, parked until the caller shows it: of the screen's own visual, without a
 /// background. `None` if the server cannot keep one safe.
-///
-/// # Errors
-/// The server cannot be reached.
 pub(super) fn take(display: &str) -> Result<Option<u32>> {
     // One may have lost its connection meanwhile: then a new one does it.
     for _ in 0..2 {
-        if let Some(Ok(pane)) = with(display, Keeper::take) {
+        if let Some(Ok(pane)) = with(display, Pool::take) {
             return Ok(pane);
         }
-        let keeper = Keeper::new(display)?;
-        keepers().1.push(keeper);
+        let pool = Pool::new(display)?;
+        pools().1.push(pool);
     }
     Ok(None)
 }
@@ -74,22 +71,19 @@ pub(super) fn take(display: &str) -> Result<Option<u32>> {
 /// Takes a pane away from wherever it is: it and what is in it come unmapped to the
 /// root window. Before that the caller's own requests for it must be done.
 pub(super) fn park(display: &str, pane: u32) {
-    with(display, |keeper| keeper.park(pane));
+    with(display, |pool| pool.park(pane));
 }
 
 /// Keeps a window in a pane alive should the pane's connection end; or not any more.
 pub(super) fn save(display: &str, window: u32, mode: SaveSetMode) {
-    with(display, |keeper| {
-        save_in(&keeper.connection, window, mode)?;
-        keeper.flush()
+    with(display, |pool| {
+        save_in(&pool.connection, window, mode)?;
+        pool.flush()
     });
 }
 
 /// Asks the server to put a window out to the root, unmapped, when the connection ends;
 /// or not to do so any more.
-///
-/// # Errors
-/// The server is gone.
 pub(super) fn save_in(connection: &Connection, window: u32, mode: SaveSetMode) -> Result<()> {
     let (target, map) = (SaveSetTarget::ROOT, SaveSetMapping::UNMAP);
     let asked = connection.xfixes_change_save_set(mode, target, map, window);
@@ -98,9 +92,6 @@ pub(super) fn save_in(connection: &Connection, window: u32, mode: SaveSetMode) -
 
 /// Whether the server has what panes need: save-sets that lead to the root, and
 /// windows that are not rectangles. Must be asked before either is used.
-///
-/// # Errors
-/// The server is gone.
 pub(super) fn can(connection: &Connection) -> Result<bool> {
     let shape = x11rb::protocol::shape::X11_EXTENSION_NAME;
     for name in [xfixes::X11_EXTENSION_NAME, shape] {
@@ -114,13 +105,13 @@ pub(super) fn can(connection: &Connection) -> Result<bool> {
     Ok(version.is_some_and(|version| version.major_version >= 1))
 }
 
-impl Keeper {
+impl Pool {
     fn new(display: &str) -> Result<Self> {
         let connection = Connection::open(Some(display))?;
         let able = can(&connection)?;
         connection.settle();
         if !able {
-            return Err(connection.unfit(crate::error::Cause::NoKeeper));
+            return Err(connection.unfit(crate::error::Cause::NoSaveSet));
         }
         Ok(Self {
             display: display.to_owned(),
