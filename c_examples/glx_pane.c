@@ -37,15 +37,13 @@ static void draw(void)
         return;
     glXMakeCurrent(display, child, context);
     glViewport(0, 0, width, height);
-    glClearColor(0.1f, 0.1f, 0.15f, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClearColor(0.1f, 0.1f, 0.15f, 1.0f), glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     if (v_pose_gl_matrix(&camera, matrix) == V_OK) { /* else nobody has told it yet */
         glEnable(GL_DEPTH_TEST);
         /* The zoom is the focal length, in mm, of a camera with a picture 24 mm high. */
         up = 0.01 * 12.0 / camera.zoom;
         right = up * width / height;
-        glMatrixMode(GL_PROJECTION);
-        glLoadIdentity();
+        glMatrixMode(GL_PROJECTION), glLoadIdentity();
         glFrustum(-right, right, -up, up, 0.01, 10.0);
         glMatrixMode(GL_MODELVIEW);
         glLoadMatrixd(matrix);
@@ -105,8 +103,7 @@ int main(void)
     v_editor_options_init(&options);
     options.title = "glx_pane";
     options.object = &pyramid;
-    options.on_view = on_view;
-    options.on_pane = on_pane;
+    options.on_view = on_view, options.on_pane = on_pane;
     if (v_editor_open(&options, &editor) != V_OK)
         return fprintf(stderr, "glx_pane: %s\n", v_last_error()), 1;
     from[0].fd = ConnectionNumber(display), from[1].fd = v_fd();

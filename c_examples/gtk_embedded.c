@@ -29,24 +29,32 @@ static void on_view(V_EDITOR *of, const V_POSE *pose, double frame, int reason, 
 {
     char text[200];
 
-    (void)of, (void)reason, (void)user;
+    (void)of, (void)user;
     snprintf(text, sizeof text, "Frame %.1f: camera at %.3f  %.3f  %.3f, zoom %.0f mm",
              frame, pose->vrp[0], pose->vrp[1], pose->vrp[2], pose->zoom);
     gtk_label_set_text(GTK_LABEL(line), text);
+    if (reason == V_VIEW_RESTED)
+        puts(text);
 }
 
 static void on_poses(V_EDITOR *of, const V_POSE *poses, size_t count, void *user)
 {
     (void)of, (void)poses, (void)user;
     printf("%lu poses\n", (unsigned long)count);
-    fflush(stdout);
 }
 
 /* A field to write into: it has the keyboard until the editor is clicked. */
 static void named(GtkEntry *entry)
 {
     printf("named %s\n", gtk_entry_get_text(entry));
-    fflush(stdout);
+}
+
+/* GTK does not know that the editor has the keyboard: take it back for the field. */
+static gboolean pressed(GtkWidget *entry)
+{
+    gdk_window_focus(gtk_widget_get_window(gtk_widget_get_toplevel(entry)),
+                     gtk_get_current_event_time());
+    return FALSE;
 }
 
 /* The part's own X window is where the editor lives, as large as that. */
@@ -92,6 +100,7 @@ int main(int argc, char **argv)
     gtk_box_pack_start(GTK_BOX(box), bar, FALSE, FALSE, 0);
     gtk_box_pack_start(GTK_BOX(box), part, TRUE, TRUE, 0);
     g_signal_connect(entry, "activate", G_CALLBACK(named), NULL);
+    g_signal_connect(entry, "button-press-event", G_CALLBACK(pressed), NULL);
     g_signal_connect(part, "realize", G_CALLBACK(realized), NULL);
     g_signal_connect(part, "unrealize", G_CALLBACK(unrealized), NULL);
     g_signal_connect(window, "destroy", G_CALLBACK(gtk_main_quit), NULL);

@@ -3,71 +3,72 @@
  *
  *     cc -o gtk_flight gtk_flight.c $(pkg-config --cflags --libs vides gtk4) -lm
  *
- * A click into the window opens an editor. The poses that the user hands over (Alt-U)
- * are played, 25 a second, round and round. Escape ends the program.
+ * The picture follows the editor beside it: what is dragged, scrubbed or played there
+ * is seen here at once. Dragging here leads a camera of its own about the object; the
+ * editor shows it as a ghost and takes it over into the path (Ctrl-Enter). Escape ends.
  */
-#include <stdio.h>
+#include <math.h>
 
 #include <glib-unix.h>
 #include <gtk/gtk.h>
 
 #include <libvides.h>
 
-/* What both show: from point to point a line, unless draw is 0. */
-static V_OBJEKT_LIST pyramid[10] = {
-    {{ 0.3f, 0.0f,  0.3f}, 0, 1}, {{ 0.3f, 0.0f, -0.3f}, 1, 2}, {{-0.3f, 0.0f, -0.3f}, 1, 3},
-    {{-0.3f, 0.0f,  0.3f}, 1, 4}, {{ 0.3f, 0.0f,  0.3f}, 1, 5}, {{ 0.0f, 0.5f,  0.0f}, 1, 6},
-    {{ 0.3f, 0.0f, -0.3f}, 1, 7}, {{-0.3f, 0.0f, -0.3f}, 0, 8}, {{ 0.0f, 0.5f,  0.0f}, 1, 9},
-    {{-0.3f, 0.0f,  0.3f}, 1, 10}
+/* What both show: points, and the lines between them. */
+static const double xyz[5][3] = {
+    {0.3, 0.0, 0.3}, {0.3, 0.0, -0.3}, {-0.3, 0.0, -0.3}, {-0.3, 0.0, 0.3}, {0.0, 0.5, 0.0}
 };
-static V_KAMERAPAR list;       /* closed to a ring; stays as it is until the next rueck */
-static const V_KAMERAPAR *now; /* the pose being shown; NULL before the first hand-over */
+static const unsigned lines[16] = {0, 1, 1, 2, 2, 3, 3, 0, 0, 4, 1, 4, 2, 4, 3, 4};
+static const V_MESH pyramid = {sizeof pyramid, xyz[0], 5, NULL, lines, 16, NULL, 0};
 
-static void rueck(V_KAMERAPAR *poses, int count)
+static V_EDITOR *editor;
+static V_POSE shown, own = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 30};
+static GtkWidget *window, *area;
+
+/* The camera in the editor has moved: this picture shows the same moment. */
+static void on_view(V_EDITOR *of, const V_POSE *pose, double frame, int reason, void *user)
 {
-    now = poses;
-    printf("%d poses\n", count);
-    fflush(stdout);
+    g_autofree char *title = g_strdup_printf("gtk_flight: frame %g", frame);
+
+    (void)of, (void)reason, (void)user;
+    shown = *pose;
+    gtk_window_set_title(GTK_WINDOW(window), title);
+    gtk_widget_queue_draw(area);
 }
 
-/* Where a camera sees a point: right and down from the picture's middle, in half
- * heights of the picture; 0 if behind the camera. The zoom is a focal length in mm
- * of a camera with a picture 24 mm high. */
-static int seen(const V_KAMERAPAR *pose, const V_PUNKT *point, double *x, double *y)
+/* The own camera goes about the object, and stands in the editor as a ghost, which is
+ * what "take over the view" takes. */
+static void drag(GtkGestureDrag *mouse, double x, double y)
 {
-    const V_POS *d = &pose->VPN, *u = &pose->VUP;
-    double px = point->x - pose->VRP.x, py = point->y - pose->VRP.y, pz = point->z - pose->VRP.z;
-    double depth = (px * d->x + py * d->y + pz * d->z) * 12.0 / pose->zoom;
+    double turn = 0.01 * x, lean = 0.6 + 0.005 * y;
 
-    *x = (px * (d->y * u->z - d->z * u->y) + py * (d->z * u->x - d->x * u->z)
-          + pz * (d->x * u->y - d->y * u->x)) / depth;
-    *y = -(px * u->x + py * u->y + pz * u->z) / depth;
-    return depth > 0.01;
+    (void)mouse;
+    own.vrp[0] = 1.6 * sin(turn) * cos(lean);
+    own.vrp[1] = 1.6 * sin(lean), own.vrp[2] = 1.6 * cos(turn) * cos(lean);
+    own.vpn[0] = -own.vrp[0], own.vpn[1] = 0.2 - own.vrp[1], own.vpn[2] = -own.vrp[2];
+    v_editor_set_view(editor, &own);
+    shown = own;
+    gtk_widget_queue_draw(area);
 }
 
-static void draw(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer unused)
+static void draw(GtkDrawingArea *unused, cairo_t *cairo, int width, int height, gpointer user)
 {
-    double x, y, from_x = 0.0, from_y = 0.0;
-    int i, here, before = 0;
+    double m[16], depth, scale, before = 0.0;
+    int i;
 
-    (void)area, (void)unused;
+    (void)unused, (void)user;
     cairo_translate(cairo, width / 2.0, height / 2.0);
-    for (i = 0; now != NULL && i < 10; i++) {
-        here = seen(now, &pyramid[i].pos, &x, &y);
-        if (here && before && pyramid[i].draw) {
-            cairo_move_to(cairo, from_x * height / 2, from_y * height / 2);
-            cairo_line_to(cairo, x * height / 2, y * height / 2);
-        }
-        before = here, from_x = x, from_y = y;
+    for (i = 0; v_pose_gl_matrix(&shown, m) == V_OK && i < 16; i++, before = depth) {
+        const double *p = xyz[lines[i]];
+
+        depth = -(m[2] * p[0] + m[6] * p[1] + m[10] * p[2] + m[14]);
+        /* The zoom is a focal length in mm of a camera with a picture 24 mm high. */
+        scale = shown.zoom / 24.0 * height / depth;
+        (i % 2 == 1 && depth > 0.01 && before > 0.01 ? cairo_line_to : cairo_move_to)(
+            cairo, (m[0] * p[0] + m[4] * p[1] + m[8] * p[2] + m[12]) * scale,
+            -(m[1] * p[0] + m[5] * p[1] + m[9] * p[2] + m[13]) * scale);
     }
     cairo_stroke(cairo);
-}
-
-static gboolean tick(gpointer area)
-{
-    now = now != NULL ? now->next : NULL;
-    gtk_widget_queue_draw(area);
-    return G_SOURCE_CONTINUE;
 }
 
 static gboolean serve(gint fd, GIOCondition condition, gpointer unused)
@@ -75,11 +76,6 @@ static gboolean serve(gint fd, GIOCondition condition, gpointer unused)
     (void)fd, (void)condition, (void)unused;
     v_dispatch();
     return G_SOURCE_CONTINUE;
-}
-
-static void edit(void)
-{
-    v_haupt(100, 100, 100, 100, &list, 10, pyramid, rueck, NULL);
 }
 
 static void key(GtkEventController *keys, guint value)
@@ -90,31 +86,35 @@ static void key(GtkEventController *keys, guint value)
 
 static void activate(GtkApplication *application)
 {
-    GtkWidget *window = gtk_application_window_new(application);
-    GtkWidget *area = gtk_drawing_area_new();
-    GtkGesture *click = gtk_gesture_click_new();
+    GtkGesture *mouse = gtk_gesture_drag_new();
     GtkEventController *keys = gtk_event_controller_key_new();
-    guint timer;
+    V_EDITOR_OPTIONS options;
 
-    gtk_window_set_title(GTK_WINDOW(window), "gtk_flight");
+    window = gtk_application_window_new(application);
+    area = gtk_drawing_area_new();
     gtk_window_set_default_size(GTK_WINDOW(window), 480, 320);
     gtk_window_set_child(GTK_WINDOW(window), area);
     gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(area), draw, NULL, NULL);
-    g_signal_connect(click, "pressed", G_CALLBACK(edit), NULL);
-    gtk_widget_add_controller(area, GTK_EVENT_CONTROLLER(click));
+    g_signal_connect(mouse, "drag-update", G_CALLBACK(drag), NULL);
+    gtk_widget_add_controller(area, GTK_EVENT_CONTROLLER(mouse));
     g_signal_connect(keys, "key-pressed", G_CALLBACK(key), NULL);
     gtk_widget_add_controller(window, keys);
-    timer = g_timeout_add(40, tick, area); /* milliseconds */
-    g_signal_connect_swapped(area, "destroy", G_CALLBACK(g_source_remove), GUINT_TO_POINTER(timer));
-    g_unix_fd_add(v_fd(), G_IO_IN, serve, NULL); /* all that it needs */
     gtk_window_present(GTK_WINDOW(window));
+
+    v_editor_options_init(&options);
+    options.title = options.host_name = "gtk_flight";
+    options.object = &pyramid;
+    options.on_view = on_view;
+    if (v_editor_open(&options, &editor) != V_OK)
+        g_printerr("gtk_flight: %s\n", v_last_error());
+    g_unix_fd_add(v_fd(), G_IO_IN, serve, NULL);
+    drag(NULL, 60, -40);
 }
 
 int main(int argc, char **argv)
 {
     GtkApplication *application = gtk_application_new(NULL, G_APPLICATION_NON_UNIQUE);
 
-    list.number = -1; /* no poses yet */
     g_signal_connect(application, "activate", G_CALLBACK(activate), NULL);
     return g_application_run(G_APPLICATION(application), argc, argv);
 }

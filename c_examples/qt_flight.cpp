@@ -3,17 +3,18 @@
  *
  *     c++ -fPIC -o qt_flight qt_flight.cpp $(pkg-config --cflags --libs vides Qt6Widgets) -lm
  *
- * A click into the window opens an editor, if none is open. The poses that the user
- * hands over (Alt-U) are played, 25 a second, round and round. Escape ends the program.
+ * The picture follows the editor beside it: what is dragged, scrubbed or played there
+ * is seen here at once. Dragging here leads a camera of its own about the object; the
+ * editor shows it as a ghost and takes it over into the path (Ctrl-Enter). Escape ends.
  */
+#include <cmath>
 #include <cstdio>
-#include <vector>
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QSocketNotifier>
-#include <QTimer>
 #include <QWidget>
 
 #include <libvides.h>
@@ -29,48 +30,53 @@ class Flight : public QWidget {
 public:
     Flight()
     {
-        QObject::connect(&notifier, &QSocketNotifier::activated, [] { v_dispatch(); });
-        QObject::connect(&timer, &QTimer::timeout, [this] {
-            now = poses.empty() ? 0 : (now + 1) % poses.size();
-            update();
-        });
-        timer.start(40); // milliseconds
         setWindowTitle("qt_flight");
         resize(480, 320);
+        QObject::connect(&notifier, &QSocketNotifier::activated, [] { v_dispatch(); });
+        V_EDITOR_OPTIONS options;
+        v_editor_options_init(&options);
+        options.title = options.host_name = "qt_flight";
+        options.object = &PYRAMID;
+        options.on_view = onView;
+        options.on_capture = onCapture;
+        options.user = this;
+        if (v_editor_open(&options, &editor) != V_OK)
+            std::fprintf(stderr, "qt_flight: %s\n", v_last_error());
+        lead(0.6, 0.4);
     }
     ~Flight() override { v_editor_close(editor); }
 
 private:
-    // The poses are the library's and go when this returns: copy them. No exception
+    // The camera in the editor has moved: this picture shows the same moment. No exception
     // may leave a callback.
-    static void onPoses(V_EDITOR *, const V_POSE *handedOver, size_t count, void *user) noexcept
+    static void onView(V_EDITOR *, const V_POSE *pose, double frame, int, void *user) noexcept
     {
         auto *flight = static_cast<Flight *>(user);
-        flight->poses.assign(handedOver, handedOver + count);
-        flight->now = 0;
-        std::printf("%zu poses\n", count);
-        std::fflush(stdout);
+        flight->shown = *pose;
+        flight->setWindowTitle(QString("qt_flight: frame %1").arg(frame));
+        flight->update();
     }
 
-    // The user closes the window: its handle goes, too.
-    static int onClose(V_EDITOR *editor, void *user) noexcept
+    // "Take over the view".
+    static int onCapture(V_EDITOR *, V_POSE *pose, void *user) noexcept
     {
-        v_editor_close(editor);
-        static_cast<Flight *>(user)->editor = nullptr;
+        *pose = static_cast<Flight *>(user)->own;
         return 1;
     }
 
-    void mousePressEvent(QMouseEvent *) override
+    // The own camera goes about the object, and stands in the editor as a ghost.
+    void lead(double turn, double lean)
     {
-        V_EDITOR_OPTIONS options;
-        v_editor_options_init(&options);
-        options.title = "qt_flight";
-        options.object = &PYRAMID;
-        options.on_poses = onPoses;
-        options.on_close = onClose;
-        options.user = this;
-        if (editor == nullptr && v_editor_open(&options, &editor) != V_OK)
-            std::fprintf(stderr, "qt_flight: %s\n", v_last_error());
+        const double x = 1.6 * std::sin(turn) * std::cos(lean);
+        const double y = 1.6 * std::sin(lean), z = 1.6 * std::cos(turn) * std::cos(lean);
+        shown = own = {{x, y, z}, {-x, 0.2 - y, -z}, {0, 1, 0}, 30};
+        v_editor_set_view(editor, &own);
+        update();
+    }
+
+    void mouseMoveEvent(QMouseEvent *event) override
+    {
+        lead(0.01 * event->pos().x(), 0.005 * event->pos().y());
     }
 
     void keyPressEvent(QKeyEvent *event) override
@@ -79,35 +85,30 @@ private:
             close();
     }
 
+    // Where a point is seen. The zoom is a focal length in mm, with a picture 24 mm high.
+    bool seen(const double (&m)[16], const double (&p)[3], QPointF &at) const
+    {
+        const double depth = -(m[2] * p[0] + m[6] * p[1] + m[10] * p[2] + m[14]);
+        const double scale = shown.zoom / 24.0 * height() / depth;
+        at = {width() / 2.0 + (m[0] * p[0] + m[4] * p[1] + m[8] * p[2] + m[12]) * scale,
+              height() / 2.0 - (m[1] * p[0] + m[5] * p[1] + m[9] * p[2] + m[13]) * scale};
+        return depth > 0.01;
+    }
+
     void paintEvent(QPaintEvent *) override
     {
         QPainter painter(this);
+        QPointF from, to;
         double m[16];
-        if (poses.empty() || v_pose_gl_matrix(&poses[now], m) != V_OK)
-            return;
-        painter.translate(width() / 2.0, height() / 2.0);
-        for (const auto &line : LINES) {
-            QPointF ends[2];
-            bool seen = true;
-            for (int end = 0; end < 2; end++) {
-                const double *p = XYZ[line[end]];
-                // The zoom is a focal length in mm of a camera with a picture 24 mm high.
-                const double depth = -(m[2] * p[0] + m[6] * p[1] + m[10] * p[2] + m[14]);
-                const double scale = poses[now].zoom / 24.0 * height() / depth;
-                ends[end] = QPointF((m[0] * p[0] + m[4] * p[1] + m[8] * p[2] + m[12]) * scale,
-                                    -(m[1] * p[0] + m[5] * p[1] + m[9] * p[2] + m[13]) * scale);
-                seen = seen && depth > 0.01;
-            }
-            if (seen)
-                painter.drawLine(ends[0], ends[1]);
-        }
+        v_pose_gl_matrix(&shown, m);
+        for (const auto &line : LINES)
+            if (seen(m, XYZ[line[0]], from) && seen(m, XYZ[line[1]], to))
+                painter.drawLine(from, to);
     }
 
     V_EDITOR *editor = nullptr;
-    std::vector<V_POSE> poses;
-    size_t now = 0;
+    V_POSE shown, own;
     QSocketNotifier notifier{v_fd(), QSocketNotifier::Read};
-    QTimer timer;
 };
 
 int main(int argc, char **argv)

@@ -3,67 +3,73 @@
  *
  *     cc -o sdl_flight sdl_flight.c $(pkg-config --cflags --libs vides sdl2) -lm
  *
- * A click into the window opens an editor. The poses that the user hands over (Alt-U)
- * are played, 25 a second, round and round. Escape ends the program.
+ * The picture follows the editor beside it: what is dragged, scrubbed or played there
+ * is seen here at once. Dragging here leads a camera of its own about the object; the
+ * editor shows it as a ghost and takes it over into the path (Ctrl-Enter). Escape ends.
  */
+#include <math.h>
 #include <stdio.h>
 
 #include <SDL.h>
 
 #include <libvides.h>
 
-#define FRAME 40 /* milliseconds */
 #define WIDTH 480
 #define HEIGHT 320
 
-/* What both show: from point to point a line, unless draw is 0. */
-static V_OBJEKT_LIST pyramid[10] = {
-    {{ 0.3f, 0.0f,  0.3f}, 0, 1}, {{ 0.3f, 0.0f, -0.3f}, 1, 2}, {{-0.3f, 0.0f, -0.3f}, 1, 3},
-    {{-0.3f, 0.0f,  0.3f}, 1, 4}, {{ 0.3f, 0.0f,  0.3f}, 1, 5}, {{ 0.0f, 0.5f,  0.0f}, 1, 6},
-    {{ 0.3f, 0.0f, -0.3f}, 1, 7}, {{-0.3f, 0.0f, -0.3f}, 0, 8}, {{ 0.0f, 0.5f,  0.0f}, 1, 9},
-    {{-0.3f, 0.0f,  0.3f}, 1, 10}
+/* What both show: points, and the lines between them. */
+static const double xyz[5][3] = {
+    {0.3, 0.0, 0.3}, {0.3, 0.0, -0.3}, {-0.3, 0.0, -0.3}, {-0.3, 0.0, 0.3}, {0.0, 0.5, 0.0}
 };
-static V_KAMERAPAR list;       /* closed to a ring by the library */
-static const V_KAMERAPAR *now; /* the pose being shown; NULL before the first hand-over */
+static const unsigned lines[16] = {0, 1, 1, 2, 2, 3, 3, 0, 0, 4, 1, 4, 2, 4, 3, 4};
+static const V_MESH pyramid = {sizeof pyramid, xyz[0], 5, NULL, lines, 16, NULL, 0};
 
-/* The list stays as it is until the next call. */
-static void rueck(V_KAMERAPAR *poses, int count)
+static V_EDITOR *editor;
+static V_POSE shown, own = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 30};
+static SDL_Window *window;
+
+/* The camera in the editor has moved: the next picture shows the same moment. */
+static void on_view(V_EDITOR *of, const V_POSE *pose, double frame, int reason, void *user)
 {
-    now = poses;
-    printf("%d poses\n", count);
-    fflush(stdout);
+    char title[40];
+
+    (void)of, (void)reason, (void)user;
+    shown = *pose;
+    snprintf(title, sizeof title, "sdl_flight: frame %g", frame);
+    SDL_SetWindowTitle(window, title);
 }
 
-/* Where a camera sees a point: right and down from the picture's middle, in half
- * heights of the picture; 0 if behind the camera. The zoom is a focal length in mm
- * of a camera with a picture 24 mm high. */
-static int seen(const V_KAMERAPAR *pose, const V_PUNKT *point, double *x, double *y)
+/* The own camera goes about the object, and stands in the editor as a ghost, which is
+ * what "take over the view" takes. */
+static void drag(double turn, double lean)
 {
-    const V_POS *d = &pose->VPN, *u = &pose->VUP;
-    double px = point->x - pose->VRP.x, py = point->y - pose->VRP.y, pz = point->z - pose->VRP.z;
-    double depth = (px * d->x + py * d->y + pz * d->z) * 12.0 / pose->zoom;
-
-    *x = (px * (d->y * u->z - d->z * u->y) + py * (d->z * u->x - d->x * u->z)
-          + pz * (d->x * u->y - d->y * u->x)) / depth;
-    *y = -(px * u->x + py * u->y + pz * u->z) / depth;
-    return depth > 0.01;
+    own.vrp[0] = 1.6 * sin(turn) * cos(lean);
+    own.vrp[1] = 1.6 * sin(lean), own.vrp[2] = 1.6 * cos(turn) * cos(lean);
+    own.vpn[0] = -own.vrp[0], own.vpn[1] = 0.2 - own.vrp[1], own.vpn[2] = -own.vrp[2];
+    v_editor_set_view(editor, &own);
+    shown = own;
 }
 
 static void draw(SDL_Renderer *renderer)
 {
-    double x, y, from_x = 0.0, from_y = 0.0;
+    double m[16], scale;
+    SDL_FPoint to, from = {0, 0};
     int i, here, before = 0;
 
     SDL_SetRenderDrawColor(renderer, 255, 255, 255, 255);
     SDL_RenderClear(renderer);
     SDL_SetRenderDrawColor(renderer, 0, 0, 0, 255);
-    for (i = 0; now != NULL && i < 10; i++) {
-        here = seen(now, &pyramid[i].pos, &x, &y);
-        x = (WIDTH + x * HEIGHT) / 2;
-        y = (HEIGHT + y * HEIGHT) / 2;
-        if (here && before && pyramid[i].draw)
-            SDL_RenderDrawLine(renderer, (int)from_x, (int)from_y, (int)x, (int)y);
-        before = here, from_x = x, from_y = y;
+    for (i = 0; v_pose_gl_matrix(&shown, m) == V_OK && i < 16; i++, before = here, from = to) {
+        const double *p = xyz[lines[i]];
+        double depth = -(m[2] * p[0] + m[6] * p[1] + m[10] * p[2] + m[14]);
+
+        here = depth > 0.01;
+        /* The zoom is a focal length in mm of a camera with a picture 24 mm high. */
+        scale = shown.zoom / 24.0 * HEIGHT / depth;
+        to.x = WIDTH / 2 + (m[0] * p[0] + m[4] * p[1] + m[8] * p[2] + m[12]) * scale;
+        to.y = HEIGHT / 2 - (m[1] * p[0] + m[5] * p[1] + m[9] * p[2] + m[13]) * scale;
+        if (i % 2 == 1 && here && before)
+            SDL_RenderDrawLineF(renderer, from.x, from.y, to.x, to.y);
     }
     SDL_RenderPresent(renderer);
 }
@@ -74,8 +80,8 @@ static int own_events(void)
     SDL_Event event;
 
     while (SDL_PollEvent(&event)) {
-        if (event.type == SDL_MOUSEBUTTONDOWN)
-            v_haupt(100, 100, 100, 100, &list, 10, pyramid, rueck, NULL);
+        if (event.type == SDL_MOUSEMOTION && event.motion.state != 0)
+            drag(0.01 * event.motion.x, 0.005 * event.motion.y);
         else if (event.type == SDL_QUIT
                  || (event.type == SDL_KEYDOWN && event.key.keysym.sym == SDLK_ESCAPE))
             return 0;
@@ -85,25 +91,25 @@ static int own_events(void)
 
 int main(int argc, char **argv)
 {
-    SDL_Window *window;
+    V_EDITOR_OPTIONS options;
     SDL_Renderer *renderer;
 
     (void)argc, (void)argv;
     if (SDL_Init(SDL_INIT_VIDEO) != 0
-        || SDL_CreateWindowAndRenderer(WIDTH, HEIGHT, 0, &window, &renderer) != 0) {
-        fprintf(stderr, "sdl_flight: %s\n", SDL_GetError());
-        return 1;
-    }
-    SDL_SetWindowTitle(window, "sdl_flight");
-    list.number = -1; /* no poses yet */
+        || SDL_CreateWindowAndRenderer(WIDTH, HEIGHT, 0, &window, &renderer) != 0)
+        return fprintf(stderr, "sdl_flight: %s\n", SDL_GetError()), 1;
+    v_editor_options_init(&options);
+    options.title = options.host_name = "sdl_flight";
+    options.object = &pyramid;
+    options.on_view = on_view;
+    if (v_editor_open(&options, &editor) != V_OK)
+        return fprintf(stderr, "sdl_flight: %s\n", v_last_error()), 1;
+    drag(0.6, 0.4);
     while (own_events()) {
         v_dispatch(); /* between two frames; never waits */
         draw(renderer);
-        if (now != NULL)
-            now = now->next;
-        SDL_Delay(FRAME);
+        SDL_Delay(16); /* milliseconds */
     }
     SDL_Quit();
-    v_free_liste(&list);
     return 0;
 }

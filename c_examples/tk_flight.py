@@ -1,61 +1,53 @@
 """tk_flight: flies the camera path in a window of Tk, by Python's own ctypes.
 
-A click into the window opens an editor. The poses that the user hands over (Alt-U)
-are played, 25 a second, round and round. Escape ends the program.
+The picture follows the editor beside it: what is dragged, scrubbed or played there is seen
+here at once. Dragging here leads a camera of its own about the object; the editor shows it
+as a ghost and takes it over into the path (Ctrl-Enter). Escape ends.
 """
 
 import ctypes
 import tkinter
-from ctypes import POINTER, c_float, c_int, c_ushort
+from ctypes import CFUNCTYPE, POINTER, byref, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
+from math import cos, sin
 
-FRAME = 40  # milliseconds
 WIDTH, HEIGHT = 480, 320
 
 
-class Vector(ctypes.Structure):
-    """V_PUNKT."""
-    _fields_ = [("x", c_float), ("y", c_float), ("z", c_float)]
-
-
 class Pose(ctypes.Structure):
-    """V_KAMERAPAR, one element of a list closed to a ring."""
+    """V_POSE."""
+    _fields_ = [("vrp", c_double * 3), ("vpn", c_double * 3), ("vup", c_double * 3),
+                ("zoom", c_double)]
 
 
-Pose._fields_ = [("VRP", Vector), ("VPN", Vector), ("VUP", Vector), ("zoom", c_int),
-                 ("prev", POINTER(Pose)), ("next", POINTER(Pose)), ("number", c_int)]
+class Mesh(ctypes.Structure):
+    """V_MESH."""
+    _fields_ = [("size", c_size_t), ("xyz", POINTER(c_double)), ("points", c_size_t),
+                ("rgb", c_void_p), ("lines", POINTER(c_uint)), ("line_ends", c_size_t),
+                ("triangles", c_void_p), ("corners", c_size_t)]
 
 
-class Corner(ctypes.Structure):
-    """V_OBJEKT_LISTE."""
-    _fields_ = [("pos", Vector), ("draw", c_ushort), ("number", c_int)]
+OnView = CFUNCTYPE(None, c_void_p, POINTER(Pose), c_double, c_int, c_void_p)
 
 
-Rueck = ctypes.CFUNCTYPE(None, POINTER(Pose), c_int)
-Ende = ctypes.CFUNCTYPE(c_int)
+class Options(ctypes.Structure):
+    """V_EDITOR_OPTIONS, as far as this program knows it."""
+    _fields_ = [("size", c_size_t), ("title", c_char_p), ("file", c_char_p), ("path", c_void_p),
+                ("object", POINTER(Mesh)), ("frames", c_double * 4), ("display", c_char_p),
+                ("language", c_char_p), ("on_poses", c_void_p), ("on_close", c_void_p),
+                ("user", c_void_p), ("space_centre", c_double * 3), ("space_half_size", c_double),
+                ("space_up", c_int), ("on_view", OnView), ("on_change", c_void_p),
+                ("on_capture", c_void_p), ("on_pane", c_void_p), ("host_name", c_char_p)]
+
 
 vides = ctypes.CDLL("libvides.so.1")
-vides.v_haupt.argtypes = [c_float, c_float, c_float, c_float, POINTER(Pose), c_int,
-                          POINTER(Corner), Rueck, Ende]
-vides.v_haupt.restype = None
+vides.v_last_error.restype = c_char_p
+vides.v_editor_set_view.argtypes = [c_void_p, POINTER(Pose)]
 
-# What both show: from point to point a line, unless draw is 0.
-PYRAMID = (Corner * 10)(*(
-    Corner(Vector(x, y, z), draw, number) for number, (x, y, z, draw) in enumerate([
-        (0.3, 0.0, 0.3, 0), (0.3, 0.0, -0.3, 1), (-0.3, 0.0, -0.3, 1), (-0.3, 0.0, 0.3, 1),
-        (0.3, 0.0, 0.3, 1), (0.0, 0.5, 0.0, 1), (0.3, 0.0, -0.3, 1), (-0.3, 0.0, -0.3, 0),
-        (0.0, 0.5, 0.0, 1), (-0.3, 0.0, 0.3, 1)], 1)))
-
-
-def seen(pose, point):
-    """Where a camera sees a point: right and down from the picture's middle, in half
-    heights of the picture, and the distance. The zoom is a focal length in mm of a
-    camera with a picture 24 mm high."""
-    d, u = pose.VPN, pose.VUP
-    x, y, z = point.x - pose.VRP.x, point.y - pose.VRP.y, point.z - pose.VRP.z
-    depth = (x * d.x + y * d.y + z * d.z) * 12.0 / pose.zoom or 1e-9
-    return ((x * (d.y * u.z - d.z * u.y) + y * (d.z * u.x - d.x * u.z)
-             + z * (d.x * u.y - d.y * u.x)) / depth,
-            -(x * u.x + y * u.y + z * u.z) / depth, depth)
+# What both show: points, and the lines between them.
+XYZ = [(0.3, 0.0, 0.3), (0.3, 0.0, -0.3), (-0.3, 0.0, -0.3), (-0.3, 0.0, 0.3), (0.0, 0.5, 0.0)]
+LINES = [(0, 1), (1, 2), (2, 3), (3, 0), (0, 4), (1, 4), (2, 4), (3, 4)]
+PYRAMID = Mesh(size=ctypes.sizeof(Mesh), xyz=(c_double * 15)(*sum(XYZ, ())), points=5,
+               lines=(c_uint * 16)(*sum(LINES, ())), line_ends=16)
 
 
 class Flight:
@@ -66,37 +58,50 @@ class Flight:
         self.top.title("tk_flight")
         self.canvas = tkinter.Canvas(self.top, width=WIDTH, height=HEIGHT, background="white")
         self.canvas.pack()
-        self.canvas.bind("<Button-1>", self.edit)
+        self.canvas.bind("<B1-Motion>", self.drag)
         self.top.bind("<Escape>", lambda event: self.top.destroy())
-        self.poses = Pose(number=-1)  # no poses yet; the library keeps its address
-        self.now = None
-        # ctypes forgets a function that nobody holds: it must live as long as the window.
-        self.rueck, self.ende = Rueck(self.take), Ende()
+        # ctypes forgets a function that nobody holds: it must live as long as the editor.
+        self.on_view = OnView(self.follow)
+        options = Options(size=ctypes.sizeof(Options), title=b"tk_flight", host_name=b"tk_flight",
+                          object=ctypes.pointer(PYRAMID), on_view=self.on_view)
+        self.editor = c_void_p()
+        if vides.v_editor_open(byref(options), byref(self.editor)) != 0:
+            raise SystemExit(vides.v_last_error().decode())
         self.top.createfilehandler(vides.v_fd(), tkinter.READABLE,
                                    lambda fd, mask: vides.v_dispatch())
-        self.tick()
+        self.lead(0.6, 0.4)
 
-    def edit(self, _event):
-        """Opens an editor."""
-        vides.v_haupt(100, 100, 100, 100, self.poses, len(PYRAMID), PYRAMID,
-                      self.rueck, self.ende)
+    def follow(self, _editor, pose, frame, _reason, _user):
+        """The camera in the editor has moved: this picture shows the same moment."""
+        self.top.title(f"tk_flight: frame {frame:g}")
+        self.draw(pose.contents)
 
-    def take(self, poses, count):
-        """The list stays as it is until the next call."""
-        self.now = poses.contents
-        print(count, "poses", flush=True)
+    def drag(self, event):
+        """The user leads the own camera."""
+        self.lead(0.01 * event.x, 0.005 * event.y)
 
-    def tick(self):
+    def lead(self, turn, lean):
+        """The own camera goes about the object, and stands in the editor as a ghost, which
+        is what "take over the view" takes."""
+        x, y, z = 1.6 * sin(turn) * cos(lean), 1.6 * sin(lean), 1.6 * cos(turn) * cos(lean)
+        own = Pose((x, y, z), (-x, 0.2 - y, -z), (0, 1, 0), 30)
+        vides.v_editor_set_view(self.editor, own)
+        self.draw(own)
+
+    def draw(self, pose):
         """The next picture."""
         self.canvas.delete("all")
-        if self.now:
-            corners = [seen(self.now, corner.pos) for corner in PYRAMID]
-            for before, here, corner in zip(corners, corners[1:], PYRAMID[1:]):
-                if corner.draw and before[2] > 0.01 and here[2] > 0.01:
-                    self.canvas.create_line(*((size + value * HEIGHT) / 2 for end in (before, here)
-                                              for size, value in zip((WIDTH, HEIGHT), end)))
-            self.now = self.now.next.contents
-        self.top.after(FRAME, self.tick)
+        m = (c_double * 16)()
+        vides.v_pose_gl_matrix(byref(pose), m)
+        eye = [[sum(m[4 * k + row] * p[k] for k in range(3)) + m[12 + row] for row in range(3)]
+               for p in XYZ]
+        # The zoom is a focal length in mm of a camera with a picture 24 mm high.
+        scale = pose.zoom / 24 * HEIGHT
+        for ends in LINES:
+            if all(eye[end][2] < -0.01 for end in ends):
+                self.canvas.create_line(*(size / 2 + sign * eye[end][axis] / eye[end][2] * scale
+                                          for end in ends
+                                          for axis, size, sign in ((0, WIDTH, -1), (1, HEIGHT, 1))))
 
 
 if __name__ == "__main__":

@@ -1,16 +1,17 @@
-"""vtk_flight: flies the camera path in a window of VTK, by Python's own ctypes.
+"""vtk_flight: flies VTK's camera along the camera path, by Python's own ctypes.
 
-A click into the window opens an editor, if none is open. The poses that the user hands
-over (Alt-U) are played, 25 a second, round and round. Q ends the program.
+The picture follows the editor beside it: what is dragged, scrubbed or played there is seen
+here at once. The mouse leads the camera here as it always does in VTK; the editor shows
+that as a ghost and takes it over into the path (Ctrl-Enter). Q ends the program.
 """
 
 import ctypes
 import math
 from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
 
-import vtkmodules.vtkInteractionStyle
 import vtkmodules.vtkRenderingOpenGL2
 from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
                                          vtkRenderWindowInteractor)
 
@@ -28,22 +29,24 @@ class Mesh(ctypes.Structure):
                 ("triangles", c_void_p), ("corners", c_size_t)]
 
 
-OnPoses = CFUNCTYPE(None, c_void_p, POINTER(Pose), c_size_t, c_void_p)
-OnClose = CFUNCTYPE(c_int, c_void_p, c_void_p)
+OnView = CFUNCTYPE(None, c_void_p, POINTER(Pose), c_double, c_int, c_void_p)
+OnCapture = CFUNCTYPE(c_int, c_void_p, POINTER(Pose), c_void_p)
 
 
 class Options(ctypes.Structure):
-    """V_EDITOR_OPTIONS."""
+    """V_EDITOR_OPTIONS, as far as this program knows it."""
     _fields_ = [("size", c_size_t), ("title", c_char_p), ("file", c_char_p), ("path", c_void_p),
-                ("object", POINTER(Mesh)), ("speeds", c_double * 4),
-                ("display", c_char_p), ("language", c_char_p), ("on_poses", OnPoses),
-                ("on_close", OnClose), ("user", c_void_p)]
+                ("object", POINTER(Mesh)), ("frames", c_double * 4), ("display", c_char_p),
+                ("language", c_char_p), ("on_poses", c_void_p), ("on_close", c_void_p),
+                ("user", c_void_p), ("space_centre", c_double * 3), ("space_half_size", c_double),
+                ("space_up", c_int), ("on_view", OnView), ("on_change", c_void_p),
+                ("on_capture", OnCapture), ("on_pane", c_void_p), ("host_name", c_char_p)]
 
 
 vides = ctypes.CDLL("libvides.so.1")
 vides.v_last_error.restype = c_char_p
 vides.v_editor_open.argtypes = [POINTER(Options), POINTER(c_void_p)]
-vides.v_editor_close.argtypes = [c_void_p]
+vides.v_editor_set_view.argtypes = [c_void_p, POINTER(Pose)]
 
 
 def mesh(data):
@@ -56,68 +59,62 @@ def mesh(data):
                 lines=(c_uint * len(ends))(*ends), line_ends=len(ends))
 
 
-class Flight:
-    """The window and what it shows."""
-
-    def __init__(self):
-        cube, mapper, actor = vtkCubeSource(), vtkPolyDataMapper(), vtkActor()
-        cube.SetBounds(-0.3, 0.3, 0.0, 0.4, -0.3, 0.3)
-        cube.Update()
-        mapper.SetInputConnection(cube.GetOutputPort())
-        actor.SetMapper(mapper)
-        actor.GetProperty().SetRepresentationToWireframe()
-        self.renderer, self.window = vtkRenderer(), vtkRenderWindow()
-        self.renderer.AddActor(actor)
-        self.window.AddRenderer(self.renderer)
-        self.window.SetSize(480, 320)
-        self.window.SetWindowName("vtk_flight")
-        self.interactor = vtkRenderWindowInteractor()
-        self.interactor.SetRenderWindow(self.window)
-        self.editor, self.poses, self.now = c_void_p(), [], 0
-        # ctypes forgets a function that nobody holds: these must live as long as the editor.
-        self.mesh = mesh(cube.GetOutput())
-        self.options = Options(size=ctypes.sizeof(Options), title=b"vtk_flight",
-                               object=ctypes.pointer(self.mesh), on_poses=OnPoses(self.take),
-                               on_close=OnClose(self.closed))
-
-    def run(self):
-        """Until the user has enough."""
-        self.interactor.Initialize()
-        self.interactor.AddObserver("LeftButtonPressEvent", self.edit)
-        self.interactor.AddObserver("TimerEvent", self.tick)
-        self.interactor.CreateRepeatingTimer(40)  # milliseconds
-        self.interactor.Start()
-        vides.v_editor_close(self.editor)
-
-    def edit(self, _caller, _event):
-        """Opens an editor."""
-        if not self.editor and vides.v_editor_open(self.options, self.editor) != 0:
-            raise SystemExit(vides.v_last_error().decode())
-
-    def take(self, _editor, poses, count, _user):
-        """The poses are the library's and go when this returns: copy them."""
-        self.poses, self.now = [Pose.from_buffer_copy(pose) for pose in poses[:count]], 0
-        print(count, "poses", flush=True)
-
-    def closed(self, editor, _user):
-        """The user closes the window: its handle goes, too."""
-        vides.v_editor_close(editor)
-        self.editor = c_void_p()
-        return 1
-
-    def tick(self, _caller, _event):
-        """Serves the editor, then shows the next picture."""
-        vides.v_dispatch()
-        if self.poses:
-            pose, camera = self.poses[self.now], self.renderer.GetActiveCamera()
-            camera.SetPosition(pose.vrp)
-            camera.SetFocalPoint([at + along for at, along in zip(pose.vrp, pose.vpn)])
-            camera.SetViewUp(pose.vup)
-            camera.SetViewAngle(math.degrees(2.0 * math.atan(12.0 / pose.zoom)))
-            self.renderer.ResetCameraClippingRange()
-            self.now = (self.now + 1) % len(self.poses)
-        self.window.Render()
+# A house of 12 by 8 by 5 metres; the editor's space is in metres, too, and z is up.
+house, mapper, actor = vtkCubeSource(), vtkPolyDataMapper(), vtkActor()
+house.SetBounds(0, 12, 0, 8, 0, 5)
+house.Update()
+mapper.SetInputConnection(house.GetOutputPort())
+actor.SetMapper(mapper)
+actor.GetProperty().SetRepresentationToWireframe()
+actor.GetProperty().LightingOff()
+renderer, window, interactor = vtkRenderer(), vtkRenderWindow(), vtkRenderWindowInteractor()
+renderer.AddActor(actor)
+window.AddRenderer(renderer)
+window.SetSize(480, 320)
+window.SetWindowName("vtk_flight")
+interactor.SetRenderWindow(window)
+interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
+camera = renderer.GetActiveCamera()
 
 
-if __name__ == "__main__":
-    Flight().run()
+@OnView
+def on_view(_editor, pose, frame, _reason, _user):
+    """The camera in the editor has moved: this picture shows the same moment."""
+    pose = pose.contents
+    camera.SetPosition(pose.vrp)
+    away = math.dist(pose.vrp, actor.GetCenter())  # about there the mouse turns the camera
+    camera.SetFocalPoint([at + away * along for at, along in zip(pose.vrp, pose.vpn)])
+    camera.SetViewUp(pose.vup)
+    # The zoom is the focal length, in mm, of a camera with a picture 24 mm high.
+    camera.SetViewAngle(math.degrees(2.0 * math.atan(12.0 / pose.zoom)))
+    renderer.ResetCameraClippingRange()
+    window.SetWindowName(f"vtk_flight: frame {frame:g}")
+    window.Render()
+
+
+def own_view():
+    """VTK's camera. Its vectors may have any length."""
+    zoom = 12.0 / math.tan(math.radians(camera.GetViewAngle()) / 2.0)
+    return Pose(camera.GetPosition(), camera.GetDirectionOfProjection(), camera.GetViewUp(), zoom)
+
+
+@OnCapture
+def on_capture(_editor, pose, _user):
+    """"Take over the view"."""
+    pose[0] = own_view()
+    return 1
+
+
+options = Options(size=ctypes.sizeof(Options), title=b"vtk_flight", host_name=b"VTK",
+                  object=ctypes.pointer(mesh(house.GetOutput())), on_view=on_view,
+                  on_capture=on_capture, space_centre=(c_double * 3)(*actor.GetCenter()),
+                  space_half_size=actor.GetLength(), space_up=2)  # V_UP_Z
+editor = c_void_p()
+interactor.Initialize()
+if vides.v_editor_open(options, editor) != 0:
+    raise SystemExit(vides.v_last_error().decode())
+interactor.GetInteractorStyle().AddObserver(
+    "InteractionEvent", lambda style, event: vides.v_editor_set_view(editor, own_view()))
+interactor.AddObserver("TimerEvent", lambda caller, event: vides.v_dispatch())
+interactor.CreateRepeatingTimer(10)  # milliseconds
+interactor.Start()

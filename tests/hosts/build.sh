@@ -32,6 +32,7 @@ cxx qt5_flight "$examples/qt_flight.cpp" $(flags Qt5Widgets)
 cxx qt6_flight "$examples/qt_flight.cpp" $(flags Qt6Widgets)
 c gtk3 "$here/gtk3.c" $(flags gtk+-3.0)
 c gtk_embedded "$examples/gtk_embedded.c" $(flags gtk+-3.0)
+c glx_pane "$examples/glx_pane.c" -lX11 -lGL
 c glut "$here/glut.c" -lglut -lGL
 c motif "$here/motif.c" -lXm -lXt -lX11
 c xt_select "$here/xt_select.c" -lXt -lX11

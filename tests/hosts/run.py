@@ -2,7 +2,8 @@
 
 Each program runs under an X server of its own. A click into its
 window opens the editor; then a point is dragged while the host must go on drawing, the
-poses are handed over, and the windows are closed both ways. FOLDER holds the programs
+poses are handed over, and the windows are closed both ways. Hosts that fly along are in
+flights.py. FOLDER holds the programs
 (build.sh); NAME chooses among them, -compiled leaves out those in Python.
 """
 
@@ -19,13 +20,13 @@ import traceback
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "x"))
 
+import flights  # noqa: E402
+from flights import POSES, START  # noqa: E402
 from harness import Failure, Program, Server, check, wait  # noqa: E402
 from space import first_look  # noqa: E402
 
 EXAMPLES = os.path.join(HERE, "..", "..", "c_examples")
 PYTHON = "/usr/bin/python3"  # the one that Debian's packages are for
-POSES = 121  # of a new path at speed 100: its length is 1.2, and the first pose
-START = (-0.6, 0.2, 0.8)  # its first point
 GAP = 500
 """Milliseconds for which a host may show the same while the editor is used. On a machine
 with nothing else to do it is 50 to 100; one that waits for events of its own shows the
@@ -38,19 +39,32 @@ BAD = re.compile(r"vides|X Error|BadWindow|BadDrawable|BadMatch|Traceback|CRITIC
 class Host:
     """How one of them is run and ended."""
 
-    def __init__(self, command, title=None, leave="Escape", modal=None):
+    def __init__(self, command, title=None, leave="Escape", modal=None, edges=None, drivers=()):
         self.command, self.title, self.leave, self.modal = command, title, leave, modal
+        # If it flies along: what it shows, and who drives it on which stage.
+        self.edges, self.drivers = edges, drivers
+
+
+def flight(command, title=None, **how):
+    """A host that flies along."""
+    how = {"edges": flights.PYRAMID, "drivers": [(flights.fly, {}), (flights.end_first, {})], **how}
+    return Host(command, (title or command[0]) + "(: frame 1)?", **how)
 
 
 HOSTS = {
-    "gtk4": Host(["gtk_flight"]),
+    "gtk4": flight(["gtk_flight"]),
     "gtk3": Host(["gtk3"], modal="m"),
-    "qt5": Host(["qt5_flight"], "qt_flight"),
-    "qt6": Host(["qt6_flight"], "qt_flight"),
-    "sdl": Host(["sdl_flight"]),
-    "tk": Host([PYTHON, os.path.join(EXAMPLES, "tk_flight.py")], "tk_flight"),
-    "tk-modal": Host([PYTHON, os.path.join(HERE, "tk_modal.py")], "tk_flight", modal="m"),
-    "vtk": Host([PYTHON, os.path.join(EXAMPLES, "vtk_flight.py")], "vtk_flight", leave="q"),
+    "qt5": flight(["qt5_flight"], "qt_flight"),
+    "qt6": flight(["qt6_flight"], "qt_flight"),
+    "sdl": flight(["sdl_flight"]),
+    "tk": flight([PYTHON, os.path.join(EXAMPLES, "tk_flight.py")], "tk_flight"),
+    "tk-modal": flight([PYTHON, os.path.join(HERE, "tk_modal.py")], "tk_flight", modal="m"),
+    "vtk": flight([PYTHON, os.path.join(EXAMPLES, "vtk_flight.py")], "vtk_flight", leave="q",
+                  edges=flights.HOUSE),
+    "gtk3-embedded": Host(["gtk_embedded"], drivers=[
+        (flights.embedded, {"at": (10, 10)}),
+        (flights.managed, {"at": (10, 10), "managed": True})]),
+    "pane": Host(["glx_pane"], "VIDES.*", drivers=[(flights.pane, {"at": (10, 10)})]),
     "glut": Host(["glut"]),
     "fltk": Host(["fltk"], modal="m"),
     "wx": Host(["wx"], modal="m"),
@@ -64,10 +78,14 @@ HOSTS = {
 class Stage:
     """A server and one program."""
 
-    def __init__(self, folder, programs, command, title, **variables):
+    def __init__(self, folder, programs, command, title, at=(1250, 300), managed=False,
+                 **variables):
         self.programs, self.folder, self.program = programs, folder, None
+        self.vides = os.environ["VIDES"]  # the command
         self.server = Server(folder, options=("+extension", "GLX"))
         try:
+            if managed:
+                self.server.window_manager()
             # Without a bus and a configuration; drawn by the processor.
             env = dict(self.server.env, LIBGL_ALWAYS_SOFTWARE="1",
                        GSK_RENDERER="cairo", GDK_BACKEND="x11", QT_QPA_PLATFORM="xcb",
@@ -78,7 +96,7 @@ class Stage:
             self.program = Program(folder, [binary if os.path.exists(binary) else command[0],
                                             *command[1:]], env, terminal=True)
             self.host = self.server.named(title)
-            self.server.place(self.host, 1250, 300)
+            self.server.place(self.host, *at)
         except BaseException:
             self.end()
             raise
@@ -149,6 +167,8 @@ def drive(name, programs, folder):
     if name == "fortran":
         return fortran(programs, folder)
     host = HOSTS[name]
+    if host.drivers:
+        return flies(name, programs, folder)
     stage = Stage(folder, programs, host.command, f"^{host.title or host.command[0]}$")
     server, program = stage.server, stage.program
     try:
@@ -199,6 +219,21 @@ def drive(name, programs, folder):
         raise
     finally:
         stage.end()
+
+
+def flies(name, programs, folder):
+    """One that flies along, in each of its ways."""
+    host, said = HOSTS[name], None
+    for driver, where in host.drivers:
+        stage = Stage(folder, programs, host.command, f"^{host.title or host.command[0]}$", **where)
+        try:
+            said = driver(stage, host) or said
+        except Exception:
+            stage.server.picture().save(os.path.join(programs, f"failed-{name}.png"))
+            raise
+        finally:
+            stage.end()
+    return said
 
 
 def fortran(programs, folder):

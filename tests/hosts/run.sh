@@ -8,6 +8,7 @@ shift
 here=$(dirname "$(realpath "$0")")
 out=$libraries/../hosts
 export LD_LIBRARY_PATH=$libraries PYTHONDONTWRITEBYTECODE=1
+export VIDES=$libraries/../release/vides # the command, which samples what a host shows
 if [ "${1:-}" = others ]; then
     shift
     "$here/build.sh" "$libraries" "$out" others

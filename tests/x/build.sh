@@ -45,13 +45,12 @@ build two_windows "$examples/two_windows.c" -- -lvides -lm
 build xlib_loop "$examples/xlib_loop.c" -- -lvides -lm -lX11
 build glut_flight "$examples/glut_flight.c" -- -lvides -lm -lglut -lGL
 build glut_scene "$examples/glut_scene.c" -- -lvides -lm -lglut -lGL
+build glx_pane "$examples/glx_pane.c" -- -lvides -lm -lX11 -lGL
 
 # The README's own program: C99, as it stands there.
 "$root/mk/readme.sh" "$root/README.md" "$out"
 extra=-std=c99
 build readme_window "$out/window.c" -- -lvides -lm
-
-build glx_pane "$examples/glx_pane.c" -- -lvides -lm -lX11 -lGL
 
 extra=-D_GNU_SOURCE
 build loop_poll "$here/loop_poll.c" "$here/host.c" -- -lvides -lm

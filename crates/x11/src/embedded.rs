@@ -129,14 +129,31 @@ impl Window {
         if now < due {
             return Ok(());
         }
+        let lost = !self.focus.own;
+        if lost && !self.host_has_keyboard()? {
+            // A dialog that the host has opened since, or another program: they keep it.
+            self.leave_keyboard();
+            return Ok(());
+        }
         if let Some(home) = &mut self.home {
             home.look = (left > 1).then(|| (now + LOOK_AGAIN, left - 1));
         }
-        if self.focus.own {
+        if !lost {
             return Ok(());
         }
         // Later than whatever took it.
         self.take_keyboard(x11rb::CURRENT_TIME)
+    }
+
+    /// Whether the keyboard is with the host's top-level window, or something in it (a
+    /// toolkit's own window for the keyboard), or with nobody.
+    fn host_has_keyboard(&self) -> Result<bool> {
+        let connection = &self.connection;
+        let focus = connection
+            .answer(connection.get_input_focus())?
+            .map_or(x11rb::NONE, |reply| reply.focus);
+        let nobody = [InputFocus::NONE, InputFocus::POINTER_ROOT].map(u32::from);
+        Ok(nobody.contains(&focus) || self.above(focus)? == self.top_level()?)
     }
 
     fn take_keyboard(&self, time: u32) -> Result<()> {
@@ -147,11 +164,15 @@ impl Window {
 
     /// The window that window managers know: ours, or the host's around it.
     pub(super) fn top_level(&self) -> Result<u32> {
-        let Some(home) = &self.home else {
-            return Ok(self.frame.window);
-        };
+        match &self.home {
+            Some(home) => self.above(home.parent),
+            None => Ok(self.frame.window),
+        }
+    }
+
+    /// The top-level window around one.
+    fn above(&self, mut window: u32) -> Result<u32> {
         let connection = &self.connection;
-        let mut window = home.parent;
         for _ in 0..MOST_ANCESTORS {
             let state = connection.atoms().WM_STATE;
             let asked = connection.get_property(false, window, state, AtomEnum::ANY, 0, 0);

@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use x11rb::connection::Connection as _;
 use x11rb::protocol::xproto::{
-    ChangeWindowAttributesAux, ConnectionExt as _, CreateWindowAux, EventMask, InputFocus,
-    WindowClass,
+    ChangeWindowAttributesAux, ConfigureWindowAux, ConnectionExt as _, CreateWindowAux, EventMask,
+    InputFocus, WindowClass,
 };
 
 use super::looker::Looker;
@@ -182,6 +182,36 @@ fn a_click_takes_the_keyboard_and_takes_it_again() {
     shown.until("a rest", |_| quiet.elapsed().as_millis() > 400);
     assert_eq!(focus(&looker), host);
     assert_eq!(shown.window.deadline(), None);
+}
+
+#[test]
+fn a_dialog_of_the_hosts_keeps_the_keyboard() {
+    let server = Server::start();
+    let looker = Looker::new(&server);
+    let host = looker.window(looker.root(), (320, 240), 24);
+    // Away from the pointer, as a dialog may be.
+    let dialog = looker.window(looker.root(), (120, 80), 24);
+    let aside = ConfigureWindowAux::new().x(400).y(300);
+    looker.connection.configure_window(dialog, &aside).unwrap();
+    let proxy = looker.window(host, (1, 1), 24);
+    let mut shown = Shown::of(within(&server, host).expect("a window"));
+    shown.settle();
+    let give = |window| {
+        let asked = looker
+            .connection
+            .set_input_focus(InputFocus::PARENT, window, 0_u32);
+        asked.unwrap().check().unwrap();
+    };
+    let ours = shown.id();
+    for (window, keeps) in [(dialog, true), (proxy, false)] {
+        server.run("xdotool", &["mousemove", "50", "60", "click", "1"]);
+        shown.until("the keyboard", |_| focus(&looker) == ours);
+        give(window);
+        let quiet = Instant::now();
+        shown.until("a rest", |_| quiet.elapsed().as_millis() > 400);
+        assert_eq!(focus(&looker) == window, keeps);
+        assert_eq!(shown.window.deadline(), None);
+    }
 }
 
 #[test]
