@@ -5,11 +5,12 @@ use std::path::PathBuf;
 
 use glam::DVec3;
 
-use crate::document::{Edit, Selection};
+use crate::document::{Edit, Selection, no_longer_ahead};
 use crate::files::{Purpose, Then};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
-use crate::path::{Orientation, Target, insertion};
+use crate::panels::orientation::look_ahead;
+use crate::path::{CameraPath, Orientation, Target, insertion};
 use crate::playing::Pace;
 use crate::setup::{ColourWindow, DisplayWindow, Setup, Theme, View};
 use crate::space::Gesture;
@@ -57,6 +58,8 @@ pub(super) enum Action {
     NextOrientation,
     /// `Abs.` (true) or `Rel.` (false).
     SetAbsolute(bool),
+    /// Let the current orientation look along the way.
+    LookAhead,
     /// `Abs.` if it is `Rel.`, and the other way round.
     SwitchAbsolute,
     /// Let every orientation of the path look where the current one does.
@@ -134,6 +137,21 @@ pub(super) enum Action {
     Say(String),
     /// Something that cannot be done, in words.
     Complain(String),
+}
+
+/// The edit that lets an orientation look at a place.
+fn aimed(path: &CameraPath, point: usize, at: usize, place: DVec3) -> Option<Edit> {
+    let target = Target::Absolute(place);
+    let orientation = no_longer_ahead(path, point, at).ok()?;
+    let orientation = Orientation {
+        target,
+        ..orientation
+    };
+    Some(Edit::SetOrientation {
+        point,
+        at,
+        orientation,
+    })
 }
 
 impl Action {
@@ -256,6 +274,7 @@ impl Editor {
                     absolute,
                 });
             }
+            Action::LookAhead => self.set_orientation(|current| look_ahead(current, 0.0)),
             Action::SwitchAbsolute => {
                 let target = self.orientation().map(|current| current.target);
                 let absolute = matches!(target, Some(Target::Absolute(_)));
@@ -300,7 +319,13 @@ impl Editor {
                 }
             }
             Action::AimAt(place) => {
-                self.set_orientation(|current| current.target = Target::Absolute(place));
+                let here = self.document.selection();
+                self.edit_all(aimed(
+                    self.document.path(),
+                    here.point,
+                    here.orientation,
+                    place,
+                ));
             }
             Action::AimAllAt(place) => self.aim_all_at(place),
             Action::View(view) => self.setup.view = view,
@@ -419,25 +444,17 @@ impl Editor {
 
     /// Every camera looks at a place.
     fn aim_all_at(&mut self, place: DVec3) {
-        let aimed: Vec<Edit> = self
-            .document
-            .path()
+        let path = self.document.path();
+        let edits = path
             .points
             .iter()
             .enumerate()
             .flat_map(|(point, of_point)| {
-                let orientations = of_point.orientations.iter().enumerate();
-                orientations.map(move |(at, orientation)| Edit::SetOrientation {
-                    point,
-                    at,
-                    orientation: Orientation {
-                        target: Target::Absolute(place),
-                        ..orientation.clone()
-                    },
-                })
-            })
-            .collect();
-        if self.edit_all(aimed) {
+                let all = 0..of_point.orientations.len();
+                all.filter_map(move |at| aimed(path, point, at, place))
+            });
+        let edits: Vec<Edit> = edits.collect();
+        if self.edit_all(edits) {
             self.say(self.texts().orientation.all_aimed);
         }
     }

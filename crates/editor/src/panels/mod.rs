@@ -1,6 +1,6 @@
 //! The panels on the left, one file each (thesis A.4).
 
-mod orientation;
+pub(crate) mod orientation;
 pub(crate) mod output;
 mod position;
 mod speed;

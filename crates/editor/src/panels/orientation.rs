@@ -21,11 +21,12 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     };
     let missing = shown.has_no_orientation();
     let (selection, current) = (shown.at, &shown.orientation);
-    let absolute = matches!(current.target, Target::Absolute(_));
-    let how = if absolute {
-        texts.at_place
-    } else {
-        texts.in_direction
+    let ahead = current.own.ahead.is_some();
+    let absolute = !ahead && matches!(current.target, Target::Absolute(_));
+    let how = match (ahead, absolute) {
+        (true, _) => texts.along_way,
+        (_, true) => texts.at_place,
+        _ => texts.in_direction,
     };
     heading(ui, texts.heading, how);
     keys(
@@ -45,7 +46,8 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
                 texts.relative_hint,
                 Action::SetAbsolute(false),
             )
-            .chosen(!absolute),
+            .chosen(!absolute && !ahead),
+            Key::new(texts.ahead, texts.ahead_hint, Action::LookAhead).chosen(ahead),
         ],
         actions,
     );
@@ -98,6 +100,18 @@ fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>
     let texts = &editor.texts().orientation;
     let (selection, current) = (shown.at, &shown.orientation);
     let missing = shown.has_no_orientation();
+    if let Some(distance) = current.own.ahead {
+        let entry = Number::new(texts.distance, distance)
+            .label(texts.distance)
+            .hint(texts.distance_hint)
+            .faint(missing)
+            .in_space(editor.document.path().space)
+            .range(0.0..=f64::MAX)
+            .show(ui, editor.language(), "ahead", ui.available_width());
+        let entry = entry.map(|distance| with(selection, current, |new| look_ahead(new, distance)));
+        actions.push(Action::enter(missing, entry));
+        return;
+    }
     let (words, vector) = match current.target {
         Target::Absolute(place) => (("target", texts.target, texts.target_hint), place),
         Target::Relative(way) => (("direction", texts.direction, texts.direction_hint), way),
@@ -111,6 +125,14 @@ fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>
         })
     };
     three_numbers(editor, ui, words, vector, missing, edit, actions);
+}
+
+/// Along the way from now on, or at the place so far ahead on it.
+pub(crate) fn look_ahead(orientation: &mut Orientation, distance: f64) {
+    // Without memory for it all stays as it is.
+    if let Ok(own) = orientation.own.with(|own| own.ahead = Some(distance)) {
+        orientation.own = own;
+    }
 }
 
 /// The edit that changes the current orientation.

@@ -383,6 +383,53 @@ fn an_absolute_target_stays_and_a_relative_one_goes_along() {
     assert_eq!(view(&window), before);
 }
 
+/// The way from one pose to the next, and where the camera looks.
+fn apart_from_the_way(window: &Window, frames: std::ops::Range<usize>) -> f64 {
+    let poses = poses(window.state());
+    let pairs = poses[frames].windows(2);
+    let angles = pairs.map(|pair| {
+        let [from, to] = [pair[0].vrp, pair[1].vrp].map(DVec3::from);
+        let [before, after] = [pair[0].vpn, pair[1].vpn].map(DVec3::from);
+        (to - from).angle_between(before + after)
+    });
+    angles.fold(0.0, f64::max).to_degrees()
+}
+
+#[test]
+fn the_camera_looks_along_the_way_until_it_is_aimed() {
+    for language in [Language::English, Language::German] {
+        let texts = &language.texts().orientation;
+        let mut window = window(language);
+        assert!(apart_from_the_way(&window, 0..60) > 10.0);
+        click(&mut window, texts.ahead);
+        press(&mut window, Modifiers::CTRL, Key::PageDown);
+        click(&mut window, texts.ahead);
+        let end = poses(window.state()).len();
+        let off = apart_from_the_way(&window, 0..end);
+        assert!(off < 0.2, "{off} degrees");
+        assert!(window.query_by_label_contains(texts.along_way).is_some());
+        // At a place ahead: it looks into the curve.
+        enter(&mut window, texts.distance, "0.3");
+        let own = |window: &Window| window.state().orientation().unwrap().own.ahead;
+        assert_eq!(own(&window), Some(0.3));
+        // The view stays as it was seen when it looks in a direction from now on.
+        let here = |window: &Window| DVec3::from(poses(window.state())[end - 1].vpn);
+        let before = here(&window);
+        click(&mut window, texts.relative);
+        assert_eq!(own(&window), None);
+        assert!(here(&window).abs_diff_eq(before, 1e-9));
+        click(&mut window, texts.ahead);
+        window.state_mut().act(
+            crate::actions::Action::AimAt(DVec3::ZERO),
+            &egui::Context::default(),
+        );
+        assert_eq!(own(&window), None);
+        let pose = poses(window.state())[end - 1];
+        let [position, view] = [pose.vrp, pose.vpn].map(DVec3::from);
+        assert!(view.abs_diff_eq(-position.normalize(), 1e-9));
+    }
+}
+
 #[test]
 fn the_numbers_of_the_target_are_those_of_its_kind() {
     let mut window = window(Language::German);

@@ -5,9 +5,9 @@ use glam::{DVec2, DVec3};
 
 use super::projection::{Axis, EDGE_ON, Projection};
 use super::scene::FLOOR;
-use crate::document::{Document, Edit};
+use crate::document::{Document, Edit, Selection, no_longer_ahead};
 use crate::math::orientation;
-use crate::path::Target;
+use crate::path::{Orientation, Target};
 
 /// Length of the VUP arrow, in half sizes of the movement space.
 pub(super) const VUP_LENGTH: f64 = 0.25;
@@ -139,8 +139,20 @@ pub(super) fn outcome(
 pub(super) fn current_tip(document: &Document) -> Option<DVec3> {
     let selection = document.selection();
     let point = document.path().points.get(selection.point)?;
-    let orientation = point.orientations.get(selection.orientation)?;
+    let orientation = current(document)?;
     Some(tip_of(orientation.target, point.position))
+}
+
+/// The current orientation; one that looks along the way as if it looked that way.
+fn current(document: &Document) -> Option<Orientation> {
+    let Selection { point, orientation } = document.selection();
+    document
+        .path()
+        .points
+        .get(point)?
+        .orientations
+        .get(orientation)?;
+    no_longer_ahead(document.path(), point, orientation).ok()
 }
 
 /// The edit that moves the target of the current orientation to `to`.
@@ -149,7 +161,7 @@ pub(super) fn move_target(document: &Document, to: DVec3) -> Option<Edit> {
     let selection = document.selection();
     let (point, at) = (selection.point, selection.orientation);
     let support = document.path().points.get(point)?;
-    let mut orientation = support.orientations.get(at)?.clone();
+    let mut orientation = current(document)?;
     let position = support.position;
     let tip = tip_of(orientation.target, position);
     match &mut orientation.target {

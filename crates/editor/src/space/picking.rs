@@ -2,9 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
-use super::drag::{Handle, VUP_LENGTH, tip_of};
+use super::drag::{Handle, VUP_LENGTH, current_tip};
 use super::projection::Projection;
 use crate::document::Document;
+use crate::path::ahead;
 use crate::setup::{Element, Shown};
 
 /// How far from something the pointer may be to take hold of it: pixels of an
@@ -29,14 +30,15 @@ pub(super) fn tips(document: &Document) -> Option<Tips> {
     let point = document.path().points.get(selection.point)?;
     let current = point.orientations.get(selection.orientation)?;
     let position = point.position;
-    let view = current.view(position);
-    let space = document.path().space;
+    let path = document.path();
+    let view = ahead::view(path, selection.point, selection.orientation);
+    let space = path.space;
     let up = space.up.up_from_roll(view, current.roll.to_radians());
     Some(Tips {
         position,
         view,
         up,
-        target: tip_of(current.target, position),
+        target: current_tip(document)?,
         up_tip: position + up * (VUP_LENGTH * space.half_size),
     })
 }

@@ -8,6 +8,7 @@ texts! {
         heading: "Orientation", "Orientierung";
         at_place: "looks at a place", "blickt auf einen Ort";
         in_direction: "looks in a direction", "blickt in eine Richtung";
+        along_way: "looks along the way", "blickt den Weg entlang";
         add: "Ori.+", "Ori.+";
         add_hint: "Insert a copy of this orientation after it",
             "Eine Kopie dieser Orientierung dahinter einfügen";
@@ -19,6 +20,12 @@ texts! {
         relative: "Rel.", "Rel.";
         relative_hint: "The camera keeps its direction when the point is moved",
             "Die Kamera behält ihre Richtung, wenn der Punkt verschoben wird";
+        ahead: "Way", "Weg";
+        ahead_hint: "The camera looks along its way, upright",
+            "Die Kamera blickt aufrecht ihren Weg entlang";
+        distance: "Ahead", "Voraus";
+        distance_hint: "It looks at the place so far ahead on its way; 0: along the tangent",
+            "Sie blickt auf den Ort so weit voraus auf ihrem Weg; 0: die Tangente entlang";
         previous: "<< Ori", "<< Ori";
         previous_hint: "Go to the previous orientation of this point",
             "Zur vorherigen Orientierung dieses Punktes";

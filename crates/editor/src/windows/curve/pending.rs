@@ -5,7 +5,7 @@
 //! that is dragged while the window is open shows its new place, and applying
 //! changes nothing but what was entered.
 
-use crate::document::{Document, Edit, Selection};
+use crate::document::{Document, Edit, Selection, no_longer_ahead};
 use crate::limits::PRESETS;
 use crate::path::{CurveParameters, Orientation, SupportPoint, Target, Tcb};
 
@@ -84,7 +84,7 @@ impl Pending {
 
     /// The target (absolute) or offset (relative) that the fields show.
     pub(crate) fn target(&self, document: &Document) -> [f64; 3] {
-        let (Target::Absolute(target) | Target::Relative(target)) = orientation(document).target;
+        let (Target::Absolute(target) | Target::Relative(target)) = aimed(document).target;
         merged(self.target, target.to_array())
     }
 
@@ -114,7 +114,11 @@ impl Pending {
         }
         let moves = self.position.iter().any(Option::is_some);
         let turns = self.target.iter().any(Option::is_some) || self.roll.is_some();
-        let mut orientation = orientation(document).clone();
+        let mut orientation = if self.target.iter().any(Option::is_some) {
+            aimed(document)
+        } else {
+            orientation(document).clone()
+        };
         if moves && turns && matches!(orientation.target, Target::Absolute(_)) {
             // The new position may be the old target, or the new target the
             // old position: meanwhile the target goes along.
@@ -153,6 +157,16 @@ pub(crate) fn point(document: &Document) -> &SupportPoint {
 
 pub(crate) fn orientation(document: &Document) -> &Orientation {
     &point(document).orientations[document.selection().orientation]
+}
+
+/// The same; one that looks along the way as if it looked that way.
+fn aimed(document: &Document) -> Orientation {
+    let Selection {
+        point,
+        orientation: at,
+    } = document.selection();
+    let aimed = no_longer_ahead(document.path(), point, at);
+    aimed.unwrap_or_else(|_| orientation(document).clone())
 }
 
 fn merged(pending: [Option<f64>; 3], known: [f64; 3]) -> [f64; 3] {
