@@ -21,7 +21,6 @@ pub(super) fn run(file: &Path) -> Result<(), Failure> {
     print(text.trim_end_matches('\n')).and_then(|()| print("\n"))
 }
 
-/// The tables of a path.
 fn tables(file: &Path, path: &CameraPath, info: &Info) -> vides::Result<String> {
     let timeline = Timeline::new(path)?;
     let frames = timeline.frame_count()?;

@@ -24,7 +24,6 @@ pub(super) struct Bar<W: Write> {
 }
 
 impl<W: Write> Bar<W> {
-    /// A bar for work that begins now.
     pub(super) fn new(out: W) -> Self {
         Self {
             out,

@@ -9,7 +9,6 @@ pub(super) enum Align {
     Right,
 }
 
-/// A table with a line of headings.
 pub(super) struct Table {
     columns: Vec<(&'static str, Align)>,
     rows: Vec<Vec<String>>,

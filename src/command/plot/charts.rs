@@ -11,7 +11,6 @@ use super::{Film, MARGIN, WIDTH};
 const SCALE: f64 = 48.0;
 const NAME: f64 = 26.0;
 const FRAMES: f64 = 44.0;
-/// Height of one chart.
 const HEIGHT: f64 = 84.0;
 
 /// One chart: its name, whether it has the colour of the way or of the view, its
@@ -23,12 +22,10 @@ pub(super) struct Chart {
     kinds: &'static [&'static str],
 }
 
-/// Height of all charts together.
 pub(super) fn height(charts: usize) -> f64 {
     charts as f64 * (HEIGHT + NAME) + FRAMES
 }
 
-/// All charts of a film.
 pub(super) fn of(film: &Film<'_>) -> vides::Result<Vec<Chart>> {
     let (info, space) = (film.document.info(), film.document.path().space);
     let fps = info.fps;

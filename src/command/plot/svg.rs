@@ -5,7 +5,6 @@ use std::fmt::Write;
 /// A place in the picture: pixels to the right and down.
 pub(super) type Spot = (f64, f64);
 
-/// A picture that grows.
 pub(super) struct Svg {
     text: String,
 }
@@ -37,7 +36,6 @@ impl Svg {
         svg
     }
 
-    /// The finished text.
     pub(super) fn finish(mut self) -> String {
         self.text.push_str("</svg>\n");
         self.text

@@ -40,10 +40,8 @@ struct Offered {
     picture: Option<(Vec<[Pos2; 2]>, Vec<Pos2>)>,
 }
 
-enum Answer {
-    Of(Action),
-    Later,
-}
+/// What was answered: an action, or nothing before the next start.
+type Answer = Option<Action>;
 
 impl RecoveryWindow {
     pub(crate) fn of(mut found: Vec<Found>) -> Self {
@@ -86,11 +84,11 @@ impl RecoveryWindow {
                     let button = |text| Button::new(text).min_size(BUTTON);
                     let restore = ui.add(button(texts.restore));
                     if restore.on_hover_text(texts.restore_hint).clicked() {
-                        answer = Some(Answer::Of(Action::Restore(index)));
+                        answer = Some(Some(Action::Restore(index)));
                     }
                     let discard = ui.add(button(texts.discard));
                     if discard.on_hover_text(texts.discard_hint).clicked() {
-                        answer = Some(Answer::Of(Action::Discard(index)));
+                        answer = Some(Some(Action::Discard(index)));
                     }
                 });
             });
@@ -143,7 +141,7 @@ impl SubWindow for RecoveryWindow {
                     ui.add_space(ui.available_width() - BUTTON.x);
                     let later = ui.add(Button::new(texts.later).min_size(BUTTON));
                     if later.on_hover_text(texts.later_hint).clicked() {
-                        answer = Some(Answer::Later);
+                        answer = Some(None);
                     }
                 });
             },
@@ -151,8 +149,8 @@ impl SubWindow for RecoveryWindow {
         match answer {
             None => stays,
             // What is not answered stays where it is, for the next start.
-            Some(Answer::Later) => false,
-            Some(Answer::Of(action)) => {
+            Some(None) => false,
+            Some(Some(action)) => {
                 actions.push(action);
                 true
             }

@@ -22,17 +22,12 @@ pub(crate) trait Vector: Copy {
     fn load(from: &[f64]) -> Self;
     /// Writes the lanes to the start of a slice that has room for them.
     fn store(self, to: &mut [f64]);
-    /// Sum.
     fn add(self, other: Self) -> Self;
-    /// Difference.
     fn sub(self, other: Self) -> Self;
-    /// Product.
     fn mul(self, other: Self) -> Self;
-    /// Quotient.
     fn div(self, other: Self) -> Self;
     /// `self`·b + c, in one rounding where the processor has it.
     fn mul_add(self, b: Self, c: Self) -> Self;
-    /// Square root.
     fn sqrt(self) -> Self;
     /// The smaller one, lane by lane.
     fn min(self, other: Self) -> Self;

@@ -132,7 +132,6 @@ impl SectionSampler {
         }
     }
 
-    /// The pose at φ.
     pub(super) fn pose(&self, phi: f64) -> Result<Pose> {
         let arc = match &self.way {
             Some(way) => Some(ArcLength::new(&way.curve)?),

@@ -72,7 +72,6 @@ pub fn blend(paths: &[&CameraPath], weights: &[f64]) -> Result<CameraPath> {
     Ok(path)
 }
 
-/// One orientation.
 fn blended(
     all: &[(&CameraPath, f64)],
     leader: usize,

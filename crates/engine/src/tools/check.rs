@@ -423,7 +423,6 @@ impl Scan<'_> {
         Ok(apart(a, b))
     }
 
-    /// What a section is by itself.
     fn section(&mut self, timeline: &Timeline, number: usize) -> Result<()> {
         let section = timeline.section(number);
         let first = self.sampler.first_frame(number);
