@@ -190,7 +190,8 @@ check-dependencies:
 
 # Hosts of other toolkits. Their packages are large: not in `make test`.
 check-hosts: all
-	@mk/need.sh $(X_TOOLS) openbox=openbox xwininfo=x11-utils c++=g++ pkg-config=pkg-config gfortran=gfortran \
+	@mk/need.sh $(X_TOOLS) openbox=openbox xwininfo=x11-utils \
+	    c++=g++ pkg-config=pkg-config gfortran=gfortran \
 	    /usr/include/X11/extensions/Xdamage.h=libxdamage-dev \
 	    /usr/include/gtk-4.0/gtk/gtk.h=libgtk-4-dev /usr/include/gtk-3.0/gtk/gtk.h=libgtk-3-dev \
 	    /usr/include/SDL2/SDL.h=libsdl2-dev /usr/include/FL/Fl.H=libfltk1.3-dev \

@@ -57,6 +57,7 @@ static void draw(GtkDrawingArea *unused, cairo_t *cairo, int width, int height, 
     int i;
 
     (void)unused, (void)user;
+    cairo_set_source_rgb(cairo, 1, 1, 1), cairo_paint(cairo), cairo_set_source_rgb(cairo, 0, 0, 0);
     cairo_translate(cairo, width / 2.0, height / 2.0);
     for (i = 0; v_pose_gl_matrix(&shown, m) == V_OK && i < 16; i++, before = depth) {
         const double *p = xyz[lines[i]];
@@ -103,8 +104,7 @@ static void activate(GtkApplication *application)
 
     v_editor_options_init(&options);
     options.title = options.host_name = "gtk_flight";
-    options.object = &pyramid;
-    options.on_view = on_view;
+    options.object = &pyramid, options.on_view = on_view;
     if (v_editor_open(&options, &editor) != V_OK)
         g_printerr("gtk_flight: %s\n", v_last_error());
     g_unix_fd_add(v_fd(), G_IO_IN, serve, NULL);

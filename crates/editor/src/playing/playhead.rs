@@ -8,11 +8,11 @@ use super::Mark;
 use crate::document::{Edit, Selection};
 use crate::math::orientation;
 use crate::number::Entry;
-use crate::path::{Orientation, Target};
+use crate::path::{Orientation, Space, Target};
 use crate::space::Camera;
 use crate::state::Editor;
 
-/// Length of a direction that stands for no other.
+/// Length of a direction that stands for no other, in half sizes of the space.
 const DIRECTION: f64 = 0.4;
 
 /// What the panels show and change.
@@ -97,7 +97,7 @@ impl Editor {
         Some(Shown {
             at,
             position: camera.position,
-            orientation: between(from, to, &camera),
+            orientation: between(from, to, &camera, self.document.path().space),
             missing,
         })
     }
@@ -187,7 +187,12 @@ impl Editor {
 
 /// An orientation in between, with which a camera sees what this one does: looking at
 /// a place if both keys do, with the speeds of the first.
-fn between(from: &Orientation, to: Option<&Orientation>, camera: &Camera) -> Orientation {
+fn between(
+    from: &Orientation,
+    to: Option<&Orientation>,
+    camera: &Camera,
+    space: Space,
+) -> Orientation {
     let target = match (from.target, to.map(|to| to.target)) {
         (Target::Absolute(place), Some(Target::Absolute(other)))
             if place == other && place != camera.position =>
@@ -195,9 +200,9 @@ fn between(from: &Orientation, to: Option<&Orientation>, camera: &Camera) -> Ori
             from.target
         }
         (Target::Relative(offset), _) => Target::Relative(camera.view * offset.length()),
-        _ => Target::Relative(camera.view * DIRECTION),
+        _ => Target::Relative(camera.view * (DIRECTION * space.half_size)),
     };
-    let roll = orientation::roll_from_up(camera.view, camera.up).to_degrees();
+    let roll = space.up.roll_from_up(camera.view, camera.up).to_degrees();
     Orientation {
         target,
         roll: orientation::wrap_degrees(roll),

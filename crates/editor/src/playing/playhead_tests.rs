@@ -5,7 +5,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 use super::*;
-use crate::path::SupportPoint;
+use crate::path::{Space, SupportPoint, Up};
 use crate::space::tests::{editor, motion, press, pyramid, pyramid_window, release, tap, window};
 use crate::tests::poses;
 use crate::texts::Language;
@@ -124,6 +124,29 @@ fn a_click_near_a_mark_means_the_mark() {
     motion(&mut harness, beside);
     assert_ne!(harness.state().position_on_bar(), frame);
     release(&mut harness, beside, PointerButton::Primary);
+}
+
+#[test]
+fn beside_the_keys_the_roll_is_that_about_the_spaces_own_up() {
+    let mut harness = pyramid_window();
+    let space = Space {
+        centre: DVec3::new(6.0, 4.0, 2.5),
+        half_size: 15.0,
+        up: Up::Z,
+    };
+    let edit = Edit::SetSpace { space, fit: true };
+    harness.state_mut().document.apply(edit).unwrap();
+    harness.run();
+    let frame = on_the_way(&harness);
+    harness.state_mut().scrub(frame);
+    harness.run();
+    let editor = harness.state();
+    let pose = editor.document.sampler().unwrap().pose(frame).unwrap();
+    let shown = editor.shown().unwrap();
+    assert_ne!(shown.missing, Missing::Nothing);
+    let roll = shown.orientation.roll.to_radians();
+    let up = space.up.up_from_roll(pose.vpn.into(), roll);
+    assert!(up.abs_diff_eq(pose.vup.into(), 1e-9), "{roll}");
 }
 
 #[test]
