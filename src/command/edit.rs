@@ -4,11 +4,11 @@ use std::path::Path;
 
 use super::{Failure, input};
 
-pub(super) fn run(file: Option<&Path>) -> Result<(), Failure> {
+pub(super) fn run(file: Option<&Path>, object: Option<&Path>) -> Result<(), Failure> {
     if file.is_some_and(input::is_standard_stream) {
         return Err(Failure::Usage(
             "the editor needs a file that it can save to, and not -".to_owned(),
         ));
     }
-    Ok(vides::window::edit(file)?)
+    Ok(vides::window::edit(file, object)?)
 }

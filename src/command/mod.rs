@@ -50,6 +50,10 @@ enum Command {
         /// The path; one that does not exist yet is a new one of that name
         #[arg(value_name = "FILE.vid")]
         file: Option<PathBuf>,
+
+        /// A mesh or a point cloud (.obj, .ply, .stl) to be shown as the object
+        #[arg(long, value_name = "MESH")]
+        object: Option<PathBuf>,
     },
     /// Writes every camera pose of a path
     Sample(sample::Arguments),
@@ -111,7 +115,7 @@ pub(crate) fn run() -> ExitCode {
         Err(error) => return conclude(print(&error.render().to_string())),
     };
     conclude(match cli.command {
-        Command::Edit { file } => edit::run(file.as_deref()),
+        Command::Edit { file, object } => edit::run(file.as_deref(), object.as_deref()),
         Command::Sample(arguments) => sample::run(&arguments),
         Command::Info { file } => info::run(&file),
         Command::Fit(arguments) => fit::run(&arguments),

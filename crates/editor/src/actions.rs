@@ -68,6 +68,8 @@ pub(super) enum Action {
     CopyOrientation,
     /// Put the one that was copied in place of the current one.
     PasteOrientation,
+    /// Show a mesh from a file.
+    LoadObject,
     /// Write the poses to a file.
     Export,
     HandOver,
@@ -289,6 +291,7 @@ impl Editor {
                 Some(orientation) => self.set_orientation(|current| *current = orientation),
                 None => self.complain(self.texts().output.nothing_copied),
             },
+            Action::LoadObject => self.choose_file(Purpose::LoadObject),
             Action::Export => self.choose_file(Purpose::Export),
             Action::HandOver if self.hand_over => self.requests.push(Request::HandOver),
             Action::HandOver => self.complain(self.texts().menu.nobody_takes),

@@ -6,23 +6,29 @@
 use std::path::Path;
 use std::rc::Rc;
 
-use crate::document::Document;
+use crate::document::{Document, Edit, Object, load_mesh};
 use crate::editor::{self, Folders, Warnings};
 use crate::error::{Error, Result};
 use crate::{Host, Options, document_of, main_loop, open, own_program};
 
 /// Opens the editor in a window of its own and returns when it is closed. What
 /// is saved goes to `file`; one that does not exist yet is a new path of that
-/// name. Other windows of the calling thread are served meanwhile.
+/// name. `object` is a mesh (OBJ, PLY, STL) to be shown in place of the path's own.
+/// Other windows of the calling thread are served meanwhile.
 ///
 /// # Errors
 /// `ErrorKind::Display` without an X server or if it goes away; those of
-/// [`Document::load`].
-pub fn edit(file: Option<&Path>) -> Result<()> {
-    let document = match file {
+/// [`Document::load`], [`load_mesh`] and [`Object::of_mesh`].
+pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
+    let mut document = match file {
         Some(file) => document_of(file)?,
         None => Document::try_new()?,
     };
+    if let Some(object) = object {
+        let mut info = document.info().clone();
+        info.object = Object::of_mesh(&load_mesh(object)?.1)?;
+        document.apply(Edit::SetInfo(Box::new(info)))?;
+    }
     open(Options {
         editor: editor::Options {
             document,

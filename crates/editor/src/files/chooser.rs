@@ -61,6 +61,7 @@ impl FileWindow {
         let (name, filter) = match purpose {
             Purpose::LoadPath => (String::new(), "*.vid"),
             Purpose::SavePath(_) => (editor.proposal(texts.proposal, "vid"), "*.vid"),
+            Purpose::LoadObject => (String::new(), "*.obj *.ply *.stl"),
             Purpose::Export => (editor.proposal(texts.poses, "txt"), "*.txt *.csv *.json"),
             Purpose::LoadSetup => (String::new(), "*.toml"),
             Purpose::SaveSetup => ("setup.toml".to_owned(), "*.toml"),
@@ -97,6 +98,7 @@ impl FileWindow {
         let title = match self.purpose {
             Purpose::LoadPath => texts.load_path,
             Purpose::SavePath(_) => texts.save_path,
+            Purpose::LoadObject => texts.load_object,
             Purpose::Export => texts.export,
             Purpose::LoadSetup => texts.load_setup,
             Purpose::SaveSetup => texts.save_setup,
@@ -159,7 +161,10 @@ impl FileWindow {
     }
 
     fn loads(&self) -> bool {
-        matches!(self.purpose, Purpose::LoadPath | Purpose::LoadSetup)
+        matches!(
+            self.purpose,
+            Purpose::LoadPath | Purpose::LoadObject | Purpose::LoadSetup
+        )
     }
 
     /// The rows of the list: numbers of the items that are shown.
@@ -292,7 +297,7 @@ impl FileWindow {
             Label::new(RichText::new(trouble).color(palette.error)).halign(egui::Align::Min),
         );
         let take = match self.purpose {
-            Purpose::LoadPath | Purpose::LoadSetup => texts.load,
+            Purpose::LoadPath | Purpose::LoadObject | Purpose::LoadSetup => texts.load,
             Purpose::SavePath(_) | Purpose::SaveSetup => texts.save,
             Purpose::Export => texts.write,
         };
@@ -512,6 +517,7 @@ fn with_ending(path: PathBuf, purpose: Purpose) -> PathBuf {
     let ending = match purpose {
         Purpose::Export => Format::default().ending(),
         Purpose::LoadSetup | Purpose::SaveSetup => "toml",
+        Purpose::LoadObject => "obj",
         Purpose::LoadPath | Purpose::SavePath(_) => "vid",
     };
     if path.extension().is_some() {

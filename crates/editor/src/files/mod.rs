@@ -10,6 +10,8 @@ pub(crate) mod recovery;
 mod recovery_window;
 
 #[cfg(test)]
+mod object_tests;
+#[cfg(test)]
 mod recent_tests;
 #[cfg(test)]
 mod recovery_window_tests;
@@ -24,7 +26,7 @@ pub(crate) use recovery_window::RecoveryWindow;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use crate::document::{Contents, Document, Edit, export, save};
+use crate::document::{Contents, Document, Edit, Object, export, load_mesh, save};
 use crate::error::{EngineError, Error, Result, TooMany};
 use crate::limits;
 use crate::state::{Editor, Request};
@@ -38,6 +40,8 @@ pub(crate) enum Purpose {
     LoadPath,
     /// A path to be saved, and what was to be done after that.
     SavePath(Option<Then>),
+    /// A mesh or a point cloud to be shown.
+    LoadObject,
     /// Poses to be written.
     Export,
     /// A setup to be loaded.
@@ -140,6 +144,7 @@ impl Editor {
                     self.go_on(then);
                 }
             }),
+            Purpose::LoadObject => self.load_object(file),
             Purpose::Export => self.write_poses(file),
             Purpose::LoadSetup => self.load_setup(file),
             Purpose::SaveSetup => self.save_setup(file),
@@ -226,6 +231,28 @@ impl Editor {
         self.note_file(file);
         self.say(fill(self.texts().output.saved, &[&short(file)]));
         Ok(true)
+    }
+
+    /// Shows the mesh of a file as the object, in a step that can be taken back.
+    fn load_object(&mut self, file: &Path) -> Result<(), String> {
+        let texts = self.texts();
+        let read = load_mesh(file).and_then(|(_, mesh)| Ok(Object::of_mesh(&mesh)?));
+        match read.and_then(|object| self.set_object(object)) {
+            Ok(()) => {
+                let whole = self.document.space_around_object();
+                let space = self.document.path().space;
+                let text = match whole {
+                    Ok(whole) if whole.half_size > 1.2 * space.half_size => texts.output.too_large,
+                    _ => texts.output.loaded,
+                };
+                self.say(fill(text, &[&short(file)]));
+                Ok(())
+            }
+            Err(error) => {
+                let why = self.without_name(&error);
+                Err(fill(texts.errors.cannot_load, &[&short(file), &why]))
+            }
+        }
     }
 
     /// Writes the poses in the format that the file's name says: lines of ten numbers

@@ -14,14 +14,14 @@ use crate::document::ObjectPoint;
 use crate::tests::*;
 
 /// A window whose file windows begin in this folder.
-fn window_in(language: Language, folder: &Path) -> Window {
+pub(super) fn window_in(language: Language, folder: &Path) -> Window {
     let mut window = window(language);
     window.state_mut().last_folder = Some(folder.to_owned());
     window
 }
 
 /// Types a name over the one that is proposed and presses Enter.
-fn name(window: &mut Window, name: &str) {
+pub(super) fn name(window: &mut Window, name: &str) {
     let label = window.state().texts().files.name;
     press(window, Modifiers::COMMAND, Key::A);
     window.get_by_label(label).type_text(name);
@@ -29,7 +29,7 @@ fn name(window: &mut Window, name: &str) {
     press(window, Modifiers::NONE, Key::Enter);
 }
 
-fn modified(window: &Window) -> bool {
+pub(super) fn modified(window: &Window) -> bool {
     window.state().document.is_modified()
 }
 

@@ -71,6 +71,8 @@ fn the_menus_are_walked_through_by_the_arrow_keys() {
     assert!(window.get_by_label(texts.quit).is_focused());
     press(&mut window, Modifiers::NONE, Key::ArrowDown);
     press(&mut window, Modifiers::NONE, Key::ArrowDown);
+    assert!(window.get_by_label(texts.load_object).is_focused());
+    press(&mut window, Modifiers::NONE, Key::ArrowDown);
     assert!(window.get_by_label(texts.save).is_focused());
     press(&mut window, Modifiers::NONE, Key::ArrowRight);
     press(&mut window, Modifiers::NONE, Key::ArrowRight);
@@ -261,6 +263,7 @@ fn every_entry_has_a_tooltip() {
                 menu.file,
                 vec![
                     (menu.load, hints.load),
+                    (menu.load_object, hints.load_object),
                     (menu.save, hints.save),
                     (menu.save_as, hints.save_as),
                     (menu.quit, hints.quit),

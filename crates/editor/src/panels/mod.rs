@@ -155,6 +155,8 @@ impl<'a> Key<'a> {
 fn keys(editor: &Editor, ui: &mut Ui, keys: &[Key<'_>], actions: &mut Vec<Action>) {
     let width = share(ui, keys.len());
     ui.horizontal(|ui| {
+        // Their widths are given: words have all of it.
+        ui.spacing_mut().button_padding.x = 0.0;
         for key in keys {
             key.show(editor, ui, width, actions);
         }

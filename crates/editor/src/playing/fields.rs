@@ -94,7 +94,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             .show(ui, language, "playing.frame", FIELD);
         actions.push(Action::Playhead(entry.map(|value| value - first + 1.0)));
         let entry = Number::new(texts.last_frame, last)
-            .label("/")
+            .label(texts.of)
             .hint(texts.last_frame_tip)
             .whole()
             .typed()
@@ -125,7 +125,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let entry = entry.map(|value| (value * fps).round() + 1.0);
         actions.push(Action::Playhead(entry));
         let entry = Number::new(texts.duration, seconds(count))
-            .label("/")
+            .label(texts.of)
             .hint(texts.duration_tip)
             .unit(" s")
             .decimals(2)

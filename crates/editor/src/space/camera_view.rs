@@ -141,7 +141,8 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, zoom: f64, actions: &mut Ve
     let text = format!("{what} \u{b7} {zoom}");
     let start = strip.left_center() + vec2(7.0, 0.0);
     let font = FontId::proportional(11.0);
-    ui.painter_at(strip)
+    let room = strip.with_max_x(strip.right() - CAPTION);
+    ui.painter_at(room)
         .text(start, Align2::LEFT_CENTER, text, font, palette.weak);
     if close_button(editor, ui, strip) {
         actions.push(Action::SwitchCameraView);

@@ -64,7 +64,7 @@ fn apart(a: &RgbaImage, b: &RgbaImage, viewport: Rect) -> u8 {
 /// came to, in half sizes.
 fn seen(space: Space) -> (Vec<RgbaImage>, Rect, DVec3) {
     let mut harness = shown(space);
-    let name = format!("world-{:e}.png", space.half_size);
+    let name = format!("world-{:e}-{}.png", space.half_size, space.centre.x);
     let mut pictures = vec![screenshot(&mut harness, &name)];
     let at = |harness: &Harness<'_, Editor>| harness.state().document.path().points[3].position;
     for (which, modifiers) in [

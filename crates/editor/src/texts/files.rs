@@ -7,6 +7,7 @@ texts! {
     Files {
         load_path: "Load curve", "Lade Kurve";
         save_path: "Save curve", "Speicher Kurve";
+        load_object: "Load object", "Lade Objekt";
         export: "Write to a file", "In Datei ausgeben";
         load_setup: "Load setup", "Lade Setup";
         save_setup: "Save setup", "Speicher Setup";

@@ -14,6 +14,7 @@ texts! {
         load: "Load curve …", "Lade Kurve …";
         save: "Save", "Speichern";
         save_as: "Save curve …", "Speicher Kurve …";
+        load_object: "Load object …", "Lade Objekt …";
         quit: "Quit", "Beenden";
 
         undo: "Undo", "Rückgängig";

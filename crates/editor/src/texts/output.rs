@@ -13,6 +13,8 @@ texts! {
         handed_over: "{0} camera settings handed over", "{0} Kameraeinstellungen übergeben";
         written: "{0} camera settings written to {1}", "{0} Kameraeinstellungen in {1} geschrieben";
         loaded: "{0} loaded", "{0} geladen";
+        too_large: "{0} loaded; it is larger than the space, which can be fitted to it (Edit, Space …)",
+            "{0} geladen; es ist größer als der Raum, der sich anpassen lässt (Bearbeiten, Raum …)";
         saved: "{0} saved", "{0} gespeichert";
         copied: "Orientation copied", "Orientierung kopiert";
         nothing_copied: "No orientation has been copied yet", "Es wurde noch keine Orientierung kopiert";

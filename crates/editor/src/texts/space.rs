@@ -47,6 +47,7 @@ texts! {
         second: "Seconds", "Sekunden";
         second_tip: "Go to a time: drag, or click and type",
             "Zu einem Zeitpunkt gehen: ziehen, oder klicken und tippen";
+        of: "of", "von";
         last_frame: "Last frame", "Letztes Bild";
         last_frame_tip: "Type how many frames the whole flight shall have: each section keeps its share", "Wie viele Bilder der ganze Flug haben soll: jeder Abschnitt behält seinen Anteil";
         duration: "Duration", "Dauer";
