@@ -13,7 +13,8 @@ use crate::{Host, Options, document_of, main_loop, open, own_program};
 
 /// Opens the editor in a window of its own and returns when it is closed. What
 /// is saved goes to `file`; one that does not exist yet is a new path of that
-/// name. `object` is a mesh (OBJ, PLY, STL) to be shown in place of the path's own.
+/// name. `object` is a mesh (OBJ, PLY, STL) to be shown in place of the path's own;
+/// a new path lies in a space around it.
 /// Other windows of the calling thread are served meanwhile.
 ///
 /// # Errors
@@ -28,6 +29,10 @@ pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
         let mut info = document.info().clone();
         info.object = Object::of_mesh(&load_mesh(object)?.1)?;
         document.apply(Edit::SetInfo(Box::new(info)))?;
+        if file.is_none_or(|file| !file.exists()) {
+            let space = document.space_around_object()?;
+            document.apply(Edit::SetSpace { space, fit: true })?;
+        }
     }
     open(Options {
         editor: editor::Options {
