@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Scenes beside other libraries, one core each, all in one run: benches/scene.py
 
-Prints a Markdown table. Peers are installed below target/peers by npm and pip.
+The processor's time counts, so that other work on the machine does not. Prints a
+Markdown table. Peers are installed below target/peers by npm and pip.
 """
 
 import json
