@@ -7,7 +7,7 @@
 #   make bench       speed, beside other libraries
 #   make soak        the random checks again, with many more cases, and fuzz
 #   make coverage    which share of the branches the tests take, by folder
-#   make fuzz        tries broken files for FUZZ_SECONDS each of the three kinds
+#   make fuzz        tries broken files for FUZZ_SECONDS each of the four kinds
 #   make miri        runs the unsafe code in an interpreter that sees what it may not
 #   make threads     looks for races between threads
 #   make install     PREFIX=/usr/local DESTDIR=
@@ -95,8 +95,10 @@ demo: all
 	$(RELEASE)/vides plot examples/pyramid.vid -o $(DEMO)/pyramid.svg
 	$(CC) -Iinclude -o $(DEMO)/pyramid_motif c_examples/pyramid_motif.c \
 	    -L$(LIB) -lvides -lm -lXm -lXt -lX11
-	$(CC) -Iinclude -o $(DEMO)/glut_flight c_examples/glut_flight.c \
-	    -L$(LIB) -lvides -lm -lglut -lGL
+	for program in glut_flight glut_scene; do \
+	    $(CC) -Iinclude -o $(DEMO)/$$program c_examples/$$program.c \
+	        -L$(LIB) -lvides -lm -lglut -lGL || exit; \
+	done
 	@echo
 	@echo 'A flight around a pyramid, in $(DEMO):'
 	@echo '  pyramid.svg   the path in space, its views, speed and turning: open it in a browser'
@@ -107,12 +109,14 @@ demo: all
 	    LD_LIBRARY_PATH=$(abspath $(LIB)) $(DEMO)/pyramid_motif; \
 	    echo 'A program of today flies along: drag, scrub and play in the editor beside it.'; \
 	    LD_LIBRARY_PATH=$(abspath $(LIB)) $(DEMO)/glut_flight examples/pyramid.vid; \
+	    echo 'A scene of moving things, drawn by a program at the frame of the editor.'; \
+	    LD_LIBRARY_PATH=$(abspath $(LIB)) $(DEMO)/glut_scene; \
 	else \
 	    mk/need.sh $(X_TOOLS) && \
 	    echo 'No display: mouse and keyboard play it by themselves. Screens and poses:' && \
 	    LD_LIBRARY_PATH=$(abspath $(LIB)) PYTHONDONTWRITEBYTECODE=1 \
 	        python3 tests/x/demo.py $(DEMO)/pyramid_motif $(DEMO)/glut_flight \
-	        examples/pyramid.vid $(DEMO); \
+	        $(DEMO)/glut_scene examples/pyramid.vid $(DEMO); \
 	fi
 
 # ---- Checks, the cheap ones first -----------------------------------------------
@@ -204,6 +208,7 @@ check-hosts: all
 bench: libs
 	@mk/need.sh python3=python3 python3:ensurepip=python3-venv
 	python3 benches/table.py
+	python3 benches/scene.py
 
 soak: toolchain libs fuzz
 	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip setxkbmap=x11-xkb-utils \

@@ -4,10 +4,11 @@
  *     cc -o glut_scene glut_scene.c -lvides -lm -lglut -lGL
  *
  * A car drives along its keys, its wheels turn, an arm of three parts swings, and a
- * camera looks at the car wherever it is. The program builds all of it, asks for the
- * state of every node at the frame of its clock, and draws them. The space key gives
- * the car's way another interpolation, s shows its headlights' cones or not, Escape
- * ends. "glut_scene --save FILE.vid" writes the scene and ends.
+ * camera looks at the car wherever it is. The program builds all of it, shows it in an
+ * editor, and draws the state of every node at the frame of the editor's playhead,
+ * whether that is played, scrubbed or changed. The space key gives the car's way another
+ * interpolation, s shows its headlights' cones or not, Escape ends. "glut_scene --save
+ * FILE.vid" writes the scene and ends.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,12 +18,13 @@
 
 #include <libvides.h>
 
-#define TICK 40 /* milliseconds */
+#define TICK 8 /* milliseconds */
 #define NODES 13
 
 static V_SCENE *scene;
+static V_EDITOR *editor;
 static int car, camera, lights[2];
-static double frame = 1.0, first, last;
+static double frame = 1.0;
 static int way;        /* which interpolation the car's way has */
 static int cones = 1;
 static const char *const ways[] = {"catmull-rom", "linear", "tcb"};
@@ -196,7 +198,6 @@ static void build(void)
     check(v_scene_set_track(scene, camera, "roll", "sine", thirds, rolls, NULL, 3,
                             V_AFTER_HOLD));
     check(v_scene_set_marker(scene, "at the arm", 51.0));
-    check(v_scene_frame_range(scene, &first, &last));
 }
 
 /* A box by its sides, each with its own brightness, or a wheel by its lines. */
@@ -270,12 +271,33 @@ static void display(void)
     glutSwapBuffers();
 }
 
+/* The scene in the editor is another one. */
+static void on_change(V_EDITOR *of, void *user)
+{
+    V_SCENE *changed;
+
+    (void)user;
+    if (v_editor_get_scene(of, &changed) == V_OK) {
+        v_scene_free(scene);
+        scene = changed;
+    }
+    glutPostRedisplay();
+}
+
+/* The editor's playhead has moved, or what stands there is being changed. */
+static void on_frame(V_EDITOR *of, double at, int reason, void *user)
+{
+    frame = at;
+    if (reason == V_VIEW_EDITED)
+        on_change(of, user);
+    glutPostRedisplay();
+}
+
+/* GLUT watches no descriptor: a timer serves the editor. */
 static void tick(int unused)
 {
-    (void)unused;
-    frame = frame < last ? frame + 1.0 : first;
-    glutPostRedisplay();
-    glutTimerFunc(TICK, tick, 0);
+    v_dispatch();
+    glutTimerFunc(TICK, tick, unused);
 }
 
 static void key(unsigned char character, int x, int y)
@@ -288,12 +310,17 @@ static void key(unsigned char character, int x, int y)
     if (character == ' ') {
         way = (way + 1) % 3;
         drive();
+        if (v_editor_set_scene(editor, scene) != V_OK)
+            fprintf(stderr, "glut_scene: %s\n", v_last_error());
         glutSetWindowTitle(ways[way]);
+        glutPostRedisplay();
     }
 }
 
 int main(int argc, char **argv)
 {
+    V_EDITOR_OPTIONS options;
+
     build();
     if (argc == 3 && strcmp(argv[1], "--save") == 0) {
         check(v_scene_save(scene, argv[2]));
@@ -306,6 +333,13 @@ int main(int argc, char **argv)
     glEnable(GL_DEPTH_TEST);
     glutDisplayFunc(display);
     glutKeyboardFunc(key);
+
+    v_editor_options_init(&options);
+    options.title = "glut_scene";
+    options.on_frame = on_frame;
+    options.on_change = on_change;
+    check(v_editor_open(&options, &editor));
+    check(v_editor_set_scene(editor, scene));
     glutTimerFunc(TICK, tick, 0);
     glutMainLoop();
     return 0;

@@ -93,7 +93,7 @@
 #define V_ERR_REFUSED 14
 
 /**
- * Why on_view is called: another point or orientation became current; something
+ * Why on_view and on_frame are called: another point or orientation became current; something
  * is being dragged or was changed; another frame was chosen; it plays; nothing
  * moves any more (the last of a row of the others: time for the good picture).
  */
@@ -577,6 +577,13 @@ struct v_editor_options {
      * and in a window of v_haupt()
      */
     int hand_over_saves;
+    /**
+     * for a host that draws the scene itself, by v_editor_get_scene() and
+     * v_scene_evaluate(): called with the scene's frame at the playhead, and why
+     * (V_VIEW_...), after that or the scene has changed; when as on_view. NULL:
+     * nobody is
+     */
+    void (*on_frame)(V_EDITOR *editor, double frame, int reason, void *user);
 };
 
 typedef struct v_editor_options V_EDITOR_OPTIONS;
@@ -2099,19 +2106,25 @@ int v_editor_open(const V_EDITOR_OPTIONS *options,
 int v_editor_close(V_EDITOR *editor);
 
 /**
- * A copy of the path as it is in the window now. *path is the caller's, to be
- * freed with v_path_free().
+ * A copy of the path as it is in the window now; of a scene that of the camera that is
+ * shown: the first one on a path. *path is the caller's, to be freed with
+ * v_path_free().
  * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera of the scene has a path),
+ * V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_editor_get_path(const V_EDITOR *editor, V_PATH **path);
+int v_editor_get_path(const V_EDITOR *editor,
+                      V_PATH **path);
 
 /**
  * Shows another path in a window, in one step that the user can take back.
  * path is copied, with its title, comment and so on; its object, too, if it
- * has one. Base speeds that were given when the window was opened stay.
+ * has one. Base speeds that were given when the window was opened stay. In a
+ * scene it takes the place of the path of the camera that is shown, which is
+ * edited then.
  * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY.
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera of the scene has a path),
+ * V_ERR_MEMORY.
  */
 int v_editor_set_path(V_EDITOR *editor, const V_PATH *path);
 
@@ -2132,7 +2145,8 @@ int v_editor_set_view(V_EDITOR *editor, const V_POSE *pose);
 
 /**
  * The frame at the playhead, from 1: v_path_pose() of it is what the camera there
- * sees. It lies between two frames where the user has gone there.
+ * sees. It lies between two frames where the user has gone there. In a scene it is
+ * the scene's frame, as v_scene_evaluate() takes it.
  * The thread that opened the window; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
  */
@@ -2141,7 +2155,8 @@ int v_editor_get_frame(const V_EDITOR *editor, double *frame);
 /**
  * The playhead goes to a frame, from 1 to v_path_frame_count(), also between two,
  * and stays there. The orientation from which the camera comes there is current
- * then.
+ * then. In a scene it is a frame of the scene, of those in which the path that is
+ * edited moves; where no path is edited, of the whole scene.
  * The thread that opened the window; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
@@ -2214,6 +2229,27 @@ int v_editor_raise(V_EDITOR *editor);
  * descriptors.
  */
 int v_editors_close(int ask);
+
+/**
+ * A copy of the scene as it is in the window now; of a path alone that of a camera on
+ * it. *scene is the caller's, to be freed with v_scene_free().
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+ */
+int v_editor_get_scene(const V_EDITOR *editor,
+                       V_SCENE **scene);
+
+/**
+ * Shows another scene in a window, in one step that the user can take back. scene is
+ * copied, with its title, comment and so on; its wireframe object, too, if it has one.
+ * The path of the camera that is shown is edited then, if it has one, with the base
+ * speeds that were given when the window was opened. One camera on a path and nothing
+ * else is that path.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+ */
+int v_editor_set_scene(V_EDITOR *editor,
+                       const V_SCENE *scene);
 
 
 /* ---- Toolbox: quaternions ---------------------------------------------------- */

@@ -11,7 +11,7 @@ seconds=$1
 shift
 cd "$(dirname "$0")/.."
 place=$(realpath -m "${CARGO_TARGET_DIR:-target}")/fuzz
-[ $# -gt 0 ] || set -- vid setup recovery
+[ $# -gt 0 ] || set -- vid setup recovery mesh
 
 # The sanitizer and the coverage are switched on by flags that a stable compiler
 # keeps to itself, unless it is told that its users build compilers.

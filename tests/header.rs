@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 24] = [
+const SOURCES: [&str; 25] = [
     "status",
     "types",
     "legacy",
@@ -28,6 +28,7 @@ const SOURCES: [&str; 24] = [
     "checks",
     "editor",
     "live",
+    "editor_scene",
     "quaternions",
     "splines",
     "view",

@@ -2,8 +2,21 @@
 //! each is refused with a sentence, or is a document in order. Those of setup
 //! and recovery are replayed beside their readers (`crates/editor/src/hostile.rs`).
 
+#[path = "hostile/mesh.rs"]
+mod mesh;
 #[path = "hostile/vid.rs"]
 mod vid;
+
+#[test]
+fn meshes_of_the_corpus_are_refused_or_in_order() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut count = 0;
+    for entry in std::fs::read_dir(root.join("tests/corpus/mesh")).unwrap() {
+        mesh::check(&std::fs::read(entry.unwrap().path()).unwrap());
+        count += 1;
+    }
+    assert!(count >= 3, "{count} files");
+}
 
 #[test]
 fn files_of_the_corpus_are_refused_or_in_order() {

@@ -23,11 +23,11 @@ use super::types::{
     V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_POSE, V_UP_Y, V_VIEW_EDITED, V_VIEW_PLAYED,
     V_VIEW_RESTED, V_VIEW_SCRUBBED, V_VIEW_SELECTED,
 };
-use crate::document::{Document, Edit};
+use crate::document::{Document, Edit, Poses};
 use crate::editor::{self, Language};
-use crate::error::{Result, complain, vec_with_room};
+use crate::error::{Refused, Result, complain, vec_with_room};
 use crate::instance::{self, Gone, Host, Id, Reason};
-use crate::path::{BaseSpeeds, Pose, Sampler, Space};
+use crate::path::{BaseSpeeds, Pose, Space};
 
 /// All windows that C holds.
 static EDITORS: Handles<Opened, V_EDITOR> = Handles::new(KIND_EDITOR);
@@ -38,7 +38,7 @@ pub(super) struct Opened {
     /// Its number: [`instance::own_thread`].
     thread: usize,
     /// The host's base speeds stand.
-    fixed_speeds: bool,
+    pub(super) fixed_speeds: bool,
     /// Why it is gone, if the host has not closed it.
     gone: OnceLock<Gone>,
 }
@@ -133,6 +133,7 @@ unsafe impl Growing for V_EDITOR_OPTIONS {
         transient_for: 0,
         application: ptr::null(),
         hand_over_saves: 0,
+        on_frame: None,
     };
 }
 
@@ -189,6 +190,7 @@ unsafe fn options_of(options: *const V_EDITOR_OPTIONS) -> Answer<V_EDITOR_OPTION
 /// What a window begins with.
 struct Beginning {
     editor: editor::Options,
+    warnings: editor::Warnings,
     display: Option<String>,
     application: Option<String>,
     parent: Option<u32>,
@@ -201,6 +203,7 @@ struct Beginning {
 /// Every pointer of the options is NULL or as the header says.
 unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
     let mut file = None;
+    let mut warnings = editor::Warnings::default();
     let mut document = match (options.file.is_null(), options.path.is_null()) {
         (false, false) => {
             return Err(Failure::Border(
@@ -214,10 +217,13 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             // SAFETY: the caller's word.
             let name = unsafe { file_name(options.file) }?;
             file = Some(PathBuf::from(name));
-            instance::document_of(name)?
+            let (document, meshes) = instance::document_of(name)?;
+            warnings.add_meshes(meshes);
+            document
         }
     };
-    if options.space_half_size != 0.0 {
+    // A scene of which no path is edited has its own space and speeds.
+    if options.space_half_size != 0.0 && document.edits_path() {
         let space = Space {
             centre: options.space_centre.into(),
             half_size: options.space_half_size,
@@ -241,7 +247,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
         rolling: options.roll_frames,
     };
     let unset = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling] == [0.0; 4];
-    if !unset {
+    if !unset && document.edits_path() {
         document.apply(Edit::SetSpeeds(speeds))?;
     }
     // SAFETY: the caller's word for the texts.
@@ -285,6 +291,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
                 fills_pane: options.on_pane.is_some(),
             },
         },
+        warnings,
         display,
         application,
         parent: x_window(options.parent)?,
@@ -333,7 +340,7 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
         application: editor.application,
         parent: editor.parent,
         transient_for: editor.transient_for,
-        warnings: editor::Warnings::default(),
+        warnings: editor.warnings,
         host: Rc::<Callbacks>::clone(&host),
     })?;
     let handle = EDITORS.insert(Opened {
@@ -375,10 +382,12 @@ pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// A copy of the path as it is in the window now. *path is the caller's, to be
-/// freed with v_path_free().
+/// A copy of the path as it is in the window now; of a scene that of the camera that is
+/// shown: the first one on a path. *path is the caller's, to be freed with
+/// v_path_free().
 /// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera of the scene has a path),
+/// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_path(
     editor: *const V_EDITOR,
@@ -387,7 +396,7 @@ pub unsafe extern "C" fn v_editor_get_path(
     border(V_ERR_INTERNAL, || {
         let out = Out::new(path)?;
         let window = opened(editor)?.window;
-        let copy = instance::read(window, Document::try_clone).ok_or(CLOSED)??;
+        let copy = instance::read(window, Document::shown_path).ok_or(CLOSED)??;
         let made = keep(copy.without_history())?;
         // SAFETY: room for a handle, as the header says.
         unsafe { out.write(made) };
@@ -397,9 +406,12 @@ pub unsafe extern "C" fn v_editor_get_path(
 
 /// Shows another path in a window, in one step that the user can take back.
 /// path is copied, with its title, comment and so on; its object, too, if it
-/// has one. Base speeds that were given when the window was opened stay.
+/// has one. Base speeds that were given when the window was opened stay. In a
+/// scene it takes the place of the path of the camera that is shown, which is
+/// edited then.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY.
+/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera of the scene has a path),
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -423,14 +435,33 @@ fn replace(document: &mut Document, by: Document, fixed_speeds: bool) -> Result<
         info.object = document.info().object.clone();
     }
     document.begin_step();
-    let done = document
-        .apply(Edit::ReplacePath(Box::new(path)))
+    let done = edit_shown(document)
+        .and_then(|()| document.apply(Edit::ReplacePath(Box::new(path))))
         .and_then(|()| document.apply(Edit::SetInfo(Box::new(info))));
     match done {
         Ok(()) => document.end_step(),
         Err(_) => document.cancel_step(),
     }
     done
+}
+
+/// Sees that the path of the camera that is shown is the one that is edited.
+fn edit_shown(document: &mut Document) -> Result<()> {
+    let Some(around) = document.around() else {
+        return Ok(());
+    };
+    let shown = around.scene().shown_camera().ok_or(Refused::NoCamera)?;
+    document.apply(Edit::EditNode(Some(shown)))
+}
+
+fn reason_for_c(reason: Reason) -> c_int {
+    match reason {
+        Reason::Selected => V_VIEW_SELECTED,
+        Reason::Edited => V_VIEW_EDITED,
+        Reason::Scrubbed => V_VIEW_SCRUBBED,
+        Reason::Played => V_VIEW_PLAYED,
+        Reason::Rested => V_VIEW_RESTED,
+    }
 }
 
 /// The host's functions.
@@ -443,11 +474,11 @@ struct Callbacks {
 }
 
 impl Host for Callbacks {
-    fn prepare(&self, _: Id, sampler: &Sampler) -> Result<()> {
-        let mut poses = vec_with_room(sampler.frame_count())?;
-        poses.resize(sampler.frame_count(), Pose::default());
-        sampler.sample(1, &mut poses)?;
-        self.poses.replace(poses);
+    fn prepare(&self, _: Id, poses: &Poses<'_>) -> Result<()> {
+        let mut all = vec_with_room(poses.frame_count())?;
+        all.resize(poses.frame_count(), Pose::default());
+        poses.sample(1, &mut all)?;
+        self.poses.replace(all);
         Ok(())
     }
 
@@ -468,19 +499,13 @@ impl Host for Callbacks {
     }
 
     fn watches(&self) -> bool {
-        self.on.on_view.is_some() || self.on.on_change.is_some()
+        let on = &self.on;
+        on.on_view.is_some() || on.on_frame.is_some() || on.on_change.is_some()
     }
 
     fn view(&self, _: Id, pose: &Pose, frame: f64, reason: Reason) {
         let Some(on_view) = self.on.on_view else {
             return;
-        };
-        let reason = match reason {
-            Reason::Selected => V_VIEW_SELECTED,
-            Reason::Edited => V_VIEW_EDITED,
-            Reason::Scrubbed => V_VIEW_SCRUBBED,
-            Reason::Played => V_VIEW_PLAYED,
-            Reason::Rested => V_VIEW_RESTED,
         };
         // SAFETY: the host's function; the pose lives until it returns, and both kinds
         // are laid out alike.
@@ -489,9 +514,23 @@ impl Host for Callbacks {
                 self.handle.get() => *mut V_EDITOR,
                 ptr::from_ref(pose).cast() => *const V_POSE,
                 frame => f64,
-                reason => c_int,
+                reason_for_c(reason) => c_int,
                 self.on.user => *mut c_void,
             ) -> ());
+        }
+    }
+
+    fn frame(&self, _: Id, frame: f64, reason: Reason) {
+        if let Some(on_frame) = self.on.on_frame {
+            // SAFETY: the host's function.
+            unsafe {
+                enter!("on_frame", on_frame(
+                    self.handle.get() => *mut V_EDITOR,
+                    frame => f64,
+                    reason_for_c(reason) => c_int,
+                    self.on.user => *mut c_void,
+                ) -> ());
+            }
         }
     }
 

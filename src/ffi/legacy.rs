@@ -12,11 +12,11 @@ use super::object::{object, speeds};
 use super::pointers::check;
 use super::status::{Answer, Failure, V_ERR_ARGUMENT, add_last_error, with_last_error};
 use super::types::{V_KAMERAPAR, V_OBJEKT_LIST};
-use crate::document::{Document, Edit, Object};
+use crate::document::{Document, Edit, Object, Poses};
 use crate::editor::{self, Warning, Warnings};
 use crate::error::{Error, Result, TooMany, complain, try_box};
 use crate::instance::{self, Gone, Host, Id};
-use crate::path::{BaseSpeeds, Sampler};
+use crate::path::BaseSpeeds;
 
 type Rueck = unsafe extern "C" fn(daten: *mut V_KAMERAPAR, anzahl: c_int);
 type Ende = unsafe extern "C" fn() -> c_int;
@@ -147,16 +147,16 @@ struct Contract {
 }
 
 impl Host for Contract {
-    fn prepare(&self, _: Id, sampler: &Sampler) -> Result<()> {
-        let frames = sampler.frame_count();
+    fn prepare(&self, _: Id, poses: &Poses<'_>) -> Result<()> {
+        let frames = poses.frame_count();
         let count = c_int::try_from(frames).map_err(|_| TooMany::Poses)?;
         self.count.set(count);
         if !self.list.is_null() {
             // SAFETY: the host's element, which outlives the window.
-            unsafe { list::build(frames, self.list, |n, poses| sampler.sample(n, poses)) }?;
+            unsafe { list::build(frames, self.list, |n, some| poses.sample(n, some)) }?;
             return Ok(());
         }
-        self.own.replace(Some(OwnList::new(sampler)?));
+        self.own.replace(Some(OwnList::new(poses)?));
         Ok(())
     }
 
@@ -195,7 +195,7 @@ impl Host for Contract {
 struct OwnList(Box<[V_KAMERAPAR]>);
 
 impl OwnList {
-    fn new(sampler: &Sampler) -> Result<Self> {
+    fn new(poses: &Poses<'_>) -> Result<Self> {
         let nowhere = super::types::V_POS {
             x: 0.0,
             y: 0.0,
@@ -210,9 +210,9 @@ impl OwnList {
             next: ptr::null_mut(),
             number: -1,
         })?);
-        let (frames, head) = (sampler.frame_count(), own.head());
+        let (frames, head) = (poses.frame_count(), own.head());
         // SAFETY: an element of ours without data.
-        unsafe { list::build(frames, head, |n, poses| sampler.sample(n, poses)) }?;
+        unsafe { list::build(frames, head, |n, some| poses.sample(n, some)) }?;
         Ok(own)
     }
 

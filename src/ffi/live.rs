@@ -55,7 +55,8 @@ pub unsafe extern "C" fn v_editor_set_view(editor: *mut V_EDITOR, pose: *const V
 }
 
 /// The frame at the playhead, from 1: v_path_pose() of it is what the camera there
-/// sees. It lies between two frames where the user has gone there.
+/// sees. It lies between two frames where the user has gone there. In a scene it is
+/// the scene's frame, as v_scene_evaluate() takes it.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
@@ -75,7 +76,8 @@ pub unsafe extern "C" fn v_editor_get_frame(
 
 /// The playhead goes to a frame, from 1 to v_path_frame_count(), also between two,
 /// and stays there. The orientation from which the camera comes there is current
-/// then.
+/// then. In a scene it is a frame of the scene, of those in which the path that is
+/// edited moves; where no path is edited, of the whole scene.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]

@@ -29,6 +29,7 @@ mod curve;
 #[macro_use]
 mod enter;
 mod editor;
+mod editor_scene;
 mod handles;
 mod host_loop;
 mod legacy;

@@ -89,7 +89,7 @@ pub(super) fn edit<R>(
     change(&mut scene)
 }
 
-fn keep(scene: SceneDocument) -> Answer<*mut V_SCENE> {
+pub(super) fn keep(scene: SceneDocument) -> Answer<*mut V_SCENE> {
     SCENES.insert(RwLock::new(scene))
 }
 

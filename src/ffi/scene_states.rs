@@ -96,6 +96,15 @@ pub unsafe extern "C" fn v_scene_evaluate(
                 return Err(SMALL);
             }
             document.scene.prepare(frame)?;
+            if document.scene.is_plain() {
+                // Nothing comes between: in place.
+                // SAFETY: room for so many states, as the header says.
+                let room = unsafe { self::states(states, nodes) }?;
+                let mut troubles = Troubles::default();
+                document.scene.evaluate(frame, room, &mut troubles)?;
+                tell(document, &troubles);
+                return Ok(nodes);
+            }
             // Not in place: a host's function may fail half way, and looks at no array.
             let mut made = vec_with_room(nodes)?;
             made.resize(nodes, NodeState::default());
@@ -214,18 +223,13 @@ pub unsafe extern "C" fn v_scene_vertices(
             if !xyz.is_null() && count > capacity {
                 return Err(SMALL);
             }
-            let mut all = vec_with_room(count)?;
-            all.resize(count, DVec3::ZERO);
             let mut troubles = Troubles::default();
-            document
-                .scene
-                .vertices(node, frame, &mut all, &mut troubles)?;
+            let form = document.scene.form(node, frame, &mut troubles)?;
             if !xyz.is_null() && count > 0 {
-                // SAFETY: room for so many points, as the header says.
-                let room = unsafe { slice_mut(xyz, 3 * count) }?;
-                for (room, point) in room.chunks_exact_mut(3).zip(&all) {
-                    room.copy_from_slice(&point.to_array());
-                }
+                const { assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == 8) };
+                // SAFETY: room for so many points, as the header says; three doubles are
+                // one, and no function of the host's runs meanwhile.
+                form.points(unsafe { slice_mut(xyz.cast::<DVec3>(), count) }?);
             }
             tell(document, &troubles);
             Ok(count)

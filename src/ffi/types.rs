@@ -181,7 +181,7 @@ pub struct v_editor {
 /// it frees it with v_editor_close(), also after the user has closed it.
 pub type V_EDITOR = v_editor;
 
-/// Why on_view is called: another point or orientation became current; something
+/// Why on_view and on_frame are called: another point or orientation became current; something
 /// is being dragged or was changed; another frame was chosen; it plays; nothing
 /// moves any more (the last of a row of the others: time for the good picture).
 pub const V_VIEW_SELECTED: c_int = 0;
@@ -305,6 +305,13 @@ pub struct v_editor_options {
     /// not 0: after a hand-over nothing is unsaved. So it is without a file, too,
     /// and in a window of v_haupt()
     pub hand_over_saves: c_int,
+    /// for a host that draws the scene itself, by v_editor_get_scene() and
+    /// v_scene_evaluate(): called with the scene's frame at the playhead, and why
+    /// (V_VIEW_...), after that or the scene has changed; when as on_view. NULL:
+    /// nobody is
+    pub on_frame: Option<
+        unsafe extern "C" fn(editor: *mut V_EDITOR, frame: f64, reason: c_int, user: *mut c_void),
+    >,
 }
 
 pub type V_EDITOR_OPTIONS = v_editor_options;

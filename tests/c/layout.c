@@ -37,6 +37,7 @@ typedef struct {
     unsigned long parent, transient_for;
     const char *application;
     int hand_over_saves;
+    void (*on_frame)(V_EDITOR *, double, int, void *);
 } options;
 
 #define SAME_SIZE(ours, theirs) CHECK(sizeof(ours) == sizeof(theirs))
@@ -121,6 +122,7 @@ int main(void)
     SAME_FIELD(V_EDITOR_OPTIONS, options, transient_for);
     SAME_FIELD(V_EDITOR_OPTIONS, options, application);
     SAME_FIELD(V_EDITOR_OPTIONS, options, hand_over_saves);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, on_frame);
     memset(&given, 0xff, sizeof given);
     v_editor_options_init(&given);
     CHECK(given.size == sizeof given && given.title == NULL && given.path == NULL);
@@ -129,6 +131,6 @@ int main(void)
     CHECK(given.application == NULL && given.space_half_size == 0 && given.space_up == V_UP_Y);
     CHECK(given.on_view == NULL && given.on_change == NULL && given.on_capture == NULL);
     CHECK(given.on_pane == NULL && given.host_name == NULL && given.parent == 0);
-    CHECK(given.transient_for == 0 && given.hand_over_saves == 0);
+    CHECK(given.transient_for == 0 && given.hand_over_saves == 0 && given.on_frame == NULL);
     return failures != 0;
 }

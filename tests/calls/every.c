@@ -126,6 +126,7 @@ CALL(v_editor_open)
     options.on_poses = chance(80) ? callback_on_poses : NULL;
     options.on_close = chance(80) ? callback_on_close : NULL;
     options.on_view = chance(80) ? callback_on_view : NULL;
+    options.on_frame = chance(80) ? callback_on_frame : NULL;
     options.on_change = chance(80) ? callback_on_change : NULL;
     options.on_capture = chance(80) ? callback_on_capture : NULL;
     options.on_pane = chance(50) ? callback_on_pane : NULL;

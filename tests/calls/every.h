@@ -28,8 +28,8 @@ extern const struct function functions[];
 extern const int function_count;
 
 /* Which callback of a window runs. */
-enum callback { RUECK, ENDE, ON_POSES, ON_CLOSE, ON_VIEW, ON_CHANGE, ON_CAPTURE, ON_PANE,
-                CALLBACKS };
+enum callback { RUECK, ENDE, ON_POSES, ON_CLOSE, ON_VIEW, ON_FRAME, ON_CHANGE, ON_CAPTURE,
+                ON_PANE, CALLBACKS };
 extern const char *const callback_names[CALLBACKS];
 
 /* What a callback does, after it has looked at what it was given; the answer
@@ -60,6 +60,7 @@ int callback_ende(void);
 void callback_on_poses(V_EDITOR *editor, const V_POSE *poses, size_t count, void *user);
 int callback_on_close(V_EDITOR *editor, void *user);
 void callback_on_view(V_EDITOR *editor, const V_POSE *pose, double at, int reason, void *user);
+void callback_on_frame(V_EDITOR *editor, double at, int reason, void *user);
 void callback_on_change(V_EDITOR *editor, void *user);
 int callback_on_capture(V_EDITOR *editor, V_POSE *pose, void *user);
 void callback_on_pane(V_EDITOR *editor, unsigned long window, int width, int height, void *user);

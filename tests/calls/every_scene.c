@@ -421,3 +421,17 @@ CALL(v_scene_vertices)
     double *xyz = result(3 * POINTS * sizeof *xyz, 1);
     return v_scene_vertices(of, node, at, xyz, POINTS, result(sizeof(size_t), 1));
 }
+
+CALL(v_editor_get_scene)
+{
+    const V_EDITOR *editor = an_editor();
+    V_SCENE **copy = result(sizeof *copy, 0);
+    drop_made();
+    return gave(copy, v_editor_get_scene(editor, copy));
+}
+
+CALL(v_editor_set_scene)
+{
+    V_EDITOR *editor = an_editor();
+    return v_editor_set_scene(editor, a_scene());
+}

@@ -150,6 +150,8 @@
     F(v_editor_save, STATUS, V_OK, 1) \
     F(v_editor_raise, STATUS, V_OK, 1) \
     F(v_editors_close, STATUS, V_OK, 1) \
+    F(v_editor_get_scene, STATUS, V_OK, 1) \
+    F(v_editor_set_scene, STATUS, V_OK, 1) \
     F(v_quat_slerp, STATUS, V_OK, 0) \
     F(v_quat_from_view, STATUS, V_OK, 0) \
     F(v_view_from_quat, STATUS, V_OK, 0) \

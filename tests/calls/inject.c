@@ -54,7 +54,7 @@ static int holds_a_path(const struct function *function)
 {
     const char *name = function->name;
 
-    return strcmp(name, "v_editor_set_path") == 0
+    return strcmp(name, "v_editor_set_path") == 0 || strcmp(name, "v_editor_set_scene") == 0
            || (strncmp(name, "v_path_", 7) == 0 && strcmp(name, "v_path_new") != 0
                && strcmp(name, "v_path_free") != 0
                && strcmp(name, "v_path_from_move") != 0

@@ -66,6 +66,7 @@ struct window open_editor(void)
     options.on_poses = callback_on_poses;
     options.on_close = callback_on_close;
     options.on_view = callback_on_view;
+    options.on_frame = callback_on_frame;
     options.on_change = callback_on_change;
     options.on_capture = callback_on_capture;
     options.on_pane = callback_on_pane;
@@ -101,7 +102,7 @@ void use(const struct window *window, enum callback which)
 {
     awaited = which;
     count_before = callback_count[which];
-    if (which == ON_VIEW)
+    if (which == ON_VIEW || which == ON_FRAME)
         hands_next_point(window->shown);
     else if (which == ON_CHANGE)
         hands_change(window->shown);

@@ -9,8 +9,8 @@
 #include <string.h>
 
 const char *const callback_names[CALLBACKS] = {
-    "rueck", "ende", "on_poses", "on_close", "on_view", "on_change", "on_capture",
-    "on_pane"
+    "rueck", "ende", "on_poses", "on_close", "on_view", "on_frame", "on_change",
+    "on_capture", "on_pane"
 };
 int (*within_callback)(enum callback which, V_EDITOR *editor);
 int depth, faults, display_there, windows_may_go;
@@ -105,6 +105,14 @@ void callback_on_view(V_EDITOR *editor, const V_POSE *pose, double at, int reaso
     look_at(pose, 1);
     called(ON_VIEW, editor);
     look_at(pose, 1);
+}
+
+void callback_on_frame(V_EDITOR *editor, double at, int reason, void *user)
+{
+    if (user != (void *)lists || !isfinite(at) || reason < V_VIEW_SELECTED
+        || reason > V_VIEW_RESTED)
+        fault("on_frame was given another user, frame %g or reason %d", at, reason);
+    called(ON_FRAME, editor);
 }
 
 void callback_on_change(V_EDITOR *editor, void *user)

@@ -54,6 +54,10 @@ fn check_scene(bytes: &[u8]) {
         .unwrap_or_else(|error| panic!("saved and then refused: {error}\n{text}"));
     assert_eq!(again, document, "{text}");
     assert_eq!(again.to_toml().expect("a text"), text);
+    // The window keeps all of it, too.
+    let (whole, _) = Document::scene_from_toml(&text, "".as_ref()).expect("a scene to edit");
+    assert_eq!(whole.scene().expect("a scene"), document.scene, "{text}");
+    assert_eq!(whole.to_toml().expect("a text"), text);
     let scene = &document.scene;
     let mut states = vec![NodeState::default(); scene.nodes().len()];
     let (first, last) = scene.frame_range();

@@ -157,8 +157,9 @@ def a_flight_in_opengl(place):
 
 @test()
 def a_scene_in_opengl(place):
-    """Draws what it built, which is what examples/car.vid says; a key gives the car's way
-    another interpolation."""
+    """Draws what it built, which is what examples/car.vid says, at the frame of the editor
+    beside it; a key gives the car's way another interpolation, and the editor takes that
+    back."""
     server = place.server(options=("+extension", "GLX"))
     software = {"LIBGL_ALWAYS_SOFTWARE": "1", "GALLIUM_DRIVER": "softpipe"}
     saved = place.path("saved.vid")
@@ -170,10 +171,19 @@ def a_scene_in_opengl(place):
         check(ours[table] == file[table], f"the {table}s of examples/car.vid are others")
     program = place.program(server, "glut_scene", **software)
     host = server.named("^glut_scene$")
+    window = server.new_window()
     first = wait(lambda: (lambda p: p.colours() > 10 and p)(server.picture(host)), "the car")
+    width, height = server.geometry(window)[2:]
+    server.drawn(window)
+    server.click(window, width - 330, height - 28)
     wait(lambda: server.picture(host).differs(first), "the car to drive")
+    server.drawn(window)
+    driven = server.drawn(host, 1)
     server.press(host, "space")
     server.named("^linear$")
+    wait(lambda: server.picture(host).differs(driven), "the car to take another way")
+    server.press(window, "ctrl+z")
+    wait(lambda: not server.picture(host).differs(driven), "the way to be taken back")
     server.press(host, "Escape")
     check(program.ends() == 0, "its exit status")
 

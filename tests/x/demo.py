@@ -1,10 +1,11 @@
 """The pyramid example of the thesis (7.5), played on the Motif host with mouse
 and keyboard, in English and in German; then the same flight beside a program that
-flies along: demo.py PYRAMID_MOTIF GLUT_FLIGHT FLIGHT FOLDER
+flies along, and a scene beside one that draws it:
+demo.py PYRAMID_MOTIF GLUT_FLIGHT GLUT_SCENE FLIGHT FOLDER
 
 Leaves a picture of each step and the poses in the folders FOLDER/en and
 FOLDER/de. The poses must be the same. FOLDER/glut.png shows both programs at the
-same moment of the flight.
+same moment of the flight, FOLDER/scene.png both at the same frame of the scene.
 """
 
 import concurrent.futures
@@ -231,29 +232,30 @@ def demo(binary, folder, locale):
         return poses.read()
 
 
-def fly_along(binary, flight, folder):
+def beside(command, name, folder, picture, about, orbits):
     """The editor and a program with a picture of its own, at the same moment."""
     with tempfile.TemporaryDirectory(prefix="vides-demo-") as work:
         server = Server(work, screen="1840x860x24", options=("+extension", "GLX"))
         server.env.update(LIBGL_ALWAYS_SOFTWARE="1", LC_ALL="C.UTF-8")
-        program = Program(work, [binary, flight], server.env)
+        program = Program(work, command, server.env)
         try:
-            host = server.named("^glut_flight$")
+            host = server.named(f"^{name}$")
             server.place(host, 1220, 40)
             window = server.new_window()
-            # Its own camera goes round the object; then the playhead is put on the flight.
-            server.drag(host, (100, 60), (150, 120))
+            if orbits:
+                # Its own camera goes round the object.
+                server.drag(host, (100, 60), (150, 120))
             width, height = server.geometry(window)[2:]
             server.drawn(window)
             before = server.drawn(host, 1)
+            # The playhead is put in the middle.
             server.click(window, width - 330, height - 28)
-            wait(lambda: server.picture(host).differs(before), "the host to fly along")
+            wait(lambda: server.picture(host).differs(before), "the host to follow")
             server.xdotool("mousemove", "--window", window, PANEL + 60, 120)
             server.drawn(host, 1)
             server.drawn(window)
-            server.picture().save(os.path.join(folder, "glut.png"))
-            print("  glut.png: a program of today beside the editor, at the same moment",
-                  flush=True)
+            server.picture().save(os.path.join(folder, picture))
+            print(f"  {picture}: {about}", flush=True)
         finally:
             program.kill()
             server.end()
@@ -261,14 +263,17 @@ def fly_along(binary, flight, folder):
 
 def main():
     """See the top."""
-    binary, glut, flight, folder = map(os.path.abspath, sys.argv[1:5])
+    binary, glut, scene, flight, folder = map(os.path.abspath, sys.argv[1:6])
     # Side by side: most of the time is waiting.
     with concurrent.futures.ThreadPoolExecutor() as pool:
         flights = list(pool.map(
             lambda one: demo(binary, os.path.join(folder, one[0]), one[1]),
             (("en", "en_GB.UTF-8"), ("de", "de_DE.UTF-8"))))
     check(flights[0] == flights[1], "the flight depends on the language")
-    fly_along(glut, flight, folder)
+    beside([glut, flight], "glut_flight", folder, "glut.png",
+           "a program of today beside the editor, at the same moment", orbits=True)
+    beside([scene], "glut_scene", folder, "scene.png",
+           "a scene in the editor, and drawn by a program at the same frame", orbits=False)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 
 use glam::DVec3;
 
+use super::around::Around;
 use super::info::Info;
 use super::vid::Comments;
 use crate::error::{Result, vec_with_room};
@@ -17,6 +18,8 @@ use crate::path::{
 #[derive(Debug)]
 pub(super) struct Content {
     pub(super) path: CameraPath,
+    /// The scene that it belongs to.
+    pub(super) around: Option<Box<Around>>,
     pub(super) info: Info,
     /// Orientations of all points together.
     pub(super) orientations: usize,
@@ -29,6 +32,7 @@ impl Content {
         let orientations = count_orientations(&path.points);
         Self {
             path,
+            around: None,
             info,
             orientations,
             comments: Comments::default(),
@@ -107,6 +111,8 @@ pub(super) enum Change {
     Info(Box<Info>),
     /// The removal is that of the path's points.
     Path(Box<CameraPath>, u64),
+    /// The same with the scene around it.
+    Scene(Option<Box<Around>>, Box<CameraPath>, u64),
 }
 
 impl Change {
@@ -248,6 +254,9 @@ impl Change {
             } => {
                 let count = points.len();
                 content.comments.insert_points(at, count, removal);
+                if let Some(around) = &mut content.around {
+                    around.pins_mut().insert_points(at, count, removal);
+                }
                 content.orientations += count_orientations(&points);
                 path.points.splice(at..at, points.drain(..));
                 Self::RemovePoints {
@@ -263,10 +272,14 @@ impl Change {
             } => {
                 room.extend(path.points.drain(at..at + count));
                 content.orientations -= count_orientations(&room);
+                let removal = content.comments.remove_points(at, count);
+                if let Some(around) = &mut content.around {
+                    around.pins_mut().remove_points(at, count, removal);
+                }
                 Self::InsertPoints {
                     at,
                     points: room,
-                    removal: content.comments.remove_points(at, count),
+                    removal,
                 }
             }
             Self::InsertOrientation {
@@ -299,6 +312,14 @@ impl Change {
                 std::mem::swap(path, &mut other);
                 content.orientations = count_orientations(&path.points);
                 Self::Path(other, old)
+            }
+            Self::Scene(mut around, path, removal) => {
+                std::mem::swap(&mut content.around, &mut around);
+                match Self::Path(path, removal).apply(content) {
+                    Self::Path(path, removal) => Self::Scene(around, path, removal),
+                    // A path gives a path.
+                    other => other,
+                }
             }
         }
     }
@@ -354,6 +375,7 @@ impl Change {
                 | Self::InsertOrientation { .. }
                 | Self::RemoveOrientation { .. }
                 | Self::Path(..)
+                | Self::Scene(..)
         )
     }
 
@@ -365,6 +387,9 @@ impl Change {
             Self::RemovePoints { room, .. } => room.capacity() * size_of::<SupportPoint>(),
             Self::Info(info) => info.title.len() + info.comment.len() + size_of_val(&*info.object),
             Self::Path(path, _) => weigh(&path.points),
+            Self::Scene(around, path, _) => {
+                weigh(&path.points) + around.as_ref().map_or(0, |around| around.weight())
+            }
             Self::Point { point, .. } => weigh(std::slice::from_ref(point)),
             Self::Several(changes) => changes.iter().map(Self::weight).sum(),
             _ => 0,

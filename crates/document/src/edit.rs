@@ -2,6 +2,7 @@
 
 use glam::{DMat4, DVec3};
 use vides_engine::deform::{Bounds, Deformation};
+use vides_engine::scene::Scene;
 use vides_engine::tools::block::Fit;
 
 use super::info::Info;
@@ -164,6 +165,12 @@ pub enum Edit {
         /// the old one; else its numbers stay. The object's do always.
         fit: bool,
     },
+    /// The path of another node of the scene is edited from now on; none: of no node.
+    /// That changes nothing that a file would have.
+    EditNode(Option<usize>),
+    /// Another scene in place of what there is. The path of the camera that is shown is
+    /// edited, if it has one.
+    ReplaceScene(Box<Scene>),
     /// Another path in place of this one; its first point becomes current.
     ReplacePath(Box<CameraPath>),
     /// Moves, turns, scales or mirrors points; see [`vides_engine::tools::transform`].

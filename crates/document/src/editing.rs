@@ -4,14 +4,17 @@ use std::io::Read;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use super::around;
 use super::change::Content;
 use super::contents::Contents;
 use super::edit::Edit;
 use super::history::{History, Step};
 use super::info::Info;
+use super::mesh_file;
 use super::prepare;
+use super::scene::{SceneDocument, folder_of};
 use super::vid::{self, Comments};
-use crate::error::Result;
+use crate::error::{Error, Result, can_allocate};
 use crate::limits;
 use crate::path::{CameraPath, Plan, Sampler, Space, Timeline};
 
@@ -60,7 +63,7 @@ pub struct Document {
 
 /// The next number for [`Document::revision`]. Its order means nothing, so
 /// that nothing need be ordered by it.
-fn fresh_revision() -> u64 {
+pub(super) fn fresh_revision() -> u64 {
     static NEXT: AtomicU64 = AtomicU64::new(1);
     NEXT.fetch_add(1, Ordering::Relaxed)
 }
@@ -119,6 +122,7 @@ impl Document {
         let mut opened = Self::with(self.content.path, self.content.info);
         opened.read = self.read;
         opened.content.comments = self.content.comments;
+        opened.content.around = self.content.around;
         opened
     }
 
@@ -147,6 +151,7 @@ impl Document {
         copy.selection = self.selection;
         copy.read = self.read;
         copy.content.comments = self.content.comments.try_clone()?;
+        copy.content.around.clone_from(&self.content.around);
         if !self.history.keeps_any() {
             copy = copy.without_history();
         }
@@ -155,6 +160,10 @@ impl Document {
             copy.newest = 1;
         }
         Ok(copy)
+    }
+
+    pub(super) fn content(&self) -> &Content {
+        &self.content
     }
 
     /// The path and what the file says besides, without the rest.
@@ -206,6 +215,7 @@ impl Document {
     /// # Errors
     /// What makes the edit impossible; the document is unchanged then.
     pub fn apply(&mut self, edit: Edit) -> Result<()> {
+        let same_for_a_file = matches!(edit, Edit::EditNode(_));
         let (change, selection) = prepare::prepare(&self.content, edit)?;
         if change.is_idle(&self.content) {
             return Ok(());
@@ -221,8 +231,29 @@ impl Document {
         change.reserve(&mut self.content)?;
         change.announce(&mut self.plan);
         let inverse = change.apply(&mut self.content);
+        let held = prepare::held_by_pins(&self.content, &self.plan).and_then(|held| {
+            if held.is_some() && keeps_record {
+                step.reserve_more(2)?;
+            }
+            Ok(held)
+        });
+        let held = match held {
+            Ok(held) => held,
+            Err(error) => {
+                inverse.announce(&mut self.plan);
+                inverse.apply(&mut self.content);
+                return Err(error);
+            }
+        };
         if keeps_record {
             step.push(inverse);
+        }
+        if let Some(held) = held {
+            held.announce(&mut self.plan);
+            let inverse = held.apply(&mut self.content);
+            if keeps_record {
+                step.push(inverse);
+            }
         }
         if self.open.is_none() {
             own.close();
@@ -231,8 +262,10 @@ impl Document {
         if let Some(selection) = selection {
             self.selection = selection;
         }
-        self.newest += 1;
-        self.state = self.newest;
+        if !same_for_a_file {
+            self.newest += 1;
+            self.state = self.newest;
+        }
         self.revision = fresh_revision();
         Ok(())
     }
@@ -381,6 +414,41 @@ impl Document {
         })?
     }
 
+    /// The path or the scene in a `.vid` file, and what was wrong with the files of the
+    /// scene's meshes ([`SceneDocument::warnings`]). Of a scene the path of the camera that
+    /// is shown is edited, if it has one; the rest is kept.
+    ///
+    /// # Errors
+    /// As [`Document::load`].
+    pub fn load_scene(file: &Path) -> Result<(Self, Vec<Error>)> {
+        let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
+        // Wherever the process goes: the names of meshes must lead there then, too.
+        let folder = std::path::absolute(folder_of(file));
+        let folder = folder.unwrap_or_else(|_| folder_of(file).to_owned());
+        Self::scene_from_toml(&text, &folder).map_err(|error| error.at(file.display()))
+    }
+
+    /// The same of a text; names of meshes lead from `folder`.
+    ///
+    /// # Errors
+    /// `ErrorKind::Format` with line and reason.
+    pub fn scene_from_toml(text: &str, folder: &Path) -> Result<(Self, Vec<Error>)> {
+        let (scene, info) = vid::scene_from_toml(text)?;
+        if vid::alone(&scene).is_some() {
+            return Ok((Self::from_toml(text)?, Vec::new()));
+        }
+        let mut loaded = SceneDocument::of(scene, info);
+        loaded.info.check(loaded.scene.space())?;
+        loaded.info.normalise();
+        let warnings = mesh_file::read_meshes(&mut loaded.scene, folder)?;
+        let (around, path) = around::as_shown(loaded.scene)?;
+        let mut document = Self::from_parts(path, loaded.info)?;
+        can_allocate(size_of_val(&around))?;
+        document.content.around = Some(Box::new(around));
+        document.read = Some(Contents::of(text.as_bytes()));
+        Ok((document, warnings))
+    }
+
     /// The document in a `.vid` file.
     ///
     /// # Errors
@@ -456,8 +524,28 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Memory`.
     pub fn to_toml(&self) -> Result<String> {
+        self.text_in(None)
+    }
+
+    /// The same for a file: meshes in or below its folder are named as from there.
+    ///
+    /// # Errors
+    /// As [`Document::to_toml`]; `ErrorKind::Limit` if a scene is longer than what is read.
+    pub fn to_toml_for(&self, file: &Path) -> Result<String> {
+        self.text_in(Some(folder_of(file)))
+    }
+
+    fn text_in(&self, folder: Option<&Path>) -> Result<String> {
         let content = &self.content;
-        vid::to_toml(&content.path, &content.info, &content.comments)
+        let Some(around) = &content.around else {
+            return vid::to_toml(&content.path, &content.info, &content.comments);
+        };
+        let scene = around.with(&content.path)?;
+        let text = vid::scene_to_toml(&scene, &content.info, &content.comments, folder)?;
+        if text.len() as u64 > limits::MAX_FILE_BYTES {
+            return Err(Error::FileTooLarge(limits::MAX_FILE_BYTES >> 20));
+        }
+        Ok(text)
     }
 
     /// Saves as a `.vid` file, atomically and durably ([`super::save`]). Call
@@ -467,6 +555,6 @@ impl Document {
     /// `ErrorKind::Io` with the file and what the system said; the old
     /// file is whole then.
     pub fn save(&self, file: &Path) -> Result<()> {
-        super::save::save(file, self.to_toml()?.as_bytes())
+        super::save::save(file, self.to_toml_for(file)?.as_bytes())
     }
 }

@@ -152,6 +152,12 @@ pub enum Refused {
     TargetTooFar,
     #[error("this scene has no camera on a path")]
     NoCamera,
+    #[error("no path is edited: choose a node that follows one")]
+    NoPathEdited,
+    #[error("node \"{0}\" follows no path")]
+    NoPathOf(Text),
+    #[error("there is no scene, only a path")]
+    NoScene,
     #[error("this path has no file yet")]
     NoFile,
     #[error("another program has changed the file since it was read or written here")]
@@ -165,6 +171,9 @@ impl Refused {
             | Self::NoDirection(_)
             | Self::OnTarget { .. }
             | Self::NoCamera
+            | Self::NoPathEdited
+            | Self::NoPathOf(_)
+            | Self::NoScene
             | Self::NoFile
             | Self::FileChanged => ErrorKind::Argument,
             _ => ErrorKind::Range,

@@ -8,8 +8,9 @@ use super::ascii;
 use super::blocks;
 pub use super::blocks::Progress;
 use super::editing::Document;
+use super::export_node::write_node;
 use super::save;
-use crate::error::Result;
+use crate::error::{Refused, Result};
 use crate::path::{Pose, Sampler, Space};
 
 /// How poses are written.
@@ -50,7 +51,8 @@ impl Format {
     }
 }
 
-/// Writes all poses of a document.
+/// Writes all poses of a document; of a scene those of the camera that is shown, from the
+/// scene's first frame to its last.
 ///
 /// # Errors
 /// `ErrorKind::Io` if `out` fails, `ErrorKind::Limit` if the path
@@ -61,6 +63,11 @@ pub fn write(
     out: &mut dyn Write,
     progress: Progress<'_>,
 ) -> Result<()> {
+    if document.around().is_some() {
+        let scene = document.scene_document()?;
+        let shown = scene.scene.shown_camera().ok_or(Refused::NoCamera)?;
+        return write_node(&scene, shown, format, out, progress);
+    }
     let sampler = document.sampler()?;
     match format {
         Format::Ascii => ascii::write_with_progress(sampler, out, progress),

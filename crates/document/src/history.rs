@@ -42,6 +42,11 @@ impl Step {
         Ok(())
     }
 
+    /// The same for several.
+    pub(super) fn reserve_more(&mut self, records: usize) -> Result<()> {
+        Ok(self.changes.try_reserve(records)?)
+    }
+
     /// Adds the record that takes the newest change back, unless an older one
     /// does. (Kept newest last; [`Step::close`] turns the order round.)
     pub(super) fn push(&mut self, inverse: Change) {

@@ -11,6 +11,7 @@
 
 #![forbid(unsafe_code)]
 
+mod around;
 pub mod ascii;
 mod blocks;
 mod change;
@@ -34,6 +35,7 @@ mod target;
 pub mod vid;
 mod wireframe;
 
+pub use around::{Around, Poses};
 pub use contents::Contents;
 pub use edit::Edit;
 pub use editing::{Document, Selection};

@@ -3,6 +3,7 @@
 
 use glam::DVec3;
 
+use super::around::{self, Around};
 use super::change::{Change, Content, count_orientations};
 use super::edit::Edit;
 use super::editing::Selection;
@@ -15,17 +16,29 @@ use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::ahead;
 use crate::path::camera_path::check_speeds;
-use crate::path::fit_frames::fit_frames;
+use crate::path::fit_frames::{Fixed, fit_frames};
 use crate::path::insertion::{self, Insertion};
 use crate::path::space::Move;
 use crate::path::{
-    CameraPath, CurveParameters, Orientation, Pace, Space, SupportPoint, Target, Timeline,
+    CameraPath, CurveParameters, Orientation, Pace, Plan, Space, SupportPoint, Target, Timeline,
 };
 use crate::tools::{block, transform};
+use vides_engine::scene::pins::pinned;
 
 /// The record of an edit, and the selection after it if it sets one.
 pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<Selection>)> {
     let path = &content.path;
+    if content
+        .around
+        .as_ref()
+        .is_some_and(|around| around.node().is_none())
+        && !matches!(
+            edit,
+            Edit::EditNode(_) | Edit::ReplaceScene(_) | Edit::SetInfo(_)
+        )
+    {
+        return Err(Refused::NoPathEdited.into());
+    }
     let change = match edit {
         Edit::InsertPoint { at, position } => {
             if at > path.points.len() {
@@ -169,6 +182,12 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             info.normalise();
             Change::Info(info)
         }
+        Edit::EditNode(node) => return other_node(content, node),
+        Edit::ReplaceScene(scene) => {
+            let (around, path) = around::as_shown(*scene)?;
+            content.info.check(around.scene().space())?;
+            return exchanged_scene(Some(around).filter(|around| !around.is_path_alone()), path);
+        }
         Edit::ReplacePath(path) => return replaced(content, *path),
         Edit::TransformPoints {
             points,
@@ -215,6 +234,32 @@ fn replaced(content: &Content, mut path: CameraPath) -> Result<(Change, Option<S
     content.info.check(path.space)?;
     can_allocate(size_of::<CameraPath>())?;
     Ok((Change::Path(Box::new(path), 0), Some(Selection::default())))
+}
+
+/// The record of another node whose path is edited.
+fn other_node(content: &Content, node: Option<usize>) -> Result<(Change, Option<Selection>)> {
+    let Some(around) = &content.around else {
+        return match node {
+            Some(0) => Ok((Change::Several(Vec::new()), None)),
+            _ => Err(Refused::NoScene.into()),
+        };
+    };
+    if around.node() == node {
+        return Ok((Change::Several(Vec::new()), None));
+    }
+    let (around, path) = around::around(around.with(&content.path)?, node)?;
+    exchanged_scene(Some(around), path)
+}
+
+/// The record of another scene, or of a path alone.
+fn exchanged_scene(
+    around: Option<Around>,
+    mut path: CameraPath,
+) -> Result<(Change, Option<Selection>)> {
+    normalise(&mut path)?;
+    can_allocate(size_of::<CameraPath>() + size_of::<Around>())?;
+    let change = Change::Scene(around.map(Box::new), Box::new(path), 0);
+    Ok((change, Some(Selection::default())))
 }
 
 /// The records of points with other values.
@@ -356,7 +401,27 @@ fn moved(path: &CameraPath, space: Space) -> Result<Change> {
 /// The records of fixed frames.
 fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result<Change> {
     let timeline = Timeline::new(path)?;
-    let fixed = fit_frames(path, &timeline, first, last, frames)?;
+    with_frames(path, fit_frames(path, &timeline, first, last, frames)?)
+}
+
+/// The record of what the pins of the path make of it; none if it holds them.
+pub(super) fn held_by_pins(content: &Content, plan: &Plan) -> Result<Option<Change>> {
+    let path = &content.path;
+    let pins = match &content.around {
+        Some(around) => around.pins(path),
+        None => return Ok(None),
+    };
+    if pins.is_empty() {
+        return Ok(None);
+    }
+    let pinned = plan.timeline(path, |timeline| pinned(path, timeline, &pins))??;
+    if pinned.fixed.is_empty() {
+        return Ok(None);
+    }
+    with_frames(path, pinned.fixed).map(Some)
+}
+
+fn with_frames(path: &CameraPath, fixed: Vec<Fixed>) -> Result<Change> {
     let mut changes = vec_with_room(fixed.len())?;
     for fixed in fixed {
         let mut orientation = path.points[fixed.point].orientations[fixed.orientation].clone();

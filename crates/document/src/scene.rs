@@ -26,7 +26,7 @@ pub struct SceneDocument {
 }
 
 /// Names of meshes in a scene's file lead from here.
-fn folder_of(file: &Path) -> &Path {
+pub(super) fn folder_of(file: &Path) -> &Path {
     file.parent().unwrap_or(Path::new(""))
 }
 
@@ -49,6 +49,16 @@ impl SceneDocument {
             comments: Comments::default(),
             warnings: Vec::new(),
         })
+    }
+
+    /// Of these parts.
+    pub(crate) fn of(scene: Scene, info: Info) -> Self {
+        Self {
+            scene,
+            info,
+            comments: Comments::default(),
+            warnings: Vec::new(),
+        }
     }
 
     /// The scene in a `.vid` file.

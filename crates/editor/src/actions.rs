@@ -97,6 +97,8 @@ pub(super) enum Action {
     /// Play the flight, or stop.
     PlayOrPause,
     Keys,
+    /// Edit the path of another node; none: of no node.
+    EditNode(Option<usize>),
     Edit(Edit),
     /// What was entered into a number of the path.
     Enter(Entry<Edit>),
@@ -310,6 +312,16 @@ impl Editor {
             Action::SwitchCameraView => self.setup.camera_view = !self.setup.camera_view,
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),
+            Action::EditNode(node) => {
+                self.document.end_step();
+                let moment = self.scene_frame();
+                if self.edit(Edit::EditNode(node))
+                    && let Ok(moment) = moment
+                {
+                    // As far as the other path goes.
+                    self.scrub(self.document.frame_of_path(moment));
+                }
+            }
             Action::Edit(edit) => {
                 self.edit(edit);
             }

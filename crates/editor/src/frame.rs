@@ -11,7 +11,7 @@ use crate::panels::output;
 use crate::setup::Theme;
 use crate::space::camera_view;
 use crate::state::Editor;
-use crate::{keys, menu, panels, space, theme, windows};
+use crate::{keys, menu, panels, scene_view, space, theme, windows};
 
 const BAR: f32 = 32.0;
 
@@ -68,7 +68,13 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let picked = picked.inner.inner;
     part(ui, "panels", left, palette.panel, |ui| {
         let inside = UiBuilder::new().max_rect(left.shrink(MARGIN));
-        ui.scope_builder(inside, |ui| panels::show(editor, ui));
+        ui.scope_builder(inside, |ui| {
+            if editor.document.edits_path() {
+                panels::show(editor, ui);
+            } else {
+                scene_view::no_path(editor, ui);
+            }
+        });
     });
     let line = Stroke::new(1.0, palette.line);
     ui.painter()

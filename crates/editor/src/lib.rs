@@ -22,6 +22,7 @@ mod menu;
 mod number;
 mod panels;
 mod playing;
+mod scene_view;
 mod setup;
 mod space;
 mod state;

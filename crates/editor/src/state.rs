@@ -16,12 +16,12 @@ use crate::path::{Orientation, Pose, SupportPoint};
 use crate::setup::{Element, Setup};
 use crate::texts::{Language, Texts, fill};
 use crate::theme;
-use crate::{playing, space, windows};
+use crate::{playing, scene_view, space, windows};
 
 /// How a window begins.
 #[derive(Debug)]
 pub struct Options {
-    /// The path to be edited; its object is shown.
+    /// The path to be edited, or a scene with it; its object is shown.
     pub document: Document,
     /// The file that the path came from.
     pub file: Option<PathBuf>,
@@ -119,6 +119,7 @@ pub struct Editor {
     /// Colours, what is shown, from where.
     pub(super) setup: Setup,
     pub(super) space: space::Space,
+    pub(super) scene_view: scene_view::SceneView,
     pub(super) playing: playing::Playing,
     pub(super) windows: windows::Windows,
     pub(super) recent: Vec<PathBuf>,
@@ -165,6 +166,7 @@ impl Editor {
             requests: Vec::new(),
             setup: Setup::default(),
             space: space::Space::default(),
+            scene_view: scene_view::SceneView::default(),
             playing: playing::Playing::default(),
             windows: windows::Windows::default(),
             recent: Vec::new(),

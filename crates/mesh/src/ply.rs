@@ -10,9 +10,12 @@ use super::{Error, Problem, Result, fan};
 
 impl From<ParseError> for Error {
     fn from(error: ParseError) -> Self {
-        // One line: the reader quotes what it has read on lines of its own.
+        // One line: the reader quotes what it has read on lines of its own, whatever
+        // letters that has.
         let words = error.to_string();
-        let words: Vec<_> = words.split_ascii_whitespace().take(60).collect();
+        let between = |letter: char| letter.is_whitespace() || letter.is_control();
+        let words = words.split(between).filter(|word| !word.is_empty());
+        let words: Vec<_> = words.take(60).collect();
         Self::Ply(words.join(" "))
     }
 }

@@ -21,9 +21,9 @@ use crate::{Host, Options, document_of, main_loop, open, own_program};
 /// `ErrorKind::Display` without an X server or if it goes away; those of
 /// [`Document::load`], [`load_mesh`] and [`Object::of_mesh`].
 pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
-    let mut document = match file {
+    let (mut document, warnings) = match file {
         Some(file) => document_of(file)?,
-        None => Document::try_new()?,
+        None => (Document::try_new()?, Vec::new()),
     };
     if let Some(object) = object {
         let mut info = document.info().clone();
@@ -34,6 +34,8 @@ pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
             document.apply(Edit::SetSpace { space, fit: true })?;
         }
     }
+    let mut about_meshes = Warnings::default();
+    about_meshes.add_meshes(warnings);
     open(Options {
         editor: editor::Options {
             document,
@@ -50,7 +52,7 @@ pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
         application: None,
         parent: None,
         transient_for: None,
-        warnings: Warnings::default(),
+        warnings: about_meshes,
         host: Rc::new(Nobody),
     })?;
     match main_loop()?.lost {

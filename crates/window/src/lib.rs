@@ -39,9 +39,9 @@ use vides_engine::{inject, path};
 use vides_raster as raster;
 use vides_x11 as x11;
 
-use crate::document::Document;
+use crate::document::{Document, Poses};
 use crate::editor::{Editor, Warnings};
-use crate::path::{Pose, Sampler};
+use crate::path::Pose;
 
 pub use edit::edit;
 pub use editor::Reason;
@@ -59,8 +59,8 @@ pub trait Host {
     ///
     /// # Errors
     /// Shown in the window; what the host has is as it was.
-    fn prepare(&self, window: Id, sampler: &Sampler) -> document::Result<()> {
-        let _ = (window, sampler);
+    fn prepare(&self, window: Id, poses: &Poses<'_>) -> document::Result<()> {
+        let _ = (window, poses);
         Ok(())
     }
 
@@ -75,7 +75,7 @@ pub trait Host {
         true
     }
 
-    /// Whether [`Host::view`] and [`Host::changed`] are to be called at all.
+    /// Whether [`Host::view`], [`Host::frame`] and [`Host::changed`] are to be called at all.
     fn watches(&self) -> bool {
         false
     }
@@ -86,7 +86,13 @@ pub trait Host {
         let _ = (window, pose, frame, reason);
     }
 
-    /// Calls the host after each step that has changed the path, undo and redo too;
+    /// Calls the host with the frame of the scene at the playhead after that or the scene has
+    /// changed, for one that draws the scene itself: at most once for each picture.
+    fn frame(&self, window: Id, frame: f64, reason: Reason) {
+        let _ = (window, frame, reason);
+    }
+
+    /// Calls the host after each step that has changed the path or the scene, undo and redo too;
     /// not while a drag goes on.
     fn changed(&self, window: Id) {
         let _ = window;
@@ -214,14 +220,15 @@ pub fn open(options: Options) -> Result<Id> {
     Ok(id)
 }
 
-/// The path in a file to start with; a new one if there is no such file yet.
+/// The path or the scene in a file to start with, and what was wrong with its meshes; a
+/// new path if there is no such file yet.
 ///
 /// # Errors
 /// Those of [`Document::load`].
-pub fn document_of(file: &Path) -> document::Result<Document> {
-    match Document::load(file) {
+pub fn document_of(file: &Path) -> document::Result<(Document, Vec<document::Error>)> {
+    match Document::load_scene(file) {
         Err(document::Error::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
-            Document::try_new()
+            Ok((Document::try_new()?, Vec::new()))
         }
         loaded => loaded,
     }

@@ -25,6 +25,8 @@ const BETWEEN_HAND_OVERS: Duration = Duration::from_millis(100);
 pub(super) enum Call {
     /// The camera at the playhead, its frame, and what led there.
     View(Pose, f64, Reason),
+    /// The frame of the scene at the playhead, and what led there.
+    Frame(f64, Reason),
     /// The path has changed.
     Changed,
     /// Take all poses.
@@ -35,11 +37,9 @@ pub(super) enum Call {
 #[derive(Debug, Default)]
 pub(super) struct Live {
     seen: Option<Standing>,
-    /// What led to the view that it has still to be told.
-    waits: Option<Reason>,
-    told: Option<(Pose, f64)>,
-    /// It is told of the rest then.
-    rest: Option<Instant>,
+    view: Told<(Pose, f64)>,
+    /// The revision beside the frame: there the scene may look otherwise.
+    frame: Told<(u64, f64)>,
     /// The step that it knows.
     step: Option<(u64, u64)>,
     /// The path of which it has the poses, by its revision.
@@ -47,6 +47,53 @@ pub(super) struct Live {
     next_hand_over: Option<Instant>,
     /// It has time for itself until then.
     busy: Option<Instant>,
+}
+
+/// What the host has been told of one thing that goes along with the hand.
+#[derive(Debug, Default)]
+struct Told<T> {
+    /// What led to what it has still to be told.
+    waits: Option<Reason>,
+    last: Option<T>,
+    /// It is told of the rest then.
+    rest: Option<Instant>,
+}
+
+impl<T: Copy + PartialEq> Told<T> {
+    /// What it is to be told now, if that is something else than it was told last.
+    fn next(&mut self, now: Instant, what: impl FnOnce() -> Option<T>) -> Option<(T, Reason)> {
+        let reason = self.waits.take()?;
+        let what = what()?;
+        if self.last.replace(what) == Some(what) {
+            return None;
+        }
+        self.rest = Some(now + REST);
+        Some((what, reason))
+    }
+
+    /// What it is told when nothing moves any more.
+    fn at_rest(
+        &mut self,
+        now: Instant,
+        moves: bool,
+        what: impl FnOnce() -> Option<T>,
+    ) -> Option<T> {
+        if moves {
+            self.rest = self.rest.map(|_| now + REST);
+            return None;
+        }
+        self.rest.take_if(|rest| now >= *rest)?;
+        self.last = what().or(self.last);
+        self.last
+    }
+
+    /// The host has changed it by itself.
+    fn known(&mut self) {
+        if self.waits.is_none() {
+            // What it was told is no longer how things stand.
+            self.last = None;
+        }
+    }
 }
 
 impl Live {
@@ -79,39 +126,36 @@ impl Live {
                 return Some(Call::Changed);
             }
         }
-        if watches
-            && let Some(reason) = self.waits.take()
-            // A path that cannot be sampled has no poses; the window says so.
-            && let Ok(view) = editor.view()
-            && self.told.replace(view) != Some(view)
-        {
-            self.rest = Some(now + REST);
-            return Some(Call::View(view.0, view.1, reason));
+        // A path that cannot be sampled has no poses; the window says so.
+        let view = || editor.view().ok();
+        let frame = || Some((editor.document().revision(), editor.scene_frame().ok()?));
+        if watches && let Some(((pose, at), reason)) = self.view.next(now, view) {
+            return Some(Call::View(pose, at, reason));
+        }
+        if watches && let Some(((_, at), reason)) = self.frame.next(now, frame) {
+            return Some(Call::Frame(at, reason));
         }
         if self.owes_poses(editor) && self.next_hand_over.is_none_or(|at| now >= at) {
             self.handed = Some(editor.document().revision());
             self.next_hand_over = Some(now + BETWEEN_HAND_OVERS);
             return Some(Call::HandOver);
         }
-        if moves {
-            self.rest = self.rest.map(|_| now + REST);
-        } else if self.rest.is_some_and(|rest| now >= rest) {
-            self.rest = None;
-            let view = editor.view().ok().or(self.told)?;
-            self.told = Some(view);
-            return Some(Call::View(view.0, view.1, Reason::Rested));
+        if let Some((pose, at)) = self.view.at_rest(now, moves, view) {
+            return Some(Call::View(pose, at, Reason::Rested));
         }
-        None
+        let (_, at) = self.frame.at_rest(now, moves, frame)?;
+        Some(Call::Frame(at, Reason::Rested))
     }
 
     /// Notes what has happened since it looked last.
     fn look(&mut self, editor: &Editor) {
         let standing = editor.standing();
-        match self.seen.replace(standing) {
-            None => self.waits = Some(Reason::Selected),
-            Some(before) if before != standing => self.waits = Some(standing.reason(&before)),
-            Some(_) => {}
-        }
+        let reason = match self.seen.replace(standing) {
+            None => Some(Reason::Selected),
+            Some(before) => (before != standing).then(|| standing.reason(&before)),
+        };
+        self.view.waits = reason.or(self.view.waits);
+        self.frame.waits = reason.or(self.frame.waits);
         if !editor.hands_over() {
             self.handed = None;
         }
@@ -128,9 +172,11 @@ impl Live {
             .owes_poses(editor)
             .then_some(self.next_hand_over)
             .flatten();
-        let rest = self.rest.filter(|_| !moves);
+        let rest = [self.view.rest, self.frame.rest];
+        let rest = rest.into_iter().flatten().min().filter(|_| !moves);
         let waits = self.busy.filter(|_| {
-            self.waits.is_some()
+            self.view.waits.is_some()
+                || self.frame.waits.is_some()
                 || self.step != Some(editor.step_number())
                 || self.owes_poses(editor)
         });
@@ -159,10 +205,8 @@ impl Live {
         let poses = !self.owes_poses(editor);
         let done = change(editor);
         self.seen = Some(editor.standing());
-        if self.waits.is_none() {
-            // What it was told is no longer how things stand.
-            self.told = None;
-        }
+        self.view.known();
+        self.frame.known();
         if step {
             self.step = Some(editor.step_number());
         }

@@ -89,6 +89,7 @@ fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
             let began = Instant::now();
             registry::call(id, lost, |host| match call {
                 Call::View(pose, frame, reason) => host.view(id, &pose, frame, reason),
+                Call::Frame(frame, reason) => host.frame(id, frame, reason),
                 Call::Changed => host.changed(id),
                 Call::HandOver => host.hand_over(id),
             });

@@ -18,10 +18,9 @@ use super::pump::Served;
 use super::screen::Screen;
 use super::window::Window;
 use super::{Gone, Host, Id, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
-use crate::document::Document;
+use crate::document::{Document, Poses};
 use crate::editor::{Editor, Folders, HostView, Language, Options};
 use crate::error::EngineError;
-use crate::path::Sampler;
 use crate::raster::{Area, Target};
 use crate::x11::{Error, News, PanePlace, PaneWindow, Result};
 
@@ -208,7 +207,7 @@ struct Calls {
 }
 
 impl Host for Calls {
-    fn prepare(&self, _: Id, _: &Sampler) -> crate::document::Result<()> {
+    fn prepare(&self, _: Id, _: &Poses<'_>) -> crate::document::Result<()> {
         if self.refuses.get() {
             return Err(EngineError::Memory.into());
         }

@@ -396,9 +396,9 @@ impl Window {
     /// Makes the poses ready for the host; else the window says why not.
     fn make_ready(&mut self, id: Id, host: &Rc<dyn Host>, asked: bool) -> bool {
         inject::point(Place::HandOver);
-        let count = self.editor.document().sampler().and_then(|sampler| {
-            host.prepare(id, sampler)?;
-            Ok(sampler.frame_count())
+        let count = self.editor.document().poses().and_then(|poses| {
+            host.prepare(id, &poses)?;
+            Ok(poses.frame_count())
         });
         inject::point(Place::Prepared);
         let ready = count.is_ok();

@@ -65,7 +65,7 @@ impl Editor {
     /// The file is broken; what is open stays.
     pub(crate) fn restore(&mut self, found: &Found) -> Result<()> {
         let mut document = found.document()?;
-        if self.fixed_speeds {
+        if self.fixed_speeds && document.edits_path() {
             document.apply(Edit::SetSpeeds(self.document.path().speeds))?;
             document = unsaved_copy(&document)?;
         }

@@ -28,6 +28,7 @@ use std::path::{Path, PathBuf};
 
 use crate::document::{Contents, Document, Edit, Object, export, load_mesh, save};
 use crate::error::{EngineError, Error, Result, TooMany};
+use crate::host::Warnings;
 use crate::limits;
 use crate::state::{Editor, Request};
 use crate::texts::fill;
@@ -166,7 +167,7 @@ impl Editor {
     pub(crate) fn load_path(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
         match self.loaded(file) {
-            Ok(document) => {
+            Ok((document, warnings)) => {
                 self.known = document.read_contents();
                 self.document = document;
                 self.handed = None;
@@ -174,6 +175,9 @@ impl Editor {
                 self.file = Some(file.to_owned());
                 self.note_file(file);
                 self.say(fill(texts.output.loaded, &[&short(file)]));
+                let mut meshes = Warnings::default();
+                meshes.add_meshes(warnings);
+                self.warn(&meshes);
                 Ok(())
             }
             Err(error) => {
@@ -183,12 +187,14 @@ impl Editor {
         }
     }
 
-    fn loaded(&self, file: &Path) -> Result<Document> {
-        let mut loaded = Document::load(file)?;
+    fn loaded(&self, file: &Path) -> Result<(Document, Vec<Error>)> {
+        let (mut loaded, warnings) = Document::load_scene(file)?;
         if !self.fixed_speeds {
-            return Ok(loaded);
+            return Ok((loaded, warnings));
         }
-        loaded.apply(Edit::SetSpeeds(self.document.path().speeds))?;
+        if loaded.edits_path() {
+            loaded.apply(Edit::SetSpeeds(self.document.path().speeds))?;
+        }
         if !self.document.info().object.is_empty() {
             let mut info = loaded.info().clone();
             info.object = self.document.info().object.clone();
@@ -198,7 +204,7 @@ impl Editor {
         // that could be undone.
         let mut copy = loaded.try_clone()?;
         copy.mark_saved();
-        Ok(copy)
+        Ok((copy, warnings))
     }
 
     /// Saves the path as this file, whatever is there, and edits it from now on.
@@ -218,7 +224,7 @@ impl Editor {
 
     /// The same, for whoever can tell an error himself.
     pub(crate) fn write(&mut self, file: &Path, replaced: bool) -> Result<bool> {
-        let text = self.document.to_toml()?;
+        let text = self.document.to_toml_for(file)?;
         let bytes = text.as_bytes();
         if replaced {
             save::save(file, bytes)?;

@@ -324,7 +324,10 @@ impl Found {
     /// # Errors
     /// `ErrorKind::Format` if it is broken.
     pub(crate) fn document(&self) -> Result<Document> {
-        let mut document = Document::from_toml(without_header(&self.text))?;
+        // Names of meshes are whole ones. One that cannot be read is told where it is
+        // missed: the work is what counts here.
+        let text = without_header(&self.text);
+        let (mut document, _) = Document::scene_from_toml(text, Path::new(""))?;
         document.mark_unsaved();
         Ok(document)
     }

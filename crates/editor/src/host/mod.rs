@@ -75,11 +75,16 @@ impl Editor {
         (self.windows.paths, self.document.state_number())
     }
 
-    /// The frame at the playhead, from 1.
+    /// The frame at the playhead, from 1; in a scene that of the scene.
     ///
     /// # Errors
     /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
     pub fn frame(&self) -> Result<f64> {
+        self.scene_frame()
+    }
+
+    /// The frame of the path at the playhead.
+    pub(super) fn path_frame(&self) -> Result<f64> {
         if let Some(frame) = self.playing.frame() {
             return Ok(frame);
         }
@@ -106,14 +111,20 @@ impl Editor {
     /// As [`Editor::frame`].
     pub fn view(&self) -> Result<(Pose, f64)> {
         let frame = self.frame()?;
-        Ok((self.document.sampler()?.pose(frame)?, frame))
+        let pose = match self.scene_pose()? {
+            Some(pose) => pose,
+            None => self.document.sampler()?.pose(frame)?,
+        };
+        Ok((pose, frame))
     }
 
-    /// The playhead goes to a frame, from 1, and stays there.
+    /// The playhead goes to a frame, from 1, in a scene of those in which the path that is
+    /// edited moves, and stays there.
     ///
     /// # Errors
     /// `ErrorKind::Range` for one that there is not; as [`Editor::frame`].
     pub fn set_frame(&mut self, frame: f64) -> Result<()> {
+        let frame = self.document.frame_of_path(frame);
         self.document.sampler()?.pose(frame)?;
         self.scrub(frame);
         Ok(())

@@ -1,8 +1,9 @@
 //! What was wrong with what a host gave, and could be mended.
 
 use std::fmt;
+use std::sync::Arc;
 
-use crate::error::{EngineError, Text};
+use crate::error::{EngineError, Error, Text};
 
 /// One thing that was wrong.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -31,6 +32,9 @@ pub enum Warning {
     /// The object cannot be read; only programs are told why.
     #[error("the object is not shown: {0}")]
     NotRead(Text),
+    /// A mesh of a scene in a file of its own.
+    #[error(transparent)]
+    Mesh(Arc<Error>),
 }
 
 /// Everything that was wrong, as one sentence.
@@ -43,6 +47,12 @@ impl Warnings {
         if self.0.try_reserve(1).is_ok() {
             self.0.push(warning);
         }
+    }
+
+    /// What was wrong with the meshes of a scene.
+    pub fn add_meshes(&mut self, errors: Vec<Error>) {
+        let errors = errors.into_iter().map(Arc::new);
+        errors.for_each(|error| self.add(Warning::Mesh(error)));
     }
 
     /// Nothing was wrong.

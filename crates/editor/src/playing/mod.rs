@@ -19,7 +19,7 @@ use crate::actions::Action;
 use crate::document::{Document, Selection};
 use crate::error::Result;
 use crate::number::Entry;
-use crate::path::Change;
+use crate::path::{Change, Timeline};
 use crate::setup::Element;
 use crate::space::Camera;
 use crate::state::Editor;
@@ -98,6 +98,11 @@ impl Marks {
         self.revision = Some(revision);
         self.keys.clear();
         self.frames = 0;
+        if !document.edits_path() {
+            // Its keys are nobody's.
+            self.frames = document.timeline(Timeline::frame_count)??;
+            return Ok(());
+        }
         let path = document.path();
         let keys = &mut self.keys;
         self.frames = document.timeline(|timeline| {

@@ -52,6 +52,9 @@ impl Editor {
     /// What the panels show: the current key, or what the camera does where the
     /// playhead stands.
     pub(crate) fn shown(&self) -> Option<Shown> {
+        if !self.document.edits_path() {
+            return None;
+        }
         if let Some(shown) = self.at_playhead() {
             return Some(shown);
         }

@@ -12,6 +12,7 @@ use crate::actions::Action;
 use crate::host::HostPane;
 use crate::math::view::View;
 use crate::raster::{Line, Lines};
+use crate::scene_view::wires;
 use crate::setup::Element;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -108,7 +109,8 @@ fn contents(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) -> Option<H
     ui.spacing_mut().item_spacing.y = 0.0;
     // The height follows the width.
     let width = ui.available_width().max(60.0);
-    let (camera, _) = editor.camera()?;
+    let scene = editor.scene_pose().ok().flatten().map(Camera::from);
+    let camera = scene.or_else(|| Some(editor.camera()?.0))?;
     caption(editor, ui, vec2(width, CAPTION), camera.zoom, actions);
     let (picture, response) = ui.allocate_exact_size(vec2(width, width / ASPECT), Sense::hover());
     let name = editor.texts().space.camera_picture;
@@ -130,6 +132,7 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, zoom: f64, actions: &mut Ve
     let palette = theme::palette(ui);
     let texts = &editor.texts().space;
     let what = match editor.shown_frame() {
+        _ if editor.document.around().is_some() => scene_label(editor),
         Some(frame) => fill(texts.camera_at_frame, &[&frame]),
         None => {
             let selection = editor.document.selection();
@@ -147,6 +150,17 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, zoom: f64, actions: &mut Ve
     if close_button(editor, ui, strip) {
         actions.push(Action::SwitchCameraView);
     }
+}
+
+/// The name of the camera that is shown, and the frame of the scene.
+fn scene_label(editor: &Editor) -> String {
+    let said = editor.with_scene(|now| {
+        let shown = now.scene.shown_camera();
+        let name = shown.map_or("", |at| now.scene.nodes()[at].name.as_str());
+        let frame = editor.language().number(now.frame.round(), 0);
+        fill(editor.texts().scene.at_frame, &[&name, &frame])
+    });
+    said.ok().flatten().unwrap_or_default()
 }
 
 /// A small cross at the strip's end: whether it was clicked.
@@ -175,7 +189,10 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
     let mut lines = Lines::default();
     // Behind the farthest corner and beyond the object.
     let object = &editor.document.info().object;
-    let space = editor.document.path().space;
+    let around = editor.document.around();
+    let space = around.map_or(editor.document.path().space, |around| {
+        around.scene().space()
+    });
     // Counted from its middle in half sizes: what is far away loses no digits.
     let local = |place: DVec3| (place - space.centre) / space.half_size;
     let farthest = object
@@ -222,6 +239,13 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
                 add(pair[0].position, pair[1].position, 1.2, color);
             }
         }
+        // Without memory there is nothing to be seen, and no other harm.
+        let _ = editor.with_scene(|now| {
+            wires(editor, now, |wire| {
+                let [from, to] = wire.ends;
+                add(from, to, 1.2, super::wire_colour(wire.colour, color));
+            });
+        });
     }
     lines
 }

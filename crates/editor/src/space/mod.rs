@@ -14,6 +14,7 @@ mod drag;
 mod gesture;
 mod keyboard;
 mod menu;
+mod nodes;
 mod overlay;
 mod picking;
 mod pointer;
@@ -32,6 +33,8 @@ pub(super) use self::cameras::Camera;
 use self::cameras::Keys;
 use self::drag::Handle;
 pub(super) use self::gesture::Gesture;
+use self::nodes::Nodes;
+pub(super) use self::nodes::colour as wire_colour;
 use self::pointer::{PointerContext, PointerController};
 use self::projection::Projection;
 use self::ribbon::Ribbon;
@@ -46,7 +49,7 @@ use crate::setup::{Element, View};
 use crate::state::Editor;
 use crate::texts::Texts;
 use crate::texts::refusals::reason_of;
-use crate::{host, playing};
+use crate::{host, playing, scene_view};
 
 /// What the movement window remembers.
 #[derive(Debug, Default)]
@@ -55,6 +58,7 @@ pub(super) struct Space {
     scene: Scene,
     keys: Keys,
     ribbon: Ribbon,
+    nodes: Nodes,
     menu: menu::PointMenu,
     /// The view before a number of it is dragged.
     view_before: Option<View>,
@@ -64,6 +68,12 @@ impl Space {
     /// A step of the document is open for keys that are held down.
     pub(super) fn keeps_step_open(&self) -> bool {
         self.pointer.nudging
+    }
+
+    /// The lines of the nodes, to be compared.
+    #[cfg(test)]
+    pub(super) fn lines_of_nodes(&self) -> *const Lines {
+        self.nodes.lines()
     }
 
     /// A handle or the view is dragged.
@@ -86,6 +96,9 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         camera_view::show(editor, &context, viewport, actions)
     });
     editor.space = space;
+    editor.part(&context, |editor, actions| {
+        scene_view::show(editor, &context, viewport, actions)
+    });
 }
 
 /// What mouse and keys do here beside what the thesis names: hand, meaning.
@@ -241,6 +254,14 @@ impl Space {
         }
         let trouble = self.scene.update(document, &look);
         add_shared(self.scene.still());
+        if document.around().is_some() {
+            add_shared(self.nodes.update(editor, &look)?);
+            nodes::names(editor, painter, &look);
+        }
+        if !document.edits_path() {
+            overlay::directions(painter, &look);
+            return trouble;
+        }
         // Cameras and ribbon below the curve, at which people look more; and what lies
         // below all that changes in a drag need not be painted again.
         add_shared(self.keys.update(document, &look));

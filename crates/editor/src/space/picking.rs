@@ -54,6 +54,9 @@ pub(super) fn pick(
     pointer: DVec2,
     with_vup: bool,
 ) -> Option<Handle> {
+    if !document.edits_path() {
+        return None;
+    }
     let away = |point: DVec3| projection.image(point).distance_squared(pointer);
     let near = |point: DVec3| away(point) <= REACH * REACH;
     if let Some(tips) = tips(document) {

@@ -133,6 +133,7 @@ german! {
         ScaleZero(name) => "„{name}“ kann nicht bleiben, wo es ist: eine Skalierung ist 0";
         PlaceTooFar => "sein Ort ist zu weit weg oder zu groß, um berechnet zu werden";
         NoMarker(name) => "eine Marke „{name}“ gibt es nicht";
+        PinsTurnBack => "seine Marke muss nach der des vorigen angehefteten Punktes kommen";
         PathWithOffset =>
             "ein Pfad hält, wiederholt sich oder läuft hin und her; mit Versatz wiederholt er sich nicht";
         NoChannel(name) => "einen Kanal „{name}“ gibt es nicht";

@@ -44,6 +44,9 @@ german! {
             "Punkt {} darf nicht auf dem Ziel seiner Orientierung {} liegen", point + 1, orientation + 1;
         TargetTooFar => "ein Ziel in dieser Richtung läge weiter draußen als 1e9 halbe Größen";
         NoCamera => "diese Szene hat keine Kamera auf einem Pfad";
+        NoPathEdited => "keine Bahn wird bearbeitet: bitte einen Knoten wählen, der einer folgt";
+        NoPathOf(node) => "der Knoten „{node}“ folgt keiner Bahn";
+        NoScene => "es gibt keine Szene, nur eine Bahn";
         NoFile => "dieser Pfad hat noch keine Datei";
         FileChanged => "ein anderes Programm hat die Datei geändert, seit sie hier gelesen oder geschrieben wurde";
     }
@@ -143,6 +146,7 @@ german! {
             "{name} ist {} und muss endlich und größer als 0 sein: genommen wird {}",
             number(*given), number(*taken);
         NotShown(error) => "das Objekt wird nicht gezeigt: {}", German(error);
+        Mesh(error) => "{}", German::<Error>(error);
         NotRead(_said) => "das Objekt wird nicht gezeigt: {}", Errors::GERMAN.not_here;
     }
 }

@@ -38,6 +38,7 @@ mod position;
 mod questions;
 mod recovery;
 pub(crate) mod refusals;
+mod scene;
 mod setup;
 mod space;
 mod space_window;
@@ -167,6 +168,7 @@ parts! {
     position: Position;
     questions: Questions;
     recovery: Recovery;
+    scene: Scene;
     setup: Setup;
     space: Space;
     space_window: SpaceWindow;

@@ -227,12 +227,35 @@ fn taper(bounds: &Bounds, axis: usize, points: &mut [DVec3], scale: impl Fn(f64)
 /// Turns about an axis by `angle` (radians) from end to end.
 fn twist(bounds: &Bounds, axis: usize, angle: f64, points: &mut [DVec3]) {
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (low, high) = (bounds.min(), bounds.max());
+    let middle = low / 2.0 + high / 2.0;
+    let size = high - low;
+    // Of u for each of v in the points' own units, and the other way round: a flat side
+    // has coordinate 0.
+    let ratio = |of: usize, by: usize| {
+        if size[by] > 0.0 {
+            size[of] / size[by]
+        } else {
+            0.0
+        }
+    };
+    let (uv, vu) = (ratio(a, b), ratio(b, a));
+    // Within a flat box everything is in the middle.
+    let (begin, step) = if size[axis] > 0.0 {
+        (0.0, angle / size[axis])
+    } else {
+        (angle / 2.0, 0.0)
+    };
     for point in points {
-        let w = bounds.coordinate(*point, axis).clamp(-1.0, 1.0);
-        let (sin, cos) = (angle * ((w + 1.0) / 2.0)).sin_cos();
-        let (u, v) = (bounds.coordinate(*point, a), bounds.coordinate(*point, b));
-        bounds.place(point, a, cos * u - sin * v);
-        bounds.place(point, b, sin * u + cos * v);
+        let along = point[axis].clamp(low[axis], high[axis]) - low[axis];
+        let (sin, cos) = (begin + step * along).sin_cos();
+        let (u, v) = (point[a] - middle[a], point[b] - middle[b]);
+        if size[a] > 0.0 {
+            point[a] = middle[a] + (cos * u - sin * (uv * v));
+        }
+        if size[b] > 0.0 {
+            point[b] = middle[b] + (sin * (vu * u) + cos * v);
+        }
     }
 }
 

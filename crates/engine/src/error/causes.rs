@@ -181,6 +181,8 @@ pub enum Invalid {
     PlaceTooFar,
     #[error("there is no marker \"{0}\"")]
     NoMarker(Text),
+    #[error("its marker must come after that of the pin before")]
+    PinsTurnBack,
     #[error("a path holds, repeats or goes back and forth; it has no repeat with offset")]
     PathWithOffset,
 

@@ -1,6 +1,8 @@
 //! A path, or a range of its points, brought to a number of frames: each section
 //! that moves has one, the rest goes by largest remainder, so that the sum is exact.
 
+use std::ops::Range;
+
 use super::camera_path::CameraPath;
 use super::timeline::{Change, Timeline};
 use crate::error::{OutOfRange, Result, vec_with_room};
@@ -60,11 +62,6 @@ fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> R
 /// # Errors
 /// [`crate::Error::Range`] if there is no such range, or fewer frames than it must have
 /// or more than it can have; [`crate::Error::Memory`].
-#[allow(
-    clippy::cast_precision_loss,
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss
-)]
 pub fn fit_frames(
     path: &CameraPath,
     timeline: &Timeline,
@@ -73,11 +70,62 @@ pub fn fit_frames(
     frames: usize,
 ) -> Result<Vec<Fixed>> {
     let sections = range(path, timeline, first, last)?;
+    let round = path.closed && first == 0 && last + 1 == path.points.len();
+    // The key in which the range ends rests too.
+    let end = path.points[last].orientations.last().filter(|_| !round);
+    let hold = end.map_or(0, |end| end.hold as usize);
+    fit(path, timeline, &sections, 1 + hold, frames)
+}
+
+/// Frames for the moving sections from where one point is reached to where a later one
+/// is, so that the second is reached exactly so many frames after the first.
+///
+/// # Errors
+/// As [`fit_frames`].
+pub fn fit_between(
+    path: &CameraPath,
+    timeline: &Timeline,
+    first: usize,
+    last: usize,
+    frames: usize,
+) -> Result<Vec<Fixed>> {
+    let mut sections = vec_with_room(timeline.section_count())?;
+    sections.extend(between(timeline, first, last));
+    fit(path, timeline, &sections, 0, frames)
+}
+
+/// The frames from where one point is reached to where a later one is, holds included.
+#[must_use]
+pub fn frames_between(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> usize {
+    let moving = between(timeline, first, last).map(|at| timeline.section(at));
+    let moving = moving.filter(|section| section.change != Change::Nothing);
+    let hold = |point: usize, at: usize| path.points[point].orientations[at].hold as usize;
+    moving
+        .map(|section| section.frames + hold(section.point, section.orientation))
+        .sum()
+}
+
+/// The sections from where one point is reached to where another one is.
+fn between(timeline: &Timeline, first: usize, last: usize) -> Range<usize> {
+    let sections = timeline.section_count();
+    let start = |point: usize| timeline.section_from(point, 0).unwrap_or(sections);
+    start(first)..start(last)
+}
+
+/// Frames for these sections, so that with their holds and `extra` frames there are exactly
+/// `frames`.
+#[allow(clippy::cast_precision_loss)]
+fn fit(
+    path: &CameraPath,
+    timeline: &Timeline,
+    sections: &[usize],
+    extra: usize,
+    frames: usize,
+) -> Result<Vec<Fixed>> {
     let mut fixed: Vec<Fixed> = vec_with_room(sections.len())?;
     let mut weights: Vec<f64> = vec_with_room(sections.len())?;
     let mut holds = 0;
-    let round = path.closed && first == 0 && last + 1 == path.points.len();
-    for section in sections {
+    for &section in sections {
         let begin = timeline.section(section);
         if begin.change == Change::Nothing {
             continue;
@@ -96,12 +144,7 @@ pub fn fit_frames(
             frames: 1,
         });
     }
-    if !round {
-        // The key in which the range ends rests too.
-        let end = path.points[last].orientations.last();
-        holds += end.map_or(0, |end| end.hold as usize);
-    }
-    let least = 1 + holds + fixed.len();
+    let least = extra + holds + fixed.len();
     if frames < least {
         return Err(OutOfRange::TooFewFrames { frames, least }.into());
     }

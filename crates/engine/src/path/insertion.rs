@@ -530,4 +530,4 @@ fn keep_rates(
 
 #[cfg(test)]
 #[path = "insertion_tests.rs"]
-pub(super) mod tests;
+pub(crate) mod tests;

@@ -10,6 +10,7 @@ use super::motion::{Motion, check_frame};
 use super::node::{Kind, Node, Values};
 use super::scene::Scene;
 use super::state::{NodeState, Troubles};
+use super::track::Track;
 use super::vertices::Form;
 use crate::error::{Invalid, OutOfRange, Place, Result, vec_with_room};
 use crate::math::orientation::view_from_quaternion;
@@ -70,6 +71,16 @@ impl Scene {
         self.run(&self.order, frame, states, troubles, Search::Back)
     }
 
+    /// Whether its states follow from what it is and nothing else can come between: no
+    /// function of the host's is asked, nobody aims, so that no memory is needed.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        self.nodes.iter().all(|node| {
+            let mut tracks = node.keys.tracks().iter();
+            node.aim.is_none() && !tracks.any(Track::asks_host)
+        })
+    }
+
     /// Sees that all paths are ready to be sampled: nothing but memory could be
     /// missing, and then nothing has been written yet.
     ///
@@ -79,7 +90,7 @@ impl Scene {
     pub fn prepare(&self, frame: f64) -> Result<()> {
         check_frame(frame)?;
         let mut paths = self.nodes.iter().filter_map(Node::path);
-        paths.try_for_each(super::FollowPath::prepare)
+        paths.try_for_each(|path| path.sampler().map(drop))
     }
 
     /// The states of one node at the frames `first`, `first + step` and so on.
@@ -220,7 +231,12 @@ impl Scene {
         self.form(node, frame, troubles)?.colours()
     }
 
-    fn form(&self, node: usize, frame: f64, troubles: &mut Troubles) -> Result<Form<'_>> {
+    /// What changes of an object at a frame, to make its points of. Only this asks
+    /// functions of the host's.
+    ///
+    /// # Errors
+    /// As [`Scene::vertices`].
+    pub fn form(&self, node: usize, frame: f64, troubles: &mut Troubles) -> Result<Form<'_>> {
         check_frame(frame)?;
         troubles.node = node;
         Form::at(self.node(node)?, frame, troubles)

@@ -8,7 +8,7 @@ use super::time::{Beyond, within};
 use crate::error::{Invalid, OutOfRange, Quantity, Result};
 use crate::limits::MAX_COORDINATE;
 use crate::math::orientation::quaternion_from_view;
-use crate::path::{CameraPath, Plan, Pose};
+use crate::path::{CameraPath, Plan, Pose, Sampler, Timeline};
 
 /// What moves a node: it changes the values of rest into those of a frame.
 pub trait Motion {
@@ -82,12 +82,23 @@ impl FollowPath {
         self.count
     }
 
-    /// Computes what sampling needs, once.
+    /// The scene's frames of its first and its last pose.
+    #[must_use]
+    pub fn first_and_last(&self) -> (f64, f64) {
+        (self.start_frame, self.start_frame + (self.count - 1) as f64)
+    }
+
+    /// Looks at lengths and frames of the path.
+    pub(super) fn timeline<R>(&self, look: impl FnOnce(&Timeline) -> R) -> Result<R> {
+        self.plan.timeline(&self.path, look)
+    }
+
+    /// Everything prepared for sampling the path, computed once.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
-    pub(super) fn prepare(&self) -> Result<()> {
-        self.plan.sampler(&self.path).map(|_| ())
+    pub fn sampler(&self) -> Result<&Sampler> {
+        self.plan.sampler(&self.path)
     }
 
     /// The pose at a frame of the scene, by the path's own evaluation.
@@ -95,7 +106,7 @@ impl FollowPath {
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn pose(&self, frame: f64) -> Result<Pose> {
-        let sampler = self.plan.sampler(&self.path)?;
+        let sampler = self.sampler()?;
         let last = self.count as f64;
         let (local, _) = within(
             frame - self.start_frame + 1.0,
@@ -137,7 +148,7 @@ impl Motion for FollowPath {
     }
 
     fn frames(&self) -> Option<(f64, f64)> {
-        Some((self.start_frame, self.start_frame + (self.count - 1) as f64))
+        Some(self.first_and_last())
     }
 }
 

@@ -339,16 +339,49 @@ impl Scene {
     }
 
     /// Gives a node a path to follow, or none. Pins of points that it does not
-    /// have go.
+    /// have go, the others hold ([`super::pins`]).
     ///
     /// # Errors
-    /// [`Error::Range`] for the node, [`Error::Argument`] if keys move it.
+    /// [`Error::Range`] for the node, [`Error::Argument`] if keys move it; as
+    /// [`super::pins::pinned`].
     pub fn set_path(&mut self, at: usize, path: Option<FollowPath>) -> Result<()> {
+        self.node(at)?;
+        let path = match path {
+            Some(path) => Some(self.held_by_pins(at, &path)?.unwrap_or(path)),
+            None => None,
+        };
         let node = self.node_mut(at)?;
         node.set_path(path)?;
         let count = node.path().map_or(0, |path| path.path().points.len());
         self.pins.retain(|pin| pin.node != at || pin.point < count);
         Ok(())
+    }
+
+    /// The same with other pins: points of the path and names of markers, in the order of
+    /// the points.
+    ///
+    /// # Errors
+    /// As [`Scene::set_path`]; nothing has changed then.
+    pub fn set_pinned_path(
+        &mut self,
+        at: usize,
+        path: FollowPath,
+        pins: impl Iterator<Item = (usize, String)>,
+    ) -> Result<()> {
+        let mut others: Vec<Pin> = vec_with_room(self.pins.len() + pins.size_hint().0)?;
+        others.extend(self.pins.iter().filter(|pin| pin.node < at).cloned());
+        others.extend(pins.map(|(point, marker)| Pin {
+            node: at,
+            point,
+            marker,
+        }));
+        others.extend(self.pins.iter().filter(|pin| pin.node > at).cloned());
+        std::mem::swap(&mut self.pins, &mut others);
+        let done = self.set_path(at, Some(path));
+        if done.is_err() {
+            self.pins = others;
+        }
+        done
     }
 
     /// Sets a track of a node in place of the one of the same channel.
@@ -488,15 +521,23 @@ impl Scene {
         &self.markers
     }
 
-    /// Sets a marker, or moves the one of this name.
+    /// Sets a marker, or moves the one of this name, and with it the points that are pinned
+    /// to it.
     ///
     /// # Errors
-    /// [`Error::Argument`], [`Error::Range`], [`Error::Limit`], [`Error::Memory`].
+    /// [`Error::Argument`], [`Error::Range`], [`Error::Limit`], [`Error::Memory`]; as
+    /// [`super::pins::pinned`]. Nothing has changed then.
     pub fn set_marker(&mut self, name: &str, frame: f64) -> Result<()> {
         check_node_name(name).map_err(|error| error.at(Place::Marker))?;
         check_frame(frame)?;
         match self.marker_place(name) {
-            Ok(at) => self.markers[at].frame = frame,
+            Ok(at) => {
+                let old = std::mem::replace(&mut self.markers[at].frame, frame);
+                if let Err(error) = self.hold_at(name) {
+                    self.markers[at].frame = old;
+                    return Err(error);
+                }
+            }
             Err(_) if self.markers.len() >= MAX_MARKERS => {
                 return Err(TooMany::Markers.into());
             }
@@ -515,6 +556,35 @@ impl Scene {
         self.pins.retain(|pin| pin.marker != name);
     }
 
+    /// Sees that all paths with pins to a marker hold them.
+    fn hold_at(&mut self, marker: &str) -> Result<()> {
+        let mut held: Vec<(usize, FollowPath)> = Vec::new();
+        for pin in self.pins.iter().filter(|pin| pin.marker == marker) {
+            let node = &self.nodes[pin.node];
+            if held.last().is_some_and(|(at, _)| *at == pin.node) {
+                continue;
+            }
+            if let Some(path) = node.path()
+                && let Some(path) = self
+                    .held_by_pins(pin.node, path)
+                    .map_err(|error| error.at(Place::Node((&node.name).into())))?
+            {
+                held.try_reserve(1)?;
+                held.push((pin.node, path));
+            }
+        }
+        // They move what paths move already.
+        held.into_iter()
+            .try_for_each(|(at, path)| self.nodes[at].set_path(Some(path)))
+    }
+
+    /// The frame of a marker.
+    #[must_use]
+    pub fn marker(&self, name: &str) -> Option<f64> {
+        let at = self.marker_place(name).ok()?;
+        Some(self.markers[at].frame)
+    }
+
     fn marker_place(&self, name: &str) -> Result<usize, usize> {
         self.markers
             .binary_search_by(|marker| marker.name.as_str().cmp(name))
@@ -526,11 +596,13 @@ impl Scene {
         &self.pins
     }
 
-    /// Pins a point of a node's path to a marker, or frees it.
+    /// Pins a point of a node's path to a marker, or frees it: it is reached there from
+    /// then on ([`super::pins`]).
     ///
     /// # Errors
     /// [`Error::Range`] if there is no such point, [`Error::Argument`] if there
-    /// is no such marker, [`Error::Limit`], [`Error::Memory`].
+    /// is no such marker, [`Error::Limit`], [`Error::Memory`]; as
+    /// [`super::pins::pinned`]. Nothing has changed then.
     pub fn pin(&mut self, at: usize, point: usize, marker: Option<&str>) -> Result<()> {
         let node = self.node(at)?;
         let count = node.path().map_or(0, |path| path.path().points.len());
@@ -563,11 +635,29 @@ impl Scene {
             point,
             marker: copy(marker)?,
         };
-        match place {
-            Ok(place) => self.pins[place] = pin,
-            Err(place) => self.pins.insert(place, pin),
+        let old = match place {
+            Ok(place) => Some(std::mem::replace(&mut self.pins[place], pin)),
+            Err(place) => {
+                self.pins.insert(place, pin);
+                None
+            }
+        };
+        let held = match self.nodes[at].path() {
+            Some(path) => self.held_by_pins(at, path),
+            None => Ok(None),
+        };
+        match held {
+            Ok(Some(path)) => self.nodes[at].set_path(Some(path)),
+            Ok(None) => Ok(()),
+            Err(error) => {
+                let (Ok(place) | Err(place)) = place;
+                match old {
+                    Some(old) => self.pins[place] = old,
+                    None => drop(self.pins.remove(place)),
+                }
+                Err(error)
+            }
         }
-        Ok(())
     }
 
     /// The first and the last frame of all that moves; 1 and 1 if nothing does.

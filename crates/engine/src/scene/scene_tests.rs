@@ -561,12 +561,16 @@ fn markers_and_pins_are_kept_together() {
     assert!(said(scene.pin(0, 2, Some("meet"))).contains("no point 2 among 2"));
     scene.pin(0, 1, Some("late")).unwrap();
     scene.pin(0, 1, Some("meet")).unwrap();
-    scene.pin(0, 0, Some("late")).unwrap();
+    let before = scene.clone();
+    assert!(said(scene.pin(0, 0, Some("late"))).contains("must come after"));
+    assert_eq!(scene, before);
+    scene.pin(0, 1, Some("late")).unwrap();
+    scene.pin(0, 0, Some("meet")).unwrap();
     assert_eq!(scene.pins().len(), 2);
     assert_eq!(scene.markers()[1].frame, 60.0);
     scene.remove_marker("late");
-    assert_eq!(scene.pins()[0].point, 1);
-    scene.pin(0, 1, None).unwrap();
+    assert_eq!(scene.pins()[0].point, 0);
+    scene.pin(0, 0, None).unwrap();
     assert!(scene.pins().is_empty());
 }
 

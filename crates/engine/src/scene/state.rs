@@ -28,7 +28,9 @@ impl NodeState {
         self.matrix = DMat4::from(world).to_cols_array();
     }
 
-    pub(super) fn world(&self) -> DAffine3 {
+    /// The same as one that maps points and vectors.
+    #[must_use]
+    pub fn world(&self) -> DAffine3 {
         let [m0, m1, m2, _, m4, m5, m6, _, m8, m9, m10, _, x, y, z, _] = self.matrix;
         DAffine3::from_cols_array(&[m0, m1, m2, m4, m5, m6, m8, m9, m10, x, y, z])
     }

@@ -447,7 +447,14 @@ impl Track {
         (section, (frame - from) / (next - from))
     }
 
-    /// The numbers at any finite frame; `out` has the width of a key.
+    /// Whether a function of the host's interpolates it.
+    pub(super) const fn asks_host(&self) -> bool {
+        matches!(self.interpolation, Interpolation::Host(_))
+    }
+
+    /// The numbers at any finite frame; `out` has the width of a key. (Inlined, so that
+    /// the loops over three numbers are none.)
+    #[inline]
     pub fn numbers(&self, frame: f64, out: &mut [f64], troubles: &mut Troubles) {
         let (first, last) = self.ends();
         let (local, rounds) = within(frame, first, last, self.before, self.after);
@@ -461,6 +468,7 @@ impl Track {
         }
     }
 
+    #[inline]
     fn between(
         &self,
         frame: f64,
@@ -469,7 +477,7 @@ impl Track {
         out: &mut [f64],
         troubles: &mut Troubles,
     ) {
-        let width = self.width;
+        let width = out.len();
         let from = &self.values[section * width..][..width];
         if let Interpolation::Host(name) = &self.interpolation {
             if !self.ask(name, frame, out, troubles) {

@@ -9,8 +9,12 @@ use super::state::Troubles;
 use crate::deform::Deformation;
 use crate::error::{Invalid, Result, vec_with_room};
 
+/// So many points are morphed and deformed at once: they stay in the processor's cache.
+const BLOCK: usize = 512;
+
 /// What of an object changes, at one frame.
-pub(super) struct Form<'a> {
+#[derive(Debug)]
+pub struct Form<'a> {
     object: &'a Object,
     weights: Vec<f64>,
     deformations: Vec<Deformation>,
@@ -47,26 +51,36 @@ impl<'a> Form<'a> {
     }
 
     /// Σ αⱼ Pʲ with Σ αⱼ = 1, the mesh taking what is left, then each
-    /// deformation. As many points as the mesh has, into as many places.
-    pub(super) fn points(&self, out: &mut [DVec3]) {
+    /// deformation. As many points as the mesh has, into as many places; others of
+    /// `out` stay.
+    pub fn points(&self, out: &mut [DVec3]) {
         let base = &self.object.mesh().points;
         let left = 1.0 - self.weights.iter().sum::<f64>();
-        if self.active().next().is_none() {
-            out.copy_from_slice(base);
-        } else {
-            for (out, point) in out.iter_mut().zip(base) {
-                *out = left * *point;
+        let changes = self.active().next().is_some();
+        let given = self.object.deformations();
+        for (block, base) in base.chunks(BLOCK).enumerate() {
+            let Some(out) = out
+                .get_mut(block * BLOCK..)
+                .and_then(|out| out.get_mut(..base.len()))
+            else {
+                return;
+            };
+            if changes {
+                for (out, point) in out.iter_mut().zip(base) {
+                    *out = left * *point;
+                }
+            } else {
+                out.copy_from_slice(base);
             }
             for (weight, shape) in self.active() {
-                for (out, point) in out.iter_mut().zip(&shape.points) {
+                for (out, point) in out.iter_mut().zip(&shape.points[block * BLOCK..]) {
                     *out += weight * *point;
                 }
             }
-        }
-        let given = self.object.deformations();
-        for (deformation, (_, bounds)) in self.deformations.iter().zip(given) {
-            let bounds = bounds.unwrap_or_else(|| self.object.bounds());
-            deformation.apply(&bounds, out);
+            for (deformation, (_, bounds)) in self.deformations.iter().zip(given) {
+                let bounds = bounds.unwrap_or_else(|| self.object.bounds());
+                deformation.apply(&bounds, out);
+            }
         }
     }
 

@@ -8,11 +8,12 @@ use std::time::{Duration, Instant};
 use egui::{Event, Modifiers, PointerButton, pos2};
 
 use super::{Remote, open_for};
-use crate::document::{Edit, Result};
+use crate::document::{Edit, Poses, Result};
 use crate::editor::HostView;
-use crate::path::{Pose, Sampler};
+use crate::path::{CameraPath, Pose};
 use crate::x11::News;
 use crate::{Gone, Host, Id, Reason, change, close, command, dispatch, is_open, look, wait};
+use vides_engine::scene::{Beyond, FollowPath, Kind, Node, Scene};
 
 /// What a host does when it is told of a view.
 type OnView = Box<dyn FnMut(Id)>;
@@ -21,6 +22,7 @@ type OnView = Box<dyn FnMut(Id)>;
 #[derive(Default)]
 struct Watcher {
     views: RefCell<Vec<(Instant, f64, Reason, Pose)>>,
+    frames: RefCell<Vec<(f64, Reason)>>,
     changes: Cell<usize>,
     handed_over: Cell<usize>,
     camera: Cell<Option<Pose>>,
@@ -29,7 +31,7 @@ struct Watcher {
 }
 
 impl Host for Watcher {
-    fn prepare(&self, _: Id, _: &Sampler) -> Result<()> {
+    fn prepare(&self, _: Id, _: &Poses<'_>) -> Result<()> {
         Ok(())
     }
 
@@ -56,6 +58,10 @@ impl Host for Watcher {
         }
     }
 
+    fn frame(&self, _: Id, frame: f64, reason: Reason) {
+        self.frames.borrow_mut().push((frame, reason));
+    }
+
     fn changed(&self, _: Id) {
         self.changes.set(self.changes.get() + 1);
     }
@@ -76,6 +82,7 @@ impl Watcher {
 
     fn forget(&self) {
         self.views.borrow_mut().clear();
+        self.frames.borrow_mut().clear();
         self.changes.set(0);
         self.handed_over.set(0);
     }
@@ -337,4 +344,70 @@ fn windows_are_closed_all_at_once() {
     let (id, _, _) = open();
     assert!(crate::close_all(false).expect("descriptors"));
     assert!(!is_open(id));
+}
+
+/// A scene with a camera on a path from frame 11 on, and a car on another path.
+fn two_paths() -> Scene {
+    let follow = |start| FollowPath::new(CameraPath::default(), start, Beyond::Hold).unwrap();
+    let mut scene = Scene::new();
+    let mut car = Node::new("car", Kind::Group);
+    car.set_path(Some(follow(1.0))).unwrap();
+    scene.add(car).unwrap();
+    let mut camera = Node::new("camera", Kind::Camera(Default::default()));
+    camera.set_path(Some(follow(11.0))).unwrap();
+    scene.add(camera).unwrap();
+    scene
+}
+
+#[test]
+fn a_host_that_draws_the_scene_is_told_its_frame() {
+    let (id, remote, host) = open();
+    rest(&remote);
+    assert_eq!(
+        *host.frames.borrow(),
+        [(1.0, Reason::Selected), (1.0, Reason::Rested)]
+    );
+    let edit = |edit: Edit| {
+        host.forget();
+        change(id, |document| document.apply(edit))
+            .expect("open")
+            .expect("possible");
+        rest(&remote);
+    };
+    edit(Edit::ReplaceScene(Box::new(two_paths())));
+    // The camera's path begins later; what it sees there is the same as before.
+    assert_eq!(
+        *host.frames.borrow(),
+        [(11.0, Reason::Edited), (11.0, Reason::Rested)]
+    );
+    assert_eq!(host.changes.get(), 1);
+    host.forget();
+    command(id, |editor| editor.set_frame(20.5))
+        .expect("open")
+        .expect("a frame");
+    rest(&remote);
+    assert_eq!(
+        *host.frames.borrow(),
+        [(20.5, Reason::Scrubbed), (20.5, Reason::Rested)]
+    );
+    assert_eq!(host.views.borrow()[0].1, 20.5);
+    // The camera stays what it is while the car's path is edited, and the scene does not.
+    edit(Edit::EditNode(Some(0)));
+    assert_eq!(host.changes.get(), 0);
+    host.forget();
+    move_first_point(id, 0.25);
+    rest(&remote);
+    assert_eq!(host.reasons(), []);
+    assert_eq!(host.frames.borrow().last().unwrap().1, Reason::Rested);
+    assert_eq!(host.changes.get(), 1);
+    // One that is refused tells nothing.
+    host.forget();
+    assert!(
+        command(id, |editor| editor.set_frame(1e6))
+            .expect("open")
+            .is_err()
+    );
+    rest(&remote);
+    assert!(host.frames.borrow().is_empty());
+    close(id);
 }

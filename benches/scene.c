@@ -1,0 +1,147 @@
+/*
+ * Scenes, as a C program asks for them: scene
+ *
+ * 1,000 nodes of a tree with position, rotation and scale tracks of 11 keys each,
+ * evaluated at one frame after the other; 100,000 points with two shapes and a twist.
+ * peers/scene.mjs and peers/scene.py make the same. Prints a name and a number a line.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include <libvides.h>
+
+#define NODES 1000
+#define KEYS 11
+#define POINTS 100000
+#define RUNS 7
+
+static void check(int status)
+{
+    if (status != V_OK) {
+        fprintf(stderr, "scene: %s\n", v_last_error());
+        exit(1);
+    }
+}
+
+/* The processor's time: others at work on the machine do not count. */
+static double now(void)
+{
+    struct timespec at;
+
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &at);
+    return (double)at.tv_sec + 1e-9 * (double)at.tv_nsec;
+}
+
+static V_SCENE *nodes(void)
+{
+    double frames[KEYS], place[3 * KEYS], turn[4 * KEYS], scale[3 * KEYS];
+    V_SCENE *scene;
+    V_NODE node;
+    char name[20];
+    int i, k, number;
+
+    check(v_scene_new(&scene));
+    check(v_scene_remove_node(scene, 0));
+    for (i = 0; i < NODES; i++) {
+        v_node_init(&node, V_NODE_GROUP);
+        node.parent = i > 0 ? (i - 1) / 4 : -1;
+        sprintf(name, "n%d", i);
+        check(v_scene_add_node(scene, name, &node, &number));
+        for (k = 0; k < KEYS; k++) {
+            double axis[3], angle = 0.6 * sin(0.3 * i + k), length;
+
+            frames[k] = 1 + 10 * k;
+            place[3 * k] = 0.5 * sin(0.37 * i + 0.9 * k);
+            place[3 * k + 1] = 0.5 * cos(0.23 * i + 0.5 * k);
+            place[3 * k + 2] = 0.5 * sin(0.11 * i + 0.7 * k);
+            axis[0] = 1, axis[1] = sin(i), axis[2] = cos(i);
+            length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+            turn[4 * k] = cos(angle / 2);
+            turn[4 * k + 1] = sin(angle / 2) * axis[0] / length;
+            turn[4 * k + 2] = sin(angle / 2) * axis[1] / length;
+            turn[4 * k + 3] = sin(angle / 2) * axis[2] / length;
+            scale[3 * k] = 1 + 0.1 * sin(i + k);
+            scale[3 * k + 1] = 1 + 0.1 * cos(i + k);
+            scale[3 * k + 2] = 1;
+        }
+        check(v_scene_set_track(scene, i, "position", "linear", frames, place, NULL, KEYS, 0));
+        check(v_scene_set_track(scene, i, "rotation", "linear", frames, turn, NULL, KEYS, 0));
+        check(v_scene_set_track(scene, i, "scale", "linear", frames, scale, NULL, KEYS, 0));
+    }
+    return scene;
+}
+
+static void evaluate(void)
+{
+    static V_NODE_STATE states[NODES];
+    V_SCENE *scene = nodes();
+    double best = 1e9, sum = 0;
+    int run, n, i;
+
+    for (run = 0; run <= RUNS; run++) {
+        double begin = now(), took;
+
+        for (n = 0; n < 200; n++)
+            check(v_scene_evaluate(scene, 1 + fmod(0.37 * n, 100), states, NODES, NULL));
+        took = (now() - begin) / 200;
+        if (run > 0 && took < best)
+            best = took;
+    }
+    for (i = 0; i < NODES; i++)
+        sum += states[i].matrix[12] + 2 * states[i].matrix[13] + 3 * states[i].matrix[14];
+    printf("nodes_per_second %.0f\nplaces %.12f\n", NODES / best, sum);
+    v_scene_free(scene);
+}
+
+static void vertices(void)
+{
+    static const double twist[] = {2, 90}, weights[] = {0.3, 0.2}, frames[] = {1};
+    double *xyz = malloc(3 * POINTS * sizeof *xyz), *other = malloc(3 * POINTS * sizeof *xyz);
+    double best = 1e9, sum = 0;
+    V_SCENE *scene;
+    V_NODE node;
+    V_MESH mesh = {sizeof mesh, NULL, POINTS, NULL, NULL, 0, NULL, 0};
+    size_t points;
+    int run, n, i, shape, number;
+
+    if (xyz == NULL || other == NULL)
+        exit(1);
+    for (i = 0; i < 3 * POINTS; i++)
+        xyz[i] = sin(0.001 * i);
+    mesh.xyz = xyz;
+    check(v_scene_new(&scene));
+    v_node_init(&node, V_NODE_OBJECT);
+    check(v_scene_add_node(scene, "cloud", &node, &number));
+    check(v_scene_set_geometry(scene, number, &mesh));
+    for (shape = 0; shape < 2; shape++) {
+        for (i = 0; i < 3 * POINTS; i++)
+            other[i] = xyz[i] + 0.1 * cos(0.002 * i + shape);
+        check(v_scene_add_shape(scene, number, shape ? "b" : "a", other, POINTS));
+    }
+    check(v_scene_set_track(scene, number, "weights", "linear", frames, weights, NULL, 1, 0));
+    check(v_scene_add_deformation(scene, number, "twist", twist, 2, NULL, NULL));
+    for (run = 0; run <= RUNS; run++) {
+        double begin = now(), took;
+
+        for (n = 0; n < 10; n++)
+            check(v_scene_vertices(scene, number, 1, other, POINTS, &points));
+        took = (now() - begin) / 10;
+        if (run > 0 && took < best)
+            best = took;
+    }
+    for (i = 0; i < POINTS; i++)
+        sum += other[3 * i] + 2 * other[3 * i + 1] + 3 * other[3 * i + 2];
+    printf("vertices_per_second %.0f\npoints %.9f\n", POINTS / best, sum);
+    v_scene_free(scene);
+    free(xyz);
+    free(other);
+}
+
+int main(void)
+{
+    evaluate();
+    vertices();
+    return 0;
+}

@@ -1,0 +1,417 @@
+//! The scene around the path that is edited.
+//!
+//! A document edits one path with all that there is for paths. In a scene that is the
+//! path of one of its nodes; everything else stands here as it is, and goes back into
+//! the file with it. Where no node is edited a path without points of its own stands in:
+//! it only lasts as long as the scene, and refuses edits.
+//!
+//! It knows nothing of undo: a record exchanges the whole of it ([`super::change`]).
+
+use std::sync::Arc;
+
+use vides_engine::scene::{FollowPath, Kind, Node, NodeState, Scene, Troubles};
+
+use super::edit::Edit;
+use super::editing::{Document, fresh_revision};
+use super::info::Info;
+use super::scene::SceneDocument;
+use super::vid;
+use crate::error::{EngineError, Refused, Result, can_allocate, vec_with_room};
+use crate::limits::MAX_FRAMES;
+use crate::path::fit_frames::frames_between;
+use crate::path::{CameraPath, Pose, Sampler};
+
+/// A scene, and whose path of it is edited.
+#[derive(Debug, Clone)]
+pub struct Around {
+    /// The path that is edited stands in it as it was when it was chosen.
+    scene: Arc<Scene>,
+    node: Option<usize>,
+    number: u64,
+    pins: Pins,
+    /// About the bytes that it does not share with the one before it.
+    weight: usize,
+}
+
+/// A scene with the path of a node to be edited, and that path.
+pub(super) fn around(scene: Scene, node: Option<usize>) -> Result<(Around, CameraPath)> {
+    let path = match node {
+        Some(at) => {
+            let node = scene.node(at)?;
+            let follow = node
+                .path()
+                .ok_or_else(|| Refused::NoPathOf((&node.name).into()))?;
+            follow.path().try_clone()?
+        }
+        None => stand_in(&scene)?,
+    };
+    can_allocate(size_of::<Scene>() + 64)?;
+    let around = Around {
+        weight: scene.weight(),
+        pins: Pins::of(&scene, node)?,
+        scene: Arc::new(scene),
+        node,
+        number: fresh_revision(),
+    };
+    Ok((around, path))
+}
+
+/// A scene as it is first edited: the path of the camera that is shown, if it has one.
+pub(super) fn as_shown(scene: Scene) -> Result<(Around, CameraPath)> {
+    let shown = scene.shown_camera();
+    let node = shown.filter(|&at| scene.nodes()[at].path().is_some());
+    around(scene, node)
+}
+
+/// A path that lasts as long as the scene.
+fn stand_in(scene: &Scene) -> Result<CameraPath> {
+    let (first, last) = scene.frame_range();
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let frames = ((last - first).floor() as usize + 1).clamp(2, MAX_FRAMES);
+    let (path, info) = (CameraPath::try_new()?, Info::default());
+    let mut document = Document::from_parts(path, info)?.without_history();
+    let space = scene.space();
+    document.apply(Edit::SetSpace { space, fit: true })?;
+    let last = document.path().points.len() - 1;
+    document.apply(Edit::FitFrames {
+        first: 0,
+        last,
+        frames,
+    })?;
+    Ok(document.into_parts().0)
+}
+
+impl Around {
+    /// The scene; the path that is edited is in it as it was when it was chosen.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The number of the node whose path is edited; none: no path is.
+    #[must_use]
+    pub const fn node(&self) -> Option<usize> {
+        self.node
+    }
+
+    /// A number that no other scene has had: with the same one all is the same but for the
+    /// path that is edited.
+    #[must_use]
+    pub const fn number(&self) -> u64 {
+        self.number
+    }
+
+    /// One camera on a path is all there is.
+    pub(super) fn is_path_alone(&self) -> bool {
+        vid::alone(&self.scene).is_some()
+    }
+
+    pub(super) const fn weight(&self) -> usize {
+        self.weight
+    }
+
+    /// What it is that the node whose path is edited does with it.
+    fn follow(&self) -> Option<&FollowPath> {
+        self.scene.nodes()[self.node?].path()
+    }
+
+    /// Where its path stands in the scene, if no pin says that.
+    fn start_frame(&self) -> f64 {
+        let follow = self.follow().map(FollowPath::start_frame);
+        follow.unwrap_or_else(|| self.scene.frame_range().0)
+    }
+
+    /// Puts a path in place of the one that is edited in a copy of the scene.
+    ///
+    /// # Errors
+    /// As [`FollowPath::new`].
+    pub fn put_in(&self, scene: &mut Scene, path: &CameraPath) -> Result<()> {
+        if let (Some(node), Some(follow)) = (self.node, self.follow())
+            && (scene.nodes()[node].path().map(FollowPath::path) != Some(path)
+                || !self.pins.are_those_of(scene, node))
+        {
+            let (start, beyond) = (follow.start_frame(), follow.beyond());
+            let follow = FollowPath::new(path.try_clone()?, start, beyond)?;
+            scene.set_pinned_path(node, follow, self.pins.there())?;
+        }
+        Ok(())
+    }
+
+    /// The pins of the path that is edited, with the frames of their markers.
+    pub(super) fn pins(&self, path: &CameraPath) -> Vec<(usize, f64)> {
+        let there = self.pins.there();
+        let there = there.filter(|(point, _)| *point < path.points.len());
+        let pins = there.filter_map(|(point, name)| Some((point, self.scene.marker(&name)?)));
+        pins.collect()
+    }
+
+    pub(super) const fn pins_mut(&mut self) -> &mut Pins {
+        &mut self.pins
+    }
+
+    /// The scene with this path.
+    pub(super) fn with(&self, path: &CameraPath) -> Result<Scene> {
+        can_allocate(self.scene.weight())?;
+        let mut scene = Scene::clone(&self.scene);
+        self.put_in(&mut scene, path)?;
+        Ok(scene)
+    }
+}
+
+/// Points of the path that is edited and the markers that they are reached at. Points that
+/// are put in and taken away take their pins along, and bring them back.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Pins(Vec<Pinned>);
+
+#[derive(Debug, Clone)]
+struct Pinned {
+    point: usize,
+    marker: String,
+    /// The removal that took its point away; 0: it is there. See [`vid::Comments`].
+    parked: u64,
+}
+
+impl Pins {
+    fn of(scene: &Scene, node: Option<usize>) -> Result<Self> {
+        let mine = || scene.pins().iter().filter(|pin| Some(pin.node) == node);
+        let mut pins = vec_with_room(mine().count())?;
+        pins.extend(mine().map(|pin| Pinned {
+            point: pin.point,
+            marker: pin.marker.clone(),
+            parked: 0,
+        }));
+        Ok(Self(pins))
+    }
+
+    /// Those that are there, in the order of the points.
+    fn there(&self) -> impl Iterator<Item = (usize, String)> + '_ {
+        let there = self.0.iter().filter(|pin| pin.parked == 0);
+        there.map(|pin| (pin.point, pin.marker.clone()))
+    }
+
+    fn are_those_of(&self, scene: &Scene, node: usize) -> bool {
+        let theirs = scene.pins().iter().filter(|pin| pin.node == node);
+        theirs
+            .map(|pin| (pin.point, pin.marker.clone()))
+            .eq(self.there())
+    }
+
+    pub(super) fn insert_points(&mut self, at: usize, count: usize, removal: u64) {
+        for pin in &mut self.0 {
+            if pin.parked == 0 && pin.point >= at {
+                pin.point += count;
+            } else if pin.parked == removal && removal != 0 {
+                pin.parked = 0;
+                pin.point += at;
+            }
+        }
+        self.0.sort_by_key(|pin| pin.point);
+    }
+
+    pub(super) fn remove_points(&mut self, at: usize, count: usize, removal: u64) {
+        for pin in self.0.iter_mut().filter(|pin| pin.parked == 0) {
+            if pin.point >= at + count {
+                pin.point -= count;
+            } else if pin.point >= at {
+                pin.parked = removal;
+                pin.point -= at;
+            }
+        }
+    }
+}
+
+impl Document {
+    /// The scene around the path; none if one camera on it is all there is.
+    #[must_use]
+    pub fn around(&self) -> Option<&Around> {
+        self.content().around.as_deref()
+    }
+
+    /// Whether the path is one that can be edited.
+    #[must_use]
+    pub fn edits_path(&self) -> bool {
+        self.around().is_none_or(|around| around.node.is_some())
+    }
+
+    /// The scene as it is now; of a path alone that of a camera on it.
+    ///
+    /// # Errors
+    /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
+    pub fn scene(&self) -> Result<Scene> {
+        match self.around() {
+            Some(around) => around.with(self.path()),
+            None => Ok(Scene::of_path(self.path().try_clone()?)?),
+        }
+    }
+
+    /// The same with what its file says besides.
+    ///
+    /// # Errors
+    /// As [`Document::scene`].
+    pub fn scene_document(&self) -> Result<SceneDocument> {
+        Ok(SceneDocument::of(self.scene()?, self.info().try_clone()?))
+    }
+
+    /// The frame of the scene in which a frame of the path is shown.
+    #[must_use]
+    pub fn frame_of_scene(&self, frame: f64) -> f64 {
+        self.start_frame() + (frame - 1.0)
+    }
+
+    /// The scene's frame of the path's first pose; 1 without a scene.
+    #[must_use]
+    pub fn start_frame(&self) -> f64 {
+        let Some(around) = self.around() else {
+            return 1.0;
+        };
+        let pins = around.pins(self.path());
+        let before = |point| {
+            self.timeline(|timeline| frames_between(self.path(), timeline, 0, point))
+                .ok()
+        };
+        let pinned = pins.first().and_then(|&(point, frame)| {
+            #[allow(clippy::cast_precision_loss)]
+            Some(frame - before(point)? as f64)
+        });
+        pinned.unwrap_or_else(|| around.start_frame())
+    }
+
+    /// The other way round.
+    #[must_use]
+    pub fn frame_of_path(&self, frame: f64) -> f64 {
+        frame - self.start_frame() + 1.0
+    }
+
+    /// A document of the path of the camera that is shown.
+    ///
+    /// # Errors
+    /// `ErrorKind::Argument` if no camera has a path; `ErrorKind::Memory`.
+    pub fn shown_path(&self) -> Result<Self> {
+        let Some(around) = self.around() else {
+            return self.try_clone();
+        };
+        let shown = around.scene.shown_camera().ok_or(Refused::NoCamera)?;
+        let path = if around.node == Some(shown) {
+            self.path()
+        } else {
+            let follow = around.scene.nodes()[shown].path();
+            follow.ok_or(Refused::NoCamera)?.path()
+        };
+        Self::from_parts(path.try_clone()?, self.info().try_clone()?)
+    }
+
+    /// All poses of the camera that is shown, as they are now.
+    ///
+    /// # Errors
+    /// `ErrorKind::Argument` without a camera; `ErrorKind::Memory`; `ErrorKind::Limit`
+    /// for too many frames.
+    pub fn poses(&self) -> Result<Poses<'_>> {
+        let Some(around) = self.around() else {
+            return Ok(Poses::Path(self.sampler()?));
+        };
+        let shown = around.scene.shown_camera().ok_or(Refused::NoCamera)?;
+        let node = &around.scene.nodes()[shown];
+        if around.node == Some(shown) && is_plain(node) {
+            return Ok(Poses::Path(self.sampler()?));
+        }
+        if let Some(follow) = node.path()
+            && is_plain(node)
+        {
+            return Ok(Poses::Path(follow.sampler()?));
+        }
+        let scene = around.with(self.path())?;
+        let (first, last) = match scene.nodes()[shown].path() {
+            Some(follow) => follow.first_and_last(),
+            None => scene.frame_range(),
+        };
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let count = (last - first).floor() as usize + 1;
+        if count > MAX_FRAMES {
+            return Err(crate::error::TooMany::SceneFrames.into());
+        }
+        scene.prepare(first)?;
+        Ok(Poses::Scene {
+            scene: Box::new(scene),
+            camera: shown,
+            first,
+            count,
+        })
+    }
+}
+
+/// Whether a camera sees what its path says and nothing else.
+fn is_plain(node: &Node) -> bool {
+    matches!(node.kind, Kind::Camera(_))
+        && node.path().is_some()
+        && node.parent.is_none()
+        && node.aim.is_none()
+        && node.rest.roll == 0.0
+        && node.keys().tracks().is_empty()
+}
+
+/// The poses of the camera that is shown.
+#[derive(Debug)]
+pub enum Poses<'a> {
+    /// Those of its path.
+    Path(&'a Sampler),
+    /// What it does in a scene, at each whole step from its first frame on.
+    Scene {
+        /// All that it depends on.
+        scene: Box<Scene>,
+        /// Its number.
+        camera: usize,
+        /// The scene's frame of its first pose.
+        first: f64,
+        /// How many there are.
+        count: usize,
+    },
+}
+
+impl Poses<'_> {
+    /// How many there are.
+    #[must_use]
+    pub fn frame_count(&self) -> usize {
+        match self {
+            Self::Path(sampler) => sampler.frame_count(),
+            Self::Scene { count, .. } => *count,
+        }
+    }
+
+    /// Some of them, from number `first` on, 1 to their count.
+    ///
+    /// # Errors
+    /// As [`Sampler::sample`].
+    pub fn sample(&self, first: usize, poses: &mut [Pose]) -> Result<(), EngineError> {
+        match self {
+            Self::Path(sampler) => sampler.sample(first, poses),
+            Self::Scene {
+                scene,
+                camera,
+                first: start,
+                ..
+            } => {
+                let mut states = vec_with_room(poses.len().min(BLOCK))?;
+                states.resize(poses.len().min(BLOCK), NodeState::default());
+                for (block, poses) in poses.chunks_mut(BLOCK).enumerate() {
+                    #[allow(clippy::cast_precision_loss)]
+                    let from = start + (first - 1 + block * BLOCK) as f64;
+                    let states = &mut states[..poses.len()];
+                    // A function of the host's that fails steps, and the rest moves.
+                    let troubles = &mut Troubles::default();
+                    scene.sample(*camera, from, 1.0, states, troubles)?;
+                    for (pose, state) in poses.iter_mut().zip(states) {
+                        *pose = state.pose;
+                    }
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+/// States that are evaluated at once.
+const BLOCK: usize = 512;
+
+#[cfg(test)]
+#[path = "around_tests.rs"]
+mod tests;

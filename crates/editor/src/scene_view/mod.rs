@@ -1,0 +1,148 @@
+//! The scene around the path that is edited: where everything stands at the playhead,
+//! as lines to be drawn, and the list in which one chooses whose path is edited.
+//!
+//! It exists only where there is more than one camera on a path. The movement space is
+//! that of the path, in the coordinates of the node that its node is in: what is drawn
+//! there of the scene is brought into them.
+//!
+//! It changes nothing but by the document's edits, and knows no projection.
+
+mod edges;
+mod panel;
+mod wires;
+
+use std::cell::RefCell;
+
+use glam::{DAffine3, DVec3};
+use vides_engine::scene::{NodeState, Scene, Troubles};
+
+pub(super) use self::panel::{no_path, show};
+pub(super) use self::wires::{other_paths, wires};
+use crate::document::Document;
+use crate::error::{Refused, Result};
+use crate::path::Pose;
+use crate::space::Camera;
+use crate::state::Editor;
+
+/// What is known of the scene.
+#[derive(Debug, Default)]
+pub(super) struct SceneView {
+    now: RefCell<Option<Now>>,
+    edges: RefCell<edges::Edges>,
+}
+
+/// The scene at the playhead.
+#[derive(Debug)]
+pub(super) struct Now {
+    pub(super) scene: Scene,
+    /// By the numbers of the nodes.
+    pub(super) states: Vec<NodeState>,
+    /// Of the scene.
+    pub(super) frame: f64,
+    /// Whose path is edited.
+    pub(super) edited: Option<usize>,
+    /// From the world into the coordinates of the path that is edited.
+    pub(super) into_path: DAffine3,
+    /// [`crate::document::Around::number`] and [`Document::revision`].
+    pub(super) made_of: (u64, u64),
+}
+
+impl Now {
+    fn of(document: &Document, frame: f64, old: Option<Self>) -> Result<Option<Self>> {
+        let Some(around) = document.around() else {
+            return Ok(None);
+        };
+        let made_of = (around.number(), document.revision());
+        let same = old.filter(|old| old.made_of.0 == made_of.0);
+        if let Some(old) = same {
+            if old.made_of == made_of && old.frame == frame {
+                return Ok(Some(old));
+            }
+            let mut now = old;
+            if now.made_of != made_of {
+                around.put_in(&mut now.scene, document.path())?;
+            }
+            (now.made_of, now.frame) = (made_of, frame);
+            now.evaluate()?;
+            return Ok(Some(now));
+        }
+        let scene = document.scene()?;
+        let mut now = Self {
+            states: vec![NodeState::default(); scene.nodes().len()],
+            scene,
+            frame,
+            edited: around.node(),
+            into_path: DAffine3::IDENTITY,
+            made_of,
+        };
+        now.evaluate()?;
+        Ok(Some(now))
+    }
+
+    fn evaluate(&mut self) -> Result<()> {
+        // A function of the host's that fails steps, and the rest moves.
+        let troubles = &mut Troubles::default();
+        self.scene
+            .evaluate(self.frame, &mut self.states, troubles)?;
+        let parent = self.edited.and_then(|at| self.scene.nodes()[at].parent);
+        let world = parent.map_or(DAffine3::IDENTITY, |at| self.states[at].world());
+        // What lies flat shows the world as it is.
+        let inverse = Some(world.inverse()).filter(|inverse| inverse.is_finite());
+        self.into_path = inverse.unwrap_or(DAffine3::IDENTITY);
+        Ok(())
+    }
+
+    /// The pose of the camera that is shown.
+    fn pose(&self) -> Result<Pose> {
+        let shown = self.scene.shown_camera().ok_or(Refused::NoCamera)?;
+        Ok(self.states[shown].pose)
+    }
+
+    /// A camera or light in the coordinates of the path that is edited.
+    pub(super) fn camera(&self, at: usize) -> Camera {
+        let seen = Camera::from(self.states[at].pose);
+        let turned = |way: DVec3| {
+            let way = self.into_path.transform_vector3(way);
+            way.try_normalize()
+        };
+        Camera {
+            position: self.into_path.transform_point3(seen.position),
+            view: turned(seen.view).unwrap_or(seen.view),
+            up: turned(seen.up).unwrap_or(seen.up),
+            zoom: seen.zoom.max(1.0),
+        }
+    }
+}
+
+impl Editor {
+    /// The frame of the scene at the playhead.
+    ///
+    /// # Errors
+    /// As [`Editor::frame`].
+    pub fn scene_frame(&self) -> Result<f64> {
+        Ok(self.document.frame_of_scene(self.path_frame()?))
+    }
+
+    /// Looks at the scene at the playhead, if there is one.
+    ///
+    /// # Errors
+    /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
+    pub(super) fn with_scene<R>(&self, look: impl FnOnce(&Now) -> R) -> Result<Option<R>> {
+        if self.document.around().is_none() {
+            return Ok(None);
+        }
+        let frame = self.scene_frame()?;
+        let mut slot = self.scene_view.now.borrow_mut();
+        let old = slot.take();
+        *slot = Now::of(&self.document, frame, old)?;
+        Ok(slot.as_ref().map(look))
+    }
+
+    /// What the camera that is shown sees; none: the path's own camera does.
+    pub(super) fn scene_pose(&self) -> Result<Option<Pose>> {
+        self.with_scene(Now::pose)?.transpose()
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,122 @@
+//! The list of the nodes, in which one chooses whose path is edited.
+
+use egui::{Button, Context, Rect, RichText, ScrollArea, Ui, vec2};
+use vides_engine::scene::{Kind, Node, Scene};
+
+use crate::actions::Action;
+use crate::state::Editor;
+use crate::theme;
+
+/// How wide it is at first, in points.
+const WIDTH: f32 = 190.0;
+
+/// What stands further in, for each level of the tree; deeper than this it does not go.
+const INDENT: f32 = 12.0;
+const DEEPEST: usize = 6;
+
+/// Rows that are seen at once.
+const ROWS: f32 = 12.0;
+
+/// Shows the list, if there is a scene; `viewport` is the movement window.
+pub(crate) fn show(editor: &Editor, context: &Context, viewport: Rect, actions: &mut Vec<Action>) {
+    let Some(around) = editor.document.around() else {
+        return;
+    };
+    let rows = rows(around.scene());
+    egui::Window::new(editor.texts().scene.title)
+        .id(egui::Id::unique("scene"))
+        .default_pos(viewport.left_top() + vec2(12.0, 30.0))
+        .default_width(WIDTH)
+        .constrain_to(viewport)
+        .resizable([true, false])
+        .show(context, |ui| {
+            let height = theme::ROW;
+            ui.spacing_mut().item_spacing.y = 0.0;
+            ScrollArea::vertical()
+                .max_height(ROWS * height)
+                .auto_shrink([false, true])
+                .show_rows(ui, height, rows.len() + 1, |ui, shown| {
+                    for row in shown {
+                        let of = row.checked_sub(1).map(|row| rows[row]);
+                        actions.extend(row_of(editor, ui, around.scene(), of));
+                    }
+                });
+        });
+}
+
+/// The numbers of the nodes, each below the one that it is in, with their levels.
+fn rows(scene: &Scene) -> Vec<(usize, usize)> {
+    let nodes = scene.nodes();
+    let mut children: Vec<Vec<usize>> = vec![Vec::new(); nodes.len() + 1];
+    for (at, node) in nodes.iter().enumerate() {
+        children[node.parent.map_or(0, |parent| parent + 1)].push(at);
+    }
+    let mut rows = Vec::with_capacity(nodes.len());
+    let mut open: Vec<(usize, usize)> = children[0].iter().rev().map(|&at| (at, 0)).collect();
+    while let Some((at, level)) = open.pop() {
+        rows.push((at, level));
+        open.extend(children[at + 1].iter().rev().map(|&at| (at, level + 1)));
+    }
+    rows
+}
+
+/// A node, or the whole scene.
+fn row_of(
+    editor: &Editor,
+    ui: &mut Ui,
+    scene: &Scene,
+    of: Option<(usize, usize)>,
+) -> Option<Action> {
+    let texts = &editor.texts().scene;
+    let node = of.map(|(at, level)| (at, level, &scene.nodes()[at]));
+    let edited = editor.document.around()?.node();
+    let chosen = edited == of.map(|(at, _)| at);
+    let (name, kind, hint, possible) = match node {
+        None => (texts.whole, "", texts.whole_hint, true),
+        Some((_, _, node)) => {
+            let hint = match (node.path(), node.keys().tracks().is_empty()) {
+                (Some(_), _) => texts.edit_hint,
+                (None, false) => texts.by_keys,
+                (None, true) => texts.still,
+            };
+            let name = node.name.as_str();
+            (name, kind(editor, node), hint, node.path().is_some())
+        }
+    };
+    let level = node.map_or(0, |(_, level, _)| level.min(DEEPEST));
+    let response = ui
+        .horizontal(|ui| {
+            #[allow(clippy::cast_precision_loss)]
+            ui.add_space(INDENT * level as f32);
+            let mut button = Button::selectable(chosen, name);
+            if !kind.is_empty() {
+                let small = RichText::new(kind).size(11.0);
+                button = button.right_text(if chosen { small } else { small.weak() });
+            }
+            let button = button
+                .truncate()
+                .min_size(vec2(ui.available_width(), theme::ROW));
+            ui.add_enabled(possible, button)
+        })
+        .inner;
+    let clicked = response.clicked() && !chosen;
+    response.on_hover_text(hint).on_disabled_hover_text(hint);
+    clicked.then_some(Action::EditNode(of.map(|(at, _)| at)))
+}
+
+fn kind(editor: &Editor, node: &Node) -> &'static str {
+    let texts = &editor.texts().scene;
+    match node.kind {
+        Kind::Group => texts.group,
+        Kind::Object(_) => texts.object,
+        Kind::Light(_) => texts.light,
+        Kind::Camera(_) => texts.camera,
+    }
+}
+
+/// Stands in the place of the panels where no path is edited.
+pub(crate) fn no_path(editor: &Editor, ui: &mut Ui) {
+    let palette = theme::palette(ui);
+    let text = RichText::new(editor.texts().scene.no_path).color(palette.weak);
+    ui.label(text);
+}

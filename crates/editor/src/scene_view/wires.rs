@@ -1,0 +1,84 @@
+//! What there is to be drawn of a scene, as lines in the world.
+
+use glam::DVec3;
+use vides_engine::scene::{Kind, Node, Troubles};
+
+use super::Now;
+use crate::path::curve;
+use crate::state::Editor;
+
+/// A line of an object; one without length is a point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wire {
+    pub(crate) ends: [DVec3; 2],
+    /// The object's, linear.
+    pub(crate) colour: [f64; 3],
+}
+
+/// Pieces of all other paths together.
+const PIECES: usize = 4_000;
+
+/// Pieces of one segment of one of them.
+const OF_SEGMENT: usize = 24;
+
+/// The lines of all objects that are to be seen.
+pub(crate) fn wires(editor: &Editor, now: &Now, mut take: impl FnMut(Wire)) {
+    let mut edges = editor.scene_view.edges.borrow_mut();
+    let mut moved = Vec::new();
+    for (at, node) in now.scene.nodes().iter().enumerate() {
+        let state = &now.states[at];
+        let Kind::Object(object) = &node.kind else {
+            continue;
+        };
+        if state.visible == 0 {
+            continue;
+        }
+        let mesh = object.mesh();
+        let mut points: &[DVec3] = &mesh.points;
+        if !object.shapes().is_empty() || !object.deformations().is_empty() {
+            moved.clear();
+            moved.resize(points.len(), DVec3::ZERO);
+            let troubles = &mut Troubles::default();
+            let done = now.scene.vertices(at, now.frame, &mut moved, troubles);
+            if done.is_ok() {
+                points = &moved;
+            }
+        }
+        let world = state.world();
+        let place = |at: u32| world.transform_point3(points[at as usize]);
+        for &[a, b] in edges.of(now.made_of.0, at, mesh) {
+            take(Wire {
+                ends: [place(a), place(b)],
+                colour: state.colour,
+            });
+        }
+    }
+}
+
+/// The curves of all paths but the one that is edited, piece by piece.
+pub(crate) fn other_paths(now: &Now, mut take: impl FnMut([DVec3; 2])) {
+    let others = |&(at, node): &(usize, &Node)| Some(at) != now.edited && node.path().is_some();
+    let nodes = || now.scene.nodes().iter().enumerate().filter(others);
+    let segments = |node: &Node| {
+        node.path()
+            .map_or(0, |follow| follow.path().segment_count())
+    };
+    let all: usize = nodes().map(|(_, node)| segments(node)).sum();
+    let steps = (PIECES / all.max(1)).clamp(1, OF_SEGMENT);
+    let every = all.div_ceil(PIECES).max(1);
+    for (_, node) in nodes() {
+        let Some(follow) = node.path() else {
+            continue;
+        };
+        let world = node.parent.map(|parent| now.states[parent].world());
+        let place = |at: DVec3| world.map_or(at, |world| world.transform_point3(at));
+        for segment in (0..segments(node)).step_by(every) {
+            let curve = curve::segment(follow.path(), segment);
+            #[allow(clippy::cast_precision_loss)]
+            let along = |step: usize| place(curve.point(step as f64 / steps as f64));
+            for step in 0..steps {
+                take([along(step), along(step + 1)]);
+            }
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Points of paths that are reached at markers, so that flights meet.
+//!
+//! The first pin says when the path begins; the sections between one pin and the next
+//! share the frames between their markers, in their own proportions ([`fit_between`]).
+//! Markers need not be whole frames apart: each is reached at the nearest frame, counted
+//! from the first.
+
+use super::motion::{FollowPath, check_frame};
+use super::scene::Scene;
+use crate::error::{Invalid, Place, Result, vec_with_room};
+use crate::path::fit_frames::{Fixed, fit_between, frames_between};
+use crate::path::{CameraPath, Timeline};
+
+/// What pins make of a path.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pinned {
+    /// Sections that get other frames.
+    pub fixed: Vec<Fixed>,
+    /// The frame of its first pose.
+    pub start_frame: f64,
+}
+
+/// What pins make of a path: each a point and the frame of its marker, in the order of
+/// the points.
+///
+/// # Errors
+/// [`crate::Error::Range`] if the sections between two of them need more frames, or can
+/// have no more; [`crate::Error::Argument`] if a marker comes before that of the pin
+/// before; [`crate::Error::Memory`].
+pub fn pinned(path: &CameraPath, timeline: &Timeline, pins: &[(usize, f64)]) -> Result<Pinned> {
+    let mut fixed = Vec::new();
+    let Some(&(first, start)) = pins.first() else {
+        return Ok(Pinned {
+            fixed,
+            start_frame: 1.0,
+        });
+    };
+    for pair in pins.windows(2) {
+        let [(from, begin), (to, end)] = [pair[0], pair[1]];
+        let [begin, end] = [begin, end].map(|frame| (frame - start).round());
+        let at = |error: crate::Error| error.at(Place::Point(to + 1));
+        if !(begin < end) {
+            return Err(at(Invalid::PinsTurnBack.into()));
+        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let frames = (end - begin) as usize;
+        if frames_between(path, timeline, from, to) == frames {
+            continue;
+        }
+        let shared = fit_between(path, timeline, from, to, frames).map_err(at)?;
+        fixed.try_reserve(shared.len())?;
+        fixed.extend(shared);
+    }
+    #[allow(clippy::cast_precision_loss)]
+    let start_frame = start - frames_between(path, timeline, 0, first) as f64;
+    check_frame(start_frame)?;
+    Ok(Pinned { fixed, start_frame })
+}
+
+impl Scene {
+    /// The pins of a node with the frames of their markers, those of points that it has.
+    fn pins_of(&self, at: usize, points: usize) -> Result<Vec<(usize, f64)>> {
+        let mine = || self.pins().iter().filter(|pin| pin.node == at);
+        let mut pins = vec_with_room(mine().count())?;
+        let there = mine().filter(|pin| pin.point < points);
+        pins.extend(there.filter_map(|pin| Some((pin.point, self.marker(&pin.marker)?))));
+        Ok(pins)
+    }
+
+    /// What a node's path is by its pins; none if it stays as it is.
+    pub(super) fn held_by_pins(
+        &self,
+        at: usize,
+        follow: &FollowPath,
+    ) -> Result<Option<FollowPath>> {
+        let path = follow.path();
+        let pins = self.pins_of(at, path.points.len())?;
+        if pins.is_empty() {
+            return Ok(None);
+        }
+        let pinned = follow.timeline(|timeline| pinned(path, timeline, &pins))??;
+        if pinned.fixed.is_empty() && pinned.start_frame == follow.start_frame() {
+            return Ok(None);
+        }
+        let mut path = path.try_clone()?;
+        for fixed in &pinned.fixed {
+            let own = &mut path.points[fixed.point].orientations[fixed.orientation].own;
+            *own = own.with(|own| own.frames = fixed.frames)?;
+        }
+        FollowPath::new(path, pinned.start_frame, follow.beyond()).map(Some)
+    }
+}
+
+#[cfg(test)]
+#[path = "pins_tests.rs"]
+mod tests;

@@ -1,0 +1,77 @@
+//! The scene of an editor window.
+
+use std::ffi::c_int;
+
+use super::border::border;
+use super::editor::{CLOSED, opened};
+use super::pointers::Out;
+use super::scene::{keep, read};
+use super::scene_types::V_SCENE;
+use super::status::{V_ERR_INTERNAL, V_OK};
+use super::types::V_EDITOR;
+use crate::document::{Document, Edit, SceneDocument};
+use crate::error::Result;
+use crate::instance;
+
+/// A copy of the scene as it is in the window now; of a path alone that of a camera on
+/// it. *scene is the caller's, to be freed with v_scene_free().
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_editor_get_scene(
+    editor: *const V_EDITOR,
+    scene: *mut *mut V_SCENE,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(scene)?;
+        let window = opened(editor)?.window;
+        let copy = instance::read(window, Document::scene_document).ok_or(CLOSED)??;
+        let made = keep(copy)?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.write(made) };
+        Ok(V_OK)
+    })
+}
+
+/// Shows another scene in a window, in one step that the user can take back. scene is
+/// copied, with its title, comment and so on; its wireframe object, too, if it has one.
+/// The path of the camera that is shown is edited then, if it has one, with the base
+/// speeds that were given when the window was opened. One camera on a path and nothing
+/// else is that path.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_editor_set_scene(editor: *mut V_EDITOR, scene: *const V_SCENE) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let found = opened(editor)?;
+        let copy = read(scene, |document| Ok(document.try_clone()?))?;
+        instance::change(found.window, |document| {
+            replace(document, copy, found.fixed_speeds)
+        })
+        .ok_or(CLOSED)??;
+        Ok(V_OK)
+    })
+}
+
+/// Puts a scene in place of what there is, in one step.
+fn replace(document: &mut Document, by: SceneDocument, fixed_speeds: bool) -> Result<()> {
+    let SceneDocument {
+        scene, mut info, ..
+    } = by;
+    let speeds = document.path().speeds;
+    if info.object.is_empty() {
+        info.object = document.info().object.clone();
+    }
+    document.begin_step();
+    let mut done = document
+        .apply(Edit::ReplaceScene(Box::new(scene)))
+        .and_then(|()| document.apply(Edit::SetInfo(Box::new(info))));
+    if done.is_ok() && fixed_speeds && document.edits_path() {
+        done = document.apply(Edit::SetSpeeds(speeds));
+    }
+    match done {
+        Ok(()) => document.end_step(),
+        Err(_) => document.cancel_step(),
+    }
+    done
+}
