@@ -18,6 +18,7 @@ use super::pointers::{self, Growing, Out, check, file_name, init, read_growing};
 use super::space::up_from_c;
 use super::status::{
     Answer, Failure, V_ERR_ARGUMENT, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_ERR_RANGE, V_OK,
+    clear_last_error,
 };
 use super::types::{
     V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_POSE, V_UP_Y, V_VIEW_EDITED, V_VIEW_PLAYED,
@@ -372,6 +373,8 @@ pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
             Ok(found) => {
                 EDITORS.remove(editor)?;
                 instance::close(found.window);
+                // What the host's on_pane called may have failed: that is not ours.
+                clear_last_error();
             }
             Err(Failure::Border(V_ERR_CLOSED, _)) => {
                 EDITORS.remove(editor)?;

@@ -242,7 +242,7 @@ impl Editor {
     /// Shows the mesh of a file as the object, in a step that can be taken back.
     fn load_object(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
-        let read = load_mesh(file).and_then(|(_, mesh)| Ok(Object::of_mesh(&mesh)?));
+        let read = load_mesh(file).and_then(|(_, mesh)| Object::of_mesh(&mesh));
         match read.and_then(|object| self.set_object(object)) {
             Ok(()) => {
                 let whole = self.document.space_around_object();
