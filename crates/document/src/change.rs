@@ -125,6 +125,21 @@ impl Change {
         })
     }
 
+    /// Whether it may leave an orientation without its up, which is then refused.
+    pub(super) fn may_undefine_ups(&self) -> bool {
+        match self {
+            Self::Several(changes) => changes.iter().any(Self::may_undefine_ups),
+            Self::Orientation { .. }
+            | Self::CurveKind(_)
+            | Self::Point { .. }
+            | Self::Tangents { .. }
+            | Self::InsertPoints { .. }
+            | Self::InsertOrientation { .. }
+            | Self::Path(..) => true,
+            _ => false,
+        }
+    }
+
     /// Takes the memory that applying needs. Taking back and doing again never
     /// need any: no vector of a path ever shrinks its room.
     pub(super) fn reserve(&self, content: &mut Content) -> Result<()> {
