@@ -222,9 +222,11 @@ pub fn check_ups(path: &CameraPath) -> Result<()> {
             _ => {}
         }
     }
-    let smooth = path.curve == super::CurveKind::Cubic
-        && path.points.iter().all(|point| point.tangents.is_none());
-    if frenet && !smooth {
+    let smooth = || {
+        path.curve == super::CurveKind::Cubic
+            && path.points.iter().all(|point| point.tangents.is_none())
+    };
+    if frenet && !smooth() {
         return Err(Invalid::NoNormal.into());
     }
     Ok(())
