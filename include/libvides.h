@@ -982,9 +982,9 @@ int v_path_get_orientation(const V_PATH *path, int point, int at, V_ORIENTATION 
 int v_path_set_absolute(V_PATH *path, int point, int at, int absolute);
 
 /**
- * Lets an orientation look along the way, and no longer at its target; up is
- * the vertical, turned by the roll. A section between two orientations that
- * look equally far ahead follows its way exactly.
+ * Lets an orientation look along the way, and no longer at its target. A
+ * section between two orientations that look equally far ahead and have the same
+ * up follows its way exactly.
  *
  * distance  0: along the tangent; greater: at the place so far ahead on the
  *     curve, behind the end of which it looks on straight; less: no longer
@@ -994,6 +994,32 @@ int v_path_set_absolute(V_PATH *path, int point, int at, int absolute);
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_set_ahead(V_PATH *path, int point, int at, double distance);
+
+/**
+ * Which way is up for an orientation, before its roll; with any view. A section
+ * between two orientations with the same view and the same up follows both
+ * all the way.
+ *
+ * up  "axis"     the vertical of the space, as in a new path
+ *     "point"    towards up_point
+ *     "path"     towards the place on up_path at the same share of its length; its
+ *                curve is copied, a closed one ends where it begins
+ *     "minimal"  never turned about the view: it begins with the vertical and is
+ *                carried on through all orientations that have it; what it misses
+ *                on a closed path is spread over the length
+ *     "frenet"   the normal of the curve; only for curves of kind "cubic" whose
+ *                points own no tangents
+ * What an up does not need may be NULL. At most 10 different up paths, each with at
+ * most 1000 points.
+ * Any thread; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_set_up(V_PATH *path,
+                  int point,
+                  int at,
+                  const char *up,
+                  const double *up_point,
+                  const V_PATH *up_path);
 
 
 /* ---- What holds for the whole path ------------------------------------------- */

@@ -160,7 +160,7 @@ const BROKEN: &[(&str, &str)] = &[
     ),
     (
         "unknown_orientation_key",
-        "line 7: unknown key \"rol_degrees\"; known here: target, offset, roll_degrees, zoom_mm, turning, speed_curve, hold_frames, ahead, frames, ease, distance, pace_part, velocity_degrees, turning_part, roll_slope_degrees, zoom_slope_mm",
+        "line 7: unknown key \"rol_degrees\"; known here: target, offset, roll_degrees, zoom_mm, turning, speed_curve, hold_frames, ahead, up, up_point, up_path, frames, ease, distance, pace_part, velocity_degrees, turning_part, roll_slope_degrees, zoom_slope_mm",
     ),
     (
         "unknown_point_key",

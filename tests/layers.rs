@@ -26,7 +26,15 @@ const ARROWS: &[(&str, &[&str])] = &[
         ],
     ),
     ("vides-archive", &["vides"]),
-    ("vides", &["vides-document", "vides-engine", "vides-window"]),
+    (
+        "vides",
+        &[
+            "vides-document",
+            "vides-engine",
+            "vides-raster",
+            "vides-window",
+        ],
+    ),
 ];
 
 /// What cargo says of the workspace's packages.

@@ -1,18 +1,20 @@
 //! The orientations of support points.
 
-use std::ffi::c_int;
+use std::ffi::{c_char, c_int};
 
 use glam::DVec3;
 
 use super::border::border;
 use super::path::{edit, edit_by, read};
-use super::pointers::{Growing, GrowingOut, Out, count, index, init, read_growing};
+use super::pointers::{
+    Growing, GrowingOut, Out, count, index, init, read_growing, read_vector, text,
+};
 use super::points::point;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::{V_ORIENTATION, V_PATH};
 use crate::document::{Document, Edit, no_longer_ahead};
-use crate::error::OutOfRange;
-use crate::path::{MayOwn, Orientation, Target, Tcb};
+use crate::error::{Invalid, OutOfRange};
+use crate::path::{MayOwn, Orientation, Target, Tcb, UpPath, UpVector};
 
 /// The struct of C for an orientation.
 fn to_c(orientation: &Orientation) -> V_ORIENTATION {
@@ -256,9 +258,9 @@ pub unsafe extern "C" fn v_path_set_absolute(
     })
 }
 
-/// Lets an orientation look along the way, and no longer at its target; up is
-/// the vertical, turned by the roll. A section between two orientations that
-/// look equally far ahead follows its way exactly.
+/// Lets an orientation look along the way, and no longer at its target. A
+/// section between two orientations that look equally far ahead and have the same
+/// up follows its way exactly.
 ///
 /// distance  0: along the tangent; greater: at the place so far ahead on the
 ///     curve, behind the end of which it looks on straight; less: no longer
@@ -282,6 +284,56 @@ pub unsafe extern "C" fn v_path_set_ahead(
             } else {
                 new.own = new.own.with(|own| own.ahead = Some(distance))?;
             }
+            Ok(Edit::SetOrientation {
+                point,
+                at,
+                orientation: new,
+            })
+        })
+    })
+}
+
+/// Which way is up for an orientation, before its roll; with any view. A section
+/// between two orientations with the same view and the same up follows both
+/// all the way.
+///
+/// up  "axis"     the vertical of the space, as in a new path
+///     "point"    towards up_point
+///     "path"     towards the place on up_path at the same share of its length; its
+///                curve is copied, a closed one ends where it begins
+///     "minimal"  never turned about the view: it begins with the vertical and is
+///                carried on through all orientations that have it; what it misses
+///                on a closed path is spread over the length
+///     "frenet"   the normal of the curve; only for curves of kind "cubic" whose
+///                points own no tangents
+/// What an up does not need may be NULL. At most 10 different up paths, each with at
+/// most 1000 points.
+/// Any thread; from callbacks too. V_ERR_NULL,
+/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_up(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+    up: *const c_char,
+    up_point: *const f64,
+    up_path: *const V_PATH,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a string or NULL, as the header demands.
+        let up = match unsafe { text(up, "the name of an up is not UTF-8") }? {
+            "axis" => UpVector::Axis,
+            "minimal" => UpVector::Minimal,
+            "frenet" => UpVector::Frenet,
+            // SAFETY: three doubles or NULL, as the header demands.
+            "point" => UpVector::Point(unsafe { read_vector(up_point) }?),
+            "path" => UpVector::Path(read(up_path, |document| Ok(UpPath::of(document.path())?))?),
+            other => return Err(Invalid::NoUp(other.into()).into()),
+        };
+        edit_by(path, |document| {
+            let mut new = orientation(document, point, at)?.clone();
+            let (point, at) = (index(point)?, index(at)?);
+            new.own = new.own.with(|own| own.up = up)?;
             Ok(Edit::SetOrientation {
                 point,
                 at,

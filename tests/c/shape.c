@@ -245,12 +245,55 @@ static void along_the_way(void)
     v_path_free(path);
 }
 
+/* Up towards a point, a path, the normal; carried along. */
+static void ups(void)
+{
+    V_PATH *path = three_points(), *second = three_points();
+    const double above[3] = {0.2, 5, 0.1};
+    double to[3], along = 0, length = 0;
+    V_POSE pose;
+    int at, k;
+
+    for (at = 0; at < 3; at++) {
+        OK(v_path_set_ahead(path, at, 0, 0));
+        OK(v_path_set_up(path, at, 0, "point", above, NULL));
+    }
+    OK(v_path_pose(path, 7.5, &pose));
+    for (k = 0; k < 3; k++) {
+        to[k] = above[k] - pose.vrp[k];
+        along += to[k] * pose.vpn[k];
+    }
+    for (k = 0; k < 3; k++) {
+        to[k] -= along * pose.vpn[k];
+        length += to[k] * to[k];
+    }
+    for (k = 0; k < 3; k++)
+        NEAR(pose.vup[k], to[k] / sqrt(length), 1e-12);
+    OK(v_path_set_up(path, 0, 0, "path", NULL, second));
+    OK(v_path_set_up(path, 1, 0, "path", NULL, path));
+    OK(v_path_set_up(path, 2, 0, "minimal", NULL, NULL));
+    STATUS(V_ERR_ARGUMENT, v_path_set_up(path, 0, 0, "frenet", NULL, NULL));
+    CHECK(strstr(v_last_error(), "minimal") != NULL);
+    OK(v_path_set_curve(path, "cubic"));
+    OK(v_path_set_up(path, 0, 0, "frenet", NULL, NULL));
+    STATUS(V_ERR_ARGUMENT, v_path_set_curve(path, "tcb"));
+    STATUS(V_ERR_ARGUMENT, v_path_set_up(path, 0, 0, "Minimal", NULL, NULL));
+    STATUS(V_ERR_NULL, v_path_set_up(path, 0, 0, NULL, NULL, NULL));
+    STATUS(V_ERR_NULL, v_path_set_up(path, 0, 0, "point", NULL, NULL));
+    STATUS(V_ERR_NULL, v_path_set_up(path, 0, 0, "path", NULL, NULL));
+    STATUS(V_ERR_RANGE, v_path_set_up(path, 3, 0, "axis", NULL, NULL));
+    OK(v_path_set_up(path, 0, 0, "axis", NULL, NULL));
+    OK(v_path_set_curve(path, "tcb"));
+    v_path_free(path);
+    v_path_free(second);
+}
+
 /* All of it comes back from a file. */
 static void saved(const char *folder)
 {
     V_PATH *path = three_points(), *read = NULL;
     char file[4096];
-    const double keys[] = {0, 0, 0.25, 0.5, 1, 1};
+    const double keys[] = {0, 0, 0.25, 0.5, 1, 1}, above[] = {0, 3, 0.2};
     size_t count, i;
     V_POSE *a, *b;
 
@@ -259,6 +302,10 @@ static void saved(const char *folder)
     OK(v_path_set_distance(path, 2, 0, keys, 3));
     OK(v_path_fit_frames(path, 0, 3, 241));
     OK(v_path_set_ahead(path, 3, 0, 0.1));
+    OK(v_path_set_up(path, 0, 0, "path", NULL, path));
+    OK(v_path_set_up(path, 1, 0, "path", NULL, path));
+    OK(v_path_set_up(path, 2, 0, "minimal", NULL, NULL));
+    OK(v_path_set_up(path, 3, 0, "point", above, NULL));
     snprintf(file, sizeof file, "%s/shape.vid", folder);
     OK(v_path_save(path, file));
     OK(v_path_load(file, &read));
@@ -282,6 +329,7 @@ int main(int argc, char **argv)
     easing();
     fixed_frames();
     along_the_way();
+    ups();
     saved(argc > 1 ? argv[1] : ".");
     return failures != 0;
 }

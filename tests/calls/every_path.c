@@ -732,3 +732,12 @@ CALL(v_path_set_ahead)
     int point = a_point(path), at = an_orientation(path, point);
     return v_path_set_ahead(path, point, at, number(-0.5, 0.5));
 }
+
+CALL(v_path_set_up)
+{
+    static const char *const ups[] = {"axis", "point", "path", "minimal", "frenet", "down"};
+    V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point);
+    const double *above = numbers(3, 2, 3);
+    return v_path_set_up(path, point, at, text(ups[below(6)]), above, a_path());
+}

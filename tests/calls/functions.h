@@ -76,6 +76,7 @@
     F(v_path_get_frames, STATUS, V_OK, 0) \
     F(v_path_fit_frames, STATUS, -2, 0) \
     F(v_path_set_ahead, STATUS, V_OK, 0) \
+    F(v_path_set_up, STATUS, V_OK, 0) \
     F(v_path_from_move, STATUS, V_OK, 0) \
     F(v_path_transform, STATUS, -2, 0) \
     F(v_path_deform, STATUS, -2, 0) \

@@ -11,7 +11,7 @@ use super::vid::Comments;
 use crate::error::{Result, vec_with_room};
 use crate::path::{
     BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Own, Plan,
-    Space, SupportPoint, Tangents, Target, Tcb, ZoomMode,
+    Space, SupportPoint, Tangents, Target, Tcb, UpVector, ZoomMode,
 };
 
 /// What the records change.
@@ -123,6 +123,25 @@ impl Change {
             count: 1,
             room: vec_with_room(1)?,
         })
+    }
+
+    /// Whether it may leave an orientation without its up, which is then refused.
+    pub(super) fn may_undefine_ups(&self) -> bool {
+        let demands = |o: &Orientation| matches!(o.own.up, UpVector::Frenet | UpVector::Path(_));
+        let shapes = |point: &SupportPoint| {
+            point.tangents.is_some() || point.orientations.iter().any(demands)
+        };
+        match self {
+            Self::Several(changes) => changes.iter().any(Self::may_undefine_ups),
+            Self::Orientation { orientation, .. } | Self::InsertOrientation { orientation, .. } => {
+                demands(orientation)
+            }
+            Self::Point { point, .. } => shapes(point),
+            Self::InsertPoints { points, .. } => points.iter().any(shapes),
+            Self::Tangents { tangents, .. } => tangents.is_some(),
+            Self::CurveKind(_) | Self::Path(..) => true,
+            _ => false,
+        }
     }
 
     /// Takes the memory that applying needs. Taking back and doing again never

@@ -16,6 +16,7 @@ use super::scene::{SceneDocument, folder_of};
 use super::vid::{self, Comments};
 use crate::error::{Error, Result, can_allocate};
 use crate::limits;
+use crate::path::up_vector::check_ups;
 use crate::path::{CameraPath, Plan, Sampler, Space, Timeline};
 
 /// The current point and its current orientation, counted from 0.
@@ -230,7 +231,13 @@ impl Document {
         }
         change.reserve(&mut self.content)?;
         change.announce(&mut self.plan);
+        let shapes = change.may_undefine_ups();
         let inverse = change.apply(&mut self.content);
+        if shapes && let Err(error) = check_ups(&self.content.path) {
+            inverse.announce(&mut self.plan);
+            inverse.apply(&mut self.content);
+            return Err(error.into());
+        }
         let held = prepare::held_by_pins(&self.content, &self.plan).and_then(|held| {
             if held.is_some() && keeps_record {
                 step.reserve_more(2)?;

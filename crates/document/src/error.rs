@@ -254,6 +254,10 @@ pub enum Malformed {
     TargetAndOffset,
     #[error("an orientation has either an ease, a distance or a part of a pace")]
     PaceTwice,
+    #[error("an orientation has one of up, up_point and up_path")]
+    UpTwice,
+    #[error("this up path has not been given further up")]
+    NoUpPath,
     #[error("a part is one of one whole")]
     PartTwice,
     #[error("a part needs its whole: speed_curve, ease or distance")]

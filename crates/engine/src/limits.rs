@@ -4,6 +4,12 @@
 /// size is prepared in well under a second.
 pub const MAX_POINTS: usize = 100_000;
 
+/// Points of an up path: far more than a person places, and files stay small.
+pub const MAX_UP_PATH_POINTS: usize = 1000;
+
+/// Different up paths in one path.
+pub const MAX_UP_PATHS: usize = 10;
+
 /// Support points of one path: a curve needs a start and an end.
 pub const MIN_POINTS: usize = 2;
 

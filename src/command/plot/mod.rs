@@ -3,6 +3,7 @@
 //! show orientation), and what changes over the frames, findings of a check marked.
 
 mod charts;
+mod png;
 mod svg;
 mod views;
 
@@ -21,8 +22,8 @@ pub(super) struct Arguments {
     /// The path; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// Where the picture goes, as SVG; - is standard output
-    #[arg(short, long, value_name = "OUT.svg", default_value = "-")]
+    /// Where the picture goes, as .svg or .png; - is standard output, as SVG
+    #[arg(short, long, value_name = "OUT", default_value = "-")]
     output: PathBuf,
     /// On a dark ground
     #[arg(long)]
@@ -90,17 +91,23 @@ struct Film<'a> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let to_file = !input::is_standard_stream(&arguments.output);
-    let svg = |ending: &std::ffi::OsStr| ending.eq_ignore_ascii_case("svg");
-    if to_file && !arguments.output.extension().is_some_and(svg) {
+    let ending = arguments.output.extension();
+    let ends = |wanted: &str| ending.is_some_and(|ending| ending.eq_ignore_ascii_case(wanted));
+    if to_file && !ends("svg") && !ends("png") {
         return Err(Failure::Usage(format!(
-            "{}: a plot is written as .svg",
+            "{}: a plot is written as .svg or .png",
             arguments.output.display()
         )));
     }
     let document = input::load(&arguments.file)?;
     let style = if arguments.dark { &DARK } else { &LIGHT };
-    let text = picture(&document, style)
+    let svg = picture(&document, style)
         .map_err(|error| Failure::from(error.at(input::name(&arguments.file))))?;
+    if to_file && ends("png") {
+        let png = png::of(&svg).map_err(Failure::Usage)?;
+        return Ok(save::save(&arguments.output, &png)?);
+    }
+    let text = svg.finish();
     if to_file {
         Ok(save::save(&arguments.output, text.as_bytes())?)
     } else {
@@ -108,7 +115,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-fn picture(document: &Document, style: &Style) -> vides::Result<String> {
+fn picture(document: &Document, style: &Style) -> vides::Result<Svg> {
     let sampler = document.sampler()?;
     let frames = sampler.frame_count();
     let count = frames.min(POSES);
@@ -133,7 +140,7 @@ fn picture(document: &Document, style: &Style) -> vides::Result<String> {
         title => title,
     };
     let charts = charts::of(&film)?;
-    let top = 84.0;
+    let top = 98.0;
     let side = (WIDTH - 4.0 * MARGIN) / 3.0;
     let middle = top + side + 44.0;
     let bottom = middle + side + 44.0;
@@ -156,5 +163,5 @@ fn picture(document: &Document, style: &Style) -> vides::Result<String> {
     views::sphere(&mut svg, &film, (MARGIN, middle), side);
     views::findings(&mut svg, &film, (2.0 * MARGIN + side, middle), 2.0 * side);
     charts::draw(&mut svg, &film, &charts, bottom);
-    Ok(svg.finish())
+    Ok(svg)
 }

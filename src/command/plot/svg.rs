@@ -7,6 +7,26 @@ pub(super) type Spot = (f64, f64);
 
 pub(super) struct Svg {
     text: String,
+    pub(super) width: f64,
+    pub(super) height: f64,
+    pub(super) ground: &'static str,
+    /// What has been drawn, for other kinds of pictures.
+    pub(super) marks: Vec<Mark>,
+}
+
+/// Something drawn, with its attributes.
+pub(super) struct Mark {
+    pub(super) form: Form,
+    pub(super) attributes: String,
+}
+
+/// The forms that there are.
+pub(super) enum Form {
+    Line(Vec<Spot>),
+    /// A corner, width and height.
+    Rectangle(Spot, f64, f64),
+    Circle(Spot, f64),
+    Text(Spot, Anchor, String),
 }
 
 /// Where a text stands relative to its spot.
@@ -19,9 +39,13 @@ pub(super) enum Anchor {
 
 impl Svg {
     /// An empty picture on a ground of this colour.
-    pub(super) fn new(width: f64, height: f64, title: &str, ground: &str) -> Self {
+    pub(super) fn new(width: f64, height: f64, title: &str, ground: &'static str) -> Self {
         let mut svg = Self {
             text: String::new(),
+            width,
+            height,
+            ground,
+            marks: Vec::new(),
         };
         svg.put(format_args!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
@@ -46,6 +70,11 @@ impl Svg {
         let _ = writeln!(self.text, "{line}");
     }
 
+    fn mark(&mut self, form: Form, attributes: &str) {
+        let attributes = attributes.to_owned();
+        self.marks.push(Mark { form, attributes });
+    }
+
     /// What `draw` draws, together, with attributes for all of it.
     pub(super) fn group(&mut self, id: &str, attributes: &str, draw: impl FnOnce(&mut Self)) {
         self.put(format_args!("<g id=\"{id}\" {attributes}>"));
@@ -54,29 +83,34 @@ impl Svg {
     }
 
     pub(super) fn line(&mut self, (x1, y1): Spot, (x2, y2): Spot, attributes: &str) {
+        self.mark(Form::Line(vec![(x1, y1), (x2, y2)]), attributes);
         self.put(format_args!(
             "<line x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\" {attributes}/>"
         ));
     }
 
     pub(super) fn polyline(&mut self, spots: &[Spot], attributes: &str) {
+        self.mark(Form::Line(spots.to_vec()), attributes);
         let spots = listed(spots);
         self.put(format_args!("<polyline points=\"{spots}\" {attributes}/>"));
     }
 
     pub(super) fn rectangle(&mut self, (x, y): Spot, width: f64, height: f64, attributes: &str) {
+        self.mark(Form::Rectangle((x, y), width, height), attributes);
         self.put(format_args!(
             "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" {attributes}/>"
         ));
     }
 
     pub(super) fn circle(&mut self, (x, y): Spot, radius: f64, attributes: &str) {
+        self.mark(Form::Circle((x, y), radius), attributes);
         self.put(format_args!(
             "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\" {attributes}/>"
         ));
     }
 
     pub(super) fn text(&mut self, (x, y): Spot, anchor: Anchor, text: &str, attributes: &str) {
+        self.mark(Form::Text((x, y), anchor, text.to_owned()), attributes);
         let anchor = match anchor {
             Anchor::Start => "start",
             Anchor::Middle => "middle",

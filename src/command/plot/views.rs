@@ -203,8 +203,8 @@ pub(super) fn findings(svg: &mut Svg, film: &Film<'_>, (x, y): Spot, width: f64)
             let kind = KINDS.iter().find(|kind| kind.limit.name == finding.kind);
             let does = kind.map_or("", |kind| kind.limit.does);
             let text = format!(
-                "{:.0}–{:.0}  {}: {} ({:.3})",
-                finding.first_frame, finding.last_frame, finding.kind, does, finding.value
+                "{:.0}–{:.0}  {} {:.3}: {}",
+                finding.first_frame, finding.last_frame, finding.kind, finding.value, does
             );
             line(&text, &wrong);
         }

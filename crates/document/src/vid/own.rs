@@ -1,23 +1,28 @@
 //! What points and orientations own, read and written.
 
 use std::fmt::{self, Write};
+use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
 use super::field::Field;
 use super::write::{Vector, list};
-use crate::error::{Malformed, Result, vec_with_room};
+use crate::error::{Malformed, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::path::Space;
 use crate::path::camera_path::check_speed;
 use crate::path::own::{check_ahead, check_frames, check_rates, distance};
 use crate::path::{
-    Ease, EaseKind, MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Velocities, Whole,
+    Ease, EaseKind, MayOwn, Own, Pace, PacePart, Tangents, TurningPart, UpPath, UpPathPoint,
+    UpVector, Velocities, Whole,
 };
 
 /// The keys of an orientation that are read here.
-pub(super) const KEYS: [&str; 9] = [
+pub(super) const KEYS: [&str; 12] = [
     "ahead",
+    "up",
+    "up_point",
+    "up_path",
     "frames",
     "ease",
     "distance",
@@ -28,12 +33,26 @@ pub(super) const KEYS: [&str; 9] = [
     "zoom_slope_mm",
 ];
 
+/// What of a file has been read so far.
+#[derive(Default)]
+pub(super) struct SoFar {
+    /// Orientations of all points.
+    pub orientations: usize,
+    /// The up paths of the path, which others of it may have too.
+    pub up_paths: [Option<Arc<UpPath>>; limits::MAX_UP_PATHS],
+}
+
 #[derive(Default)]
 pub(super) struct Reader(Option<Own>);
 
 impl Reader {
     /// Reads a key; false if it is none of these.
-    pub(super) fn read(&mut self, field: Field<'_>, space: Space) -> Result<bool> {
+    pub(super) fn read(
+        &mut self,
+        field: Field<'_>,
+        space: Space,
+        so_far: &mut SoFar,
+    ) -> Result<bool> {
         if !KEYS.contains(&field.key) {
             return Ok(false);
         }
@@ -48,6 +67,13 @@ impl Reader {
                 let distance = field.number()?;
                 field.checked(check_ahead(distance, space))?;
                 own.ahead = Some(distance);
+            }
+            "up" | "up_point" | "up_path" => {
+                if own.up != UpVector::Axis {
+                    return Err(field.error(Malformed::UpTwice));
+                }
+                own.up = up(field, so_far)?;
+                field.checked(own.up.check(space))?;
             }
             "velocity_degrees" => own.velocities = Some(velocities(field)?),
             "turning_part" => own.turning = Some(turning_part(field)?),
@@ -73,6 +99,46 @@ impl Reader {
             None => Ok(MayOwn::default()),
             Some(read) => Ok(MayOwn::default().with(|own| *own = read)?),
         }
+    }
+}
+
+/// Which way is up.
+fn up(field: Field<'_>, so_far: &mut SoFar) -> Result<UpVector> {
+    match field.key {
+        "up_point" => Ok(UpVector::Point(DVec3::from_array(field.numbers()?))),
+        "up_path" if field.is_array() => {
+            let Some(place) = so_far.up_paths.iter_mut().find(|path| path.is_none()) else {
+                return Err(field.error(TooMany::UpPaths));
+            };
+            let elements = field.elements()?;
+            let mut points = vec_with_room(elements.len().min(limits::MAX_UP_PATH_POINTS + 1))?;
+            // One too many is enough to be told of.
+            for element in elements.take(limits::MAX_UP_PATH_POINTS + 1) {
+                let numbers: [f64; 9] = element.numbers()?;
+                let vector = |at: usize| DVec3::from_slice(&numbers[at..]);
+                points.push(UpPathPoint {
+                    position: vector(0),
+                    before: vector(3),
+                    after: vector(6),
+                });
+            }
+            let path = field.checked(UpPath::new(points))?;
+            *place = Some(path.clone());
+            Ok(UpVector::Path(path))
+        }
+        "up_path" => {
+            let number = field.integer_in(1, limits::MAX_UP_PATHS as i64)? as usize;
+            match &so_far.up_paths[number - 1] {
+                Some(path) => Ok(UpVector::Path(path.clone())),
+                None => Err(field.error(Malformed::NoUpPath)),
+            }
+        }
+        _ => match field.text()? {
+            "axis" => Ok(UpVector::Axis),
+            "minimal" => Ok(UpVector::Minimal),
+            "frenet" => Ok(UpVector::Frenet),
+            _ => Err(field.error(Malformed::OneOf(&["axis", "minimal", "frenet"]))),
+        },
     }
 }
 
@@ -245,7 +311,37 @@ pub(super) fn write_tangents(out: &mut impl Write, tangents: &Tangents) -> fmt::
     writeln!(out, "tangents = {{ before = {before}, after = {after} }}")
 }
 
-pub(super) fn write(out: &mut impl Write, owned: &MayOwn) -> fmt::Result {
+/// The up paths of a path that have been written, by their numbers.
+pub(super) type UpPaths<'a> = [Option<&'a UpVector>; limits::MAX_UP_PATHS];
+
+/// Which way is up.
+fn write_up<'a>(out: &mut impl Write, up: &'a UpVector, written: &mut UpPaths<'a>) -> fmt::Result {
+    match up {
+        UpVector::Axis => Ok(()),
+        UpVector::Point(place) => writeln!(out, "up_point = {}", Vector(*place)),
+        UpVector::Path(path) => {
+            let same = |known: &Option<&UpVector>| known.is_none_or(|known| known == up);
+            let place = written.iter().position(same).unwrap_or(0);
+            if written[place].replace(up).is_some() {
+                return writeln!(out, "up_path = {}", place + 1);
+            }
+            write!(out, "up_path = ")?;
+            for (k, point) in path.points().iter().enumerate() {
+                out.write_str(if k == 0 { "[" } else { ", " })?;
+                let numbers = [point.position, point.before, point.after].map(|v| v.to_array());
+                list(out, numbers.as_flattened())?;
+            }
+            writeln!(out, "]")
+        }
+        UpVector::Minimal | UpVector::Frenet => writeln!(out, "up = \"{}\"", up.name()),
+    }
+}
+
+pub(super) fn write<'a>(
+    out: &mut impl Write,
+    owned: &'a MayOwn,
+    written: &mut UpPaths<'a>,
+) -> fmt::Result {
     if owned.is_empty() {
         return Ok(());
     }
@@ -253,6 +349,7 @@ pub(super) fn write(out: &mut impl Write, owned: &MayOwn) -> fmt::Result {
     if let Some(distance) = own.ahead {
         writeln!(out, "ahead = {distance:?}")?;
     }
+    write_up(out, &own.up, written)?;
     if own.frames > 0 {
         writeln!(out, "frames = {}", own.frames)?;
     }

@@ -5,7 +5,7 @@ use toml::de::DeTable;
 
 use super::VERSION;
 use super::field::{Field, Source, fields};
-use super::own;
+use super::own::{self, SoFar};
 use super::pieces;
 use super::scene_read::Drafts;
 use crate::error::{Invalid, Malformed, Quantity, Refused, Result, TooMany, vec_with_room};
@@ -92,7 +92,7 @@ struct Reader {
     path: CameraPath,
     info: Info,
     /// Orientations of all points so far.
-    orientations: usize,
+    so_far: SoFar,
     /// Which of [`KEYS`] have been met.
     seen: [bool; KEYS.len()],
     scene: Drafts,
@@ -107,7 +107,7 @@ impl Reader {
                 ..CameraPath::default()
             },
             info: Info::default(),
-            orientations: 0,
+            so_far: SoFar::default(),
             seen: [false; KEYS.len()],
             scene: Drafts::default(),
         };
@@ -200,11 +200,9 @@ impl Reader {
                 "presets" => presets(field, &mut path.presets)?,
                 "check" => info.limits = limits_of_checks(field)?,
                 "object" => info.object = object(field, path.space)?.into(),
-                "point" => points(field, &mut path.points, &mut self.orientations, path.space)?,
+                "point" => points(field, &mut path.points, &mut self.so_far, path.space)?,
                 "marker" => self.scene.markers(field)?,
-                "node" => self
-                    .scene
-                    .nodes(field, &mut self.orientations, path.space)?,
+                "node" => self.scene.nodes(field, &mut self.so_far, path.space)?,
                 // Version and space have been looked at.
                 _ => {}
             }
@@ -380,7 +378,7 @@ fn object(table: Field<'_>, space: Space) -> Result<Vec<ObjectPoint>> {
 pub(super) fn points(
     array: Field<'_>,
     points: &mut Vec<SupportPoint>,
-    orientations: &mut usize,
+    so_far: &mut SoFar,
     space: Space,
 ) -> Result<()> {
     let elements = array.elements()?;
@@ -389,9 +387,9 @@ pub(super) fn points(
         if points.len() == limits::MAX_POINTS {
             return Err(element.error(TooMany::SupportPoints));
         }
-        let point = point(element, space)?;
-        *orientations += point.orientations.len();
-        if *orientations > limits::MAX_ALL_ORIENTATIONS {
+        let point = point(element, space, so_far)?;
+        so_far.orientations += point.orientations.len();
+        if so_far.orientations > limits::MAX_ALL_ORIENTATIONS {
             return Err(element.error(TooMany::AllOrientations));
         }
         points.push(point);
@@ -399,7 +397,7 @@ pub(super) fn points(
     Ok(())
 }
 
-fn point(table: Field<'_>, space: Space) -> Result<SupportPoint> {
+fn point(table: Field<'_>, space: Space, so_far: &mut SoFar) -> Result<SupportPoint> {
     // The position first: targets are checked against it.
     let Some(position) = table.fields()?.find(|field| field.key == "position") else {
         return Err(table.error(Malformed::NoPosition));
@@ -429,7 +427,9 @@ fn point(table: Field<'_>, space: Space) -> Result<SupportPoint> {
                 };
             }
             "tangents" => point.tangents = Some(own::tangents(field, space)?),
-            "orientation" => point.orientations = orientations(field, point.position, space)?,
+            "orientation" => {
+                point.orientations = orientations(field, point.position, space, so_far)?
+            }
             _ => {
                 return Err(field.unknown(&[
                     "name",
@@ -454,19 +454,29 @@ fn orientations_of_new_point(space: Space) -> Result<Vec<Orientation>> {
     Ok(orientations)
 }
 
-fn orientations(array: Field<'_>, position: DVec3, space: Space) -> Result<Vec<Orientation>> {
+fn orientations(
+    array: Field<'_>,
+    position: DVec3,
+    space: Space,
+    so_far: &mut SoFar,
+) -> Result<Vec<Orientation>> {
     let elements = array.elements()?;
     let mut orientations = vec_with_room(elements.len().min(limits::MAX_ORIENTATIONS))?;
     for element in elements {
         if orientations.len() == limits::MAX_ORIENTATIONS {
             return Err(element.error(TooMany::Orientations));
         }
-        orientations.push(orientation(element, position, space)?);
+        orientations.push(orientation(element, position, space, so_far)?);
     }
     Ok(orientations)
 }
 
-fn orientation(table: Field<'_>, position: DVec3, space: Space) -> Result<Orientation> {
+fn orientation(
+    table: Field<'_>,
+    position: DVec3,
+    space: Space,
+    so_far: &mut SoFar,
+) -> Result<Orientation> {
     let mut orientation = Orientation::new_in(space);
     let mut target_given = false;
     let mut owned = own::Reader::default();
@@ -502,7 +512,7 @@ fn orientation(table: Field<'_>, position: DVec3, space: Space) -> Result<Orient
                 field.checked(check_hold(hold))?;
                 orientation.hold = hold;
             }
-            _ if owned.read(field, space)? => {}
+            _ if owned.read(field, space, so_far)? => {}
             _ => {
                 const PLAIN: [&str; 7] = [
                     "target",

@@ -3,6 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use super::field::{Field, Source, at_line};
+use super::own::SoFar;
 use super::read::{
     base_speeds, curve_kind, one_line, orientation_mode, points, presets, space, zoom_mode,
 };
@@ -81,7 +82,7 @@ impl Drafts {
     pub(super) fn nodes(
         &mut self,
         array: Field<'_>,
-        orientations: &mut usize,
+        so_far: &mut SoFar,
         space: Space,
     ) -> Result<()> {
         let elements = array.elements()?;
@@ -91,7 +92,7 @@ impl Drafts {
             if self.nodes.len() >= limits::MAX_NODES {
                 return Err(table.error(TooMany::Nodes));
             }
-            self.nodes.push(draft(table, orientations, space)?);
+            self.nodes.push(draft(table, so_far, space)?);
         }
         Ok(())
     }
@@ -219,7 +220,7 @@ const KEYS: [&str; 24] = [
     "track",
 ];
 
-fn draft(table: Field<'_>, orientations: &mut usize, space: Space) -> Result<Draft> {
+fn draft(table: Field<'_>, so_far: &mut SoFar, space: Space) -> Result<Draft> {
     let Some(name) = table.find("name")? else {
         return Err(table.error(Malformed::NoName));
     };
@@ -296,7 +297,7 @@ fn draft(table: Field<'_>, orientations: &mut usize, space: Space) -> Result<Dra
             }
             "weights" => draft.weights = Some((field.place(), numbers(field, None)?)),
             "path" => {
-                let path = path(field, orientations, &mut draft.pins, space)?;
+                let path = path(field, so_far, &mut draft.pins, space)?;
                 field.checked(node.set_path(Some(path)))?;
             }
             "track" => {
@@ -510,7 +511,7 @@ fn deformation(table: Field<'_>) -> Result<(Deformation, Option<Bounds>)> {
 
 fn path(
     table: Field<'_>,
-    orientations: &mut usize,
+    so_far: &mut SoFar,
     pins: &mut Vec<(usize, usize, String)>,
     space: Space,
 ) -> Result<FollowPath> {
@@ -523,6 +524,7 @@ fn path(
         self::space(own, &mut path.space, None)?;
     }
     let (mut start, mut after) = (1.0, Beyond::Hold);
+    so_far.up_paths = Default::default();
     for field in table.fields()? {
         match field.key {
             "start_frame" => start = field.number()?,
@@ -533,7 +535,7 @@ fn path(
             "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
             "base_speeds" => path.speeds = base_speeds(field)?,
             "presets" => presets(field, &mut path.presets)?,
-            "point" => points(field, &mut path.points, orientations, path.space)?,
+            "point" => points(field, &mut path.points, so_far, path.space)?,
             "space" => {}
             "pins" => {
                 for element in field.elements()? {

@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 use std::path::Path;
 
 use super::comments::Comments;
+use super::own::UpPaths;
 use super::write::{
     Quoted, Shape as TcbShape, Text, Vector, curve, head, list, orientation_mode, place, point,
     space, to_toml, zoom_mode,
@@ -276,7 +277,8 @@ fn path(out: &mut Text, follow: &FollowPath, pins: &[Pin], space: Space) -> fmt:
         place(out, path.space)?;
     }
     let mut points = path.points.iter();
-    points.try_for_each(|point| self::point(out, "node.path.point", point))
+    let mut up_paths = UpPaths::default();
+    points.try_for_each(|point| self::point(out, "node.path.point", point, &mut up_paths))
 }
 
 fn track(out: &mut Text, track: &Track) -> fmt::Result {

@@ -5,6 +5,7 @@ use std::fmt::{self, Write};
 use glam::DVec3;
 
 use super::comments::{Comments, OURS};
+use super::own::UpPaths;
 use super::{VERSION, own};
 use crate::error::{EngineError, Result};
 use crate::info::{Info, ObjectPoint};
@@ -54,9 +55,10 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
     }
 
     space(out, path.space, info)?;
+    let mut up_paths = UpPaths::default();
     path.points
         .iter()
-        .try_for_each(|point| self::point(out, "point", point))
+        .try_for_each(|point| self::point(out, "point", point, &mut up_paths))
 }
 
 /// The kind of the curve, if it is not that of a new path.
@@ -137,8 +139,14 @@ fn object(out: &mut Text, points: &[ObjectPoint]) -> fmt::Result {
     writeln!(out, "],\n]")
 }
 
-/// A support point; `header` is the name of the array of tables that it is in.
-pub(super) fn point(out: &mut Text, header: &str, point: &SupportPoint) -> fmt::Result {
+/// A support point; `header` is the name of the array of tables that it is in, `up_paths`
+/// those of its path that have been written.
+pub(super) fn point<'a>(
+    out: &mut Text,
+    header: &str,
+    point: &'a SupportPoint,
+    up_paths: &mut UpPaths<'a>,
+) -> fmt::Result {
     writeln!(out, "\n[[{header}]]")?;
     if let Some(name) = &point.name {
         writeln!(out, "name = {}", Quoted(name))?;
@@ -154,10 +162,15 @@ pub(super) fn point(out: &mut Text, header: &str, point: &SupportPoint) -> fmt::
     point
         .orientations
         .iter()
-        .try_for_each(|orientation| self::orientation(out, header, orientation))
+        .try_for_each(|orientation| self::orientation(out, header, orientation, up_paths))
 }
 
-fn orientation(out: &mut Text, header: &str, orientation: &Orientation) -> fmt::Result {
+fn orientation<'a>(
+    out: &mut Text,
+    header: &str,
+    orientation: &'a Orientation,
+    up_paths: &mut UpPaths<'a>,
+) -> fmt::Result {
     writeln!(out, "\n[[{header}.orientation]]")?;
     match orientation.target {
         Target::Absolute(target) => writeln!(out, "target = {}", Vector(target))?,
@@ -185,7 +198,7 @@ fn orientation(out: &mut Text, header: &str, orientation: &Orientation) -> fmt::
         list(out, &orientation.speeds)?;
         writeln!(out)?;
     }
-    own::write(out, &orientation.own)
+    own::write(out, &orientation.own, up_paths)
 }
 
 pub(super) fn list(out: &mut impl Write, numbers: &[f64]) -> fmt::Result {
@@ -255,7 +268,9 @@ mod tests {
     use crate::info::Object;
     use crate::limits;
     use crate::path::Up;
-    use crate::path::{MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Velocities, Whole};
+    use crate::path::{
+        MayOwn, Own, Pace, PacePart, Tangents, TurningPart, UpVector, Velocities, Whole,
+    };
     use glam::DQuat;
 
     /// The most characters that a number takes.
@@ -277,6 +292,7 @@ mod tests {
                 }),
                 frames: u32::MAX,
                 ahead: Some(number),
+                up: UpVector::Point(vector),
                 velocities: Some(Velocities {
                     reach: vector,
                     leave: vector,
@@ -355,7 +371,8 @@ mod tests {
         let all = one
             + limits::MAX_POINTS * point
             + limits::MAX_ALL_ORIENTATIONS * orientation
-            + limits::MAX_OBJECT_POINTS * object;
+            + limits::MAX_OBJECT_POINTS * object
+            + limits::MAX_UP_PATHS * limits::MAX_UP_PATH_POINTS * 9 * (24 + ", ".len());
         assert!(
             all as u64 <= limits::MAX_FILE_BYTES,
             "{all} bytes: {point} a point, {orientation} an orientation, {object} an object point"

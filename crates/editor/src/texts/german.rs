@@ -168,6 +168,10 @@ german! {
         NoMove { name, known } => "die Fahrt „{name}“ gibt es nicht; bekannt sind: {known}";
         NothingSelected => "kein Punkt ist ausgewählt";
         UprightDiffers => "in beiden Pfaden muss dieselbe Achse aufrecht stehen";
+        NoNormal => "oben nach „frenet“ braucht eine Kurve der Art cubic, deren Punkte keine \
+                     eigenen Tangenten haben, sonst spränge ihre Normale; „minimal“ geht auf \
+                     jeder Kurve";
+        NoUp(name) => "es gibt kein oben „{name}“; bekannt: axis, point, path, minimal, frenet";
         MatrixNotFinite => "jede Zahl einer Matrix muss endlich sein";
         Matrix => "die Matrix muss verschieben, drehen, skalieren oder spiegeln, ohne Scherung";
         NoDirection => "um verbunden zu werden, brauchen Pfad und Baustein dort Richtung und Länge";
@@ -285,6 +289,9 @@ german! {
     TooMany {
         NameBytes => "höchstens {} Byte sind erlaubt", limits::MAX_NAME_BYTES;
         CommentBytes => "der Kommentar hat höchstens {} Byte", limits::MAX_COMMENT_BYTES;
+        UpPathPoints =>
+            "eine Bahn für oben hat höchstens {} Punkte", limits::MAX_UP_PATH_POINTS;
+        UpPaths => "eine Bahn hat höchstens {} verschiedene Bahnen für oben", limits::MAX_UP_PATHS;
         SupportPoints => "eine Bahn hat höchstens {} Stützpunkte", limits::MAX_POINTS;
         Orientations => "ein Punkt hat höchstens 10 Orientierungen";
         AllOrientations =>

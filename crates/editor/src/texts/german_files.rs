@@ -100,6 +100,8 @@ german! {
         PresetAndOwn => "ein Punkt hat entweder preset oder own";
         TargetAndOffset => "eine Orientierung hat entweder target oder offset";
         PaceTwice => "eine Orientierung hat entweder ease, distance oder pace_part";
+        UpTwice => "eine Orientierung hat entweder up, up_point oder up_path";
+        NoUpPath => "diese Bahn für oben steht nicht weiter oben in der Datei";
         PartTwice => "ein Teil gehört zu einem Ganzen";
         PartWithoutWhole => "ein Teil braucht sein Ganzes: speed_curve, ease oder distance";
         NoneFacing => "nur zehn Geschwindigkeiten haben Nachbarn";

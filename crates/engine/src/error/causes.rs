@@ -243,6 +243,13 @@ pub enum Invalid {
     NothingSelected,
     #[error("the same axis must stand upright in both paths")]
     UprightDiffers,
+    #[error(
+        "up by \"frenet\" needs a curve of kind cubic whose points own no tangents, else its \
+         normal would jump; \"minimal\" goes on any curve"
+    )]
+    NoNormal,
+    #[error("there is no up \"{0}\"; known: axis, point, path, minimal, frenet")]
+    NoUp(Text),
     #[error("each number of a matrix must be finite")]
     MatrixNotFinite,
     #[error("the matrix must move, turn, scale or mirror, without shear")]
@@ -475,6 +482,10 @@ pub enum TooMany {
     CommentBytes,
     #[error("a path has at most {} support points", limits::MAX_POINTS)]
     SupportPoints,
+    #[error("an up path has at most {} points", limits::MAX_UP_PATH_POINTS)]
+    UpPathPoints,
+    #[error("a path has at most {} different up paths", limits::MAX_UP_PATHS)]
+    UpPaths,
     #[error("a point has at most 10 orientations")]
     Orientations,
     #[error(

@@ -18,6 +18,7 @@ pub mod euler;
 pub mod monotone_cubic;
 pub mod orientation;
 pub mod quaternion;
+pub mod rotation_minimising;
 pub mod transform;
 pub(crate) mod vector;
 pub mod view;

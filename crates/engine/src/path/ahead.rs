@@ -5,13 +5,14 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::alignment::UpAlong;
 use super::arc_length::ArcLength;
 use super::camera_path::CameraPath;
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
-use super::space::Up;
-use super::timeline::Timeline;
+use super::orientation_curve::AT_TARGET;
+use super::space::Space;
 use crate::error::{Result, can_allocate, vec_with_room};
 use crate::math::orientation::unit;
 
@@ -130,19 +131,21 @@ pub(super) struct Rail {
     closed: bool,
     /// Direction at the end of an open path.
     end: DVec3,
-    up: Up,
+    space: Space,
 }
 
 impl Rail {
-    pub(super) fn new(path: &CameraPath, timeline: &Timeline) -> Result<Arc<Self>> {
-        let count = timeline.segment_count();
-        let mut curves = vec_with_room(count)?;
-        let mut starts = vec_with_room(count + 1)?;
+    pub(super) fn new<'a>(
+        path: &CameraPath,
+        segments: impl ExactSizeIterator<Item = (&'a Cubic, f64)>,
+    ) -> Result<Arc<Self>> {
+        let mut curves = vec_with_room(segments.len())?;
+        let mut starts = vec_with_room(segments.len() + 1)?;
         let mut length = 0.0;
         starts.push(0.0);
-        for segment in 0..count {
-            curves.push(*timeline.curve(segment));
-            length += timeline.segment_length(segment);
+        for (curve, its) in segments {
+            curves.push(*curve);
+            length += its;
             starts.push(length);
         }
         can_allocate(size_of::<Self>() + 2 * size_of::<usize>())?;
@@ -152,12 +155,20 @@ impl Rail {
             starts,
             closed: path.closed,
             end: end.unwrap_or(path.space.up.world(DVec3::Z)),
-            up: path.space.up,
+            space: path.space,
         }))
     }
 
-    fn length(&self) -> f64 {
+    pub(super) fn length(&self) -> f64 {
         self.starts[self.curves.len()]
+    }
+
+    pub(super) fn curves(&self) -> &[Cubic] {
+        &self.curves
+    }
+
+    pub(super) fn starts(&self) -> &[f64] {
+        &self.starts
     }
 
     /// The place at a length from the start of a segment on.
@@ -176,46 +187,93 @@ impl Rail {
     }
 }
 
-/// A section that looks along its way.
+/// Where a section looks that follows a rule.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Look {
+    /// So far ahead along the way; 0: along the tangent.
+    Ahead(f64),
+    /// At a point of the world.
+    Target(DVec3),
+    /// In the direction of both its keys.
+    Still,
+}
+
+/// A section that looks by a rule, with an up by a rule.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Ahead {
+pub(super) struct Follow {
     pub rail: Arc<Rail>,
     /// The segment along which it leads and its length; none where it stays.
     pub segment: Option<(usize, f64)>,
-    /// How far ahead; 0: along the tangent.
-    pub distance: f64,
+    pub look: Look,
     /// The view where the way has no direction at all; y upright.
     pub still: DVec3,
+    /// Which way is up; none: the upright axis.
+    pub up: Option<UpAlong>,
     /// Roll in radians in powers of φ.
     pub roll: [f64; 4],
 }
 
-impl Ahead {
-    /// The direction at φ in axes of which y stands upright, if the way has one
-    /// there.
+impl Follow {
+    /// The direction at φ in axes of which y stands upright, if there is one.
     pub(super) fn direction(&self, phi: f64) -> Option<DVec3> {
-        match self.segment {
-            None => Some(self.still),
-            Some(segment) => Some(self.rail.up.upright(self.way(segment, phi)?)),
+        let Some((segment, length)) = self.segment else {
+            return Some(self.still);
+        };
+        if self.look == Look::Still {
+            return Some(self.still);
+        }
+        let arc = ArcLength::new(&self.rail.curves[segment]).ok()?;
+        let t = arc.parameter_at(phi * length);
+        Some(
+            self.rail
+                .space
+                .up
+                .upright(self.way((segment, length), t, phi)?),
+        )
+    }
+
+    /// The direction at the parameter `t` of the segment, φ of its length.
+    pub(super) fn way(&self, (segment, length): (usize, f64), t: f64, phi: f64) -> Option<DVec3> {
+        let curve = &self.rail.curves[segment];
+        match self.look {
+            Look::Still => Some(self.rail.space.up.world(self.still)),
+            Look::Target(target) => {
+                let offset = target - curve.point(t);
+                let near = AT_TARGET * self.rail.space.half_size;
+                (offset.length() >= near).then(|| unit(offset))
+            }
+            Look::Ahead(distance) if distance > 0.0 => {
+                let there = self.rail.place(segment, phi * length + distance)?;
+                let offset = there - curve.point(t);
+                (offset.length() > NO_TANGENT * distance).then(|| unit(offset))
+            }
+            Look::Ahead(_) if t <= 0.0 || t >= 1.0 => end_direction(curve, t >= 1.0),
+            Look::Ahead(_) => {
+                let derivative = curve.derivative(t);
+                let size = curve.a.length() + curve.b.length() + curve.c.length();
+                (derivative.length() > NO_TANGENT * size).then(|| unit(derivative))
+            }
         }
     }
 
-    /// The direction of the way at φ.
-    fn way(&self, (segment, length): (usize, f64), phi: f64) -> Option<DVec3> {
-        let curve = &self.rail.curves[segment];
-        let arc = ArcLength::new(curve).ok()?;
-        let t = arc.parameter_at(phi * length);
-        if self.distance > 0.0 {
-            let there = self.rail.place(segment, phi * length + self.distance)?;
-            let offset = there - curve.point(t);
-            return (offset.length() > NO_TANGENT * self.distance).then(|| unit(offset));
-        }
-        if phi <= 0.0 || phi >= 1.0 {
-            return end_direction(curve, phi >= 1.0);
-        }
-        let derivative = curve.derivative(t);
-        let size = curve.a.length() + curve.b.length() + curve.c.length();
-        (derivative.length() > NO_TANGENT * size).then(|| unit(derivative))
+    /// Up before the roll at φ for a view there, both in axes of which y stands upright:
+    /// unit and perpendicular; none where the rule has none.
+    pub(super) fn reference(&self, up: &UpAlong, phi: f64, view: DVec3) -> Option<DVec3> {
+        let axes = self.rail.space.up;
+        let view = axes.world(view);
+        let found = match self.segment {
+            None => up.standing(view),
+            Some((segment, length)) => {
+                let arc = ArcLength::new(&self.rail.curves[segment]).ok()?;
+                up.at(
+                    self,
+                    (segment, length),
+                    (arc.parameter_at(phi * length), phi),
+                    view,
+                )
+            }
+        };
+        found.map(|up| axes.upright(up))
     }
 }
 

@@ -4,7 +4,7 @@
 use super::*;
 use crate::path::insertion::tests::random_path;
 use crate::path::test_support::Random;
-use crate::path::{CurveKind, Pose, Sampler, SupportPoint, Target};
+use crate::path::{CurveKind, Pose, Sampler, SupportPoint, Target, Timeline};
 
 fn look(path: &mut CameraPath, distance: f64) {
     for orientation in path.points.iter_mut().flat_map(|p| &mut p.orientations) {

@@ -5,12 +5,13 @@
 use glam::DVec3;
 
 use super::ahead;
+use super::alignment::rolled;
 use super::camera_path::{CameraPath, Orientation, Target};
 use super::hermite::Cubic;
 use super::orientation_curve::AT_TARGET;
 use super::space::Space;
 use super::timeline::{Change, Timeline};
-use crate::math::orientation::quaternion_from_roll;
+use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::continue_sign;
 
 /// What is in ambiguity.
@@ -43,10 +44,11 @@ pub fn ambiguity(path: &CameraPath, timeline: &Timeline, section: usize) -> Opti
         (begin.point, begin.orientation + 1)
     };
     let to = &path.points[next.0].orientations[next.1];
-    if from.own.ahead.is_some() && from.own.ahead == to.own.ahead {
+    let same_up = from.own.up == to.own.up;
+    if same_up && from.own.ahead.is_some() && from.own.ahead == to.own.ahead {
         return None;
     }
-    let tracks = from.own.ahead.or(to.own.ahead).is_none();
+    let tracks = same_up && from.own.ahead.or(to.own.ahead).is_none();
     match (from.target, to.target) {
         (Target::Absolute(a), Target::Absolute(b)) if tracks && a == b => {
             let curve = (begin.change == Change::Position).then(|| timeline.curve(begin.point))?;
@@ -54,8 +56,10 @@ pub fn ambiguity(path: &CameraPath, timeline: &Timeline, section: usize) -> Opti
         }
         _ => {
             let key = |(point, number): (usize, usize), orientation: &Orientation| {
-                let view = ahead::view(path, point, number);
-                quaternion_from_roll(path.space.up.upright(view), orientation.roll.to_radians())
+                let view = path.space.up.upright(ahead::view(path, point, number));
+                let reference = timeline.reference(point, number);
+                let up = rolled(view, reference, orientation.roll.to_radians());
+                quaternion_from_view(view, up)
             };
             let begins = (begin.point, begin.orientation);
             let (a, b) = (key(begins, from), key(next, to));

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::own::{MayOwn, Tangents};
 use super::space::Space;
+use super::up_vector::check_ups;
 use crate::error::{Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
@@ -413,7 +414,7 @@ impl CameraPath {
                 .check(space)
                 .map_err(|error| error.at(Place::Point(index + 1)))?;
         }
-        Ok(())
+        check_ups(self)
     }
 }
 

@@ -92,7 +92,7 @@ pub(super) fn fill<V: Vector>(
     first: usize,
     poses: &mut [Pose],
 ) -> Result<()> {
-    if let Turning::Ahead(_) = section.turning {
+    if let Turning::Follow(_) = section.turning {
         return fill_plainly::<V>(section, scratch, first, poses);
     }
     let tables = match section.tables.get() {
@@ -117,7 +117,7 @@ pub(super) fn fill<V: Vector>(
             parameters::<V>(way, tables, count, block);
         }
         match &section.turning {
-            Turning::Kept(..) | Turning::Ahead(_) => {}
+            Turning::Kept(..) | Turning::Follow(_) => {}
             Turning::Tracked(_, roll) => {
                 let [sin, cos, ..] = &mut block.q;
                 for k in 0..count {

@@ -11,6 +11,8 @@
 
 use glam::{DQuat, DVec3};
 
+use super::ahead::Look;
+use super::alignment;
 use super::arc_length::ArcLength;
 use super::camera_path::{CameraPath, Orientation, OrientationMode, SupportPoint, Target, Tcb};
 use super::curve;
@@ -20,6 +22,7 @@ use super::sampling::{Layout, Sampler, zoom_slopes};
 use super::section_sampler::SectionSampler;
 use super::timeline::{Change, Timeline};
 use super::timing::Timing;
+use super::up_vector::UpVector;
 use crate::error::{Error, Invalid, OutOfRange, Quantity, Result, vec_with_room};
 use crate::limits::{MAX_ZOOM, MIN_ZOOM, SPEEDS};
 use crate::math::{orientation, quaternion};
@@ -90,6 +93,13 @@ pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     let mut changed: Vec<usize> = vec_with_room(2 * NEIGHBOURS)?;
     changed.push(begin.point);
     keep_tangents(path, &mut new, at, &wanted, &mut changed)?;
+    if alignment::any(path) {
+        let old = alignment::ups(path)?;
+        let mut ups = vec_with_room(old.len() + 1)?;
+        ups.extend(old.into_iter().map(Some));
+        ups.insert(section + 1, None);
+        changed.append(&mut alignment::keep_ups(&mut new, &ups)?);
+    }
     keep_rates(path, &timeline, &mut new, index, &wanted, &mut changed)?;
     new.check()?;
     changed.sort_unstable();
@@ -235,7 +245,14 @@ fn divide(
         Turning::Tracked(target, _) if *target != position => {
             (Target::Absolute(*target), roll_there.0.to_degrees())
         }
-        Turning::Ahead(_) => (seen, roll_there.0.to_degrees()),
+        Turning::Follow(follow) => {
+            let target = match follow.look {
+                Look::Ahead(_) => seen,
+                Look::Target(target) if target != position => Target::Absolute(target),
+                Look::Still | Look::Target(_) => old.target,
+            };
+            (target, roll_there.0.to_degrees())
+        }
         _ => (seen, path.space.up.roll_from_up(view, up).to_degrees()),
     };
     let mut orientation = Orientation {
@@ -246,8 +263,9 @@ fn divide(
         speeds: old.speeds,
         hold: 0,
         own: old.own.for_a_copy()?.with(|own| {
-            if !matches!(sampled.turning, Turning::Ahead(_)) {
+            if !matches!(sampled.turning, Turning::Follow(_)) {
                 own.ahead = None;
+                own.up = UpVector::Axis;
             }
         })?,
     };
@@ -438,7 +456,7 @@ impl Keys {
             let longest = beside.into_iter().flatten().map(|way| way.duration);
             steps.push(longest.fold(0.0, f64::max));
         }
-        let rates = rates(&mut layout.keys, &layout.spans, layout.rail, path.space)?;
+        let rates = rates(&mut layout.keys, &layout.spans, layout.way, path.space)?;
         Ok(Self { rates, zoom, steps })
     }
 }

@@ -16,6 +16,7 @@
 //! below it.
 
 pub mod ahead;
+pub mod alignment;
 pub mod ambiguity;
 pub mod arc_length;
 mod arcs;
@@ -28,6 +29,7 @@ mod dispatch;
 pub mod ease;
 mod fill;
 pub mod fit_frames;
+mod frenet;
 pub mod hermite;
 pub mod insertion;
 pub mod kochanek_bartels;
@@ -45,6 +47,7 @@ mod tables;
 pub mod tessellation;
 pub mod timeline;
 pub mod timing;
+pub mod up_vector;
 
 #[cfg(test)]
 pub(crate) mod test_support;
@@ -62,3 +65,4 @@ pub use sampling::Sampler;
 pub use space::{Space, Up};
 pub use timeline::{Change, Section, Timeline};
 pub use timing::Timing;
+pub use up_vector::{UpPath, UpPathPoint, UpVector};

@@ -10,7 +10,8 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
-use super::ahead::{Ahead, Rail, end_direction};
+use super::ahead::{Follow, Look, Rail, end_direction};
+use super::alignment::{Alignment, End, UpAlong, look_between, rolled};
 use super::camera_path::{OrientationMode, Target, Tcb};
 use super::hermite::Cubic;
 use super::own::{MayOwn, TurningPart};
@@ -19,13 +20,12 @@ use super::quaternion_spline::{
     reflect,
 };
 use super::space::{Space, Up};
+use super::up_vector::UpVector;
 use crate::error::{Result, vec_with_room};
 use crate::math::monotone_cubic;
 use crate::math::orientation::{self, POLE};
 use crate::math::quaternion::{angle, continue_sign, log, slerp};
-
-/// Two relative directions nearer than this are the same.
-const SAME_DIRECTION: f64 = 1e-12;
+use crate::math::rotation_minimising::{perpendicular, turned};
 
 /// 1 less the cosine of the angle on S³ below which two keys are the same: the
 /// angle is about 1e-7.
@@ -48,6 +48,8 @@ pub(super) struct Key {
     pub view: DVec3,
     /// Radians.
     pub roll: f64,
+    /// Up before the roll, where it is not the upright axis.
+    pub reference: Option<DVec3>,
     pub turning: Tcb,
     /// With the sign that continues the key before it.
     pub q: DQuat,
@@ -65,7 +67,16 @@ impl Key {
     }
 
     pub(super) fn up(&self) -> DVec3 {
-        orientation::up_from_roll(self.view, self.roll)
+        rolled(self.view, self.reference, self.roll)
+    }
+
+    fn end(&self) -> End<'_> {
+        End {
+            target: self.target,
+            view: self.view,
+            roll: self.roll,
+            own: &self.own,
+        }
     }
 }
 
@@ -78,6 +89,8 @@ pub(super) struct Span<'a> {
     pub way: Option<(&'a Cubic, f64)>,
     /// The number of that curve.
     pub segment: usize,
+    /// The number of its section.
+    pub section: usize,
 }
 
 /// How the camera turns in one section; φ ∈ [0, 1] is the share of its curve
@@ -97,8 +110,8 @@ pub(super) enum Turning {
     Kept(DVec3, DVec3),
     /// Looks at a point of the world; the roll in radians in powers of φ.
     Tracked(DVec3, [f64; 4]),
-    /// Looks along the way.
-    Ahead(Ahead),
+    /// Looks along the way, or has an up that is not the upright axis.
+    Follow(Box<Follow>),
 }
 
 impl Turning {
@@ -109,7 +122,7 @@ impl Turning {
             Self::Part(control, [from, to]) => Some(bezier(control, from + (to - from) * phi)),
             Self::Arc([a, b]) => Some(slerp(*a, *b, phi)),
             Self::BarryGoldman(keys, knots) => Some(barry_goldman_between(keys, knots, phi)),
-            Self::Kept(..) | Self::Tracked(..) | Self::Ahead(_) => None,
+            Self::Kept(..) | Self::Tracked(..) | Self::Follow(_) => None,
         }
     }
 
@@ -124,7 +137,7 @@ impl Turning {
         match self {
             Self::Kept(view, up) => (*view, *up),
             Self::Tracked(target, roll) => track(*target, roll, phi, place, space),
-            Self::Ahead(ahead) => ahead.view_at(phi),
+            Self::Follow(follow) => follow.view_at(phi),
             _ => {
                 let q = self.quaternion(phi).unwrap_or(DQuat::IDENTITY);
                 orientation::view_from_quaternion(q)
@@ -155,10 +168,21 @@ fn track(
     level_view(&direction, roll, phi, DVec3::Z)
 }
 
-impl Ahead {
-    /// View direction and up at φ.
-    fn view_at(&self, phi: f64) -> (DVec3, DVec3) {
-        level_view(&|phi| self.direction(phi), &self.roll, phi, self.still)
+impl Follow {
+    /// View direction and up at φ. Where there is no direction or no up the last one
+    /// holds.
+    pub(super) fn view_at(&self, phi: f64) -> (DVec3, DVec3) {
+        let direction = |phi: f64| self.direction(phi);
+        let Some(up) = &self.up else {
+            return level_view(&direction, &self.roll, phi, self.still);
+        };
+        let view = held(&direction, phi).unwrap_or(self.still);
+        let there = |phi: f64| self.reference(up, phi, direction(phi)?);
+        let reference = self
+            .reference(up, phi, view)
+            .or_else(|| perpendicular(held(&there, phi)?, view))
+            .unwrap_or_else(|| orientation::level_axes(view).1);
+        (view, turned(reference, view, cubic(&self.roll, phi)))
     }
 
     /// Angular velocity on S³ at an end for one whole section.
@@ -184,10 +208,7 @@ fn level_view(
     still: DVec3,
 ) -> (DVec3, DVec3) {
     let level = |view: DVec3| view.x.hypot(view.z) >= POLE;
-    let here = direction(phi);
-    let view =
-        here.or_else(|| last_where(phi, &|phi| direction(phi).is_some()).and_then(direction));
-    let view = view.unwrap_or(still);
+    let view = held(direction, phi).unwrap_or(still);
     let (u, v) = if level(view) {
         orientation::level_axes(view)
     } else {
@@ -199,6 +220,11 @@ fn level_view(
     };
     let (sin, cos) = cubic(roll, phi).sin_cos();
     (view, v * cos - u * sin)
+}
+
+/// What there is at φ, else the last there was, else the next.
+fn held(find: &dyn Fn(f64) -> Option<DVec3>, phi: f64) -> Option<DVec3> {
+    find(phi).or_else(|| last_where(phi, &|phi| find(phi).is_some()).and_then(find))
 }
 
 /// The φ nearest before this one, else nearest after it, where `good` holds:
@@ -235,14 +261,14 @@ fn last_where(phi: f64, good: &dyn Fn(f64) -> bool) -> Option<f64> {
 enum Kind {
     Free,
     Tracked(DVec3),
-    Ahead(f64),
+    Follow(Look),
     Kept,
 }
 
 impl Kind {
-    /// Whether its roll is measured against the level.
+    /// Whether it has a roll of its own.
     fn is_level(self) -> bool {
-        matches!(self, Self::Tracked(_) | Self::Ahead(_))
+        matches!(self, Self::Tracked(_) | Self::Follow(_))
     }
 }
 
@@ -285,9 +311,17 @@ struct Work<'a> {
     wrap: f64,
     /// Roll of each tracked span: powers of φ.
     rolls: Vec<[f64; 4]>,
-    /// The whole curve, where a key looks along it.
-    rail: Option<Arc<Rail>>,
+    way: Way<'a>,
     space: Space,
+}
+
+/// What of a whole path some sections follow.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Way<'a> {
+    /// The whole curve, where a key looks along it or has another up than the axis.
+    pub rail: Option<&'a Arc<Rail>>,
+    /// Where a key has another up than the axis.
+    pub alignment: Option<&'a Alignment>,
 }
 
 /// Works out how the camera turns in each span, and fixes the signs of the keys.
@@ -295,10 +329,10 @@ pub(super) fn turnings(
     keys: &mut [Key],
     spans: &[Span<'_>],
     mode: OrientationMode,
-    rail: Option<Arc<Rail>>,
+    way: Way<'_>,
     space: Space,
 ) -> Result<Vec<Turning>> {
-    let work = work(keys, spans, rail, space)?;
+    let work = work(keys, spans, way, space)?;
     let mut turnings = vec_with_room(spans.len())?;
     for span in 0..spans.len() {
         turnings.push(work.turning(span, mode));
@@ -321,10 +355,10 @@ pub(super) struct Rates {
 pub(super) fn rates(
     keys: &mut [Key],
     spans: &[Span<'_>],
-    rail: Option<Arc<Rail>>,
+    way: Way<'_>,
     space: Space,
 ) -> Result<Vec<Rates>> {
-    let work = work(keys, spans, rail, space)?;
+    let work = work(keys, spans, way, space)?;
     let mut rates = vec_with_room(work.keys.len())?;
     for key in 0..work.keys.len() {
         let (reach, leave) = work.velocities(key);
@@ -345,7 +379,7 @@ pub(super) fn rates(
 fn work<'a>(
     keys: &'a mut [Key],
     spans: &'a [Span<'a>],
-    rail: Option<Arc<Rail>>,
+    way: Way<'a>,
     space: Space,
 ) -> Result<Work<'a>> {
     for i in 1..keys.len() {
@@ -371,13 +405,14 @@ fn work<'a>(
         means: vec_with_room(spans.len())?,
         wrap,
         rolls: vec_with_room(spans.len())?,
-        rail,
+        way,
         space,
     };
     for span in 0..spans.len() {
         let (from, to) = (&keys[span], &keys[ring.end_of(span)]);
         let (a, b) = work.ends(span);
-        work.kinds.push(kind(from, to));
+        let kind = work.kind(span, from, to);
+        work.kinds.push(kind);
         work.means
             .push((mean_velocity(a, b, spans[span].duration), angle(a, b)));
         work.rolls.push([0.0; 4]);
@@ -386,24 +421,28 @@ fn work<'a>(
     Ok(work)
 }
 
-fn kind(from: &Key, to: &Key) -> Kind {
-    match (from.own.ahead, to.own.ahead) {
-        (None, None) => {}
-        (Some(a), Some(b)) if a == b => return Kind::Ahead(a),
-        _ => return Kind::Free,
-    }
-    match (from.target, to.target) {
-        (Target::Absolute(a), Target::Absolute(b)) if a == b => Kind::Tracked(a),
-        (Target::Relative(_), Target::Relative(_))
-            if (from.view - to.view).length() <= SAME_DIRECTION && from.roll == to.roll =>
-        {
-            Kind::Kept
-        }
-        _ => Kind::Free,
-    }
-}
-
 impl Work<'_> {
+    fn kind(&self, span: usize, from: &Key, to: &Key) -> Kind {
+        match look_between(&from.end(), &to.end()) {
+            None => Kind::Free,
+            Some(look) if from.own.up != UpVector::Axis => match self.up_along(span) {
+                Some(_) => Kind::Follow(look),
+                None => Kind::Free,
+            },
+            Some(Look::Target(target)) => Kind::Tracked(target),
+            Some(Look::Still) => Kind::Kept,
+            Some(look) => Kind::Follow(look),
+        }
+    }
+
+    fn up_along(&self, span: usize) -> Option<UpAlong> {
+        let (begin, up) = (&self.spans[span], &self.keys[span].own.up);
+        let moves = begin.way.is_some();
+        self.way
+            .alignment?
+            .along(begin.section, up, moves, self.space)
+    }
+
     /// Quaternions at both ends of a span, with signs that belong together.
     fn ends(&self, span: usize) -> (DQuat, DQuat) {
         let end = self.ring.end_of(span);
@@ -416,9 +455,9 @@ impl Work<'_> {
         match (self.kinds[span], mode) {
             (Kind::Kept, _) => Turning::Kept(self.keys[span].view, self.keys[span].up()),
             (Kind::Tracked(target), _) => Turning::Tracked(target, self.rolls[span]),
-            (Kind::Ahead(_), _) => match self.along(span) {
-                Some(ahead) => Turning::Ahead(ahead),
-                // There is always a rail where a key looks ahead.
+            (Kind::Follow(_), _) => match self.along(span) {
+                Some(follow) => Turning::Follow(Box::new(follow)),
+                // There is always a rail where a section follows.
                 None => Turning::Kept(self.keys[span].view, self.keys[span].up()),
             },
             (Kind::Free, OrientationMode::Slerp) => Turning::Arc([a, b]),
@@ -440,18 +479,19 @@ impl Work<'_> {
         }
     }
 
-    /// A span that looks along its way.
-    fn along(&self, span: usize) -> Option<Ahead> {
-        let Kind::Ahead(distance) = self.kinds[span] else {
+    /// A span that follows.
+    fn along(&self, span: usize) -> Option<Follow> {
+        let Kind::Follow(look) = self.kinds[span] else {
             return None;
         };
-        Some(Ahead {
-            rail: self.rail.clone()?,
+        Some(Follow {
+            rail: self.way.rail?.clone(),
             segment: self.spans[span]
                 .way
                 .map(|(_, length)| (self.spans[span].segment, length)),
-            distance,
+            look,
             still: self.keys[span].view,
+            up: self.up_along(span),
             roll: self.rolls[span],
         })
     }
@@ -595,7 +635,7 @@ impl Work<'_> {
         match self.kinds[span] {
             Kind::Free => None,
             Kind::Kept => Some(DVec3::ZERO),
-            Kind::Ahead(_) => {
+            Kind::Follow(_) => {
                 let turned = self.along(span)?.velocity(at_end);
                 Some(turned / self.spans[span].duration)
             }

@@ -13,6 +13,7 @@ use glam::{DQuat, DVec3};
 use super::camera_path::check_speed;
 use super::ease::Ease;
 use super::space::Space;
+use super::up_vector::UpVector;
 use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate};
 use crate::limits;
 
@@ -185,6 +186,8 @@ pub struct Own {
     /// Looks along the way and not at its target: along the tangent (0), or at
     /// the place so far ahead on the curve.
     pub ahead: Option<f64>,
+    /// Which way is up before the roll.
+    pub up: UpVector,
     /// Angular velocities, in place of those by tension, continuity and bias.
     pub velocities: Option<Velocities>,
     /// How the section that begins here turns, if it is a part of what another
@@ -202,6 +205,7 @@ impl Own {
         pace: Pace::Speeds,
         frames: 0,
         ahead: None,
+        up: UpVector::Axis,
         velocities: None,
         turning: None,
         roll_slope: None,
@@ -222,6 +226,7 @@ impl Own {
         check_frames(self.frames)?;
         self.ahead
             .map_or(Ok(()), |distance| check_ahead(distance, space))?;
+        self.up.check(space)?;
         if let Some(Velocities { reach, leave }) = self.velocities {
             check_rates(&[reach.to_array(), leave.to_array()].concat())?;
         }
@@ -249,6 +254,15 @@ impl Own {
                 .for_each(|number| option(Some(number)));
         }
         option(self.ahead);
+        match &self.up {
+            UpVector::Point(place) => vector(Some(*place)).into_iter().for_each(&mut option),
+            UpVector::Path(path) => path
+                .points()
+                .iter()
+                .flat_map(|point| [point.position, point.before, point.after])
+                .for_each(|v| vector(Some(v)).into_iter().for_each(&mut option)),
+            UpVector::Axis | UpVector::Minimal | UpVector::Frenet => {}
+        }
         option(self.roll_slope);
         option(self.zoom_slope);
         option(Some(f64::from(self.frames)));

@@ -1,9 +1,10 @@
 //! A whole path becomes poses (thesis 5.2, 5.3, A.6.2; `docs/path.md`, speed and
 //! frames).
 
-use std::sync::{Arc, OnceLock};
+use std::sync::OnceLock;
 
-use super::ahead::{self, Rail};
+use super::ahead;
+use super::alignment::rolled;
 use super::arc_length;
 use super::camera_path::{CameraPath, ZoomMode};
 use super::dispatch;
@@ -36,8 +37,7 @@ pub(super) struct Layout<'a> {
     /// Their poses; of a closed path the first one again at the end.
     pub poses: Vec<Pose>,
     pub spans: Vec<orientation_curve::Span<'a>>,
-    /// The whole curve, where a key looks along it.
-    pub rail: Option<Arc<Rail>>,
+    pub way: orientation_curve::Way<'a>,
     first_frames: Vec<usize>,
 }
 
@@ -66,7 +66,7 @@ impl<'a> Layout<'a> {
             }
             number += orientation.hold as usize;
             first_frames.push(number + 1);
-            let (key, pose) = key(path, section.point, section.orientation);
+            let (key, pose) = key(path, timeline, section.point, section.orientation);
             keys.push(key);
             poses.push(pose);
             let moves = section.orientation + 1 == point.orientations.len();
@@ -82,6 +82,7 @@ impl<'a> Layout<'a> {
                 duration: section.frames as f64 * section.mean_speed / BASE_SPEED,
                 way: curve.map(|curve| (curve, length)),
                 segment: section.point.min(timeline.segment_count() - 1),
+                section: index,
             });
             sections.push(SectionSampler {
                 start: number,
@@ -105,26 +106,25 @@ impl<'a> Layout<'a> {
             let first = poses.first().copied();
             poses.push(match first {
                 Some(first) => first,
-                None => key(path, 0, 0).1,
+                None => key(path, timeline, 0, 0).1,
             });
         } else {
             let last = path.points.len() - 1;
-            let (key, pose) = key(path, last, path.points[last].orientations.len() - 1);
+            let (key, pose) = key(
+                path,
+                timeline,
+                last,
+                path.points[last].orientations.len() - 1,
+            );
             keys.push(key);
             poses.push(pose);
         }
-        let ahead = keys.iter().any(|key| key.own.ahead.is_some());
-        let rail = if ahead {
-            Some(Rail::new(path, timeline)?)
-        } else {
-            None
-        };
         Ok(Self {
             sections,
             keys,
             poses,
             spans,
-            rail,
+            way: timeline.way(),
             first_frames,
         })
     }
@@ -142,10 +142,10 @@ impl Sampler {
             mut keys,
             poses,
             spans,
-            rail,
+            way,
             first_frames,
         } = Layout::new(path, timeline)?;
-        let turnings = turnings(&mut keys, &spans, path.orientation_mode, rail, path.space)?;
+        let turnings = turnings(&mut keys, &spans, path.orientation_mode, way, path.space)?;
         for (section, turning) in sections.iter_mut().zip(turnings) {
             section.turning = turning;
         }
@@ -269,19 +269,21 @@ impl Sampler {
 }
 
 /// A key of the path, and the pose in which the camera is there.
-fn key(path: &CameraPath, point: usize, orientation: usize) -> (Key, Pose) {
+fn key(path: &CameraPath, timeline: &Timeline, point: usize, orientation: usize) -> (Key, Pose) {
+    let reference = timeline.reference(point, orientation);
     let axes = path.space.up;
     let view = ahead::view(path, point, orientation);
     let point = &path.points[point];
     let orientation = &point.orientations[orientation];
     let roll = orientation.roll.to_radians();
     let upright = axes.upright(view);
-    let up = orientation::up_from_roll(upright, roll);
+    let up = rolled(upright, reference, roll);
     let key = Key {
         position: point.position,
         target: orientation.target,
         view: upright,
         roll,
+        reference,
         turning: orientation.turning,
         own: orientation.own.clone(),
         q: orientation::quaternion_from_view(upright, up),

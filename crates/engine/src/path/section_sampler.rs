@@ -6,7 +6,6 @@ use std::sync::OnceLock;
 
 use glam::{DQuat, DVec3};
 
-use super::ahead::Ahead;
 use super::arc_length::ArcLength;
 use super::hermite::Cubic;
 use super::orientation_curve::Turning;
@@ -89,14 +88,14 @@ impl SectionSampler {
                 fingerprint.add(view.to_array());
                 fingerprint.add(up.to_array());
             }
-            Turning::Ahead(ahead) => {
-                fingerprint.add([7.0, ahead.distance]);
-                fingerprint.add(ahead.still.to_array());
-                fingerprint.add(ahead.roll);
-                // What lies ahead, wherever it turns.
+            Turning::Follow(follow) => {
+                fingerprint.add([7.0]);
+                fingerprint.add(follow.roll);
+                // What is seen, wherever it turns.
                 for k in 0..=8 {
-                    let seen = ahead.direction(f64::from(k) / 8.0);
-                    fingerprint.add(seen.unwrap_or(DVec3::ZERO).to_array());
+                    let (view, up) = follow.view_at(f64::from(k) / 8.0);
+                    fingerprint.add(view.to_array());
+                    fingerprint.add(up.to_array());
                 }
             }
             Turning::Tracked(target, roll) => {
@@ -124,10 +123,8 @@ impl SectionSampler {
     /// Roll at φ of a tracked section in radians, and its derivative; else zeros.
     pub(super) fn turning_slope(&self, phi: f64) -> (f64, f64) {
         match &self.turning {
-            Turning::Tracked(_, c) | Turning::Ahead(Ahead { roll: c, .. }) => (
-                ((c[3] * phi + c[2]) * phi + c[1]) * phi + c[0],
-                (3.0 * c[3] * phi + 2.0 * c[2]) * phi + c[1],
-            ),
+            Turning::Tracked(_, c) => value_and_slope(c, phi),
+            Turning::Follow(follow) => value_and_slope(&follow.roll, phi),
             _ => (0.0, 0.0),
         }
     }
@@ -151,6 +148,14 @@ impl SectionSampler {
             zoom: ((c[3] * phi + c[2]) * phi + c[1]) * phi + c[0],
         })
     }
+}
+
+/// A cubic in powers of φ and its derivative.
+fn value_and_slope(c: &[f64; 4], phi: f64) -> (f64, f64) {
+    (
+        ((c[3] * phi + c[2]) * phi + c[1]) * phi + c[0],
+        (3.0 * c[3] * phi + 2.0 * c[2]) * phi + c[1],
+    )
 }
 
 /// A fingerprint of numbers, by their bits and their order.

@@ -2,17 +2,23 @@
 //! what changes, by how much, how many frames it takes. When the values at one
 //! point change, only what lies around it is computed again.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
-use super::ahead;
+use super::ahead::{self, Rail};
+use super::alignment::{self, Alignment, rolled};
 use super::camera_path::{CameraPath, CurveKind, Orientation};
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
+use super::orientation_curve::Way;
 use super::speed_curve::SpeedCurve;
 use super::timing::{Timing, facing};
+use super::up_vector::UpVector;
 use crate::error::{Result, TooMany, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_FRAMES, MAX_ZOOM, MIN_ZOOM};
+use crate::math::rotation_minimising::signed_angle;
 use crate::math::{orientation, quaternion};
 
 /// Less than this is no change: half sizes of the space, radians, degrees, zoom.
@@ -78,6 +84,12 @@ impl State {
     }
 }
 
+/// Whether an orientation's view or up depends on more than itself.
+fn follows(orientation: &Orientation) -> bool {
+    let own = &orientation.own;
+    !own.is_empty() && (own.ahead.is_some() || own.up != UpVector::Axis)
+}
+
 /// Lengths of all segments, frames of all sections.
 ///
 /// Orientations are counted through the whole path here: a *slot* is the
@@ -92,8 +104,10 @@ pub struct Timeline {
     /// Hold of the last orientation of an open path.
     last_hold: usize,
     frames: usize,
-    /// Whether a view looks along the way.
-    ahead: bool,
+    /// The whole curve, where a view looks along it or has another up than the axis.
+    rail: Option<Arc<Rail>>,
+    /// Where a view has another up than the axis.
+    alignment: Option<Alignment>,
 }
 
 impl Timeline {
@@ -125,11 +139,12 @@ impl Timeline {
             sections,
             last_hold: last_hold(path),
             frames: 1,
-            ahead: false,
+            rail: None,
+            alignment: None,
         };
+        timeline.align(path)?;
         for (index, point) in path.points.iter().enumerate() {
             for number in 0..point.orientations.len() {
-                timeline.ahead |= point.orientations[number].own.ahead.is_some();
                 if timeline.sections.len() == count {
                     break;
                 }
@@ -155,8 +170,7 @@ impl Timeline {
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn update_point(&mut self, path: &CameraPath, point: usize) -> Result<()> {
-        let looks_ahead = |o: &Orientation| o.own.ahead.is_some();
-        let ahead = self.ahead || path.points[point].orientations.iter().any(looks_ahead);
+        let ahead = self.rail.is_some() || path.points[point].orientations.iter().any(follows);
         if path.curve == CurveKind::Cubic || ahead {
             // Every segment feels every point, and so do views along the way.
             *self = Self::new(path)?;
@@ -210,6 +224,36 @@ impl Timeline {
         self.frames = self.frames - self.last_hold + hold;
         self.last_hold = hold;
         Ok(())
+    }
+
+    /// Prepares what views along the way and other ups than the axis go by.
+    fn align(&mut self, path: &CameraPath) -> Result<()> {
+        let mut all = path.points.iter().flat_map(|point| &point.orientations);
+        if all.any(follows) {
+            let segments = self.segments.iter();
+            let segments = segments.map(|segment| (&segment.curve, segment.length));
+            let rail = self.rail.insert(Rail::new(path, segments)?);
+            if alignment::any(path) {
+                self.alignment = Some(Alignment::new(path, rail)?);
+            }
+        }
+        Ok(())
+    }
+
+    /// What sections follow.
+    pub(super) fn way(&self) -> Way<'_> {
+        Way {
+            rail: self.rail.as_ref(),
+            alignment: self.alignment.as_ref(),
+        }
+    }
+
+    /// Up before the roll of an orientation, in axes of which y stands upright; none
+    /// where it is the upright axis.
+    pub(super) fn reference(&self, point: usize, orientation: usize) -> Option<DVec3> {
+        self.alignment
+            .as_ref()?
+            .up(self.first_slot[point] + orientation)
     }
 
     /// All frames of the path, at least 1.
@@ -376,16 +420,26 @@ impl Timeline {
             }
             &path.points[(point + 1) % path.points.len()].orientations[0]
         };
-        let (a, b) = self.views(path, (point, orientation));
+        let next = self.next(path, (point, orientation));
+        let [a, b] = [(point, orientation), next].map(|(p, o)| ahead::view(path, p, o));
+        let references = [(point, orientation), next].map(|(p, o)| self.reference(p, o));
         if (a - b).length() > NO_CHANGE {
-            let key = |view, roll: f64| {
-                orientation::quaternion_from_roll(path.space.up.upright(view), roll.to_radians())
+            let key = |view, reference, roll: f64| {
+                let view = path.space.up.upright(view);
+                orientation::quaternion_from_view(view, rolled(view, reference, roll.to_radians()))
             };
-            let (a, b) = (key(a, from.roll), key(b, to.roll));
+            let a = key(a, references[0], from.roll);
+            let b = key(b, references[1], to.roll);
             let angle = quaternion::angle(a, if a.dot(b) < 0.0 { -b } else { b });
             return (Change::View, angle / std::f64::consts::FRAC_PI_2);
         }
-        let roll = orientation::wrap_degrees(to.roll - from.roll).abs();
+        let view = path.space.up.upright(a);
+        let level = |up: Option<DVec3>| rolled(view, up, 0.0);
+        let between = match references {
+            [None, None] => 0.0,
+            [a, b] => signed_angle(level(a), level(b), view).to_degrees(),
+        };
+        let roll = orientation::wrap_degrees(to.roll - from.roll + between).abs();
         if roll > NO_CHANGE {
             return (Change::Roll, roll / 90.0);
         }
@@ -396,18 +450,13 @@ impl Timeline {
         (Change::Nothing, 0.0)
     }
 
-    /// The views with which the section that begins with this orientation begins
-    /// and ends.
-    fn views(&self, path: &CameraPath, (point, orientation): (usize, usize)) -> (DVec3, DVec3) {
-        let to = if orientation + 1 < path.points[point].orientations.len() {
+    /// The orientation in which the section ends that begins with this one.
+    fn next(&self, path: &CameraPath, (point, orientation): (usize, usize)) -> (usize, usize) {
+        if orientation + 1 < path.points[point].orientations.len() {
             (point, orientation + 1)
         } else {
             ((point + 1) % path.points.len(), 0)
-        };
-        (
-            ahead::view(path, point, orientation),
-            ahead::view(path, to.0, to.1),
-        )
+        }
     }
 
     /// The nearest section before this one that has frames.

@@ -11,13 +11,14 @@ use std::sync::Arc;
 
 use glam::{DMat4, DQuat, DVec3};
 
-use super::keep::{check_upright, keep_tangents, no_point, shape_in, tangents};
+use super::keep::{self, check_upright, keep_tangents, no_point, shape_in, tangents};
 use super::transform::transform;
 use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, can_allocate, vec_with_room};
 use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
+use crate::path::up_vector::check_ups;
 use crate::path::{
     CameraPath, CurveKind, CurveParameters, Ease, Orientation, Pace, PacePart, SupportPoint,
-    Tangents, Tcb, TurningPart, Up, Velocities, Whole,
+    Tangents, Tcb, TurningPart, Up, UpVector, Velocities, Whole, alignment,
 };
 
 /// How a block is put in.
@@ -78,6 +79,13 @@ pub fn extract(path: &CameraPath, first: usize, last: usize) -> Result<CameraPat
     };
     block.check()?;
     keep_tangents(&mut block, &wanted)?;
+    check_ups(&block)?;
+    let ups = keep::ups(path)?;
+    if !ups.is_empty() {
+        let mut taken_ups = vec_with_room(taken)?;
+        taken_ups.extend((0..taken).map(|k| ups[(first + k) % count].as_slice()));
+        alignment::keep_ups(&mut block, &taken_ups.concat())?;
+    }
     Ok(block)
 }
 
@@ -295,6 +303,18 @@ pub fn insert(
     let mut path_of_all = CameraPath { points, ..*path };
     path_of_all.check()?;
     keep_tangents(&mut path_of_all, &wanted)?;
+    check_ups(&path_of_all)?;
+    if alignment::any(&path_of_all) {
+        let (old, mine) = (alignment::ups(path)?, alignment::ups(&block)?);
+        let orientations = |points: &[SupportPoint]| -> usize {
+            points.iter().map(|point| point.orientations.len()).sum()
+        };
+        let split = orientations(&path.points[..=at]);
+        let put = orientations(&block.points[..from])..orientations(&block.points[..to]);
+        let all = [&old[..split], &mine[put], &old[split..]].concat();
+        let all: Vec<Option<DVec3>> = all.into_iter().map(Some).collect();
+        alignment::keep_ups(&mut path_of_all, &all)?;
+    }
     let mut changed = vec_with_room(path.points.len())?;
     for (number, old) in path.points.iter().enumerate() {
         let new = number + if number > at { count } else { 0 };
@@ -416,7 +436,15 @@ pub fn reverse(path: &CameraPath) -> Result<CameraPath> {
         }
         points.push(new);
     }
-    Ok(CameraPath { points, ..*path })
+    let mut reversed = CameraPath { points, ..*path };
+    let mut ups = keep::ups(path)?;
+    if !ups.is_empty() {
+        ups.iter_mut().for_each(|ups| ups.reverse());
+        let mut wanted = vec_with_room(count)?;
+        wanted.extend((0..count).map(|number| ups[old(number)].as_slice()));
+        alignment::keep_ups(&mut reversed, &wanted.concat())?;
+    }
+    Ok(reversed)
 }
 
 fn mirrored(tcb: Tcb) -> Tcb {
@@ -452,7 +480,12 @@ fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
         fall: ease.rise,
         ..*ease
     };
+    let up = match &old.own.up {
+        UpVector::Path(path) => UpVector::Path(path.reversed()?),
+        up => up.clone(),
+    };
     new.own = old.own.with(|own| {
+        own.up = up;
         own.frames = section.own.frames;
         own.pace = match &section.own.pace {
             Pace::Speeds => Pace::Speeds,

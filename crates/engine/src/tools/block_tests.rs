@@ -1,5 +1,6 @@
 use super::*;
 use crate::path::test_support::Random;
+use crate::path::{MayOwn, UpPath};
 use crate::path::{Pose, Sampler, Target, Timeline, curve};
 
 fn vector(random: &mut Random) -> DVec3 {
@@ -122,6 +123,45 @@ fn a_film_of_the_reversed_path_runs_backwards() {
         let again = reverse(&back).unwrap();
         for (a, b) in one.iter().zip(&poses(&again)) {
             assert!(far(a, b) < 1e-10, "{number}");
+        }
+    }
+}
+
+#[test]
+fn ups_are_kept_backwards_and_in_parts() {
+    let mut random = Random(14);
+    for number in 0..60 {
+        let mut path = random_path(&mut random);
+        path.closed &= number % 2 == 0;
+        let second = UpPath::of(&random_path(&mut random)).unwrap();
+        let up = match number % 3 {
+            0 => UpVector::Minimal,
+            1 => UpVector::Point(DVec3::new(0.3, 5.0, -0.4)),
+            _ => UpVector::Path(second),
+        };
+        let target = Target::Absolute(DVec3::new(0.2, -6.0, 0.1));
+        for orientation in path.points.iter_mut().flat_map(|p| &mut p.orientations) {
+            orientation.target = target;
+            orientation.hold = 0;
+            orientation.own = MayOwn::default().with(|own| own.up = up.clone()).unwrap();
+        }
+        let back = reverse(&path).unwrap();
+        if !path.closed {
+            for (a, b) in poses(&path).iter().zip(poses(&back).iter().rev()) {
+                assert!(far(a, b) < 1e-6, "{number}: {}", far(a, b));
+            }
+        }
+        let count = path.points.len();
+        let part = extract(&path, 1, count - 1).unwrap_or_else(|_| path.clone());
+        if part.points.len() == count - 1 {
+            let (all, some) = (
+                alignment::ups(&path).unwrap(),
+                alignment::ups(&part).unwrap(),
+            );
+            let skipped = path.points[0].orientations.len();
+            for (a, b) in all[skipped..].iter().zip(&some) {
+                assert!((*a - *b).length() < 1e-9, "{number}");
+            }
         }
     }
 }

@@ -18,7 +18,7 @@ use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::{angle, continue_sign, log};
 use crate::path::arc_length::ArcLength;
 use crate::path::{
-    Ambiguity, CameraPath, Change, Pose, Sampler, Section, Target, Timeline, ambiguity,
+    Ambiguity, CameraPath, Change, Pose, Sampler, Section, Target, Timeline, UpVector, ambiguity,
 };
 
 /// A thing that is looked for.
@@ -350,12 +350,18 @@ impl Scan<'_> {
         }
         let view = self.path.space.up.upright(here.pose.vpn.into());
         let pole = view.x.hypot(view.z).atan2(view.y.abs()).to_degrees();
-        self.below("pole", at, pole)?;
-        let target = self.section_at(number).map(|section| {
+        let begin = self.section_at(number).map(|section| {
             let point = &self.path.points[section.point];
-            point.orientations[section.orientation].target
+            &point.orientations[section.orientation]
         });
-        if let Some(Target::Absolute(target)) = target {
+        // Another up than the axis does not spin there.
+        let level = begin.is_none_or(|begin| begin.own.up == UpVector::Axis);
+        if level {
+            self.below("pole", at, pole)?;
+        } else {
+            self.see("pole", at, None, -1.0)?;
+        }
+        if let Some(Target::Absolute(target)) = begin.map(|begin| begin.target) {
             self.below("target", at, (target - here.place).length() / size)?;
         } else {
             self.see("target", at, None, -1.0)?;

@@ -219,6 +219,15 @@ fn pole_and_target() {
     };
     assert!(over(0.5, 0.01).contains(&"pole"));
     assert!(!over(0.5, 0.05).contains(&"pole"));
+    // Another up does not spin there.
+    let mut above = path(&[[-0.5, 0.5, 0.01], [0.5, 0.5, 0.01]]);
+    for point in &mut above.points {
+        let orientation = &mut point.orientations[0];
+        orientation.target = Target::Absolute(DVec3::ZERO);
+        let with = orientation.own.with(|own| own.up = UpVector::Minimal);
+        orientation.own = with.unwrap();
+    }
+    assert!(!found(&above).contains(&"pole"));
     assert!(over(0.04, 0.0).contains(&"target"));
     assert!(!over(0.06, 0.0).contains(&"target"));
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::math::quaternion::exp;
 use crate::path::test_support::Random;
 use crate::path::{Sampler, Timeline};
 

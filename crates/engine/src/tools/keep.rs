@@ -2,7 +2,8 @@
 //! points around them change.
 
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
-use crate::path::{CameraPath, CurveKind, CurveParameters, Tangents, curve};
+use crate::path::{CameraPath, CurveKind, CurveParameters, Tangents, alignment, curve};
+use glam::DVec3;
 
 /// Tangents are the same within this share of their length.
 const SAME: f64 = 1e-14;
@@ -40,6 +41,22 @@ pub(super) fn check_upright(paths: &[&CameraPath]) -> Result<()> {
         return Err(Invalid::UprightDiffers.into());
     }
     Ok(())
+}
+
+/// Up at the orientations of each point; nothing where all ups are the axis.
+pub(super) fn ups(path: &CameraPath) -> Result<Vec<Vec<Option<DVec3>>>> {
+    let mut found = Vec::new();
+    if !alignment::any(path) {
+        return Ok(found);
+    }
+    let mut all = alignment::ups(path)?.into_iter().map(Some);
+    found = vec_with_room(path.points.len())?;
+    for point in &path.points {
+        let mut ups = vec_with_room(point.orientations.len())?;
+        ups.extend(all.by_ref().take(point.orientations.len()));
+        found.push(ups);
+    }
+    Ok(found)
 }
 
 pub(super) fn no_point(path: &CameraPath, point: usize) -> Error {

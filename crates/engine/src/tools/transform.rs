@@ -10,7 +10,10 @@ use super::keep::picked;
 use crate::deform::{Bounds, Deformation};
 use crate::error::{Invalid, Place, Result, vec_with_room};
 use crate::math::orientation::{roll_from_up, unit, up_from_roll, wrap_degrees};
-use crate::path::{CameraPath, Orientation, SupportPoint, Tangents, Target, Up, Velocities, ahead};
+use crate::path::{
+    CameraPath, Orientation, SupportPoint, Tangents, Target, Up, UpPathPoint, UpVector, Velocities,
+    ahead, alignment,
+};
 
 /// Columns of a matrix without shear are at right angles within this.
 const SQUARE: f64 = 1e-9;
@@ -140,7 +143,52 @@ fn mapped(
             .map_err(|error| error.at(Place::Point(number + 1)))?;
         changed.push((number, new));
     }
+    if with_targets && alignment::any(path) {
+        turn_ups(path, map, &mut changed)?;
+    }
     Ok(changed)
+}
+
+/// Gives the orientations of changed points, where up is not the axis, the rolls with
+/// which their ups go along.
+fn turn_ups(path: &CameraPath, map: &Map<'_>, changed: &mut Changed) -> Result<()> {
+    let mut whole = path.try_clone()?;
+    for (number, point) in changed.iter() {
+        whole.points[*number] = point.try_clone()?;
+    }
+    let old = alignment::ups(path)?;
+    let mut wanted = vec_with_room(old.len())?;
+    for (number, point) in path.points.iter().enumerate() {
+        let goes = changed.iter().any(|(at, _)| *at == number);
+        let derivative = (map.derivative)(point.position);
+        for _ in &point.orientations {
+            let up = old[wanted.len()];
+            wanted.push(goes.then_some(derivative * up));
+        }
+    }
+    alignment::keep_ups(&mut whole, &wanted)?;
+    for (number, point) in changed.iter_mut() {
+        point
+            .orientations
+            .clone_from(&whole.points[*number].orientations);
+    }
+    Ok(())
+}
+
+/// Which way is up, gone along.
+fn moved(up: &UpVector, map: &Map<'_>) -> Result<UpVector> {
+    Ok(match up {
+        UpVector::Point(place) => UpVector::Point((map.place)(*place)),
+        UpVector::Path(path) => UpVector::Path(path.map(|point| {
+            let derivative = (map.derivative)(point.position);
+            UpPathPoint {
+                position: (map.place)(point.position),
+                before: derivative * point.before,
+                after: derivative * point.after,
+            }
+        })?),
+        other => other.clone(),
+    })
 }
 
 /// An orientation whose camera goes along: target, roll, velocities.
@@ -158,6 +206,10 @@ fn seen(
             Target::Relative((map.place)(position + offset) - (map.place)(position))
         }
     };
+    if old.own.up != UpVector::Axis {
+        let up = moved(&old.own.up, map)?;
+        new.own = new.own.with(|own| own.up = up)?;
+    }
     let scale = derivative.x_axis.length();
     let turn = *derivative * (1.0 / scale);
     let rigid = map.linear && (turn.transpose() * turn).abs_diff_eq(DMat3::IDENTITY, SQUARE);
@@ -171,7 +223,7 @@ fn seen(
     };
     let up = axis.world(up_from_roll(axis.upright(view), old.roll.to_radians()));
     let up = *derivative * up;
-    if new_view.cross(up) != DVec3::ZERO {
+    if old.own.up == UpVector::Axis && new_view.cross(up) != DVec3::ZERO {
         new.roll =
             wrap_degrees(roll_from_up(axis.upright(unit(new_view)), axis.upright(up)).to_degrees());
     }
@@ -179,7 +231,7 @@ fn seen(
         return Ok(new);
     }
     let hand = turn.determinant().signum();
-    new.own = old.own.with(|own| {
+    new.own = new.own.with(|own| {
         own.roll_slope = own.roll_slope.map(|slope| hand * slope);
         if !rigid {
             own.velocities = None;

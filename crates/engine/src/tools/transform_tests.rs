@@ -1,6 +1,6 @@
 use super::*;
 use crate::path::test_support::Random;
-use crate::path::{Pose, Sampler, Timeline, curve};
+use crate::path::{CurveKind, Own, Pose, Sampler, Timeline, UpPath, UpVector, curve};
 
 fn path(random: &mut Random, absolute: bool) -> CameraPath {
     let mut vector = || DVec3::from_array(std::array::from_fn(|_| 2.0 * random.unit() - 1.0));
@@ -68,6 +68,41 @@ fn a_whole_path_turns_as_one_body() {
                 view.length() < 1e-9 && up.length() < 1e-9,
                 "{number}: {view} {up}"
             );
+        }
+    }
+}
+
+/// Whatever up goes by, it goes along: what an orientation begins with is its roll's.
+#[test]
+fn a_path_turns_with_its_ups() {
+    let mut random = Random(10);
+    let turn = DQuat::from_axis_angle(DVec3::new(0.3, 0.5, -0.8).normalize(), 2.2);
+    let matrix = DMat4::from_rotation_translation(turn, DVec3::new(1.0, -2.0, 0.5));
+    let up_path = UpPath::of(&path(&mut random, false)).unwrap();
+    for up in [
+        UpVector::Point(DVec3::new(0.2, 4.0, 0.3)),
+        UpVector::Path(up_path),
+        UpVector::Minimal,
+        UpVector::Frenet,
+    ] {
+        for ahead in [None, Some(0.0), Some(0.3)] {
+            let mut old = path(&mut random, true);
+            old.curve = CurveKind::Cubic;
+            for point in &mut old.points {
+                point.tangents = None;
+                let own = &mut point.orientations[0].own;
+                let change = |own: &mut Own| (own.up, own.ahead) = (up.clone(), ahead);
+                *own = own.with(change).unwrap();
+            }
+            let new = transform(&old, &[0, 1, 2, 3, 4], &matrix, true).unwrap();
+            let new = changed(&old, new);
+            for (a, b) in poses(&old).iter().zip(&poses(&new)) {
+                let place = matrix.transform_point3(a.vrp.into()) - DVec3::from(b.vrp);
+                let view = turn * DVec3::from(a.vpn) - DVec3::from(b.vpn);
+                let far = turn * DVec3::from(a.vup) - DVec3::from(b.vup);
+                assert!(place.length() < 1e-12 && view.length() < 1e-9);
+                assert!(far.length() < 1e-7, "{} {ahead:?}: {far}", up.name());
+            }
         }
     }
 }

@@ -1,0 +1,475 @@
+//! Which way is up at each orientation of a path and along its sections
+//! (`docs/path.md`, which way is up), where it is not the upright axis.
+//!
+//! A minimal up depends on the way to it, so it is known for the whole path at once:
+//! from the curve and the views alone, before there are frames.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::ahead::{self, Follow, Look, Rail};
+use super::arc_length::ArcLength;
+use super::camera_path::{CameraPath, Orientation, Target};
+use super::frenet::Normals;
+use super::own::MayOwn;
+use super::up_vector::{UpPath, UpVector};
+use crate::error::{Result, can_allocate, vec_with_room};
+use crate::math::orientation::{up_from_roll, wrap_degrees};
+use crate::math::rotation_minimising::{
+    chord, perpendicular, shortest, signed_angle, step, turned,
+};
+
+/// Two relative directions nearer than this are the same.
+const SAME_DIRECTION: f64 = 1e-12;
+
+/// Steps are halved until the twist of a section changes by less.
+const TWIST: f64 = 1e-7;
+
+/// Steps in which a section is carried at first and at most. (More would only be
+/// asked for where the view jumps.)
+const STEPS: [usize; 2] = [16, 4096];
+
+/// What tells whether a section between two orientations follows a rule.
+pub(super) struct End<'a> {
+    pub target: Target,
+    pub view: DVec3,
+    pub roll: f64,
+    pub own: &'a MayOwn,
+}
+
+/// The look that a section keeps all the way: that of both its ends, if they have the
+/// same and the same up.
+pub(super) fn look_between(from: &End<'_>, to: &End<'_>) -> Option<Look> {
+    if from.own.up != to.own.up {
+        return None;
+    }
+    match (from.own.ahead, to.own.ahead) {
+        (None, None) => {}
+        (Some(a), Some(b)) if a == b => return Some(Look::Ahead(a)),
+        _ => return None,
+    }
+    match (from.target, to.target) {
+        (Target::Absolute(a), Target::Absolute(b)) if a == b => Some(Look::Target(a)),
+        (Target::Relative(_), Target::Relative(_))
+            if (from.view - to.view).length() <= SAME_DIRECTION && from.roll == to.roll =>
+        {
+            Some(Look::Still)
+        }
+        _ => None,
+    }
+}
+
+/// Up along one section.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum UpAlong {
+    /// Towards a point.
+    Point(DVec3),
+    /// Towards a place on a path.
+    Path(Arc<UpPath>),
+    /// Carried along.
+    Minimal(Arc<Carried>),
+    /// The normal of the curve.
+    Frenet(Arc<Normals>),
+    /// What it is at the key in which the section begins, where the camera stays.
+    Key(DVec3),
+}
+
+/// A minimal up along one section.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Carried {
+    /// Directions and ups at equal steps of the curve's parameter, both of the world.
+    nodes: Vec<(DVec3, DVec3)>,
+    /// By what it is turned besides at both ends, so that a closed path closes.
+    turn: [f64; 2],
+}
+
+impl UpAlong {
+    /// Where the camera stays.
+    pub(super) fn standing(&self, view: DVec3) -> Option<DVec3> {
+        match self {
+            Self::Key(up) => perpendicular(*up, view),
+            _ => None,
+        }
+    }
+
+    /// At the parameter `t` of a segment, φ of its length, for a view there.
+    pub(super) fn at(
+        &self,
+        follow: &Follow,
+        (segment, length): (usize, f64),
+        (t, phi): (f64, f64),
+        view: DVec3,
+    ) -> Option<DVec3> {
+        let rail = &follow.rail;
+        let place = || rail.curves()[segment].point(t);
+        let up = match self {
+            Self::Key(up) => *up,
+            Self::Point(point) => *point - place(),
+            Self::Path(path) => {
+                path.place((rail.starts()[segment] + phi * length) / rail.length()) - place()
+            }
+            Self::Frenet(normals) => normals.up(segment, (t, phi), view)?,
+            Self::Minimal(carried) => {
+                let steps = carried.nodes.len() - 1;
+                let at = ((t * steps as f64) as usize).min(steps - 1);
+                let (from, up) = carried.nodes[at];
+                let begin = at as f64 / steps as f64;
+                let middle = 0.5 * (begin + t);
+                let there = match follow.look {
+                    Look::Ahead(distance) if distance > 0.0 => {
+                        let arc = ArcLength::new(&rail.curves()[segment]).ok()?;
+                        follow.way((segment, length), middle, arc.length_at(middle) / length)
+                    }
+                    _ => follow.way((segment, length), middle, 0.0),
+                };
+                let up = step(up, from, view, chord(from, there.unwrap_or(view), view));
+                let [a, b] = carried.turn;
+                turned(up, view, a + (b - a) * phi)
+            }
+        };
+        perpendicular(up, view)
+    }
+}
+
+/// The ups of a whole path.
+#[derive(Debug, Clone)]
+pub(super) struct Alignment {
+    /// Up before the roll for each orientation in turn, in axes of which y stands
+    /// upright; none where it is the axis.
+    ups: Vec<Option<DVec3>>,
+    /// For each section in turn, if it carries its up.
+    carried: Vec<Option<Arc<Carried>>>,
+    normals: Option<Arc<Normals>>,
+}
+
+/// An orientation of a path while its up is sought.
+struct Place<'a> {
+    point: usize,
+    last: bool,
+    orientation: &'a Orientation,
+    view: DVec3,
+}
+
+impl Place<'_> {
+    fn end(&self) -> End<'_> {
+        End {
+            target: self.orientation.target,
+            view: self.view,
+            roll: self.orientation.roll,
+            own: &self.orientation.own,
+        }
+    }
+}
+
+/// Whether some orientation has another up than the axis.
+#[must_use]
+pub fn any(path: &CameraPath) -> bool {
+    let mut all = path.points.iter().flat_map(|point| &point.orientations);
+    all.any(|orientation| orientation.own.up != UpVector::Axis)
+}
+
+/// Up with its roll at each orientation of a path in turn, in the world.
+///
+/// # Errors
+/// [`crate::Error::Memory`].
+pub fn ups(path: &CameraPath) -> Result<Vec<DVec3>> {
+    let timeline = super::timeline::Timeline::new(path)?;
+    let mut ups = vec_with_room(path.points.iter().map(|p| p.orientations.len()).sum())?;
+    for (point, here) in path.points.iter().enumerate() {
+        for at in 0..here.orientations.len() {
+            let view = path.space.up.upright(ahead::view(path, point, at));
+            let roll = here.orientations[at].roll.to_radians();
+            let up = rolled(view, timeline.reference(point, at), roll);
+            ups.push(path.space.up.world(up));
+        }
+    }
+    Ok(ups)
+}
+
+/// Gives orientations of a path the roll with which they have these ups: for each one
+/// in turn, none to leave its roll. Only those change whose up is not the axis. The
+/// points that have changed.
+///
+/// # Errors
+/// [`crate::Error::Memory`].
+pub fn keep_ups(path: &mut CameraPath, wanted: &[Option<DVec3>]) -> Result<Vec<usize>> {
+    let mut changed = Vec::new();
+    if !any(path) {
+        return Ok(changed);
+    }
+    let now = ups(path)?;
+    let mut all = now.iter().zip(wanted);
+    for point in 0..path.points.len() {
+        for at in 0..path.points[point].orientations.len() {
+            let Some((now, wanted)) = all.next() else {
+                return Ok(changed);
+            };
+            let view = ahead::view(path, point, at);
+            let orientation = &mut path.points[point].orientations[at];
+            if let Some(wanted) = wanted.and_then(|wanted| perpendicular(wanted, view))
+                && orientation.own.up != UpVector::Axis
+            {
+                let missing = signed_angle(*now, wanted, view).to_degrees();
+                if missing.abs() > 1e-10 {
+                    orientation.roll = wrap_degrees(orientation.roll + missing);
+                    changed.try_reserve(1)?;
+                    changed.push(point);
+                }
+            }
+        }
+    }
+    Ok(changed)
+}
+
+/// Up for a view, rolled from where it is before the roll: that of the upright axis, or
+/// another one.
+pub(super) fn rolled(view: DVec3, reference: Option<DVec3>, roll: f64) -> DVec3 {
+    match reference {
+        None => up_from_roll(view, roll),
+        Some(up) => turned(up, view, roll),
+    }
+}
+
+impl Alignment {
+    /// Of a path some of whose ups are not the axis.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub(super) fn new(path: &CameraPath, rail: &Arc<Rail>) -> Result<Self> {
+        let count = path.points.iter().map(|p| p.orientations.len()).sum();
+        let mut places = vec_with_room(count)?;
+        let mut frenet = false;
+        for (point, here) in path.points.iter().enumerate() {
+            for (at, orientation) in here.orientations.iter().enumerate() {
+                frenet |= orientation.own.up == UpVector::Frenet;
+                places.push(Place {
+                    point,
+                    last: at + 1 == here.orientations.len(),
+                    orientation,
+                    view: ahead::view(path, point, at),
+                });
+            }
+        }
+        let mut normals = None;
+        if frenet && let Some(found) = Normals::new(rail.curves(), rail.starts(), path.closed)? {
+            can_allocate(size_of::<Normals>() + 2 * size_of::<usize>())?;
+            normals = Some(Arc::new(found));
+        }
+        let mut alignment = Self {
+            ups: vec_with_room(count)?,
+            carried: vec_with_room(count)?,
+            normals,
+        };
+        alignment.ups.resize(count, None);
+        alignment.carried.resize(count, None);
+        let minimal = |at: usize| places[at].orientation.own.up == UpVector::Minimal;
+        // A run of minimal ups is counted from where it begins.
+        let begin = (0..count).find(|&at| !minimal(at));
+        let around = begin.is_none() && path.closed;
+        let begin = if path.closed { begin.unwrap_or(0) } else { 0 };
+        let mut before: Option<(usize, DVec3)> = None;
+        for k in 0..count + usize::from(around) {
+            let at = (begin + k) % count;
+            let carried = match before {
+                Some((from, up)) if minimal(from) && minimal(at) => {
+                    Some(alignment.carry(&places, (from, up), at, (path, rail))?)
+                }
+                _ => None,
+            };
+            if k == count {
+                if let Some(arrived) = carried {
+                    alignment.close(&places, arrived, (path, rail))?;
+                }
+                break;
+            }
+            let last = before.map(|(from, up)| {
+                let Place {
+                    view, orientation, ..
+                } = &places[from];
+                turned(up, *view, orientation.roll.to_radians())
+            });
+            let up = match carried {
+                Some(up) => up,
+                None => alignment.up_of(&places[at], last, (path, rail)),
+            };
+            before = Some((at, up));
+            if places[at].orientation.own.up != UpVector::Axis {
+                alignment.ups[at] = Some(path.space.up.upright(up));
+            }
+        }
+        Ok(alignment)
+    }
+
+    /// Up before the roll of an orientation whose up depends on none before it, but where
+    /// it has none: then it is the last one.
+    fn up_of(
+        &self,
+        place: &Place<'_>,
+        last: Option<DVec3>,
+        (path, rail): (&CameraPath, &Rail),
+    ) -> DVec3 {
+        let here = path.points[place.point].position;
+        let axis = path.space.up.world(DVec3::Y);
+        let (segments, start) = (rail.curves().len(), rail.starts()[place.point]);
+        let toward = match &place.orientation.own.up {
+            UpVector::Axis => return path.space.up.level_axes(place.view).1,
+            UpVector::Minimal => Some(axis),
+            UpVector::Point(point) => Some(*point - here),
+            UpVector::Path(up) if rail.length() > 0.0 => {
+                Some(up.place(start / rail.length()) - here)
+            }
+            UpVector::Path(up) => Some(up.place(0.0) - here),
+            UpVector::Frenet => match &self.normals {
+                Some(normals) if place.point < segments => {
+                    normals.up(place.point, (0.0, 0.0), place.view)
+                }
+                Some(normals) => normals.up(segments - 1, (1.0, 1.0), place.view),
+                None => Some(axis),
+            },
+        };
+        toward
+            .and_then(|up| perpendicular(up, place.view))
+            .or_else(|| perpendicular(last?, place.view))
+            .unwrap_or_else(|| path.space.up.level_axes(place.view).1)
+    }
+
+    /// The up with which a minimal one reaches the orientation `to`.
+    fn carry(
+        &mut self,
+        places: &[Place<'_>],
+        (from, up): (usize, DVec3),
+        to: usize,
+        (path, rail): (&CameraPath, &Arc<Rail>),
+    ) -> Result<DVec3> {
+        let (a, b) = (&places[from], &places[to]);
+        let segment = a
+            .last
+            .then_some(a.point)
+            .filter(|&segment| segment < rail.curves().len());
+        let look = look_between(&a.end(), &b.end());
+        let length = segment.map(|segment| rail.starts()[segment + 1] - rail.starts()[segment]);
+        let (Some(look), Some(segment), Some(length)) =
+            (look, segment, length.filter(|length| *length > 0.0))
+        else {
+            return Ok(shortest(up, a.view, b.view));
+        };
+        let follow = Follow {
+            rail: rail.clone(),
+            segment: Some((segment, length)),
+            look,
+            still: path.space.up.upright(a.view),
+            up: None,
+            roll: [0.0; 4],
+        };
+        let nodes = carried(&follow, (segment, length), (a.view, up))?;
+        let (view, up) = nodes[nodes.len() - 1];
+        can_allocate(size_of::<Carried>() + 2 * size_of::<usize>())?;
+        let turn = [0.0; 2];
+        self.carried[from] = Some(Arc::new(Carried { nodes, turn }));
+        Ok(shortest(up, view, b.view))
+    }
+
+    /// Spreads over the length of a closed path what its up misses at the end.
+    fn close(
+        &mut self,
+        places: &[Place<'_>],
+        arrived: DVec3,
+        (path, rail): (&CameraPath, &Rail),
+    ) -> Result<()> {
+        let axes = path.space.up;
+        let Some(first) = self.ups[0].map(|up| axes.world(up)) else {
+            return Ok(());
+        };
+        let missing = signed_angle(arrived, first, places[0].view);
+        if !(rail.length() > 0.0) {
+            return Ok(());
+        }
+        let turn = |point: usize| missing * rail.starts()[point] / rail.length();
+        for (at, place) in places.iter().enumerate() {
+            let view = axes.upright(place.view);
+            self.ups[at] = self.ups[at].map(|up| turned(up, view, turn(place.point)));
+            if let Some(carried) = &mut self.carried[at] {
+                can_allocate(size_of::<Carried>() + 2 * size_of::<usize>())?;
+                Arc::make_mut(carried).turn = [turn(place.point), turn(place.point + 1)];
+            }
+        }
+        Ok(())
+    }
+
+    /// Up before the roll of an orientation, counted through the path, in axes of which y
+    /// stands upright; none where it is the axis.
+    pub(super) fn up(&self, slot: usize) -> Option<DVec3> {
+        self.ups[slot]
+    }
+
+    /// The rule of the section that begins with an orientation, which is followed all
+    /// the way; `moves`: along the curve. None where it cannot be.
+    pub(super) fn along(
+        &self,
+        slot: usize,
+        rule: &UpVector,
+        moves: bool,
+        space: super::Space,
+    ) -> Option<UpAlong> {
+        let key = || self.ups[slot].map(|up| UpAlong::Key(space.up.world(up)));
+        match rule {
+            UpVector::Axis => None,
+            _ if !moves => key(),
+            UpVector::Point(point) => Some(UpAlong::Point(*point)),
+            UpVector::Path(path) => Some(UpAlong::Path(path.clone())),
+            UpVector::Minimal => self.carried[slot].clone().map(UpAlong::Minimal),
+            UpVector::Frenet => match &self.normals {
+                Some(normals) => Some(UpAlong::Frenet(normals.clone())),
+                None => Some(UpAlong::Key(space.up.world(DVec3::Y))),
+            },
+        }
+    }
+}
+
+/// Directions and ups at equal steps of a segment's parameter, halved until the twist
+/// of the whole is known.
+fn carried(
+    follow: &Follow,
+    way: (usize, f64),
+    (view, up): (DVec3, DVec3),
+) -> Result<Vec<(DVec3, DVec3)>> {
+    let arc = ArcLength::new(&follow.rail.curves()[way.0])?;
+    let ahead = matches!(follow.look, Look::Ahead(distance) if distance > 0.0);
+    let seen = |t: f64| follow.way(way, t, if ahead { arc.length_at(t) / way.1 } else { t });
+    let [mut steps, most] = STEPS;
+    // Directions at the ends and in the middle of each step.
+    let mut views: Vec<Option<DVec3>> = vec_with_room(2 * steps + 1)?;
+    views.extend((0..=2 * steps).map(|k| seen(k as f64 / (2 * steps) as f64)));
+    let mut last: Option<DVec3> = None;
+    loop {
+        let mut nodes = vec_with_room(steps + 1)?;
+        let first = views[0].unwrap_or(view);
+        let mut here = (first, shortest(up, view, first));
+        nodes.push(here);
+        for k in 0..steps {
+            let [middle, next] = [1, 2].map(|half| views[2 * k + half]);
+            // Where there is no direction the last one holds.
+            if let Some(next) = next {
+                let chord = chord(here.0, middle.unwrap_or(next), next);
+                here = (next, step(here.1, here.0, next, chord));
+            }
+            nodes.push(here);
+        }
+        if last.is_some_and(|last| (last - here.1).length() < TWIST) || steps >= most {
+            return Ok(nodes);
+        }
+        last = Some(here.1);
+        steps *= 2;
+        let mut finer = vec_with_room(2 * steps + 1)?;
+        finer.extend((0..=2 * steps).map(|k| match k % 2 {
+            0 => views[k / 2],
+            _ => seen(k as f64 / (2 * steps) as f64),
+        }));
+        views = finer;
+    }
+}
+
+#[cfg(test)]
+#[path = "alignment_tests.rs"]
+mod tests;

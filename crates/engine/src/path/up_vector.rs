@@ -1,0 +1,233 @@
+//! Which way is up for a camera: what an orientation may have in place of the upright
+//! axis (Kolb, Computergraphik II, 9.2.2: up point, up path).
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::arc_length::ArcLength;
+use super::camera_path::CameraPath;
+use super::curve;
+use super::dispatch;
+use super::hermite::Cubic;
+use super::space::Space;
+use crate::error::{Invalid, OutOfRange, Result, TooMany, can_allocate, vec_with_room};
+use crate::limits;
+
+/// Which way is up before the roll.
+#[derive(Debug, Clone, Default)]
+pub enum UpVector {
+    /// The upright axis of the space.
+    #[default]
+    Axis,
+    /// Towards a point of the world.
+    Point(DVec3),
+    /// Towards the place on a second path at the same share of length.
+    Path(Arc<UpPath>),
+    /// Carried along without turning about the view.
+    Minimal,
+    /// The principal normal of the curve.
+    Frenet,
+}
+
+impl PartialEq for UpVector {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Point(a), Self::Point(b)) => a == b,
+            (Self::Path(a), Self::Path(b)) => Arc::ptr_eq(a, b) || a.points == b.points,
+            _ => std::mem::discriminant(self) == std::mem::discriminant(other),
+        }
+    }
+}
+
+impl UpVector {
+    /// The names, in files and in C.
+    pub const NAMES: [&'static str; 5] = ["axis", "point", "path", "minimal", "frenet"];
+
+    /// Its name.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Axis => "axis",
+            Self::Point(_) => "point",
+            Self::Path(_) => "path",
+            Self::Minimal => "minimal",
+            Self::Frenet => "frenet",
+        }
+    }
+
+    /// Places within reach.
+    ///
+    /// # Errors
+    /// [`crate::Error::Range`], [`crate::Error::Argument`] or [`crate::Error::Limit`].
+    pub fn check(&self, space: Space) -> Result<()> {
+        match self {
+            Self::Point(place) => space.check_place(*place),
+            Self::Path(path) => path.check(space),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A point of an up path: its place, and the derivatives with which the curve reaches
+/// and leaves it, per segment parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UpPathPoint {
+    /// Where it is.
+    pub position: DVec3,
+    /// With which the curve reaches it.
+    pub before: DVec3,
+    /// With which the curve leaves it.
+    pub after: DVec3,
+}
+
+/// A second path of which only the curve counts. A closed one ends where it begins.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UpPath {
+    points: Vec<UpPathPoint>,
+    curves: Vec<Cubic>,
+    /// Length before each segment, and of all.
+    starts: Vec<f64>,
+}
+
+impl UpPath {
+    /// The curve through these points.
+    ///
+    /// # Errors
+    /// [`crate::Error::Range`] for fewer than two, [`crate::Error::Limit`] for more than
+    /// [`limits::MAX_UP_PATH_POINTS`]; [`crate::Error::Memory`].
+    pub fn new(points: Vec<UpPathPoint>) -> Result<Arc<Self>> {
+        if points.len() < limits::MIN_POINTS {
+            return Err(OutOfRange::TooFewSupportPoints.into());
+        }
+        if points.len() > limits::MAX_UP_PATH_POINTS {
+            return Err(TooMany::UpPathPoints.into());
+        }
+        let mut curves = vec_with_room(points.len() - 1)?;
+        let mut starts = vec_with_room(points.len())?;
+        let mut length = 0.0;
+        starts.push(length);
+        for pair in points.windows(2) {
+            let (a, b) = (&pair[0], &pair[1]);
+            let curve = Cubic::hermite(a.position, b.position, a.after, b.before);
+            length += dispatch::length(&curve);
+            starts.push(length);
+            curves.push(curve);
+        }
+        can_allocate(size_of::<Self>() + 2 * size_of::<usize>())?;
+        Ok(Arc::new(Self {
+            points,
+            curves,
+            starts,
+        }))
+    }
+
+    /// The curve of a path.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn of(path: &CameraPath) -> Result<Arc<Self>> {
+        let count = path.points.len() + usize::from(path.closed);
+        if count > limits::MAX_UP_PATH_POINTS {
+            return Err(TooMany::UpPathPoints.into());
+        }
+        let mut points = vec_with_room(count)?;
+        for at in 0..count {
+            let at = at % path.points.len();
+            let tangents = curve::tangents(path, at);
+            points.push(UpPathPoint {
+                position: path.points[at].position,
+                before: tangents.before,
+                after: tangents.after,
+            });
+        }
+        Self::new(points)
+    }
+
+    /// Its points.
+    #[must_use]
+    pub fn points(&self) -> &[UpPathPoint] {
+        &self.points
+    }
+
+    /// Each point changed.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub fn map(&self, change: impl Fn(&UpPathPoint) -> UpPathPoint) -> Result<Arc<Self>> {
+        let mut points = vec_with_room(self.points.len())?;
+        points.extend(self.points.iter().map(change));
+        Self::new(points)
+    }
+
+    /// The other way round.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub fn reversed(&self) -> Result<Arc<Self>> {
+        let mut points = vec_with_room(self.points.len())?;
+        points.extend(self.points.iter().rev().map(|point| UpPathPoint {
+            position: point.position,
+            before: -point.after,
+            after: -point.before,
+        }));
+        Self::new(points)
+    }
+
+    fn check(&self, space: Space) -> Result<()> {
+        for point in &self.points {
+            space.check_place(point.position)?;
+            space.check_offset(point.before)?;
+            space.check_offset(point.after)?;
+        }
+        Ok(())
+    }
+
+    /// The place at a share of its length, 0 to 1.
+    pub(super) fn place(&self, share: f64) -> DVec3 {
+        let s = share * self.starts[self.curves.len()];
+        let at = self.starts.partition_point(|&start| start <= s).max(1) - 1;
+        let at = at.min(self.curves.len() - 1);
+        match ArcLength::new(&self.curves[at]) {
+            Ok(arc) => self.curves[at].point(arc.parameter_at(s - self.starts[at])),
+            Err(_) => self.points[at].position,
+        }
+    }
+}
+
+/// Whether the ups of a path are defined on it: the principal normal is where the
+/// curvature is continuous; and there are not too many up paths.
+///
+/// # Errors
+/// [`crate::Error::Argument`] or [`crate::Error::Limit`].
+pub fn check_ups(path: &CameraPath) -> Result<()> {
+    let mut paths: [Option<&Arc<UpPath>>; limits::MAX_UP_PATHS] = [None; limits::MAX_UP_PATHS];
+    let mut frenet = false;
+    for orientation in path.points.iter().flat_map(|point| &point.orientations) {
+        if orientation.own.is_empty() {
+            continue;
+        }
+        match &orientation.own.up {
+            UpVector::Frenet => frenet = true,
+            UpVector::Path(new) => {
+                let known = |old: &&Arc<UpPath>| Arc::ptr_eq(old, new) || old.points == new.points;
+                if paths.iter().flatten().any(known) {
+                    continue;
+                }
+                match paths.iter_mut().find(|place| place.is_none()) {
+                    Some(place) => *place = Some(new),
+                    None => return Err(TooMany::UpPaths.into()),
+                }
+            }
+            _ => {}
+        }
+    }
+    let smooth = || {
+        path.curve == super::CurveKind::Cubic
+            && path.points.iter().all(|point| point.tangents.is_none())
+    };
+    if frenet && !smooth() {
+        return Err(Invalid::NoNormal.into());
+    }
+    Ok(())
+}

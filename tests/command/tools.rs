@@ -1,0 +1,254 @@
+//! The tools as a shell sees them: moves, blocks, fits, checks, plots.
+
+use super::*;
+
+const CAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/car.vid");
+
+// ---- Tools ----------------------------------------------------------------------------
+
+/// A file in a folder of this test's own, with what a run wrote there.
+fn written(folder: &Path, name: &str, arguments: &[&str]) -> String {
+    let file = folder.join(name);
+    let mut all = arguments.to_vec();
+    all.extend(["-o", file.to_str().unwrap()]);
+    assert_eq!(said(&run(&all)), "");
+    file.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn an_orbit_is_made_extracted_repeated_and_turned_round() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let orbit = written(
+        folder,
+        "orbit.vid",
+        &[
+            "move",
+            "orbit",
+            "--around",
+            "0,0.5,0",
+            "--radius",
+            "1.2",
+            "--height",
+            "0.4",
+            "--turns",
+            "2",
+            "--seconds",
+            "12",
+        ],
+    );
+    let poses = poses_of(&orbit);
+    assert_eq!(poses.len(), 300);
+    for pose in &poses {
+        assert!((pose.vrp[0].hypot(pose.vrp[2]) - 1.2).abs() < 1e-6);
+        assert!((pose.vrp[1] - 0.9).abs() < 1e-12);
+    }
+    let half = written(folder, "half.vid", &["extract", &orbit, "--points", "1-13"]);
+    let again = written(folder, "again.vid", &["repeat", &half, "3"]);
+    assert_eq!(
+        Document::load(Path::new(&again))
+            .unwrap()
+            .path()
+            .points
+            .len(),
+        37
+    );
+    let back = written(folder, "back.vid", &["reverse", &orbit]);
+    let mut reversed = poses_of(&back);
+    reversed.reverse();
+    for (a, b) in poses.iter().zip(&reversed) {
+        assert!(
+            numbers(a)
+                .iter()
+                .zip(numbers(b))
+                .all(|(a, b)| (a - b).abs() < 1e-9)
+        );
+    }
+    let moved = written(
+        folder,
+        "moved.vid",
+        &["transform", &orbit, "--move", "1,-2,3", "--with-targets"],
+    );
+    for (a, b) in poses.iter().zip(&poses_of(&moved)) {
+        assert!(
+            (b.vrp[0] - a.vrp[0] - 1.0).abs() < 1e-12 && (b.vrp[1] - a.vrp[1] + 2.0).abs() < 1e-12
+        );
+        assert!((b.vpn[0] - a.vpn[0]).abs() < 1e-12);
+    }
+    let blend = written(
+        folder,
+        "blend.vid",
+        &["blend", &orbit, &moved, "--weights", "0.25,0.75"],
+    );
+    let first = poses_of(&blend)[0].vrp;
+    assert!((first[0] - poses[0].vrp[0] - 0.75).abs() < 1e-12);
+    let twisted = written(
+        folder,
+        "twisted.vid",
+        &["deform", &orbit, "twist", "1", "90"],
+    );
+    assert_ne!(poses_of(&twisted)[150].vrp, poses[150].vrp);
+    let joined = written(
+        folder,
+        "joined.vid",
+        &["insert", PYRAMID, &half, "--fit", "turn"],
+    );
+    assert!(poses_of(&joined).len() > poses_of(PYRAMID).len());
+}
+
+#[test]
+fn tools_refuse_what_does_not_do() {
+    for arguments in [
+        &["move", "orbit", "--radius", "0"][..],
+        &["move", "dolly-zoom", "--end-distance", "1e-3"],
+        &["move", "figure-eight", "--height", "0"],
+        &["transform", PYRAMID, "--scale", "0"],
+        &["transform", PYRAMID, "--points", "5-99"],
+        &["deform", PYRAMID, "shear", "1"],
+        &["extract", PYRAMID, "--points", "2-2"],
+        &["repeat", PYRAMID, "0"],
+        &["blend", PYRAMID, PYRAMID, "--weights", "0.5,0.6"],
+        &["insert", PYRAMID, PYRAMID, "--fit", "scale"],
+    ] {
+        sentence(&run(arguments), 1);
+    }
+    for arguments in [
+        &["move", "loop"][..],
+        &["move", "orbit", "--around", "1,2"],
+        &["move", "orbit", "--radius", "nan"],
+        &["extract", PYRAMID],
+        &["deform", PYRAMID, "twist", "1", "90", "--box", "1,2,3"],
+    ] {
+        complaint(&run(arguments), 2);
+    }
+}
+
+#[test]
+fn a_sampled_film_becomes_a_path_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let poses = folder.join("poses.csv");
+    let poses = poses.to_str().unwrap();
+    said(&run(&["sample", PYRAMID, "--format", "csv", "-o", poses]));
+    let fitted = written(folder, "fitted.vid", &["fit", poses, "--tolerance", "0.02"]);
+    let (want, got) = (poses_of(PYRAMID), poses_of(&fitted));
+    assert_eq!(got.len(), want.len());
+    for (a, b) in want.iter().zip(&got) {
+        let far = (0..3).map(|k| (a.vrp[k] - b.vrp[k]).powi(2)).sum::<f64>();
+        assert!(far.sqrt() < 0.0201);
+    }
+    sentence(&run(&["fit", PYRAMID]), 1);
+    sentence(&run(&["fit", poses, "--tolerance", "0"]), 1);
+}
+
+#[test]
+fn a_check_tells_by_its_exit_status() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let calm = written(folder, "calm.vid", &["move", "orbit", "--radius", "0.9"]);
+    assert_eq!(said(&run(&["check", &calm])), "");
+    assert_eq!(said(&run(&["check", &calm, "--json"])), "[]\n");
+    let fast = written(
+        folder,
+        "fast.vid",
+        &["move", "orbit", "--radius", "0.9", "--seconds", "3"],
+    );
+    let output = run(&["check", &fast, "--json"]);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(output.stderr.is_empty());
+    let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let turning = found
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|f| f["kind"] == "turning");
+    let value = turning.unwrap()["value"].as_f64().unwrap();
+    assert!((100.0..140.0).contains(&value), "{value}");
+    let text = run(&["check", &fast]);
+    assert_eq!(text.status.code(), Some(3));
+    assert!(String::from_utf8(text.stdout).unwrap().contains("turning"));
+    sentence(&run(&["check", "no such file"]), 1);
+}
+
+#[test]
+fn a_plot_has_all_its_parts() {
+    let folder = tempfile::tempdir().unwrap();
+    let light = folder.path().join("a.svg");
+    assert_eq!(
+        said(&run(&["plot", PYRAMID, "-o", light.to_str().unwrap()])),
+        ""
+    );
+    let light = fs::read_to_string(light).unwrap();
+    let dark = said(&run(&["plot", PYRAMID, "--dark"]));
+    assert!(light.contains("#ffffff") && !dark.contains("#ffffff"));
+    for text in [light, dark] {
+        assert!(text.starts_with("<svg ") && text.ends_with("</svg>\n"));
+        for part in [
+            "view-0",
+            "view-1",
+            "view-2",
+            "sphere",
+            "findings",
+            "chart-0",
+            "chart-5",
+            "Speed",
+            "Acceleration",
+            "Turning",
+            "Roll",
+            "Zoom",
+            "Clearance",
+        ] {
+            assert!(text.contains(part), "{part}");
+        }
+        assert!(!text.contains("NaN") && !text.contains("inf"));
+        // Every element is closed.
+        assert_eq!(text.matches("<g ").count(), text.matches("</g>").count());
+    }
+    complaint(&run(&["plot", PYRAMID, "-o", "a.gif"]), 2);
+    sentence(&run(&["plot", "no such file"]), 1);
+    sentence(&run(&["plot", CAR]), 1);
+    sentence(&run(&["check", CAR]), 1);
+}
+
+#[test]
+fn a_plot_is_a_png_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let pixels = |more: &[&str]| {
+        let file = folder.path().join("a.png");
+        let whole = [&["plot", PYRAMID, "-o", file.to_str().unwrap()], more].concat();
+        assert_eq!(said(&run(&whole)), "");
+        let decoder = png::Decoder::new(BufReader::new(fs::File::open(&file).unwrap()));
+        let mut reader = decoder.read_info().unwrap();
+        let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut bytes).unwrap();
+        assert_eq!((info.width, info.color_type), (1920, png::ColorType::Rgb));
+        assert_eq!(bytes.len(), (info.width * info.height * 3) as usize);
+        bytes
+    };
+    for (more, ground, way, ink) in [
+        (
+            &[][..],
+            [0xff, 0xff, 0xff],
+            [0x1f, 0x62, 0xb5],
+            [0x1d, 0x27, 0x33],
+        ),
+        (
+            &["--dark"][..],
+            [0x16, 0x19, 0x1e],
+            [0x6e, 0xa8, 0xf0],
+            [0xe8, 0xeb, 0xef],
+        ),
+    ] {
+        let bytes = pixels(more);
+        assert_eq!(bytes[..3], ground);
+        let count = |colour: [u8; 3]| bytes.chunks(3).filter(|pixel| *pixel == colour).count();
+        // Lines and letters stand there, and most of it is ground.
+        assert!(
+            count(way) > 2_000 && count(ink) > 200,
+            "{} {}",
+            count(way),
+            count(ink)
+        );
+        assert!(count(ground) > bytes.len() / 6);
+    }
+}
