@@ -189,6 +189,11 @@ impl<'a> Number<'a> {
         self
     }
 
+    /// The same under a condition.
+    pub(super) fn fixed_if(self, fixed: bool) -> Self {
+        if fixed { self.fixed() } else { self }
+    }
+
     /// It is a value in between, which nobody has set.
     pub(super) fn faint(mut self, faint: bool) -> Self {
         self.faint = faint;

@@ -75,12 +75,14 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let layout = Layout::left_to_right(Align::Center);
         UiBuilder::new().max_rect(rect).layout(layout)
     };
+    // A scene ends when all has: its frames are no path's.
+    let of_scene = editor.document.around().is_some();
     // As many poses for the whole flight, each section its share of them.
     let points = editor.document.path().points.len();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let fit = |frames: f64| Edit::FitFrames {
         first: 0,
-        last: points - 1,
+        last: points.saturating_sub(1),
         frames: frames as usize,
     };
     ui.scope_builder(row(0), |ui| {
@@ -98,6 +100,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             .hint(texts.last_frame_tip)
             .whole()
             .typed()
+            .fixed_if(of_scene)
             .range(first + 1.0..=first + as_frame(MAX_FRAMES) - 1.0)
             .steps(1.0, 0.0)
             .show(ui, language, "playing.last", FIELD);
@@ -130,6 +133,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             .unit(" s")
             .decimals(2)
             .typed()
+            .fixed_if(of_scene)
             .range(1.0 / fps..=seconds(as_frame(MAX_FRAMES)))
             .steps(1.0, 0.0)
             .show(ui, language, "playing.duration", FIELD);

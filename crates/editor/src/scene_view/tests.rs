@@ -396,3 +396,20 @@ fn scrubbing_a_large_scene_stays_fluent() {
     // Loose, since machines may be busy; the figure counts.
     assert!(times[20] < 100.0, "{times:?}");
 }
+
+/// The bar's totals are the scene's: nothing is typed there.
+#[test]
+fn the_length_of_a_scene_is_only_shown() {
+    let mut window = window_of_file(&car(), Language::English, Theme::Dark);
+    let before = window.state().document().revision();
+    let texts = &Language::English.texts().space;
+    for name in [texts.last_frame, texts.duration] {
+        assert!(!value(&window, name).is_empty());
+        window.get_by_label(name).click();
+        window.run();
+        window.event(egui::Event::Text("20".to_owned()));
+        press(&mut window, Modifiers::NONE, Key::Enter);
+        assert_eq!(said(&window), None);
+    }
+    assert_eq!(window.state().document().revision(), before);
+}
