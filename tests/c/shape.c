@@ -251,10 +251,13 @@ static void ups(void)
     V_PATH *path = three_points(), *second = three_points();
     const double above[3] = {0.2, 5, 0.1};
     double to[3], along = 0, length = 0;
+    V_ORIENTATION o;
     V_POSE pose;
     int at, k;
 
     for (at = 0; at < 3; at++) {
+        v_orientation_init(&o); /* without its roll, which is added */
+        OK(v_path_set_orientation(path, at, 0, &o));
         OK(v_path_set_ahead(path, at, 0, 0));
         OK(v_path_set_up(path, at, 0, "point", above, NULL));
     }

@@ -19,7 +19,7 @@ use vides_engine::scene::{NodeState, Scene, Troubles};
 pub(super) use self::panel::{no_path, show};
 pub(super) use self::wires::{other_paths, wires};
 use crate::document::Document;
-use crate::error::{Refused, Result};
+use crate::error::{Error, Refused, Result};
 use crate::path::Pose;
 use crate::space::Camera;
 use crate::state::Editor;
@@ -43,6 +43,8 @@ pub(super) struct Now {
     pub(super) edited: Option<usize>,
     /// From the world into the coordinates of the path that is edited.
     pub(super) into_path: DAffine3,
+    /// A node that cannot move as it should, and why.
+    pub(super) trouble: Option<(usize, Error)>,
     /// [`crate::document::Around::number`] and [`Document::revision`].
     pub(super) made_of: (u64, u64),
 }
@@ -73,6 +75,7 @@ impl Now {
             frame,
             edited: around.node(),
             into_path: DAffine3::IDENTITY,
+            trouble: None,
             made_of,
         };
         now.evaluate()?;
@@ -81,9 +84,11 @@ impl Now {
 
     fn evaluate(&mut self) -> Result<()> {
         // A function of the host's that fails steps, and the rest moves.
-        let troubles = &mut Troubles::default();
+        let mut troubles = Troubles::default();
         self.scene
-            .evaluate(self.frame, &mut self.states, troubles)?;
+            .evaluate(self.frame, &mut self.states, &mut troubles)?;
+        let node = troubles.first().map(|(node, _)| node);
+        self.trouble = node.zip(troubles.into_error().map(Error::from));
         let parent = self.edited.and_then(|at| self.scene.nodes()[at].parent);
         let world = parent.map_or(DAffine3::IDENTITY, |at| self.states[at].world());
         // What lies flat shows the world as it is.

@@ -5,6 +5,7 @@ use vides_engine::scene::{Kind, Node, Scene};
 
 use crate::actions::Action;
 use crate::state::Editor;
+use crate::texts::refusals::reason_of;
 use crate::theme;
 
 /// How wide it is at first, in points.
@@ -41,7 +42,21 @@ pub(crate) fn show(editor: &Editor, context: &Context, viewport: Rect, actions: 
                         actions.extend(row_of(editor, ui, around.scene(), of));
                     }
                 });
+            if let Some(trouble) = trouble(editor) {
+                ui.add_space(theme::GAP);
+                ui.label(RichText::new(trouble).color(theme::palette(ui).error));
+            }
         });
+}
+
+/// What hinders a node, such as a function that no program has registered.
+fn trouble(editor: &Editor) -> Option<String> {
+    let text = editor.with_scene(|now| {
+        let (node, why) = now.trouble.as_ref()?;
+        let name = &now.scene.nodes()[*node].name;
+        Some(format!("{name}: {}", reason_of(editor.language(), why)))
+    });
+    text.ok().flatten().flatten()
 }
 
 /// The numbers of the nodes, each below the one that it is in, with their levels.

@@ -413,3 +413,21 @@ fn the_length_of_a_scene_is_only_shown() {
     }
     assert_eq!(window.state().document().revision(), before);
 }
+
+/// The rest goes on.
+#[test]
+fn a_function_that_no_program_has_registered_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("car.vid");
+    let text = std::fs::read_to_string(car()).unwrap();
+    let (before, after) = text.split_once("interpolation = \"").unwrap();
+    let (_, after) = after.split_once('"').unwrap();
+    let text = format!("{before}interpolation = \"host:wobble\"{after}");
+    std::fs::write(&file, text).unwrap();
+    for language in BOTH {
+        let window = window_of_file(&file, language, Theme::Dark);
+        assert!(window.query_by_label_contains("host:wobble").is_some());
+        let well = window_of_file(&car(), language, Theme::Dark);
+        assert!(well.query_by_label_contains("host:").is_none());
+    }
+}
