@@ -739,5 +739,9 @@ CALL(v_path_set_up)
     V_PATH *path = a_path();
     int point = a_point(path), at = an_orientation(path, point);
     const double *above = numbers(3, 2, 3);
-    return v_path_set_up(path, point, at, text(ups[below(6)]), above, a_path());
+    int up = below(chance(wild) ? 6 : 4);
+
+    if (up >= 4) /* "frenet" is not for every curve */
+        frame->unfit = 1;
+    return v_path_set_up(path, point, at, text(ups[up]), above, a_path());
 }

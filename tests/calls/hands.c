@@ -139,6 +139,11 @@ void hands_take_over(unsigned long window)
     press(window, XK_Return, ControlMask);
 }
 
+void hands_type(unsigned long window)
+{
+    press(window, XK_n, 0);
+}
+
 void hands_switch_pane(unsigned long window)
 {
     press(window, XK_F4, 0);

@@ -23,6 +23,8 @@ void hands_hand_over(unsigned long window);
  * taken over; the camera pane goes, or comes again. */
 void hands_next_point(unsigned long window);
 void hands_change(unsigned long window);
+/* A letter is typed. */
+void hands_type(unsigned long window);
 void hands_take_over(unsigned long window);
 void hands_switch_pane(unsigned long window);
 /* What a window manager sends when its cross is pressed. */

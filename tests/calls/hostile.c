@@ -20,6 +20,7 @@
 #include "draw.h"
 #include "every.h"
 #include "hands.h"
+#include "served.h"
 
 #define MOST_WINDOWS 5
 #define DEEPEST 2
@@ -190,6 +191,12 @@ int main(int argc, char **argv)
         fault("there is no X server at %s", getenv("DISPLAY"));
     within_callback = within;
     check_names();
+    if (display_there) { /* what is read when the first sign is typed is kept for good */
+        struct window first = open_editor();
+        hands_type(first.shown);
+        settle();
+        v_editor_close(first.editor);
+    }
     for (i = 0; i < rounds && faults == 0; i++) {
         round_of(i, calls);
         now = in_use();

@@ -125,6 +125,25 @@ pub fn check_distance(keys: &[[f64; 2]]) -> Result<()> {
     Ok(())
 }
 
+/// Keys of a given distance gone backwards. Of keys that rounding brings too near to each
+/// other one is left.
+#[must_use]
+pub fn distance_backwards(keys: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut back: Vec<[f64; 2]> = Vec::with_capacity(keys.len());
+    for (left, &[time, way]) in (0..keys.len()).rev().zip(keys.iter().rev()) {
+        let key = [1.0 - time, 1.0 - way];
+        let near = |last: &[f64; 2]| key[0] - last[0] < LEAST_STEP || key[1] <= last[1];
+        // The first and the last key stay.
+        while left == 0 && back.len() > 1 && back.last().is_some_and(near) {
+            back.pop();
+        }
+        if left == 0 || !back.last().is_some_and(near) {
+            back.push(key);
+        }
+    }
+    back
+}
+
 /// The least time between two keys of a given distance: far below a frame, and
 /// quotients of it stay finite.
 const LEAST_STEP: f64 = 1e-9;

@@ -15,6 +15,7 @@ use super::keep::{self, check_upright, keep_tangents, no_point, shape_in, tangen
 use super::transform::transform;
 use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, can_allocate, vec_with_room};
 use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
+use crate::path::own::distance_backwards;
 use crate::path::up_vector::check_ups;
 use crate::path::{
     CameraPath, CurveKind, CurveParameters, Ease, Orientation, Pace, PacePart, SupportPoint,
@@ -472,9 +473,7 @@ fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
         _ => 0,
     };
     can_allocate(64 + 16 * keys)?;
-    let distance = |keys: &[[f64; 2]]| -> Arc<[[f64; 2]]> {
-        keys.iter().rev().map(|[t, w]| [1.0 - t, 1.0 - w]).collect()
-    };
+    let distance = |keys: &[[f64; 2]]| -> Arc<[[f64; 2]]> { distance_backwards(keys).into() };
     let ease = |ease: &Ease| Ease {
         rise: ease.fall,
         fall: ease.rise,

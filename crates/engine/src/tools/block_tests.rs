@@ -1,4 +1,5 @@
 use super::*;
+use crate::path::own::check_distance;
 use crate::path::test_support::Random;
 use crate::path::{MayOwn, UpPath};
 use crate::path::{Pose, Sampler, Target, Timeline, curve};
@@ -124,6 +125,23 @@ fn a_film_of_the_reversed_path_runs_backwards() {
         for (a, b) in one.iter().zip(&poses(&again)) {
             assert!(far(a, b) < 1e-10, "{number}");
         }
+    }
+}
+
+#[test]
+fn keys_of_a_given_distance_go_backwards_however_near_they_lie() {
+    let tiny = [[0.0, 0.0], [0.3, 1e-300], [0.3 + 1e-9, 1e-18], [1.0, 1.0]];
+    let late = [[0.0, 0.0], [1e-9, 1e-17], [0.5, 0.25], [1.0, 1.0]];
+    for keys in [&tiny[..], &late[..], &[[0.0, 0.0], [0.5, 0.25], [1.0, 1.0]]] {
+        check_distance(keys).unwrap();
+        let back = distance_backwards(keys);
+        check_distance(&back).unwrap();
+        let again = distance_backwards(&back);
+        check_distance(&again).unwrap();
+        assert!(again.iter().all(|key| {
+            keys.iter()
+                .any(|old| (old[0] - key[0]).abs() + (old[1] - key[1]).abs() < 1e-15)
+        }));
     }
 }
 
