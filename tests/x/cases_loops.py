@@ -17,9 +17,10 @@ def vides_said(program):
 
 
 def gap(host):
-    """The longest time between two rounds, ms, and the events for no window till now."""
+    """By how many milliseconds rounds came late in all, the longest time between two,
+    and the events for no window till now."""
     words = host.tell("gap").split()
-    return float(words[1]), int(words[3])
+    return float(words[1]), float(words[3]), int(words[5])
 
 
 def dragging(server, window, seconds):
@@ -45,8 +46,10 @@ def goes_on(place, way, draws=True, seconds=10):
     before = server.picture(window)
     gap(host)
     dragging(server, window, seconds)
-    longest, events = gap(host)
-    check(longest <= 100, f"{way}: {longest} ms without a picture")
+    stalled, longest, events = gap(host)
+    # A busy machine makes a picture late now and then; a loop that sleeps is late always.
+    check(stalled <= 100 * seconds,
+          f"{way}: {stalled} ms of {seconds} s were stalls, the longest of {longest} ms")
     check(server.picture(window).differs(before), "the view was not turned")
     server.press(window, "alt+u")
     host.expect("rueck 0")
@@ -59,9 +62,9 @@ def freezes_never(place, way):
     """A host that asks XtAppPending goes on, and an idle window gives it nothing to do."""
     _, host, _, _ = goes_on(place, way)
     time.sleep(1)
-    _, before = gap(host)
+    before = gap(host)[-1]
     time.sleep(3)
-    _, events = gap(host)
+    events = gap(host)[-1]
     check(events == before, f"{events - before} events of an idle window in 3 s")
     threads = os.listdir(f"/proc/{host.pid}/task")
     check(len(threads) == 1, f"{len(threads)} threads when the host is known")
@@ -95,10 +98,10 @@ def xt_pending_on_two_displays(place):
 def sleeps_in_xt(place, way):
     """A host that sleeps in Xt goes on as well, and is given no event more."""
     server, host, window, _ = goes_on(place, way, draws=False, seconds=5)
-    before = gap(host)[1]
+    before = gap(host)[-1]
     server.xdotool("mousemove", "--window", window, 300, 300)
     dragging(server, window, 2)
-    events = gap(host)[1] - before
+    events = gap(host)[-1] - before
     check(events <= 3, f"{events} events for no window")
     host.leave()
 

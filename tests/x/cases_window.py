@@ -6,7 +6,7 @@ import shutil
 
 from cases_hosts import POSES, hand_over
 from harness import check, run, wait
-from panel import FIELD, boxes, middle
+from panel import FIELD, middle, panel_boxes
 from run import test
 
 
@@ -124,7 +124,7 @@ def numbers_typed_while_nobody_serves(place):
     """Three numbers, with Tab from one to the next: each is in its field when the host is
     back, and what a click on another field follows is in the first."""
     server, host, window = opened(place)
-    fields = boxes(server.drawn(window), FIELD, 0, 34, 262, 700)[0]
+    fields = panel_boxes(server.drawn(window), FIELD)[0]
     server.focus(window)
     host.send("sleep 1500")
     server.click(window, *middle(fields[0]))
@@ -290,7 +290,7 @@ def what_is_handed_over_is_what_vides_samples(place):
 def numbers_typed_into_fields(place):
     """With a comma, with a point, in a German window; what is no number changes nothing."""
     server, host, window = opened(place, LC_ALL="de_DE.UTF-8")
-    fields = boxes(server.drawn(window), FIELD, 0, 34, 262, 700)[0]
+    fields = panel_boxes(server.drawn(window), FIELD)[0]
     check(len(fields) == 3, f"the fields of the position: {fields}")
     for axis, typed, value in ((0, "0,25", 0.25), (1, "-0.125", -0.125), (2, "1", 1.0)):
         server.click(window, *middle(fields[axis]))
@@ -334,7 +334,7 @@ def clipboard_both_ways(place):
 def a_middle_click_pastes_what_is_marked(place):
     """The primary selection: of another program into a field, and of a field elsewhere."""
     server, host, window = opened(place)
-    field = boxes(server.drawn(window), FIELD, 0, 34, 262, 700)[0][0]
+    field = panel_boxes(server.drawn(window), FIELD)[0][0]
     server.click(window, *middle(field))
     server.xdotool("key", "--delay", "40", "ctrl+a", "Delete")
     server.drawn(window)

@@ -15,11 +15,8 @@ import sys
 import tempfile
 
 from harness import Failure, Program, Server, check, wait
-from panel import BUTTON, FIELD, boxes, circles, middle
+from panel import BUTTON, FIELD, PANEL, boxes, circles, middle, panel_boxes
 from space import first_look
-
-PANEL = 262
-"""Right edge of the panels, in pixels."""
 
 START = [(-0.6, 0.2, 0.8), (0.6, 0.2, 0.8)]
 FLIGHT = [(-0.6, 0.2, 0.8), (-0.85, 0.3, 0.1), (-0.7, 0.35, -0.65),
@@ -53,8 +50,7 @@ class Player:
 
     def rows(self, colour):
         """Buttons or fields in the panels, as rows from the top."""
-        picture = self.server.drawn(self.window)
-        return boxes(picture, colour, 0, 34, PANEL, picture.height)
+        return panel_boxes(self.server.drawn(self.window), colour)
 
     def found(self, colour, row, column):
         """One of them, as soon as it is there: under the pointer it has another
@@ -80,7 +76,7 @@ class Player:
 
     def away(self):
         """The pointer where it covers and lights nothing."""
-        self.server.xdotool("mousemove", "--window", self.window, PANEL + 60, 120)
+        self.server.xdotool("mousemove", "--window", self.window, 60, 120)
 
     def click(self, box):
         """Clicks what was found."""
@@ -123,14 +119,14 @@ def shape(player, at, preset):
 
     def choices():
         picture = player.server.drawn(player.window)
-        found = circles(picture, PANEL + 20, 34, PANEL + 64, picture.height)
+        found = circles(picture, 0, 34, picture.width - PANEL, picture.height)
         return len(found) > 10 and found
 
     player.click(wait(choices, "the presets")[preset])
     if preset == 5:
         player.shot("shape-of-the-curve")
     picture = player.server.drawn(player.window)
-    last = boxes(picture, BUTTON, PANEL, 34, 1100, picture.height - 60)[-1]
+    last = boxes(picture, BUTTON, 0, 34, picture.width - PANEL, picture.height - 60)[-1]
     player.click(last[-1])
     player.away()
 
@@ -144,7 +140,8 @@ def slow_start(player):
 
     def shapes():
         picture = player.server.drawn(player.window)
-        return [row for row in boxes(picture, BUTTON, PANEL, 34, 1100, 700) if len(row) >= 5]
+        found = boxes(picture, BUTTON, 0, 34, picture.width - PANEL, picture.height - 60)
+        return [row for row in found if len(row) >= 5]
 
     player.click(wait(shapes, "the shapes")[0][1])
     player.shot("speed-curve")
@@ -249,9 +246,9 @@ def beside(command, name, folder, picture, about, orbits):
             server.drawn(window)
             before = server.drawn(host, 1)
             # The playhead is put in the middle.
-            server.click(window, width - 330, height - 28)
+            server.click(window, width - PANEL - 330, height - 28)
             wait(lambda: server.picture(host).differs(before), "the host to follow")
-            server.xdotool("mousemove", "--window", window, PANEL + 60, 120)
+            server.xdotool("mousemove", "--window", window, 60, 120)
             server.drawn(host, 1)
             server.drawn(window)
             server.picture().save(os.path.join(folder, picture))

@@ -11,8 +11,8 @@
  *     select    select() over its X connection, and Xt's functions when that is
  *               readable, as terminal programs do
  *
- * "gap" tells the longest time from round to round in milliseconds since it was asked
- * last, and how many events for no window the host has been given in all. Where Xt
+ * "gap" tells since it was asked last by how many milliseconds in all rounds came later
+ * than STALL after the one before, how late the latest came, and how many events for no window the host has been given in all. Where Xt
  * sleeps, a timer of Xt's makes the rounds after "tick".
  */
 #include <poll.h>
@@ -33,7 +33,10 @@
 
 static XtAppContext context;
 static Display *display;
-static double last, longest;
+/* From here on one sees that a picture comes late, ms. */
+#define STALL 100
+
+static double last, longest, stalled;
 static long empty;
 
 static double now(void)
@@ -51,6 +54,8 @@ static void turn(void)
 
     if (last > 0 && time - last > longest)
         longest = time - last;
+    if (last > 0 && time - last > STALL)
+        stalled += time - last - STALL;
     last = time;
 }
 
@@ -65,8 +70,8 @@ int loop_command(const char *name, char *rest)
 {
     (void)rest;
     if (strcmp(name, "gap") == 0) {
-        say("gap %.1f events %ld", longest, empty);
-        longest = last = 0;
+        say("gap %.1f longest %.1f events %ld", stalled, longest, empty);
+        longest = stalled = last = 0;
         return 1;
     }
     if (strcmp(name, "tick") == 0) {

@@ -8,6 +8,9 @@ BUTTON = (0x2B, 0x30, 0x3A)
 FIELD = (0x12, 0x15, 0x1A)
 """What can be typed into, and the circle of a choice."""
 
+PANEL = 262
+"""Width of the panels, in pixels."""
+
 CHOSEN = (0x58, 0xAE, 0xFF)
 """The circle of the choice that is taken."""
 
@@ -49,6 +52,11 @@ def boxes(picture, colour, left, top, right, bottom, least=(14, 14), tolerance=3
         else:
             rows.append([box])
     return [sorted(row) for row in rows]
+
+
+def panel_boxes(picture, colour):
+    """Rectangles of one colour in the panels at the right edge of the window."""
+    return boxes(picture, colour, picture.width - PANEL, 34, picture.width, picture.height)
 
 
 def _runs(row, wanted, left, right, tolerance):

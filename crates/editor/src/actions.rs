@@ -12,8 +12,8 @@ use crate::number::Entry;
 use crate::panels::orientation::look_ahead;
 use crate::path::{CameraPath, Orientation, Target, insertion};
 use crate::playing::Pace;
-use crate::setup::{ColourWindow, DisplayWindow, Setup, Theme, View};
-use crate::space::Gesture;
+use crate::setup::{CameraPlace, ColourWindow, DisplayWindow, Setup, Theme, View};
+use crate::space::{Camera, Gesture};
 use crate::state::{Editor, Request};
 use crate::texts::refusals::of_edit;
 use crate::texts::{Language, fill};
@@ -94,6 +94,12 @@ pub(super) enum Action {
     Theme(Option<Theme>),
     /// Show the camera's picture, or show it no more.
     SwitchCameraView,
+    /// Put the camera's picture there, or back into its corner.
+    CameraPlace(CameraPlace),
+    /// Open or close the speeds of the whole path.
+    SwitchSpeedGraph,
+    /// The camera's picture is seen from there; none: from the path again.
+    Fly(Option<Camera>),
     /// Play the flight, or stop.
     PlayOrPause,
     Keys,
@@ -310,6 +316,13 @@ impl Editor {
             Action::SaveSetup => self.choose_file(Purpose::SaveSetup),
             Action::Theme(theme) => self.choose_theme(theme),
             Action::SwitchCameraView => self.setup.camera_view = !self.setup.camera_view,
+            Action::CameraPlace(place) => {
+                let setup = &mut self.setup;
+                setup.camera_place = setup.camera_place.switched(place);
+                setup.camera_view = true;
+            }
+            Action::Fly(camera) => self.fly(camera),
+            Action::SwitchSpeedGraph => self.setup.speed_graph = !self.setup.speed_graph,
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),
             Action::EditNode(node) => {

@@ -1,5 +1,5 @@
-//! The layout: menu bar with the output field, panels on the left, the
-//! movement window in the middle, sub-windows above.
+//! The layout: menu bar with the output field, the movement window over the
+//! timeline, panels on the right, sub-windows above.
 
 use egui::{
     Color32, Context, CornerRadius, Id, Key, Rect, Stroke, StrokeKind, Ui, UiBuilder, vec2,
@@ -44,7 +44,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let palette = editor.setup.theme().palette();
     let whole = ui.max_rect();
     let (bar, below) = whole.split_top_bottom_at_y(whole.top() + BAR);
-    let (left, middle) = below.split_left_right_at_x(below.left() + PANELS);
+    let (middle, right) = below.split_left_right_at_x(below.right() - PANELS);
     // First of all what moves under the hand: panels and output field then
     // show in the same pass what a drag has changed.
     part(ui, "space", middle, editor.background(), |ui| {
@@ -66,8 +66,8 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         })
     });
     let picked = picked.inner.inner;
-    part(ui, "panels", left, palette.panel, |ui| {
-        let inside = UiBuilder::new().max_rect(left.shrink(MARGIN));
+    part(ui, "panels", right, palette.panel, |ui| {
+        let inside = UiBuilder::new().max_rect(right.shrink(MARGIN));
         ui.scope_builder(inside, |ui| {
             if editor.document.edits_path() {
                 panels::show(editor, ui);
@@ -80,7 +80,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.painter()
         .hline(whole.x_range(), bar.bottom() - 0.5, line);
     ui.painter()
-        .vline(left.right() - 0.5, below.y_range(), line);
+        .vline(right.left() + 0.5, below.y_range(), line);
     windows::show(editor, &context);
     for (number, action) in actions.into_iter().chain(picked).enumerate() {
         // The first may have brought up a question: the rest was typed blindly.

@@ -8,12 +8,13 @@ use crate::error::{Error, Result};
 use crate::files::Folders;
 use crate::files::Then;
 use crate::files::recovery::Autosave;
-use crate::host::Program;
 use crate::host::Warnings;
 use crate::host::pane::HostPane;
+use crate::host::{Program, Standing};
 use crate::number::Entry;
 use crate::path::{Orientation, Pose, SupportPoint};
 use crate::setup::{Element, Setup};
+use crate::space::Camera;
 use crate::texts::{Language, Texts, fill};
 use crate::theme;
 use crate::{playing, scene_view, space, windows};
@@ -99,6 +100,8 @@ pub struct Editor {
     pub(super) host_view: HostView,
     /// Its camera as the host has shown it last.
     pub(super) ghost: Option<Pose>,
+    /// Where the camera of the picture has flown, and what was shown then.
+    pub(super) flown: Option<(Camera, Standing)>,
     /// Poses are handed over after each change.
     pub(super) hands_over: bool,
     pub(super) host_pane: Option<HostPane>,
@@ -156,6 +159,7 @@ impl Editor {
             program: options.program,
             host_view: options.host_view,
             ghost: None,
+            flown: None,
             hands_over: false,
             host_pane: None,
             copied: None,

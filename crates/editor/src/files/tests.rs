@@ -85,7 +85,7 @@ fn a_path_is_saved_and_loaded_by_the_keyboard() {
         let texts = language.texts();
         let folder = tempfile::tempdir().expect("a folder");
         let mut window = window_in(language, folder.path());
-        click(&mut window, "Pos.+");
+        click_button(&mut window, |texts| texts.position.add);
         press(&mut window, Modifiers::ALT, Key::S);
         name(&mut window, "flight");
         let file = folder.path().join("flight.vid");
@@ -116,13 +116,13 @@ fn a_path_is_saved_and_loaded_by_the_mouse() {
     let texts = Language::German.texts();
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window_in(Language::German, folder.path());
-    click(&mut window, "Pos.+");
+    click_button(&mut window, |texts| texts.position.add);
     click(&mut window, texts.menu.file);
     click(&mut window, texts.menu.save_as);
     // A name is proposed.
     click(&mut window, texts.files.save);
     assert!(folder.path().join("kurve.vid").is_file());
-    click(&mut window, "Pos.+");
+    click_button(&mut window, |texts| texts.position.add);
     press(&mut window, Modifiers::CTRL, Key::S);
     assert!(!modified(&window));
     click(&mut window, texts.menu.file);
@@ -254,7 +254,7 @@ fn what_cannot_be_written_is_told() {
     let texts = Language::German.texts();
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window_in(Language::German, folder.path());
-    click(&mut window, "Pos.+");
+    click_button(&mut window, |texts| texts.position.add);
     press(&mut window, Modifiers::ALT, Key::S);
     name(&mut window, "nowhere/a.vid");
     let words = said(&window).expect("a message");
@@ -389,10 +389,10 @@ fn overtaken(language: Language, folder: &Path) -> (Window, std::path::PathBuf) 
         window_of(options, SMALL, 1.0, Theme::Light)
     };
     let (mut first, mut second) = (open(), open());
-    click(&mut first, "Pos.+");
+    click_button(&mut first, |texts| texts.position.add);
     press(&mut first, Modifiers::CTRL, Key::S);
     assert!(!modified(&first), "{:?}", said(&first));
-    click(&mut second, "Ori.+");
+    click_button(&mut second, |texts| texts.orientation.add);
     press(&mut second, Modifiers::CTRL, Key::S);
     (second, file)
 }
@@ -420,7 +420,7 @@ fn a_file_that_changed_is_not_overwritten_unasked() {
         click(&mut window, texts.files.overwrite);
         assert!(!asks(&window) && !modified(&window));
         assert_eq!(points(&file), 2);
-        click(&mut window, "Ori.+");
+        click_button(&mut window, |texts| texts.orientation.add);
         press(&mut window, Modifiers::CTRL, Key::S);
         assert!(!asks(&window) && !modified(&window));
 
@@ -460,7 +460,7 @@ fn only_other_contents_are_a_change() {
     let mut first = options(Language::English);
     first.file = Some(file.clone());
     let mut window = window_of(first, SMALL, 1.0, Theme::Dark);
-    click(&mut window, "Pos.+");
+    click_button(&mut window, |texts| texts.position.add);
     Document::new().save(&file).expect("saved");
     press(&mut window, Modifiers::CTRL, Key::S);
     assert!(asks(&window));
@@ -474,7 +474,7 @@ fn only_other_contents_are_a_change() {
     let other = folder.path().join("other");
     std::fs::write(&other, &bytes).expect("written");
     std::fs::rename(&other, &file).expect("renamed");
-    click(&mut window, "Pos.+");
+    click_button(&mut window, |texts| texts.position.add);
     press(&mut window, Modifiers::CTRL, Key::S);
     assert!(!asks(&window) && !modified(&window));
     // As many bytes, at the same time, in the same file.
@@ -491,7 +491,7 @@ fn only_other_contents_are_a_change() {
         .open(&file)
         .expect("there");
     opened.set_modified(times).expect("set");
-    click(&mut window, "Pos.+");
+    click_button(&mut window, |texts| texts.position.add);
     press(&mut window, Modifiers::CTRL, Key::S);
     assert!(asks(&window));
     assert_eq!(std::fs::read(&file).expect("there"), bytes);
@@ -504,7 +504,7 @@ fn after_a_hand_over_nothing_is_unsaved_where_the_host_keeps_it() {
         let mut options = options(Language::English);
         options.program.hand_over_saves = saves;
         let mut window = window_of(options, SMALL, 1.0, Theme::Dark);
-        click(&mut window, "Pos.+");
+        click_button(&mut window, |texts| texts.position.add);
         let title = |window: &Window| window.state().window_title();
         assert_eq!(title(&window), "VIDES*");
         press(&mut window, Modifiers::ALT, Key::U);
@@ -518,7 +518,7 @@ fn after_a_hand_over_nothing_is_unsaved_where_the_host_keeps_it() {
             continue;
         }
         // What is done afterwards is unsaved again, what was taken back is not.
-        click(&mut window, "Pos.+");
+        click_button(&mut window, |texts| texts.position.add);
         assert!(window.state().is_unsaved());
         press(&mut window, Modifiers::CTRL, Key::Z);
         assert!(!window.state().is_unsaved());
@@ -528,7 +528,7 @@ fn after_a_hand_over_nothing_is_unsaved_where_the_host_keeps_it() {
         Document::new().save(&file).expect("saved");
         window.state_mut().load_path(&file).expect("loaded");
         window.run();
-        click(&mut window, "Pos.+");
+        click_button(&mut window, |texts| texts.position.add);
         assert!(window.state().is_unsaved());
     }
 }
@@ -543,7 +543,7 @@ fn unsaved_work_is_asked_about_before_the_window_closes() {
         window.state_mut().ask_to_close();
         assert_eq!(closes(&mut window), Some(Request::Close));
 
-        click(&mut window, "Pos.+");
+        click_button(&mut window, |texts| texts.position.add);
         window.state_mut().ask_to_close();
         window.run();
         assert_eq!(closes(&mut window), None);
@@ -571,7 +571,7 @@ fn unsaved_work_is_asked_about_before_another_path_is_loaded() {
     let texts = Language::German.texts();
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window_in(Language::German, folder.path());
-    click(&mut window, "Pos.+");
+    click_button(&mut window, |texts| texts.position.add);
     press(&mut window, Modifiers::CTRL, Key::O);
     assert!(window.query_by_label(texts.files.load_path).is_none());
     click(&mut window, texts.questions.save);
@@ -650,7 +650,11 @@ fn two_windows_that_save_to_one_file_leave_it_whole() {
         window.state().document.to_toml().expect("a text")
     };
     let texts = std::thread::scope(|scope| {
-        let both = ["Pos.+", "Ori.+"].map(|step| scope.spawn(move || work(step)));
+        let both = [
+            Language::English.texts().position.add,
+            Language::English.texts().orientation.add,
+        ]
+        .map(|step| scope.spawn(move || work(step)));
         while !both.iter().all(|window| window.is_finished()) {
             Document::load(&file).expect("a whole path");
         }

@@ -20,6 +20,7 @@ use crate::document::{Edit, Object, Selection};
 use crate::error::{Refused, Result};
 use crate::math::{orientation, view::View};
 use crate::path::{Change, MayOwn, Orientation, Pose, Space, Target};
+use crate::space::Camera;
 use crate::state::{Editor, Reason, Request};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
@@ -188,12 +189,28 @@ impl Editor {
         Ok(())
     }
 
+    /// Where the camera of the picture has flown, until something else is shown.
+    pub(crate) fn flown(&self) -> Option<Camera> {
+        let (camera, standing) = self.flown?;
+        (standing == self.standing()).then_some(camera)
+    }
+
+    pub(crate) fn fly(&mut self, camera: Option<Camera>) {
+        if camera.is_some() && self.playing.is_playing() {
+            self.playing.order(false);
+        }
+        let standing = self.standing();
+        self.flown = camera.map(|camera| (camera, standing));
+    }
+
     pub(crate) fn has_host_view(&self) -> bool {
-        self.host_view.captures || self.ghost.is_some()
+        self.host_view.captures || self.ghost.is_some() || self.flown().is_some()
     }
 
     pub(crate) fn ask_for_view(&mut self, replace: bool) {
-        if self.host_view.captures {
+        if let Some(flown) = self.flown() {
+            self.take_over(Some(&flown.into()), replace);
+        } else if self.host_view.captures {
             self.requests.push(Request::Capture { replace });
         } else {
             self.take_over(None, replace);

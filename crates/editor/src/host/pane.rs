@@ -34,9 +34,12 @@ impl HostPane {
     pub(crate) fn add_what_lies_above(&mut self, context: &Context, layer: Id) {
         let own = LayerId::new(Order::Middle, layer);
         context.memory(|memory| {
+            // Where it is no pane, all panes lie above it.
+            let is_pane = memory.areas().is_visible(&own);
             let above = (memory.layer_ids())
-                .skip_while(|&layer| layer != own)
-                .skip(1);
+                .skip_while(|&layer| is_pane && layer != own)
+                .skip(usize::from(is_pane))
+                .filter(|layer| layer.order > Order::Background);
             let shown = above.filter(|layer| memory.areas().is_visible(layer));
             let rects = shown.filter_map(|layer| memory.area_rect(layer.id));
             self.above

@@ -1,4 +1,4 @@
-//! The panels on the left, one file each (thesis A.4).
+//! The panels on the right, one file each (thesis A.4).
 
 pub(crate) mod orientation;
 pub(crate) mod output;
@@ -17,6 +17,9 @@ use crate::theme;
 /// fill it exactly.
 pub(super) const WIDTH: f32 = 236.0;
 
+/// A lower window has no room for gaps between the rows.
+const ROOMY: f32 = 580.0;
+
 /// Between two panels.
 const APART: f32 = 8.0;
 
@@ -30,6 +33,9 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     };
     ScrollArea::vertical().show(ui, |ui| {
         ui.set_width(WIDTH);
+        if height < ROOMY {
+            ui.spacing_mut().item_spacing.y -= 1.0;
+        }
         panel(ui, &position::show);
         apart(ui);
         panel(ui, &orientation::show);

@@ -35,19 +35,6 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         &[
             Key::new(texts.add, texts.add_hint, Action::AddOrientation),
             Key::new(texts.remove, texts.remove_hint, Action::RemoveOrientation),
-            Key::new(
-                texts.absolute,
-                texts.absolute_hint,
-                Action::SetAbsolute(true),
-            )
-            .chosen(absolute),
-            Key::new(
-                texts.relative,
-                texts.relative_hint,
-                Action::SetAbsolute(false),
-            )
-            .chosen(!absolute && !ahead),
-            Key::new(texts.ahead, texts.ahead_hint, Action::LookAhead).chosen(ahead),
         ],
         actions,
     );
@@ -63,6 +50,26 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             &Key::new(texts.next, texts.next_hint, Action::NextOrientation),
         ],
         &Editor::number_of(texts.count, here.orientation, count),
+        actions,
+    );
+    keys(
+        editor,
+        ui,
+        &[
+            Key::new(
+                texts.absolute,
+                texts.absolute_hint,
+                Action::SetAbsolute(true),
+            )
+            .chosen(absolute),
+            Key::new(
+                texts.relative,
+                texts.relative_hint,
+                Action::SetAbsolute(false),
+            )
+            .chosen(!absolute && !ahead),
+            Key::new(texts.ahead, texts.ahead_hint, Action::LookAhead).chosen(ahead),
+        ],
         actions,
     );
     target(editor, ui, &shown, actions);

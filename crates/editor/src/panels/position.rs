@@ -9,7 +9,7 @@ use crate::actions::Action;
 use crate::document::Edit;
 use crate::limits::PRESETS;
 use crate::number::Number;
-use crate::path::CurveParameters;
+use crate::path::{CurveParameters, Tcb};
 use crate::playing::playhead::{Missing, Shown};
 use crate::state::Editor;
 use crate::texts::fill;
@@ -48,8 +48,8 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     );
     coordinates(editor, ui, &shown, actions);
     if shown.missing == Missing::Nothing {
-        shape(editor, ui, 1);
-        shape(editor, ui, 2);
+        shape(editor, ui, false, actions);
+        shape(editor, ui, true, actions);
     } else {
         add_here(editor, ui, &shown, actions);
     }
@@ -110,7 +110,11 @@ fn presets(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
 fn preset(editor: &Editor) -> String {
     let texts = &editor.texts().position;
     match editor.point().map(|point| point.curve) {
-        Some(CurveParameters::Preset(preset)) => fill(texts.preset, &[&preset]),
+        Some(CurveParameters::Preset(preset)) => {
+            let preset = usize::from(preset);
+            let tcb = editor.document.path().presets[preset];
+            editor.texts().curve.preset_name(preset, tcb)
+        }
         Some(CurveParameters::Own(_)) => texts.own.to_owned(),
         None => String::new(),
     }
@@ -183,33 +187,56 @@ pub(super) fn three_numbers(
     }
 }
 
-/// Bias, continuity and tension at the current point (1) or the next (2);
-/// dashes where there is no next.
-fn shape(editor: &Editor, ui: &mut Ui, which: usize) {
-    let hint = editor.texts().position.shape_hint;
+/// Tension, continuity and bias at the current point, which then has its own, or at the
+/// `next` one; dashes where there is none.
+fn shape(editor: &Editor, ui: &mut Ui, next: bool, actions: &mut Vec<Action>) {
+    let texts = editor.texts();
     let path = editor.document.path();
     let at = editor.document.selection().point;
-    let point = match which {
-        1 => Some(at),
-        _ if at + 1 < path.points.len() => Some(at + 1),
-        _ => path.closed.then_some(0),
+    let point = match next {
+        false => Some(at),
+        true if at + 1 < path.points.len() => Some(at + 1),
+        true => path.closed.then_some(0),
     };
     let tcb = point.map(|point| path.tcb(point));
     let width = share(ui, 3);
     let language = editor.language();
+    let hint = if next {
+        texts.position.next_shape_hint
+    } else {
+        texts.position.shape_hint
+    };
+    let parts: [(&str, &str, fn(&mut Tcb) -> &mut f64); 3] = [
+        ("T", texts.curve.tension, |tcb| &mut tcb.tension),
+        ("C", texts.curve.continuity, |tcb| &mut tcb.continuity),
+        ("B", texts.curve.bias, |tcb| &mut tcb.bias),
+    ];
     ui.horizontal(|ui| {
-        for (name, value) in [
-            ("b", tcb.map(|tcb| tcb.bias)),
-            ("c", tcb.map(|tcb| tcb.continuity)),
-            ("t", tcb.map(|tcb| tcb.tension)),
-        ] {
-            let name = format!("{name}{which}");
-            Number::new(&name, value)
-                .label(&name)
+        for (letter, name, part) in parts {
+            let value = tcb.map(|mut tcb| *part(&mut tcb));
+            let label = if next {
+                format!("{letter} \u{203a}")
+            } else {
+                letter.to_owned()
+            };
+            // As the thesis calls it, so that no other number has the same name.
+            let name = format!("{name} ({}{})", letter.to_lowercase(), 1 + u8::from(next));
+            let number = Number::new(&name, value)
+                .label(&label)
                 .hint(hint)
                 .decimals(2)
-                .fixed()
-                .show(ui, language, &name, width);
+                .range(-1.0..=1.0)
+                .steps(0.01, 0.01)
+                .fixed_if(next);
+            let entry = number.show(ui, language, &format!("shape {label}"), width);
+            if let Some(tcb) = tcb.filter(|_| !next) {
+                let edit = |value| {
+                    let mut tcb = tcb;
+                    *part(&mut tcb) = value;
+                    Edit::SetOwn { at, tcb }
+                };
+                actions.push(Action::Enter(entry.map(edit)));
+            }
         }
     });
 }

@@ -15,7 +15,7 @@ use crate::texts::fill;
 use crate::theme;
 
 /// Height of all panels but this picture.
-const OTHERS: f32 = 460.0;
+const OTHERS: f32 = 488.0;
 /// The picture's least and greatest height.
 const HEIGHTS: (f32, f32) = (36.0, 112.0);
 

@@ -5,13 +5,14 @@
 //! it asks for nothing.
 
 mod fields;
+mod graph;
 pub(crate) mod playhead;
 
 use std::time::Duration;
 
 use egui::{
     Context, CornerRadius, CursorIcon, EventFilter, FontId, Key, Modifiers, Painter, Pos2, Rect,
-    Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Role, Sense, Shape, Stroke, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 pub(super) use self::fields::Pace;
@@ -26,6 +27,9 @@ use crate::state::Editor;
 use crate::theme;
 
 const HEIGHT: f32 = 56.0;
+
+/// A lower window has no room for the speeds.
+const ROOMY: f32 = 660.0;
 
 const BUTTON: f32 = 32.0;
 
@@ -56,6 +60,8 @@ pub(super) struct Playing {
     marks: Marks,
     /// When they were brought up to date, in egui's time.
     marked: f64,
+    /// What is held of the speeds.
+    held: graph::Held,
 }
 
 /// The keys of the path on the scale of its frames.
@@ -65,6 +71,7 @@ struct Marks {
     keys: Vec<Mark>,
     /// All frames; 0 if there are too many.
     frames: usize,
+    graph: graph::Graph,
 }
 
 /// An orientation and its frame.
@@ -97,6 +104,7 @@ impl Marks {
         }
         self.revision = Some(revision);
         self.keys.clear();
+        self.graph.clear();
         self.frames = 0;
         if !document.edits_path() {
             // Its keys are nobody's.
@@ -138,7 +146,7 @@ impl Marks {
             }
             timeline.frame_count()
         })??;
-        Ok(())
+        self.graph.update(document, &self.keys)
     }
 
     fn of(&self, selection: Selection) -> Option<Mark> {
@@ -342,10 +350,14 @@ fn as_frame(frame: usize) -> f64 {
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     editor.advance(ui.ctx());
     let context = ui.ctx().clone();
-    editor.part(&context, |editor, actions| bar(editor, ui, actions));
+    let mut held = std::mem::take(&mut editor.playing.held);
+    editor.part(&context, |editor, actions| {
+        bar(editor, &mut held, ui, actions)
+    });
+    editor.playing.held = held;
 }
 
-fn bar(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+fn bar(editor: &Editor, held: &mut graph::Held, ui: &mut Ui, actions: &mut Vec<Action>) {
     let palette = theme::palette(ui);
     let frame = egui::Frame::new()
         .fill(palette.panel)
@@ -355,19 +367,41 @@ fn bar(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             top: 0,
             bottom: 0,
         });
+    let roomy = ui.ctx().content_rect().height() >= ROOMY;
+    let speeds = if editor.setup.speed_graph && roomy {
+        graph::HEIGHT + theme::GAP
+    } else {
+        0.0
+    };
     egui::Panel::bottom("playing")
         .resizable(false)
-        .exact_size(HEIGHT)
+        .exact_size(HEIGHT + speeds)
         .frame(frame)
         .show(ui, |ui| {
-            ui.horizontal_centered(|ui| {
-                ui.spacing_mut().item_spacing.x = 12.0;
-                play_button(editor, ui, actions);
-                fields::show(editor, ui, actions);
-                let width = ui.available_width() - BUTTON - 12.0;
-                timeline(editor, ui, width.max(60.0), actions);
-                camera_button(editor, ui, actions);
+            let whole = ui.max_rect();
+            let (top, below) = whole.split_top_bottom_at_y(whole.top() + HEIGHT);
+            let row = UiBuilder::new().max_rect(top);
+            let rail = ui.scope_builder(row, |ui| {
+                ui.horizontal_centered(|ui| {
+                    ui.spacing_mut().item_spacing.x = 12.0;
+                    play_button(editor, ui, actions);
+                    fields::show(editor, ui, actions);
+                    let buttons = if roomy { 2.0 } else { 1.0 } * (BUTTON + theme::GAP) + 8.0;
+                    let width = ui.available_width() - buttons;
+                    let rail = timeline(editor, ui, width.max(60.0), actions);
+                    ui.spacing_mut().item_spacing.x = theme::GAP;
+                    if roomy {
+                        speed_button(editor, ui, actions);
+                    }
+                    camera_button(editor, ui, actions);
+                    rail
+                })
             });
+            if speeds > 0.0 {
+                let rail = rail.inner.inner;
+                let graph = below.with_max_y(below.bottom() - theme::GAP);
+                graph::show(editor, held, ui, graph, rail, actions);
+            }
         });
 }
 
@@ -426,8 +460,27 @@ fn camera_button(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     }
 }
 
-/// The scale of frames with its handle.
-fn timeline(editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>) {
+/// Opens and closes the speeds of the whole path.
+fn speed_button(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().space;
+    let on = editor.setup.speed_graph;
+    let (response, painter) = button(ui, texts.speed_graph, texts.speed_graph_switch, on);
+    let visuals = ui.style().interact_selectable(&response, on);
+    let stroke = Stroke::new(1.5, visuals.fg_stroke.color);
+    let centre = response.rect.center();
+    let hill = (0..=12).map(|step| {
+        let share = step as f32 / 12.0;
+        let height = (share * std::f32::consts::PI).sin().powi(2);
+        centre + vec2(share.mul_add(18.0, -9.0), height.mul_add(-10.0, 5.0))
+    });
+    painter.line(hill.collect(), stroke);
+    if response.clicked() {
+        actions.push(Action::SwitchSpeedGraph);
+    }
+}
+
+/// The scale of frames with its handle; gives where it runs.
+fn timeline(editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>) -> Rect {
     let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click_and_drag());
     let texts = &editor.texts().space;
     let name = texts.timeline;
@@ -446,6 +499,7 @@ fn timeline(editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>)
     }
     paint_timeline(editor, ui, rect, rail, response.has_focus());
     response.on_hover_text(texts.timeline_tip);
+    rail
 }
 
 fn to_frame(frame: f64) -> Action {

@@ -183,9 +183,10 @@ fn beside_the_keys_the_panels_show_what_the_camera_does() {
         // Fainter than what somebody has set.
         let colours = |harness: &Harness<'_, Editor>| {
             let wanted = language.number(pose.vrp[0], 3);
+            let panels = harness.ctx.content_rect().right() - 260.0;
             let shapes = harness.output().shapes.iter();
             let texts = shapes.filter_map(|clipped| match &clipped.shape {
-                egui::Shape::Text(text) if text.pos.x < 260.0 => Some(text),
+                egui::Shape::Text(text) if text.pos.x > panels => Some(text),
                 _ => None,
             });
             let found = texts.filter(|text| text.galley.text() == wanted);

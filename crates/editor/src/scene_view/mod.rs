@@ -20,7 +20,7 @@ pub(super) use self::panel::{no_path, show};
 pub(super) use self::wires::{other_paths, wires};
 use crate::document::Document;
 use crate::error::{Error, Refused, Result};
-use crate::path::Pose;
+use crate::path::{Pose, Space};
 use crate::space::Camera;
 use crate::state::Editor;
 
@@ -141,6 +141,12 @@ impl Editor {
         let old = slot.take();
         *slot = Now::of(&self.document, frame, old)?;
         Ok(slot.as_ref().map(look))
+    }
+
+    /// The movement space of the scene, or of the path where there is none.
+    pub(super) fn shown_space(&self) -> Space {
+        let around = self.document.around();
+        around.map_or(self.document.path().space, |around| around.scene().space())
     }
 
     /// What the camera that is shown sees; none: the path's own camera does.

@@ -10,7 +10,7 @@ use std::path::Path;
 use egui::Color32;
 use toml::de::DeTable;
 
-use super::{Colours, Element, Setup, Shown, Theme, View};
+use super::{Aspect, CameraPlace, Colours, Element, Setup, Shown, Theme, View};
 use crate::document::save;
 use crate::document::vid::field::{Field, Source, fields};
 use crate::document::vid::read_text;
@@ -26,16 +26,24 @@ const VERSION: i64 = 1;
 /// hundred times as much.
 const MAX_BYTES: u64 = 64 << 10;
 
-const KEYS: [&str; 8] = [
+const KEYS: [&str; 12] = [
     "version",
     "theme",
     "language",
     "camera_view",
+    "camera_place",
+    "camera_aspect",
+    "safe_frame",
+    "speed_graph",
     "view",
     "shown",
     "dark",
     "light",
 ];
+/// In the order of [`CameraPlace::ALL`].
+const PLACES: [&str; 3] = ["corner", "beside", "whole"];
+/// In the order of [`Aspect::ALL`].
+const ASPECTS: [&str; 5] = ["3:2", "16:9", "4:3", "1:1", "2.39:1"];
 const VIEW_KEYS: [&str; 4] = ["rotation_degrees", "tilt_degrees", "size", "shift"];
 
 /// Reads a setup.
@@ -112,6 +120,11 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
     writeln!(out, "theme = \"{}\"", theme_word(setup.theme))?;
     writeln!(out, "language = \"{}\"", language_word(setup.language))?;
     writeln!(out, "camera_view = {}", setup.camera_view)?;
+    let place = PLACES[setup.camera_place as usize];
+    writeln!(out, "camera_place = \"{place}\"")?;
+    writeln!(out, "camera_aspect = \"{}\"", setup.camera_aspect.word())?;
+    writeln!(out, "safe_frame = {}", setup.safe_frame)?;
+    writeln!(out, "speed_graph = {}", setup.speed_graph)?;
     let view = &setup.view;
     writeln!(out, "\n[view]")?;
     writeln!(out, "rotation_degrees = {:?}", view.rotation)?;
@@ -169,6 +182,14 @@ fn from_toml(text: &str) -> Result<Setup> {
                 }
             }
             "camera_view" => setup.camera_view = field.boolean()?,
+            "camera_place" => {
+                setup.camera_place = CameraPlace::ALL[one_of(&field, &PLACES)?];
+            }
+            "camera_aspect" => {
+                setup.camera_aspect = Aspect::ALL[one_of(&field, &ASPECTS)?];
+            }
+            "safe_frame" => setup.safe_frame = field.boolean()?,
+            "speed_graph" => setup.speed_graph = field.boolean()?,
             "view" => setup.view = view(field)?,
             "shown" => read_shown(field, &mut setup.shown)?,
             "dark" => read_colours(field, &mut setup.dark)?,
@@ -177,6 +198,13 @@ fn from_toml(text: &str) -> Result<Setup> {
         }
     }
     Ok(setup)
+}
+
+/// Which of these words it is.
+fn one_of(field: &Field<'_>, words: &'static [&'static str]) -> Result<usize> {
+    let word = field.text()?;
+    let found = words.iter().position(|&known| known == word);
+    found.ok_or_else(|| field.error(Malformed::OneOf(words)))
 }
 
 fn view(table: Field<'_>) -> Result<View> {
@@ -347,6 +375,10 @@ mod tests {
             theme: Some(Theme::Light),
             language: Some(Language::German),
             camera_view: false,
+            camera_place: CameraPlace::Beside,
+            camera_aspect: Aspect::Scope,
+            safe_frame: true,
+            speed_graph: false,
             view: View {
                 rotation: -12.345_678_901_234_5,
                 tilt: 1.0 / 3.0,

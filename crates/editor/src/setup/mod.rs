@@ -226,6 +226,74 @@ impl View {
     }
 }
 
+/// Where the camera's picture is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub(super) enum CameraPlace {
+    /// A pane above the movement space.
+    #[default]
+    Corner,
+    /// Side by side with it.
+    Beside,
+    /// In its place.
+    Whole,
+}
+
+impl CameraPlace {
+    pub(super) const ALL: [Self; 3] = [Self::Corner, Self::Beside, Self::Whole];
+
+    /// There, or back if it is there.
+    pub(super) fn switched(self, place: Self) -> Self {
+        if self == place { Self::Corner } else { place }
+    }
+}
+
+/// Width by height of the camera's picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub(super) enum Aspect {
+    /// That of the film of 36 by 24 mm.
+    #[default]
+    Film,
+    Wide,
+    Television,
+    Square,
+    Scope,
+}
+
+impl Aspect {
+    pub(super) const ALL: [Self; 5] = [
+        Self::Film,
+        Self::Wide,
+        Self::Television,
+        Self::Square,
+        Self::Scope,
+    ];
+
+    pub(super) const fn ratio(self) -> f32 {
+        match self {
+            Self::Film => 1.5,
+            Self::Wide => 16.0 / 9.0,
+            Self::Television => 4.0 / 3.0,
+            Self::Square => 1.0,
+            Self::Scope => 2.39,
+        }
+    }
+
+    pub(super) const fn word(self) -> &'static str {
+        match self {
+            Self::Film => "3:2",
+            Self::Wide => "16:9",
+            Self::Television => "4:3",
+            Self::Square => "1:1",
+            Self::Scope => "2.39:1",
+        }
+    }
+
+    /// What follows it, round and round.
+    pub(super) const fn next(self) -> Self {
+        Self::ALL[(self as usize + 1) % Self::ALL.len()]
+    }
+}
+
 /// Everything that the setup file keeps.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Setup {
@@ -239,6 +307,12 @@ pub(super) struct Setup {
     /// From where.
     pub(super) view: View,
     pub(super) camera_view: bool,
+    pub(super) camera_place: CameraPlace,
+    pub(super) camera_aspect: Aspect,
+    /// The parts of the picture that every screen shows are marked.
+    pub(super) safe_frame: bool,
+    /// The speeds of the whole path under the frames.
+    pub(super) speed_graph: bool,
     /// The language that was chosen; that of the host or the environment if none.
     pub(super) language: Option<Language>,
 }
@@ -253,6 +327,10 @@ impl Default for Setup {
             shown: Shown::default(),
             view: View::default(),
             camera_view: true,
+            camera_place: CameraPlace::default(),
+            camera_aspect: Aspect::default(),
+            safe_frame: false,
+            speed_graph: true,
             language: None,
         }
     }

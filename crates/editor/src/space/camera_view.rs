@@ -4,22 +4,23 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Color32, Context, FontId, Pos2, Rect, Sense, Ui, Vec2, vec2};
+use egui::{
+    Align, Align2, Button, Color32, Context, Key, Label, Layout, Modifiers, Painter, PointerButton,
+    Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, vec2,
+};
 use glam::{DMat4, DVec2, DVec3};
 
-use super::Camera;
+use super::{Camera, flying};
 use crate::actions::Action;
 use crate::host::HostPane;
 use crate::math::view::View;
+use crate::path::Space;
 use crate::raster::{Line, Lines};
 use crate::scene_view::wires;
-use crate::setup::Element;
+use crate::setup::{CameraPlace, Element, Setup};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
-
-/// Width by height of the picture: that of the film.
-const ASPECT: f32 = 1.5;
 
 /// Width of the picture at first, in points.
 const WIDTH: f32 = 228.0;
@@ -27,11 +28,56 @@ const WIDTH: f32 = 228.0;
 /// Height of the strip above it that says what it shows, in points.
 const CAPTION: f32 = 19.0;
 
+/// A narrower strip has no room for what is only wanted now and then.
+const ROOMY: f32 = 330.0;
+
 /// The nearest thing that is seen, in half sizes of the movement space.
 const FRONT: f64 = 1e-3;
 
-/// Shows the pane if it is open; `viewport` is the movement window. Where the host draws
-/// it, what it is to draw into.
+/// Lines of the grid on the floor, from edge to edge.
+const GRID: i32 = 8;
+
+/// The movement window, or its part, that is left for the space, and where the picture
+/// stands that is no pane above it.
+pub(super) fn divided(setup: &Setup, viewport: Rect) -> (Rect, Option<Rect>) {
+    let middle = viewport.center();
+    match setup.camera_place {
+        _ if !setup.camera_view => (viewport, None),
+        CameraPlace::Corner => (viewport, None),
+        CameraPlace::Whole => (viewport, Some(viewport)),
+        CameraPlace::Beside if viewport.width() > viewport.height() => {
+            let (space, picture) = viewport.split_left_right_at_x(middle.x);
+            (space, Some(picture))
+        }
+        CameraPlace::Beside => {
+            let (picture, space) = viewport.split_top_bottom_at_y(middle.y);
+            (space, Some(picture))
+        }
+    }
+}
+
+/// Shows the picture in a part of the window of its own, where one can fly through it.
+/// Where the host draws it, what it is to draw into.
+pub(super) fn docked(
+    editor: &Editor,
+    ui: &mut Ui,
+    rect: Rect,
+    actions: &mut Vec<Action>,
+) -> Option<HostPane> {
+    let ground = editor.setup.colours().of(Element::Background);
+    let line = egui::Stroke::new(1.0, theme::palette(ui).line);
+    ui.painter().rect_filled(rect, 0.0, ground);
+    ui.painter()
+        .rect_stroke(rect, 0.0, line, egui::StrokeKind::Inside);
+    let inside = UiBuilder::new()
+        .max_rect(rect.shrink(4.0))
+        .id_salt("camera view");
+    ui.scope_builder(inside, |ui| contents(editor, ui, true, actions))
+        .inner
+}
+
+/// Shows the picture as a pane above the movement window, if it is open; `viewport` is
+/// that window. Where the host draws it, what it is to draw into.
 pub(super) fn show(
     editor: &Editor,
     context: &Context,
@@ -68,7 +114,7 @@ pub(super) fn show(
             .min_width(width)
             .max_width(width);
     }
-    let shown = pane.show(context, |ui| contents(editor, ui, actions))?;
+    let shown = pane.show(context, |ui| contents(editor, ui, false, actions))?;
     let rect = shown.response.rect;
     let held = context.input(|input| input.pointer.any_down());
     let by_hand = known.is_some_and(|known| {
@@ -105,33 +151,135 @@ fn first_width(viewport: Rect) -> f32 {
     WIDTH.min(viewport.width() * 0.27).max(WIDTH / 2.0)
 }
 
-fn contents(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) -> Option<HostPane> {
+fn contents(
+    editor: &Editor,
+    ui: &mut Ui,
+    docked: bool,
+    actions: &mut Vec<Action>,
+) -> Option<HostPane> {
     ui.spacing_mut().item_spacing.y = 0.0;
-    // The height follows the width.
     let width = ui.available_width().max(60.0);
     let scene = editor.scene_pose().ok().flatten().map(Camera::from);
-    let camera = scene.or_else(|| Some(editor.camera()?.0))?;
-    caption(editor, ui, vec2(width, CAPTION), camera.zoom, actions);
-    let (picture, response) = ui.allocate_exact_size(vec2(width, width / ASPECT), Sense::hover());
+    let flown = editor.flown().filter(|_| docked);
+    let camera = flown.or(scene).or_else(|| Some(editor.camera()?.0))?;
+    caption(editor, ui, vec2(width, CAPTION), &camera, actions);
+    let aspect = editor.setup.camera_aspect.ratio();
+    // In a pane the height follows the width.
+    let high = if docked {
+        ui.available_height().max(40.0)
+    } else {
+        f32::INFINITY
+    };
+    let size = vec2(width.min(high * aspect), high.min(width / aspect));
+    let room = if docked { vec2(width, high) } else { size };
+    let sense = if docked && !editor.host_view.fills_pane {
+        Sense::click_and_drag()
+    } else {
+        Sense::hover()
+    };
+    let (room, response) = ui.allocate_exact_size(room, sense);
+    let picture = Rect::from_center_size(room.center(), size);
     let name = editor.texts().space.camera_picture;
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
     if editor.host_view.fills_pane {
         let above = Vec::new();
         return (!ui.is_sizing_pass()).then_some(HostPane { picture, above });
     }
+    let painter = ui.painter_at(picture);
     let lines = picture_of(editor, &camera, picture);
-    ui.painter_at(picture)
-        .add(Lines::shape(&Arc::new(lines), picture));
+    painter.add(Lines::shape(&Arc::new(lines), picture));
+    let line = egui::Stroke::new(1.0, theme::palette(ui).line);
+    if docked {
+        painter.rect_stroke(picture, 0.0, line, egui::StrokeKind::Inside);
+    }
+    if editor.setup.safe_frame {
+        safe_frame(&painter, picture, theme::palette(ui).rim);
+    }
+    if docked {
+        actions.extend(flown_on(editor, ui, &response, camera));
+        if flown.is_none() {
+            response.on_hover_text(editor.texts().space.fly_tip);
+        }
+    }
     None
 }
 
+/// What of the picture every screen shows, and every title (SMPTE ST 2046-1: 93 % and
+/// 90 % of width and height).
+fn safe_frame(painter: &Painter, picture: Rect, colour: Color32) {
+    for share in [0.93, 0.9] {
+        let safe = Rect::from_center_size(picture.center(), picture.size() * share);
+        let corners = [
+            safe.left_top(),
+            safe.right_top(),
+            safe.right_bottom(),
+            safe.left_bottom(),
+            safe.left_top(),
+        ];
+        let stroke = egui::Stroke::new(1.0, colour);
+        painter.extend(egui::Shape::dashed_line(&corners, stroke, 4.0, 4.0));
+    }
+}
+
+/// Where mouse and keys take the camera.
+fn flown_on(editor: &Editor, ui: &Ui, response: &Response, camera: Camera) -> Option<Action> {
+    let space = editor.shown_space();
+    let mut at = camera;
+    let by = response.drag_delta();
+    if response.dragged() && by != Vec2::ZERO {
+        let [x, y] = [by.x, by.y].map(f64::from);
+        let shift = ui.input(|input| input.modifiers.shift);
+        let walks = response.dragged_by(PointerButton::Middle) || shift;
+        at = if response.dragged_by(PointerButton::Secondary) {
+            flying::circled(at, space, [x, y])
+        } else if walks {
+            flying::walked(at, space, [-x * flying::DRAG, y * flying::DRAG, 0.0])
+        } else {
+            flying::looked(at, space, [x, y])
+        };
+    }
+    if response.contains_pointer() || editor.flown().is_some() {
+        let typing = ui.ctx().text_edit_focused();
+        let (wheel, way, seconds, fast) = ui.input(|input| {
+            let held = |key| f64::from(u8::from(input.key_down(key)));
+            let way = [
+                held(Key::D) - held(Key::A),
+                held(Key::E) - held(Key::Q),
+                held(Key::W) - held(Key::S),
+            ];
+            let plain = !(typing || input.modifiers.command || input.modifiers.alt);
+            (
+                f64::from(input.smooth_scroll_delta().y) / 50.0,
+                if plain { way } else { [0.0; 3] },
+                f64::from(input.stable_dt.min(0.1)),
+                if input.modifiers.shift { 4.0 } else { 1.0 },
+            )
+        });
+        if wheel != 0.0 && response.contains_pointer() {
+            at = flying::walked(at, space, [0.0, 0.0, wheel * flying::NOTCH]);
+        }
+        if way != [0.0; 3] {
+            let far = flying::WALK * seconds * fast;
+            at = flying::walked(at, space, way.map(|part| part * far));
+            ui.ctx().request_repaint();
+        }
+        let escape = |input: &mut egui::InputState| input.consume_key(Modifiers::NONE, Key::Escape);
+        if editor.flown().is_some() && !typing && ui.input_mut(escape) {
+            return Some(Action::Fly(None));
+        }
+    }
+    (at != camera).then_some(Action::Fly(Some(at)))
+}
+
 /// What is shown, beside the picture and not on it: that may be the host's, whole. By
-/// this strip the pane can be moved then, too.
-fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, zoom: f64, actions: &mut Vec<Action>) {
+/// this strip a pane can be moved then, too.
+fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &mut Vec<Action>) {
     let (strip, _) = ui.allocate_exact_size(size, Sense::hover());
-    let palette = theme::palette(ui);
     let texts = &editor.texts().space;
+    let setup = &editor.setup;
+    let flown = editor.flown().is_some() && setup.camera_place != CameraPlace::Corner;
     let what = match editor.shown_frame() {
+        _ if flown => texts.free_view.to_owned(),
         _ if editor.document.around().is_some() => scene_label(editor),
         Some(frame) => fill(texts.camera_at_frame, &[&frame]),
         None => {
@@ -140,16 +288,122 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, zoom: f64, actions: &mut Ve
             fill(texts.camera_at_key, &[&point, &number])
         }
     };
-    let zoom = fill(texts.millimetres, &[&editor.language().number(zoom, 0)]);
+    let zoom = fill(
+        texts.millimetres,
+        &[&editor.language().number(camera.zoom, 0)],
+    );
     let text = format!("{what} \u{b7} {zoom}");
-    let start = strip.left_center() + vec2(7.0, 0.0);
-    let font = FontId::proportional(11.0);
-    let room = strip.with_max_x(strip.right() - CAPTION);
-    ui.painter_at(room)
-        .text(start, Align2::LEFT_CENTER, text, font, palette.weak);
-    if close_button(editor, ui, strip) {
-        actions.push(Action::SwitchCameraView);
-    }
+    let row = UiBuilder::new()
+        .max_rect(strip)
+        .layout(Layout::right_to_left(Align::Center));
+    ui.scope_builder(row, |ui| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        let (close, painter) = icon(ui, texts.close_camera_view, texts.close_camera_view, false);
+        let centre = close.rect.center();
+        for way in [vec2(4.0, 4.0), vec2(4.0, -4.0)] {
+            painter.line_segment([centre - way, centre + way], stroke_of(ui, &close, false));
+        }
+        if close.clicked() {
+            actions.push(Action::SwitchCameraView);
+        }
+        let mut changed = setup.clone();
+        for (place, name, tip) in [
+            (
+                CameraPlace::Whole,
+                texts.camera_whole,
+                texts.camera_whole_tip,
+            ),
+            (
+                CameraPlace::Beside,
+                texts.camera_beside,
+                texts.camera_beside_tip,
+            ),
+        ] {
+            if place_button(ui, setup.camera_place, place, name, tip) {
+                changed.camera_place = setup.camera_place.switched(place);
+            }
+        }
+        if strip.width() > ROOMY {
+            let on = setup.safe_frame;
+            let (safe, painter) = icon(ui, texts.safe_frame, texts.safe_frame_tip, on);
+            let stroke = stroke_of(ui, &safe, on);
+            for inset in [5.0, 8.0] {
+                let frame = safe.rect.shrink2(vec2(inset - 1.0, inset));
+                painter.rect_stroke(frame, 0.0, stroke, egui::StrokeKind::Middle);
+            }
+            if safe.clicked() {
+                changed.safe_frame = !on;
+            }
+            let words = RichText::new(setup.camera_aspect.word()).font(theme::small());
+            let aspect = ui.add(Button::new(words).frame(false));
+            aspect.widget_info(|| egui::WidgetInfo {
+                current_text_value: Some(setup.camera_aspect.word().to_owned()),
+                ..egui::WidgetInfo::labeled(egui::Role::Button, true, texts.camera_aspect)
+            });
+            if aspect.on_hover_text(texts.camera_aspect_tip).clicked() {
+                changed.camera_aspect = setup.camera_aspect.next();
+            }
+        }
+        if flown {
+            let small = |words| Button::new(RichText::new(words).font(theme::small())).small();
+            let back = ui.add(small(texts.fly_back));
+            if back.on_hover_text(texts.fly_back_tip).clicked() {
+                actions.push(Action::Fly(None));
+            }
+            let take = ui.add(small(texts.take_over));
+            let replace = ui.input(|input| input.modifiers.shift);
+            if take.on_hover_text(texts.take_over_tip).clicked() {
+                actions.push(Action::TakeOver { replace });
+            }
+        }
+        if changed != *setup {
+            actions.push(Action::Setup(Box::new(changed)));
+        }
+        let left = UiBuilder::new()
+            .max_rect(ui.available_rect_before_wrap())
+            .layout(Layout::left_to_right(Align::Center));
+        ui.scope_builder(left, |ui| {
+            ui.add_space(5.0);
+            let words = RichText::new(text)
+                .size(11.0)
+                .color(theme::palette(ui).weak);
+            ui.add(Label::new(words).truncate().selectable(false));
+        });
+    });
+}
+
+/// A small button of the strip that is painted.
+fn icon(ui: &mut Ui, name: &str, tip: &str, on: bool) -> (Response, Painter) {
+    let (place, response) = ui.allocate_exact_size(vec2(CAPTION, CAPTION), Sense::click());
+    response.widget_info(|| egui::WidgetInfo::selected(egui::Role::Button, true, on, name));
+    (response.on_hover_text(tip), ui.painter_at(place))
+}
+
+fn stroke_of(ui: &Ui, response: &Response, on: bool) -> egui::Stroke {
+    let palette = theme::palette(ui);
+    let color = if response.hovered() || response.has_focus() {
+        palette.text
+    } else if on {
+        palette.accent
+    } else {
+        palette.weak
+    };
+    egui::Stroke::new(1.3, color)
+}
+
+/// Puts the picture there, or back: whether it was clicked.
+fn place_button(ui: &mut Ui, now: CameraPlace, place: CameraPlace, name: &str, tip: &str) -> bool {
+    let on = now == place;
+    let (response, painter) = icon(ui, name, tip, on);
+    let stroke = stroke_of(ui, &response, on);
+    let frame = Rect::from_center_size(response.rect.center(), vec2(13.0, 9.0));
+    painter.rect_stroke(frame, 1.0, stroke, egui::StrokeKind::Middle);
+    let filled = match place {
+        CameraPlace::Beside => frame.with_min_x(frame.center().x),
+        _ => frame,
+    };
+    painter.rect_filled(filled.shrink(1.5), 0.0, stroke.color);
+    response.clicked()
 }
 
 /// The name of the camera that is shown, and the frame of the scene.
@@ -163,36 +417,12 @@ fn scene_label(editor: &Editor) -> String {
     said.ok().flatten().unwrap_or_default()
 }
 
-/// A small cross at the strip's end: whether it was clicked.
-fn close_button(editor: &Editor, ui: &Ui, strip: Rect) -> bool {
-    let place = Rect::from_min_max(strip.right_top() - vec2(CAPTION, 0.0), strip.max);
-    let response = ui.interact(place, ui.scope_id().with("close"), Sense::click());
-    let text = editor.texts().space.close_camera_view;
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, text));
-    let palette = theme::palette(ui);
-    let color = if response.hovered() || response.has_focus() {
-        palette.text
-    } else {
-        palette.weak
-    };
-    let stroke = egui::Stroke::new(1.5, color);
-    let centre = place.center();
-    for way in [vec2(4.0, 4.0), vec2(4.0, -4.0)] {
-        ui.painter()
-            .line_segment([centre - way, centre + way], stroke);
-    }
-    response.on_hover_text(text).clicked()
-}
-
 /// Cube and object as the camera sees them, in `picture`.
 fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
     let mut lines = Lines::default();
     // Behind the farthest corner and beyond the object.
     let object = &editor.document.info().object;
-    let around = editor.document.around();
-    let space = around.map_or(editor.document.path().space, |around| {
-        around.scene().space()
-    });
+    let space = editor.shown_space();
     // Counted from its middle in half sizes: what is far away loses no digits.
     let local = |place: DVec3| (place - space.centre) / space.half_size;
     let farthest = object
@@ -206,7 +436,7 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
         camera.view,
         camera.up,
         camera.zoom,
-        f64::from(ASPECT),
+        f64::from(editor.setup.camera_aspect.ratio()),
         FRONT,
         back,
     );
@@ -231,6 +461,10 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
         for (from, to) in super::cube(space) {
             add(from, to, 1.0, color);
         }
+        let color = color.gamma_multiply(0.45);
+        for (from, to) in floor(space) {
+            add(from, to, 1.0, color);
+        }
     }
     if shown.has(Element::Object) {
         let color = colours.of(Element::Object);
@@ -248,6 +482,20 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
         });
     }
     lines
+}
+
+/// The lines of a grid on the floor of a space, without its edges.
+fn floor(space: Space) -> impl Iterator<Item = (DVec3, DVec3)> {
+    let place = move |x: f64, z: f64| {
+        space.centre + space.up.world(DVec3::new(x, -1.0, z)) * space.half_size
+    };
+    (1..GRID).flat_map(move |line| {
+        let at = f64::from(2 * line) / f64::from(GRID) - 1.0;
+        [
+            (place(at, -1.0), place(at, 1.0)),
+            (place(-1.0, at), place(1.0, at)),
+        ]
+    })
 }
 
 /// The part of a line in the camera's pyramid, from −1 to 1 to the right and up

@@ -6,6 +6,8 @@ use proptest::prelude::*;
 use super::*;
 use crate::math::orientation::{unit, up_from_roll};
 
+const ASPECT: f64 = 1.5;
+
 fn camera() -> impl Strategy<Value = Camera> {
     let vector = || prop::array::uniform3(-1.0..1.0f64).prop_map(DVec3::from_array);
     (vector(), vector(), -180.0..180.0f64, 1.0..100.0f64)
@@ -27,7 +29,7 @@ fn matrix(camera: &Camera, back: f64) -> DMat4 {
         camera.view,
         camera.up,
         camera.zoom,
-        f64::from(ASPECT),
+        ASPECT,
         FRONT,
         back,
     )
@@ -51,7 +53,7 @@ proptest! {
             let way = p - camera.position;
             let depth = way.dot(camera.view);
             let image = DVec2::new(
-                way.dot(right) / depth / half_height / f64::from(ASPECT),
+                way.dot(right) / depth / half_height / ASPECT,
                 way.dot(camera.up) / depth / half_height,
             );
             (depth, image)
@@ -145,4 +147,94 @@ fn the_pane_goes_along_with_the_window() {
     resize(&mut window, LARGE);
     let (after, _) = pane(&window);
     assert!((after.min - moved.min).length() < 2.0 && (after.width() - moved.width()).abs() < 2.0);
+}
+
+use crate::document::Selection;
+use crate::screenshots::screenshot;
+use crate::space::tests::{motion, press, pyramid_window, release, tap};
+
+type Harness = egui_kittest::Harness<'static, Editor>;
+
+fn picture(harness: &Harness) -> Rect {
+    harness.get_by_label("What the camera sees").rect()
+}
+
+#[test]
+fn a_key_puts_the_picture_beside_the_space_in_its_place_and_back() {
+    let mut harness = pyramid_window();
+    let space = |harness: &Harness| harness.get_by_label("Movement window").rect();
+    let (whole, small) = (space(&harness), picture(&harness));
+    tap(&mut harness, Key::B, Modifiers::NONE);
+    harness.step();
+    screenshot(&mut harness, "camera-beside.png");
+    let (left, right) = (space(&harness), picture(&harness));
+    assert!(left.right() <= right.left() && left.width() < 0.51 * whole.width());
+    assert!(whole.contains_rect(right) && right.area() > 4.0 * small.area());
+    tap(&mut harness, Key::C, Modifiers::SHIFT);
+    harness.step();
+    harness.state_mut().setup.safe_frame = true;
+    screenshot(&mut harness, "camera-whole.png");
+    assert!(picture(&harness).width() > 0.95 * whole.width());
+    // What it covers is not meant by the mouse.
+    let before = harness.state().document.path().clone();
+    let at = harness.state().document.path().points[0].position;
+    let at = crate::space::tests::image(&harness, at);
+    press(&mut harness, at, PointerButton::Primary);
+    motion(&mut harness, at + vec2(40.0, 10.0));
+    release(&mut harness, at + vec2(40.0, 10.0), PointerButton::Primary);
+    assert_eq!(*harness.state().document.path(), before);
+    tap(&mut harness, Key::C, Modifiers::SHIFT);
+    harness.step();
+    assert_eq!((space(&harness), picture(&harness)), (whole, small));
+}
+
+#[test]
+fn what_was_flown_to_is_taken_over_as_a_point() {
+    let mut harness = pyramid_window();
+    tap(&mut harness, Key::B, Modifiers::NONE);
+    harness.step();
+    let at = picture(&harness).center();
+    let first = harness.state().camera().unwrap().0;
+    press(&mut harness, at, PointerButton::Primary);
+    motion(&mut harness, at + vec2(8.0, 0.0));
+    motion(&mut harness, at + vec2(80.0, 30.0));
+    release(&mut harness, at + vec2(80.0, 30.0), PointerButton::Primary);
+    let flown = harness.state().flown().expect("a free view");
+    assert_eq!(flown.position, first.position);
+    assert!(flown.view.dot(first.view) < 0.99);
+    // Round what is in the middle, and towards it.
+    press(&mut harness, at, PointerButton::Secondary);
+    motion(&mut harness, at + vec2(-8.0, 0.0));
+    motion(&mut harness, at + vec2(-60.0, 0.0));
+    release(
+        &mut harness,
+        at + vec2(-60.0, 0.0),
+        PointerButton::Secondary,
+    );
+    let flown = harness.state().flown().expect("a free view");
+    assert!(flown.position != first.position);
+    screenshot(&mut harness, "camera-flown.png");
+    // Escape forgets it, and nothing has changed.
+    tap(&mut harness, Key::Escape, Modifiers::NONE);
+    assert_eq!(harness.state().flown(), None);
+    assert!(!harness.state().document.is_modified());
+    // Again, and taken over behind the first point, in one step.
+    press(&mut harness, at, PointerButton::Primary);
+    motion(&mut harness, at + vec2(8.0, 0.0));
+    motion(&mut harness, at + vec2(90.0, -20.0));
+    release(&mut harness, at + vec2(90.0, -20.0), PointerButton::Primary);
+    let flown = harness.state().flown().expect("a free view");
+    let points = harness.state().document.path().points.len();
+    harness.get_by_label("Take over the view").click();
+    harness.step();
+    harness.step();
+    let editor = harness.state();
+    assert_eq!(editor.document.path().points.len(), points + 1);
+    assert_eq!(editor.document.selection(), Selection::at(1, 0));
+    assert_eq!(editor.flown(), None);
+    let taken = editor.camera().unwrap().0;
+    assert!(taken.position.abs_diff_eq(flown.position, 1e-12));
+    assert!(taken.view.abs_diff_eq(flown.view, 1e-12) && taken.up.abs_diff_eq(flown.up, 1e-9));
+    tap(&mut harness, Key::Z, Modifiers::CTRL);
+    assert!(!harness.state().document.is_modified());
 }

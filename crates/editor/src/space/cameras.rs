@@ -47,6 +47,18 @@ impl From<Pose> for Camera {
     }
 }
 
+impl From<Camera> for Pose {
+    fn from(camera: Camera) -> Self {
+        Self {
+            vrp: camera.position.to_array(),
+            vpn: camera.view.to_array(),
+            vup: camera.up.to_array(),
+            zoom: camera.zoom,
+            ..Self::default()
+        }
+    }
+}
+
 impl Camera {
     pub(crate) fn at(document: &Document, point: usize, number: usize) -> Option<Self> {
         let index = point;

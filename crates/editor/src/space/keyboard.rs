@@ -15,7 +15,7 @@ use super::projection::{Axis, Projection};
 use super::projection_of;
 use crate::actions::{Action, round};
 use crate::document::{Edit, Selection};
-use crate::setup::View;
+use crate::setup::{CameraPlace, View};
 use crate::state::Editor;
 
 /// What an arrow key moves by, in half sizes of the space; the larger one with
@@ -91,7 +91,10 @@ pub(super) fn press(
                 Key::Num0 | Key::Home => Action::View(View::default()),
                 Key::Space => Action::PlayOrPause,
                 Key::L => Action::SwitchLoops,
+                Key::C if modifiers.shift => Action::CameraPlace(CameraPlace::Whole),
                 Key::C => Action::SwitchCameraView,
+                Key::B => Action::CameraPlace(CameraPlace::Beside),
+                Key::G => Action::SwitchSpeedGraph,
                 Key::N => {
                     let count = editor.document.path().points.len();
                     Action::Select(Selection::at(round(selection.point, by, count), 0))

@@ -11,6 +11,7 @@
 pub(crate) mod camera_view;
 mod cameras;
 mod drag;
+mod flying;
 mod gesture;
 mod keyboard;
 mod menu;
@@ -91,9 +92,11 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let viewport = editor.part(&context, |editor, actions| {
         sliders::show(editor, before, ui, actions)
     });
-    space.show(editor, ui, viewport);
-    editor.host_pane = editor.part(&context, |editor, actions| {
-        camera_view::show(editor, &context, viewport, actions)
+    let (viewport, docked) = camera_view::divided(&editor.setup, viewport);
+    space.show(editor, ui, viewport, docked);
+    editor.host_pane = editor.part(&context, |editor, actions| match docked {
+        Some(rect) => camera_view::docked(editor, ui, rect, actions),
+        None => camera_view::show(editor, &context, viewport, actions),
     });
     editor.space = space;
     editor.part(&context, |editor, actions| {
@@ -102,7 +105,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do here beside what the thesis names: hand, meaning.
-pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 17] {
+pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 20] {
     let texts = &texts.space;
     [
         (texts.shift_mouse, texts.shift_meaning),
@@ -120,7 +123,10 @@ pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 17] {
         (texts.next_keys, texts.next_meaning),
         (texts.play_keys, texts.play_meaning),
         (texts.loop_keys, texts.loop_meaning),
+        (texts.speed_graph_keys, texts.speed_graph_meaning),
         (texts.camera_keys, texts.camera_meaning),
+        (texts.camera_place_keys, texts.camera_place_meaning),
+        (texts.fly_mouse, texts.fly_meaning),
         (texts.menu_keys, texts.menu_meaning),
     ]
 }
@@ -160,8 +166,8 @@ pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec
 const THUMBNAIL_PIECES: usize = 400;
 
 impl Space {
-    /// The part in which the space is seen.
-    fn show(&mut self, editor: &mut Editor, ui: &mut Ui, viewport: Rect) {
+    /// The part in which the space is seen, but for what is `covered`.
+    fn show(&mut self, editor: &mut Editor, ui: &mut Ui, viewport: Rect, covered: Option<Rect>) {
         let response = ui.interact(
             viewport,
             ui.scope_id().with("movement"),
@@ -173,6 +179,7 @@ impl Space {
         let layer = ui.layer_id();
         let mine = |at| {
             viewport.contains(at)
+                && covered.is_none_or(|covered| !covered.contains(at))
                 && context.layer_id_at(at).is_none_or(|found| found == layer)
                 && context.memory(|memory| memory.top_modal_layer().is_none())
         };
@@ -289,6 +296,13 @@ impl Space {
         {
             let mut strokes = Strokes::new(look.projection, viewport);
             cameras::camera(&mut strokes, &look, &camera, 44.0, 1.8, color);
+            add(strokes.finish());
+        }
+        if let Some(color) = look.of(Element::Player)
+            && let Some(flown) = editor.flown()
+        {
+            let mut strokes = Strokes::new(look.projection, viewport);
+            cameras::camera(&mut strokes, &look, &flown, 44.0, 1.8, color);
             add(strokes.finish());
         }
         if let Some(ghost) = editor.ghost.map(Camera::from) {

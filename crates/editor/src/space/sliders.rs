@@ -10,7 +10,7 @@ use crate::setup::View;
 use crate::state::Editor;
 
 /// Height of the rows above and below, width of the column.
-const ROW: f32 = 40.0;
+const ROW: f32 = 32.0;
 const COLUMN: f32 = 68.0;
 
 /// Width of a name and of a number.

@@ -121,7 +121,7 @@ fn a_drag_is_one_step_and_escape_takes_it_back() {
 #[test]
 fn a_text_that_is_typed_keeps_its_keys() {
     let mut window = window(Language::German);
-    click(&mut window, "Pos.+");
+    click_button(&mut window, |texts| texts.position.add);
     type_into(&mut window, "Position x", "0,5");
     press(&mut window, Modifiers::CTRL, Key::Z);
     press(&mut window, Modifiers::NONE, Key::Delete);
@@ -244,7 +244,7 @@ fn an_orientation_is_copied_and_pasted() {
     let mut window = window(Language::German);
     enter(&mut window, "Winkel", "45");
     press(&mut window, Modifiers::CTRL, Key::C);
-    click(&mut window, "Pos. >>");
+    click_button(&mut window, |texts| texts.position.next);
     press(&mut window, Modifiers::CTRL, Key::V);
     assert_eq!(window.state().orientation().expect("there").roll, 45.0);
     press(&mut window, Modifiers::CTRL, Key::Z);

@@ -115,12 +115,12 @@ fn sub_windows_leave_the_movement_window_to_be_seen() {
             window.run();
             window.drag_at(title);
             window.run();
-            window.hover_at(title + vec2(120.0, 40.0));
+            window.hover_at(title + vec2(-120.0, 40.0));
             window.run();
-            window.drop_at(title + vec2(120.0, 40.0));
+            window.drop_at(title + vec2(-120.0, 40.0));
             window.run();
             let moved = area(&window).min - at.min;
-            assert!(moved.x > 50.0 && moved.y > 10.0, "{id}: {moved:?}");
+            assert!(moved.x < -50.0 && moved.y > 10.0, "{id}: {moved:?}");
             assert!(
                 window.ctx.content_rect().contains_rect(area(&window)),
                 "{id}"
@@ -400,7 +400,7 @@ fn what_has_the_keyboard_has_a_border() {
 fn texts_of_panels(window: &Window) -> Vec<(String, egui::Rect)> {
     let shapes = window.output().shapes.iter();
     let texts = shapes.filter_map(|clipped| match &clipped.shape {
-        egui::Shape::Text(text) if text.pos.x < 248.0 && text.pos.y > 32.0 => {
+        egui::Shape::Text(text) if text.pos.x > LARGE[0] - 250.0 && text.pos.y > 32.0 => {
             let rect = egui::Rect::from_min_size(text.pos, text.galley.size());
             Some((text.galley.text().to_owned(), rect))
         }
@@ -446,7 +446,7 @@ fn no_text_of_the_panels_lies_over_another() {
                 let texts = texts_of_panels(&window);
                 seen += texts.len();
                 for (index, (one, a)) in texts.iter().enumerate() {
-                    assert!(a.right() <= 248.0, "{one} {a:?}");
+                    assert!(a.right() <= LARGE[0] - 12.0, "{one} {a:?}");
                     for (other, b) in &texts[index + 1..] {
                         let both = a.shrink(1.0).intersects(b.shrink(1.0));
                         assert!(!both, "{x}: {one} {a:?} over {other} {b:?}");

@@ -32,7 +32,7 @@ fn the_parts_lie_around_the_movement_window() {
             menus.into_iter().all(beside),
             "the output field beside the menus"
         );
-        // The panels at its left, in this order.
+        // The panels beside it, in this order.
         let panels = [
             of(texts.position.add),
             of(texts.orientation.add),
@@ -42,7 +42,7 @@ fn the_parts_lie_around_the_movement_window() {
         for pair in panels.windows(2) {
             assert!(pair[0].bottom() < pair[1].top());
         }
-        assert!(panels.iter().all(|panel| panel.right() < space.left()));
+        assert!(panels.iter().all(|panel| panel.left() > space.right()));
         // The sliders above, below and at the right.
         assert!(slider(texts.space.size).bottom() <= space.top());
         assert!(slider(texts.space.rotate).top() >= space.bottom());
@@ -172,7 +172,7 @@ fn buttons_of_questions_and_files_and_menu_entries_tell_what_they_do() {
             assert!(tip(&mut window, label, hint), "{label}");
         }
         press(&mut window, Modifiers::NONE, Key::Escape);
-        click(&mut window, "Pos.+");
+        click_button(&mut window, |texts| texts.position.add);
         window.state_mut().ask_to_close();
         window.run();
         let texts = &texts.questions;

@@ -99,7 +99,6 @@ pub(crate) fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.run();
 }
 
-/// Clicks what has this label.
 /// Every pose of the path.
 pub(crate) fn poses(editor: &Editor) -> Vec<Pose> {
     let sampler = editor.document.sampler().unwrap();
@@ -108,6 +107,16 @@ pub(crate) fn poses(editor: &Editor) -> Vec<Pose> {
     poses
 }
 
+/// Clicks the button that has this name in the window's language.
+pub(crate) fn click_button(
+    window: &mut Window,
+    name: impl Fn(&crate::texts::Texts) -> &'static str,
+) {
+    let name = name(window.state().texts());
+    click(window, name);
+}
+
+/// Clicks what has this label.
 pub(crate) fn click(window: &mut Window, label: &str) {
     window.get_by_label(label).click();
     window.run();

@@ -11,6 +11,10 @@ texts! {
         waiting: "not applied yet", "noch nicht übernommen";
 
         preset: "Preset {0}", "Standard {0}";
+        for_this: "for this point", "für diesen Punkt";
+        for_all: "for all {0}", "für alle {0}";
+        for_all_hint: "Preset {0} is used by other points, too: who is to have the new values?",
+            "Standard {0} gilt auch für andere Punkte: Für wen sind die neuen Werte?";
         own: "Own values", "Eigendef.";
         own_hint: "Values of this point alone", "Werte nur für diesen Punkt";
         smooth: "smooth", "glatt";
@@ -61,24 +65,37 @@ texts! {
 }
 
 impl Curve {
+    /// A preset by what it makes of a curve: "5 corner".
+    pub(crate) fn preset_name(&self, preset: usize, tcb: Tcb) -> String {
+        let words: Vec<&str> = self.words(tcb).map(|(word, ..)| word).collect();
+        if words.is_empty() {
+            return format!("{preset} {}", self.smooth);
+        }
+        format!("{preset} {}", words.join(", "))
+    }
+
     /// What these parameters make of a curve: "tighter  t 0.30".
     pub(crate) fn shape(&self, language: Language, tcb: Tcb) -> String {
+        let words = self
+            .words(tcb)
+            .map(|(word, letter, value)| format!("{word}  {letter} {}", language.number(value, 2)));
+        let words: Vec<String> = words.collect();
+        if words.is_empty() {
+            return self.smooth.to_owned();
+        }
+        words.join(", ")
+    }
+
+    /// A word for each parameter that is not 0, with its letter and value.
+    fn words(&self, tcb: Tcb) -> impl Iterator<Item = (&'static str, &'static str, f64)> {
         let parts = [
             (tcb.tension, "t", [self.rounder, self.tighter]),
             (tcb.continuity, "c", [self.corner, self.corner_outwards]),
             (tcb.bias, "b", [self.early, self.late]),
         ];
-        let words: Vec<String> = parts
-            .into_iter()
-            .filter(|(value, ..)| *value != 0.0)
-            .map(|(value, letter, [below, above])| {
-                let word = if value < 0.0 { below } else { above };
-                format!("{word}  {letter} {}", language.number(value, 2))
-            })
-            .collect();
-        if words.is_empty() {
-            return self.smooth.to_owned();
-        }
-        words.join(", ")
+        let known = parts.into_iter().filter(|(value, ..)| *value != 0.0);
+        known.map(|(value, letter, [below, above])| {
+            (if value < 0.0 { below } else { above }, letter, value)
+        })
     }
 }

@@ -9,30 +9,30 @@ texts! {
         at_place: "looks at a place", "blickt auf einen Ort";
         in_direction: "looks in a direction", "blickt in eine Richtung";
         along_way: "looks along the way", "blickt den Weg entlang";
-        add: "Ori.+", "Ori.+";
-        add_hint: "Insert a copy of this orientation after it",
-            "Eine Kopie dieser Orientierung dahinter einfügen";
-        remove: "Ori.-", "Ori.-";
-        remove_hint: "Remove this orientation", "Diese Orientierung löschen";
-        absolute: "Abs.", "Abs.";
-        absolute_hint: "The camera looks at a place that stays when the point is moved",
-            "Die Kamera blickt auf einen Ort, der beim Verschieben des Punktes bleibt";
-        relative: "Rel.", "Rel.";
-        relative_hint: "The camera keeps its direction when the point is moved",
-            "Die Kamera behält ihre Richtung, wenn der Punkt verschoben wird";
-        ahead: "Way", "Weg";
+        add: "+ View", "+ Blick";
+        add_hint: "Insert a copy of this orientation after it (Ori.+)",
+            "Eine Kopie dieser Orientierung dahinter einfügen (Ori.+)";
+        remove: "− View", "− Blick";
+        remove_hint: "Remove this orientation (Ori.-)", "Diese Orientierung löschen (Ori.-)";
+        absolute: "Target", "Ziel";
+        absolute_hint: "The camera looks at a place that stays when the point is moved (Abs.)",
+            "Die Kamera blickt auf einen Ort, der beim Verschieben des Punktes bleibt (Abs.)";
+        relative: "Direction", "Richtung";
+        relative_hint: "The camera keeps its direction when the point is moved (Rel.)",
+            "Die Kamera behält ihre Richtung, wenn der Punkt verschoben wird (Rel.)";
+        ahead: "Along way", "Weg entlang";
         ahead_hint: "The camera looks along its way, upright",
             "Die Kamera blickt aufrecht ihren Weg entlang";
         distance: "Ahead", "Voraus";
         distance_hint: "It looks at the place so far ahead on its way; 0: along the tangent",
             "Sie blickt auf den Ort so weit voraus auf ihrem Weg; 0: die Tangente entlang";
-        previous: "<< Ori", "<< Ori";
-        previous_hint: "Go to the previous orientation of this point",
-            "Zur vorherigen Orientierung dieses Punktes";
-        next: "Ori >>", "Ori >>";
-        next_hint: "Go to the next orientation of this point",
-            "Zur nächsten Orientierung dieses Punktes";
-        count: "Ori {0} of {1}", "Ori {0} von {1}";
+        previous: "‹ View", "‹ Blick";
+        previous_hint: "Go to the previous orientation of this point (<< Ori)",
+            "Zur vorherigen Orientierung dieses Punktes (<< Ori)";
+        next: "View ›", "Blick ›";
+        next_hint: "Go to the next orientation of this point (Ori >>)",
+            "Zur nächsten Orientierung dieses Punktes (Ori >>)";
+        count: "View {0} of {1}", "Blick {0} von {1}";
         target: "Target {0}", "Ziel {0}";
         target_hint: "The place that the camera looks at: drag, or click and type",
             "Ort, auf den die Kamera blickt: ziehen, oder klicken und tippen";

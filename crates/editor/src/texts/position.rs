@@ -6,24 +6,25 @@ texts! {
     /// Texts of the panel of position and curve.
     Position {
         heading: "Position and curve", "Position und Kurve";
-        add: "Pos.+", "Pos.+";
-        add_hint: "Insert a point half-way to the next one; the flight stays as it is. With Shift: a copy of this point",
-            "Einen Punkt auf halber Strecke zum nächsten einfügen; der Flug bleibt, wie er ist. Mit Umschalt: eine Kopie dieses Punkts";
-        add_many: "Pos.++", "Pos.++";
-        add_many_hint: "Insert 1 to 10 points at equal distances up to the next one; the flight stays as it is",
-            "1 bis 10 Punkte in gleichen Abständen bis zum nächsten einfügen; der Flug bleibt, wie er ist";
-        remove: "Pos.-", "Pos.-";
-        remove_hint: "Remove this point", "Diesen Punkt löschen";
-        previous: "<< Pos.", "<< Pos.";
-        previous_hint: "Go to the previous point", "Zum vorherigen Punkt";
-        next: "Pos. >>", "Pos. >>";
-        next_hint: "Go to the next point", "Zum nächsten Punkt";
+        add: "+ Point", "+ Punkt";
+        add_hint: "Insert a point half-way to the next one; the flight stays as it is. With Shift: a copy of this point (Pos.+)",
+            "Einen Punkt auf halber Strecke zum nächsten einfügen; der Flug bleibt, wie er ist. Mit Umschalt: eine Kopie dieses Punkts (Pos.+)";
+        add_many: "+ Points …", "+ Punkte …";
+        add_many_hint: "Insert 1 to 10 points at equal distances up to the next one; the flight stays as it is (Pos.++)",
+            "1 bis 10 Punkte in gleichen Abständen bis zum nächsten einfügen; der Flug bleibt, wie er ist (Pos.++)";
+        remove: "− Point", "− Punkt";
+        remove_hint: "Remove this point (Pos.-)", "Diesen Punkt löschen (Pos.-)";
+        previous: "‹ Point", "‹ Punkt";
+        previous_hint: "Go to the previous point (<< Pos.)", "Zum vorherigen Punkt (<< Pos.)";
+        next: "Point ›", "Punkt ›";
+        next_hint: "Go to the next point (Pos. >>)", "Zum nächsten Punkt (Pos. >>)";
         count: "{0} of {1}", "{0} von {1}";
         coordinate: "Position {0}", "Position {0}";
         coordinate_hint: "Where the camera is: drag, or click and type",
             "Ort der Kamera: ziehen, oder klicken und tippen";
-        shape_hint: "Bias, continuity and tension at this point (1) and at the next one (2)",
-            "Bias, Continuity und Tension an diesem Punkt (1) und am nächsten (2)";
+        shape_hint: "At this point (b1, c1, t1): drag, or click and type; it has values of its own then",
+            "An diesem Punkt (b1, c1, t1): ziehen, oder klicken und tippen; er hat dann eigene Werte";
+        next_shape_hint: "At the next point (b2, c2, t2)", "Am nächsten Punkt (b2, c2, t2)";
         add_here: "Add point here", "Punkt hier einfügen";
         add_orientation_here: "Add orientation here", "Orientierung hier einfügen";
         add_here_hint: "Make a key of what the camera does in this frame",

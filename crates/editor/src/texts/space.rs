@@ -63,6 +63,38 @@ texts! {
         loop_keys: "L", "L";
         loop_meaning: "Begin anew at the end when playing", "Beim Abspielen am Ende von vorn beginnen";
         too_many_frames: "Too many frames", "Zu viele Bilder";
+        speed_graph: "Speed", "Tempo";
+        speed_graph_tip: "Speed all along the path; 50 is the base speed, a red step a jump",
+            "Geschwindigkeit über den ganzen Pfad; 50 ist die Grundgeschwindigkeit, eine rote Stufe ein Sprung";
+        speed_graph_switch: "Shows the speed all along the path (G)",
+            "Zeigt die Geschwindigkeit über den ganzen Pfad (G)";
+        speed_graph_keys: "G", "G";
+        speed_graph_meaning: "Open and close the speed graph", "Geschwindigkeitsverlauf öffnen und schließen";
+        section_border: "End of section {0}", "Ende des Abschnitts {0}";
+        section_border_tip: "Drag: frames go from one section to the other; Shift: all behind moves along",
+            "Ziehen: Bilder wechseln vom einen Abschnitt zum anderen; Umschalt: alles dahinter rückt mit";
+        camera_whole: "Camera only", "Nur Kamera";
+        camera_whole_tip: "The camera's picture in place of the space, and back (Shift+C)",
+            "Das Kamerabild an Stelle des Raumes, und zurück (Umschalt+C)";
+        camera_beside: "Camera beside the space", "Kamera neben dem Raum";
+        camera_beside_tip: "Space and camera side by side, and back (B)",
+            "Raum und Kamera nebeneinander, und zurück (B)";
+        camera_place_keys: "Shift + C, B", "Umschalt + C, B";
+        camera_place_meaning: "Camera's picture alone, beside the space, and back",
+            "Kamerabild allein, neben dem Raum, und zurück";
+        camera_aspect: "Width by height", "Breite zu Höhe";
+        camera_aspect_tip: "Width by height of the picture: click for the next",
+            "Breite zu Höhe des Bildes: für das nächste klicken";
+        safe_frame: "Safe frame", "Sicherer Bereich";
+        safe_frame_tip: "Marks what every screen shows (93 %), and where titles belong (90 %)",
+            "Zeigt, was jeder Bildschirm zeigt (93 %) und wohin Titel gehören (90 %)";
+        free_view: "Free view", "Freier Blick";
+        fly_tip: "Drag: look around; right button: circle; middle button or Shift: shift; wheel, W A S D Q E: walk",
+            "Ziehen: umsehen; rechts: umkreisen; Mitte oder Umschalt: verschieben; Rad, W A S D Q E: gehen";
+        fly_mouse: "Drag in the large camera picture, W A S D Q E", "Im großen Kamerabild ziehen, W A S D Q E";
+        fly_meaning: "Look around, walk; then take over as a point", "Umsehen, gehen; dann als Punkt übernehmen";
+        fly_back: "Back", "Zurück";
+        fly_back_tip: "To the camera of the path (Esc)", "Zur Kamera des Pfades (Esc)";
         camera_view: "Camera view", "Kamerabild";
         camera_view_tip: "Shows what the camera sees (C)", "Zeigt, was die Kamera sieht (C)";
         camera_picture: "What the camera sees", "Was die Kamera sieht";

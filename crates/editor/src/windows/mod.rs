@@ -48,10 +48,11 @@ pub(super) struct Windows {
     pub(super) recovery: Option<RecoveryWindow>,
 }
 
-/// Where a sub-window opens: beside the panels; over them where it would hide
-/// the movement window, in which one sees what it does.
-const BESIDE_PANELS: egui::Pos2 = egui::pos2(288.0, 64.0);
-const OVER_PANELS: egui::Pos2 = egui::pos2(8.0, 48.0);
+/// From the window's upper left corner to where a sub-window opens; from the upper
+/// right one, over the panels, where it would hide the movement window, in which one
+/// sees what it does.
+const OVER_SPACE: egui::Vec2 = egui::vec2(28.0, 64.0);
+const OVER_PANELS: egui::Vec2 = egui::vec2(-8.0, 48.0);
 
 /// A narrower window has little room beside the panels.
 const ROOMY: f32 = 1000.0;
@@ -155,12 +156,19 @@ pub(super) fn sub_window(
     title: &str,
     add: impl FnOnce(&mut egui::Ui),
 ) -> bool {
-    let place = if is_cramped(context) {
-        OVER_PANELS
+    let screen = context.content_rect();
+    let (pivot, place) = if is_cramped(context) {
+        (egui::Align2::RIGHT_TOP, screen.right_top() + OVER_PANELS)
     } else {
-        BESIDE_PANELS
+        (egui::Align2::LEFT_TOP, screen.left_top() + OVER_SPACE)
     };
-    sub_window_as(context, id, title, |window| window.default_pos(place), add)
+    sub_window_as(
+        context,
+        id,
+        title,
+        |window| window.pivot(pivot).default_pos(place),
+        add,
+    )
 }
 
 /// The same, arranged in its own way.

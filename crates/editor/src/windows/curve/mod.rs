@@ -6,7 +6,7 @@ use egui::{Grid, Rect, Sense, Slider, Ui, vec2};
 mod pending;
 mod picture;
 
-use self::pending::{Belonging, Choice, GivenUp, Pending, orientation};
+use self::pending::{Belonging, Choice, GivenUp, Pending, orientation, users};
 use super::{SubWindow, Windows, is_cramped, row_at_right, sub_window};
 use crate::actions::Action;
 use crate::limits::PRESETS;
@@ -18,7 +18,7 @@ use crate::theme;
 
 /// Widths in points: the list of presets, and beside it a label and three
 /// numbers, which are narrower where there is little room.
-const LIST: f32 = 120.0;
+const LIST: f32 = 136.0;
 const LABEL: f32 = 78.0;
 const NUMBER: f32 = 82.0;
 const NARROW_NUMBER: f32 = 70.0;
@@ -188,10 +188,11 @@ impl CurveWindow {
                 .get(preset)
                 .is_some_and(Option::is_some);
             let mark = if changed { " *" } else { "" };
-            let name = format!("{}{mark}", fill(texts.preset, &[&preset]));
             let tcb = self.pending.preset(&editor.document, preset);
+            let name = format!("{}{mark}", texts.preset_name(preset, tcb));
             let shape = texts.shape(editor.language(), tcb);
-            radio(ui, Choice::Preset(preset), name, shape);
+            let hint = format!("{}: {shape}", fill(texts.preset, &[&preset]));
+            radio(ui, Choice::Preset(preset), name, hint);
         }
         let own = texts.own.to_owned();
         radio(ui, Choice::Own, own, texts.own_hint.to_owned());
@@ -199,8 +200,22 @@ impl CurveWindow {
             self.pending.choose(&editor.document, choice);
         }
         ui.add_space(theme::GAP);
+        if let Some((preset, all)) = self.pending.for_all(&editor.document) {
+            let count = users(&editor.document, preset);
+            let hint = fill(texts.for_all_hint, &[&preset]);
+            for (meant, name) in [
+                (false, texts.for_this.to_owned()),
+                (true, fill(texts.for_all, &[&count])),
+            ] {
+                let choice = theme::choice(ui, all == meant, &name);
+                if choice.on_hover_text(&hint).clicked() {
+                    self.pending.mean_all(&editor.document, meant);
+                }
+            }
+            return;
+        }
         let users = match self.pending.choice(&editor.document) {
-            Choice::Preset(preset) => users(editor, preset),
+            Choice::Preset(preset) => users(&editor.document, preset),
             Choice::Own => 1,
         };
         let text = if users == 1 {
@@ -434,16 +449,6 @@ fn in_column(ui: &mut Ui, text: &str) -> egui::Response {
 
 fn parts(tcb: Tcb) -> [f64; 3] {
     [tcb.tension, tcb.continuity, tcb.bias]
-}
-
-/// Points that use a preset, the current one as it will be.
-fn users(editor: &Editor, preset: usize) -> usize {
-    let current = editor.document.selection().point;
-    let points = editor.document.path().points.iter().enumerate();
-    let uses = |curve| matches!(curve, crate::path::CurveParameters::Preset(p) if usize::from(p) == preset);
-    points
-        .filter(|(number, point)| *number == current || uses(point.curve))
-        .count()
 }
 
 #[cfg(test)]

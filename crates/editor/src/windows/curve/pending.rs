@@ -24,6 +24,8 @@ pub(crate) struct Pending {
     pub(crate) choice: Option<Choice>,
     pub(crate) presets: [Option<Tcb>; PRESETS],
     pub(crate) own: Option<Tcb>,
+    /// The own values come from changing this preset, which other points use too.
+    pub(crate) shared: Option<usize>,
     pub(crate) position: [Option<f64>; 3],
     pub(crate) target: [Option<f64>; 3],
     pub(crate) roll: Option<f64>,
@@ -49,6 +51,32 @@ impl Pending {
             self.own = (!known).then(|| self.tcb(document));
         }
         self.choice = Some(choice);
+        self.shared = None;
+    }
+
+    /// The preset whose change could be meant for all points that use it, and whether it
+    /// is.
+    pub(crate) fn for_all(&self, document: &Document) -> Option<(usize, bool)> {
+        let shared = self.shared?;
+        let all = self.choice(document) == Choice::Preset(shared);
+        Some((shared, all))
+    }
+
+    /// Lets the changed values be those of the preset, for all points that use it, or
+    /// of this point alone.
+    pub(crate) fn mean_all(&mut self, document: &Document, all: bool) {
+        let (Some(shared), tcb) = (self.shared, self.tcb(document)) else {
+            return;
+        };
+        if let Some(preset) = self.presets.get_mut(shared) {
+            *preset = all.then_some(tcb);
+            self.own = (!all).then_some(tcb);
+            self.choice = Some(if all {
+                Choice::Preset(shared)
+            } else {
+                Choice::Own
+            });
+        }
     }
 
     /// The parameters that the sliders show.
@@ -71,7 +99,11 @@ impl Pending {
         match self.choice(document) {
             Choice::Own => self.own = Some(tcb),
             Choice::Preset(preset) => {
-                if let Some(pending) = self.presets.get_mut(preset) {
+                let asked = self.shared == Some(preset);
+                if !asked && users(document, preset) > 1 {
+                    self.shared = Some(preset);
+                    (self.choice, self.own) = (Some(Choice::Own), Some(tcb));
+                } else if let Some(pending) = self.presets.get_mut(preset) {
                     *pending = Some(tcb);
                 }
             }
@@ -149,6 +181,16 @@ impl Pending {
         }
         edits
     }
+}
+
+/// Points that use a preset, the current one as it will be.
+pub(crate) fn users(document: &Document, preset: usize) -> usize {
+    let current = document.selection().point;
+    let points = document.path().points.iter().enumerate();
+    let uses = |curve| matches!(curve, CurveParameters::Preset(p) if usize::from(p) == preset);
+    points
+        .filter(|(number, point)| *number == current || uses(point.curve))
+        .count()
 }
 
 pub(crate) fn point(document: &Document) -> &SupportPoint {

@@ -1,12 +1,23 @@
 //! The curve window (thesis A.4.1).
 
-use crate::path::{CurveParameters, Tcb};
+use crate::path::{CameraPath, CurveParameters, Tcb};
 use crate::screenshots::screenshot;
 use crate::tests::*;
 
 /// A window at the third point with the curve window open.
 fn opened(language: Language) -> Window {
     opened_with(language, language.texts().position.change)
+}
+
+/// The words at a preset's choice, as it is in the document.
+fn preset(window: &Window, language: Language, preset: usize) -> String {
+    let tcb = window.state().document.path().presets[preset];
+    language.texts().curve.preset_name(preset, tcb)
+}
+
+fn choose(window: &mut Window, number: usize) {
+    let name = preset(window, window.state().language(), number);
+    click(window, &name);
 }
 
 fn tcb(window: &Window, point: usize) -> Tcb {
@@ -19,7 +30,7 @@ fn a_preset_is_chosen_and_applied_by_show() {
         let texts = &language.texts().curve;
         let mut window = opened(language);
         assert!(window.query_by_label(texts.title).is_some());
-        click(&mut window, &fill(texts.preset, &[&5]));
+        choose(&mut window, 5);
         assert_eq!(tcb(&window, 2), Tcb::default(), "pending only");
         assert!(window.query_by_label(texts.waiting).is_some());
         click(&mut window, texts.show);
@@ -61,32 +72,71 @@ fn ok_applies_everything_as_one_step_and_closes() {
     }
 }
 
-#[test]
-fn a_changed_preset_changes_all_points_that_use_it() {
-    let language = Language::German;
+/// The continuity slider goes three steps up.
+fn slide(window: &mut Window, language: Language) {
     let texts = &language.texts().curve;
-    let mut window = opened(language);
     let slider = window.get_by_role_and_label(Role::Slider, texts.continuity);
     slider.focus();
     window.run();
     for _ in 0..3 {
-        press(&mut window, Modifiers::NONE, Key::ArrowRight);
+        press(window, Modifiers::NONE, Key::ArrowRight);
     }
-    assert_eq!(tcb(&window, 2), Tcb::default(), "pending only");
-    let changed = format!("{} *", fill(texts.preset, &[&0]));
-    assert!(window.query_by_label(&changed).is_some());
+}
+
+#[test]
+fn a_preset_that_others_use_is_changed_for_all_if_that_is_meant() {
+    for language in BOTH {
+        let texts = &language.texts().curve;
+        let mut window = opened(language);
+        slide(&mut window, language);
+        assert_eq!(tcb(&window, 2), Tcb::default(), "pending only");
+        // Five of the six use preset 0; there and back again, and there.
+        let all = fill(texts.for_all, &[&5]);
+        click(&mut window, &all);
+        click(&mut window, texts.for_this);
+        click(&mut window, &all);
+        let changed = Tcb::new(0.0, 0.03, 0.0);
+        let name = format!("{} *", texts.preset_name(0, changed));
+        assert!(window.query_by_label(&name).is_some());
+        // What comes then is meant so, too.
+        enter(&mut window, texts.tension, "0.5");
+        click(&mut window, texts.show);
+        for point in [0, 1, 2, 4, 5] {
+            let found = tcb(&window, point);
+            assert!((found.continuity - 0.03).abs() < 1e-12 && found.tension == 0.5);
+        }
+        assert_eq!(tcb(&window, 3), Tcb::new(0.0, -0.5, 0.0), "another preset");
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert!(!window.state().document.is_modified());
+    }
+}
+
+#[test]
+fn a_preset_that_others_use_is_left_alone_without_a_word() {
+    let texts = &Language::English.texts().curve;
+    let mut window = opened(Language::English);
+    slide(&mut window, Language::English);
     click(&mut window, texts.show);
-    for point in [0, 1, 2, 4, 5] {
-        assert!((tcb(&window, point).continuity - 0.03).abs() < 1e-12);
-    }
-    assert_eq!(tcb(&window, 3), Tcb::new(0.0, -0.5, 0.0), "another preset");
+    let path = window.state().document.path();
+    assert_eq!(path.presets, CameraPath::default().presets);
+    let CurveParameters::Own(own) = path.points[2].curve else {
+        panic!("{:?}", path.points[2].curve);
+    };
+    assert!((own.continuity - 0.03).abs() < 1e-12);
+    // The only one that uses it changes it.
+    let mut window = opened(Language::English);
+    choose(&mut window, 7);
+    enter(&mut window, texts.tension, "0.5");
+    assert!(window.query_by_label(texts.for_this).is_none());
+    click(&mut window, texts.show);
+    assert_eq!(window.state().document.path().presets[7].tension, 0.5);
 }
 
 #[test]
 fn own_values_begin_as_those_in_force() {
     let texts = &Language::English.texts().curve;
     let mut window = opened(Language::English);
-    click(&mut window, &fill(texts.preset, &[&2]));
+    choose(&mut window, 2);
     click(&mut window, texts.own);
     click(&mut window, texts.show);
     let point = &window.state().document.path().points[2];
@@ -97,7 +147,7 @@ fn own_values_begin_as_those_in_force() {
 fn escape_and_closing_discard() {
     let texts = &Language::German.texts().curve;
     let mut window = opened(Language::German);
-    click(&mut window, &fill(texts.preset, &[&5]));
+    choose(&mut window, 5);
     press(&mut window, Modifiers::NONE, Key::Escape);
     assert!(window.query_by_label(texts.title).is_none());
     assert!(!window.state().document.is_modified());
@@ -111,7 +161,7 @@ fn another_point_or_orientation_discards_with_a_message() {
         let texts = language.texts();
         for button in [texts.position.next, texts.orientation.next] {
             let mut window = opened(language);
-            click(&mut window, &fill(texts.curve.preset, &[&5]));
+            choose(&mut window, 5);
             click(&mut window, button);
             assert_eq!(said(&window).as_deref(), Some(texts.curve.given_up));
             assert!(window.query_by_label(texts.curve.waiting).is_none());
@@ -132,7 +182,7 @@ fn undo_and_loading_discard_with_a_message() {
     let edit = Edit::SetClosed(true);
     window.state_mut().document.apply(edit).unwrap();
     window.run();
-    click(&mut window, &fill(texts.curve.preset, &[&5]));
+    choose(&mut window, 5);
     // An edit elsewhere leaves it.
     let edit = Edit::SetClosed(false);
     window.state_mut().document.apply(edit).unwrap();
@@ -152,7 +202,7 @@ fn undo_and_loading_discard_with_a_message() {
         };
         let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
         click(&mut window, texts.position.change);
-        click(&mut window, &fill(texts.curve.preset, &[&5]));
+        choose(&mut window, 5);
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("same.vid");
         Document::new().save(&file).unwrap();
@@ -168,7 +218,7 @@ fn what_is_refused_stays_and_changes_nothing() {
         let texts = language.texts();
         // The target on the position.
         let mut window = opened(language);
-        click(&mut window, &fill(texts.curve.preset, &[&5]));
+        choose(&mut window, 5);
         for (axis, value) in [("x", "0"), ("y", "0.15"), ("z", "0")] {
             enter(
                 &mut window,
@@ -302,7 +352,7 @@ fn the_window_keeps_its_size_whatever_is_chosen() {
             window.ctx.memory(area).expect("an open window")
         };
         let first = area(&window);
-        for choice in [fill(texts.preset, &[&6]), texts.own.to_owned()] {
+        for choice in [preset(&window, language, 6), texts.own.to_owned()] {
             window
                 .get_by_role_and_label(Role::RadioButton, &choice)
                 .click();

@@ -1,0 +1,433 @@
+//! The speed along the whole path, under the frames on which it is reached: where a
+//! section follows another with a jump one sees it. Borders of sections are dragged
+//! aside, the ten speeds of the current section up and down.
+
+use egui::{
+    Align2, CornerRadius, CursorIcon, Id, Key, Modifiers, Painter, Pos2, Rangef, Rect, Response,
+    Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+};
+
+use super::{Marks, as_frame, scrub_by_mouse};
+use crate::actions::Action;
+use crate::document::{Document, Edit, Selection};
+use crate::error::Result;
+use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
+use crate::number::Entry;
+use crate::path::{self, Change};
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme::{self, Palette};
+
+pub(super) const HEIGHT: f32 = 70.0;
+
+/// A path of more sections has one value for each: more is not to be seen.
+const FINE_SECTIONS: usize = 1000;
+
+/// Pieces of a section's curve.
+const PIECES: usize = 24;
+
+/// Apart from these no border, and no square, can be taken hold of.
+const GRIP: f32 = 7.0;
+
+/// A step between two sections that one sees in the flight.
+const JUMP: f32 = 5.0;
+
+/// The speeds of the whole path.
+#[derive(Debug, Default)]
+pub(super) struct Graph {
+    stretches: Vec<Stretch>,
+    /// The highest speed.
+    highest: f32,
+}
+
+/// The frames of a section in which something changes.
+#[derive(Debug)]
+struct Stretch {
+    /// The orientation with which it begins.
+    from: Selection,
+    /// The frame after its hold, and the one of the next key.
+    start: usize,
+    end: usize,
+    /// 50 is the base speed; by as much as its frames are fewer than its length asks
+    /// for, it is faster.
+    speeds: [f32; PIECES + 1],
+    /// Its share of what the ten speeds say.
+    scale: f32,
+}
+
+impl Graph {
+    pub(super) fn clear(&mut self) {
+        self.stretches.clear();
+        self.highest = MAX_SPEED as f32;
+    }
+
+    /// The speeds anew, on the frames of `keys`.
+    pub(super) fn update(&mut self, document: &Document, keys: &[super::Mark]) -> Result<()> {
+        self.clear();
+        let path = document.path();
+        document.timeline(|timeline| {
+            self.stretches.try_reserve(timeline.section_count())?;
+            let fine = timeline.section_count() <= FINE_SECTIONS;
+            for (index, key) in keys.iter().take(timeline.section_count()).enumerate() {
+                let section = timeline.section(index);
+                if section.change == Change::Nothing || section.frames == 0 {
+                    continue;
+                }
+                let scale = (timeline.unrounded_frames(path, index) / as_frame(section.frames))
+                    .clamp(0.0, 1e6) as f32;
+                let speeds = if fine {
+                    let timing = timeline.timing(path, index)?;
+                    std::array::from_fn(|piece| {
+                        scale * timing.speed(piece as f64 / PIECES as f64) as f32
+                    })
+                } else {
+                    [scale * section.mean_speed as f32; PIECES + 1]
+                };
+                self.highest = speeds.iter().copied().fold(self.highest, f32::max);
+                self.stretches.push(Stretch {
+                    from: Selection::at(key.point, key.orientation),
+                    start: key.frame + key.hold,
+                    end: key.frame + key.hold + section.frames,
+                    speeds,
+                    scale,
+                });
+            }
+            Ok(())
+        })?
+    }
+}
+
+/// What is held of the graph.
+#[derive(Debug, Default)]
+pub(super) enum Held {
+    #[default]
+    Nothing,
+    /// A border: the sections at its sides with their frames, and where it was pressed.
+    Border {
+        before: (Selection, usize),
+        after: Option<(Selection, usize)>,
+        from: f32,
+        /// Frames for each point on the screen.
+        frames: f32,
+    },
+    /// One of the ten speeds, and how far the pointer is from its middle.
+    Speed(usize, f32),
+}
+
+/// Where a frame and a speed stand.
+struct Scale {
+    rail: Rangef,
+    rows: Rangef,
+    frames: f32,
+    highest: f32,
+}
+
+impl Scale {
+    #[allow(clippy::cast_precision_loss)]
+    fn new(rail: Rangef, rect: Rect, marks: &Marks) -> Self {
+        Self {
+            rail,
+            rows: Rangef::new(rect.top() + 6.0, rect.bottom() - 5.0),
+            frames: (marks.frames as f32 - 1.0).max(1.0),
+            highest: marks.graph.highest,
+        }
+    }
+
+    fn x(&self, frame: f32) -> f32 {
+        let share = ((frame - 1.0) / self.frames).min(1.0);
+        self.rail.min + self.rail.span() * share
+    }
+
+    fn y(&self, speed: f32) -> f32 {
+        self.rows.max - self.rows.span() * speed / self.highest
+    }
+
+    fn speed(&self, y: f32) -> f32 {
+        (self.rows.max - y) / self.rows.span() * self.highest
+    }
+
+    fn pos(&self, stretch: &Stretch, piece: usize) -> Pos2 {
+        let share = piece as f32 / PIECES as f32;
+        let (start, end) = (stretch.start as f32, stretch.end as f32);
+        pos2(
+            self.x(start + (end - start) * share),
+            self.y(stretch.speeds[piece]),
+        )
+    }
+}
+
+/// Shows the graph in `rect`; `rail` is the way of the playhead.
+pub(super) fn show(
+    editor: &Editor,
+    held: &mut Held,
+    ui: &mut Ui,
+    rect: Rect,
+    rail: Rect,
+    actions: &mut Vec<Action>,
+) {
+    let texts = &editor.texts().space;
+    let marks = &editor.playing.marks;
+    let palette = theme::palette(ui);
+    let ground = Rect::from_x_y_ranges(rail.x_range().expand(8.0), rect.y_range());
+    let id = ui.scope_id().with("speed graph");
+    let response = ui.interact(ground, id, Sense::click_and_drag());
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, texts.speed_graph));
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(ground, CornerRadius::same(3), palette.field);
+    painter.text(
+        pos2(ground.left() - 8.0, ground.top() + 2.0),
+        Align2::RIGHT_TOP,
+        texts.speed_graph,
+        theme::small(),
+        palette.weak,
+    );
+    if marks.frames == 0 || !editor.document.edits_path() {
+        return;
+    }
+    let scale = Scale::new(rail.x_range(), ground, marks);
+    if matches!(held, Held::Nothing) {
+        scrub_by_mouse(editor, ui, &response, rail, actions);
+    }
+    paint(editor, &painter, &scale, palette);
+    let at = scale.x(editor.position_on_bar() as f32);
+    let line = Stroke::new(1.0, palette.accent);
+    painter.vline(at, ground.y_range(), line);
+    borders(editor, held, ui, &scale, ground, actions);
+    squares(editor, held, ui, &scale, actions);
+    response.on_hover_text(texts.speed_graph_tip);
+}
+
+fn paint(editor: &Editor, painter: &Painter, scale: &Scale, palette: &Palette) {
+    let stretches = &editor.playing.marks.graph.stretches;
+    let selection = editor.document.selection();
+    let base = scale.y(BASE_SPEED as f32);
+    painter.hline(scale.rail, base, Stroke::new(1.0, palette.line));
+    let foot = scale.rows.max;
+    let plain = palette.accent.gamma_multiply(0.75);
+    let mut before: Option<(&Stretch, Pos2)> = None;
+    for stretch in stretches {
+        let current = stretch.from == selection;
+        let (left, right) = (scale.pos(stretch, 0), scale.pos(stretch, PIECES));
+        // As many pieces as are to be seen.
+        let every = if right.x - left.x < 3.0 { PIECES } else { 1 };
+        let line: Vec<Pos2> = (0..=PIECES)
+            .step_by(every)
+            .map(|piece| scale.pos(stretch, piece))
+            .collect();
+        let shade = palette
+            .accent
+            .gamma_multiply(if current { 0.22 } else { 0.09 });
+        for pair in line.windows(2) {
+            let below = [pos2(pair[1].x, foot), pos2(pair[0].x, foot)];
+            let corners = vec![pair[0], pair[1], below[0], below[1]];
+            painter.add(Shape::convex_polygon(corners, shade, Stroke::NONE));
+        }
+        let (width, color) = if current {
+            (2.0, palette.accent)
+        } else {
+            (1.3, plain)
+        };
+        painter.line(line, Stroke::new(width, color));
+        match before {
+            Some((last, end)) if last.end == stretch.start => {
+                let step = (last.speeds[PIECES] - stretch.speeds[0]).abs();
+                if step > JUMP {
+                    painter.line_segment([end, left], Stroke::new(1.5, palette.error));
+                }
+            }
+            // It rests there.
+            Some((_, end)) => {
+                let rest = [pos2(end.x, foot), pos2(left.x, foot)];
+                painter.line_segment(rest, Stroke::new(1.3, plain));
+            }
+            None => {}
+        }
+        before = Some((stretch, right));
+    }
+}
+
+/// The borders between sections, each as far as it has room.
+fn borders(
+    editor: &Editor,
+    held: &mut Held,
+    ui: &Ui,
+    scale: &Scale,
+    ground: Rect,
+    actions: &mut Vec<Action>,
+) {
+    let texts = &editor.texts().space;
+    let stretches = &editor.playing.marks.graph.stretches;
+    let palette = theme::palette(ui);
+    let mut free = f32::NEG_INFINITY;
+    for (index, stretch) in stretches.iter().enumerate() {
+        let x = scale.x(stretch.end as f32);
+        let room = x - free.max(scale.x(stretch.start as f32));
+        if room < GRIP {
+            continue;
+        }
+        free = x;
+        let id = Id::unique(("section border", index));
+        let place = Rect::from_x_y_ranges(Rangef::point(x).expand(GRIP / 2.0), ground.y_range());
+        let response = ui.interact(place, id, Sense::drag());
+        let name = fill(
+            texts.section_border,
+            &[&editor.name_of(stretch.from.point, stretch.from.orientation)],
+        );
+        response.widget_info(|| WidgetInfo::slider(true, stretch.end as f64, name.as_str()));
+        if response.drag_started()
+            && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
+        {
+            let next = stretches.get(index + 1);
+            let of = |stretch: &Stretch| (stretch.from, stretch.end - stretch.start);
+            *held = Held::Border {
+                before: of(stretch),
+                after: next.map(of),
+                from: pointer.x,
+                frames: scale.frames / scale.rail.span().max(1.0),
+            };
+            actions.push(Action::Enter(Entry::Begin));
+        }
+        if response.dragged()
+            && let Some(pointer) = response.interact_pointer_pos()
+        {
+            let ripple = ui.input(|input| input.modifiers.shift);
+            actions.extend(moved_border(editor, held, pointer.x, ripple));
+        }
+        ended(ui, &response, held, actions);
+        let lively = response.hovered() || response.dragged();
+        if lively {
+            ui.set_cursor_icon(CursorIcon::ResizeHorizontal);
+        }
+        let color = if lively { palette.focus } else { palette.line };
+        let width = if lively { 2.0 } else { 1.0 };
+        ui.painter()
+            .vline(x, ground.y_range(), Stroke::new(width, color));
+        response.on_hover_text(texts.section_border_tip);
+    }
+}
+
+/// The sections at both sides of a border with as many frames as its place gives them.
+/// With `ripple` the one behind it keeps its own, and all moves along.
+fn moved_border(editor: &Editor, held: &Held, at: f32, ripple: bool) -> Vec<Action> {
+    let &Held::Border {
+        before: (first, frames),
+        after,
+        from,
+        frames: each,
+    } = held
+    else {
+        return Vec::new();
+    };
+    #[allow(clippy::cast_possible_truncation)]
+    let wanted = f64::from((at - from) * each).round() as i64;
+    let length = |frames: usize| i64::try_from(frames).unwrap_or(i64::MAX);
+    let after = after.filter(|_| !ripple);
+    let most = after.map_or(i64::MAX, |(_, frames)| length(frames) - 1);
+    let moved = wanted.min(most).max(1 - length(frames));
+    let set = |(at, frames): (Selection, i64)| {
+        let point = editor.document.path().points.get(at.point)?;
+        let mut orientation = point.orientations.get(at.orientation)?.clone();
+        let frames = u32::try_from(frames).ok()?;
+        orientation.own = orientation.own.with(|own| own.frames = frames).ok()?;
+        Some(Action::Edit(Edit::SetOrientation {
+            point: at.point,
+            at: at.orientation,
+            orientation,
+        }))
+    };
+    let before = (first, length(frames) + moved);
+    let after = after.map(|(at, frames)| (at, length(frames) - moved));
+    [Some(before), after]
+        .into_iter()
+        .flatten()
+        .filter_map(set)
+        .collect()
+}
+
+/// The ten speeds of the current section, if there is room for them.
+fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &mut Vec<Action>) {
+    let selection = editor.document.selection();
+    let stretches = &editor.playing.marks.graph.stretches;
+    let Some(orientation) = editor.orientation() else {
+        return;
+    };
+    let Some(stretch) = stretches.iter().find(|stretch| stretch.from == selection) else {
+        return;
+    };
+    let ends = Rangef::new(scale.x(stretch.start as f32), scale.x(stretch.end as f32));
+    let step = ends.span() / (SPEEDS - 1) as f32;
+    if step < GRIP || orientation.own.pace != path::own::Pace::Speeds {
+        return;
+    }
+    let palette = theme::palette(ui);
+    for (at, &speed) in orientation.speeds.iter().enumerate() {
+        let shown = stretch.scale * speed as f32;
+        let middle = pos2(ends.min + step * at as f32, scale.y(shown));
+        let id = Id::unique(("speed in graph", at));
+        // The borders are taken hold of above and below the outermost ones.
+        let place = Rect::from_center_size(middle, vec2(step.min(14.0), 14.0));
+        let response = ui.interact(place, id, Sense::drag());
+        let name = fill(editor.texts().speed_window.speed, &[&(at + 1)]);
+        response.widget_info(|| WidgetInfo::slider(true, speed, name.as_str()));
+        if response.drag_started()
+            && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
+        {
+            *held = Held::Speed(at, pointer.y - middle.y);
+            actions.push(Action::Enter(Entry::Begin));
+        }
+        if let Held::Speed(held, grip) = *held
+            && held == at
+            && response.dragged()
+            && let Some(pointer) = response.interact_pointer_pos()
+        {
+            let exact = f64::from(scale.speed(pointer.y - grip) / stretch.scale.max(1e-6));
+            let rounded = exact.round().clamp(MIN_SPEED, MAX_SPEED);
+            let edit = editor.orientation_edit(|orientation| orientation.speeds[at] = rounded);
+            actions.extend(edit.map(Action::Edit));
+        }
+        ended(ui, &response, held, actions);
+        let lively = response.hovered() || response.dragged();
+        if lively {
+            ui.set_cursor_icon(CursorIcon::ResizeVertical);
+        }
+        let color = if lively {
+            palette.focus
+        } else {
+            palette.accent
+        };
+        let size = if lively { 8.0 } else { 6.0 };
+        ui.painter().rect(
+            Rect::from_center_size(middle, vec2(size, size)),
+            CornerRadius::same(1),
+            color,
+            Stroke::new(1.0, palette.field),
+            StrokeKind::Outside,
+        );
+        if lively {
+            let text = editor.language().number(speed, 0);
+            let above = pos2(middle.x, middle.y.max(scale.rows.min + 12.0) - 6.0);
+            let color = palette.text;
+            ui.painter()
+                .text(above, Align2::CENTER_BOTTOM, text, theme::small(), color);
+        }
+    }
+}
+
+/// Lets go of what was held; Escape leaves it as it was.
+fn ended(ui: &Ui, response: &Response, held: &mut Held, actions: &mut Vec<Action>) {
+    if !response.drag_stopped() || matches!(held, Held::Nothing) {
+        return;
+    }
+    *held = Held::Nothing;
+    // egui ends a drag on Escape before anybody sees the key.
+    let escaped = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+    actions.push(Action::Enter(if escaped {
+        Entry::Cancel
+    } else {
+        Entry::End
+    }));
+}
+
+#[cfg(test)]
+#[path = "graph_tests.rs"]
+mod tests;
