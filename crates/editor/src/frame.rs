@@ -2,7 +2,7 @@
 //! timeline, panels on the right, sub-windows above.
 
 use egui::{
-    Color32, Context, CornerRadius, Id, Key, Rect, Stroke, StrokeKind, Ui, UiBuilder, vec2,
+    Color32, Context, CornerRadius, Event, Id, Key, Rect, Stroke, StrokeKind, Ui, UiBuilder, vec2,
 };
 
 use crate::actions::Action;
@@ -33,6 +33,9 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     if !dragging && !editor.space.keeps_step_open() {
         // A drag whose end nobody saw: its control vanished meanwhile.
         editor.act(Action::Enter(Entry::End), &context);
+    }
+    if context.input(|input| input.events.contains(&Event::WindowFocused(true))) {
+        editor.look_after_file();
     }
     let mut actions = Vec::from_iter(editor.waiting.take());
     if !editor.windows.ask() {

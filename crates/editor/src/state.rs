@@ -107,6 +107,8 @@ pub struct Editor {
     pub(super) host_pane: Option<HostPane>,
     /// What the file contained when it was read or written last; none if there was none.
     pub(super) known: Option<Contents>,
+    /// When it was written, and its length, as it was looked at last.
+    pub(super) written: Option<(std::time::SystemTime, u64)>,
     /// The state that the host has by a hand-over after which nothing is unsaved.
     pub(super) handed: Option<u64>,
     pub(super) copied: Option<Orientation>,
@@ -147,6 +149,7 @@ impl Editor {
     pub fn new(options: Options) -> Result<Self> {
         let known = options.document.read_contents();
         let mut editor = Self {
+            written: None,
             known: known.filter(|_| options.file.is_some()),
             handed: None,
             document: options.document,

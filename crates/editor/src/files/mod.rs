@@ -114,6 +114,29 @@ impl Editor {
         }
     }
 
+    /// Offers to read the file again if another program has written it. To be asked when
+    /// somebody comes back to the window: the file's time is looked at, and what is in it
+    /// only if that is another.
+    pub(crate) fn look_after_file(&mut self) {
+        let (Some(file), Some(_)) = (&self.file, self.known) else {
+            return;
+        };
+        let Ok(state) = std::fs::metadata(file) else {
+            return;
+        };
+        let written = state.modified().ok().map(|time| (time, state.len()));
+        if self.windows.ask() || written == self.written {
+            return;
+        }
+        self.written = written;
+        // What cannot be read is told when it is saved.
+        if let Ok(Some(now)) = Contents::now(file)
+            && Some(now) != self.known
+        {
+            self.windows.changed = Some(Question::newer());
+        }
+    }
+
     /// Loads the file that is open as it is by now.
     pub(crate) fn reload(&mut self) {
         if let Some(file) = self.file.clone()

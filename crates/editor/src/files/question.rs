@@ -20,6 +20,8 @@ pub(crate) struct Question {
 enum About {
     Unsaved(Then),
     Changed(Option<Then>),
+    /// Another program has written the file.
+    Newer,
 }
 
 /// An answer: its words, the hint, what it does.
@@ -35,6 +37,12 @@ impl Question {
     /// The file would be overwritten.
     pub(crate) fn changed(then: Option<Then>) -> Self {
         let about = About::Changed(then);
+        Self { about, fresh: true }
+    }
+
+    /// The file could be read again.
+    pub(crate) fn newer() -> Self {
+        let about = About::Newer;
         Self { about, fresh: true }
     }
 
@@ -64,6 +72,32 @@ impl Question {
                 ];
                 let place = ("question", texts.unsaved, 380.0, 96.0);
                 self.ask(context, place, &fill(text, &[&name]), answers, 0, actions)
+            }
+            About::Newer => {
+                let Some(name) = name else {
+                    return false;
+                };
+                let answers = [
+                    (texts.reload, texts.reload_hint, Some(Action::Reload)),
+                    (texts.keep, texts.keep_hint, None),
+                ];
+                let modified = editor.document.is_modified();
+                let text = if modified {
+                    texts.newer_unsaved
+                } else {
+                    texts.newer
+                };
+                let place = ("changed", texts.changed, 420.0, 112.0);
+                // The keyboard is at the one by which nobody loses anything.
+                let first = usize::from(modified);
+                self.ask(
+                    context,
+                    place,
+                    &fill(text, &[&name]),
+                    answers,
+                    first,
+                    actions,
+                )
             }
             About::Changed(then) => {
                 let Some(name) = name else {

@@ -398,6 +398,45 @@ fn overtaken(language: Language, folder: &Path) -> (Window, std::path::PathBuf) 
 }
 
 #[test]
+fn a_file_that_another_program_wrote_is_offered_when_one_comes_back() {
+    for language in BOTH {
+        let texts = &language.texts().questions;
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("flight.vid");
+        Document::new().save(&file).expect("a file");
+        let mut window = window(language);
+        window.state_mut().load_path(&file).expect("a path");
+        let come_back = |window: &mut Window| {
+            for focused in [false, true] {
+                window.event(egui::Event::WindowFocused(focused));
+                window.run();
+            }
+            window.query_by_label(texts.changed).is_some()
+        };
+        assert!(!come_back(&mut window));
+        let other = |points: usize| {
+            let mut document = Document::new();
+            let edit = Edit::DivideSegment { segment: 0, points };
+            document.apply(edit).expect("points");
+            document.save(&file).expect("a file");
+        };
+        other(1);
+        assert!(come_back(&mut window));
+        click(&mut window, texts.reload);
+        assert_eq!(window.state().document.path().points.len(), 3);
+        assert!(!come_back(&mut window));
+        // Left alone it is not asked about again, but before it is overwritten.
+        other(2);
+        assert!(come_back(&mut window));
+        click(&mut window, texts.keep);
+        assert!(!come_back(&mut window));
+        assert_eq!(window.state().document.path().points.len(), 3);
+        press(&mut window, Modifiers::CTRL, Key::S);
+        assert!(window.query_by_label(texts.save_as).is_some());
+    }
+}
+
+#[test]
 fn a_file_that_changed_is_not_overwritten_unasked() {
     for language in BOTH {
         let texts = language.texts();

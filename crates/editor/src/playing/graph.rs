@@ -18,7 +18,7 @@ use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme::{self, Palette};
 
-pub(super) const HEIGHT: f32 = 70.0;
+pub(super) const HEIGHT: f32 = 76.0;
 
 /// A path of more sections has one value for each: more is not to be seen.
 const FINE_SECTIONS: usize = 1000;
@@ -28,6 +28,9 @@ const PIECES: usize = 24;
 
 /// Apart from these no border, and no square, can be taken hold of.
 const GRIP: f32 = 7.0;
+
+/// Seconds stand so far apart.
+const ROOM_OF_SECONDS: f32 = 52.0;
 
 /// A step between two sections that one sees in the flight.
 const JUMP: f32 = 5.0;
@@ -127,7 +130,7 @@ impl Scale {
     fn new(rail: Rangef, rect: Rect, marks: &Marks) -> Self {
         Self {
             rail,
-            rows: Rangef::new(rect.top() + 6.0, rect.bottom() - 5.0),
+            rows: Rangef::new(rect.top() + 14.0, rect.bottom() - 5.0),
             frames: (marks.frames as f32 - 1.0).max(1.0),
             highest: marks.graph.highest,
         }
@@ -188,6 +191,7 @@ pub(super) fn show(
     if matches!(held, Held::Nothing) {
         scrub_by_mouse(editor, ui, &response, rail, actions);
     }
+    seconds(editor, &painter, &scale, ground, palette);
     paint(editor, &painter, &scale, palette);
     let at = scale.x(editor.position_on_bar() as f32);
     let line = Stroke::new(1.0, palette.accent);
@@ -195,6 +199,36 @@ pub(super) fn show(
     borders(editor, held, ui, &scale, ground, actions);
     squares(editor, held, ui, &scale, actions);
     response.on_hover_text(texts.speed_graph_tip);
+}
+
+/// Seconds at the upper edge, as many as have room.
+fn seconds(editor: &Editor, painter: &Painter, scale: &Scale, ground: Rect, palette: &Palette) {
+    let fps = editor.document.info().fps as f32;
+    let whole = (scale.frames / fps).max(1e-6);
+    let least = whole * ROOM_OF_SECONDS / scale.rail.span().max(1.0);
+    // 1, 2, 5, 10, 20 …
+    let power = 10f32.powf(least.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0].map(|part| part * power);
+    let step = step
+        .into_iter()
+        .find(|&step| step >= least)
+        .unwrap_or(least);
+    let decimals = (-step.log10().floor()).clamp(0.0, 6.0) as usize;
+    let mut at = step;
+    while at < whole {
+        let x = scale.x(1.0 + at * fps);
+        let text = editor.language().number(f64::from(at), decimals);
+        let top = pos2(x, ground.top() + 1.0);
+        let font = egui::FontId::proportional(9.5);
+        painter.text(
+            top,
+            Align2::CENTER_TOP,
+            format!("{text} s"),
+            font,
+            palette.weak,
+        );
+        at += step;
+    }
 }
 
 fn paint(editor: &Editor, painter: &Painter, scale: &Scale, palette: &Palette) {

@@ -15,6 +15,13 @@ texts! {
         changed: "The file has changed", "Die Datei hat sich geändert";
         changed_since: "{0} has been changed by somebody else since it was read or saved here. To overwrite it loses those changes, to reload it loses yours.",
             "{0} wurde von anderer Seite geändert, seit sie hier gelesen oder gespeichert wurde. Beim Überschreiben gehen jene Änderungen verloren, beim Neuladen die hiesigen.";
+        newer: "{0} has been changed by another program. Read it again?",
+            "{0} wurde von einem anderen Programm geändert. Neu lesen?";
+        newer_unsaved: "{0} has been changed by another program. To read it again loses what has been changed here.",
+            "{0} wurde von einem anderen Programm geändert. Beim Neulesen geht verloren, was hier geändert wurde.";
+        keep: "Leave", "So lassen";
+        keep_hint: "Go on with what is here; saving asks again",
+            "Mit dem weitermachen, was hier ist; das Speichern fragt noch einmal";
         reload: "Reload", "Neu laden";
         reload_hint: "Open the file as it is now; the changes made here are lost",
             "Die Datei öffnen, wie sie jetzt ist; die Änderungen von hier gehen verloren";

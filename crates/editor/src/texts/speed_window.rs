@@ -17,11 +17,11 @@ texts! {
         constant_hint: "The same speed all the way; the section takes as long as before",
             "Überall dieselbe Geschwindigkeit; der Abschnitt dauert so lange wie bisher";
         ease_in: "Slow start", "Langsam los";
-        ease_in_hint: "Slow at the start; the section takes as long as before",
-            "Am Anfang langsam; der Abschnitt dauert so lange wie bisher";
+        ease_in_hint: "Slow at the start, at the end as fast as the next section begins; without one the section takes as long as before",
+            "Am Anfang langsam, am Ende so schnell, wie der nächste Abschnitt beginnt; ohne einen dauert er so lange wie bisher";
         ease_out: "Slow end", "Langsam aus";
-        ease_out_hint: "Slow at the end; the section takes as long as before",
-            "Am Ende langsam; der Abschnitt dauert so lange wie bisher";
+        ease_out_hint: "At the start as fast as the section before ends, slow at the end; without one the section takes as long as before",
+            "Am Anfang so schnell, wie der vorige Abschnitt endet, am Ende langsam; ohne einen dauert er so lange wie bisher";
         both: "Both", "Beides";
         both_hint: "Slow at both ends; the section takes as long as before",
             "An beiden Enden langsam; der Abschnitt dauert so lange wie bisher";

@@ -16,17 +16,15 @@ pub(crate) enum Shape {
     Both,
 }
 
-/// The slowest speed of a shape, as a share of its fastest.
-const SLOWEST: f64 = 0.1;
-
 impl Shape {
     pub(crate) const ALL: [Self; 4] = [Self::Constant, Self::EaseIn, Self::EaseOut, Self::Both];
 
-    /// Its speed at u in [0, 1], the fastest being 1.
+    /// Its share of the fastest speed at u in [0, 1], above the slowest. The slow ends are
+    /// as slow as can be: from there the curve cannot dip.
     fn at(self, u: f64) -> f64 {
         let rise = |u: f64| {
             let u = u.clamp(0.0, 1.0);
-            SLOWEST + (1.0 - SLOWEST) * u * u * (3.0 - 2.0 * u)
+            u * u * (3.0 - 2.0 * u)
         };
         match self {
             Self::Constant => 1.0,
@@ -36,8 +34,9 @@ impl Shape {
         }
     }
 
-    /// Ten speeds of this shape with the mean of `old`, so that the section
-    /// takes as long as before, as far as 1…100 allows it.
+    /// Ten speeds of this shape. Where it is fast at an end, as fast as the neighbour
+    /// there (`before`, `after`); else with the mean of `old`, so that the section takes as
+    /// long as before, as far as 1…100 allows it.
     pub(crate) fn speeds(
         self,
         old: &[f64; SPEEDS],
@@ -49,12 +48,20 @@ impl Shape {
         let scaled = |fastest: f64| -> [f64; SPEEDS] {
             std::array::from_fn(|i| {
                 let u = i as f64 / (SPEEDS - 1) as f64;
-                let speed = (fastest * self.at(u)).clamp(MIN_SPEED, MAX_SPEED);
-                (speed * 10.0).round() / 10.0
+                let speed = MIN_SPEED + (fastest - MIN_SPEED) * self.at(u);
+                (speed.clamp(MIN_SPEED, MAX_SPEED) * 10.0).round() / 10.0
             })
         };
+        let neighbour = match self {
+            Self::EaseIn => after,
+            Self::EaseOut => before,
+            Self::Constant | Self::Both => None,
+        };
+        if let Some(speed) = neighbour {
+            return scaled(speed);
+        }
         // The mean grows with the fastest speed: halve what is left between.
-        let (mut low, mut high) = (MIN_SPEED, MAX_SPEED / SLOWEST);
+        let (mut low, mut high) = (MIN_SPEED, 10.0 * MAX_SPEED);
         for _ in 0..40 {
             let middle = f64::midpoint(low, high);
             if mean(&scaled(middle)) < wanted {
@@ -93,7 +100,11 @@ mod tests {
             let old: [f64; SPEEDS] = std::array::from_fn(|i| level + (i % 3) as f64);
             for (before, after) in [(None, None), (Some(5.0), Some(90.0))] {
                 let mean = |speeds: &_| SpeedCurve::new(speeds, before, after).mean();
-                for shape in Shape::ALL {
+                let free = |shape: &Shape| {
+                    let matched = matches!(shape, Shape::EaseIn | Shape::EaseOut);
+                    before.is_none() || !matched
+                };
+                for shape in Shape::ALL.into_iter().filter(free) {
                     let new = shape.speeds(&old, before, after);
                     let change = (mean(&new) / mean(&old) - 1.0).abs();
                     assert!(change < 0.01, "{shape:?} {level}: {change}");
@@ -104,6 +115,30 @@ mod tests {
         for shape in Shape::ALL {
             let new = shape.speeds(&[100.0; SPEEDS], None, None);
             assert!(new.iter().all(|speed| (1.0..=100.0).contains(speed)));
+        }
+    }
+
+    #[test]
+    fn the_fast_end_matches_the_neighbour_and_nothing_dips_below_the_slow_one() {
+        for neighbour in [3.0, 25.0, 50.0, 100.0] {
+            for other in [None, Some(1.0), Some(50.0), Some(100.0)] {
+                let into = Shape::EaseIn.speeds(&[50.0; SPEEDS], other, Some(neighbour));
+                let out = Shape::EaseOut.speeds(&[50.0; SPEEDS], Some(neighbour), other);
+                assert_eq!((into[SPEEDS - 1], out[0]), (neighbour, neighbour));
+                let curves = [
+                    (SpeedCurve::new(&into, other, Some(neighbour)), into[0]),
+                    (
+                        SpeedCurve::new(&out, Some(neighbour), other),
+                        out[SPEEDS - 1],
+                    ),
+                ];
+                for (curve, slow) in curves {
+                    for step in 0..=900 {
+                        let speed = curve.speed(f64::from(step) / 900.0);
+                        assert!(speed >= slow - 1e-12, "{speed} below {slow}");
+                    }
+                }
+            }
         }
     }
 }

@@ -150,7 +150,7 @@ fn it_follows_the_current_point_and_orientation() {
 }
 
 #[test]
-fn shapes_keep_the_frames_and_are_one_step() {
+fn shapes_keep_the_frames_or_match_the_neighbours_and_are_one_step() {
     let texts = &Language::German.texts().speed_window;
     let frames = |window: &Window| {
         let document = &window.state().document;
@@ -161,9 +161,19 @@ fn shapes_keep_the_frames_and_are_one_step() {
     for name in [texts.constant, texts.ease_in, texts.ease_out, texts.both] {
         let mut window = opened(Language::German);
         let (before, old) = (frames(&window), speeds(&window));
+        let document = &window.state().document;
+        let facing = document.timeline(|timeline| timeline.facing_speeds(document.path(), 2));
+        let facing = facing.unwrap();
         click(&mut window, name);
-        assert_ne!(speeds(&window), old, "{name}");
-        assert!(frames(&window).abs_diff(before) <= 1, "{name}");
+        let new = speeds(&window);
+        assert_ne!(new, old, "{name}");
+        if name == texts.ease_in {
+            assert_eq!((new[0], Some(new[9])), (1.0, facing.1));
+        } else if name == texts.ease_out {
+            assert_eq!((Some(new[0]), new[9]), (facing.0, 1.0));
+        } else {
+            assert!(frames(&window).abs_diff(before) <= 1, "{name}");
+        }
         press(&mut window, Modifiers::CTRL, Key::Z);
         assert!(!window.state().document.is_modified());
     }
