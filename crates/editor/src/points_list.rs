@@ -3,6 +3,7 @@
 //!
 //! It folds where the window is narrow, and where somebody wants it to.
 
+use egui::text::{CCursor, CCursorRange};
 use egui::{
     Align2, Color32, Context, CornerRadius, EventFilter, Id, Key, Modifiers, Painter, Rect,
     Response, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo, pos2, vec2,
@@ -362,6 +363,14 @@ impl Renaming {
     fn show(&mut self, editor: &Editor, ui: &mut Ui, field: Rect) -> Option<Option<Action>> {
         let texts = &editor.texts().points_list;
         let id = Id::unique("name of a point");
+        if self.fresh {
+            let end = CCursor::new(self.text.chars().count());
+            let all = CCursorRange::two(CCursor::default(), end);
+            let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
+            state.cursor.set_char_range(Some(all));
+            TextEdit::store_state(ui.ctx(), id, state);
+            ui.memory_mut(|memory| memory.request_focus(id));
+        }
         let edit = TextEdit::singleline(&mut self.text)
             .id(id)
             .frame(theme::field(ui))
@@ -371,11 +380,7 @@ impl Renaming {
         let response = ui.put(field, edit);
         let context = ui.ctx();
         context.accesskit_node_builder(response.id, |node| node.set_label(texts.name));
-        if std::mem::replace(&mut self.fresh, false) {
-            response.request_focus();
-            return None;
-        }
-        if !response.lost_focus() {
+        if std::mem::take(&mut self.fresh) || !response.lost_focus() {
             return None;
         }
         if context.input(|input| input.key_pressed(Key::Escape)) {

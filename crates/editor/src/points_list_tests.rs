@@ -115,7 +115,6 @@ fn a_name_is_typed_in_its_place() {
     tap(&mut harness, Key::F2, Modifiers::NONE);
     assert!(harness.state().windows.curve.is_none(), "F2 is the list's");
     harness.step();
-    tap(&mut harness, Key::A, Modifiers::CTRL);
     harness.event(Event::Text("bank".to_owned()));
     harness.step();
     tap(&mut harness, Key::Enter, Modifiers::NONE);

@@ -107,7 +107,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do here beside what the thesis names: hand, meaning.
-pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 24] {
+pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 25] {
     let texts = &texts.space;
     [
         (texts.shift_mouse, texts.shift_meaning),
@@ -115,6 +115,7 @@ pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 24] {
         (texts.box_mouse, texts.box_meaning),
         (texts.one_keys, texts.one_meaning),
         (texts.tool_keys, texts.tool_meaning),
+        (texts.axis_keys, texts.axis_meaning),
         (texts.corner_mouse, texts.corner_meaning),
         (texts.whole_mouse, texts.whole_meaning),
         (texts.facing_mouse, texts.facing_meaning),

@@ -424,7 +424,7 @@ fn free_corner(
     (way, align)
 }
 
-/// A text with a halo of the ground, so that it can be read above lines.
+/// A text with a halo.
 fn label(
     painter: &Painter,
     pos: Pos2,
@@ -436,8 +436,7 @@ fn label(
 ) {
     let galley = painter.layout_no_wrap(text, FontId::proportional(size), color);
     let rect = align.anchor_size(pos, galley.size());
-    let ground = look.colours.of(Element::Background).gamma_multiply(0.7);
-    painter.add(theme::block(rect.expand2(vec2(2.0, -1.0)), ground));
+    halo(painter, look, rect);
     painter.galley(rect.min, galley, color);
 }
 
@@ -459,8 +458,17 @@ pub(super) fn name(
 /// A hint in the upper left corner, where it covers least.
 pub(super) fn hint(painter: &Painter, look: &Look<'_>, text: &str, color: Color32) {
     let pos = look.viewport.left_top() + vec2(12.0, 10.0);
-    let text = text.to_owned();
-    label(painter, pos, Align2::LEFT_TOP, text, 11.0, color, look);
+    // As far as the camera's picture at first.
+    let room = (look.viewport.width() * 0.68).max(160.0);
+    let galley = painter.layout(text.to_owned(), theme::small(), color, room);
+    halo(painter, look, Rect::from_min_size(pos, galley.size()));
+    painter.galley(pos, galley, color);
+}
+
+/// The ground below a text, so that it can be read above lines.
+fn halo(painter: &Painter, look: &Look<'_>, text: Rect) {
+    let ground = look.colours.of(Element::Background).gamma_multiply(0.7);
+    painter.add(theme::block(text.expand2(vec2(2.0, -1.0)), ground));
 }
 
 /// The three directions, small, in a corner of the viewport.

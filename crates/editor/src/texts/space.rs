@@ -28,17 +28,22 @@ texts! {
         several_hint: "{0} points selected: what is done is done to all · G, R, S: move, turn, scale · Esc: one",
             "{0} Punkte ausgewählt: Was geschieht, gilt für alle · G, R, S: bewegen, drehen, skalieren · Esc: einer";
         all_points: "Select all points", "Alle Punkte auswählen";
-        click_mouse: "Shift + click or Ctrl + click on a point", "Umschalt oder Strg + Klick auf einen Punkt";
-        click_meaning: "Select it too, or no longer; moving, keys and numbers mean all that are selected",
-            "Dazu auswählen oder nicht mehr; Bewegen, Tasten und Zahlen gelten allen ausgewählten";
-        box_mouse: "Ctrl + drag elsewhere", "Strg + Ziehen daneben";
+        click_mouse: "Shift or Ctrl, click on a point",
+            "Umschalt oder Strg, Klick auf einen Punkt";
+        click_meaning: "Select it too, or no longer; what follows means all of them",
+            "Dazu auswählen oder nicht mehr; alles gilt dann allen";
+        box_mouse: "Ctrl, drag elsewhere",
+            "Strg, daneben ziehen";
         box_meaning: "Select the points in the box; with Shift: these too",
             "Die Punkte im Kasten auswählen; mit Umschalt: dazu";
         one_keys: "Esc, click elsewhere", "Esc, Klick daneben";
         one_meaning: "Select the current point alone", "Nur den aktuellen Punkt auswählen";
         tool_keys: "G, R, S", "G, R, S";
-        tool_meaning: "Move, turn, scale what is selected by mouse or number; X, Y, Z: along or about an axis; Enter or click: done; Esc: as it was",
-            "Ausgewählte bewegen, drehen, skalieren, mit Maus oder Zahl; X, Y, Z: längs einer oder um eine Achse; Enter oder Klick: fertig; Esc: wie vorher";
+        tool_meaning: "Move, turn, scale what is selected; Esc: as it was",
+            "Ausgewählte bewegen, drehen, skalieren; Esc: wie vorher";
+        axis_keys: "X, Y, Z, a number, Enter with these", "X, Y, Z, eine Zahl, Enter mit diesen";
+        axis_meaning: "Along an axis or about it, and by so much",
+            "Längs einer Achse oder um sie, und um so viel";
         tool_hint: "{0} · X, Y, Z: axis · type a number · Ctrl: in steps · Shift: finer · Enter, click: done · Esc: back",
             "{0} · X, Y, Z: Achse · Zahl tippen · Strg: in Schritten · Umschalt: feiner · Enter, Klick: fertig · Esc: zurück";
         moved_by: "Moved by x {0}  y {1}  z {2}", "Bewegt um x {0}  y {1}  z {2}";
