@@ -107,7 +107,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do here beside what the thesis names: hand, meaning.
-pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 25] {
+pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 27] {
     let texts = &texts.space;
     [
         (texts.shift_mouse, texts.shift_meaning),
@@ -116,6 +116,8 @@ pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 25] {
         (texts.one_keys, texts.one_meaning),
         (texts.tool_keys, texts.tool_meaning),
         (texts.axis_keys, texts.axis_meaning),
+        (texts.handle_mouse, texts.handle_meaning),
+        (texts.list_keys, texts.list_meaning),
         (texts.corner_mouse, texts.corner_meaning),
         (texts.whole_mouse, texts.whole_meaning),
         (texts.facing_mouse, texts.facing_meaning),
@@ -292,6 +294,9 @@ impl Space {
         let current = scene::current(document, &look).map(add);
         if let Some(points) = editor.several() {
             add(overlay::selected(document, &look, points));
+            if let Some(middle) = tool::handles(editor, &projection) {
+                add(tool::show_handles(&look, middle, pointer.meant));
+            }
         }
         if let Some(tips) = picking::tips(document) {
             add(overlay::circle(&look, &tips));

@@ -43,7 +43,7 @@ const MANY: usize = 2000;
 
 /// The straight pieces of a circle whose radius on the screen is so many points:
 /// ways from its middle to both ends, in radii.
-fn corners(look: &Look<'_>, radius: f64) -> impl Iterator<Item = (DVec2, DVec2)> {
+pub(super) fn corners(look: &Look<'_>, radius: f64) -> impl Iterator<Item = (DVec2, DVec2)> {
     let rise = STRAY / (radius * look.pixels_per_point).max(1.0);
     let count = (PI / (1.0 - rise).acos()).ceil();
     let at = move |step: u32| DVec2::from_angle(TAU * f64::from(step) / count);

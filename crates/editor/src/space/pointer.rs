@@ -10,7 +10,7 @@ use super::keyboard::{self, NUDGES};
 use super::picking;
 use super::projection::{Axis, Projection, from_pos, scale};
 use super::projection_of;
-use super::tool::{Next, Tool};
+use super::tool::{self, Kind, Next, Tool};
 use crate::actions::Action;
 use crate::selected::Choice;
 use crate::setup::View;
@@ -39,6 +39,8 @@ pub(super) struct PointerController {
     /// A tool is at work; a step of the document is open.
     pub(super) tool: Option<Tool>,
     pub(super) hover: Option<Handle>,
+    /// The handle around several points that lies under the pointer.
+    pub(super) meant: Option<Kind>,
     /// The pointer is in the movement window.
     over: bool,
     /// Where the last press without motion of the right button asks for a menu.
@@ -116,6 +118,8 @@ impl PointerController {
     ) -> Option<String> {
         let texts = &texts.space;
         match (self.dragged(), self.hover) {
+            (None, None) if self.meant == Some(Kind::Turn) => Some(texts.turn_hint.to_owned()),
+            (None, None) if self.meant.is_some() => Some(texts.scale_hint.to_owned()),
             (Some((Handle::Vup, _)), _) => Some(texts.rolling.to_owned()),
             (Some((_, freedom)), _) => Some(match freedom.along {
                 None => fill(texts.in_plane, &[&freedom.fixed.letter()]),
@@ -162,6 +166,16 @@ impl PointerController {
         if !nudged {
             self.end_nudge(actions);
         }
+        let held = self.tool.as_ref().and_then(Tool::held);
+        let held = held.map(|held| {
+            surface
+                .context
+                .input(|input| input.pointer.button_down(held))
+        });
+        if held == Some(false) {
+            self.tool = None;
+            actions.push(Action::Gesture(Gesture::End));
+        }
     }
 
     pub(super) fn point(&mut self, editor: &Editor, surface: &PointerContext<'_>) {
@@ -176,6 +190,14 @@ impl PointerController {
             }
             _ => None,
         };
+        self.meant = pointer
+            .filter(|_| self.over && self.hold.is_none())
+            .and_then(|at| {
+                let projection = projection_of(editor, surface.viewport);
+                let free = self.tool.is_none() && self.hover.is_none();
+                let found = tool::handle_at(editor, &projection, from_pos(at));
+                found.filter(|_| free)
+            });
     }
 
     pub(super) fn cursor(&self) -> CursorIcon {
@@ -184,6 +206,8 @@ impl PointerController {
             (Some(hold), _) if hold.boxes => CursorIcon::Crosshair,
             (Some(hold), _) if hold.shifts => CursorIcon::Move,
             (Some(_), _) => CursorIcon::Grabbing,
+            (None, None) if self.tool.is_some() => CursorIcon::Crosshair,
+            (None, _) if self.meant.is_some() => CursorIcon::Grab,
             (None, Some(_)) => CursorIcon::Grab,
             (None, None) => CursorIcon::Default,
         }
@@ -299,17 +323,21 @@ impl PointerController {
         let Some(tool) = tool.filter(|_| editor.document.edits_path()) else {
             return false;
         };
+        self.begin(editor, tool, actions);
+        true
+    }
+
+    fn begin(&mut self, editor: &Editor, tool: Tool, actions: &mut Vec<Action>) {
         self.end_nudge(actions);
         if tool.needs_several() {
             let words = editor.texts().space.needs_several;
             actions.push(Action::Say(words.to_owned()));
-            return true;
+            return;
         }
         let current = Handle::Point(editor.document.selection().point);
         actions.push(Action::Gesture(Gesture::Press(Some(current))));
         actions.push(Action::Gesture(Gesture::Begin));
         self.tool = Some(tool);
-        true
     }
 
     fn press(
@@ -342,6 +370,13 @@ impl PointerController {
             from_pos(pos),
             left && held.is_none(),
         );
+        let plain = left && what.is_none() && modifiers.is_none();
+        let handle = tool::handle_at(editor, &projection, from_pos(pos)).filter(|_| plain);
+        let tool = handle.and_then(|kind| Tool::of_handle(editor, surface, kind, button));
+        if let Some(tool) = tool {
+            self.begin(editor, tool, actions);
+            return;
+        }
         let adds = left && (modifiers.shift || modifiers.ctrl);
         // Whether that selects one more or drags it finely is seen later.
         if !(adds && matches!(what, Some(Handle::Point(_)))) {

@@ -424,6 +424,63 @@ fn tools_follow_the_mouse_and_end_by_click_or_escape() {
 }
 
 #[test]
+fn the_ring_turns_and_its_square_scales() {
+    let mut harness = pyramid_window();
+    // From above, where y points at the viewer.
+    harness.state_mut().setup.view = View {
+        rotation: 0.0,
+        tilt: 90.0,
+        ..View::default()
+    };
+    choose(&mut harness, &[0, 5]);
+    let (before, from) = (text(&harness), positions(&harness));
+    let middle = (from[0] + from[5]) / 2.0;
+    let centre = image(&harness, middle);
+    let on_ring = centre + vec2(0.0, 56.0);
+    press(&mut harness, on_ring, LEFT);
+    motion(&mut harness, centre + vec2(56.0, 0.0));
+    assert!(harness.state().document.in_step());
+    release(&mut harness, centre + vec2(56.0, 0.0), LEFT);
+    let turned = DMat3::from_rotation_y(std::f64::consts::FRAC_PI_2);
+    for at in [0, 5] {
+        let wanted = middle + turned * (from[at] - middle);
+        let now = position(&harness, at);
+        assert!((now - wanted).length() < 1e-6, "{at}: {now}");
+    }
+    assert_eq!(selected(&harness), [0, 5]);
+    is_one_step(&mut harness, &before);
+    harness.state_mut().document.undo();
+    harness.step();
+    choose(&mut harness, &[0, 5]);
+    let square = vec2(56.0, -56.0) * std::f32::consts::FRAC_1_SQRT_2;
+    press(&mut harness, centre + square, LEFT);
+    motion(&mut harness, centre + square * 1.5);
+    // A number takes the place of the mouse here too.
+    tap(&mut harness, Key::X, Modifiers::NONE);
+    write(&mut harness, "2");
+    release(&mut harness, centre + square * 1.5, LEFT);
+    for at in [0, 5] {
+        let mut wanted = from[at];
+        wanted.x = middle.x + 2.0 * (from[at].x - middle.x);
+        assert!((position(&harness, at) - wanted).length() < 1e-12);
+    }
+    is_one_step(&mut harness, &before);
+    // A press alone, and one that is taken back, change nothing.
+    harness.state_mut().document.undo();
+    harness.step();
+    choose(&mut harness, &[0, 5]);
+    press(&mut harness, on_ring, LEFT);
+    release(&mut harness, on_ring, LEFT);
+    press(&mut harness, on_ring, LEFT);
+    motion(&mut harness, on_ring + vec2(30.0, 0.0));
+    tap(&mut harness, Key::Escape, Modifiers::NONE);
+    release(&mut harness, on_ring, LEFT);
+    assert_eq!(text(&harness), before);
+    assert!(!harness.state().document.can_undo());
+    assert_eq!(selected(&harness), [0, 5]);
+}
+
+#[test]
 fn pictures_of_several() {
     for (name, theme, language) in [
         ("several-dark-de.png", Theme::Dark, Language::German),

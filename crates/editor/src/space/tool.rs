@@ -6,12 +6,17 @@ use glam::{DMat4, DVec2, DVec3};
 
 use super::drag::{Freedom, Handle, SNAP};
 use super::gesture::Gesture;
+use super::overlay;
 use super::pointer::{FINE, PointerContext, axis_of};
 use super::projection::{Axis, Projection, from_pos};
 use super::projection_of;
+use super::scene::Look;
+use super::strokes::Strokes;
 use crate::actions::Action;
 use crate::document::Edit;
 use crate::number::decimals;
+use crate::raster::Lines;
+use crate::setup::Element;
 use crate::state::Editor;
 use crate::texts::{Texts, fill};
 
@@ -24,8 +29,14 @@ const STEP_SCALE: f64 = 0.1;
 const NEAR: f64 = 8.0;
 const BESIDE: f64 = 80.0;
 
+/// Around the middle of several points: radius of the ring that turns them, and half the
+/// side of the square on it that scales them, in points; how near the pointer must be.
+const RING: f64 = 56.0;
+const SQUARE: f64 = 6.0;
+const REACH: f64 = 5.0;
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+pub(super) enum Kind {
     Move,
     Turn,
     Scale,
@@ -35,6 +46,8 @@ enum Kind {
 #[derive(Clone, Debug)]
 pub(super) struct Tool {
     kind: Kind,
+    /// The button with which a handle is held.
+    held: Option<PointerButton>,
     /// What the pointer has passed so far, and where it was taken to be at first.
     way: DVec2,
     from: DVec2,
@@ -66,12 +79,28 @@ impl Tool {
             Key::S => Kind::Scale,
             _ => return None,
         };
+        Self::new(editor, surface, kind, None)
+    }
+
+    /// The tool of a handle around the middle that a button takes hold of.
+    pub(super) fn of_handle(
+        editor: &Editor,
+        surface: &PointerContext<'_>,
+        kind: Kind,
+        button: PointerButton,
+    ) -> Option<Self> {
+        Self::new(editor, surface, kind, Some(button))
+    }
+
+    fn new(
+        editor: &Editor,
+        surface: &PointerContext<'_>,
+        kind: Kind,
+        held: Option<PointerButton>,
+    ) -> Option<Self> {
         let points = editor.all_selected();
         let path = editor.document.path();
-        let places = || points.iter().filter_map(|&at| path.points.get(at));
-        let sum: DVec3 = places().map(|point| point.position).sum();
-        #[allow(clippy::cast_precision_loss)]
-        let middle = sum / places().count().max(1) as f64;
+        let middle = middle_of(editor, &points);
         let current = editor.document.selection().point;
         let projection = projection_of(editor, surface.viewport);
         let image = projection.image(middle);
@@ -80,6 +109,7 @@ impl Tool {
         let from = last.filter(|at| at.distance(image) >= NEAR);
         Some(Self {
             kind,
+            held,
             way: DVec2::ZERO,
             from: from.unwrap_or(image + DVec2::X * BESIDE),
             last,
@@ -95,6 +125,11 @@ impl Tool {
     /// Needs more than one point.
     pub(super) fn needs_several(&self) -> bool {
         self.kind != Kind::Move && self.points.len() < 2
+    }
+
+    /// The button with which a handle is held.
+    pub(super) fn held(&self) -> Option<PointerButton> {
+        self.held
     }
 
     /// Takes what the hand does.
@@ -117,6 +152,11 @@ impl Tool {
                 self.way += if fine { way / FINE } else { way };
                 self.last = Some(pos);
             }
+            Event::PointerButton {
+                button,
+                pressed: false,
+                ..
+            } if self.held == Some(*button) => return over(Gesture::End, actions),
             Event::PointerButton {
                 button,
                 pressed: true,
@@ -297,4 +337,62 @@ impl Tool {
         let fixed = projection.facing();
         (through, Freedom { fixed, along })
     }
+}
+
+fn middle_of(editor: &Editor, points: &[usize]) -> DVec3 {
+    let path = editor.document.path();
+    let places = || points.iter().filter_map(|&at| path.points.get(at));
+    let sum: DVec3 = places().map(|point| point.position).sum();
+    #[allow(clippy::cast_precision_loss)]
+    let count = places().count().max(1) as f64;
+    sum / count
+}
+
+/// Where the handles around several points are seen: the middle of the ring.
+pub(super) fn handles(editor: &Editor, projection: &Projection) -> Option<DVec2> {
+    let points = editor.several()?;
+    Some(projection.image(middle_of(editor, points)))
+}
+
+/// The handle that lies under the pointer.
+pub(super) fn handle_at(editor: &Editor, projection: &Projection, pointer: DVec2) -> Option<Kind> {
+    let way = pointer - handles(editor, projection)?;
+    if (way - square()).abs().max_element() <= SQUARE + 2.0 {
+        return Some(Kind::Scale);
+    }
+    ((way.length() - RING).abs() <= REACH).then_some(Kind::Turn)
+}
+
+/// From the middle of the ring to the square on it.
+fn square() -> DVec2 {
+    DVec2::new(RING, -RING) * std::f64::consts::FRAC_1_SQRT_2
+}
+
+/// Shows the handles; `meant`: the one under the pointer.
+pub(super) fn show_handles(look: &Look<'_>, middle: DVec2, meant: Option<Kind>) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.viewport);
+    let color = look.colours.of(Element::Segment);
+    let width = |kind| if meant == Some(kind) { 2.4 } else { 1.2 };
+    for (from, to) in overlay::corners(look, RING) {
+        strokes.flat(
+            middle + from * RING,
+            middle + to * RING,
+            width(Kind::Turn),
+            color,
+        );
+    }
+    let centre = middle + square();
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let corners = corners.map(|corner| centre + DVec2::from(corner) * SQUARE);
+    let ground = look.colours.of(Element::Background);
+    strokes.flat(
+        centre - DVec2::X * SQUARE,
+        centre + DVec2::X * SQUARE,
+        2.0 * SQUARE as f32,
+        ground,
+    );
+    for k in 0..4 {
+        strokes.flat(corners[k], corners[(k + 1) % 4], width(Kind::Scale), color);
+    }
+    strokes.finish()
 }

@@ -31,7 +31,7 @@ texts! {
         click_mouse: "Shift or Ctrl, click on a point",
             "Umschalt oder Strg, Klick auf einen Punkt";
         click_meaning: "Select it too, or no longer; what follows means all of them",
-            "Dazu auswählen oder nicht mehr; alles gilt dann allen";
+            "Auch auswählen oder nicht mehr; dann gilt alles für alle";
         box_mouse: "Ctrl, drag elsewhere",
             "Strg, daneben ziehen";
         box_meaning: "Select the points in the box; with Shift: these too",
@@ -41,6 +41,15 @@ texts! {
         tool_keys: "G, R, S", "G, R, S";
         tool_meaning: "Move, turn, scale what is selected; Esc: as it was",
             "Ausgewählte bewegen, drehen, skalieren; Esc: wie vorher";
+        turn_hint: "Drag: turn them about their middle · X, Y, Z: about an axis · type a number",
+            "Ziehen: um ihre Mitte drehen · X, Y, Z: um eine Achse · Zahl tippen";
+        scale_hint: "Drag: scale them about their middle · X, Y, Z: along an axis · type a number",
+            "Ziehen: um ihre Mitte skalieren · X, Y, Z: längs einer Achse · Zahl tippen";
+        handle_mouse: "Drag the ring or its square", "Am Ring oder seinem Quadrat ziehen";
+        handle_meaning: "Turn or scale several selected points", "Mehrere ausgewählte Punkte drehen oder skalieren";
+        list_keys: "F2, double click in the list", "F2, Doppelklick in der Liste";
+        list_meaning: "Type the name of a point; dragging there: another order",
+            "Name des Punkts tippen; Ziehen dort: andere Reihenfolge";
         axis_keys: "X, Y, Z, a number, Enter with these", "X, Y, Z, eine Zahl, Enter mit diesen";
         axis_meaning: "Along an axis or about it, and by so much",
             "Längs einer Achse oder um sie, und um so viel";
