@@ -409,7 +409,7 @@ fn tools_follow_the_mouse_and_end_by_click_or_escape() {
     harness.state_mut().document.undo();
     // Moved along an axis by a number, one point alone too.
     choose(&mut harness, &[3]);
-    for key in [Key::G, Key::X] {
+    for key in [Key::M, Key::X] {
         tap(&mut harness, key, Modifiers::NONE);
     }
     write(&mut harness, "-0.5");

@@ -1,4 +1,4 @@
-//! Moving, turning and scaling what is selected by keys: G, R or S, then the mouse or a
+//! Moving, turning and scaling what is selected by keys: M, R or S, then the mouse or a
 //! number, X, Y or Z for an axis, Enter or a click at the end.
 
 use egui::{Event, Key, Modifiers, PointerButton};
@@ -74,7 +74,7 @@ impl Tool {
     /// The tool that a key stands for. One point alone can be moved only.
     pub(super) fn of_key(editor: &Editor, surface: &PointerContext<'_>, key: Key) -> Option<Self> {
         let kind = match key {
-            Key::G => Kind::Move,
+            Key::M => Kind::Move,
             Key::R => Kind::Turn,
             Key::S => Kind::Scale,
             _ => return None,

@@ -25,8 +25,8 @@ texts! {
         aim_all_here: "Aim all cameras here", "Alle Kameras hierauf richten";
         empty_hint: "Drag: turn · Shift: move the space · Ctrl: select points",
             "Ziehen: drehen · Umschalt: Raum verschieben · Strg: Punkte auswählen";
-        several_hint: "{0} points selected: what is done is done to all · G, R, S: move, turn, scale · Esc: one",
-            "{0} Punkte ausgewählt: Was geschieht, gilt für alle · G, R, S: bewegen, drehen, skalieren · Esc: einer";
+        several_hint: "{0} points selected: what is done is done to all · M, R, S: move, turn, scale · Esc: one",
+            "{0} Punkte ausgewählt: Was geschieht, gilt für alle · M, R, S: bewegen, drehen, skalieren · Esc: einer";
         all_points: "Select all points", "Alle Punkte auswählen";
         click_mouse: "Shift or Ctrl, click on a point",
             "Umschalt oder Strg, Klick auf einen Punkt";
@@ -38,7 +38,7 @@ texts! {
             "Die Punkte im Kasten auswählen; mit Umschalt: dazu";
         one_keys: "Esc, click elsewhere", "Esc, Klick daneben";
         one_meaning: "Select the current point alone", "Nur den aktuellen Punkt auswählen";
-        tool_keys: "G, R, S", "G, R, S";
+        tool_keys: "M, R, S", "M, R, S";
         tool_meaning: "Move, turn, scale what is selected; Esc: as it was",
             "Ausgewählte bewegen, drehen, skalieren; Esc: wie vorher";
         turn_hint: "Drag: turn them about their middle · X, Y, Z: about an axis · type a number",
