@@ -35,7 +35,7 @@ fn number() -> impl Strategy<Value = f64> {
     ]
 }
 
-const KINDS: u8 = 26;
+const KINDS: u8 = 27;
 
 fn raw() -> impl Strategy<Value = Raw> {
     (
@@ -196,6 +196,10 @@ impl Raw {
                 },
                 fit: self.flag,
             },
+            25 => Edit::MovePoint {
+                from: at,
+                to: (at + 1 + self.b % points) % (points + 1),
+            },
             // Copies a target onto a point: an absolute target where the next
             // insertion may lie.
             _ => Edit::InsertPoint {
@@ -317,7 +321,7 @@ proptest! {
             }
             assert_sound(&document);
             assert_computed(&document);
-            if content(&document) == content_before && !matches!(raw.kind, 17 | 18 | 22 | 23) {
+            if content(&document) == content_before && !matches!(raw.kind, 17 | 18 | 22 | 23 | 25) {
                 prop_assert_eq!(whole(&document), before);
                 continue;
             }
@@ -384,6 +388,51 @@ proptest! {
             prop_assert!(document.redo());
             prop_assert_eq!(whole(&document), end);
             assert_computed(&document);
+        }
+    }
+
+    #[test]
+    fn edits_together_are_done_all_or_none(
+        before in prop::collection::vec(raw(), 0..8),
+        within in prop::collection::vec(raw(), 0..4),
+        together in prop::collection::vec(raw(), 0..6),
+        part in any::<bool>(),
+    ) {
+        let mut document = Document::new();
+        for raw in &before {
+            let _ = document.apply(raw.edit(&document));
+        }
+        // Of what there is now: later ones may find no point of theirs.
+        let edits: Vec<Edit> = together.iter().map(|raw| raw.edit(&document)).collect();
+        let start = whole(&document);
+        document.mark_saved();
+        if part {
+            document.begin_step();
+            for raw in &within {
+                let _ = document.apply(raw.edit(&document));
+            }
+        }
+        let middle = whole(&document);
+        let mut one_by_one = Document::from_parts(
+            document.path().clone(), document.info().clone(),
+        ).unwrap();
+        let at = document.selection();
+        one_by_one.select(at.point, at.orientation).unwrap();
+        let possible = edits.iter().all(|edit| one_by_one.apply(edit.clone()).is_ok());
+        prop_assert_eq!(document.apply_all(edits).is_ok(), possible);
+        prop_assert_eq!(document.in_step(), part);
+        let end = if possible { whole(&one_by_one) } else { middle };
+        prop_assert_eq!(whole(&document), end.clone());
+        assert_computed(&document);
+        document.end_step();
+        if document.is_modified() {
+            prop_assert!(document.undo());
+            prop_assert_eq!(whole(&document), start);
+            prop_assert!(!document.is_modified());
+            prop_assert!(document.redo());
+            prop_assert_eq!(whole(&document), end);
+        } else {
+            prop_assert_eq!(whole(&document), start);
         }
     }
 

@@ -97,6 +97,11 @@ pub(super) enum Change {
         count: usize,
         room: Vec<SupportPoint>,
     },
+    /// The point at `from` comes to `to`.
+    MovePoint {
+        from: usize,
+        to: usize,
+    },
     InsertOrientation {
         point: usize,
         at: usize,
@@ -139,7 +144,7 @@ impl Change {
             Self::Point { point, .. } => shapes(point),
             Self::InsertPoints { points, .. } => points.iter().any(shapes),
             Self::Tangents { tangents, .. } => tangents.is_some(),
-            Self::CurveKind(_) | Self::Path(..) => true,
+            Self::CurveKind(_) | Self::Path(..) | Self::MovePoint { .. } => true,
             _ => false,
         }
     }
@@ -203,6 +208,7 @@ impl Change {
             Self::Space(space) => {
                 same_vector(path.space.centre, space.centre) && path.space == *space
             }
+            Self::MovePoint { from, to } => from == to,
             _ => false,
         }
     }
@@ -301,6 +307,18 @@ impl Change {
                     removal,
                 }
             }
+            Self::MovePoint { from, to } => {
+                // The room of the one that is taken away is that of the one put in.
+                let point = path.points.remove(from);
+                path.points.insert(to, point);
+                let removal = content.comments.remove_points(from, 1);
+                content.comments.insert_points(to, 1, removal);
+                if let Some(around) = &mut content.around {
+                    around.pins_mut().remove_points(from, 1, removal);
+                    around.pins_mut().insert_points(to, 1, removal);
+                }
+                Self::MovePoint { from: to, to: from }
+            }
             Self::InsertOrientation {
                 point,
                 at,
@@ -391,6 +409,7 @@ impl Change {
             self,
             Self::InsertPoints { .. }
                 | Self::RemovePoints { .. }
+                | Self::MovePoint { .. }
                 | Self::InsertOrientation { .. }
                 | Self::RemoveOrientation { .. }
                 | Self::Path(..)

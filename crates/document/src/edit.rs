@@ -73,6 +73,14 @@ pub enum Edit {
         /// The point.
         at: usize,
     },
+    /// Gives a point another number: it keeps its orientations with their speed
+    /// curves, and those between the two places move up by one. It becomes current.
+    MovePoint {
+        /// The point.
+        from: usize,
+        /// The number that it will have.
+        to: usize,
+    },
     /// Moves a point: absolute targets stay, relative ones go along. Refused
     /// where an absolute target of its own lies.
     SetPosition {

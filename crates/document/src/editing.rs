@@ -277,6 +277,38 @@ impl Document {
         Ok(())
     }
 
+    /// Does edits one after the other: one step of the history, or a part of the one
+    /// that is open.
+    ///
+    /// # Errors
+    /// What makes one of them impossible; the document is unchanged then.
+    pub fn apply_all(&mut self, edits: impl IntoIterator<Item = Edit>) -> Result<()> {
+        let outer = self.open.take();
+        self.begin_step();
+        let done = edits.into_iter().try_for_each(|edit| self.apply(edit));
+        let Some(mut outer) = outer else {
+            match done {
+                Ok(()) => self.end_step(),
+                Err(_) => self.cancel_step(),
+            }
+            return done;
+        };
+        let done = done.and_then(|()| match &self.open {
+            Some(inner) => outer.reserve_for(inner),
+            None => Ok(()),
+        });
+        match done {
+            Ok(()) => self
+                .open
+                .take()
+                .into_iter()
+                .for_each(|inner| outer.append(inner)),
+            Err(_) => self.cancel_step(),
+        }
+        self.open = Some(outer);
+        done
+    }
+
     /// From here to [`Document::end_step`] all edits are one step: a drag, the
     /// `ok` of a window. A step that is open already is ended.
     pub fn begin_step(&mut self) {

@@ -62,6 +62,18 @@ impl Step {
         }
     }
 
+    /// Takes the memory for the records of a step that was done within this one.
+    pub(super) fn reserve_for(&mut self, inner: &Self) -> Result<()> {
+        self.reserve_more(inner.changes.len())
+    }
+
+    /// Adds its records, to which none were added since that.
+    pub(super) fn append(&mut self, inner: Self) {
+        for record in inner.changes {
+            self.push(record);
+        }
+    }
+
     /// The step is complete: its records in the order they are to be applied.
     pub(super) fn close(&mut self) {
         self.changes.reverse();

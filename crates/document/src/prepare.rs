@@ -90,6 +90,11 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
                 Some(Selection::at(at.saturating_sub(1), 0)),
             ));
         }
+        Edit::MovePoint { from, to } => {
+            point(path, from)?;
+            point(path, to)?;
+            return Ok((Change::MovePoint { from, to }, Some(Selection::at(to, 0))));
+        }
         Edit::SetPosition { at, position } => {
             check_position(point(path, at)?, at, position, path.space)?;
             Change::Position { at, position }

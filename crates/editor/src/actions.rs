@@ -6,12 +6,14 @@ use std::path::PathBuf;
 use glam::DVec3;
 
 use crate::document::{Edit, Selection, no_longer_ahead};
+use crate::error::Result;
 use crate::files::{Purpose, Then};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
 use crate::panels::orientation::look_ahead;
 use crate::path::{CameraPath, Orientation, Target, insertion};
 use crate::playing::Pace;
+use crate::selected::Choice;
 use crate::setup::{CameraPlace, ColourWindow, DisplayWindow, Setup, Theme, View};
 use crate::space::{Camera, Gesture};
 use crate::state::{Editor, Request};
@@ -113,6 +115,10 @@ pub(super) enum Action {
     /// A part of a drag in the movement window.
     Gesture(Gesture),
     Select(Selection),
+    /// Several points at once.
+    Choose(Choice),
+    /// Those that are selected come to stand before this point.
+    MoveSelected(usize),
     AimAt(DVec3),
     /// Let every orientation of the path look there.
     AimAllAt(DVec3),
@@ -226,6 +232,11 @@ impl Editor {
     }
 
     pub(super) fn act(&mut self, action: Action, context: &egui::Context) {
+        self.done(action, context);
+        self.selected.follow(&self.document);
+    }
+
+    fn done(&mut self, action: Action, context: &egui::Context) {
         if action.is_command() {
             self.message = None;
         }
@@ -248,9 +259,7 @@ impl Editor {
             Action::AddHere => {
                 self.add_here();
             }
-            Action::RemovePoint => {
-                self.edit(Edit::RemovePoint { at: point });
-            }
+            Action::RemovePoint => self.remove_selected(),
             Action::PreviousPoint => self.go_by_points(-1),
             Action::NextPoint => self.go_by_points(1),
             Action::AppendPoint => {
@@ -278,7 +287,7 @@ impl Editor {
             Action::PreviousOrientation => self.go_by_orientations(-1),
             Action::NextOrientation => self.go_by_orientations(1),
             Action::SetAbsolute(absolute) => {
-                self.edit(Edit::SetAbsolute {
+                self.edit_selected(Edit::SetAbsolute {
                     point,
                     at: orientation,
                     absolute,
@@ -336,7 +345,7 @@ impl Editor {
                 }
             }
             Action::Edit(edit) => {
-                self.edit(edit);
+                self.edit_selected(edit);
             }
             Action::Enter(entry) => self.enter(entry),
             Action::EnterMissing(entry) => self.enter_missing(entry),
@@ -346,14 +355,14 @@ impl Editor {
                     self.complain_of(&error);
                 }
             }
+            Action::Choose(choice) => self.choose(choice),
+            Action::MoveSelected(before) => self.move_selected(before),
             Action::AimAt(place) => {
                 let here = self.document.selection();
-                self.edit_all(aimed(
-                    self.document.path(),
-                    here.point,
-                    here.orientation,
-                    place,
-                ));
+                let path = self.document.path();
+                if let Some(edit) = aimed(path, here.point, here.orientation, place) {
+                    self.edit_selected(edit);
+                }
             }
             Action::AimAllAt(place) => self.aim_all_at(place),
             Action::View(view) => self.setup.view = view,
@@ -399,9 +408,27 @@ impl Editor {
         }
     }
 
-    /// Does an edit; what hinders it stands in the output field.
+    /// Does an edit; what hinders it is told.
     pub(crate) fn edit(&mut self, edit: Edit) -> bool {
-        match self.document.apply(edit) {
+        let done = self.document.apply(edit);
+        self.tell(done)
+    }
+
+    /// Does edits as one step of their own, or none of them.
+    pub(super) fn edit_all(&mut self, edits: impl IntoIterator<Item = Edit>) -> bool {
+        self.document.end_step();
+        self.edit_together(edits)
+    }
+
+    /// The same as a part of a step that is open.
+    pub(super) fn edit_together(&mut self, edits: impl IntoIterator<Item = Edit>) -> bool {
+        let done = self.document.apply_all(edits);
+        self.tell(done)
+    }
+
+    /// What hinders an edit stands in the output field.
+    fn tell(&mut self, done: Result<()>) -> bool {
+        match done {
             Ok(()) => {
                 self.message = None;
                 self.tell_ambiguities();
@@ -412,18 +439,6 @@ impl Editor {
                 false
             }
         }
-    }
-
-    /// Does edits as one step of their own, or none of them.
-    pub(super) fn edit_all(&mut self, edits: impl IntoIterator<Item = Edit>) -> bool {
-        self.document.begin_step();
-        let done = edits.into_iter().all(|edit| self.edit(edit));
-        if done {
-            self.document.end_step();
-        } else {
-            self.document.cancel_step();
-        }
-        done
     }
 
     /// Puts points at equal distances on the way to the next one, where the camera flies

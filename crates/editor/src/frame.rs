@@ -11,7 +11,7 @@ use crate::panels::output;
 use crate::setup::Theme;
 use crate::space::camera_view;
 use crate::state::Editor;
-use crate::{keys, menu, panels, scene_view, space, theme, windows};
+use crate::{keys, menu, panels, points_list, scene_view, space, theme, windows};
 
 const BAR: f32 = 32.0;
 
@@ -25,6 +25,8 @@ const MARGIN: f32 = 12.0;
 /// Shows everything, and does what was asked for.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let context = ui.ctx().clone();
+    // The host edits the path too.
+    editor.selected.follow(&editor.document);
     if let Some(theme) = context.system_theme() {
         editor.setup.desktop = Theme::of_system(theme);
     }
@@ -39,6 +41,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     }
     let mut actions = Vec::from_iter(editor.waiting.take());
     if !editor.windows.ask() {
+        points_list::take_keys(editor, &context);
         actions.extend(keys::pressed(&context));
     }
     if !actions.is_empty() {

@@ -7,6 +7,7 @@
 use egui::{Context, Event, Id, Key, Modifiers};
 
 use crate::actions::Action;
+use crate::selected::Choice;
 use crate::texts::Language;
 
 const NONE: Modifiers = Modifiers::NONE;
@@ -30,6 +31,7 @@ pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (CTRL, Key::K, Action::AddHere),
     (CTRL, Key::I, Action::AskPoints),
     (NONE, Key::Delete, Action::RemovePoint),
+    (CTRL, Key::A, Action::Choose(Choice::All)),
     (CTRL, Key::PageDown, Action::NextPoint),
     (CTRL, Key::PageUp, Action::PreviousPoint),
     (ALT, Key::Insert, Action::AddOrientation),
@@ -72,6 +74,7 @@ const OF_TEXTS: &[Action] = &[
     Action::RemoveOrientation,
     Action::CopyOrientation,
     Action::PasteOrientation,
+    Action::Choose(Choice::All),
 ];
 
 /// The actions whose keys were pressed, in their order. Nobody else sees them

@@ -13,11 +13,12 @@ use crate::host::pane::HostPane;
 use crate::host::{Program, Standing};
 use crate::number::Entry;
 use crate::path::{Orientation, Pose, SupportPoint};
+use crate::selected::Selected;
 use crate::setup::{Element, Setup};
 use crate::space::Camera;
 use crate::texts::{Language, Texts, fill};
 use crate::theme;
-use crate::{playing, scene_view, space, windows};
+use crate::{playing, points_list, scene_view, space, windows};
 
 /// How a window begins.
 #[derive(Debug)]
@@ -112,6 +113,8 @@ pub struct Editor {
     /// The state that the host has by a hand-over after which nothing is unsaved.
     pub(super) handed: Option<u64>,
     pub(super) copied: Option<Orientation>,
+    /// The points that are selected together with the current one.
+    pub(super) selected: Selected,
     /// Where the last file was chosen.
     pub(super) last_folder: Option<PathBuf>,
     /// What is to be done when what is typed at present has been applied.
@@ -126,6 +129,7 @@ pub struct Editor {
     pub(super) space: space::Space,
     pub(super) scene_view: scene_view::SceneView,
     pub(super) playing: playing::Playing,
+    pub(super) points_list: points_list::PointsList,
     pub(super) windows: windows::Windows,
     pub(super) recent: Vec<PathBuf>,
     pub(super) autosave: Option<Autosave>,
@@ -166,6 +170,7 @@ impl Editor {
             hands_over: false,
             host_pane: None,
             copied: None,
+            selected: Selected::default(),
             last_folder: None,
             waiting: None,
             typing: false,
@@ -175,6 +180,7 @@ impl Editor {
             space: space::Space::default(),
             scene_view: scene_view::SceneView::default(),
             playing: playing::Playing::default(),
+            points_list: points_list::PointsList::default(),
             windows: windows::Windows::default(),
             recent: Vec::new(),
             autosave: None,
@@ -313,7 +319,7 @@ impl Editor {
             Entry::Idle => {}
             Entry::Begin => self.document.begin_step(),
             Entry::Drag(edit) | Entry::Set(edit) => {
-                self.edit(edit);
+                self.edit_selected(edit);
             }
             Entry::End => self.document.end_step(),
             Entry::Cancel => self.document.cancel_step(),
@@ -327,6 +333,7 @@ impl Editor {
         (
             self.document.state_number(),
             self.document.selection(),
+            self.selected.clone(),
             message,
             self.setup.theme(),
         )
@@ -355,7 +362,7 @@ impl Editor {
 
     pub(super) fn set_orientation(&mut self, change: impl FnOnce(&mut Orientation)) {
         if let Some(edit) = self.orientation_edit(change) {
-            self.edit(edit);
+            self.edit_selected(edit);
         }
     }
 

@@ -155,6 +155,24 @@ fn they_go_with_their_points_and_come_back_with_them() {
 }
 
 #[test]
+fn they_go_with_points_that_get_other_numbers() {
+    let mut document = loaded();
+    let whole = saved(&document);
+    document.apply(Edit::MovePoint { from: 0, to: 2 }).unwrap();
+    assert_eq!(document.selection(), Selection::at(2, 0));
+    let text = saved(&document);
+    has(&text, "# The second point.", "[[point]]");
+    has(&text, "# Over the shore.", "position = [0.1, 0.2, 0.3]");
+    has(&text, "# the boat", "target = [0.0, 0.0, 0.0]");
+    let [second, first] = ["# The second", "# The first"].map(|words| text.find(words));
+    assert!(second.is_some() && second < first, "{text}");
+    assert!(document.undo());
+    assert_eq!(saved(&document), whole);
+    assert!(document.redo());
+    assert_eq!(saved(&document), text);
+}
+
+#[test]
 fn they_go_with_their_orientations_too() {
     let mut document = loaded();
     let whole = saved(&document);

@@ -115,8 +115,12 @@ fn the_pane_goes_along_with_the_window() {
         (rect.unwrap(), window.get_by_label("Movement window").rect())
     };
     let mut window = window(Language::English);
-    let (large, _) = pane(&window);
-    assert!((large.width() - WIDTH).abs() < 4.0, "{large:?}");
+    let (large, viewport) = pane(&window);
+    assert!(
+        (large.width() - first_width(viewport)).abs() < 4.0,
+        "{large:?}"
+    );
+    assert!(large.width() > 1.4 * (WIDTH / 2.0), "{large:?}");
     let resize = |window: &mut crate::tests::Window, size: [f32; 2]| {
         window.set_size(vec2(size[0], size[1]));
         window.run();

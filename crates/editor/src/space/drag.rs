@@ -24,7 +24,7 @@ pub(crate) enum Handle {
 
 /// What a drag that snaps goes by: a fifth of what lies between two lines of the
 /// floor, so many steps for a half size.
-const SNAP: f64 = 5.0 * FLOOR as f64 / 2.0;
+pub(super) const SNAP: f64 = 5.0 * FLOOR as f64 / 2.0;
 
 /// The same for a roll, in degrees.
 const SNAP_ROLL: f64 = 15.0;

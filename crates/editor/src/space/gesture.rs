@@ -18,6 +18,8 @@ pub(crate) enum Gesture {
     Begin,
     /// It moves.
     Move(Handle, Edit),
+    /// All that are selected are changed at once, which these words tell.
+    Transform(Edit, String),
     /// It stays where it is.
     End,
     /// It goes back.
@@ -35,15 +37,22 @@ impl Editor {
                 }
                 if let Some(Handle::Point(at)) = what
                     && at != self.document.selection().point
-                    && let Err(error) = self.document.select(at, 0)
+                    && let Err(error) = self.select_among(at)
                 {
                     self.complain_of(&error);
                 }
             }
             Gesture::Begin => self.document.begin_step(),
             Gesture::Move(what, edit) => {
-                if self.edit(edit) {
+                let edit = self.kept_within(edit);
+                if self.edit_selected(edit) {
                     self.tell_place(what);
+                }
+            }
+            Gesture::Transform(edit, words) => {
+                self.restart_step();
+                if self.edit(edit) {
+                    self.say(words);
                 }
             }
             Gesture::End => {
@@ -60,6 +69,38 @@ impl Editor {
                 self.message = None;
             }
         }
+    }
+
+    /// A motion of what is selected as far as all points stay within the movement space; one
+    /// that is outside goes no farther.
+    fn kept_within(&mut self, mut edit: Edit) -> Edit {
+        let Edit::SetPosition { at, position } = &mut edit else {
+            return edit;
+        };
+        if self.several().is_some() {
+            self.restart_step();
+        }
+        let path = self.document.path();
+        let Some(from) = path.points.get(*at).map(|point| point.position) else {
+            return edit;
+        };
+        let (mut low, mut high) = (DVec3::NEG_INFINITY, DVec3::INFINITY);
+        for point in self
+            .all_selected()
+            .iter()
+            .filter_map(|&at| path.points.get(at))
+        {
+            low = low.max(path.space.low() - point.position);
+            high = high.min(path.space.high() - point.position);
+        }
+        let by = *position - from;
+        let kept = by.clamp(low.min(DVec3::ZERO), high.max(DVec3::ZERO));
+        for axis in 0..3 {
+            if kept[axis] != by[axis] {
+                position[axis] = from[axis] + kept[axis];
+            }
+        }
+        edit
     }
 
     /// Shows in the output field where what is held has come to.

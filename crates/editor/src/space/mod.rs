@@ -24,6 +24,7 @@ mod ribbon;
 mod scene;
 mod sliders;
 mod strokes;
+mod tool;
 
 use std::sync::Arc;
 
@@ -50,7 +51,7 @@ use crate::setup::{Element, View};
 use crate::state::Editor;
 use crate::texts::Texts;
 use crate::texts::refusals::reason_of;
-use crate::{host, playing, scene_view};
+use crate::{host, playing, points_list, scene_view};
 
 /// What the movement window remembers.
 #[derive(Debug, Default)]
@@ -68,7 +69,7 @@ pub(super) struct Space {
 impl Space {
     /// A step of the document is open for keys that are held down.
     pub(super) fn keeps_step_open(&self) -> bool {
-        self.pointer.nudging
+        self.pointer.nudging || self.pointer.tool.is_some()
     }
 
     /// The lines of the nodes, to be compared.
@@ -85,6 +86,7 @@ impl Space {
 
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     playing::show(editor, ui);
+    points_list::show(editor, ui);
     // What it remembers changes while the rest of the editor is only read.
     let mut space = std::mem::take(&mut editor.space);
     let context = ui.ctx().clone();
@@ -105,10 +107,17 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do here beside what the thesis names: hand, meaning.
-pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 20] {
+pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 27] {
     let texts = &texts.space;
     [
         (texts.shift_mouse, texts.shift_meaning),
+        (texts.click_mouse, texts.click_meaning),
+        (texts.box_mouse, texts.box_meaning),
+        (texts.one_keys, texts.one_meaning),
+        (texts.tool_keys, texts.tool_meaning),
+        (texts.axis_keys, texts.axis_meaning),
+        (texts.handle_mouse, texts.handle_meaning),
+        (texts.list_keys, texts.list_meaning),
         (texts.corner_mouse, texts.corner_meaning),
         (texts.whole_mouse, texts.whole_meaning),
         (texts.facing_mouse, texts.facing_meaning),
@@ -192,7 +201,7 @@ impl Space {
         let filter = EventFilter {
             horizontal_arrows: true,
             vertical_arrows: true,
-            escape: self.pointer.dragged().is_some(),
+            escape: self.pointer.moves() || editor.several().is_some(),
             ..EventFilter::default()
         };
         context.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
@@ -256,6 +265,8 @@ impl Space {
             let place = pointer::place_held(editor, what)?;
             Some((place, freedom))
         });
+        let tool = pointer.tool.as_ref();
+        let through = through.or_else(|| Some(tool?.guides(editor, &projection)));
         if let Some((through, freedom)) = through {
             overlay::plane(painter, &look, through, freedom);
         }
@@ -281,6 +292,12 @@ impl Space {
             add(overlay::guides(&look, through, freedom));
         }
         let current = scene::current(document, &look).map(add);
+        if let Some(points) = editor.several() {
+            add(overlay::selected(document, &look, points));
+            if let Some(middle) = tool::handles(editor, &projection) {
+                add(tool::show_handles(&look, middle, pointer.meant));
+            }
+        }
         if let Some(tips) = picking::tips(document) {
             add(overlay::circle(&look, &tips));
             overlay::arrows(painter, &look, &tips);
@@ -316,9 +333,17 @@ impl Space {
             Some(Handle::Point(at)) => Some(at),
             _ => None,
         };
-        overlay::numbers(painter, document, &look, pointed);
+        let several = editor.several().unwrap_or_default();
+        overlay::numbers(painter, document, &look, pointed, several);
         overlay::directions(painter, &look);
-        if let Some(hint) = pointer.hint(editor.texts(), &projection) {
+        if let Some(drawn) = pointer.drawn_box() {
+            overlay::drawn_box(painter, &look, drawn);
+        }
+        let hint = match tool {
+            Some(tool) => Some(tool.hint(editor, &projection)),
+            None => pointer.hint(editor.texts(), &projection, several.len()),
+        };
+        if let Some(hint) = hint {
             overlay::hint(painter, &look, &hint, editor.setup.theme().palette().weak);
         }
         current.and(trouble)
@@ -339,6 +364,8 @@ mod manual_tests;
 mod memory_tests;
 #[cfg(test)]
 mod menu_tests;
+#[cfg(test)]
+mod several_tests;
 #[cfg(test)]
 pub(super) mod tests;
 #[cfg(test)]

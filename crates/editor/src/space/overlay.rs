@@ -5,7 +5,7 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, pos2, vec2};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 use glam::{DVec2, DVec3};
 
 use super::cameras::Camera;
@@ -30,6 +30,9 @@ const HEAD: [f64; 2] = [12.0, 4.2];
 const RING: f64 = 8.0;
 const RING_WIDTH: f32 = 1.5;
 
+/// Half the side of the frame around a point that is selected with others, in points.
+const FRAME: f64 = 6.0;
+
 const ARROW: f32 = 2.0;
 
 /// A number keeps the others out of the cells around its own, of this size.
@@ -40,7 +43,7 @@ const MANY: usize = 2000;
 
 /// The straight pieces of a circle whose radius on the screen is so many points:
 /// ways from its middle to both ends, in radii.
-fn corners(look: &Look<'_>, radius: f64) -> impl Iterator<Item = (DVec2, DVec2)> {
+pub(super) fn corners(look: &Look<'_>, radius: f64) -> impl Iterator<Item = (DVec2, DVec2)> {
     let rise = STRAY / (radius * look.pixels_per_point).max(1.0);
     let count = (PI / (1.0 - rise).acos()).ceil();
     let at = move |step: u32| DVec2::from_angle(TAU * f64::from(step) / count);
@@ -150,6 +153,44 @@ pub(super) fn guides(look: &Look<'_>, through: DVec3, freedom: Freedom) -> Lines
     strokes.finish()
 }
 
+/// A frame around the cross of each point that is selected together with others.
+pub(super) fn selected(document: &Document, look: &Look<'_>, points: &[usize]) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.viewport);
+    let color = look.colours.of(Element::Segment);
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let corners = corners.map(|corner| DVec2::from(corner) * FRAME);
+    for point in points
+        .iter()
+        .filter_map(|&at| document.path().points.get(at))
+    {
+        let image = look.projection.image(point.position);
+        if !look.viewport.expand(8.0).contains(to_pos(image)) {
+            continue;
+        }
+        for k in 0..4 {
+            let [from, to] = [corners[k], corners[(k + 1) % 4]];
+            strokes.flat(image + from, image + to, RING_WIDTH, color);
+        }
+    }
+    strokes.finish()
+}
+
+/// The box with which points are selected.
+pub(super) fn drawn_box(painter: &Painter, look: &Look<'_>, drawn: Rect) {
+    let color = look.colours.of(Element::Segment);
+    painter.add(theme::block(drawn, color.gamma_multiply(0.12)));
+    let corners = [
+        drawn.left_top(),
+        drawn.right_top(),
+        drawn.right_bottom(),
+        drawn.left_bottom(),
+        drawn.left_top(),
+    ];
+    for pair in corners.windows(2) {
+        painter.line_segment([pair[0], pair[1]], Stroke::new(1.0, color));
+    }
+}
+
 /// The plane of a drag as a breath of colour.
 pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, freedom: Freedom) {
     let Some(color) = look.of(Element::Plane).filter(|_| freedom.along.is_none()) else {
@@ -203,53 +244,47 @@ pub(super) fn place_of(
     }
 }
 
-/// The numbers of the points, from 1, as far as there is viewport for them; the
-/// current one and the one under the pointer always, that one with its name.
+/// The numbers of the points, from 1, as far as there is room for them; the current one
+/// and the one under the pointer always, that one with its name. The others have names
+/// where these stand in the way of no other.
 pub(super) fn numbers(
     painter: &Painter,
     document: &Document,
     look: &Look<'_>,
     hover: Option<usize>,
+    several: &[usize],
 ) {
     let Some(color) = look.of(Element::Numbers) else {
         return;
     };
     let current = document.selection().point;
     let points = &document.path().points;
-    // Whether a number stands in a cell of the viewport, with a row of cells around.
-    let (wide, high) = (
-        look.viewport.width() / CELL[0],
-        look.viewport.height() / CELL[1],
-    );
-    let (wide, high) = (wide as usize + 3, high as usize + 3);
-    let mut taken = vec![false; wide * high];
+    let mut taken = Taken::new(look.viewport);
+    let mut names = Vec::new();
     let mut put = |at: usize, always: bool| {
         let Some(point) = points.get(at) else { return };
         let image = look.projection.image(point.position);
         let pos = to_pos(image);
-        if !look.viewport.contains(pos) {
+        if !look.viewport.contains(pos) || !taken.take(pos, always) {
             return;
-        }
-        let way = pos - look.viewport.min;
-        let cell = (way.y / CELL[1]) as usize * wide + (way.x / CELL[0]) as usize;
-        let rows = (0..3).filter_map(|row| taken.get(cell + row * wide..)?.get(..3));
-        if !always && rows.flatten().any(|&taken| taken) {
-            return;
-        }
-        if let Some(taken) = taken.get_mut(cell + wide + 1) {
-            *taken = true;
         }
         let (size, color) = if at == current {
             (13.0, look.colours.of(Element::Segment))
+        } else if several.binary_search(&at).is_ok() {
+            (11.0, look.colours.of(Element::Segment))
         } else {
             (11.0, color)
         };
-        let text = match &point.name {
-            Some(name) if hover == Some(at) => format!("{}  {name}", at + 1),
-            _ => (at + 1).to_string(),
-        };
         let (way, align) = free_corner(document, look, at, image);
-        label(painter, pos + way, align, text, size, color, look);
+        let mut text = (at + 1).to_string();
+        match &point.name {
+            Some(name) if hover == Some(at) => text = format!("{text}  {name}"),
+            Some(name) => names.push((pos, way, align, format!("{text}  {name}"), size, color)),
+            None => {}
+        }
+        if point.name.is_none() || hover == Some(at) {
+            label(painter, pos + way, align, text, size, color, look);
+        }
     };
     put(current, true);
     if let Some(hover) = hover.filter(|&hover| hover != current) {
@@ -259,6 +294,79 @@ pub(super) fn numbers(
         (0..points.len())
             .filter(|&at| at != current && Some(at) != hover)
             .for_each(|at| put(at, false));
+    }
+    for (pos, way, align, text, size, color) in names {
+        let font = FontId::proportional(size);
+        let galley = painter.layout_no_wrap(text.clone(), font, color);
+        let rect = align.anchor_size(pos + way, galley.size());
+        let whole = look.viewport.contains_rect(rect) && taken.take_beside(pos, rect);
+        let text = match (whole, text.split_once(' ')) {
+            (false, Some((number, _))) => number.to_owned(),
+            _ => text,
+        };
+        label(painter, pos + way, align, text, size, color, look);
+    }
+}
+
+/// Which cells of the viewport have a number in them, with a row of cells around.
+struct Taken {
+    cells: Vec<bool>,
+    wide: usize,
+    corner: Pos2,
+}
+
+impl Taken {
+    fn new(viewport: Rect) -> Self {
+        let (wide, high) = (viewport.width() / CELL[0], viewport.height() / CELL[1]);
+        let (wide, high) = (wide as usize + 3, high as usize + 3);
+        Self {
+            cells: vec![false; wide * high],
+            wide,
+            corner: viewport.min,
+        }
+    }
+
+    /// Column and row of a place of the viewport.
+    fn cell(&self, pos: Pos2) -> [usize; 2] {
+        let way = pos - self.corner;
+        [
+            (way.x / CELL[0]) as usize + 1,
+            (way.y / CELL[1]) as usize + 1,
+        ]
+    }
+
+    /// Takes the cell of a number, unless one next to it is taken and it need not be there.
+    fn take(&mut self, pos: Pos2, always: bool) -> bool {
+        let [x, y] = self.cell(pos);
+        let rows =
+            (y - 1..=y + 1).filter_map(|y| self.cells.get(y * self.wide + x - 1..)?.get(..3));
+        if !always && rows.flatten().any(|&taken| taken) {
+            return false;
+        }
+        if let Some(taken) = self.cells.get_mut(y * self.wide + x) {
+            *taken = true;
+        }
+        true
+    }
+
+    /// Takes the cells of a name, unless one is taken by another than the number of its
+    /// own at `pos`.
+    fn take_beside(&mut self, pos: Pos2, name: Rect) -> bool {
+        let own = self.cell(pos);
+        let room = name.expand2(vec2(CELL[0], CELL[1]) / 2.0);
+        let ([left, top], [right, bottom]) = (self.cell(room.min), self.cell(room.max));
+        let cells = (top..=bottom).flat_map(|y| (left..=right).map(move |x| [x, y]));
+        let cells = cells.filter(|&cell| cell != own);
+        let at = |[x, y]: [usize; 2]| y * self.wide + x;
+        if cells
+            .clone()
+            .any(|cell| self.cells.get(at(cell)).is_none_or(|&taken| taken))
+        {
+            return false;
+        }
+        let cells: Vec<usize> = cells.map(at).collect();
+        cells.into_iter().for_each(|cell| self.cells[cell] = true);
+        true
     }
 }
 
@@ -316,7 +424,7 @@ fn free_corner(
     (way, align)
 }
 
-/// A text with a halo of the ground, so that it can be read above lines.
+/// A text with a halo.
 fn label(
     painter: &Painter,
     pos: Pos2,
@@ -328,8 +436,7 @@ fn label(
 ) {
     let galley = painter.layout_no_wrap(text, FontId::proportional(size), color);
     let rect = align.anchor_size(pos, galley.size());
-    let ground = look.colours.of(Element::Background).gamma_multiply(0.7);
-    painter.add(theme::block(rect.expand2(vec2(2.0, -1.0)), ground));
+    halo(painter, look, rect);
     painter.galley(rect.min, galley, color);
 }
 
@@ -351,8 +458,17 @@ pub(super) fn name(
 /// A hint in the upper left corner, where it covers least.
 pub(super) fn hint(painter: &Painter, look: &Look<'_>, text: &str, color: Color32) {
     let pos = look.viewport.left_top() + vec2(12.0, 10.0);
-    let text = text.to_owned();
-    label(painter, pos, Align2::LEFT_TOP, text, 11.0, color, look);
+    // As far as the camera's picture at first.
+    let room = (look.viewport.width() * 0.68).max(160.0);
+    let galley = painter.layout(text.to_owned(), theme::small(), color, room);
+    halo(painter, look, Rect::from_min_size(pos, galley.size()));
+    painter.galley(pos, galley, color);
+}
+
+/// The ground below a text, so that it can be read above lines.
+fn halo(painter: &Painter, look: &Look<'_>, text: Rect) {
+    let ground = look.colours.of(Element::Background).gamma_multiply(0.7);
+    painter.add(theme::block(text.expand2(vec2(2.0, -1.0)), ground));
 }
 
 /// The three directions, small, in a corner of the viewport.

@@ -10,7 +10,9 @@ use super::keyboard::{self, NUDGES};
 use super::picking;
 use super::projection::{Axis, Projection, from_pos, scale};
 use super::projection_of;
+use super::tool::{self, Kind, Next, Tool};
 use crate::actions::Action;
+use crate::selected::Choice;
 use crate::setup::View;
 use crate::state::Editor;
 use crate::texts::{Texts, fill};
@@ -20,7 +22,7 @@ use crate::texts::{Texts, fill};
 const STILL: f32 = 2.0;
 
 /// With Shift a drag is so many times finer.
-const FINE: f64 = 10.0;
+pub(super) const FINE: f64 = 10.0;
 
 /// Degrees for a point on the screen.
 const TURN: f64 = 0.35;
@@ -34,7 +36,13 @@ pub(super) struct PointerController {
     hold: Option<Hold>,
     /// Keys that move something are down; a step of the document is open.
     pub(super) nudging: bool,
+    /// A tool is at work; a step of the document is open.
+    pub(super) tool: Option<Tool>,
     pub(super) hover: Option<Handle>,
+    /// The handle around several points that lies under the pointer.
+    pub(super) meant: Option<Kind>,
+    /// The pointer is in the movement window.
+    over: bool,
     /// Where the last press without motion of the right button asks for a menu.
     pub(super) menu: Option<(Pos2, Option<Handle>)>,
 }
@@ -62,6 +70,10 @@ struct Hold {
     view: View,
     /// Empty space is shifted instead of turned.
     shifts: bool,
+    /// A box is drawn there that selects points.
+    boxes: bool,
+    /// What is selected stays so, whatever else is.
+    adds: bool,
     moved: bool,
 }
 
@@ -85,16 +97,29 @@ impl PointerController {
         Some((hold.what?, hold.freedom))
     }
 
+    /// The box that is drawn.
+    pub(super) fn drawn_box(&self) -> Option<Rect> {
+        let hold = self.hold.filter(|hold| hold.moved && hold.boxes)?;
+        Some(Rect::from_two_pos(hold.pressed, hold.now))
+    }
+
     /// Something is on its way: a handle, or the view.
     pub(super) fn moves(&self) -> bool {
-        self.hold.is_some_and(|hold| hold.moved)
+        self.hold.is_some_and(|hold| hold.moved) || self.tool.is_some()
     }
 
     /// What the buttons would do with what lies under the pointer; where a drag goes
-    /// while one is down.
-    pub(super) fn hint(&self, texts: &Texts, projection: &Projection) -> Option<String> {
+    /// while one is down. `several`: so many points are selected, if more than one.
+    pub(super) fn hint(
+        &self,
+        texts: &Texts,
+        projection: &Projection,
+        several: usize,
+    ) -> Option<String> {
         let texts = &texts.space;
         match (self.dragged(), self.hover) {
+            (None, None) if self.meant == Some(Kind::Turn) => Some(texts.turn_hint.to_owned()),
+            (None, None) if self.meant.is_some() => Some(texts.scale_hint.to_owned()),
             (Some((Handle::Vup, _)), _) => Some(texts.rolling.to_owned()),
             (Some((_, freedom)), _) => Some(match freedom.along {
                 None => fill(texts.in_plane, &[&freedom.fixed.letter()]),
@@ -106,6 +131,10 @@ impl PointerController {
                     PLANES.map(|(_, axis)| Freedom::of_button(projection, axis).fixed.letter());
                 Some(fill(texts.drag_hint, &[&left, &middle, &right]))
             }
+            (None, None) if several > 0 && !self.is_busy() => {
+                Some(fill(texts.several_hint, &[&several]))
+            }
+            (None, None) if self.over && !self.is_busy() => Some(texts.empty_hint.to_owned()),
             _ => None,
         }
     }
@@ -132,15 +161,26 @@ impl PointerController {
             (down, nudged)
         });
         if !down {
-            self.release(actions);
+            self.release(editor, surface.viewport, actions);
         }
         if !nudged {
             self.end_nudge(actions);
+        }
+        let held = self.tool.as_ref().and_then(Tool::held);
+        let held = held.map(|held| {
+            surface
+                .context
+                .input(|input| input.pointer.button_down(held))
+        });
+        if held == Some(false) {
+            self.tool = None;
+            actions.push(Action::Gesture(Gesture::End));
         }
     }
 
     pub(super) fn point(&mut self, editor: &Editor, surface: &PointerContext<'_>) {
         let pointer = surface.context.input(|input| input.pointer.latest_pos());
+        self.over = pointer.is_some_and(|at| (surface.mine)(at));
         self.hover = match (&self.hold, pointer) {
             (Some(hold), _) => hold.what,
             (None, Some(at)) if (surface.mine)(at) => {
@@ -150,13 +190,24 @@ impl PointerController {
             }
             _ => None,
         };
+        self.meant = pointer
+            .filter(|_| self.over && self.hold.is_none())
+            .and_then(|at| {
+                let projection = projection_of(editor, surface.viewport);
+                let free = self.tool.is_none() && self.hover.is_none();
+                let found = tool::handle_at(editor, &projection, from_pos(at));
+                found.filter(|_| free)
+            });
     }
 
     pub(super) fn cursor(&self) -> CursorIcon {
         match (&self.hold, self.hover) {
             (Some(hold), _) if hold.moved && hold.what.is_some() => CursorIcon::Crosshair,
+            (Some(hold), _) if hold.boxes => CursorIcon::Crosshair,
             (Some(hold), _) if hold.shifts => CursorIcon::Move,
             (Some(_), _) => CursorIcon::Grabbing,
+            (None, None) if self.tool.is_some() => CursorIcon::Crosshair,
+            (None, _) if self.meant.is_some() => CursorIcon::Grab,
             (None, Some(_)) => CursorIcon::Grab,
             (None, None) => CursorIcon::Default,
         }
@@ -169,6 +220,16 @@ impl PointerController {
         event: Event,
         actions: &mut Vec<Action>,
     ) {
+        if let Some(mut tool) = self.tool.take() {
+            if !editor.document.in_step() {
+                // Somebody else ended the step.
+                return;
+            }
+            if tool.take(editor, surface, &event, actions) == Next::GoesOn {
+                self.tool = Some(tool);
+            }
+            return;
+        }
         match event {
             Event::PointerButton {
                 pos,
@@ -185,7 +246,7 @@ impl PointerController {
                 ..
             } if self.hold.is_some_and(|hold| hold.button == button) => {
                 self.motion(editor, surface, pos, actions);
-                self.release(actions);
+                self.release(editor, surface.viewport, actions);
             }
             Event::PointerMoved(pos) => self.motion(editor, surface, pos, actions),
             Event::MouseWheel { unit, delta, .. } => {
@@ -204,6 +265,15 @@ impl PointerController {
                         factor,
                     )));
                 }
+            }
+            Event::Key {
+                key: Key::Escape,
+                pressed: true,
+                ..
+            } if self.hold.is_none() && surface.keyboard && editor.several().is_some() => {
+                actions.push(Action::Choose(Choice::Current));
+                (surface.context)
+                    .input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
             }
             Event::Key {
                 key: Key::Escape,
@@ -228,12 +298,46 @@ impl PointerController {
                     hold.freedom = Freedom::of_key(&projection, kept);
                     let now = hold.now;
                     self.motion(editor, surface, now, actions);
+                } else if surface.keyboard && self.hold.is_none() && modifiers.is_none() {
+                    if !self.begin_tool(editor, surface, key, actions) {
+                        let pressed = (key, modifiers);
+                        keyboard::press(self, editor, surface.viewport, pressed, actions);
+                    }
                 } else if surface.keyboard && self.hold.is_none() {
                     keyboard::press(self, editor, surface.viewport, (key, modifiers), actions);
                 }
             }
             _ => {}
         }
+    }
+
+    /// Begins with the tool that a key stands for; false: it stands for none.
+    fn begin_tool(
+        &mut self,
+        editor: &Editor,
+        surface: &PointerContext<'_>,
+        key: Key,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let tool = Tool::of_key(editor, surface, key);
+        let Some(tool) = tool.filter(|_| editor.document.edits_path()) else {
+            return false;
+        };
+        self.begin(editor, tool, actions);
+        true
+    }
+
+    fn begin(&mut self, editor: &Editor, tool: Tool, actions: &mut Vec<Action>) {
+        self.end_nudge(actions);
+        if tool.needs_several() {
+            let words = editor.texts().space.needs_several;
+            actions.push(Action::Say(words.to_owned()));
+            return;
+        }
+        let current = Handle::Point(editor.document.selection().point);
+        actions.push(Action::Gesture(Gesture::Press(Some(current))));
+        actions.push(Action::Gesture(Gesture::Begin));
+        self.tool = Some(tool);
     }
 
     fn press(
@@ -266,7 +370,19 @@ impl PointerController {
             from_pos(pos),
             left && held.is_none(),
         );
-        actions.push(Action::Gesture(Gesture::Press(what)));
+        let plain = left && what.is_none() && modifiers.is_none();
+        let handle = tool::handle_at(editor, &projection, from_pos(pos)).filter(|_| plain);
+        let tool = handle.and_then(|kind| Tool::of_handle(editor, surface, kind, button));
+        if let Some(tool) = tool {
+            self.begin(editor, tool, actions);
+            return;
+        }
+        let adds = left && (modifiers.shift || modifiers.ctrl);
+        // Whether that selects one more or drags it finely is seen later.
+        if !(adds && matches!(what, Some(Handle::Point(_)))) {
+            actions.push(Action::Gesture(Gesture::Press(what)));
+        }
+        let boxes = what.is_none() && left && modifiers.ctrl;
         self.hold = Some(Hold {
             button,
             pressed: pos,
@@ -277,6 +393,8 @@ impl PointerController {
             snaps: false,
             view: editor.setup.view,
             shifts: what.is_none() && (button == PointerButton::Middle || modifiers.shift),
+            boxes,
+            adds: if boxes { modifiers.shift } else { adds },
             moved: false,
         });
     }
@@ -304,6 +422,9 @@ impl PointerController {
             }
             hold.moved = true;
             if hold.what.is_some() {
+                if hold.adds {
+                    actions.push(Action::Gesture(Gesture::Press(hold.what)));
+                }
                 actions.push(Action::Gesture(Gesture::Begin));
             }
         } else if hold.what.is_some() && !editor.document.in_step() {
@@ -314,20 +435,32 @@ impl PointerController {
         }
         actions.extend(match hold.what {
             Some(what) => pull(editor, surface.viewport, what, hold),
+            None if hold.boxes => None,
             None => Some(Action::View(turned(surface.viewport, hold))),
         });
     }
 
-    fn release(&mut self, actions: &mut Vec<Action>) {
+    fn release(&mut self, editor: &Editor, viewport: Rect, actions: &mut Vec<Action>) {
         let Some(hold) = self.hold.take() else {
             return;
         };
         if hold.moved {
             if hold.what.is_some() {
                 actions.push(Action::Gesture(Gesture::End));
+            } else if hold.boxes {
+                actions.push(Action::Choose(in_box(editor, viewport, &hold)));
             }
         } else if hold.button == PointerButton::Secondary {
             self.menu = Some((hold.pressed, hold.what));
+        } else {
+            actions.extend(match hold.what {
+                // A click, on one of several or beside all of them.
+                Some(Handle::Point(at)) if hold.adds => Some(Action::Choose(Choice::Switch(at))),
+                Some(Handle::Point(_)) | None if !hold.adds && !hold.boxes => {
+                    Some(Action::Choose(Choice::Current))
+                }
+                _ => None,
+            });
         }
     }
 
@@ -349,6 +482,22 @@ impl PointerController {
     }
 }
 
+/// The points within the box that was drawn.
+fn in_box(editor: &Editor, viewport: Rect, hold: &Hold) -> Choice {
+    let drawn = Rect::from_two_pos(hold.pressed, hold.now);
+    let projection = projection_of(editor, viewport);
+    let points = editor.document.path().points.iter().enumerate();
+    let within = points.filter(|(_, point)| drawn.contains(projection.pos(point.position)));
+    let mut found: Vec<usize> = within.map(|(at, _)| at).collect();
+    if hold.adds {
+        found.extend(editor.all_selected());
+    }
+    if found.is_empty() {
+        return Choice::Current;
+    }
+    Choice::These(found)
+}
+
 /// The events of a pass. Of a row of motions only where it leads to counts.
 pub(super) fn events(context: &Context) -> impl Iterator<Item = Event> {
     let mut events = context.input(|input| input.events.clone());
@@ -363,7 +512,7 @@ pub(super) fn events(context: &Context) -> impl Iterator<Item = Event> {
     events.into_iter()
 }
 
-fn axis_of(key: Key) -> Option<Axis> {
+pub(super) fn axis_of(key: Key) -> Option<Axis> {
     match key {
         Key::X => Some(Axis::X),
         Key::Y => Some(Axis::Y),

@@ -34,6 +34,14 @@ impl Axis {
         self as usize
     }
 
+    pub(super) const fn unit(self) -> DVec3 {
+        match self {
+            Self::X => DVec3::X,
+            Self::Y => DVec3::Y,
+            Self::Z => DVec3::Z,
+        }
+    }
+
     pub(super) const fn others(self) -> [Self; 2] {
         match self {
             Self::X => [Self::Y, Self::Z],

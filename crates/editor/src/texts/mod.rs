@@ -34,6 +34,7 @@ mod menu;
 mod menu_hints;
 mod orientation;
 mod output;
+mod points_list;
 mod position;
 mod questions;
 mod recovery;
@@ -165,6 +166,7 @@ parts! {
     menu_hints: MenuHints;
     orientation: Orientation;
     output: Output;
+    points_list: PointsList;
     position: Position;
     questions: Questions;
     recovery: Recovery;

@@ -23,6 +23,44 @@ texts! {
         roll_at: "Roll {0}°", "Winkel {0}°";
         aim_here: "Aim the camera here", "Kamera hierauf richten";
         aim_all_here: "Aim all cameras here", "Alle Kameras hierauf richten";
+        empty_hint: "Drag: turn · Shift: move the space · Ctrl: select points",
+            "Ziehen: drehen · Umschalt: Raum verschieben · Strg: Punkte auswählen";
+        several_hint: "{0} points selected: what is done is done to all · M, R, S: move, turn, scale · Esc: one",
+            "{0} Punkte ausgewählt: Was geschieht, gilt für alle · M, R, S: bewegen, drehen, skalieren · Esc: einer";
+        all_points: "Select all points", "Alle Punkte auswählen";
+        click_mouse: "Shift or Ctrl, click on a point",
+            "Umschalt oder Strg, Klick auf einen Punkt";
+        click_meaning: "Select it too, or no longer; what follows means all of them",
+            "Auch auswählen oder nicht mehr; dann gilt alles für alle";
+        box_mouse: "Ctrl, drag elsewhere",
+            "Strg, daneben ziehen";
+        box_meaning: "Select the points in the box; with Shift: these too",
+            "Die Punkte im Kasten auswählen; mit Umschalt: dazu";
+        one_keys: "Esc, click elsewhere", "Esc, Klick daneben";
+        one_meaning: "Select the current point alone", "Nur den aktuellen Punkt auswählen";
+        tool_keys: "M, R, S", "M, R, S";
+        tool_meaning: "Move, turn, scale what is selected; Esc: as it was",
+            "Ausgewählte bewegen, drehen, skalieren; Esc: wie vorher";
+        turn_hint: "Drag: turn them about their middle · X, Y, Z: about an axis · type a number",
+            "Ziehen: um ihre Mitte drehen · X, Y, Z: um eine Achse · Zahl tippen";
+        scale_hint: "Drag: scale them about their middle · X, Y, Z: along an axis · type a number",
+            "Ziehen: um ihre Mitte skalieren · X, Y, Z: längs einer Achse · Zahl tippen";
+        handle_mouse: "Drag the ring or its square", "Am Ring oder seinem Quadrat ziehen";
+        handle_meaning: "Turn or scale several selected points", "Mehrere ausgewählte Punkte drehen oder skalieren";
+        list_keys: "F2, double click in the list", "F2, Doppelklick in der Liste";
+        list_meaning: "Type the name of a point; dragging there: another order",
+            "Name des Punkts tippen; Ziehen dort: andere Reihenfolge";
+        axis_keys: "X, Y, Z, a number, Enter with these", "X, Y, Z, eine Zahl, Enter mit diesen";
+        axis_meaning: "Along an axis or about it, and by so much",
+            "Längs einer Achse oder um sie, und um so viel";
+        tool_hint: "{0} · X, Y, Z: axis · type a number · Ctrl: in steps · Shift: finer · Enter, click: done · Esc: back",
+            "{0} · X, Y, Z: Achse · Zahl tippen · Strg: in Schritten · Umschalt: feiner · Enter, Klick: fertig · Esc: zurück";
+        moved_by: "Moved by x {0}  y {1}  z {2}", "Bewegt um x {0}  y {1}  z {2}";
+        turned_by: "Turned about {0} by {1}°", "Um {0} gedreht um {1}°";
+        scaled_by: "Scaled by {0}", "Skaliert mit {0}";
+        scaled_along: "Scaled along {0} by {1}", "Längs {0} skaliert mit {1}";
+        needs_several: "Select several points first: Shift + click, Ctrl + drag, Ctrl + A",
+            "Erst mehrere Punkte auswählen: Umschalt + Klick, Strg + Ziehen, Strg + A";
         corner_mouse: "Right click on a corner of the object", "Rechtsklick auf eine Ecke des Objekts";
         corner_meaning: "Aim one camera or all at it", "Eine Kamera oder alle darauf richten";
         drag_hint: "Drag: left keeps {0}, middle {1}, right {2}",

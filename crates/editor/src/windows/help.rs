@@ -128,6 +128,7 @@ fn meaning(language: Language, action: &Action) -> &'static str {
         Action::AddHere => texts.position.add_here,
         Action::AskPoints => menu.add_points,
         Action::RemovePoint => menu.remove_point,
+        Action::Choose(_) => space.all_points,
         Action::NextPoint => texts.position.next_hint,
         Action::PreviousPoint => texts.position.previous_hint,
         Action::AddOrientation => menu.add_orientation,

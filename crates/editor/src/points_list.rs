@@ -1,0 +1,467 @@
+//! The list of points beside the movement window: number, name and frame of each, and
+//! its orientations. Here several are selected, renamed and brought into another order.
+//!
+//! It folds where the window is narrow, and where somebody wants it to.
+
+use egui::text::{CCursor, CCursorRange};
+use egui::{
+    Align2, Color32, Context, CornerRadius, EventFilter, Id, Key, Modifiers, Painter, Rect,
+    Response, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo, pos2, vec2,
+};
+
+use crate::actions::Action;
+use crate::document::{Document, Edit, Selection};
+use crate::keys;
+use crate::selected::Choice;
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
+
+/// Its width in parts of the window's, and the least and the largest, in points; that of
+/// what is left of it when it is folded.
+const SHARE: f32 = 0.12;
+const WIDTH: [f32; 2] = [140.0, 210.0];
+const FOLDED: f32 = 18.0;
+
+/// A narrower window shows it folded at first.
+const ROOMY: f32 = 1100.0;
+
+const HEADING: f32 = 40.0;
+const ROW: f32 = 22.0;
+
+/// Room for a number, and for how much further in orientations stand.
+const NUMBER: f32 = 26.0;
+const INDENT: f32 = 14.0;
+
+/// What it remembers.
+#[derive(Debug, Default)]
+pub(super) struct PointsList {
+    /// Whether it is open; none: as wide windows have it.
+    open: Option<bool>,
+    rows: Vec<Row>,
+    /// What the rows were made of.
+    made_of: Option<u64>,
+    renaming: Option<Renaming>,
+    /// A point is dragged to another place.
+    dragged: Option<usize>,
+    /// What was current when it was last shown.
+    shown: Option<Selection>,
+    /// What the scroll area has shown, from top to bottom.
+    seen: (f32, f32),
+}
+
+/// A point, or an orientation of one that has several.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Row {
+    at: Selection,
+    is_point: bool,
+}
+
+/// A name that is being typed.
+#[derive(Debug)]
+struct Renaming {
+    point: usize,
+    text: String,
+    /// It has not got the keyboard yet.
+    fresh: bool,
+}
+
+/// Shows it at the left of what there is, and takes its room away.
+pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+    if !editor.document.edits_path() {
+        return;
+    }
+    // What it remembers changes while the rest of the editor is only read.
+    let mut list = std::mem::take(&mut editor.points_list);
+    let context = ui.ctx().clone();
+    editor.part(&context, |editor, actions| list.show(editor, ui, actions));
+    editor.points_list = list;
+}
+
+/// F2 means a name where the list has the keyboard; nobody else sees it then.
+pub(super) fn take_keys(editor: &mut Editor, context: &Context) {
+    let mine = context.memory(|memory| memory.has_focus(id()));
+    if mine && context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::F2)) {
+        let point = editor.document.selection().point;
+        editor.points_list.rename(&editor.document, point);
+    }
+}
+
+fn id() -> Id {
+    Id::unique("points list")
+}
+
+impl PointsList {
+    fn show(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+        let whole = ui.ctx().content_rect().width();
+        let open = self.open.unwrap_or(whole >= ROOMY);
+        let width = match open {
+            true => (SHARE * whole).clamp(WIDTH[0], WIDTH[1]).floor(),
+            false => FOLDED,
+        };
+        let frame = egui::Frame::new().fill(theme::palette(ui).panel);
+        egui::Panel::left("points list")
+            .resizable(false)
+            .exact_size(width)
+            .frame(frame)
+            .show(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 0.0;
+                self.heading(editor, ui, open);
+                if open {
+                    self.list(editor, ui, actions);
+                } else {
+                    self.renaming = None;
+                }
+            });
+    }
+
+    /// The heading, which folds it.
+    fn heading(&mut self, editor: &Editor, ui: &mut Ui, open: bool) {
+        let texts = &editor.texts().points_list;
+        let high = if open { HEADING } else { ui.available_height() };
+        let size = vec2(ui.available_width(), high);
+        let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+        let name = if open { texts.fold } else { texts.unfold };
+        response.widget_info(|| WidgetInfo::selected(Role::Button, true, open, name));
+        let palette = theme::palette(ui);
+        let color = match response.hovered() || response.has_focus() {
+            true => palette.text,
+            false => palette.weak,
+        };
+        let centre = pos2(rect.left() + FOLDED / 2.0, rect.top() + HEADING / 2.0);
+        let ways = match open {
+            true => [vec2(-4.0, -2.5), vec2(4.0, -2.5), vec2(0.0, 3.0)],
+            false => [vec2(-2.5, -4.0), vec2(-2.5, 4.0), vec2(3.0, 0.0)],
+        };
+        let corners = ways.map(|way| centre + way).to_vec();
+        ui.painter()
+            .add(Shape::convex_polygon(corners, color, Stroke::NONE));
+        if open {
+            let at = pos2(rect.left() + FOLDED + 2.0, rect.center().y);
+            let heading = texts.heading;
+            let painter = ui.painter();
+            painter.text(
+                at,
+                Align2::LEFT_CENTER,
+                heading,
+                theme::heading(),
+                palette.text,
+            );
+        }
+        if response.on_hover_text(name).clicked() {
+            self.open = Some(!open);
+        }
+    }
+
+    fn list(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+        self.update(&editor.document);
+        let rect = ui.available_rect_before_wrap();
+        let response = ui.interact(rect, id(), Sense::focusable_noninteractive());
+        let name = editor.texts().points_list.heading;
+        response.widget_info(|| WidgetInfo::labeled(Role::List, true, name));
+        let filter = EventFilter {
+            vertical_arrows: true,
+            escape: editor.several().is_some(),
+            ..EventFilter::default()
+        };
+        ui.memory_mut(|memory| memory.set_focus_lock_filter(id(), filter));
+        if response.has_focus() {
+            by_keys(editor, ui, actions);
+        }
+        let mut area = ScrollArea::vertical()
+            .id_salt("rows")
+            .auto_shrink([false, false]);
+        if let Some(offset) = self.to_be_seen(editor) {
+            area = area.vertical_scroll_offset(offset);
+        }
+        let count = self.rows.len();
+        let output = area.show_rows(ui, ROW, count, |ui, shown| {
+            for index in shown {
+                self.row(editor, ui, index, actions);
+            }
+        });
+        let top = output.state.clamped_offset().y;
+        self.seen = (top, top + output.inner_rect.height());
+        if self.dragged.is_some() {
+            let first = output.inner_rect.top() - top;
+            self.drag(editor, ui, first, actions);
+        }
+    }
+
+    /// Brings the rows up to date.
+    fn update(&mut self, document: &Document) {
+        if self.made_of == Some(document.revision()) {
+            return;
+        }
+        self.made_of = Some(document.revision());
+        self.rows.clear();
+        for (point, of_point) in document.path().points.iter().enumerate() {
+            self.rows.push(Row {
+                at: Selection::at(point, 0),
+                is_point: true,
+            });
+            self.rows
+                .extend((1..of_point.orientations.len()).map(|view| Row {
+                    at: Selection::at(point, view),
+                    is_point: false,
+                }));
+        }
+        let points = document.path().points.len();
+        self.renaming.take_if(|renaming| renaming.point >= points);
+    }
+
+    /// Where the rows must be scrolled to for what has become current elsewhere.
+    fn to_be_seen(&mut self, editor: &Editor) -> Option<f32> {
+        let now = editor.document.selection();
+        if self.shown.replace(now) == Some(now) {
+            return None;
+        }
+        let row = self.rows.iter().position(|row| row.at == now)?;
+        let (top, bottom) = self.seen;
+        let begin = row as f32 * ROW;
+        if begin < top {
+            Some(begin)
+        } else if begin + ROW > bottom && bottom > top {
+            Some(begin + ROW - (bottom - top))
+        } else {
+            None
+        }
+    }
+
+    fn row(&mut self, editor: &Editor, ui: &mut Ui, index: usize, actions: &mut Vec<Action>) {
+        let Some(&Row { at, is_point }) = self.rows.get(index) else {
+            return;
+        };
+        let size = vec2(ui.available_width(), ROW);
+        let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+        let Some(point) = editor.document.path().points.get(at.point) else {
+            return;
+        };
+        let field = Rect::from_min_max(rect.min + vec2(NUMBER, 0.0), rect.max);
+        let renaming = self.renaming.as_mut();
+        if let Some(renaming) = renaming.filter(|of| is_point && of.point == at.point) {
+            paint_number(ui, rect, at, theme::palette(ui).text);
+            if let Some(done) = renaming.show(editor, ui, field) {
+                actions.extend(done);
+                self.renaming = None;
+            }
+            return;
+        }
+        let texts = &editor.texts().points_list;
+        let response = ui.interact(
+            rect,
+            id().with((at.point, at.orientation)),
+            Sense::click_and_drag(),
+        );
+        let selected = editor.is_selected(at.point);
+        let current = editor.document.selection() == at;
+        let name = point
+            .name
+            .as_deref()
+            .filter(|_| is_point)
+            .unwrap_or_default();
+        let label = match is_point {
+            true => fill(texts.point, &[&(at.point + 1)]),
+            false => fill(texts.view, &[&(at.point + 1), &(at.orientation + 1)]),
+        };
+        let label = match name {
+            "" => label,
+            name => format!("{label}: {name}"),
+        };
+        response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, selected, &label));
+        paint(editor, ui, rect, (at, is_point), name, &response);
+        let modifiers = ui.input(|input| input.modifiers);
+        if response.clicked() || response.drag_started() && !selected {
+            ui.memory_mut(|memory| memory.request_focus(id()));
+            actions.push(
+                match (modifiers.command || modifiers.ctrl, modifiers.shift) {
+                    (true, _) => Action::Choose(Choice::Switch(at.point)),
+                    (_, true) => Action::Choose(Choice::UpTo(at.point)),
+                    _ => Action::Choose(Choice::Only(at)),
+                },
+            );
+        }
+        if response.double_clicked() && is_point {
+            self.rename(&editor.document, at.point);
+        }
+        if response.drag_started() {
+            self.dragged = Some(at.point);
+        }
+        if current {
+            ui.ctx().accesskit_node_builder(response.id, |node| {
+                node.set_aria_current(egui::accesskit::AriaCurrent::True);
+            });
+        }
+        response.on_hover_text(texts.hint);
+    }
+
+    /// Begins to type a point's name.
+    fn rename(&mut self, document: &Document, point: usize) {
+        let Some(of_point) = document.path().points.get(point) else {
+            return;
+        };
+        self.open = Some(true);
+        // Its row comes to be seen.
+        self.shown = None;
+        self.renaming = Some(Renaming {
+            point,
+            text: of_point.name.clone().unwrap_or_default(),
+            fresh: true,
+        });
+    }
+
+    /// What is dragged comes to stand where the pointer is; `first`: where the first row
+    /// begins.
+    fn drag(&mut self, editor: &Editor, ui: &Ui, first: f32, actions: &mut Vec<Action>) {
+        let (pointer, down) = ui.input(|input| {
+            let pointer = &input.pointer;
+            (pointer.latest_pos(), pointer.any_down())
+        });
+        let Some(pointer) = pointer else {
+            return;
+        };
+        if ui.input(|input| input.key_pressed(Key::Escape)) {
+            self.dragged = None;
+            return;
+        }
+        // Between two points, behind all orientations of the first.
+        let border = (((pointer.y - first) / ROW).round().max(0.0) as usize).min(self.rows.len());
+        let below = self.rows.get(border..).unwrap_or_default();
+        let skipped = below.iter().take_while(|row| !row.is_point).count();
+        let border = border + skipped;
+        let points = editor.document.path().points.len();
+        let before = self.rows.get(border).map_or(points, |row| row.at.point);
+        if down {
+            let y = first + border as f32 * ROW;
+            let line = Stroke::new(2.0, theme::palette(ui).accent);
+            ui.painter().hline(ui.max_rect().x_range(), y, line);
+            ui.set_cursor_icon(egui::CursorIcon::Grabbing);
+            return;
+        }
+        self.dragged = None;
+        actions.push(Action::MoveSelected(before));
+    }
+}
+
+/// Up and down go to the point before and after, Escape leaves one selected.
+fn by_keys(editor: &Editor, ui: &Ui, actions: &mut Vec<Action>) {
+    let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+    if pressed(Key::ArrowUp) && editor.document.selection().point > 0 {
+        actions.push(Action::PreviousPoint);
+    }
+    let last = editor.document.path().points.len() - 1;
+    if pressed(Key::ArrowDown) && editor.document.selection().point < last {
+        actions.push(Action::NextPoint);
+    }
+    if editor.several().is_some() && keys::take_escape(ui.ctx()) {
+        actions.push(Action::Choose(Choice::Current));
+    }
+}
+
+impl Renaming {
+    /// The field in which it is typed; at the end what is to be done.
+    fn show(&mut self, editor: &Editor, ui: &mut Ui, field: Rect) -> Option<Option<Action>> {
+        let texts = &editor.texts().points_list;
+        let id = Id::unique("name of a point");
+        if self.fresh {
+            let end = CCursor::new(self.text.chars().count());
+            let all = CCursorRange::two(CCursor::default(), end);
+            let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
+            state.cursor.set_char_range(Some(all));
+            TextEdit::store_state(ui.ctx(), id, state);
+            ui.memory_mut(|memory| memory.request_focus(id));
+        }
+        let edit = TextEdit::singleline(&mut self.text)
+            .id(id)
+            .frame(theme::field(ui))
+            .margin(egui::Margin::symmetric(4, 0))
+            .align(Align2::LEFT_CENTER)
+            .min_size(vec2(0.0, ROW));
+        let response = ui.put(field, edit);
+        let context = ui.ctx();
+        context.accesskit_node_builder(response.id, |node| node.set_label(texts.name));
+        if std::mem::take(&mut self.fresh) || !response.lost_focus() {
+            return None;
+        }
+        if context.input(|input| input.key_pressed(Key::Escape)) {
+            return Some(None);
+        }
+        let name = Some(self.text.clone()).filter(|name| !name.is_empty());
+        let at = self.point;
+        Some(Some(Action::Edit(Edit::SetName { at, name })))
+    }
+}
+
+/// A row as it looks.
+fn paint(
+    editor: &Editor,
+    ui: &Ui,
+    rect: Rect,
+    (at, is_point): (Selection, bool),
+    name: &str,
+    response: &Response,
+) {
+    let palette = theme::palette(ui);
+    let here = editor.document.selection();
+    let current = here == at;
+    let selected = editor.is_selected(at.point) && (is_point || editor.several().is_some());
+    let ground = if current {
+        Some(palette.accent)
+    } else if selected {
+        Some(palette.pressed)
+    } else {
+        response.hovered().then_some(palette.button)
+    };
+    let painter = ui.painter();
+    if let Some(ground) = ground {
+        painter.rect_filled(rect.shrink2(vec2(2.0, 1.0)), CornerRadius::same(3), ground);
+    }
+    let [color, weak] = if current {
+        [palette.on_accent; 2]
+    } else if selected {
+        [palette.text; 2]
+    } else {
+        [palette.text, palette.weak]
+    };
+    let right = frame(editor, painter, rect, at, weak);
+    if is_point {
+        paint_number(ui, rect, at, weak);
+    } else {
+        let number = format!("{}.{}", at.point + 1, at.orientation + 1);
+        let left = pos2(rect.left() + NUMBER + INDENT - 8.0, rect.center().y);
+        painter.text(left, Align2::LEFT_CENTER, number, theme::text(), color);
+    }
+    let room = rect
+        .with_min_x(rect.left() + NUMBER)
+        .with_max_x(right - 4.0);
+    let mut job = egui::text::LayoutJob::simple_singleline(name.to_owned(), theme::text(), color);
+    job.wrap = egui::text::TextWrapping::truncate_at_width(room.width().max(0.0));
+    let galley = painter.layout_job(job);
+    let at = Align2::LEFT_CENTER.anchor_size(room.left_center(), galley.size());
+    painter.galley(at.min, galley, color);
+}
+
+/// The number of a point at the left.
+fn paint_number(ui: &Ui, rect: Rect, at: Selection, color: Color32) {
+    let place = pos2(rect.left() + NUMBER - 5.0, rect.center().y);
+    let number = (at.point + 1).to_string();
+    ui.painter()
+        .text(place, Align2::RIGHT_CENTER, number, theme::text(), color);
+}
+
+/// The frame of a row at the right; where it begins.
+fn frame(editor: &Editor, painter: &Painter, rect: Rect, at: Selection, color: Color32) -> f32 {
+    let Some(mark) = editor.playing.mark_of(at) else {
+        return rect.right();
+    };
+    let place = pos2(rect.right() - 8.0, rect.center().y);
+    let frame = format!("{:.0}", mark.first());
+    let font = theme::small();
+    painter
+        .text(place, Align2::RIGHT_CENTER, frame, font, color)
+        .left()
+}
+
+#[cfg(test)]
+#[path = "points_list_tests.rs"]
+mod tests;

@@ -1,0 +1,298 @@
+//! Several points that are selected together, and what is done to all of them.
+//!
+//! The current point of the thesis stays what it is, and is always one of them: the panels
+//! show it, and what is changed of it is changed of the others.
+
+use crate::document::{Document, Edit, Selection};
+use crate::error::Result;
+use crate::path::{Orientation, SupportPoint};
+use crate::state::Editor;
+
+/// Which points to select.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Choice {
+    /// The current one alone.
+    Current,
+    /// This one alone; it and this orientation become current.
+    Only(Selection),
+    All,
+    /// One more, which becomes current; or one that is selected no more.
+    Switch(usize),
+    /// Those from the current one to another.
+    UpTo(usize),
+    /// These, the first of which becomes current if the current one is none of them.
+    These(Vec<usize>),
+}
+
+/// The points that are selected, if they are several.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Selected {
+    /// In ascending order; empty: the current one alone.
+    points: Vec<usize>,
+    of: Of,
+}
+
+/// Whoever makes another point current, adds points or removes some, selects anew.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Of {
+    current: usize,
+    count: usize,
+    node: Option<usize>,
+}
+
+impl Of {
+    fn now(document: &Document) -> Self {
+        Self {
+            current: document.selection().point,
+            count: document.path().points.len(),
+            node: document.around().and_then(|around| around.node()),
+        }
+    }
+}
+
+impl Selected {
+    /// Forgets them if they are no longer what was selected.
+    pub(crate) fn follow(&mut self, document: &Document) {
+        if !self.points.is_empty() && self.of != Of::now(document) {
+            self.points.clear();
+        }
+    }
+}
+
+impl Editor {
+    /// The points that are selected together, in ascending order; none if the current one
+    /// alone is.
+    pub(crate) fn several(&self) -> Option<&[usize]> {
+        let selected = &self.selected;
+        let several = selected.points.len() > 1 && selected.of == Of::now(&self.document);
+        several.then_some(&selected.points)
+    }
+
+    pub(crate) fn is_selected(&self, at: usize) -> bool {
+        match self.several() {
+            Some(points) => points.binary_search(&at).is_ok(),
+            None => at == self.document.selection().point,
+        }
+    }
+
+    /// All that are selected, at least the current one.
+    pub(crate) fn all_selected(&self) -> Vec<usize> {
+        let several = self.several().map(<[usize]>::to_vec);
+        several.unwrap_or_else(|| vec![self.document.selection().point])
+    }
+
+    pub(crate) fn choose(&mut self, choice: Choice) {
+        let current = self.document.selection().point;
+        let mut points = self.all_selected();
+        match choice {
+            Choice::Current => points = vec![current],
+            Choice::Only(at) => {
+                self.select(at.point, at.orientation);
+                points = vec![self.document.selection().point];
+            }
+            Choice::All => points = (0..self.document.path().points.len()).collect(),
+            Choice::UpTo(to) => points = (current.min(to)..=current.max(to)).collect(),
+            Choice::These(these) => points = these,
+            Choice::Switch(at) if self.is_selected(at) => {
+                points.retain(|&other| other != at);
+            }
+            Choice::Switch(at) => {
+                points.push(at);
+                self.select(at, 0);
+            }
+        }
+        points.sort_unstable();
+        points.dedup();
+        let current = self.document.selection().point;
+        if points.binary_search(&current).is_err() {
+            let nearest = points.iter().min_by_key(|at| at.abs_diff(current));
+            match nearest {
+                Some(&nearest) => self.select(nearest, 0),
+                None => points.push(current),
+            }
+        }
+        self.keep_selected(points);
+    }
+
+    /// Makes one of those that are selected current, and keeps them.
+    pub(crate) fn select_among(&mut self, at: usize) -> Result<()> {
+        let points = self.all_selected();
+        self.document.select(at, 0)?;
+        if points.binary_search(&at).is_ok() {
+            self.keep_selected(points);
+        }
+        Ok(())
+    }
+
+    fn keep_selected(&mut self, points: Vec<usize>) {
+        self.selected = Selected {
+            points,
+            of: Of::now(&self.document),
+        };
+    }
+
+    /// Takes away all that are selected, in one step.
+    pub(crate) fn remove_selected(&mut self) {
+        let points = self.all_selected();
+        self.edit_all(points.into_iter().rev().map(|at| Edit::RemovePoint { at }));
+    }
+
+    /// Brings all that are selected to stand before the point that is number `before` now,
+    /// one behind the other.
+    pub(crate) fn move_selected(&mut self, before: usize) {
+        let points = self.all_selected();
+        let current = self.document.selection();
+        let first_behind = points.partition_point(|&at| at < before);
+        let (ahead, behind) = points.split_at(first_behind);
+        let ahead = ahead.iter().rev().enumerate();
+        let ahead = ahead.map(|(k, &from)| (from, before - 1 - k));
+        let behind = behind.iter().enumerate();
+        let behind = behind.map(|(k, &from)| (from, before + k));
+        let edits = ahead.chain(behind);
+        let edits: Vec<Edit> = edits
+            .map(|(from, to)| Edit::MovePoint { from, to })
+            .collect();
+        if self.edit_all(edits) {
+            let first = before - first_behind;
+            let moved = points.iter().position(|&at| at == current.point);
+            let now = first + moved.unwrap_or_default();
+            self.select(now, current.orientation);
+            self.keep_selected((first..first + points.len()).collect());
+        }
+    }
+
+    /// Does an edit of the current point to all that are selected: they move by as much,
+    /// and of views of the same number the same values change. Within a drag it takes the
+    /// place of what the drag has done so far.
+    pub(crate) fn edit_selected(&mut self, edit: Edit) -> bool {
+        if self.several().is_none() {
+            return self.edit(edit);
+        }
+        self.restart_step();
+        let Some(points) = self.several() else {
+            return self.edit(edit);
+        };
+        match for_all(&self.document, points, edit) {
+            Ok(edits) => self.edit_together(edits),
+            Err(error) => {
+                self.complain_of(&error);
+                false
+            }
+        }
+    }
+
+    /// What was done since a drag began is taken back, and the drag goes on.
+    pub(crate) fn restart_step(&mut self) {
+        if self.document.in_step() {
+            self.document.cancel_step();
+            self.document.begin_step();
+        }
+    }
+}
+
+/// An edit of one of some points as edits of all of them.
+fn for_all(document: &Document, points: &[usize], edit: Edit) -> Result<Vec<Edit>> {
+    let path = document.path();
+    let of = |at: usize| path.points.get(at);
+    // Those that the edit is not about by itself.
+    let others = |one: usize| points.iter().copied().filter(move |&at| at != one);
+    let mut all = vec![edit];
+    match all[0].clone() {
+        Edit::SetPosition { at, position } => {
+            let Some(by) = of(at).map(|point| position - point.position) else {
+                return Ok(all);
+            };
+            all.extend(others(at).filter_map(|at| {
+                let position = of(at)?.position + by;
+                Some(Edit::SetPosition { at, position })
+            }));
+        }
+        Edit::SetOwn { at, tcb } => {
+            all.extend(others(at).map(|at| Edit::SetOwn { at, tcb }));
+        }
+        Edit::UsePreset { at, preset } => {
+            all.extend(others(at).map(|at| Edit::UsePreset { at, preset }));
+        }
+        Edit::SetAbsolute {
+            point,
+            at,
+            absolute,
+        } => {
+            let has_view = |point: &usize| of(*point).is_some_and(|p| p.orientations.len() > at);
+            let others = others(point).filter(has_view);
+            all.extend(others.map(|point| Edit::SetAbsolute {
+                point,
+                at,
+                absolute,
+            }));
+        }
+        Edit::SetOrientation {
+            point,
+            at,
+            orientation: new,
+        } => {
+            let view = |point: &SupportPoint| point.orientations.get(at).cloned();
+            let Some(old) = of(point).and_then(view) else {
+                return Ok(all);
+            };
+            for point in others(point) {
+                let Some(mut orientation) = of(point).and_then(view) else {
+                    continue;
+                };
+                take_over(&mut orientation, &old, &new)?;
+                all.push(Edit::SetOrientation {
+                    point,
+                    at,
+                    orientation,
+                });
+            }
+        }
+        _ => {}
+    }
+    Ok(all)
+}
+
+/// Changes in an orientation what differs between two others.
+fn take_over(into: &mut Orientation, old: &Orientation, new: &Orientation) -> Result<()> {
+    if new.target != old.target {
+        into.target = new.target;
+    }
+    if new.roll != old.roll {
+        into.roll = new.roll;
+    }
+    if new.zoom != old.zoom {
+        into.zoom = new.zoom;
+    }
+    if new.turning != old.turning {
+        into.turning = new.turning;
+    }
+    if new.speeds != old.speeds {
+        into.speeds = new.speeds;
+    }
+    if new.hold != old.hold {
+        into.hold = new.hold;
+    }
+    // Whoever aims at something no longer looks along the way.
+    let aims = new.target != old.target && new.own.ahead.is_none();
+    let ahead = aims || new.own.ahead != old.own.ahead;
+    let pace = new.own.pace != old.own.pace;
+    let frames = new.own.frames != old.own.frames;
+    let up = new.own.up != old.own.up;
+    if ahead || pace || frames || up {
+        into.own = into.own.with(|own| {
+            if ahead {
+                own.ahead = new.own.ahead;
+            }
+            if pace {
+                own.pace = new.own.pace.clone();
+            }
+            if frames {
+                own.frames = new.own.frames;
+            }
+            if up {
+                own.up = new.own.up.clone();
+            }
+        })?;
+    }
+    Ok(())
+}
