@@ -136,7 +136,7 @@ def slow_start(player):
     go_to(player, CORNER)
     for _ in range(3):
         player.button(4, 1)
-    player.button(5, 0)
+    player.button(6, 0)
 
     def shapes():
         picture = player.server.drawn(player.window)
@@ -159,7 +159,7 @@ def aim_all(player):
     """Abbildung 7.6: everything looks at the summit; at the corner the camera pans."""
     for number in range(len(FLIGHT)):
         go_to(player, number)
-        player.button(3, 2)
+        player.button(5, 0)
         aim(player, SUMMIT)
         if number == CORNER:
             for target in ((-0.3, 0.0, -0.3), (0.3, 0.0, 0.3), SUMMIT):

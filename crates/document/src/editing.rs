@@ -1,7 +1,7 @@
 //! The document: a path with its edits, its history and what is computed of it.
 
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::around;
@@ -461,10 +461,7 @@ impl Document {
     /// As [`Document::load`].
     pub fn load_scene(file: &Path) -> Result<(Self, Vec<Error>)> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        // Wherever the process goes: the names of meshes must lead there then, too.
-        let folder = std::path::absolute(folder_of(file));
-        let folder = folder.unwrap_or_else(|_| folder_of(file).to_owned());
-        Self::scene_from_toml(&text, &folder).map_err(|error| error.at(file.display()))
+        Self::scene_from_toml(&text, &absolute_folder_of(file)).map_err(|error| error.at(file.display()))
     }
 
     /// The same of a text; names of meshes lead from `folder`.
@@ -474,12 +471,16 @@ impl Document {
     pub fn scene_from_toml(text: &str, folder: &Path) -> Result<(Self, Vec<Error>)> {
         let (scene, info) = vid::scene_from_toml(text)?;
         if vid::alone(&scene).is_some() {
-            return Ok((Self::from_toml(text)?, Vec::new()));
+            let mut document = Self::from_toml(text)?;
+            let warnings = document.read_object(folder)?;
+            return Ok((document, Vec::from_iter(warnings)));
         }
         let mut loaded = SceneDocument::of(scene, info);
         loaded.info.check(loaded.scene.space())?;
         loaded.info.normalise();
-        let warnings = mesh_file::read_meshes(&mut loaded.scene, folder)?;
+        let mut warnings = mesh_file::read_meshes(&mut loaded.scene, folder)?;
+        let space = loaded.scene.space();
+        warnings.extend(mesh_file::read_object(&mut loaded.info, space, folder)?);
         let (around, path) = around::as_shown(loaded.scene)?;
         let mut document = Self::from_parts(path, loaded.info)?;
         can_allocate(size_of_val(&around))?;
@@ -495,8 +496,19 @@ impl Document {
     /// file, line and reason if its contents are not what they should be.
     pub fn load(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        let loaded = Self::from_toml(&text);
+        let loaded = Self::from_toml(&text).and_then(|mut document| {
+            // What there is to say of it is said by `load_scene`.
+            document.read_object(&absolute_folder_of(file))?;
+            Ok(document)
+        });
         loaded.map_err(|error| error.at(file.display()))
+    }
+
+    /// Reads the mesh that the object comes from, if that is in a file; names lead from
+    /// `folder`. What there is to say of it comes back.
+    fn read_object(&mut self, folder: &Path) -> Result<Option<Error>> {
+        let space = self.content.path.space;
+        mesh_file::read_object(&mut self.content.info, space, folder)
     }
 
     /// As [`Document::load`]; of a scene the path of the camera that is shown. To
@@ -507,7 +519,11 @@ impl Document {
     /// camera on a path.
     pub fn load_shown(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        Self::shown(&text).map_err(|error| error.at(file.display()))
+        let shown = Self::shown(&text).and_then(|mut document| {
+            document.read_object(&absolute_folder_of(file))?;
+            Ok(document)
+        });
+        shown.map_err(|error| error.at(file.display()))
     }
 
     /// As [`Document::load_shown`], of what `reader` gives; `name` stands for it in
@@ -577,7 +593,7 @@ impl Document {
     fn text_in(&self, folder: Option<&Path>) -> Result<String> {
         let content = &self.content;
         let Some(around) = &content.around else {
-            return vid::to_toml(&content.path, &content.info, &content.comments);
+            return vid::to_toml(&content.path, &content.info, &content.comments, folder);
         };
         let scene = around.with(&content.path)?;
         let text = vid::scene_to_toml(&scene, &content.info, &content.comments, folder)?;
@@ -596,4 +612,10 @@ impl Document {
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.to_toml_for(file)?.as_bytes())
     }
+}
+
+/// Wherever the process goes: the names of meshes must lead there then, too.
+fn absolute_folder_of(file: &Path) -> PathBuf {
+    let folder = folder_of(file);
+    std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned())
 }

@@ -5,6 +5,7 @@ use std::ops::Deref;
 use std::sync::Arc;
 
 use glam::DVec3;
+use vides_engine::scene::MeshSource;
 use vides_engine::tools::check::Limits;
 
 use crate::error::{OutOfRange, Place, TooMany};
@@ -41,15 +42,38 @@ pub struct ObjectPoint {
     pub draw: bool,
 }
 
-/// The points of a wireframe object; shared, since they may be many and hardly
-/// ever change. None take no memory, so that a path without an object can be
-/// made and copied where memory runs out.
+/// The points of a wireframe object, and the file of the mesh whose wireframe it is;
+/// shared, since they may be many and hardly ever change. None take no memory, so that a
+/// path without an object can be made and copied where memory runs out.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Object(Option<Arc<Vec<ObjectPoint>>>);
+pub struct Object {
+    points: Option<Arc<Vec<ObjectPoint>>>,
+    source: Option<Arc<MeshSource>>,
+}
 
 impl From<Vec<ObjectPoint>> for Object {
     fn from(points: Vec<ObjectPoint>) -> Self {
-        Self((!points.is_empty()).then(|| Arc::new(points)))
+        Self {
+            points: (!points.is_empty()).then(|| Arc::new(points)),
+            source: None,
+        }
+    }
+}
+
+impl Object {
+    /// The same, of the mesh in a file: a document keeps that one's name in place of the
+    /// points.
+    pub(super) fn of_source(self, source: MeshSource) -> Self {
+        Self {
+            source: Some(Arc::new(source)),
+            ..self
+        }
+    }
+
+    /// The file of its mesh; none if the document keeps the points.
+    #[must_use]
+    pub fn source(&self) -> Option<&MeshSource> {
+        self.source.as_deref()
     }
 }
 
@@ -57,7 +81,7 @@ impl Deref for Object {
     type Target = [ObjectPoint];
 
     fn deref(&self) -> &[ObjectPoint] {
-        self.0.as_ref().map_or(&[], |points| points)
+        self.points.as_ref().map_or(&[], |points| points)
     }
 }
 
@@ -91,7 +115,7 @@ impl Info {
     /// Brings it into the form that documents keep: no line leads to the first
     /// point of an object.
     pub(super) fn normalise(&mut self) {
-        if let Some(points) = &mut self.object.0
+        if let Some(points) = &mut self.object.points
             && points.first().is_some_and(|first| first.draw)
         {
             Arc::make_mut(points)[0].draw = false;

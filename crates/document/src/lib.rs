@@ -42,7 +42,8 @@ pub use editing::{Document, Selection};
 pub use error::{Error, Result};
 pub use export_node::write_node;
 pub use info::{Info, Object, ObjectPoint};
-pub use mesh_file::load_mesh;
+pub use mesh_file::{load_mesh, load_object};
+pub use wireframe::features;
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
 

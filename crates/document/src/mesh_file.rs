@@ -7,6 +7,8 @@ use vides_engine::scene::{Kind, Mesh, MeshSource, Scene};
 use vides_mesh::Format;
 
 use super::vid::read_bytes;
+use super::info::{Info, Object};
+use crate::path::Space;
 use crate::error::{Cause, EngineError, Error, Place, Result};
 use crate::limits::MAX_FILE_BYTES;
 
@@ -29,6 +31,57 @@ fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
         checksum: checksum(&bytes),
     };
     Ok((source, mesh))
+}
+
+/// The wireframe of the mesh in an OBJ, PLY or STL file: its features. A document with it
+/// keeps the file's name.
+///
+/// # Errors
+/// As [`load_mesh`] and [`Object::features_of`].
+pub fn load_object(file: &Path) -> Result<Object> {
+    let (source, mesh) = load_mesh(file)?;
+    let wireframe = Object::features_of(&mesh)?;
+    let file = absolute(file).unwrap_or_else(|_| file.to_owned());
+    Ok(wireframe.of_source(MeshSource {
+        file: file.display().to_string(),
+        ..source
+    }))
+}
+
+/// Reads the mesh that an object from `folder` names. One that is gone or broken leaves
+/// it empty; one that is another than when it was saved is taken. What there is to say
+/// of it comes back.
+pub(super) fn read_object(info: &mut Info, space: Space, folder: &Path) -> Result<Option<Error>> {
+    let Some(known) = info.object.source().cloned() else {
+        return Ok(None);
+    };
+    let file = folder.join(&known.file);
+    let read = load_object(&file).and_then(|object| {
+        let with = Info {
+            object: object.clone(),
+            ..Info::default()
+        };
+        with.check(space)?;
+        Ok(object)
+    });
+    let trouble = match read {
+        Ok(object) => {
+            let now = object.source().map(|source| (source.bytes, source.checksum));
+            let changed = now != Some((known.bytes, known.checksum));
+            info.object = object;
+            changed.then(|| Error::from(vides_mesh::Error::Changed).at(file.display()))
+        }
+        Err(Error::Engine(EngineError::Memory)) => return Err(EngineError::Memory.into()),
+        Err(error) => {
+            // It still knows where its mesh should be.
+            info.object = Object::default().of_source(MeshSource {
+                file: file.display().to_string(),
+                ..known
+            });
+            Some(error)
+        }
+    };
+    Ok(trouble)
 }
 
 /// FNV-1a of 64 bits: to see a change, not to prove that there is none.
@@ -90,3 +143,7 @@ pub(super) fn name_from(folder: Option<&Path>, file: &str) -> String {
     };
     within().map_or_else(|| file.to_owned(), |path| path.display().to_string())
 }
+
+#[cfg(test)]
+#[path = "mesh_file_tests.rs"]
+mod tests;

@@ -1,9 +1,20 @@
 //! A mesh as the wireframe that a path shows.
 
+use glam::DVec3;
+use vides_engine::scene::Mesh;
+
 use crate::error::{Result, TooMany, vec_with_room};
 use crate::info::{Object, ObjectPoint};
 use crate::limits;
-use vides_engine::scene::Mesh;
+
+/// The cosine of the angle from which on two triangles make an edge: 30°.
+const SHARP: f64 = 0.866;
+
+/// More lines than this are not told apart, and cost time.
+const MOST_LINES: usize = 30_000;
+
+/// Of a mesh without edges, such as a ball, so many of all lines are shown.
+const OF_SMOOTH: usize = 3_000;
 
 impl Object {
     /// The lines of a mesh and the edges of its triangles, each edge once; of a mesh
@@ -20,46 +31,109 @@ impl Object {
         }
         edges.sort_unstable();
         edges.dedup();
-        let lines = mesh.lines.iter().chain(&edges);
-        let alone = mesh.lines.is_empty() && edges.is_empty();
-        let most = if alone {
-            mesh.points.len()
-        } else {
-            2 * (mesh.lines.len() + edges.len())
-        };
-        let mut points = vec_with_room(most.min(limits::MAX_OBJECT_POINTS + 2))?;
-        let mut add = |index: u32, draw| {
-            points.push(ObjectPoint {
-                position: mesh.points[index as usize],
-                draw,
-            });
-        };
-        if alone {
-            (0..)
-                .zip(&mesh.points)
-                .for_each(|(index, _)| add(index, false));
+        if mesh.lines.is_empty() && edges.is_empty() {
+            return of_lines(mesh, (0..).take(mesh.points.len()).map(|at| [at, at]));
         }
-        let (mut at, mut count) = (None, 0);
-        for &[from, to] in lines {
-            let begins = at != Some(from);
-            count += 1 + usize::from(begins);
-            if count > limits::MAX_OBJECT_POINTS {
-                return Err(TooMany::WireframePoints.into());
-            }
-            if begins {
-                add(from, false);
-            }
-            add(to, true);
-            at = Some(to);
-        }
-        Ok(points.into())
+        of_lines(mesh, mesh.lines.iter().chain(&edges).copied())
     }
+
+    /// What is to be seen of a mesh: [`features`], few enough to be drawn at once.
+    ///
+    /// # Errors
+    /// As [`Object::of_mesh`].
+    pub fn features_of(mesh: &Mesh) -> Result<Self> {
+        mesh.check()?;
+        of_lines(mesh, features(mesh)?)
+    }
+}
+
+/// Lines as points with and without a line to them.
+fn of_lines(mesh: &Mesh, lines: impl IntoIterator<Item = [u32; 2]>) -> Result<Object> {
+    let lines = lines.into_iter();
+    let mut points = vec_with_room(lines.size_hint().0.min(limits::MAX_OBJECT_POINTS))?;
+    let mut at = None;
+    for [from, to] in lines {
+        let begins = at != Some(from) || from == to;
+        let ends = from != to;
+        let count = points.len() + usize::from(begins) + usize::from(ends);
+        if count > limits::MAX_OBJECT_POINTS {
+            return Err(TooMany::WireframePoints.into());
+        }
+        points.try_reserve(2)?;
+        for (index, draw, there) in [(from, false, begins), (to, true, ends)] {
+            if there {
+                let position = mesh.points[index as usize];
+                points.push(ObjectPoint { position, draw });
+            }
+        }
+        at = Some(to);
+    }
+    Ok(points.into())
+}
+
+/// The lines of a mesh at which one sees what it is: its own, and of its triangles where
+/// they end and where two meet at an angle. Of one without any of these some of all; of
+/// one without lines and triangles its points, as lines without length. Of more than some
+/// ten thousand evenly chosen ones. The indices of the mesh are its own points'.
+///
+/// # Errors
+/// `ErrorKind::Memory`.
+#[allow(clippy::cast_possible_truncation)]
+pub fn features(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
+    if mesh.lines.is_empty() && mesh.triangles.is_empty() {
+        let every = mesh.points.len().div_ceil(MOST_LINES).max(1);
+        let chosen = (0..mesh.points.len() as u32).step_by(every);
+        return Ok(chosen.map(|at| [at, at]).collect());
+    }
+    let mut all = edges(mesh)?;
+    all.try_reserve(mesh.lines.len())?;
+    all.extend(&mesh.lines);
+    Ok(thinned(all, MOST_LINES))
+}
+
+fn thinned(all: Vec<[u32; 2]>, most: usize) -> Vec<[u32; 2]> {
+    let every = all.len().div_ceil(most).max(1);
+    if every == 1 {
+        return all;
+    }
+    all.into_iter().step_by(every).collect()
+}
+
+fn edges(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
+    let place = |at: u32| mesh.points[at as usize];
+    let normal = |&[a, b, c]: &[u32; 3]| {
+        let across = (place(b) - place(a)).cross(place(c) - place(a));
+        across.try_normalize().unwrap_or(DVec3::ZERO)
+    };
+    let mut normals = vec_with_room(mesh.triangles.len())?;
+    normals.extend(mesh.triangles.iter().map(normal));
+    let mut sides: Vec<([u32; 2], usize)> = vec_with_room(3 * mesh.triangles.len())?;
+    for (at, &[a, b, c]) in mesh.triangles.iter().enumerate() {
+        let of_side = |[a, b]: [u32; 2]| ([a.min(b), a.max(b)], at);
+        sides.extend([[a, b], [b, c], [c, a]].map(of_side));
+    }
+    sides.sort_unstable();
+    let groups = || sides.chunk_by(|a, b| a.0 == b.0);
+    let sharp = |group: &&[([u32; 2], usize)]| match group {
+        [(_, a), (_, b)] => {
+            let (a, b) = (normals[*a], normals[*b]);
+            // One without an area has no angle.
+            a != DVec3::ZERO && b != DVec3::ZERO && a.dot(b) < SHARP
+        }
+        _ => true,
+    };
+    let found = groups().filter(sharp).map(|group| group[0].0);
+    // The tip of a cone may be many points at one place.
+    let found: Vec<[u32; 2]> = found.filter(|&[a, b]| place(a) != place(b)).collect();
+    if found.is_empty() {
+        let all = groups().map(|group| group[0].0).collect();
+        return Ok(thinned(all, OF_SMOOTH));
+    }
+    Ok(found)
 }
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
-
     use super::*;
 
     #[test]
@@ -89,5 +163,82 @@ mod tests {
         assert_eq!(square.iter().filter(|(_, draw)| *draw).count(), 5);
         assert_eq!(drawn(vec![], vec![]).len(), 4);
         assert!(drawn(vec![], vec![]).iter().all(|(_, draw)| !draw));
+    }
+
+    fn box_of(side: f64) -> Mesh {
+        let at = |bit: usize, k: usize| if k >> bit & 1 == 1 { side } else { -side };
+        let points = (0..8).map(|k| DVec3::new(at(0, k), at(1, k), at(2, k)));
+        Mesh {
+            points: points.collect(),
+            triangles: vec![
+                [0, 3, 1],
+                [0, 2, 3],
+                [4, 7, 6],
+                [4, 5, 7],
+                [0, 5, 4],
+                [0, 1, 5],
+                [2, 7, 3],
+                [2, 6, 7],
+                [0, 6, 2],
+                [0, 4, 6],
+                [1, 7, 5],
+                [1, 3, 7],
+            ],
+            ..Mesh::default()
+        }
+    }
+
+    #[test]
+    fn a_box_has_its_twelve_edges_and_no_diagonal() {
+        let found = features(&box_of(1.0)).unwrap();
+        assert_eq!(found.len(), 12);
+        let one_way = |&[a, b]: &[u32; 2]| (a ^ b).count_ones() == 1;
+        assert!(found.iter().all(one_way), "{found:?}");
+    }
+
+    #[test]
+    fn a_sheet_has_its_border() {
+        let mut sheet = box_of(1.0);
+        sheet.triangles = vec![[0, 3, 1], [0, 2, 3]];
+        let mut found = features(&sheet).unwrap();
+        found.sort_unstable();
+        assert_eq!(found, [[0, 1], [0, 2], [1, 3], [2, 3]]);
+    }
+
+    #[test]
+    fn what_has_no_edges_is_shown_by_some_of_all() {
+        let at = |ring: u32, turn: u32| {
+            let tilt = f64::from(ring) * std::f64::consts::PI / 40.0;
+            let turn = f64::from(turn) * std::f64::consts::TAU / 80.0;
+            DVec3::new(tilt.sin() * turn.cos(), tilt.cos(), tilt.sin() * turn.sin())
+        };
+        let point = |ring: u32, turn: u32| ring * 80 + turn % 80;
+        let mut ball = Mesh::default();
+        for ring in 0..=40 {
+            // At the poles all points of a ring are one place, to the last bit.
+            let pole = ring == 0 || ring == 40;
+            let all = (0..80).map(|turn| at(ring, if pole { 0 } else { turn }));
+            ball.points
+                .extend(all.map(|p| if pole { DVec3::Y * p.y.signum() } else { p }));
+        }
+        for (ring, turn) in (0..40).flat_map(|ring| (0..80).map(move |turn| (ring, turn))) {
+            let [a, b] = [0, 1].map(|more| point(ring, turn + more));
+            let [c, d] = [0, 1].map(|more| point(ring + 1, turn + more));
+            ball.triangles.extend([[a, b, c], [b, d, c]]);
+        }
+        let found = features(&ball).unwrap().len();
+        assert!((OF_SMOOTH / 2..=OF_SMOOTH).contains(&found), "{found}");
+    }
+
+    #[test]
+    fn clouds_and_large_meshes_are_thinned_evenly() {
+        let cloud = Mesh {
+            points: vec![DVec3::ZERO; 100_000],
+            ..Mesh::default()
+        };
+        let found = features(&cloud).unwrap();
+        assert!((MOST_LINES / 2..=MOST_LINES).contains(&found.len()));
+        assert!(found.iter().all(|[a, b]| a == b) && found.last().unwrap()[0] > 99_990);
+        assert!(features(&Mesh::default()).unwrap().is_empty());
     }
 }

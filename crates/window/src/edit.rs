@@ -6,7 +6,7 @@
 use std::path::Path;
 use std::rc::Rc;
 
-use crate::document::{Document, Edit, Object, load_mesh};
+use crate::document::{Document, Edit, load_object};
 use crate::editor::{self, Folders, Warnings};
 use crate::error::{Error, Result};
 use crate::{Host, Options, document_of, main_loop, open, own_program};
@@ -19,7 +19,7 @@ use crate::{Host, Options, document_of, main_loop, open, own_program};
 ///
 /// # Errors
 /// `ErrorKind::Display` without an X server or if it goes away; those of
-/// [`Document::load`], [`load_mesh`] and [`Object::of_mesh`].
+/// [`Document::load`] and [`load_object`].
 pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
     let (mut document, warnings) = match file {
         Some(file) => document_of(file)?,
@@ -27,7 +27,7 @@ pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
     };
     if let Some(object) = object {
         let mut info = document.info().clone();
-        info.object = Object::of_mesh(&load_mesh(object)?.1)?;
+        info.object = load_object(object)?;
         document.apply(Edit::SetInfo(Box::new(info)))?;
         if file.is_none_or(|file| !file.exists()) {
             let space = document.space_around_object()?;

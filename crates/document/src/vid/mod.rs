@@ -33,6 +33,7 @@
 
 mod comments;
 pub mod field;
+mod mesh_source;
 mod own;
 mod pieces;
 mod read;

@@ -3,13 +3,13 @@
 use glam::DVec3;
 use toml::de::DeTable;
 
-use super::VERSION;
+use super::{VERSION, mesh_source};
 use super::field::{Field, Source, fields};
 use super::own::{self, SoFar};
 use super::pieces;
 use super::scene_read::Drafts;
 use crate::error::{Invalid, Malformed, Quantity, Refused, Result, TooMany, vec_with_room};
-use crate::info::{self, Info, ObjectPoint};
+use crate::info::{self, Info, Object, ObjectPoint};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::camera_path::{
@@ -199,7 +199,7 @@ impl Reader {
                 "base_speeds" => path.speeds = base_speeds(field)?,
                 "presets" => presets(field, &mut path.presets)?,
                 "check" => info.limits = limits_of_checks(field)?,
-                "object" => info.object = object(field, path.space)?.into(),
+                "object" => info.object = object(field, path.space)?,
                 "point" => points(field, &mut path.points, &mut self.so_far, path.space)?,
                 "marker" => self.scene.markers(field)?,
                 "node" => self.scene.nodes(field, &mut self.so_far, path.space)?,
@@ -352,11 +352,16 @@ fn limits_of_checks(table: Field<'_>) -> Result<Limits> {
     Ok(limits)
 }
 
-fn object(table: Field<'_>, space: Space) -> Result<Vec<ObjectPoint>> {
+fn object(table: Field<'_>, space: Space) -> Result<Object> {
     let mut object = Vec::new();
+    let mut source = mesh_source::Reading::default();
     for field in table.fields()? {
+        if source.take(&field)? {
+            continue;
+        }
         if field.key != "polylines" {
-            return Err(field.unknown(&["polylines"]));
+            let [file, bytes, checksum] = mesh_source::KEYS;
+            return Err(field.unknown(&["polylines", file, bytes, checksum]));
         }
         for polyline in field.elements()? {
             let points = polyline.elements()?;
@@ -372,7 +377,12 @@ fn object(table: Field<'_>, space: Space) -> Result<Vec<ObjectPoint>> {
             }
         }
     }
-    Ok(object)
+    let source = source.done(&table, object.is_empty())?;
+    let object = Object::from(object);
+    Ok(match source {
+        Some(source) => object.of_source(source),
+        None => object,
+    })
 }
 
 pub(super) fn points(

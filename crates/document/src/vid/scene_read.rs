@@ -3,6 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use super::field::{Field, Source, at_line};
+use super::mesh_source;
 use super::own::SoFar;
 use super::read::{
     base_speeds, curve_kind, one_line, orientation_mode, points, presets, space, zoom_mode,
@@ -431,44 +432,25 @@ fn colours(array: Field<'_>) -> Result<Vec<[u8; 3]>> {
 /// A mesh: its points, or the file that has them.
 fn mesh(table: Field<'_>) -> Result<(Option<MeshSource>, Mesh)> {
     let mut mesh = Mesh::default();
-    let (mut file, mut bytes, mut checksum) = (None, None, None);
+    let mut source = mesh_source::Reading::default();
     for field in table.fields()? {
+        if source.take(&field)? {
+            continue;
+        }
         match field.key {
             "points" => mesh.points = vectors(field, limits::MAX_MESH_POINTS)?,
             "colours" => mesh.colours = colours(field)?,
             "lines" => mesh.lines = indices(field)?,
             "triangles" => mesh.triangles = indices(field)?,
-            "file" => file = Some(field.text()?),
-            "bytes" => bytes = Some(field.integer_in(0, i64::MAX)?),
-            "checksum" => {
-                let number = u64::from_str_radix(field.text()?, 16);
-                checksum = Some(number.map_err(|_| field.error(Malformed::Checksum))?);
-            }
             _ => {
-                return Err(field.unknown(&[
-                    "points",
-                    "colours",
-                    "lines",
-                    "triangles",
-                    "file",
-                    "bytes",
-                    "checksum",
-                ]));
+                let own = ["points", "colours", "lines", "triangles"];
+                let known: Vec<&str> = own.into_iter().chain(mesh_source::KEYS).collect();
+                return Err(field.unknown(&known));
             }
         }
     }
-    match (file, bytes, checksum, mesh == Mesh::default()) {
-        (None, None, None, _) => Ok((None, mesh)),
-        (Some(file), Some(bytes), Some(checksum), true) => {
-            let source = MeshSource {
-                file: file.to_owned(),
-                bytes: bytes.unsigned_abs(),
-                checksum,
-            };
-            Ok((Some(source), mesh))
-        }
-        _ => Err(table.error(Malformed::MeshFile)),
-    }
+    let alone = mesh == Mesh::default();
+    Ok((source.done(&table, alone)?, mesh))
 }
 
 fn shape(table: Field<'_>) -> Result<Shape> {

@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 use std::path::Path;
 
 use super::comments::Comments;
+use super::mesh_source;
 use super::own::UpPaths;
 use super::write::{
     Quoted, Shape as TcbShape, Text, Vector, curve, head, list, orientation_mode, place, point,
@@ -11,7 +12,6 @@ use super::write::{
 };
 use crate::error::{EngineError, Result};
 use crate::info::Info;
-use crate::mesh_file::name_from;
 use crate::path::Space;
 use crate::path::camera_path::DEFAULT_PRESETS;
 use vides_engine::deform::{Bounds, Deformation};
@@ -29,7 +29,7 @@ pub(crate) fn scene_to_toml(
     folder: Option<&Path>,
 ) -> Result<String> {
     if let Some(path) = alone(scene) {
-        return to_toml(path.path(), info, comments);
+        return to_toml(path.path(), info, comments, folder);
     }
     let mut out = Text(String::new());
     // Nothing here fails but for want of memory.
@@ -86,7 +86,7 @@ fn document(out: &mut Text, scene: &Scene, info: &Info, folder: Option<&Path>) -
     if scene.nodes().is_empty() {
         writeln!(out, "node = []")?;
     }
-    space(out, scene.space(), info)?;
+    space(out, scene.space(), info, folder)?;
     for marker in scene.markers() {
         writeln!(out, "\n[[marker]]\nname = {}", Quoted(&marker.name))?;
         writeln!(out, "frame = {:?}", marker.frame)?;
@@ -180,13 +180,8 @@ fn object(out: &mut Text, object: &Object, folder: Option<&Path>) -> fmt::Result
         line(out, object.weights())?;
     }
     if let Some(source) = object.source() {
-        let file = name_from(folder, &source.file);
-        writeln!(out, "\n[node.mesh]\nfile = {}", Quoted(&file))?;
-        writeln!(
-            out,
-            "bytes = {}\nchecksum = \"{:x}\"",
-            source.bytes, source.checksum
-        )?;
+        writeln!(out, "\n[node.mesh]")?;
+        mesh_source::write(out, source, folder)?;
     } else if !object.mesh().points.is_empty() {
         mesh(out, object.mesh())?;
     }

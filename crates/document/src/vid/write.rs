@@ -1,14 +1,15 @@
 //! From a document to the text of its `.vid` file.
 
 use std::fmt::{self, Write};
+use std::path::Path;
 
 use glam::DVec3;
 
 use super::comments::{Comments, OURS};
 use super::own::UpPaths;
-use super::{VERSION, own};
+use super::{VERSION, mesh_source, own};
 use crate::error::{EngineError, Result};
-use crate::info::{Info, ObjectPoint};
+use crate::info::{Info, Object};
 use crate::limits::BASE_SPEED;
 use crate::path::{
     CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space, SupportPoint,
@@ -16,11 +17,17 @@ use crate::path::{
 };
 
 /// The text of a document. Values with the default of a new path are left
-/// out where a file has many of them: in points and orientations.
-pub(crate) fn to_toml(path: &CameraPath, info: &Info, comments: &Comments) -> Result<String> {
+/// out where a file has many of them: in points and orientations. A mesh in a file is
+/// named relative to the `folder`.
+pub(crate) fn to_toml(
+    path: &CameraPath,
+    info: &Info,
+    comments: &Comments,
+    folder: Option<&Path>,
+) -> Result<String> {
     let mut out = Text(String::new());
     // Nothing here fails but for want of memory.
-    document(&mut out, path, info).map_err(|_| EngineError::Memory)?;
+    document(&mut out, path, info, folder).map_err(|_| EngineError::Memory)?;
     comments.put_into(out.0)
 }
 
@@ -35,7 +42,12 @@ impl Write for Text {
     }
 }
 
-fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
+fn document(
+    out: &mut Text,
+    path: &CameraPath,
+    info: &Info,
+    folder: Option<&Path>,
+) -> fmt::Result {
     head(out, info)?;
     writeln!(out, "closed = {}", path.closed)?;
     curve(out, path)?;
@@ -54,7 +66,7 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info) -> fmt::Result {
         writeln!(out, "{number} = {}", Shape(*preset))?;
     }
 
-    space(out, path.space, info)?;
+    space(out, path.space, info, folder)?;
     let mut up_paths = UpPaths::default();
     path.points
         .iter()
@@ -85,7 +97,12 @@ pub(super) fn head(out: &mut Text, info: &Info) -> fmt::Result {
 }
 
 /// Where the space lies, and what is shown in it.
-pub(super) fn space(out: &mut Text, space: Space, info: &Info) -> fmt::Result {
+pub(super) fn space(
+    out: &mut Text,
+    space: Space,
+    info: &Info,
+    folder: Option<&Path>,
+) -> fmt::Result {
     writeln!(out, "\n{}\n[space]", OURS[2])?;
     place(out, space)?;
     writeln!(out, "unit = {}", Quoted(&info.unit))?;
@@ -96,7 +113,7 @@ pub(super) fn space(out: &mut Text, space: Space, info: &Info) -> fmt::Result {
         writeln!(out, "{name} = {limit:?}")?;
     }
 
-    object(out, &info.object)
+    object(out, &info.object, folder)
 }
 
 pub(super) fn place(out: &mut Text, space: Space) -> fmt::Result {
@@ -120,7 +137,11 @@ pub(super) fn zoom_mode(path: &CameraPath) -> &'static str {
     }
 }
 
-fn object(out: &mut Text, points: &[ObjectPoint]) -> fmt::Result {
+fn object(out: &mut Text, points: &Object, folder: Option<&Path>) -> fmt::Result {
+    if let Some(source) = points.source() {
+        writeln!(out, "\n[object]")?;
+        return mesh_source::write(out, source, folder);
+    }
     if points.is_empty() {
         return Ok(());
     }
@@ -265,6 +286,7 @@ impl fmt::Display for Quoted<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::info::ObjectPoint;
     use crate::info::Object;
     use crate::limits;
     use crate::path::Up;
@@ -277,7 +299,7 @@ mod tests {
     const LONGEST: f64 = -1.234_567_890_123_456_7e-300;
 
     fn size(path: &CameraPath, info: &Info) -> usize {
-        to_toml(path, info, &Comments::default()).unwrap().len()
+        to_toml(path, info, &Comments::default(), None).unwrap().len()
     }
 
     /// Everything that an orientation may own, each of it as long as can be.

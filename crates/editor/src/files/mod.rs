@@ -26,7 +26,7 @@ pub(crate) use recovery_window::RecoveryWindow;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use crate::document::{Contents, Document, Edit, Object, export, load_mesh, save};
+use crate::document::{Contents, Document, Edit, export, load_object, save};
 use crate::error::{EngineError, Error, Result, TooMany};
 use crate::host::Warnings;
 use crate::limits;
@@ -265,8 +265,7 @@ impl Editor {
     /// Shows the mesh of a file as the object, in a step that can be taken back.
     fn load_object(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
-        let read = load_mesh(file).and_then(|(_, mesh)| Object::of_mesh(&mesh));
-        match read.and_then(|object| self.set_object(object)) {
+        match load_object(file).and_then(|object| self.set_object(object)) {
             Ok(()) => {
                 let whole = self.document.space_around_object();
                 let space = self.document.path().space;

@@ -159,7 +159,9 @@ fn edit(editor: &Editor) -> Vec<Entry> {
             .only_if(!closed, position.closed_has_no_ends),
         Entry::new(texts.prepend, hints.prepend, Action::PrependPoint)
             .only_if(!closed, position.closed_has_no_ends),
-        Entry::new(texts.close, close_hint, Action::SetClosed(!closed)).on(closed),
+        Entry::new(texts.close, close_hint, Action::SetClosed(!closed))
+            .letter(Key::G)
+            .on(closed),
         Entry::new(
             texts.add_orientation,
             orientation.add_hint,

@@ -1,0 +1,99 @@
+//! Tests of [`super`].
+
+use std::fs;
+
+use super::*;
+use crate::{Document, Edit};
+
+const PYRAMID: &str = "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 1 0\n\
+                       f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 1 4 3\nf 1 3 2\n";
+
+/// A path with the object of a file beside it.
+fn with_object(folder: &Path) -> (Document, PathBuf) {
+    let mesh = folder.join("pyramid.obj");
+    fs::write(&mesh, PYRAMID).unwrap();
+    let mut document = Document::new();
+    let mut info = document.info().clone();
+    info.object = load_object(&mesh).unwrap();
+    document.apply(Edit::SetInfo(Box::new(info))).unwrap();
+    let file = folder.join("flight.vid");
+    document.save(&file).unwrap();
+    (document, file)
+}
+
+#[test]
+fn an_object_is_kept_by_the_name_of_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let (document, file) = with_object(folder.path());
+    // Eight edges, none through the floor.
+    assert_eq!(document.info().object.iter().filter(|p| p.draw).count(), 8);
+    let text = fs::read_to_string(&file).unwrap();
+    assert!(text.contains("file = \"pyramid.obj\"") && !text.contains("polylines"));
+    let (loaded, warnings) = Document::load_scene(&file).unwrap();
+    assert!(warnings.is_empty());
+    assert_eq!(loaded.info(), document.info());
+    assert_eq!(Document::load(&file).unwrap().info(), document.info());
+    // Both moved elsewhere.
+    let other = tempfile::tempdir().unwrap();
+    for name in ["pyramid.obj", "flight.vid"] {
+        fs::copy(folder.path().join(name), other.path().join(name)).unwrap();
+    }
+    let (moved, warnings) = Document::load_scene(&other.path().join("flight.vid")).unwrap();
+    assert!(warnings.is_empty());
+    assert_eq!(moved.info().object.len(), document.info().object.len());
+    // Saved where it does not lie it is named whole.
+    let apart = tempfile::tempdir().unwrap();
+    let file = apart.path().join("flight.vid");
+    moved.save(&file).unwrap();
+    let (loaded, warnings) = Document::load_scene(&file).unwrap();
+    assert!(warnings.is_empty());
+    assert_eq!(loaded.info().object, moved.info().object);
+}
+
+#[test]
+fn an_object_whose_file_is_gone_broken_or_changed_is_told_and_not_lost() {
+    let folder = tempfile::tempdir().unwrap();
+    let (document, file) = with_object(folder.path());
+    let mesh = folder.path().join("pyramid.obj");
+    let text = fs::read_to_string(&file).unwrap();
+    let said = || {
+        let (loaded, warnings) = Document::load_scene(&file).unwrap();
+        let words: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+        assert_eq!(words.len(), 1, "{words:?}");
+        assert!(words[0].contains("pyramid.obj"), "{words:?}");
+        (loaded, words[0].clone())
+    };
+    for broken in [None, Some("v 1 2 x\n"), Some("v 1e300 0 0\nv 0 0 0\nl 1 2\n")] {
+        match broken {
+            None => fs::remove_file(&mesh).unwrap(),
+            Some(broken) => fs::write(&mesh, broken).unwrap(),
+        }
+        let (loaded, _) = said();
+        assert!(loaded.info().object.is_empty());
+        // The name survives saving.
+        loaded.save(&file).unwrap();
+        assert_eq!(fs::read_to_string(&file).unwrap(), text);
+    }
+    fs::write(&mesh, PYRAMID.replace("v 0 1 0", "v 0 2 0")).unwrap();
+    let (loaded, words) = said();
+    assert!(words.contains("changed"), "{words}");
+    assert_eq!(loaded.info().object.len(), document.info().object.len());
+}
+
+#[test]
+fn what_is_no_name_of_a_file_has_a_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, file) = with_object(folder.path());
+    let text = fs::read_to_string(&file).unwrap();
+    for (from, to) in [
+        ("bytes = ", "bytes = -"),
+        ("bytes = ", "polylines = [[[0, 0, 0], [1, 0, 0]]]\nbytes = "),
+        ("checksum = \"", "checksum = \"g"),
+        ("[object]\nfile = \"pyramid.obj\"", "[object]"),
+    ] {
+        let changed = text.replacen(from, to, 1);
+        assert_ne!(changed, text);
+        let error = Document::from_toml(&changed).unwrap_err().to_string();
+        assert!(error.contains("line"), "{error}");
+    }
+}

@@ -1,0 +1,61 @@
+//! The file of a mesh, as a `.vid` file names it: `file`, `bytes`, `checksum`.
+
+use std::fmt::{self, Write};
+use std::path::Path;
+
+use vides_engine::scene::MeshSource;
+
+use super::field::Field;
+use super::write::{Quoted, Text};
+use crate::error::{Malformed, Result};
+use crate::mesh_file::name_from;
+
+/// The keys of a file's name.
+pub(super) const KEYS: [&str; 3] = ["file", "bytes", "checksum"];
+
+/// What of it was read.
+#[derive(Default)]
+pub(super) struct Reading<'a> {
+    file: Option<&'a str>,
+    bytes: Option<i64>,
+    checksum: Option<u64>,
+}
+
+impl<'a> Reading<'a> {
+    /// Takes a field of the table that names it; false: it belongs to something else.
+    pub(super) fn take(&mut self, field: &Field<'a>) -> Result<bool> {
+        match field.key {
+            "file" => self.file = Some(field.text()?),
+            "bytes" => self.bytes = Some(field.integer_in(0, i64::MAX)?),
+            "checksum" => {
+                let number = u64::from_str_radix(field.text()?, 16);
+                self.checksum = Some(number.map_err(|_| field.error(Malformed::Checksum))?);
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// All of it, or nothing; `alone`: the mesh has no points of its own.
+    pub(super) fn done(self, table: &Field<'_>, alone: bool) -> Result<Option<MeshSource>> {
+        match (self.file, self.bytes, self.checksum) {
+            (None, None, None) => Ok(None),
+            (Some(file), Some(bytes), Some(checksum)) if alone => Ok(Some(MeshSource {
+                file: file.to_owned(),
+                bytes: bytes.unsigned_abs(),
+                checksum,
+            })),
+            _ => Err(table.error(Malformed::MeshFile)),
+        }
+    }
+}
+
+/// Writes it, relative to the folder of the file.
+pub(super) fn write(out: &mut Text, source: &MeshSource, folder: Option<&Path>) -> fmt::Result {
+    let file = name_from(folder, &source.file);
+    writeln!(out, "file = {}", Quoted(&file))?;
+    let MeshSource {
+        bytes, checksum, ..
+    } = source;
+    writeln!(out, "bytes = {bytes}\nchecksum = \"{checksum:x}\"")
+}
