@@ -111,9 +111,10 @@ fn row_of(
             #[allow(clippy::cast_precision_loss)]
             ui.add_space(INDENT * level as f32);
             let mut button = Button::selectable(chosen, name);
-            // With a text at the right the name stands at the left.
-            let small = RichText::new(kind).size(11.0);
-            button = button.right_text(if chosen { small } else { small.weak() });
+            if !kind.is_empty() {
+                let small = RichText::new(kind).size(11.0);
+                button = button.right_text(if chosen { small } else { small.weak() });
+            }
             let button = button
                 .truncate()
                 .min_size(vec2(ui.available_width(), theme::ROW));
