@@ -5,10 +5,17 @@ import os
 import time
 
 from harness import check, wait
+from panel import PANEL
 from run import test
 
 ADD_POINT = (50, 80)
-"""The button Pos.+."""
+"""The button that adds a point, from the left edge of the panels."""
+
+
+def add_point(server, window):
+    """A click on it."""
+    width = server.geometry(window)[2]
+    server.click(window, width - PANEL + ADD_POINT[0], ADD_POINT[1])
 
 
 def work(place):
@@ -23,7 +30,7 @@ def edited(place, way, name="ending"):
     host = place.program(server, name, way)
     host.expect("open")
     window = server.new_window()
-    server.click(window, *ADD_POINT)
+    add_point(server, window)
     wait(lambda: work(place), "unsaved work to be kept")
     return server, host, window
 
@@ -58,7 +65,7 @@ def a_change_just_before_the_end_leaves_nothing(place):
         host = place.program(server, "ending", way)
         host.expect("open")
         window = server.new_window()
-        server.click(window, *ADD_POINT)
+        add_point(server, window)
         time.sleep(0.2)
         check(not work(place), "written too soon for this test")
         end(host)
@@ -109,7 +116,7 @@ def closing_after_a_hand_over_does_not_ask(place):
     host = place.told(server)
     host.open()
     window = server.new_window()
-    server.click(window, *ADD_POINT)
+    add_point(server, window)
     wait(lambda: work(place), "unsaved work to be kept")
     check("VIDES*" in server.property(window, "_NET_WM_NAME"), "a star in the title")
     server.press(window, "alt+u")

@@ -84,6 +84,43 @@ def a_drag_ends_at_the_faces_of_the_cube(place):
 
 
 @test()
+def several_points_are_moved_at_once(place):
+    """Two of three, chosen by Shift and a click: by a drag, and by M, X and a number; each
+    is one step."""
+    server, host, window = opened(place)
+    space = measured(server, host, window)
+    server.press(window, "Insert")  # one more between the two
+    wait(lambda: len(host.path()) == 3, "a point more")
+    server.drawn(window)
+    first = host.path()
+
+    def moves(act, wanted):
+        before = host.path()
+        act()
+        wait(lambda: host.path() != before, "points to move")
+        server.drawn(window)
+        now = host.path()
+        ways = [[b - a for a, b in zip(*pair)] for pair in zip(before, now)]
+        check(math.dist(ways[1], (0, 0, 0)) == 0, f"the one in between moved by {ways[1]}")
+        check(math.dist(ways[0], ways[2]) < 1e-12, f"{ways[0]} is not {ways[2]}")
+        check(wanted(ways[0]), f"{ways[0]}")
+
+    server.click(window, *space.image(first[0]))
+    x, y = space.image(first[2])
+    server.xdotool("keydown", "shift", "mousemove", "--window", window, round(x), round(y),
+                   "click", 1, "keyup", "shift")
+    server.drawn(window)
+    at = space.image(first[2])
+    to = (round(at[0]) - 20, round(at[1]) - 25)
+    moves(lambda: server.drag(window, at, to, 3, steps=3), lambda way: way[2] == 0)
+    moves(lambda: server.press(window, "m", "x", "minus", "0", "period", "0", "3", "Return"),
+          lambda way: math.dist(way, (-0.03, 0, 0)) < 1e-12)
+    server.press(window, "ctrl+z", "ctrl+z")
+    wait(lambda: host.path() == first, "both steps to be taken back")
+    host.leave()
+
+
+@test()
 def the_tip_of_the_view_is_dragged(place):
     """VPN's tip moves as points do; of a relative one the offset changes, the point stays."""
     server, host, window = opened(place)

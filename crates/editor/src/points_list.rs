@@ -1,5 +1,6 @@
 //! The list of points beside the movement window: number, name and frame of each, and
 //! its orientations. Here several are selected, renamed and brought into another order.
+//! Above it stands the list of the scene's nodes, if there is a scene.
 //!
 //! It folds where the window is narrow, and where somebody wants it to.
 
@@ -12,6 +13,7 @@ use egui::{
 use crate::actions::Action;
 use crate::document::{Document, Edit, Selection};
 use crate::keys;
+use crate::scene_view;
 use crate::selected::Choice;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -68,9 +70,6 @@ struct Renaming {
 
 /// Shows it at the left of what there is, and takes its room away.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
-    if !editor.document.edits_path() {
-        return;
-    }
     // What it remembers changes while the rest of the editor is only read.
     let mut list = std::mem::take(&mut editor.points_list);
     let context = ui.ctx().clone();
@@ -92,10 +91,17 @@ fn id() -> Id {
 }
 
 impl PointsList {
+    pub(super) fn is_open(&self, context: &Context) -> bool {
+        let whole = context.content_rect().width();
+        self.open.unwrap_or(whole >= ROOMY)
+    }
+
     fn show(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let whole = ui.ctx().content_rect().width();
-        let open = self.open.unwrap_or(whole >= ROOMY);
+        let open = self.is_open(ui.ctx());
         let width = match open {
+            // Nodes stand further in, and have their kinds beside their names.
+            true if editor.document.around().is_some() => WIDTH[1],
             true => (SHARE * whole).clamp(WIDTH[0], WIDTH[1]).floor(),
             false => FOLDED,
         };
@@ -107,10 +113,24 @@ impl PointsList {
             .show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
                 self.heading(editor, ui, open);
-                if open {
-                    self.list(editor, ui, actions);
-                } else {
+                if !open {
                     self.renaming = None;
+                    return;
+                }
+                let edits_path = editor.document.edits_path();
+                if editor.document.around().is_some() {
+                    let share = if edits_path { 0.4 } else { 1.0 };
+                    let highest = ui.available_height() * share;
+                    let frame = egui::Frame::new().inner_margin(egui::Margin::symmetric(6, 0));
+                    frame.show(ui, |ui| scene_view::list(editor, ui, highest, actions));
+                    if edits_path {
+                        let size = vec2(ui.available_width(), HEADING);
+                        let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+                        title(ui, rect, editor.texts().points_list.heading);
+                    }
+                }
+                if edits_path {
+                    self.list(editor, ui, actions);
                 }
             });
     }
@@ -137,16 +157,9 @@ impl PointsList {
         ui.painter()
             .add(Shape::convex_polygon(corners, color, Stroke::NONE));
         if open {
-            let at = pos2(rect.left() + FOLDED + 2.0, rect.center().y);
-            let heading = texts.heading;
-            let painter = ui.painter();
-            painter.text(
-                at,
-                Align2::LEFT_CENTER,
-                heading,
-                theme::heading(),
-                palette.text,
-            );
+            let around = editor.document.around();
+            let scene = around.map(|_| editor.texts().scene.title);
+            title(ui, rect, scene.unwrap_or(texts.heading));
         }
         if response.on_hover_text(name).clicked() {
             self.open = Some(!open);
@@ -390,6 +403,14 @@ impl Renaming {
         let at = self.point;
         Some(Some(Action::Edit(Edit::SetName { at, name })))
     }
+}
+
+/// What stands above a list.
+fn title(ui: &Ui, rect: Rect, text: &str) {
+    let at = pos2(rect.left() + FOLDED + 2.0, rect.center().y);
+    let color = theme::palette(ui).text;
+    let painter = ui.painter();
+    painter.text(at, Align2::LEFT_CENTER, text, theme::heading(), color);
 }
 
 /// A row as it looks.

@@ -16,7 +16,7 @@ use std::cell::RefCell;
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{NodeState, Scene, Troubles};
 
-pub(super) use self::panel::{no_path, show};
+pub(super) use self::panel::{list, no_path, show};
 pub(super) use self::wires::{other_paths, wires};
 use crate::document::Document;
 use crate::error::{Error, Refused, Result};

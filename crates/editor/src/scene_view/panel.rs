@@ -18,35 +18,42 @@ const DEEPEST: usize = 6;
 /// Rows that are seen at once.
 const ROWS: f32 = 12.0;
 
-/// Shows the list, if there is a scene; `viewport` is the movement window.
+/// Shows the list in a window of its own, if there is a scene and the column of lists is
+/// folded; `viewport` is the movement window.
 pub(crate) fn show(editor: &Editor, context: &Context, viewport: Rect, actions: &mut Vec<Action>) {
-    let Some(around) = editor.document.around() else {
+    if editor.document.around().is_none() || editor.points_list.is_open(context) {
         return;
-    };
-    let rows = rows(around.scene());
+    }
     egui::Window::new(editor.texts().scene.title)
         .id(egui::Id::unique("scene"))
         .default_pos(viewport.left_top() + vec2(12.0, 30.0))
         .default_width(WIDTH)
         .constrain_to(viewport)
         .resizable([true, false])
-        .show(context, |ui| {
-            let height = theme::ROW;
-            ui.spacing_mut().item_spacing.y = 0.0;
-            ScrollArea::vertical()
-                .max_height(ROWS * height)
-                .auto_shrink([false, true])
-                .show_rows(ui, height, rows.len() + 1, |ui, shown| {
-                    for row in shown {
-                        let of = row.checked_sub(1).map(|row| rows[row]);
-                        actions.extend(row_of(editor, ui, around.scene(), of));
-                    }
-                });
-            if let Some(trouble) = trouble(editor) {
-                ui.add_space(theme::GAP);
-                ui.label(RichText::new(trouble).color(theme::palette(ui).error));
+        .show(context, |ui| list(editor, ui, ROWS * theme::ROW, actions));
+}
+
+/// The list, at most so high, if there is a scene.
+pub(crate) fn list(editor: &Editor, ui: &mut Ui, highest: f32, actions: &mut Vec<Action>) {
+    let Some(around) = editor.document.around() else {
+        return;
+    };
+    let rows = rows(around.scene());
+    ui.spacing_mut().item_spacing.y = 0.0;
+    ScrollArea::vertical()
+        .id_salt("scene")
+        .max_height(highest)
+        .auto_shrink([false, true])
+        .show_rows(ui, theme::ROW, rows.len() + 1, |ui, shown| {
+            for row in shown {
+                let of = row.checked_sub(1).map(|row| rows[row]);
+                actions.extend(row_of(editor, ui, around.scene(), of));
             }
         });
+    if let Some(trouble) = trouble(editor) {
+        ui.add_space(theme::GAP);
+        ui.label(RichText::new(trouble).color(theme::palette(ui).error));
+    }
 }
 
 /// What hinders a node, such as a function that no program has registered.
