@@ -243,11 +243,50 @@ pub unsafe extern "C" fn v_path_get_frames(
     })
 }
 
+/// Whether the section that begins with an orientation keeps its frames where
+/// v_path_fit_frames() brings a whole to a number of frames; 0: no.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_frames_locked(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+    locked: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        change(path, point, at, |orientation| {
+            orientation.own = orientation.own.with(|own| own.locked = locked != 0)?;
+            Ok(())
+        })
+    })
+}
+
+/// Whether the section that begins with an orientation keeps its frames so: 0 or 1.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_frames_locked(
+    path: *const V_PATH,
+    point: c_int,
+    at: c_int,
+    locked: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(locked)?;
+        let locked = read(path, |document| {
+            Ok(orientation(document, point, at)?.own.locked)
+        })?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.write(c_int::from(locked)) };
+        Ok(V_OK)
+    })
+}
+
 /// Fixes the frames of all moving sections from the first orientation of one
 /// support point to the last one of another, so that from the first pose to the
 /// last there are exactly frames, holds included. Each section has one, the rest
 /// goes in proportion to what they had, by largest remainder, ties to the
-/// earlier. With 0 and the last point v_path_frame_count() is then exactly
+/// earlier; locked ones keep theirs. With 0 and the last point v_path_frame_count() is then exactly
 /// frames, closed paths with the way back to the first point; on a closed path
 /// first_point may lie behind last_point. Too few are refused, v_last_error()
 /// names the least possible number.

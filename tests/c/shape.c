@@ -189,6 +189,7 @@ static void fixed_frames(void)
 {
     V_PATH *path = three_points();
     size_t frames = 7;
+    int locked = 7;
 
     OK(v_path_get_frames(path, 0, 0, &frames));
     CHECK(frames == 0);
@@ -199,6 +200,16 @@ static void fixed_frames(void)
         OK(v_path_fit_frames(path, 0, 2, frames));
         CHECK(frames_of(path) == frames);
     }
+    OK(v_path_set_frames(path, 0, 0, 33));
+    OK(v_path_set_frames_locked(path, 0, 0, 1));
+    OK(v_path_get_frames_locked(path, 0, 0, &locked));
+    CHECK(locked == 1);
+    OK(v_path_fit_frames(path, 0, 2, 500));
+    OK(v_path_get_frames(path, 0, 0, &frames));
+    CHECK(frames == 33 && frames_of(path) == 500);
+    STATUS(V_ERR_RANGE, v_path_set_frames_locked(path, 3, 0, 1));
+    STATUS(V_ERR_NULL, v_path_get_frames_locked(path, 0, 0, NULL));
+    OK(v_path_set_frames_locked(path, 0, 0, 0));
     OK(v_path_set_closed(path, 1));
     OK(v_path_fit_frames(path, 0, 2, 300));
     CHECK(frames_of(path) == 300);

@@ -719,6 +719,20 @@ CALL(v_path_get_frames)
     return v_path_get_frames(path, point, at, result(sizeof(size_t), 0));
 }
 
+CALL(v_path_set_frames_locked)
+{
+    V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point);
+    return v_path_set_frames_locked(path, point, at, below(2));
+}
+
+CALL(v_path_get_frames_locked)
+{
+    const V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point);
+    return v_path_get_frames_locked(path, point, at, result(sizeof(int), 0));
+}
+
 CALL(v_path_fit_frames)
 {
     V_PATH *path = a_path();

@@ -74,6 +74,8 @@
     F(v_path_set_distance, STATUS, V_OK, 0) \
     F(v_path_set_frames, STATUS, V_OK, 0) \
     F(v_path_get_frames, STATUS, V_OK, 0) \
+    F(v_path_set_frames_locked, STATUS, V_OK, 0) \
+    F(v_path_get_frames_locked, STATUS, V_OK, 0) \
     F(v_path_fit_frames, STATUS, -2, 0) \
     F(v_path_set_ahead, STATUS, V_OK, 0) \
     F(v_path_set_up, STATUS, V_OK, 0) \

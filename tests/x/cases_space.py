@@ -198,7 +198,7 @@ def rail_of(picture):
     rows = {}
     for colour in (DONE, REST):
         for x, y in picture.find(colour, 6):
-            if y > picture.height - 56:
+            if picture.height - 140 < y < picture.height - 84:
                 rows.setdefault(y, []).append(x)
     runs = {}
     for y, places in rows.items():

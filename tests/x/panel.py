@@ -11,6 +11,9 @@ FIELD = (0x12, 0x15, 0x1A)
 PANEL = 262
 """Width of the panels, in pixels."""
 
+RAIL = 101
+"""From the lower edge of the window to the rail of the play bar, in pixels."""
+
 CHOSEN = (0x58, 0xAE, 0xFF)
 """The circle of the choice that is taken."""
 

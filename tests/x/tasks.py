@@ -282,10 +282,10 @@ def move(hand):
     before = hand.poses()
     hand.server.focus(hand.window)
     hand.keys("ctrl+a", "m", "x")
-    hand.typed(0.1)
+    hand.typed(0.05)
     after = hand.saved()
     for a, b in zip(before, after):
-        check(math.dist((a[0] + 0.1, a[1], a[2]), b[:3]) < 1e-6, f"{a[:3]} -> {b[:3]}")
+        check(math.dist((a[0] + 0.05, a[1], a[2]), b[:3]) < 1e-6, f"{a[:3]} -> {b[:3]}")
 
 
 TASKS = (points, look, slow_start, zoom, play, camera, save, poses, undo, closed, insert,

@@ -18,12 +18,13 @@ use crate::path::{
 };
 
 /// The keys of an orientation that are read here.
-pub(super) const KEYS: [&str; 12] = [
+pub(super) const KEYS: [&str; 13] = [
     "ahead",
     "up",
     "up_point",
     "up_path",
     "frames",
+    "locked",
     "ease",
     "distance",
     "pace_part",
@@ -63,6 +64,7 @@ impl Reader {
                 own.frames = field.integer_in(0, most)? as u32;
                 field.checked(check_frames(own.frames))?;
             }
+            "locked" => own.locked = field.boolean()?,
             "ahead" => {
                 let distance = field.number()?;
                 field.checked(check_ahead(distance, space))?;
@@ -352,6 +354,9 @@ pub(super) fn write<'a>(
     write_up(out, &own.up, written)?;
     if own.frames > 0 {
         writeln!(out, "frames = {}", own.frames)?;
+    }
+    if own.locked {
+        writeln!(out, "locked = true")?;
     }
     match &own.pace {
         Pace::Speeds => {}

@@ -9,7 +9,13 @@ texts! {
         section: "Section {0} – {1}", "Abschnitt {0} – {1}";
         end_of_path: "{0} · end of path: no section begins here",
             "{0} · Ende der Bahn: Hier beginnt kein Abschnitt";
-        takes: "{0} frames · {1} s", "{0} Bilder · {1} s";
+        frames: "Frames", "Bilder";
+        frames_hint: "So many for this section, whatever its length; 0: by its length",
+            "So viele für diesen Abschnitt, wie lang er auch ist; 0: nach seiner Länge";
+        seconds: "{0} s", "{0} s";
+        locked: "keep", "festhalten";
+        locked_hint: "Keeps its frames where the whole path gets another number of frames or seconds",
+            "Behält seine Bilder, wenn die ganze Bahn eine andere Zahl von Bildern oder Sekunden bekommt";
         nothing_changes: "Nothing changes: no frames", "Nichts ändert sich: keine Bilder";
         speed: "Speed {0}", "Geschwindigkeit {0}";
 

@@ -132,6 +132,10 @@ fn fit(
         }
         let from = &path.points[begin.point].orientations[begin.orientation];
         holds += from.hold as usize;
+        if from.own.locked {
+            holds += begin.frames;
+            continue;
+        }
         let now = match from.own.frames {
             0 => timeline.unrounded_frames(path, section),
             fixed => f64::from(fixed),
@@ -198,13 +202,52 @@ mod tests {
     use super::*;
     use crate::path::insertion::tests::random_path;
     use crate::path::test_support::Random;
-    use crate::path::{Sampler, SupportPoint};
+    use crate::path::{Plan, Sampler, SupportPoint};
+    use glam::DVec3;
 
     fn set(path: &mut CameraPath, fixed: &[Fixed]) {
         for fixed in fixed {
             let own = &mut path.points[fixed.point].orientations[fixed.orientation].own;
             *own = own.with(|own| own.frames = fixed.frames).unwrap();
         }
+    }
+
+    #[test]
+    fn a_locked_section_keeps_its_frames() {
+        let points = [-0.5, 0.0, 0.1, 0.9];
+        let mut path = CameraPath {
+            points: points
+                .map(|x| SupportPoint::new(DVec3::new(x, 0.0, 0.5)))
+                .to_vec(),
+            ..CameraPath::default()
+        };
+        let lock = |path: &mut CameraPath, at: usize| {
+            let orientation = &mut path.points[at].orientations[0];
+            orientation.own = orientation.own.with(|own| own.locked = true).unwrap();
+        };
+        let fit = |path: &CameraPath, frames: usize| {
+            let fit = |timeline: &Timeline| fit_frames(path, timeline, 0, 3, frames);
+            Plan::new().timeline(path, fit).unwrap()
+        };
+        let before: Vec<usize> = Plan::new()
+            .timeline(&path, |timeline| {
+                (0..3).map(|at| timeline.section(at).frames).collect()
+            })
+            .unwrap();
+        lock(&mut path, 1);
+        let fixed = fit(&path, 1000).unwrap();
+        let points: Vec<usize> = fixed.iter().map(|fixed| fixed.point).collect();
+        assert_eq!(points, [0, 2]);
+        let sum: usize = fixed.iter().map(|fixed| fixed.frames as usize).sum();
+        assert_eq!(1 + sum + before[1], 1000);
+        // Fewer than it leaves are refused, and any other number where all are locked.
+        let least = 1 + before[1] + 2;
+        assert!(fit(&path, least).is_ok() && fit(&path, least - 1).is_err());
+        lock(&mut path, 0);
+        lock(&mut path, 2);
+        let whole = 1 + before.iter().sum::<usize>();
+        assert!(fit(&path, whole).unwrap().is_empty());
+        assert!(fit(&path, whole - 1).is_err() && fit(&path, whole + 1).is_err());
     }
 
     #[test]

@@ -202,6 +202,8 @@ pub struct Own {
     /// So many frames for the section that begins here, whatever its length; 0:
     /// by length.
     pub frames: u32,
+    /// That section keeps its frames where a whole is brought to a number of frames.
+    pub locked: bool,
     /// Looks along the way and not at its target: along the tangent (0), or at
     /// the place so far ahead on the curve.
     pub ahead: Option<f64>,
@@ -223,6 +225,7 @@ impl Own {
     const NONE: Self = Self {
         pace: Pace::Speeds,
         frames: 0,
+        locked: false,
         ahead: None,
         up: UpVector::Axis,
         velocities: None,
@@ -285,6 +288,7 @@ impl Own {
         option(self.roll_slope);
         option(self.zoom_slope);
         option(Some(f64::from(self.frames)));
+        option(self.locked.then_some(1.0));
         let mut keys = |keys: &[[f64; 2]]| keys.iter().flatten().for_each(|key| see(*key));
         match &self.pace {
             Pace::Speeds => {}
@@ -422,6 +426,7 @@ impl MayOwn {
         }
         self.with(|own| {
             own.frames = 0;
+            own.locked = false;
             own.velocities = None;
             own.turning = None;
             own.roll_slope = None;

@@ -13,10 +13,10 @@ use self::shapes::Shape;
 use super::{SubWindow, Windows, is_cramped, row_at_right, sub_window};
 use crate::actions::Action;
 use crate::document::{Edit, Info};
-use crate::limits::{BASE_SPEED, MAX_FPS, MAX_HOLD, MAX_SPEED, MIN_SPEED, SPEEDS};
+use crate::limits::{BASE_SPEED, MAX_FPS, MAX_FRAMES, MAX_HOLD, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::{Entry, Number};
-use crate::path::Orientation;
 use crate::path::speed_curve::SpeedCurve;
+use crate::path::{Orientation, Own};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme::{self, Palette};
@@ -84,6 +84,9 @@ struct Section {
     hold: u32,
     /// Frames without the hold; none at the end of the path.
     frames: Option<usize>,
+    /// They are fixed, whatever the length; kept where the whole path gets others.
+    fixed: bool,
+    locked: bool,
     /// The point and orientation to which it leads.
     to: Option<(usize, usize)>,
 }
@@ -119,6 +122,8 @@ impl Section {
             before,
             after,
             hold: orientation.hold,
+            fixed: orientation.own.frames > 0,
+            locked: orientation.own.locked,
             frames,
             to,
         })
@@ -151,7 +156,7 @@ impl SubWindow for SpeedWindow {
         };
         sub_window(context, Self::ID, texts.title, |ui| {
             ui.set_width(Size::of(ui).width());
-            heading(editor, ui, &section);
+            heading(editor, ui, &section, actions);
             ui.add_space(theme::GAP);
             self.picture(editor, ui, &section, actions);
             typed(editor, ui, &section, actions);
@@ -164,7 +169,7 @@ impl SubWindow for SpeedWindow {
 }
 
 /// Which section it is, and how long it takes.
-fn heading(editor: &Editor, ui: &mut Ui, section: &Section) {
+fn heading(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Action>) {
     let texts = &editor.texts().speed_window;
     let at = editor.document.selection();
     let palette = theme::palette(ui);
@@ -178,18 +183,54 @@ fn heading(editor: &Editor, ui: &mut Ui, section: &Section) {
         };
         ui.label(text);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if let Some(frames) = section.frames {
-                let seconds = frames as f64 / editor.document.info().fps;
-                let seconds = editor.language().number(seconds, 2);
-                let text = if frames == 0 {
-                    texts.nothing_changes.to_owned()
-                } else {
-                    fill(texts.takes, &[&frames, &seconds])
-                };
-                ui.colored_label(palette.weak, text);
+            match section.frames {
+                None => {}
+                Some(0) => {
+                    ui.colored_label(palette.weak, texts.nothing_changes);
+                }
+                Some(frames) => length(editor, ui, section, frames, actions),
             }
         });
     });
+}
+
+/// How long it takes, from right to left: locked or not, seconds, frames.
+fn length(
+    editor: &Editor,
+    ui: &mut Ui,
+    section: &Section,
+    frames: usize,
+    actions: &mut Vec<Action>,
+) {
+    let texts = &editor.texts().speed_window;
+    // Without memory for it all stays as it is.
+    let change = |orientation: &mut Orientation, change: &dyn Fn(&mut Own)| {
+        if let Ok(own) = orientation.own.with(change) {
+            orientation.own = own;
+        }
+    };
+    let mut locked = section.locked;
+    let tick = theme::tick(ui, &mut locked, texts.locked);
+    if tick.on_hover_text(texts.locked_hint).changed() {
+        let edit = editor.orientation_edit(|new| change(new, &|own| own.locked = locked));
+        actions.extend(edit.map(Action::Edit));
+    }
+    let fps = editor.document.info().fps;
+    let seconds = editor.language().number(frames as f64 / fps, 2);
+    ui.colored_label(theme::palette(ui).weak, fill(texts.seconds, &[&seconds]));
+    let entry = Number::new(texts.frames, frames as f64)
+        .hint(texts.frames_hint)
+        .faint(!section.fixed)
+        .whole()
+        .range(0.0..=MAX_FRAMES as f64)
+        .steps(1.0, 0.5)
+        .show(ui, editor.language(), "speed.frames", 72.0);
+    // Whole, and within an u32.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    actions.extend(entered(editor, entry, |new, frames| {
+        change(new, &|own| own.frames = frames as u32);
+    }));
+    ui.label(texts.frames).on_hover_text(texts.frames_hint);
 }
 
 impl SpeedWindow {

@@ -194,6 +194,36 @@ fn ten_speeds_are_copied_to_another_section() {
 }
 
 #[test]
+fn a_section_gets_so_many_frames_and_keeps_them() {
+    for language in BOTH {
+        let texts = language.texts();
+        let mut window = opened(language);
+        let frames = |window: &Window, section: usize| {
+            let document = &window.state().document;
+            let of = document.timeline(|timeline| timeline.section(section).frames);
+            of.unwrap()
+        };
+        let by_length = frames(&window, 2);
+        enter(&mut window, texts.speed_window.frames, "77");
+        assert_eq!(frames(&window, 2), 77);
+        click(&mut window, texts.speed_window.locked);
+        enter(&mut window, texts.space.last_frame, "900");
+        let document = &window.state().document;
+        assert_eq!(document.sampler().unwrap().frame_count(), 900);
+        assert_eq!(frames(&window, 2), 77);
+        click(&mut window, texts.speed_window.locked);
+        enter(&mut window, texts.space.last_frame, "450");
+        assert_ne!(frames(&window, 2), 77);
+        enter(&mut window, texts.speed_window.frames, "0");
+        assert_eq!(frames(&window, 2), by_length);
+        for _ in 0..6 {
+            press(&mut window, Modifiers::CTRL, Key::Z);
+        }
+        assert!(!window.state().document.is_modified());
+    }
+}
+
+#[test]
 fn the_frame_rate_makes_seconds_of_frames() {
     for language in BOTH {
         let texts = &language.texts().speed_window;
@@ -205,9 +235,9 @@ fn the_frame_rate_makes_seconds_of_frames() {
             .unwrap();
         let shown = |window: &Window, fps: f64| {
             let seconds = language.number(frames as f64 / fps, 2);
-            let text = fill(texts.takes, &[&frames, &seconds]);
-            // The panel says so too.
-            window.query_all_by_label(&text).next().is_some()
+            let text = fill(texts.seconds, &[&seconds]);
+            value(window, texts.frames) == frames.to_string()
+                && window.query_by_label(&text).is_some()
         };
         assert!(shown(&window, 25.0));
         for (name, text) in [(texts.fps, "50"), (texts.hold, "12")] {
