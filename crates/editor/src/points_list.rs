@@ -184,7 +184,7 @@ impl PointsList {
         let mut area = ScrollArea::vertical()
             .id_salt("rows")
             .auto_shrink([false, false]);
-        if let Some(offset) = self.to_be_seen(editor) {
+        if let Some(offset) = self.scroll_for(editor) {
             area = area.vertical_scroll_offset(offset);
         }
         let count = self.rows.len();
@@ -224,7 +224,7 @@ impl PointsList {
     }
 
     /// Where the rows must be scrolled to for what has become current elsewhere.
-    fn to_be_seen(&mut self, editor: &Editor) -> Option<f32> {
+    fn scroll_for(&mut self, editor: &Editor) -> Option<f32> {
         let now = editor.document.selection();
         if self.shown.replace(now) == Some(now) {
             return None;
