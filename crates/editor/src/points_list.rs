@@ -48,6 +48,8 @@ pub(super) struct PointsList {
     dragged: Option<usize>,
     /// What was current when it was last shown.
     shown: Option<Selection>,
+    /// Where it is to scroll while something is dragged.
+    wanted: Option<f32>,
     /// What the scroll area has shown, from top to bottom.
     seen: (f32, f32),
 }
@@ -184,7 +186,7 @@ impl PointsList {
         let mut area = ScrollArea::vertical()
             .id_salt("rows")
             .auto_shrink([false, false]);
-        if let Some(offset) = self.scroll_for(editor) {
+        if let Some(offset) = self.wanted.take().or_else(|| self.scroll_for(editor)) {
             area = area.vertical_scroll_offset(offset);
         }
         let count = self.rows.len();
@@ -323,6 +325,24 @@ impl PointsList {
         });
     }
 
+    /// Scrolls on while the pointer is held at an end, at this height of the rows.
+    fn scroll_along(&mut self, context: &Context, at: f32) {
+        let (top, bottom) = self.seen;
+        let step = if at < top + ROW {
+            -ROW / 2.0
+        } else if at > bottom - ROW {
+            ROW / 2.0
+        } else {
+            return;
+        };
+        let highest = (self.rows.len() as f32 * ROW - (bottom - top)).max(0.0);
+        let wanted = (top + step).clamp(0.0, highest);
+        if wanted != top {
+            self.wanted = Some(wanted);
+            context.request_repaint();
+        }
+    }
+
     /// What is dragged comes to stand where the pointer is; `first`: where the first row
     /// begins.
     fn drag(&mut self, editor: &Editor, ui: &Ui, first: f32, actions: &mut Vec<Action>) {
@@ -349,6 +369,7 @@ impl PointsList {
             let line = Stroke::new(2.0, theme::palette(ui).accent);
             ui.painter().hline(ui.max_rect().x_range(), y, line);
             ui.set_cursor_icon(egui::CursorIcon::Grabbing);
+            self.scroll_along(ui.ctx(), pointer.y - first);
             return;
         }
         self.dragged = None;
