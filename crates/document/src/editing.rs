@@ -461,7 +461,8 @@ impl Document {
     /// As [`Document::load`].
     pub fn load_scene(file: &Path) -> Result<(Self, Vec<Error>)> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        Self::scene_from_toml(&text, &absolute_folder_of(file)).map_err(|error| error.at(file.display()))
+        Self::scene_from_toml(&text, &absolute_folder_of(file))
+            .map_err(|error| error.at(file.display()))
     }
 
     /// The same of a text; names of meshes lead from `folder`.

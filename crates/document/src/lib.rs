@@ -43,9 +43,9 @@ pub use error::{Error, Result};
 pub use export_node::write_node;
 pub use info::{Info, Object, ObjectPoint};
 pub use mesh_file::{load_mesh, load_object};
-pub use wireframe::features;
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
+pub use wireframe::features;
 
 pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;

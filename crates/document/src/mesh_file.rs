@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf, absolute};
 use vides_engine::scene::{Kind, Mesh, MeshSource, Scene};
 use vides_mesh::Format;
 
-use super::vid::read_bytes;
 use super::info::{Info, Object};
-use crate::path::Space;
+use super::vid::read_bytes;
 use crate::error::{Cause, EngineError, Error, Place, Result};
 use crate::limits::MAX_FILE_BYTES;
+use crate::path::Space;
 
 /// The mesh in an OBJ, PLY or STL file, by the ending of its name.
 ///
@@ -66,7 +66,9 @@ pub(super) fn read_object(info: &mut Info, space: Space, folder: &Path) -> Resul
     });
     let trouble = match read {
         Ok(object) => {
-            let now = object.source().map(|source| (source.bytes, source.checksum));
+            let now = object
+                .source()
+                .map(|source| (source.bytes, source.checksum));
             let changed = now != Some((known.bytes, known.checksum));
             info.object = object;
             changed.then(|| Error::from(vides_mesh::Error::Changed).at(file.display()))

@@ -63,7 +63,11 @@ fn an_object_whose_file_is_gone_broken_or_changed_is_told_and_not_lost() {
         assert!(words[0].contains("pyramid.obj"), "{words:?}");
         (loaded, words[0].clone())
     };
-    for broken in [None, Some("v 1 2 x\n"), Some("v 1e300 0 0\nv 0 0 0\nl 1 2\n")] {
+    for broken in [
+        None,
+        Some("v 1 2 x\n"),
+        Some("v 1e300 0 0\nv 0 0 0\nl 1 2\n"),
+    ] {
         match broken {
             None => fs::remove_file(&mesh).unwrap(),
             Some(broken) => fs::write(&mesh, broken).unwrap(),

@@ -7,7 +7,8 @@
 use egui::text::{CCursor, CCursorRange};
 use egui::{
     Align2, Color32, Context, CornerRadius, EventFilter, Id, Key, Modifiers, Painter, Rect,
-    Response, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo, pos2, vec2,
+    Response, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2,
+    vec2,
 };
 
 use crate::actions::Action;
@@ -252,7 +253,7 @@ impl PointsList {
         let Some(point) = editor.document.path().points.get(at.point) else {
             return;
         };
-        let field = Rect::from_min_max(rect.min + vec2(NUMBER, 0.0), rect.max);
+        let field = Rect::from_min_max(rect.min + vec2(NUMBER, 0.0), rect.max - vec2(4.0, 0.0));
         let renaming = self.renaming.as_mut();
         if let Some(renaming) = renaming.filter(|of| is_point && of.point == at.point) {
             paint_number(ui, rect, at, theme::palette(ui).text);
@@ -410,8 +411,11 @@ impl Renaming {
             .frame(theme::field(ui))
             .margin(egui::Margin::symmetric(4, 0))
             .align(Align2::LEFT_CENTER)
-            .min_size(vec2(0.0, ROW));
-        let response = ui.put(field, edit);
+            .min_size(vec2(0.0, field.height()));
+        // The rows below stay where they are.
+        let mut inside = ui.new_child(UiBuilder::new().max_rect(field));
+        inside.spacing_mut().interact_size.y = field.height();
+        let response = inside.put(field, edit.desired_width(field.width()));
         let context = ui.ctx();
         context.accesskit_node_builder(response.id, |node| node.set_label(texts.name));
         if std::mem::take(&mut self.fresh) || !response.lost_focus() {

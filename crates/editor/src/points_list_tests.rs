@@ -112,9 +112,12 @@ fn a_name_is_typed_in_its_place() {
     let mut harness = pyramid_list();
     let before = names(&harness);
     click(&mut harness, LEFT_SIDE, Modifiers::NONE);
+    let below = row(&harness, RIGHT_SIDE);
     tap(&mut harness, Key::F2, Modifiers::NONE);
     assert!(harness.state().windows.curve.is_none(), "F2 is the list's");
     harness.step();
+    assert_eq!(row(&harness, RIGHT_SIDE), below, "the rows below stay");
+    screenshot(&mut harness, "list-name.png");
     harness.event(Event::Text("bank".to_owned()));
     harness.step();
     tap(&mut harness, Key::Enter, Modifiers::NONE);

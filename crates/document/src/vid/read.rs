@@ -3,11 +3,11 @@
 use glam::DVec3;
 use toml::de::DeTable;
 
-use super::{VERSION, mesh_source};
 use super::field::{Field, Source, fields};
 use super::own::{self, SoFar};
 use super::pieces;
 use super::scene_read::Drafts;
+use super::{VERSION, mesh_source};
 use crate::error::{Invalid, Malformed, Quantity, Refused, Result, TooMany, vec_with_room};
 use crate::info::{self, Info, Object, ObjectPoint};
 use crate::limits;

@@ -42,12 +42,7 @@ impl Write for Text {
     }
 }
 
-fn document(
-    out: &mut Text,
-    path: &CameraPath,
-    info: &Info,
-    folder: Option<&Path>,
-) -> fmt::Result {
+fn document(out: &mut Text, path: &CameraPath, info: &Info, folder: Option<&Path>) -> fmt::Result {
     head(out, info)?;
     writeln!(out, "closed = {}", path.closed)?;
     curve(out, path)?;
@@ -286,8 +281,8 @@ impl fmt::Display for Quoted<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::info::ObjectPoint;
     use crate::info::Object;
+    use crate::info::ObjectPoint;
     use crate::limits;
     use crate::path::Up;
     use crate::path::{
@@ -299,7 +294,9 @@ mod tests {
     const LONGEST: f64 = -1.234_567_890_123_456_7e-300;
 
     fn size(path: &CameraPath, info: &Info) -> usize {
-        to_toml(path, info, &Comments::default(), None).unwrap().len()
+        to_toml(path, info, &Comments::default(), None)
+            .unwrap()
+            .len()
     }
 
     /// Everything that an orientation may own, each of it as long as can be.
