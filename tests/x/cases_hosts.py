@@ -5,7 +5,7 @@ import time
 import tomllib
 
 from harness import Program, check, run, wait
-from panel import PANEL, RAIL
+from panel import SPEEDS
 from run import test
 
 POSES = 121  # of a new path at speed 100: its length is 1.2, and the first pose
@@ -176,7 +176,7 @@ def a_scene_in_opengl(place):
     first = wait(lambda: (lambda p: p.colours() > 10 and p)(server.picture(host)), "the car")
     width, height = server.geometry(window)[2:]
     server.drawn(window)
-    server.click(window, width - PANEL - 330, height - RAIL)
+    server.click(window, width // 2, height - SPEEDS - 28)
     wait(lambda: server.picture(host).differs(first), "the car to drive")
     server.drawn(window)
     driven = server.drawn(host, 1)

@@ -7,6 +7,7 @@ import signal
 
 from cases_window import opened
 from harness import check, wait
+from panel import SPEEDS
 from run import test
 from space import first_look
 
@@ -185,7 +186,7 @@ def the_view_turns_and_grows(place):
         before = server.drawn(window)
         _, _, width, height = server.geometry(window)
         if what == "drag":
-            server.drag(window, (width * 0.8, height * 0.75), (width * 0.7, height * 0.7))
+            server.drag(window, (width * 0.65, height * 0.65), (width * 0.55, height * 0.6))
         else:
             server.click(window, width * 0.6, height * 0.5, 4)
         wait(lambda: server.picture(window).differs(before), f"{what}: another picture")
@@ -198,7 +199,7 @@ def rail_of(picture):
     rows = {}
     for colour in (DONE, REST):
         for x, y in picture.find(colour, 6):
-            if picture.height - 140 < y < picture.height - 84:
+            if 0 < picture.height - SPEEDS - y < 56:
                 rows.setdefault(y, []).append(x)
     runs = {}
     for y, places in rows.items():

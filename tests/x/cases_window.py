@@ -221,6 +221,7 @@ def what_the_host_sets_is_one_step(place):
 def two_languages_in_one_process(place):
     """The option `language`: each window has its own, whatever the environment says."""
     server = place.server()
+    server.xdotool("mousemove", 1900, 1180)  # where no tooltip comes up
     pictures = {}
     for locale in ("de_DE.UTF-8", "en_GB.UTF-8"):
         host = place.told(server, LC_ALL=locale)

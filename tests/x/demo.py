@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 from harness import Failure, Program, Server, check, wait
-from panel import BUTTON, FIELD, PANEL, RAIL, boxes, circles, middle, panel_boxes
+from panel import BUTTON, FIELD, PANEL, SPEEDS, boxes, circles, middle, panel_boxes
 from space import first_look
 
 START = [(-0.6, 0.2, 0.8), (0.6, 0.2, 0.8)]
@@ -246,7 +246,7 @@ def beside(command, name, folder, picture, about, orbits):
             server.drawn(window)
             before = server.drawn(host, 1)
             # The playhead is put in the middle.
-            server.click(window, width - PANEL - 330, height - RAIL)
+            server.click(window, width - PANEL - 330, height - SPEEDS - 28)
             wait(lambda: server.picture(host).differs(before), "the host to follow")
             server.xdotool("mousemove", "--window", window, 60, 120)
             server.drawn(host, 1)

@@ -11,8 +11,8 @@ FIELD = (0x12, 0x15, 0x1A)
 PANEL = 262
 """Width of the panels, in pixels."""
 
-RAIL = 101
-"""From the lower edge of the window to the rail of the play bar, in pixels."""
+SPEEDS = 80
+"""Height of the speeds below the play bar."""
 
 CHOSEN = (0x58, 0xAE, 0xFF)
 """The circle of the choice that is taken."""

@@ -7,7 +7,8 @@
 use egui::text::{CCursor, CCursorRange};
 use egui::{
     Align2, Color32, Context, CornerRadius, EventFilter, Id, Key, Modifiers, Painter, Rect,
-    Response, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, WidgetInfo, pos2, vec2,
+    Response, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2,
+    vec2,
 };
 
 use crate::actions::Action;
@@ -48,6 +49,8 @@ pub(super) struct PointsList {
     dragged: Option<usize>,
     /// What was current when it was last shown.
     shown: Option<Selection>,
+    /// Where it is to scroll while something is dragged.
+    wanted: Option<f32>,
     /// What the scroll area has shown, from top to bottom.
     seen: (f32, f32),
 }
@@ -184,7 +187,7 @@ impl PointsList {
         let mut area = ScrollArea::vertical()
             .id_salt("rows")
             .auto_shrink([false, false]);
-        if let Some(offset) = self.to_be_seen(editor) {
+        if let Some(offset) = self.wanted.take().or_else(|| self.scroll_for(editor)) {
             area = area.vertical_scroll_offset(offset);
         }
         let count = self.rows.len();
@@ -224,7 +227,7 @@ impl PointsList {
     }
 
     /// Where the rows must be scrolled to for what has become current elsewhere.
-    fn to_be_seen(&mut self, editor: &Editor) -> Option<f32> {
+    fn scroll_for(&mut self, editor: &Editor) -> Option<f32> {
         let now = editor.document.selection();
         if self.shown.replace(now) == Some(now) {
             return None;
@@ -250,7 +253,7 @@ impl PointsList {
         let Some(point) = editor.document.path().points.get(at.point) else {
             return;
         };
-        let field = Rect::from_min_max(rect.min + vec2(NUMBER, 0.0), rect.max);
+        let field = Rect::from_min_max(rect.min + vec2(NUMBER, 0.0), rect.max - vec2(4.0, 0.0));
         let renaming = self.renaming.as_mut();
         if let Some(renaming) = renaming.filter(|of| is_point && of.point == at.point) {
             paint_number(ui, rect, at, theme::palette(ui).text);
@@ -323,6 +326,24 @@ impl PointsList {
         });
     }
 
+    /// Scrolls on while the pointer is held at an end, at this height of the rows.
+    fn scroll_along(&mut self, context: &Context, at: f32) {
+        let (top, bottom) = self.seen;
+        let step = if at < top + ROW {
+            -ROW / 2.0
+        } else if at > bottom - ROW {
+            ROW / 2.0
+        } else {
+            return;
+        };
+        let highest = (self.rows.len() as f32 * ROW - (bottom - top)).max(0.0);
+        let wanted = (top + step).clamp(0.0, highest);
+        if wanted != top {
+            self.wanted = Some(wanted);
+            context.request_repaint();
+        }
+    }
+
     /// What is dragged comes to stand where the pointer is; `first`: where the first row
     /// begins.
     fn drag(&mut self, editor: &Editor, ui: &Ui, first: f32, actions: &mut Vec<Action>) {
@@ -349,6 +370,7 @@ impl PointsList {
             let line = Stroke::new(2.0, theme::palette(ui).accent);
             ui.painter().hline(ui.max_rect().x_range(), y, line);
             ui.set_cursor_icon(egui::CursorIcon::Grabbing);
+            self.scroll_along(ui.ctx(), pointer.y - first);
             return;
         }
         self.dragged = None;
@@ -389,8 +411,11 @@ impl Renaming {
             .frame(theme::field(ui))
             .margin(egui::Margin::symmetric(4, 0))
             .align(Align2::LEFT_CENTER)
-            .min_size(vec2(0.0, ROW));
-        let response = ui.put(field, edit);
+            .min_size(vec2(0.0, field.height()));
+        // The rows below stay where they are.
+        let mut inside = ui.new_child(UiBuilder::new().max_rect(field));
+        inside.spacing_mut().interact_size.y = field.height();
+        let response = inside.put(field, edit.desired_width(field.width()));
         let context = ui.ctx();
         context.accesskit_node_builder(response.id, |node| node.set_label(texts.name));
         if std::mem::take(&mut self.fresh) || !response.lost_focus() {

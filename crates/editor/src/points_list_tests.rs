@@ -112,9 +112,12 @@ fn a_name_is_typed_in_its_place() {
     let mut harness = pyramid_list();
     let before = names(&harness);
     click(&mut harness, LEFT_SIDE, Modifiers::NONE);
+    let below = row(&harness, RIGHT_SIDE);
     tap(&mut harness, Key::F2, Modifiers::NONE);
     assert!(harness.state().windows.curve.is_none(), "F2 is the list's");
     harness.step();
+    assert_eq!(row(&harness, RIGHT_SIDE), below, "the rows below stay");
+    screenshot(&mut harness, "list-name.png");
     harness.event(Event::Text("bank".to_owned()));
     harness.step();
     tap(&mut harness, Key::Enter, Modifiers::NONE);
@@ -211,6 +214,30 @@ fn it_scrolls_to_what_is_current() {
         let place = row(&harness, &label);
         assert!(place.y > 60.0 && place.y < 750.0, "{label} at {place}");
     }
+}
+
+/// A drag that is held at the end of what is seen goes on.
+#[test]
+fn a_drag_scrolls() {
+    let mut harness = of_size(many(), Language::English, vec2(1200.0, 800.0));
+    let from = row(&harness, "Point 3");
+    let last = harness.query_all(by().role(Role::ListItem));
+    let below = last.map(|row| row.rect().bottom()).fold(0.0, f32::max);
+    press(&mut harness, from, LEFT);
+    motion(&mut harness, from + vec2(0.0, 9.0));
+    let to = egui::pos2(from.x, below.min(700.0) - 2.0);
+    motion(&mut harness, to);
+    for _ in 0..20 {
+        harness.step();
+    }
+    let rows = rows(&harness);
+    assert!(!rows.contains(&"Point 3".to_owned()), "{rows:?}");
+    let place = harness.state().document.path().points[2].position;
+    release(&mut harness, to, LEFT);
+    let points = &harness.state().document.path().points;
+    let at = points.iter().position(|point| point.position == place);
+    assert!(at.is_some_and(|at| (30..60).contains(&at)), "{at:?}");
+    assert_eq!(harness.state().document.selection().point, at.unwrap());
 }
 
 /// Three hundred points on a spiral.

@@ -3,6 +3,8 @@
 //! The current point of the thesis stays what it is, and is always one of them: the panels
 //! show it, and what is changed of it is changed of the others.
 
+use glam::DMat4;
+
 use crate::document::{Document, Edit, Selection};
 use crate::error::Result;
 use crate::path::{Orientation, SupportPoint};
@@ -202,10 +204,11 @@ fn for_all(document: &Document, points: &[usize], edit: Edit) -> Result<Vec<Edit
             let Some(by) = of(at).map(|point| position - point.position) else {
                 return Ok(all);
             };
-            all.extend(others(at).filter_map(|at| {
-                let position = of(at)?.position + by;
-                Some(Edit::SetPosition { at, position })
-            }));
+            all.push(Edit::TransformPoints {
+                points: others(at).collect(),
+                matrix: DMat4::from_translation(by),
+                with_targets: false,
+            });
         }
         Edit::SetOwn { at, tcb } => {
             all.extend(others(at).map(|at| Edit::SetOwn { at, tcb }));

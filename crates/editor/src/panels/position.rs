@@ -206,7 +206,8 @@ fn shape(editor: &Editor, ui: &mut Ui, next: bool, actions: &mut Vec<Action>) {
     } else {
         texts.position.shape_hint
     };
-    let parts: [(&str, &str, fn(&mut Tcb) -> &mut f64); 3] = [
+    type Part = fn(&mut Tcb) -> &mut f64;
+    let parts: [(&str, &str, Part); 3] = [
         ("T", texts.curve.tension, |tcb| &mut tcb.tension),
         ("C", texts.curve.continuity, |tcb| &mut tcb.continuity),
         ("B", texts.curve.bias, |tcb| &mut tcb.bias),

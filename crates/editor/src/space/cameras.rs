@@ -54,7 +54,6 @@ impl From<Camera> for Pose {
             vpn: camera.view.to_array(),
             vup: camera.up.to_array(),
             zoom: camera.zoom,
-            ..Self::default()
         }
     }
 }

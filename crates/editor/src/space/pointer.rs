@@ -220,7 +220,8 @@ impl PointerController {
         event: Event,
         actions: &mut Vec<Action>,
     ) {
-        if let Some(mut tool) = self.tool.take() {
+        let wheel = matches!(event, Event::MouseWheel { .. });
+        if !wheel && let Some(mut tool) = self.tool.take() {
             if !editor.document.in_step() {
                 // Somebody else ended the step.
                 return;
