@@ -11,7 +11,8 @@ use super::{Failure, input, print};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// The path; - is standard input
+    /// The path, or a scene: the path of the camera that is shown; - is standard
+    /// input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
     /// Writes the findings as an array of objects
@@ -20,7 +21,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let document = input::load(&arguments.file)?;
+    let document = input::load_shown(&arguments.file)?;
     let found = document
         .check(None)
         .map_err(|error| error.at(input::name(&arguments.file)))?;

@@ -5,9 +5,8 @@ use std::io::{self, IsTerminal, Read};
 use std::path::PathBuf;
 
 use clap::Args;
-use vides::document::{Document, Info};
+use vides::document::{Document, Info, poses_of_text};
 use vides::error::reason;
-use vides::path::Pose;
 use vides::tools::fit::{Tolerance, fit};
 
 use super::output::Output;
@@ -42,60 +41,30 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         fs::read_to_string(&arguments.file)
     };
     let text = text.map_err(|error| Failure::Input(format!("{name}: {}", reason(&error))))?;
-    let (poses, frames) = poses(&text).map_err(|said| Failure::Input(format!("{name}: {said}")))?;
-    let seconds: Vec<f64> = frames.iter().map(|frame| frame / arguments.fps).collect();
-    let times = (seconds.len() == poses.len()).then_some(&seconds[..]);
+    let (poses, frames) = poses_of_text(&text).map_err(|error| error.at(&name))?;
+    let seconds = |frames: Vec<f64>| frames.iter().map(|frame| frame / arguments.fps).collect();
+    let times: Option<Vec<f64>> = frames.map(seconds);
     let tolerance = Tolerance {
         position: arguments.tolerance,
         angle: arguments.angle,
     };
     let mut bar = io::stderr().is_terminal().then(|| Bar::new(io::stderr()));
-    let path = fit(&poses, times, arguments.fps, tolerance, &mut |done, all| {
-        if let Some(bar) = &mut bar {
-            bar.update(done, all);
-        }
-        true
-    })
+    let path = fit(
+        &poses,
+        times.as_deref(),
+        arguments.fps,
+        tolerance,
+        &mut |done, all| {
+            if let Some(bar) = &mut bar {
+                bar.update(done, all);
+            }
+            true
+        },
+    )
     .map_err(|error| vides::Error::from(error).at(name))?;
     let info = Info {
         fps: arguments.fps,
         ..Info::default()
     };
     arguments.output.write(&Document::from_parts(path, info)?)
-}
-
-/// Poses, and their frames where there are such; a first line of headings is passed.
-fn poses(text: &str) -> Result<(Vec<Pose>, Vec<f64>), String> {
-    let (mut poses, mut frames) = (Vec::new(), Vec::new());
-    for (line, words) in text.lines().enumerate() {
-        let words = words.split(|c: char| c == ',' || c.is_whitespace());
-        let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-        let numbers: Option<Vec<f64>> = words.iter().map(|word| word.parse().ok()).collect();
-        let Some(numbers) = numbers else {
-            if line == 0 {
-                continue;
-            }
-            return Err(format!(
-                "line {}: there is a word that is no number",
-                line + 1
-            ));
-        };
-        let numbers = match numbers.len() {
-            0 => continue,
-            10 => &numbers[..],
-            11 => {
-                frames.push(numbers[0]);
-                &numbers[1..]
-            }
-            count => return Err(format!("line {}: {count} numbers are no pose", line + 1)),
-        };
-        let vector = |at: usize| [numbers[at], numbers[at + 1], numbers[at + 2]];
-        poses.push(Pose {
-            vrp: vector(0),
-            vpn: vector(3),
-            vup: vector(6),
-            zoom: numbers[9],
-        });
-    }
-    Ok((poses, frames))
 }

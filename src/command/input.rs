@@ -19,6 +19,31 @@ pub(super) fn load(file: &Path) -> Result<Document, Failure> {
     }
 }
 
+/// Loads a path, or a scene to look at the path of the camera that is shown.
+pub(super) fn load_shown(file: &Path) -> Result<Document, Failure> {
+    let name = name(file);
+    let (document, warnings) = match stream(file)? {
+        Some(mut stream) => Document::load_scene_from(&mut stream, &name)?,
+        None => Document::load_scene(file)?,
+    };
+    for warning in warnings {
+        complain(&one_line(&format!("{name}: {warning}")));
+    }
+    match document.shows_path() {
+        Some(true) => {}
+        Some(false) => complain(&format!(
+            "{name}: this is of the camera's path alone, without what its parent, its aim \
+             and its keys add"
+        )),
+        None => {
+            return Err(vides::Error::from(vides::error::Refused::NoCamera)
+                .at(&name)
+                .into());
+        }
+    }
+    Ok(document)
+}
+
 /// Loads a scene, which a path alone is too.
 pub(super) fn load_scene(file: &Path) -> Result<SceneDocument, Failure> {
     let document = match stream(file)? {

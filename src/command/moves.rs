@@ -35,7 +35,7 @@ pub(super) fn numbers(text: &str) -> Result<Vec<f64>, String> {
 fn option(parameter: &'static Parameter) -> Arg {
     let value = match parameter.unit {
         _ if parameter.width == 3 => "X,Y,Z",
-        Unit::One | Unit::Length => "NUMBER",
+        Unit::One | Unit::Length | Unit::Count | Unit::Choice(_) | Unit::Switch => "NUMBER",
         Unit::Degrees => "DEGREES",
         Unit::Zoom => "MM",
         Unit::Seconds => "SECONDS",

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand, ValueEnum};
 use vides::deform::{Bounds, Deformation};
 use vides::document::{Document, Edit};
-use vides::glam::{DMat4, DQuat, DVec3};
+use vides::glam::{DQuat, DVec3};
 use vides::path::CameraPath;
-use vides::tools::blend;
 use vides::tools::block::{self, Fit};
+use vides::tools::{blend, transform};
 
 use super::output::Output;
 use super::{Failure, input, moves};
@@ -294,8 +294,7 @@ fn transform(arguments: &Transform) -> Result<(), Failure> {
     let angle = arguments.turn.unwrap_or(0.0).to_radians();
     let turn = DQuat::from_axis_angle(arguments.axis.unit(), angle);
     let by = arguments.by.unwrap_or(DVec3::ZERO);
-    let matrix = DMat4::from_scale_rotation_translation(scale, turn, about + by)
-        * DMat4::from_translation(-about);
+    let matrix = transform::matrix(about, scale, turn, by);
     let edit = Edit::TransformPoints {
         points,
         matrix,

@@ -300,6 +300,18 @@ impl Document {
         Self::from_parts(path.try_clone()?, self.info().try_clone()?)
     }
 
+    /// Whether what the path that is edited gives is what the camera that is shown sees, and
+    /// nothing is added by others; none if no path of that camera is edited.
+    #[must_use]
+    pub fn shows_path(&self) -> Option<bool> {
+        let Some(around) = self.around() else {
+            return Some(true);
+        };
+        let shown = around.scene.shown_camera();
+        let shown = shown.filter(|_| around.node == shown)?;
+        Some(is_plain(&around.scene.nodes()[shown]))
+    }
+
     /// All poses of the camera that is shown, as they are now.
     ///
     /// # Errors

@@ -1,13 +1,17 @@
 //! A document checked: its path against its own space, object and limits.
 
+use glam::{DAffine3, DVec3};
 use vides_engine::deform::Bounds;
-use vides_engine::scene::Mesh;
+use vides_engine::scene::{Kind, Mesh, NodeState, Troubles};
 use vides_engine::tools::check::{Against, Finding, check};
 use vides_engine::tools::clearance::Clearance;
 
+use super::edit::Edit;
 use super::editing::Document;
 use super::info::Info;
 use crate::error::{Result, vec_with_room};
+use crate::limits::{MAX_FRAMES, MIN_POINTS};
+use crate::path::{Change, Orientation, Own, Tangents, curve};
 
 impl Info {
     /// The wireframe object as lines between its points.
@@ -33,25 +37,193 @@ impl Info {
 }
 
 impl Document {
+    /// What the camera must not run into: the wireframe object, and of a scene the objects
+    /// that are to be seen where the path begins, as they stand then, in the coordinates of
+    /// the path. None if there is nothing.
+    ///
+    /// # Errors
+    /// [`vides_engine::Error::Memory`]; [`vides_engine::Error::Range`] for a scene that is
+    /// too far away.
+    pub fn obstacles(&self) -> Result<Option<Mesh>> {
+        let mut all = self.info().mesh()?;
+        if let Some(around) = self.around() {
+            let scene = around.with(self.path())?;
+            let frame = self.frame_of_scene(1.0);
+            let mut states = vec_with_room(scene.nodes().len())?;
+            states.resize(scene.nodes().len(), NodeState::default());
+            let troubles = &mut Troubles::default();
+            scene.evaluate(frame, &mut states, troubles)?;
+            let parent = around.node().and_then(|at| scene.nodes()[at].parent);
+            let into = parent.map_or(DAffine3::IDENTITY, |at| states[at].world().inverse());
+            // What lies flat shows the world as it is.
+            let into = if into.is_finite() {
+                into
+            } else {
+                DAffine3::IDENTITY
+            };
+            for (at, node) in scene.nodes().iter().enumerate() {
+                if let Kind::Object(object) = &node.kind
+                    && states[at].visible != 0
+                {
+                    let mut points = vec_with_room(object.mesh().points.len())?;
+                    points.resize(object.mesh().points.len(), DVec3::ZERO);
+                    scene.vertices(at, frame, &mut points, troubles)?;
+                    let place = into * states[at].world();
+                    points
+                        .iter_mut()
+                        .for_each(|point| *point = place.transform_point3(*point));
+                    add(&mut all, object.mesh(), &points)?;
+                }
+            }
+        }
+        Ok((!all.points.is_empty()).then_some(all))
+    }
+
     /// What will look wrong in the film; see [`vides_engine::tools::check`]. Without
-    /// an object of the caller's the document's own counts, if it has one.
+    /// an object of the caller's that of [`Document::obstacles`] counts, if there is one.
     ///
     /// # Errors
     /// [`vides_engine::Error::Argument`] for an object without geometry,
     /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
     pub fn check(&self, object: Option<&Mesh>) -> Result<Vec<Finding>> {
-        let (info, space) = (self.info(), self.path().space);
-        let clearance = match object {
-            Some(mesh) => Some(Clearance::new(mesh)?),
-            None if info.object.is_empty() => None,
-            None => Some(Clearance::new(&info.mesh()?)?),
+        let own = match object {
+            Some(_) => None,
+            None => self.obstacles()?,
         };
+        let clearance = object.or(own.as_ref()).map(Clearance::new).transpose()?;
+        self.check_against(clearance.as_ref())
+    }
+
+    /// The same with an object that has been prepared, or none.
+    ///
+    /// # Errors
+    /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
+    pub fn check_against(&self, object: Option<&Clearance>) -> Result<Vec<Finding>> {
+        let (info, space) = (self.info(), self.path().space);
         let against = Against {
             fps: info.fps,
             space: Some(Bounds::new(space.low(), space.high())?),
-            object: clearance.as_ref(),
+            object,
             limits: info.limits,
         };
         Ok(check(self.path(), &against)?)
     }
+
+    /// The edits that do what helps against a finding, to be one step; none where that is
+    /// for the user to choose. More frames where something turns or zooms too fast, a
+    /// smooth tangent at a corner, a view of a place ahead instead of along the tangent
+    /// where it jumps, away with a key that stands for nothing.
+    ///
+    /// # Errors
+    /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
+    pub fn remedy(&self, finding: &Finding) -> Result<Vec<Edit>> {
+        let path = self.path();
+        let (point, at) = (finding.point, finding.orientation);
+        let Some(key) = path
+            .points
+            .get(point)
+            .and_then(|here| here.orientations.get(at))
+        else {
+            return Ok(Vec::new());
+        };
+        let mut edits = Vec::new();
+        let mut own = |point: usize, at: usize, change: &dyn Fn(&mut Own)| -> Result<()> {
+            let key = &path.points[point].orientations[at];
+            let orientation = Orientation {
+                own: key.own.with(|own| change(own))?,
+                ..key.clone()
+            };
+            edits.push(Edit::SetOrientation {
+                point,
+                at,
+                orientation,
+            });
+            Ok(())
+        };
+        match finding.kind {
+            "turning" | "zoom" if finding.limit > 0.0 => {
+                let sampler = self.sampler()?;
+                let more = finding.value / finding.limit;
+                let sections = self.timeline(|timeline| {
+                    let all = 0..timeline.section_count();
+                    let all = all.map(|k| (sampler.first_frame(k) as f64, timeline.section(k)));
+                    let found = all.filter(|(first, section)| {
+                        section.change != Change::Nothing
+                            && *first <= finding.last_frame
+                            && first + section.frames as f64 > finding.first_frame
+                    });
+                    found.map(|(_, section)| section).collect::<Vec<_>>()
+                })?;
+                for section in sections {
+                    let frames = (section.frames as f64 * more).ceil().min(MAX_FRAMES as f64);
+                    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+                    let frames = frames as u32;
+                    own(section.point, section.orientation, &|own| {
+                        own.frames = frames
+                    })?;
+                }
+            }
+            "view-jump" => {
+                let ahead = AHEAD * path.space.half_size;
+                let next = (point + 1) % path.points.len();
+                let keys = [(point, at), (next, 0)];
+                for (point, at) in keys {
+                    if path.points[point].orientations[at].own.ahead == Some(0.0) {
+                        own(point, at, &|own| own.ahead = Some(ahead))?;
+                    }
+                }
+            }
+            "corner" => {
+                let old = curve::tangents(path, point);
+                let middle = 0.5 * (old.before + old.after);
+                if middle.length() > 1e-6 * path.space.half_size {
+                    let tangents = Some(Tangents {
+                        before: middle,
+                        after: middle,
+                    });
+                    edits.push(Edit::SetTangents {
+                        at: point,
+                        tangents,
+                    });
+                }
+            }
+            "redundant" if path.points[point].orientations.len() > 1 => {
+                edits.push(Edit::RemoveOrientation { point, at });
+            }
+            "redundant" if path.points.len() > MIN_POINTS && key.hold == 0 => {
+                edits.push(Edit::RemovePoint { at: point });
+            }
+            _ => {}
+        }
+        Ok(edits)
+    }
 }
+
+/// How far ahead a view looks that jumped, in half sizes.
+const AHEAD: f64 = 0.1;
+
+/// Adds a mesh with its points where they are; points alone are lines without length.
+fn add(all: &mut Mesh, mesh: &Mesh, points: &[DVec3]) -> Result<()> {
+    // A mesh has fewer points than 2³².
+    let start = all.points.len() as u32;
+    all.points.try_reserve(points.len())?;
+    all.points.extend_from_slice(points);
+    all.lines.try_reserve(mesh.lines.len())?;
+    let lines = mesh.lines.iter();
+    all.lines
+        .extend(lines.map(|ends| ends.map(|at| start + at)));
+    all.triangles.try_reserve(mesh.triangles.len())?;
+    let triangles = mesh.triangles.iter();
+    all.triangles
+        .extend(triangles.map(|corners| corners.map(|at| start + at)));
+    if mesh.lines.is_empty() && mesh.triangles.is_empty() {
+        all.lines.try_reserve(points.len())?;
+        all.lines
+            .extend((start..).take(points.len()).map(|at| [at, at]));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+#[path = "check_tests.rs"]
+mod tests;

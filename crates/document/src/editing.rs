@@ -17,7 +17,8 @@ use super::vid::{self, Comments};
 use crate::error::{Error, Result, can_allocate};
 use crate::limits;
 use crate::path::up_vector::check_ups;
-use crate::path::{CameraPath, Plan, Sampler, Space, Timeline};
+use crate::path::{CameraPath, Plan, Sampler, Space, Timeline, UpVector, ahead, alignment};
+use glam::DVec3;
 
 /// The current point and its current orientation, counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -322,6 +323,23 @@ impl Document {
         self.open.is_some()
     }
 
+    /// Gives the step that is open a name, such as that of a tool.
+    pub fn name_step(&mut self, name: &'static str) {
+        if let Some(step) = &mut self.open {
+            step.name = Some(name);
+        }
+    }
+
+    /// The names of the steps that [`Document::undo`] and [`Document::redo`] would go, if
+    /// they have some.
+    #[must_use]
+    pub fn step_names(&self) -> [Option<&'static str>; 2] {
+        match &self.open {
+            Some(open) => [open.name, None],
+            None => self.history.names(),
+        }
+    }
+
     /// Ends the step that is open, if one is.
     pub fn end_step(&mut self) {
         if let Some(mut step) = self.open.take() {
@@ -418,6 +436,21 @@ impl Document {
         Ok(self.plan.timeline(&self.content.path, f)?)
     }
 
+    /// What is up for the camera at an orientation, its roll with it: a unit vector of the
+    /// world, perpendicular to its view.
+    ///
+    /// # Errors
+    /// `ErrorKind::Range` if there is no such orientation; `ErrorKind::Memory`.
+    pub fn up(&self, point: usize, orientation: usize) -> Result<DVec3> {
+        let path = self.path();
+        let here = prepare::orientation(path, point, orientation)?;
+        if here.own.up == UpVector::Axis {
+            let view = ahead::view(path, point, orientation);
+            return Ok(path.space.up.up_from_roll(view, here.roll.to_radians()));
+        }
+        self.timeline(|timeline| alignment::up(path, timeline, point, orientation))
+    }
+
     /// Everything prepared for sampling.
     ///
     /// # Errors
@@ -463,6 +496,16 @@ impl Document {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
         Self::scene_from_toml(&text, &absolute_folder_of(file))
             .map_err(|error| error.at(file.display()))
+    }
+
+    /// The same of what `reader` gives; names of meshes lead from the working directory,
+    /// and `name` stands for it in messages.
+    ///
+    /// # Errors
+    /// As [`Document::load`].
+    pub fn load_scene_from(reader: &mut dyn Read, name: &str) -> Result<(Self, Vec<Error>)> {
+        let text = vid::read_from(reader, name)?;
+        Self::scene_from_toml(&text, Path::new(".")).map_err(|error| error.at(name))
     }
 
     /// The same of a text; names of meshes lead from `folder`.

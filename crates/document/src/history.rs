@@ -20,6 +20,8 @@ pub(super) struct Step {
     pub(super) selection: Selection,
     /// Number of the state on the other side.
     pub(super) state: u64,
+    /// What it is called, if it has a name.
+    pub(super) name: Option<&'static str>,
 }
 
 impl Step {
@@ -28,6 +30,7 @@ impl Step {
             changes: Vec::new(),
             selection,
             state,
+            name: None,
         }
     }
 
@@ -133,6 +136,12 @@ impl History {
 
     pub(super) fn can_redo(&self) -> bool {
         self.done < self.steps.len()
+    }
+
+    /// The names of the steps to be taken back and done again next.
+    pub(super) fn names(&self) -> [Option<&'static str>; 2] {
+        let name = |at: usize| self.steps.get(at).and_then(|(step, _)| step.name);
+        [self.done.checked_sub(1).and_then(name), name(self.done)]
     }
 
     /// Takes the memory for one more step.

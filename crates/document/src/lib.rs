@@ -27,10 +27,12 @@ mod info;
 mod mesh_file;
 mod not_a_file;
 mod place;
+mod poses;
 mod prepare;
 pub mod save;
 mod scene;
 mod target;
+pub mod tool;
 #[doc(hidden)]
 pub mod vid;
 mod wireframe;
@@ -47,6 +49,7 @@ pub use mesh_file::{load_mesh, load_object};
 pub use not_a_file::NotAFile;
 pub use wireframe::features;
 
+pub use poses::{Recorded, load_poses, poses_of_text};
 pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;
 

@@ -5,13 +5,14 @@ use std::path::PathBuf;
 
 use glam::DVec3;
 
+use crate::document::tool::Tool;
 use crate::document::{Edit, Selection, no_longer_ahead};
 use crate::error::Result;
 use crate::files::{Purpose, Then};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
-use crate::panels::orientation::look_ahead;
-use crate::path::{CameraPath, Orientation, Target, insertion};
+use crate::panels::orientation::{look_ahead, set_up};
+use crate::path::{CameraPath, Orientation, Target, UpVector, insertion};
 use crate::playing::Pace;
 use crate::selected::Choice;
 use crate::setup::{CameraPlace, ColourWindow, DisplayWindow, Setup, Theme, View};
@@ -19,7 +20,10 @@ use crate::space::{Camera, Gesture};
 use crate::state::{Editor, Request};
 use crate::texts::refusals::of_edit;
 use crate::texts::{Language, fill};
-use crate::windows::{self, CurveWindow, HelpWindow, PointsWindow, SpaceWindow, SpeedWindow};
+use crate::tools::check::Finding;
+use crate::windows::{
+    self, CheckWindow, CurveWindow, HelpWindow, PointsWindow, SpaceWindow, SpeedWindow, ToolWindow,
+};
 
 /// What a menu entry, a key, a button or a field stands for.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,6 +66,8 @@ pub(super) enum Action {
     SetAbsolute(bool),
     /// Let the current orientation look along the way.
     LookAhead,
+    /// Which way is up for the current orientation.
+    SetUp(UpVector),
     /// `Abs.` if it is `Rel.`, and the other way round.
     SwitchAbsolute,
     /// Let every orientation of the path look where the current one does.
@@ -81,6 +87,19 @@ pub(super) enum Action {
     TakeOver {
         /// In place of the current orientation.
         replace: bool,
+    },
+    /// Begin with a tool.
+    Tool(Tool),
+    Check,
+    /// To the frames and the key of a finding.
+    GoTo(Finding),
+    /// What helps against one.
+    Mend(Vec<Edit>),
+    /// Show the path with the tool as its numbers are now.
+    PreviewTool,
+    /// `OK` of the tool, or back to what was before it.
+    EndTool {
+        keeps: bool,
     },
     Curve,
     SpeedCurve,
@@ -200,12 +219,57 @@ impl Action {
                 | Self::ApplyCurve(_)
                 | Self::ApplySpace(_)
                 | Self::FileChosen(..)
+                | Self::PreviewTool
                 | Self::Discard(_)
                 | Self::SaveBefore(_)
                 | Self::GoOn(_)
                 | Self::Reload
                 | Self::SaveAsBefore(_)
                 | Self::Overwrite(_)
+                | Self::Say(_)
+                | Self::Complain(_)
+        )
+    }
+}
+
+impl Action {
+    /// Whether a tool that is shown stays as it is: nothing is changed or kept. Any other
+    /// action first takes what the tool shows.
+    const fn leaves_tool(&self) -> bool {
+        matches!(
+            self,
+            Self::Tool(_)
+                | Self::PreviewTool
+                | Self::EndTool { .. }
+                | Self::Undo
+                | Self::Enter(Entry::Idle | Entry::Wrong(_) | Entry::End)
+                | Self::EnterMissing(Entry::Idle | Entry::Wrong(_) | Entry::End)
+                | Self::Gesture(Gesture::Press(_) | Gesture::End | Gesture::Cancel)
+                | Self::Check
+                | Self::GoTo(_)
+                | Self::Select(_)
+                | Self::PreviousPoint
+                | Self::NextPoint
+                | Self::PreviousOrientation
+                | Self::NextOrientation
+                | Self::View(_)
+                | Self::Playhead(_)
+                | Self::PlayOrPause
+                | Self::SwitchLoops
+                | Self::Pace(_)
+                | Self::SwitchCameraView
+                | Self::Setup(_)
+                | Self::Theme(_)
+                | Self::Language(_)
+                | Self::Colours
+                | Self::Display
+                | Self::Keys
+                | Self::CopyOrientation
+                | Self::CopySpeeds(_)
+                | Self::FileChosen(
+                    Purpose::LoadBlock | Purpose::LoadPoses | Purpose::SaveBlock,
+                    _
+                )
                 | Self::Say(_)
                 | Self::Complain(_)
         )
@@ -240,6 +304,9 @@ impl Editor {
         if action.is_command() {
             self.message = None;
         }
+        if !action.leaves_tool() {
+            self.take_tool();
+        }
         let Selection { point, orientation } = self.document.selection();
         match action {
             Action::Load => self.ask_before(Then::Load),
@@ -248,6 +315,7 @@ impl Editor {
             }
             Action::SaveAs => self.choose_file(Purpose::SavePath(None)),
             Action::Quit => self.ask_to_close(),
+            Action::Undo if self.windows.tool.is_some() => self.cancel_tool(),
             Action::Undo => self.undo(),
             Action::Redo => self.redo(),
             Action::AddPoint => self.add_points(1, context),
@@ -294,6 +362,7 @@ impl Editor {
                 });
             }
             Action::LookAhead => self.set_orientation(|current| look_ahead(current, 0.0)),
+            Action::SetUp(up) => self.set_orientation(|current| set_up(current, up)),
             Action::SwitchAbsolute => {
                 let target = self.orientation().map(|current| current.target);
                 let absolute = matches!(target, Some(Target::Absolute(_)));
@@ -314,6 +383,20 @@ impl Editor {
             Action::HandOver => self.complain(self.texts().menu.nobody_takes),
             Action::SwitchHandsOver => self.hands_over = !self.hands_over && self.hand_over,
             Action::TakeOver { replace } => self.ask_for_view(replace),
+            Action::Tool(tool) => {
+                self.open_tool(tool);
+                ToolWindow::to_top(context);
+            }
+            Action::Check => windows::open::<CheckWindow>(self, context),
+            Action::GoTo(finding) => self.go_to(&finding),
+            Action::Mend(edits) => {
+                self.edit_all(edits);
+            }
+            Action::PreviewTool => {
+                self.preview_tool();
+                context.request_repaint();
+            }
+            Action::EndTool { keeps } => self.end_tool(keeps),
             Action::Curve => windows::open::<CurveWindow>(self, context),
             Action::SpeedCurve => windows::open::<SpeedWindow>(self, context),
             Action::Colours => windows::open::<ColourWindow>(self, context),

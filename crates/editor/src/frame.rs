@@ -32,7 +32,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     }
     context.set_theme(editor.setup.theme().of_egui());
     let dragging = context.input(|input| input.pointer.any_down() || input.pointer.any_released());
-    if !dragging && !editor.space.keeps_step_open() {
+    if !dragging && !editor.space.keeps_step_open() && editor.windows.tool.is_none() {
         // A drag whose end nobody saw: its control vanished meanwhile.
         editor.act(Action::Enter(Entry::End), &context);
     }

@@ -309,6 +309,7 @@ impl Editor {
 
     /// For edits from outside: they are undone as those of the user are.
     pub fn document_mut(&mut self) -> &mut Document {
+        self.take_tool();
         &mut self.document
     }
 

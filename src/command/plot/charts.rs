@@ -102,8 +102,8 @@ pub(super) fn of(film: &Film<'_>) -> vides::Result<Vec<Chart>> {
             kinds: &["zoom"],
         },
     ];
-    if !info.object.is_empty() {
-        let object = Clearance::new(&info.mesh()?)?;
+    if let Some(obstacles) = &film.obstacles {
+        let object = Clearance::new(obstacles)?;
         charts.push(Chart {
             name: "Clearance, length",
             of_way: true,

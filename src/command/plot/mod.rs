@@ -12,6 +12,7 @@ use std::path::PathBuf;
 use clap::Args;
 use vides::document::{Document, save};
 use vides::path::{Pose, Timeline};
+use vides::scene::Mesh;
 use vides::tools::check::Finding;
 
 use super::{Failure, input, print};
@@ -19,7 +20,8 @@ use svg::{Anchor, Svg};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// The path; - is standard input
+    /// The path, or a scene: the path of the camera that is shown; - is standard
+    /// input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
     /// Where the picture goes, as .svg or .png; - is standard output, as SVG
@@ -86,6 +88,8 @@ struct Film<'a> {
     /// Frames from 1, whole ones unless there are too many.
     samples: Vec<(f64, Pose)>,
     found: Vec<Finding>,
+    /// What stands around it.
+    obstacles: Option<Mesh>,
     frames: usize,
 }
 
@@ -99,7 +103,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             arguments.output.display()
         )));
     }
-    let document = input::load(&arguments.file)?;
+    let document = input::load_shown(&arguments.file)?;
     let style = if arguments.dark { &DARK } else { &LIGHT };
     let svg = picture(&document, style)
         .map_err(|error| Failure::from(error.at(input::name(&arguments.file))))?;
@@ -133,6 +137,7 @@ fn picture(document: &Document, style: &Style) -> vides::Result<Svg> {
         style,
         samples,
         found: document.check(None)?,
+        obstacles: document.obstacles()?,
         frames,
     };
     let title = match document.info().title.as_str() {

@@ -14,6 +14,9 @@ const VIEWS: [(&str, DVec3, DVec3); 3] = [
     ("From above", DVec3::X, DVec3::NEG_Z),
 ];
 
+/// Lines of the objects that are drawn.
+const EDGES: usize = 6_000;
+
 /// Ticks for up on the sphere.
 const TICKS: usize = 40;
 
@@ -54,8 +57,22 @@ fn way(svg: &mut Svg, film: &Film<'_>, colour: &str, width: f64, spot: &dyn Fn(&
     draw(&run, wrong);
 }
 
+/// Lines of what stands around the way, not more than a picture can show.
+fn edges(film: &Film<'_>) -> Vec<[DVec3; 2]> {
+    let Some(mesh) = &film.obstacles else {
+        return Vec::new();
+    };
+    let place = |ends: [u32; 2]| ends.map(|at| mesh.points[at as usize]);
+    let corners = mesh.triangles.iter();
+    let sides = corners.flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let lines = mesh.lines.iter().copied();
+    let every = (mesh.lines.len() + 3 * mesh.triangles.len()).div_ceil(EDGES);
+    let some = lines.chain(sides).step_by(every.max(1));
+    some.map(place).collect()
+}
+
 pub(super) fn draw(svg: &mut Svg, film: &Film<'_>, top: f64, side: f64) {
-    let (path, info) = (film.document.path(), film.document.info());
+    let path = film.document.path();
     let space = path.space;
     let relative = |place: DVec3| space.up.upright(place - space.centre) / space.half_size;
     let places = film
@@ -80,8 +97,8 @@ pub(super) fn draw(svg: &mut Svg, film: &Film<'_>, top: f64, side: f64) {
             let corner = (centre.0 - scale, centre.1 - scale);
             svg.rectangle(corner, 2.0 * scale, 2.0 * scale, &hair);
             let line = format!("stroke=\"{}\"", film.style.object);
-            for pair in info.object.windows(2).filter(|pair| pair[1].draw) {
-                svg.line(spot(pair[0].position), spot(pair[1].position), &line);
+            for [from, to] in edges(film) {
+                svg.line(spot(from), spot(to), &line);
             }
             // Where the cameras look, from some of them.
             let look = format!(

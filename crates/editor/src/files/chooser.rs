@@ -59,7 +59,9 @@ impl FileWindow {
     pub(crate) fn open(editor: &Editor, purpose: Purpose) -> Self {
         let texts = &editor.texts().files;
         let (name, filter) = match purpose {
-            Purpose::LoadPath => (String::new(), "*.vid"),
+            Purpose::LoadPath | Purpose::LoadBlock => (String::new(), "*.vid"),
+            Purpose::SaveBlock => (format!("{}.vid", texts.block), "*.vid"),
+            Purpose::LoadPoses => (String::new(), "*.csv *.txt"),
             Purpose::SavePath(_) => (editor.proposal(texts.proposal, "vid"), "*.vid"),
             Purpose::LoadObject => (String::new(), "*.obj *.ply *.stl"),
             Purpose::Export => (editor.proposal(texts.poses, "txt"), "*.txt *.csv *.json"),
@@ -102,6 +104,9 @@ impl FileWindow {
             Purpose::Export => texts.export,
             Purpose::LoadSetup => texts.load_setup,
             Purpose::SaveSetup => texts.save_setup,
+            Purpose::LoadBlock => texts.load_block,
+            Purpose::SaveBlock => texts.save_block,
+            Purpose::LoadPoses => texts.load_poses,
         };
         let mut done = Done::default();
         let asks = self.overwrite.is_some();
@@ -163,7 +168,11 @@ impl FileWindow {
     fn loads(&self) -> bool {
         matches!(
             self.purpose,
-            Purpose::LoadPath | Purpose::LoadObject | Purpose::LoadSetup
+            Purpose::LoadPath
+                | Purpose::LoadObject
+                | Purpose::LoadSetup
+                | Purpose::LoadBlock
+                | Purpose::LoadPoses
         )
     }
 
@@ -297,8 +306,12 @@ impl FileWindow {
             Label::new(RichText::new(trouble).color(palette.error)).halign(egui::Align::Min),
         );
         let take = match self.purpose {
-            Purpose::LoadPath | Purpose::LoadObject | Purpose::LoadSetup => texts.load,
-            Purpose::SavePath(_) | Purpose::SaveSetup => texts.save,
+            Purpose::LoadPath
+            | Purpose::LoadObject
+            | Purpose::LoadSetup
+            | Purpose::LoadBlock
+            | Purpose::LoadPoses => texts.load,
+            Purpose::SavePath(_) | Purpose::SaveSetup | Purpose::SaveBlock => texts.save,
             Purpose::Export => texts.write,
         };
         let [cancel, taken] = buttons(ui, [texts.cancel, take]);
@@ -518,7 +531,8 @@ fn with_ending(path: PathBuf, purpose: Purpose) -> PathBuf {
         Purpose::Export => Format::default().ending(),
         Purpose::LoadSetup | Purpose::SaveSetup => "toml",
         Purpose::LoadObject => "obj",
-        Purpose::LoadPath | Purpose::SavePath(_) => "vid",
+        Purpose::LoadPoses => "csv",
+        Purpose::LoadPath | Purpose::SavePath(_) | Purpose::LoadBlock | Purpose::SaveBlock => "vid",
     };
     if path.extension().is_some() {
         path

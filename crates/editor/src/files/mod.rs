@@ -26,7 +26,8 @@ pub(crate) use recovery_window::RecoveryWindow;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use crate::document::{Contents, Document, Edit, export, load_object, save};
+use crate::document::tool::Material;
+use crate::document::{Contents, Document, Edit, export, load_object, load_poses, save};
 use crate::error::{EngineError, Error, Result, TooMany};
 use crate::host::Warnings;
 use crate::limits;
@@ -49,6 +50,12 @@ pub(crate) enum Purpose {
     LoadSetup,
     /// A setup to be saved.
     SaveSetup,
+    /// A path to be put into this one.
+    LoadBlock,
+    /// Points to be saved as a path of their own.
+    SaveBlock,
+    /// Recorded poses of which a path is made.
+    LoadPoses,
 }
 
 /// What waits until unsaved work is saved or given up.
@@ -172,6 +179,8 @@ impl Editor {
             Purpose::Export => self.write_poses(file),
             Purpose::LoadSetup => self.load_setup(file),
             Purpose::SaveSetup => self.save_setup(file),
+            Purpose::LoadBlock | Purpose::LoadPoses => self.load_material(purpose, file),
+            Purpose::SaveBlock => self.save_block(file),
         };
         match done {
             Ok(()) => self.last_folder = file.parent().map(Path::to_owned),
@@ -279,6 +288,53 @@ impl Editor {
             Err(error) => {
                 let why = self.without_name(&error);
                 Err(fill(texts.errors.cannot_load, &[&short(file), &why]))
+            }
+        }
+    }
+
+    /// Begins with the tool that makes something of a file.
+    fn load_material(&mut self, purpose: Purpose, file: &Path) -> Result<(), String> {
+        let read = if purpose == Purpose::LoadBlock {
+            Document::load(file).and_then(|of_file| {
+                let (path, _) = of_file.into_parts();
+                Ok(Material::Block(Box::new(path)))
+            })
+        } else {
+            load_poses(file).map(|(poses, frames)| {
+                let fps = self.document.info().fps;
+                let seconds = |all: Vec<f64>| all.iter().map(|frame| frame / fps).collect();
+                Material::Poses(poses, frames.map(seconds))
+            })
+        };
+        match read {
+            Ok(material) => {
+                self.begin_tool_with(material);
+                Ok(())
+            }
+            Err(error) => {
+                let why = self.without_name(&error);
+                let text = self.texts().errors.cannot_load;
+                Err(fill(text, &[&short(file), &why]))
+            }
+        }
+    }
+
+    /// Writes the points that the window of the tool names.
+    fn save_block(&mut self, file: &Path) -> Result<(), String> {
+        let saved = match &self.windows.tool {
+            Some(window) => window.write(&self.document, file),
+            None => return Ok(()),
+        };
+        match saved {
+            Ok([first, last]) => {
+                self.windows.tool = None;
+                let text = self.texts().tools.block_written;
+                self.say(fill(text, &[&first, &last, &short(file)]));
+                Ok(())
+            }
+            Err(error) => {
+                let why = self.without_name(&error);
+                Err(fill(self.texts().errors.cannot_save, &[&short(file), &why]))
             }
         }
     }

@@ -151,6 +151,7 @@ impl Editor {
     /// # Errors
     /// `ErrorKind::Memory`.
     pub fn set_object(&mut self, object: Object) -> Result<()> {
+        self.take_tool();
         let mut info = self.document.info().clone();
         info.object = object;
         self.document.apply(Edit::SetInfo(Box::new(info)))
@@ -168,6 +169,7 @@ impl Editor {
     /// what it was when it was read or written here: nothing is written then.
     /// `ErrorKind::Io`.
     pub fn save_as(&mut self, file: Option<&Path>) -> Result<()> {
+        self.take_tool();
         let own = self.file.clone();
         let Some(name) = file.or(own.as_deref()) else {
             return Err(Refused::NoFile.into());
@@ -220,6 +222,7 @@ impl Editor {
     /// Takes over the view that the host has given, else the one that it shows: as a
     /// new point behind the current one, or in place of the current orientation.
     pub fn take_over(&mut self, given: Option<&Pose>, replace: bool) {
+        self.take_tool();
         let texts = &self.texts().space;
         let name = self.host_name().to_owned();
         let Some(pose) = given.or(self.ghost.as_ref()) else {

@@ -10,6 +10,7 @@ use egui::{
 };
 
 use crate::actions::Action;
+use crate::document::tool::{self, Needs};
 use crate::keys;
 use crate::limits::MIN_POINTS;
 use crate::setup::Theme;
@@ -36,6 +37,8 @@ struct Entry {
     on: Option<bool>,
     /// A line stands above it.
     apart: bool,
+    /// It begins another column.
+    beside: bool,
 }
 
 impl Entry {
@@ -48,7 +51,13 @@ impl Entry {
             enabled: true,
             on: None,
             apart: false,
+            beside: false,
         }
+    }
+
+    fn does(mut self, hint: &'static str, action: Action) -> Self {
+        (self.hint, self.action) = (Cow::Borrowed(hint), action);
+        self
     }
 
     const fn letter(mut self, letter: Key) -> Self {
@@ -70,6 +79,11 @@ impl Entry {
         self
     }
 
+    const fn beside(mut self) -> Self {
+        self.beside = true;
+        self
+    }
+
     const fn apart(mut self) -> Self {
         self.apart = true;
         self
@@ -84,12 +98,13 @@ struct Menu {
 }
 
 /// The letters that open the menus with Alt, and the menus' titles.
-pub(super) fn letters(texts: &Texts) -> [(Key, &'static str); 5] {
+pub(super) fn letters(texts: &Texts) -> [(Key, &'static str); 6] {
     let menu = &texts.menu;
     [
         (Key::D, menu.file),
         (Key::B, menu.edit),
         (Key::A, menu.output),
+        (Key::W, texts.tools.menu),
         (Key::E, menu.settings),
         (Key::H, menu.help),
     ]
@@ -102,8 +117,8 @@ pub(super) fn in_menu(language: Language, menu: Key, entry: Key) -> String {
     format!("{opens}, {}", entry.name())
 }
 
-fn menus(editor: &Editor) -> [Menu; 5] {
-    let entries = [file, edit, output, settings, help];
+fn menus(editor: &Editor) -> [Menu; 6] {
+    let entries = [file, edit, output, tools, settings, help];
     let mut entries = entries.into_iter().map(|entries| entries(editor));
     letters(editor.texts()).map(|(letter, title)| Menu {
         title,
@@ -138,11 +153,15 @@ fn edit(editor: &Editor) -> Vec<Entry> {
     let orientations = editor.point().map_or(1, |point| point.orientations.len());
     let path = editor.document.path();
     let closed = path.closed;
+    let tools = &editor.texts().tools;
+    let [back, forth] = editor.document.step_names();
     let close_hint = if closed { hints.open } else { hints.close };
     vec![
-        Entry::new(texts.undo, hints.undo, Action::Undo)
+        named(editor, back, tools.undo, texts.undo)
+            .does(hints.undo, Action::Undo)
             .only_if(editor.document.can_undo(), output.nothing_to_undo),
-        Entry::new(texts.redo, hints.redo, Action::Redo)
+        named(editor, forth, tools.redo, texts.redo)
+            .does(hints.redo, Action::Redo)
             .only_if(editor.document.can_redo(), output.nothing_to_redo),
         Entry::new(texts.add_point, position.add_hint, Action::AddPoint)
             .only_if(editor.has_segment(), position.last_point)
@@ -190,6 +209,20 @@ fn edit(editor: &Editor) -> Vec<Entry> {
     ]
 }
 
+/// An entry for a step, with the name of the tool that made it.
+fn named(
+    editor: &Editor,
+    step: Option<&'static str>,
+    of: &'static str,
+    plain: &'static str,
+) -> Entry {
+    let text = step.map(|step| fill(of, &[&editor.language().tool(step)]).into());
+    Entry {
+        text: text.unwrap_or(Cow::Borrowed(plain)),
+        ..Entry::new("", "", Action::Undo)
+    }
+}
+
 fn output(editor: &Editor) -> Vec<Entry> {
     let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
     vec![
@@ -202,6 +235,35 @@ fn output(editor: &Editor) -> Vec<Entry> {
             .on(editor.hands_over)
             .only_if(editor.hand_over, texts.nobody_takes),
     ]
+}
+
+/// The tools, the moves in a column of their own.
+fn tools(editor: &Editor) -> Vec<Entry> {
+    let (language, texts) = (editor.language(), &editor.texts().tools);
+    let mut beside = false;
+    let entries = tool::tools().map(|tool| {
+        let more = if tool.needs() == Needs::Nothing && !tool.has_numbers() {
+            ""
+        } else {
+            " …"
+        };
+        let entry = Entry {
+            text: format!("{}{more}", language.tool(tool.name)).into(),
+            ..Entry::new("", language.tool_hint(&tool), Action::Tool(tool))
+        };
+        let first = !tool.is_move() && !std::mem::replace(&mut beside, !tool.is_move());
+        let entry = if first { entry.beside() } else { entry };
+        let entry = match tool.name {
+            "taper" | "insert" | "reverse" | "fit" => entry.apart(),
+            _ => entry,
+        };
+        entry.only_if(editor.document.edits_path(), texts.only_path)
+    });
+    let check = &editor.texts().check;
+    let check = Entry::new(check.menu, check.menu_hint, Action::Check)
+        .apart()
+        .only_if(editor.document.edits_path(), texts.only_path);
+    entries.chain([check]).collect()
 }
 
 fn settings(editor: &Editor) -> Vec<Entry> {
@@ -294,32 +356,39 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
     let all =
         MARK + widest(&|entry| width(&entry.text)) + APART + widest(&|entry| width(&keys(entry)));
     let size = vec2((all + 8.0).ceil(), theme::ROW);
-    for entry in &menu.entries {
-        if entry.apart {
-            let (line, _) = ui.allocate_exact_size(vec2(size.x, 9.0), Sense::hover());
-            let stroke = Stroke::new(1.0, theme::palette(ui).line);
-            ui.painter().hline(line.x_range(), line.center().y, stroke);
-        }
-        let response = ui
-            .add_enabled_ui(entry.enabled, |ui| {
-                show_entry(ui, entry, &keys(entry), size)
-            })
-            .inner;
-        if entry.enabled {
-            bar.entries.push(response.id);
-            if bar.wants_first {
-                bar.wants_first = false;
-                response.request_focus();
+    let mut column = |ui: &mut Ui, picked: &mut Option<Action>, entries: &[Entry]| {
+        for entry in entries {
+            if entry.apart {
+                let (line, _) = ui.allocate_exact_size(vec2(size.x, 9.0), Sense::hover());
+                let stroke = Stroke::new(1.0, theme::palette(ui).line);
+                ui.painter().hline(line.x_range(), line.center().y, stroke);
             }
+            let response = ui
+                .add_enabled_ui(entry.enabled, |ui| {
+                    show_entry(ui, entry, &keys(entry), size)
+                })
+                .inner;
+            if entry.enabled {
+                bar.entries.push(response.id);
+                if bar.wants_first {
+                    bar.wants_first = false;
+                    response.request_focus();
+                }
+            }
+            if response.clicked() {
+                *picked = Some(entry.action.clone());
+                ui.close();
+            }
+            response
+                .on_hover_text(&*entry.hint)
+                .on_disabled_hover_text(&*entry.hint);
         }
-        if response.clicked() {
-            picked = Some(entry.action.clone());
-            ui.close();
+    };
+    ui.horizontal_top(|ui| {
+        for entries in menu.entries.chunk_by(|_, next| !next.beside) {
+            ui.vertical(|ui| column(ui, &mut picked, entries));
         }
-        response
-            .on_hover_text(&*entry.hint)
-            .on_disabled_hover_text(&*entry.hint);
-    }
+    });
     picked
 }
 

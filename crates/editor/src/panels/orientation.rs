@@ -1,16 +1,20 @@
 //! The orientations of the current point (thesis A.4.2).
 
-use egui::Ui;
+use egui::{Button, Popup, Role, Ui, WidgetInfo};
+use glam::DVec3;
 
 use super::position::three_numbers;
 use super::{Key, heading, keys, round, share};
 use crate::actions::Action;
 use crate::document::{Edit, Selection};
 use crate::limits::MAX_HOLD;
+use crate::math::rotation_minimising::turned;
 use crate::number::Number;
-use crate::path::{Orientation, Target};
+use crate::path::{CameraPath, Orientation, Target, UpVector, ahead};
 use crate::playing::playhead::Shown;
 use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().orientation;
@@ -73,6 +77,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         actions,
     );
     target(editor, ui, &shown, actions);
+    up(editor, ui, &shown, actions);
     let language = editor.language();
     let width = share(ui, 2);
     ui.horizontal(|ui| {
@@ -132,6 +137,88 @@ fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>
         })
     };
     three_numbers(editor, ui, words, vector, missing, edit, actions);
+}
+
+/// Which way is up: a choice, and the point if it is one.
+fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().orientation;
+    let current = &shown.orientation.own.up;
+    let words = |up: &UpVector| match up {
+        UpVector::Axis => (texts.up_axis, texts.up_axis_hint),
+        UpVector::Point(_) => (texts.up_place, texts.up_place_hint),
+        UpVector::Path(_) => (texts.up_path, texts.up_path_hint),
+        UpVector::Minimal => (texts.up_minimal, texts.up_minimal_hint),
+        UpVector::Frenet => (texts.up_frenet, texts.up_frenet_hint),
+    };
+    let size = [ui.available_width(), theme::ROW];
+    let response = ui.add_sized(size, Button::new(fill(texts.up, &[&words(current).0])));
+    response.widget_info(|| WidgetInfo {
+        current_text_value: Some(words(current).0.to_owned()),
+        ..WidgetInfo::labeled(Role::ComboBox, true, fill(texts.up, &[&""]).trim_end())
+    });
+    Popup::menu(&response).show(|ui| {
+        let place = UpVector::Point(up_place(editor).unwrap_or_default());
+        let path = path_for_up(editor.document.path());
+        let all = [
+            Some(UpVector::Axis),
+            Some(place),
+            path,
+            Some(UpVector::Minimal),
+            Some(UpVector::Frenet),
+        ];
+        for up in all.into_iter().flatten() {
+            let chosen = up.name() == current.name();
+            let (word, hint) = words(&up);
+            let button = ui.add(Button::selectable(chosen, word)).on_hover_text(hint);
+            if button.clicked() && !chosen {
+                actions.push(Action::SetUp(up));
+            }
+        }
+    });
+    response.on_hover_text(texts.up_hint);
+    if let UpVector::Point(place) = *current {
+        let words = ("up", texts.up_at, texts.up_at_hint);
+        let edit = |to| {
+            with(shown.at, &shown.orientation, |new| {
+                set_up(new, UpVector::Point(to))
+            })
+        };
+        three_numbers(
+            editor,
+            ui,
+            words,
+            place,
+            shown.has_no_orientation(),
+            edit,
+            actions,
+        );
+    }
+}
+
+/// A point above the camera of the current orientation, half a space away, with which its
+/// picture stays.
+fn up_place(editor: &Editor) -> Option<DVec3> {
+    let Selection { point, orientation } = editor.document.selection();
+    let path = editor.document.path();
+    let view = ahead::view(path, point, orientation);
+    let up = editor.document.up(point, orientation).ok()?;
+    let unrolled = turned(up, view, -editor.orientation()?.roll.to_radians());
+    Some(editor.point()?.position + path.space.half_size * unrolled)
+}
+
+/// The second path that some orientation has for its up.
+fn path_for_up(path: &CameraPath) -> Option<UpVector> {
+    let mut all = path.points.iter().flat_map(|point| &point.orientations);
+    let found = all.find(|key| matches!(key.own.up, UpVector::Path(_)))?;
+    Some(found.own.up.clone())
+}
+
+/// Up that way from now on.
+pub(crate) fn set_up(orientation: &mut Orientation, up: UpVector) {
+    // Without memory for it all stays as it is.
+    if let Ok(own) = orientation.own.with(|own| own.up = up) {
+        orientation.own = own;
+    }
 }
 
 /// Along the way from now on, or at the place so far ahead on it.

@@ -58,6 +58,7 @@ pub(super) struct Playing {
     /// What was current in the last pass.
     selection: Selection,
     marks: Marks,
+    between: Option<playhead::Between>,
     /// When they were brought up to date, in egui's time.
     marked: f64,
     /// What is held of the speeds.
@@ -192,6 +193,11 @@ impl Playing {
         if at_it {
             self.frame = None;
         }
+    }
+
+    /// The playhead stands where it stood.
+    pub(super) fn put_back(&mut self, frame: Option<f64>, selection: Selection) {
+        (self.frame, self.selection) = (frame, selection);
     }
 
     /// The playhead goes to the current key, and stays there.
@@ -349,6 +355,7 @@ fn as_frame(frame: usize) -> f64 {
 
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     editor.advance(ui.ctx());
+    editor.keep_between();
     let context = ui.ctx().clone();
     let mut held = std::mem::take(&mut editor.playing.held);
     editor.part(&context, |editor, actions| {

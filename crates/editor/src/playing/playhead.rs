@@ -5,15 +5,25 @@
 use glam::DVec3;
 
 use super::Mark;
-use crate::document::{Edit, Selection};
+use crate::document::{Document, Edit, Info, Selection};
 use crate::math::orientation;
+use crate::math::rotation_minimising::signed_angle;
 use crate::number::Entry;
-use crate::path::{Orientation, Space, Target};
+use crate::path::{MayOwn, Orientation, Space, Target, UpVector};
 use crate::space::Camera;
 use crate::state::Editor;
 
 /// Length of a direction that stands for no other, in half sizes of the space.
 const DIRECTION: f64 = 0.4;
+
+/// What was found for the playhead between two keys.
+#[derive(Debug)]
+pub(super) struct Between {
+    revision: u64,
+    frame: f64,
+    roll: f64,
+    own: MayOwn,
+}
 
 /// What the panels show and change.
 #[derive(Clone, Debug)]
@@ -97,12 +107,77 @@ impl Editor {
                 (at, Missing::Point, next.orientations.first())
             }
         };
+        let mut orientation = between(from, to, &camera, self.document.path().space);
+        let axis = |key: &Orientation| key.own.up == UpVector::Axis;
+        if !(axis(from) && to.is_none_or(axis))
+            && let Some((roll, own)) = self.roll_there(frame, at, missing, &orientation)
+        {
+            (orientation.roll, orientation.own) = (roll, own);
+        }
         Some(Shown {
             at,
             position: camera.position,
-            orientation: between(from, to, &camera, self.document.path().space),
+            orientation,
             missing,
         })
+    }
+
+    /// The roll with which a key has the picture of a frame, where up is another one than
+    /// the axis: that of a copy of the path in which it is one.
+    fn roll_there(
+        &self,
+        frame: f64,
+        at: Selection,
+        missing: Missing,
+        orientation: &Orientation,
+    ) -> Option<(f64, MayOwn)> {
+        let known =
+            |found: &&Between| (found.revision, found.frame) == (self.document.revision(), frame);
+        if let Some(found) = self.playing.between.as_ref().filter(known) {
+            return Some((found.roll, found.own.clone()));
+        }
+        let path = self.document.path().try_clone().ok()?;
+        let copy = Document::from_parts(path, Info::default()).ok()?;
+        let mut copy = copy.without_history();
+        let Selection {
+            point,
+            orientation: number,
+        } = at;
+        match missing {
+            Missing::Nothing => return None,
+            Missing::Point => copy.apply(Edit::InsertOnCurve { frame }).ok()?,
+            Missing::Orientation => copy
+                .apply(Edit::InsertOrientation {
+                    point,
+                    at: number,
+                    orientation: Some(orientation.clone()),
+                })
+                .ok()?,
+        }
+        let key = copy.path().points.get(point)?.orientations.get(number)?;
+        let pose = self.document.sampler().ok()?.pose(frame).ok()?;
+        let [view, up] = [pose.vpn, pose.vup].map(DVec3::from_array);
+        let missing = signed_angle(copy.up(point, number).ok()?, up, view).to_degrees();
+        let own = orientation
+            .own
+            .with(|own| own.up = key.own.up.clone())
+            .ok()?;
+        Some((orientation::wrap_degrees(key.roll + missing), own))
+    }
+
+    /// Keeps the roll of what is shown between keys for all who ask in this pass.
+    pub(super) fn keep_between(&mut self) {
+        let shown = self.at_playhead().filter(|shown| {
+            shown.missing != Missing::Nothing && shown.orientation.own.up != UpVector::Axis
+        });
+        self.playing.between = shown
+            .zip(self.playing.frame())
+            .map(|(shown, frame)| Between {
+                revision: self.document.revision(),
+                frame,
+                roll: shown.orientation.roll,
+                own: shown.orientation.own,
+            });
     }
 
     /// Selects the key at which the playhead stands or from which the camera comes

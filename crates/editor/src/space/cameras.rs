@@ -63,15 +63,10 @@ impl Camera {
         let index = point;
         let point = document.path().points.get(index)?;
         let orientation = point.orientations.get(number)?;
-        let view = ahead::view(document.path(), index, number);
         Some(Self {
             position: point.position,
-            view,
-            up: document
-                .path()
-                .space
-                .up
-                .up_from_roll(view, orientation.roll.to_radians()),
+            view: ahead::view(document.path(), index, number),
+            up: document.up(index, number).ok()?,
             zoom: orientation.zoom,
         })
     }

@@ -7,7 +7,7 @@ use super::projection::{Axis, EDGE_ON, Projection};
 use super::scene::FLOOR;
 use crate::document::{Document, Edit, Selection, no_longer_ahead};
 use crate::math::orientation;
-use crate::path::{Orientation, Target};
+use crate::path::{Orientation, Target, UpVector, ahead};
 
 /// Length of the VUP arrow, in half sizes of the movement space.
 pub(super) const VUP_LENGTH: f64 = 0.25;
@@ -198,14 +198,23 @@ fn roll(document: &Document, projection: &Projection, snaps: bool, pointer: DVec
     let Some(orientation) = support.orientations.get(selection.orientation) else {
         return Outcome::Nothing;
     };
-    let view = orientation.view(support.position);
+    let view = ahead::view(document.path(), selection.point, selection.orientation);
     if circle_share(projection, view) < EDGE_ON {
         return Outcome::CircleEdgeOn;
     }
     let way = pointer - projection.image(support.position);
-    let Some(mut roll) = roll_towards(projection, view, way) else {
+    // Counted from where the axis makes it, or from the up that there is.
+    let (axes, counted) = match orientation.own.up {
+        UpVector::Axis => (projection.space().up.level_axes(view), 0.0),
+        _ => match document.up(selection.point, selection.orientation) {
+            Ok(up) => ((up.cross(view), up), orientation.roll),
+            Err(_) => return Outcome::Nothing,
+        },
+    };
+    let Some(turn) = roll_towards(projection, axes, way) else {
         return Outcome::Nothing;
     };
+    let mut roll = orientation::wrap_degrees(counted + turn);
     if snaps {
         roll = (roll / SNAP_ROLL).round() * SNAP_ROLL + 0.0;
     }
@@ -224,14 +233,17 @@ pub(super) fn circle_share(projection: &Projection, view: DVec3) -> f64 {
     projection.toward().dot(view).abs()
 }
 
-/// The roll in degrees with which the image of VUP points along `way`; none if
-/// that has no direction.
+/// The roll in degrees with which the image of VUP points along `way`, if U₀ and V₀ are
+/// right and up without it; none if that has no direction.
 ///
 /// VUP is V₀·cos φ − U₀·sin φ. With the images a and b of V₀ and U₀ the angle
 /// follows from way × (a·cos φ − b·sin φ) = 0 at once, where the thesis halves
 /// an interval (6.2.3).
-pub(super) fn roll_towards(projection: &Projection, view: DVec3, way: DVec2) -> Option<f64> {
-    let (u, v) = projection.space().up.level_axes(view);
+pub(super) fn roll_towards(
+    projection: &Projection,
+    (u, v): (DVec3, DVec3),
+    way: DVec2,
+) -> Option<f64> {
     let (a, b) = (projection.image_of_way(v), projection.image_of_way(u));
     let (sin, cos) = (way.perp_dot(a), way.perp_dot(b));
     if !(sin != 0.0 || cos != 0.0) {
@@ -253,7 +265,7 @@ mod tests {
 
     use super::super::projection::tests::{in_cube, view, viewport};
     use super::*;
-    use crate::path::Orientation;
+    use crate::path::{Orientation, UpPath};
 
     fn document(positions: &[DVec3], target: Target) -> Document {
         let mut document = Document::new();
@@ -474,7 +486,8 @@ mod tests {
                     high = middle;
                 }
             }
-            let found = roll_towards(&projection, view, way).unwrap();
+            let axes = projection.space().up.level_axes(view);
+            let found = roll_towards(&projection, axes, way).unwrap();
             let difference = orientation::wrap_degrees(found - low);
             assert!(difference.abs() < 1e-6, "{found} and {low}");
         }
@@ -484,7 +497,88 @@ mod tests {
     fn at_the_centre_of_the_circle_nothing_turns() {
         let projection = Projection::new(&crate::setup::View::default(), viewport());
         let view = orientation::unit(DVec3::new(0.3, -0.2, -0.8));
-        assert_eq!(roll_towards(&projection, view, DVec2::ZERO), None);
+        let axes = projection.space().up.level_axes(view);
+        assert_eq!(roll_towards(&projection, axes, DVec2::ZERO), None);
+    }
+
+    /// The camera of the film has its up where the pointer is, whatever its up is.
+    #[test]
+    fn every_up_is_turned_to_the_pointer() {
+        let projection = Projection::new(&crate::setup::View::default(), viewport());
+        let positions = [
+            DVec3::new(-0.6, 0.1, 0.7),
+            DVec3::new(0.5, 0.4, 0.2),
+            DVec3::new(0.1, -0.3, -0.6),
+        ];
+        let place = DVec3::new(0.3, 0.9, -0.4);
+        let up_path = UpPath::of(Document::new().path()).unwrap();
+        let ups = [
+            UpVector::Point(place),
+            UpVector::Minimal,
+            UpVector::Path(up_path),
+            UpVector::Frenet,
+        ];
+        for up in ups {
+            let mut document = document(&positions, Target::Relative(DVec3::NEG_Z));
+            let cubic = Edit::SetCurveKind(crate::path::CurveKind::Cubic);
+            document.apply(cubic).unwrap();
+            for (point, ahead) in [(0, None), (1, Some(0.0)), (2, None)] {
+                let orientation = Orientation {
+                    target: Target::Relative(DVec3::new(0.5, -0.3, -0.8)),
+                    roll: 35.0,
+                    ..Orientation::default()
+                };
+                let own = orientation.own.with(|own| {
+                    own.up = up.clone();
+                    own.ahead = ahead;
+                });
+                let orientation = Orientation {
+                    own: own.unwrap(),
+                    ..orientation
+                };
+                let at = 0;
+                let edit = Edit::SetOrientation {
+                    point,
+                    at,
+                    orientation,
+                };
+                document.apply(edit).unwrap();
+            }
+            for point in 0..3 {
+                document.select(point, 0).unwrap();
+                let foot = projection.image(document.path().points[point].position);
+                for step in 0..12 {
+                    let way = DVec2::from_angle(f64::from(30 * step).to_radians()) * 80.0;
+                    let freedom = Freedom::of_button(&projection, Axis::X);
+                    let held = Handle::Vup;
+                    let Outcome::Edit(edit) =
+                        outcome(&document, &projection, held, freedom, false, foot + way)
+                    else {
+                        panic!("{up:?} {point}");
+                    };
+                    document.apply(edit).unwrap();
+                    let frame = document
+                        .timeline(|timeline| {
+                            let from = timeline.section_from(point, 0);
+                            from.map(|section| {
+                                (0..section)
+                                    .map(|k| timeline.section(k).frames)
+                                    .sum::<usize>()
+                            })
+                        })
+                        .unwrap();
+                    let sampler = document.sampler().unwrap();
+                    let frame = frame.map_or(sampler.frame_count(), |before| before + 1);
+                    let pose = sampler.pose(frame as f64).unwrap();
+                    let image = projection.image_of_way(DVec3::from_array(pose.vup));
+                    let turn = image.normalize().perp_dot(way.normalize());
+                    assert!(
+                        turn.abs() < 1e-6 && image.dot(way) > 0.0,
+                        "{up:?} {point} {turn}"
+                    );
+                }
+            }
+        }
     }
 
     #[test]

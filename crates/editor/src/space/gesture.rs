@@ -55,6 +55,8 @@ impl Editor {
                     self.say(words);
                 }
             }
+            // The step that is open is that of a tool: only the view was dragged.
+            Gesture::End | Gesture::Cancel if self.windows.tool.is_some() => {}
             Gesture::End => {
                 self.document.end_step();
                 // The running coordinates give way to the pose; what could not be done

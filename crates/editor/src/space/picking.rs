@@ -28,12 +28,11 @@ pub(super) struct Tips {
 pub(super) fn tips(document: &Document) -> Option<Tips> {
     let selection = document.selection();
     let point = document.path().points.get(selection.point)?;
-    let current = point.orientations.get(selection.orientation)?;
     let position = point.position;
     let path = document.path();
     let view = ahead::view(path, selection.point, selection.orientation);
     let space = path.space;
-    let up = space.up.up_from_roll(view, current.roll.to_radians());
+    let up = document.up(selection.point, selection.orientation).ok()?;
     Some(Tips {
         position,
         view,

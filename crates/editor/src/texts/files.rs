@@ -11,6 +11,10 @@ texts! {
         export: "Write to a file", "In Datei ausgeben";
         load_setup: "Load setup", "Lade Setup";
         save_setup: "Save setup", "Speicher Setup";
+        load_block: "Insert a block", "Baustein einfügen";
+        save_block: "Save points as a block", "Punkte als Baustein speichern";
+        load_poses: "Fit recorded poses", "Aufgezeichnete Posen annähern";
+        block: "block", "Baustein";
 
         folder: "Directory", "Verzeichnis";
         folder_hint: "Type a directory and press Enter", "Ein Verzeichnis eintippen und Enter drücken";

@@ -22,6 +22,7 @@ use std::fmt::{Display, Write};
 pub(super) use german::German;
 
 mod ambiguities;
+mod check;
 mod colours;
 mod curve;
 mod display;
@@ -45,6 +46,7 @@ mod space;
 mod space_window;
 mod speed;
 mod speed_window;
+mod tools;
 mod zoom;
 
 /// The window's language.
@@ -156,6 +158,7 @@ macro_rules! parts {
 }
 
 parts! {
+    check: Check;
     colours: Colours;
     curve: Curve;
     display: DisplayWindow;
@@ -176,6 +179,7 @@ parts! {
     space_window: SpaceWindow;
     speed: Speed;
     speed_window: SpeedWindow;
+    tools: Tools;
     zoom: Zoom;
 }
 

@@ -42,6 +42,25 @@ texts! {
         roll: "Roll", "Winkel";
         roll_hint: "By how much the camera is turned about its view direction",
             "Drehung der Kamera um ihre Blickrichtung";
+        up: "Up: {0}", "Oben: {0}";
+        up_hint: "Which way is up for the camera before the roll",
+            "Wo für die Kamera oben ist, vor dem Winkel";
+        up_axis: "vertical", "senkrecht";
+        up_axis_hint: "Along the upright axis of the space", "Längs der senkrechten Achse des Raums";
+        up_place: "a point", "ein Punkt";
+        up_place_hint: "Towards a point of the space", "Zu einem Punkt des Raums hin";
+        up_path: "a path", "eine Bahn";
+        up_path_hint: "Towards the place at the same share of the length of the second path",
+            "Zum Ort auf der zweiten Bahn beim selben Anteil der Länge hin";
+        up_minimal: "minimal", "minimal";
+        up_minimal_hint: "Carried along from key to key, without turning about the view",
+            "Von Stelle zu Stelle mitgenommen, ohne Drehung um den Blick";
+        up_frenet: "curvature", "Krümmung";
+        up_frenet_hint: "Towards where the curve bends (Frenet); only where the curve is a cubic spline",
+            "Dorthin, wohin sich die Kurve krümmt (Frenet); nur bei kubischem Spline";
+        up_at: "Up towards {0}", "Oben zu {0}";
+        up_at_hint: "The point that is up for the camera: drag, or click and type",
+            "Der Punkt, der für die Kamera oben ist: ziehen, oder klicken und tippen";
         hold: "Hold", "Halt";
         hold_unit: " fr.", " B.";
         hold_hint: "Frames that the camera rests here before it goes on",

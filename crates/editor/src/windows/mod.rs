@@ -6,17 +6,21 @@
 //! asked for is done. [`open`] opens one or brings it to the front;
 //! [`sub_window`] gives all of them the same frame and the same ways to close.
 
+mod check;
 mod curve;
 mod help;
 mod points;
 mod space;
 mod speed;
+mod tool;
 
+pub(super) use check::CheckWindow;
 pub(super) use curve::CurveWindow;
 pub(super) use help::HelpWindow;
 pub(super) use points::PointsWindow;
 pub(super) use space::SpaceWindow;
 pub(super) use speed::SpeedWindow;
+pub(super) use tool::ToolWindow;
 
 use crate::actions::Action;
 use crate::files::{FileWindow, Question, RecoveryWindow};
@@ -38,6 +42,9 @@ pub(super) struct Windows {
     pub(super) points: Option<PointsWindow>,
     pub(super) space: Option<SpaceWindow>,
     pub(super) help: Option<HelpWindow>,
+    pub(super) check: Option<CheckWindow>,
+    /// What it shows is in the step of the document that is open.
+    pub(super) tool: Option<ToolWindow>,
     /// A file is being chosen; nothing else happens meanwhile.
     pub(super) files: Option<FileWindow>,
     /// A question waits for its answer; nothing else happens meanwhile.
@@ -97,6 +104,12 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_one::<PointsWindow>(editor, context);
     show_one::<SpaceWindow>(editor, context);
     show_one::<HelpWindow>(editor, context);
+    show_one::<CheckWindow>(editor, context);
+    if editor.windows.files.is_none() {
+        // A file that it asked for was not chosen.
+        editor.windows.tool.take_if(|window| window.waits());
+        show_slot(editor, context, |open| &mut open.tool, ToolWindow::show);
+    }
     show_one::<RecoveryWindow>(editor, context);
     show_slot(editor, context, |open| &mut open.files, FileWindow::show);
     show_slot(editor, context, |open| &mut open.question, Question::show);
@@ -107,6 +120,7 @@ impl Windows {
     /// Another path is open: what waits was meant for the old one.
     pub(super) fn path_replaced(&mut self) {
         self.paths += 1;
+        self.tool = None;
         if let Some(window) = &mut self.curve {
             window.lose();
         }

@@ -13,6 +13,7 @@ use super::arc_length::ArcLength;
 use super::camera_path::{CameraPath, Orientation, Target};
 use super::frenet::Normals;
 use super::own::MayOwn;
+use super::timeline::Timeline;
 use super::up_vector::{UpPath, UpVector};
 use crate::error::{Result, can_allocate, vec_with_room};
 use crate::math::orientation::{up_from_roll, wrap_degrees};
@@ -169,20 +170,26 @@ pub fn any(path: &CameraPath) -> bool {
     all.any(|orientation| orientation.own.up != UpVector::Axis)
 }
 
-/// Up with its roll at each orientation of a path in turn, in the world.
+/// Up with its roll at an orientation of a path with this timeline, a unit vector of the
+/// world.
+#[must_use]
+pub fn up(path: &CameraPath, timeline: &Timeline, point: usize, orientation: usize) -> DVec3 {
+    let axes = path.space.up;
+    let view = axes.upright(ahead::view(path, point, orientation));
+    let roll = path.points[point].orientations[orientation].roll;
+    let reference = timeline.reference(point, orientation);
+    axes.world(rolled(view, reference, roll.to_radians()))
+}
+
+/// The same at each orientation in turn.
 ///
 /// # Errors
 /// [`crate::Error::Memory`].
 pub fn ups(path: &CameraPath) -> Result<Vec<DVec3>> {
-    let timeline = super::timeline::Timeline::new(path)?;
+    let timeline = Timeline::new(path)?;
     let mut ups = vec_with_room(path.points.iter().map(|p| p.orientations.len()).sum())?;
     for (point, here) in path.points.iter().enumerate() {
-        for at in 0..here.orientations.len() {
-            let view = path.space.up.upright(ahead::view(path, point, at));
-            let roll = here.orientations[at].roll.to_radians();
-            let up = rolled(view, timeline.reference(point, at), roll);
-            ups.push(path.space.up.world(up));
-        }
+        ups.extend((0..here.orientations.len()).map(|at| up(path, &timeline, point, at)));
     }
     Ok(ups)
 }

@@ -17,7 +17,8 @@ use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
 use crate::path::fit_frames::fit_frames;
 use crate::path::{
-    CameraPath, CurveParameters, Orientation, Space, SupportPoint, Tangents, Target, Timeline,
+    BaseSpeeds, CameraPath, CurveParameters, Orientation, Space, SupportPoint, Tangents, Target,
+    Timeline,
 };
 
 /// The largest angle of one circular segment.
@@ -367,8 +368,22 @@ impl Move {
     /// # Errors
     /// [`crate::Error::Argument`], [`crate::Error::Range`] or [`crate::Error::Limit`] for numbers that do
     /// not do; [`crate::Error::Memory`].
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub fn path(&self, given: &[f64], space: Space, fps: f64) -> Result<CameraPath> {
+        self.path_at(given, space, fps, BaseSpeeds::default())
+    }
+
+    /// The same with base speeds, which count where it takes as long as its way.
+    ///
+    /// # Errors
+    /// As [`Move::path`].
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    pub fn path_at(
+        &self,
+        given: &[f64],
+        space: Space,
+        fps: f64,
+        speeds: BaseSpeeds,
+    ) -> Result<CameraPath> {
         let numbers = Parameter::numbers(self.parameters, given)?;
         let given = Given {
             parameters: self.parameters,
@@ -379,6 +394,7 @@ impl Move {
         let mut path = CameraPath::try_new()?;
         path.points = points;
         path.space = space;
+        path.speeds = speeds;
         path.check()?;
         let seconds = given.number("seconds");
         if seconds > 0.0 {

@@ -16,6 +16,12 @@ pub enum Unit {
     Zoom,
     /// Seconds.
     Seconds,
+    /// Things: whole numbers.
+    Count,
+    /// One of these, counted from 0.
+    Choice(&'static [&'static str]),
+    /// 0: no, 1: yes.
+    Switch,
 }
 
 impl Unit {
@@ -23,7 +29,7 @@ impl Unit {
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
-            Self::One | Self::Length => "",
+            Self::One | Self::Length | Self::Count | Self::Choice(_) | Self::Switch => "",
             Self::Degrees => "degrees",
             Self::Zoom => "mm",
             Self::Seconds => "seconds",
@@ -51,6 +57,25 @@ pub struct Parameter {
 }
 
 impl Parameter {
+    /// One of several, by default the one of this number.
+    #[must_use]
+    pub const fn choice(
+        name: &'static str,
+        does: &'static str,
+        names: &'static [&'static str],
+        default: usize,
+    ) -> Self {
+        Self {
+            name,
+            does,
+            unit: Unit::Choice(names),
+            width: 1,
+            least: 0.0,
+            most: names.len() as f64 - 1.0,
+            default: default as f64,
+        }
+    }
+
     /// Where this parameter begins among the numbers of `all`, and what it is.
     #[must_use]
     pub fn find(all: &'static [Self], name: &str) -> Option<(usize, &'static Self)> {

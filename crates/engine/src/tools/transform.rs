@@ -32,6 +32,13 @@ struct Map<'a> {
     linear: bool,
 }
 
+/// The matrix that scales about a place, turns about it, and then moves by a way.
+#[must_use]
+pub fn matrix(about: DVec3, scale: DVec3, turn: DQuat, by: DVec3) -> DMat4 {
+    DMat4::from_scale_rotation_translation(scale, turn, about + by)
+        * DMat4::from_translation(-about)
+}
+
 /// A matrix that moves, turns, scales and mirrors.
 ///
 /// # Errors

@@ -1,0 +1,560 @@
+//! The tools as a hand asks for them: each with the table of what it asks for, and the
+//! edit that it is. Window and texts are made of these tables, so that a tool stands in
+//! one place; the mathematics is [`vides_engine::tools`].
+
+use glam::{DQuat, DVec3};
+use vides_engine::deform::{Bounds, Deformation};
+use vides_engine::tools::block::{self, Fit};
+use vides_engine::tools::fit::{Tolerance, fit};
+use vides_engine::tools::moves::{MOVES, Move};
+use vides_engine::tools::{Parameter, Unit, transform};
+
+use super::edit::Edit;
+use super::editing::Document;
+use super::prepare::no_longer_ahead;
+use crate::error::{OutOfRange, Result};
+use crate::limits::{MAX_COORDINATE, MAX_FRAMES, MAX_POINTS};
+use crate::path::{CameraPath, Pose, Space, Target, Up};
+
+/// A tool: what it is called, what it does, what it asks for.
+#[derive(Debug, Clone, Copy)]
+pub struct Tool {
+    /// In small letters, words joined by `-`.
+    pub name: &'static str,
+    /// What it does, in a few words.
+    pub does: &'static str,
+    kind: Kind,
+    /// What it asks for, and what several ask for.
+    tables: [&'static [Parameter]; 2],
+}
+
+impl PartialEq for Tool {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+/// What a tool is made of besides its numbers.
+#[derive(Debug, Clone, Default)]
+pub enum Material {
+    /// Nothing.
+    #[default]
+    None,
+    /// A path that is put in.
+    Block(Box<CameraPath>),
+    /// Poses that were recorded, with their seconds if they have some.
+    Poses(Vec<Pose>, Option<Vec<f64>>),
+}
+
+/// What a tool needs before it can begin, or does at its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Needs {
+    /// Nothing but its numbers.
+    Nothing,
+    /// A file with a path.
+    Block,
+    /// A file with poses.
+    Poses,
+    /// A file to be written: it changes nothing.
+    Output,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Kind {
+    Move(&'static Move),
+    Shift,
+    Turn,
+    Scale,
+    Mirror,
+    Deform(&'static str),
+    Insert,
+    Extract,
+    Reverse,
+    Repeat,
+    Frames,
+    Fit,
+}
+
+const AXES: &[&str] = &["x", "y", "z"];
+
+const FITS: [Fit; 4] = [Fit::None, Fit::Move, Fit::Turn, Fit::Scale];
+
+const fn one(name: &'static str, does: &'static str, default: f64) -> Parameter {
+    Parameter {
+        name,
+        does,
+        unit: Unit::One,
+        width: 1,
+        least: -1e3,
+        most: 1e3,
+        default,
+    }
+}
+
+const fn degrees(name: &'static str, does: &'static str, default: f64) -> Parameter {
+    Parameter {
+        unit: Unit::Degrees,
+        least: -360_000.0,
+        most: 360_000.0,
+        ..one(name, does, default)
+    }
+}
+
+const fn count(name: &'static str, does: &'static str, most: usize, default: f64) -> Parameter {
+    Parameter {
+        unit: Unit::Count,
+        least: 1.0,
+        most: most as f64,
+        ..one(name, does, default)
+    }
+}
+
+const FIRST: Parameter = count("first", "the first of the points", MAX_POINTS, 1.0);
+const LAST: Parameter = count("last", "the last of the points", MAX_POINTS, 2.0);
+const RANGE: &[Parameter] = &[FIRST, LAST];
+const SEEN: Parameter = Parameter {
+    unit: Unit::Switch,
+    least: 0.0,
+    most: 1.0,
+    ..one("with-targets", "what the cameras see goes along", 0.0)
+};
+const CHANGED: &[Parameter] = &[FIRST, LAST, SEEN];
+const AXIS: Parameter = Parameter::choice("axis", "the axis", AXES, 1);
+const ABOUT: Parameter = Parameter::choice(
+    "about",
+    "what stays where it is",
+    &["middle", "origin", "point", "target"],
+    0,
+);
+const PUT: &[Parameter] = &[Parameter::choice(
+    "put",
+    "as a new path, or behind the current point and how it is brought there",
+    &["new", "none", "move", "turn", "scale"],
+    0,
+)];
+
+const TOOLS: &[Tool] = &[
+    Tool {
+        name: "move",
+        does: "moves points",
+        kind: Kind::Shift,
+        tables: [
+            &[Parameter {
+                width: 3,
+                unit: Unit::Length,
+                least: -MAX_COORDINATE,
+                most: MAX_COORDINATE,
+                ..one("by", "by how much", 0.0)
+            }],
+            CHANGED,
+        ],
+    },
+    Tool {
+        name: "turn",
+        does: "turns points about an axis",
+        kind: Kind::Turn,
+        tables: [
+            &[AXIS, degrees("angle", "by which angle", 90.0), ABOUT],
+            CHANGED,
+        ],
+    },
+    Tool {
+        name: "scale",
+        does: "scales points",
+        kind: Kind::Scale,
+        tables: [&[one("factor", "by which factor", 0.5), ABOUT], CHANGED],
+    },
+    Tool {
+        name: "mirror",
+        does: "mirrors points along an axis",
+        kind: Kind::Mirror,
+        tables: [
+            &[
+                Parameter {
+                    default: 0.0,
+                    ..AXIS
+                },
+                ABOUT,
+            ],
+            CHANGED,
+        ],
+    },
+    Tool {
+        name: "taper",
+        does: "makes one end of the points' box narrower",
+        kind: Kind::Deform("taper"),
+        tables: [
+            &[
+                AXIS,
+                one("r0", "how wide it is at one end", 1.0),
+                one("r1", "how wide it is at the other", 0.5),
+            ],
+            CHANGED,
+        ],
+    },
+    Tool {
+        name: "bulge",
+        does: "makes the middle of the points' box wider",
+        kind: Kind::Deform("taper"),
+        tables: [
+            &[AXIS, one("a", "how wide it is in the middle", 2.0)],
+            CHANGED,
+        ],
+    },
+    Tool {
+        name: "twist",
+        does: "twists the points' box about an axis",
+        kind: Kind::Deform("twist"),
+        tables: [&[AXIS, degrees("angle", "by which angle", 90.0)], CHANGED],
+    },
+    Tool {
+        name: "bend",
+        does: "bends the points' box along an axis",
+        kind: Kind::Deform("bend"),
+        tables: [&[AXIS, degrees("angle", "by which angle", 90.0)], CHANGED],
+    },
+    Tool {
+        name: "insert",
+        does: "puts a path from a file behind the current point",
+        kind: Kind::Insert,
+        tables: [
+            &[
+                Parameter::choice(
+                    "fit",
+                    "how it is brought there",
+                    &["none", "move", "turn", "scale"],
+                    1,
+                ),
+                Parameter {
+                    default: 1.0,
+                    ..SEEN
+                },
+            ],
+            &[],
+        ],
+    },
+    Tool {
+        name: "extract",
+        does: "writes points as a path of their own",
+        kind: Kind::Extract,
+        tables: [&[], RANGE],
+    },
+    Tool {
+        name: "reverse",
+        does: "turns the way round",
+        kind: Kind::Reverse,
+        tables: [&[], &[]],
+    },
+    Tool {
+        name: "repeat",
+        does: "goes the way several times",
+        kind: Kind::Repeat,
+        tables: [&[count("times", "how often", 1000, 2.0)], &[]],
+    },
+    Tool {
+        name: "frames",
+        does: "brings points to a number of frames",
+        kind: Kind::Frames,
+        tables: [
+            &[count(
+                "frames",
+                "how many, the first and the last with them",
+                MAX_FRAMES,
+                250.0,
+            )],
+            RANGE,
+        ],
+    },
+    Tool {
+        name: "fit",
+        does: "makes a path of few points of recorded poses",
+        kind: Kind::Fit,
+        tables: [
+            &[
+                Parameter {
+                    unit: Unit::Length,
+                    least: 1e-9,
+                    most: MAX_COORDINATE,
+                    ..one("tolerance", "how far a position may be from its pose", 0.01)
+                },
+                Parameter {
+                    least: 1e-6,
+                    most: 180.0,
+                    ..degrees(
+                        "angle",
+                        "how far view, up and field of view may be from theirs",
+                        0.5,
+                    )
+                },
+            ],
+            &[],
+        ],
+    },
+];
+
+/// All of them, the moves first.
+pub fn tools() -> impl Iterator<Item = Tool> {
+    let moves = MOVES.iter().map(|known| Tool {
+        name: known.name,
+        does: known.does,
+        kind: Kind::Move(known),
+        tables: [known.parameters, PUT],
+    });
+    moves.chain(TOOLS.iter().copied())
+}
+
+impl Tool {
+    /// What it asks for.
+    pub fn parameters(&self) -> impl Iterator<Item = &'static Parameter> + use<> {
+        self.tables.into_iter().flatten()
+    }
+
+    /// A ready-made move.
+    #[must_use]
+    pub const fn is_move(&self) -> bool {
+        matches!(self.kind, Kind::Move(_))
+    }
+
+    /// It asks for something.
+    #[must_use]
+    pub const fn has_numbers(&self) -> bool {
+        !self.tables[0].is_empty() || !self.tables[1].is_empty()
+    }
+
+    /// What it needs besides.
+    #[must_use]
+    pub const fn needs(&self) -> Needs {
+        match self.kind {
+            Kind::Insert => Needs::Block,
+            Kind::Fit => Needs::Poses,
+            Kind::Extract => Needs::Output,
+            _ => Needs::Nothing,
+        }
+    }
+
+    /// Its numbers unless told: a move around the object, all points of the path, as
+    /// many frames as there are.
+    ///
+    /// # Errors
+    /// `ErrorKind::Memory`.
+    pub fn defaults(&self, document: &Document) -> Result<Vec<f64>> {
+        let (path, info) = (document.path(), document.info());
+        let mut numbers = match self.kind {
+            Kind::Move(known) => {
+                let places: Vec<_> = info.object.iter().map(|point| point.position).collect();
+                let bounds = (!places.is_empty()).then(|| Bounds::of(&places));
+                known.defaults(bounds.as_ref(), path.space)?
+            }
+            _ => Parameter::numbers(self.tables[0], &[])?,
+        };
+        match self.kind {
+            Kind::Frames => numbers[0] = document.sampler()?.frame_count() as f64,
+            Kind::Fit => numbers[0] *= path.space.half_size,
+            _ => {}
+        }
+        let own = numbers.len();
+        numbers.extend(Parameter::numbers(self.tables[1], &[])?);
+        if let Some((at, _)) = Parameter::find(self.tables[1], LAST.name) {
+            numbers[own + at] = path.points.len() as f64;
+        }
+        Ok(numbers)
+    }
+
+    /// The edit that it is with these numbers, and with what it needs besides; none if it
+    /// changes nothing.
+    ///
+    /// # Errors
+    /// Those of the tool; the document refuses an edit for reasons of its own.
+    pub fn edit(
+        &self,
+        document: &Document,
+        material: &Material,
+        numbers: &[f64],
+    ) -> Result<Option<Edit>> {
+        let own = Parameter::count(self.tables[0]).min(numbers.len());
+        let (first, second) = numbers.split_at(own);
+        Parameter::numbers(self.tables[0], first)?;
+        Parameter::numbers(self.tables[1], second)?;
+        let given = Given {
+            tool: self,
+            numbers,
+            document,
+        };
+        let path = document.path();
+        let block = |block: CameraPath, fit: f64, with_targets| Edit::InsertPath {
+            at: document.selection().point,
+            block: Box::new(block),
+            fit: FITS[chosen(fit).min(FITS.len() - 1)],
+            with_targets,
+        };
+        Ok(Some(match (self.kind, material) {
+            (Kind::Move(known), _) => {
+                let fps = document.info().fps;
+                let made = known.path_at(first, path.space, fps, path.speeds)?;
+                match given.number("put") {
+                    put if put >= 1.0 => block(made, put - 1.0, true),
+                    _ => Edit::ReplacePath(Box::new(made)),
+                }
+            }
+            (Kind::Shift, _) => given.placed(DVec3::ONE, 0.0, given.place("by"))?,
+            (Kind::Turn, _) => {
+                given.placed(DVec3::ONE, given.number("angle").to_radians(), DVec3::ZERO)?
+            }
+            (Kind::Scale, _) => {
+                given.placed(DVec3::splat(given.number("factor")), 0.0, DVec3::ZERO)?
+            }
+            (Kind::Mirror, _) => given.placed(1.0 - 2.0 * given.axis(), 0.0, DVec3::ZERO)?,
+            (Kind::Deform(kind), _) => Edit::DeformPoints {
+                points: given.points()?,
+                deformation: Deformation::new(kind, first)?,
+                bounds: None,
+                with_targets: given.number(SEEN.name) != 0.0,
+            },
+            (Kind::Insert, Material::Block(of_file)) => {
+                let with_targets = given.number(SEEN.name) != 0.0;
+                block(of_file.try_clone()?, given.number("fit"), with_targets)
+            }
+            (Kind::Extract, _) => {
+                given.extracted()?;
+                return Ok(None);
+            }
+            (Kind::Reverse, _) => Edit::Reverse,
+            (Kind::Repeat, _) => Edit::Repeat(chosen(given.number("times"))),
+            (Kind::Frames, _) => {
+                let points = given.points()?;
+                Edit::FitFrames {
+                    first: points[0],
+                    last: points[points.len() - 1],
+                    frames: chosen(given.number("frames")),
+                }
+            }
+            (Kind::Fit, Material::Poses(poses, seconds)) => {
+                let tolerance = Tolerance {
+                    position: given.number("tolerance"),
+                    angle: given.number("angle"),
+                };
+                let (fps, seconds) = (document.info().fps, seconds.as_deref());
+                let mut made = fit(poses, seconds, fps, tolerance, &mut |_, _| true)?;
+                made.speeds = path.speeds;
+                // Rolls of recorded poses are found for an upright y.
+                made.space = Space {
+                    up: Up::Y,
+                    ..path.space
+                };
+                Edit::ReplacePath(Box::new(made))
+            }
+            (Kind::Insert | Kind::Fit, _) => return Ok(None),
+        }))
+    }
+
+    /// The points as a path of their own, as a document with all else of this one.
+    ///
+    /// # Errors
+    /// `ErrorKind::Range` if there are no such points; `ErrorKind::Memory`.
+    pub fn extracted(&self, document: &Document, numbers: &[f64]) -> Result<Document> {
+        let given = Given {
+            tool: self,
+            numbers,
+            document,
+        };
+        Document::from_parts(given.extracted()?, document.info().try_clone()?)
+    }
+}
+
+/// The numbers of a tool by their names.
+struct Given<'a> {
+    tool: &'a Tool,
+    numbers: &'a [f64],
+    document: &'a Document,
+}
+
+/// A number that was checked to be a small whole one.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+fn chosen(number: f64) -> usize {
+    number as usize
+}
+
+impl Given<'_> {
+    fn of(&self, name: &str) -> &[f64] {
+        let mut start = 0;
+        for parameter in self.tool.parameters() {
+            let end = start + parameter.width;
+            if parameter.name == name {
+                return self.numbers.get(start..end).unwrap_or_default();
+            }
+            start = end;
+        }
+        &[]
+    }
+
+    fn number(&self, name: &str) -> f64 {
+        self.of(name).first().copied().unwrap_or_default()
+    }
+
+    fn place(&self, name: &str) -> DVec3 {
+        match *self.of(name) {
+            [x, y, z] => DVec3::new(x, y, z),
+            _ => DVec3::ZERO,
+        }
+    }
+
+    fn axis(&self) -> DVec3 {
+        let mut axis = DVec3::ZERO;
+        axis[chosen(self.number(AXIS.name)).min(2)] = 1.0;
+        axis
+    }
+
+    /// From the first point to the last one.
+    fn points(&self) -> Result<Vec<usize>> {
+        let [first, last] = [FIRST, LAST].map(|end| chosen(self.number(end.name)));
+        if first > last {
+            return Err(OutOfRange::PointOrder.into());
+        }
+        let count = self.document.path().points.len();
+        if last > count {
+            return Err(OutOfRange::NumberBetween(LAST.name, 1.0, count as f64).into());
+        }
+        Ok((first - 1..last).collect())
+    }
+
+    fn extracted(&self) -> Result<CameraPath> {
+        let points = self.points()?;
+        let path = self.document.path();
+        Ok(block::extract(path, points[0], points[points.len() - 1])?)
+    }
+
+    /// What stays where it is.
+    fn about(&self, points: &[usize]) -> DVec3 {
+        let path = self.document.path();
+        let here = self.document.selection();
+        let current = path.points[here.point].position;
+        match chosen(self.number(ABOUT.name)) {
+            1 => DVec3::ZERO,
+            2 => current,
+            3 => no_longer_ahead(path, here.point, here.orientation).map_or(current, |seen| {
+                match seen.target {
+                    Target::Absolute(place) => place,
+                    Target::Relative(offset) => current + offset,
+                }
+            }),
+            _ => {
+                let places = points.iter().map(|&at| path.points[at].position);
+                places.sum::<DVec3>() / points.len() as f64
+            }
+        }
+    }
+
+    fn placed(&self, scale: DVec3, angle: f64, by: DVec3) -> Result<Edit> {
+        let points = self.points()?;
+        let turn = DQuat::from_axis_angle(self.axis(), angle);
+        Ok(Edit::TransformPoints {
+            matrix: transform::matrix(self.about(&points), scale, turn, by),
+            points,
+            with_targets: self.number(SEEN.name) != 0.0,
+        })
+    }
+}
+
+#[cfg(test)]
+#[path = "tool_tests.rs"]
+mod tests;

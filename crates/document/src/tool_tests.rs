@@ -1,0 +1,193 @@
+use super::*;
+use crate::Edit;
+
+/// A path with four points about (0.2, 0, 0).
+fn document() -> Document {
+    let mut document = Document::new();
+    for (at, place) in [(0.0, 0.1), (0.4, 0.3), (0.4, -0.2), (0.0, -0.2)]
+        .into_iter()
+        .enumerate()
+    {
+        let position = DVec3::new(place.0, place.1, 0.5 - 0.3 * at as f64);
+        let edit = if at < 2 {
+            Edit::SetPosition { at, position }
+        } else {
+            Edit::InsertPoint { at, position }
+        };
+        document.apply(edit).unwrap();
+    }
+    document.select(1, 0).unwrap();
+    document
+}
+
+fn tool(name: &str) -> Tool {
+    tools().find(|tool| tool.name == name).unwrap()
+}
+
+/// Its edit with some numbers set by name.
+fn edit(document: &Document, name: &str, set: &[(&str, f64)]) -> Result<Option<Edit>> {
+    let tool = tool(name);
+    let mut numbers = tool.defaults(document).unwrap();
+    for (name, value) in set {
+        let mut start = 0;
+        for parameter in tool.parameters() {
+            if parameter.name == *name {
+                numbers[start] = *value;
+            }
+            start += parameter.width;
+        }
+    }
+    let material = match tool.needs() {
+        Needs::Block => Material::Block(Box::new(CameraPath::default())),
+        Needs::Poses => {
+            let sampler = document.sampler().unwrap();
+            let mut poses = vec![Pose::default(); sampler.frame_count()];
+            sampler.sample(1, &mut poses).unwrap();
+            Material::Poses(poses, None)
+        }
+        _ => Material::None,
+    };
+    tool.edit(document, &material, &numbers)
+}
+
+#[test]
+fn each_tool_changes_a_path_in_one_step_that_leaves_nothing_behind() {
+    let mut names = Vec::new();
+    for tool in tools() {
+        assert!(!names.contains(&tool.name), "{}", tool.name);
+        names.push(tool.name);
+        let mut document = document();
+        let before = document.path().clone();
+        let Some(edit) = edit(&document, tool.name, &[("by", 0.1), ("frames", 100.0)]).unwrap()
+        else {
+            assert_eq!(tool.needs(), Needs::Output);
+            continue;
+        };
+        document.begin_step();
+        document.apply(edit).unwrap();
+        document.name_step(tool.name);
+        document.end_step();
+        assert_ne!(*document.path(), before, "{}", tool.name);
+        assert_eq!(document.step_names(), [Some(tool.name), None]);
+        assert!(document.undo());
+        assert_eq!(*document.path(), before, "{}", tool.name);
+        assert_eq!(document.step_names(), [None, Some(tool.name)]);
+    }
+}
+
+/// A quarter turn about z is (x, y) to (−y, x).
+#[test]
+fn points_are_turned_about_what_is_chosen() {
+    let quarter = [("axis", 2.0), ("first", 2.0), ("last", 3.0)];
+    for (about, centre) in [(0.0, [0.4, 0.05]), (1.0, [0.0, 0.0]), (2.0, [0.4, 0.3])] {
+        let mut document = document();
+        let before = document.path().clone();
+        let mut set = quarter.to_vec();
+        set.push(("about", about));
+        let edit = edit(&document, "turn", &set).unwrap().unwrap();
+        document.apply(edit).unwrap();
+        for (at, old) in before.points.iter().enumerate() {
+            let [x, y] = [old.position.x - centre[0], old.position.y - centre[1]];
+            let turned = DVec3::new(centre[0] - y, centre[1] + x, old.position.z);
+            let picked = (1..3).contains(&at);
+            let wanted = if picked { turned } else { old.position };
+            let found = document.path().points[at].position;
+            assert!((found - wanted).length() < 1e-15, "{about} {at}: {found}");
+        }
+    }
+}
+
+#[test]
+fn points_are_mirrored_and_scaled_about_the_target() {
+    let mut document = document();
+    let target = DVec3::new(0.1, -0.4, 0.2);
+    let mut orientation = document.path().points[1].orientations[0].clone();
+    orientation.target = Target::Absolute(target);
+    let look = Edit::SetOrientation {
+        point: 1,
+        at: 0,
+        orientation,
+    };
+    document.apply(look).unwrap();
+    let before = document.path().clone();
+    for (name, set, factor) in [
+        ("mirror", ("axis", 0.0), DVec3::new(-1.0, 1.0, 1.0)),
+        ("scale", ("factor", 0.25), DVec3::splat(0.25)),
+    ] {
+        let edit = edit(&document, name, &[set, ("about", 3.0)])
+            .unwrap()
+            .unwrap();
+        document.apply(edit).unwrap();
+        for (new, old) in document.path().points.iter().zip(&before.points) {
+            let wanted = target + factor * (old.position - target);
+            assert!((new.position - wanted).length() < 1e-15, "{name}");
+        }
+        document.undo();
+    }
+}
+
+#[test]
+fn a_move_lies_around_the_object_and_goes_on_behind_the_current_point() {
+    let document = document();
+    let numbers = tool("orbit").defaults(&document).unwrap();
+    let Some(Edit::ReplacePath(orbit)) = tool("orbit")
+        .edit(&document, &Material::None, &numbers)
+        .unwrap()
+    else {
+        panic!("no new path");
+    };
+    assert_eq!(orbit.space, document.path().space);
+    for point in &orbit.points {
+        let [x, _, z] = point.position.to_array();
+        assert!((x.hypot(z) - 1.0).abs() < 1e-12);
+    }
+    for (put, wanted) in [
+        (1.0, Fit::None),
+        (2.0, Fit::Move),
+        (3.0, Fit::Turn),
+        (4.0, Fit::Scale),
+    ] {
+        let Some(Edit::InsertPath { at, fit, .. }) =
+            edit(&document, "orbit", &[("put", put)]).unwrap()
+        else {
+            panic!("no block");
+        };
+        assert_eq!((at, fit), (1, wanted));
+    }
+}
+
+#[test]
+fn what_will_not_do_is_refused_by_its_name() {
+    let document = document();
+    for (name, set, said) in [
+        (
+            "orbit",
+            ("radius", -1.0),
+            "radius must lie between 0.000001 and 1e9",
+        ),
+        ("turn", ("last", 5.0), "last must lie between 1 and 4"),
+        ("turn", ("angle", f64::NAN), "angle must be a finite number"),
+        (
+            "move",
+            ("first", 5.0),
+            "the first point of a range must not lie behind its last one",
+        ),
+    ] {
+        let error = edit(&document, name, &[set]).unwrap_err();
+        assert_eq!(error.to_string(), said);
+    }
+    assert!(edit(&document, "extract", &[("first", 4.0)]).is_err());
+}
+
+#[test]
+fn a_block_is_a_document_of_its_own() {
+    let document = document();
+    let mut numbers = tool("extract").defaults(&document).unwrap();
+    numbers[0] = 2.0;
+    let block = tool("extract").extracted(&document, &numbers).unwrap();
+    let places = |document: &Document| -> Vec<DVec3> {
+        let points = &document.path().points;
+        points.iter().map(|point| point.position).collect()
+    };
+    assert_eq!(places(&block), places(&document)[1..]);
+}

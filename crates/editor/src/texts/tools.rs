@@ -1,0 +1,234 @@
+//! Texts of the tools: what their tables say, in both languages, by the names that stand
+//! there.
+
+use super::{Language, texts};
+use crate::document::tool::Tool;
+use crate::tools::Parameter;
+
+texts! {
+    /// Texts of the window of a tool.
+    Tools {
+        menu: "Tools", "Werkzeuge";
+        ok: "OK", "OK";
+        ok_hint: "Keep the path as it is shown now, as one step",
+            "Die Bahn so behalten, wie sie jetzt gezeigt wird, als ein Schritt";
+        write: "Write …", "Schreiben …";
+        write_hint: "Choose a file for these points", "Eine Datei für diese Punkte wählen";
+        cancel: "Cancel", "Abbrechen";
+        cancel_hint: "Everything is as it was before", "Alles ist wieder wie vorher";
+        result: "{0} points · {1} frames", "{0} Punkte · {1} Bilder";
+        only_path: "There is no path that is edited", "Es wird keine Bahn bearbeitet";
+        undo: "Undo: {0}", "Rückgängig: {0}";
+        redo: "Redo: {0}", "Wiederholen: {0}";
+        block_written: "Points {0} to {1} are written to {2}",
+            "Die Punkte {0} bis {1} sind in {2} geschrieben";
+    }
+}
+
+/// A word of a table, English and German.
+type Word = (&'static str, &'static str, &'static str);
+
+/// Tools by their names: the title, and what they do in German.
+#[rustfmt::skip]
+const TOOLS: &[(&str, &str, &str, &str)] = &[
+    ("orbit", "Orbit", "Umkreisen", "auf einem Kreis um ein Ziel"),
+    ("spiral", "Spiral", "Spirale", "um ein Ziel, am Ende mit anderem Radius und anderer Höhe"),
+    ("arc", "Arc", "Bogen", "auf einem Teil eines Kreises, von einer Richtung zu einer anderen"),
+    ("flyby", "Flyby", "Vorbeiflug", "gerade an einem Ziel vorbei, das im Bild bleibt"),
+    ("approach", "Approach", "Annäherung", "gerade auf ein Ziel zu"),
+    ("dolly-zoom", "Dolly zoom", "Dolly-Zoom", "auf ein Ziel zu, das im Bild gleich groß bleibt"),
+    ("crane", "Crane", "Kran", "gerade hinauf oder hinunter neben einem Ziel, das im Bild bleibt"),
+    ("pan", "Pan", "Schwenk", "dreht sich auf der Stelle"),
+    ("figure-eight", "Figure eight", "Achterbahn", "auf einer Acht, die sich über dem Ziel kreuzt"),
+    ("move", "Move points", "Punkte verschieben", "verschiebt Punkte"),
+    ("turn", "Turn points", "Punkte drehen", "dreht Punkte um eine Achse"),
+    ("scale", "Scale points", "Punkte skalieren", "vergrößert oder verkleinert die Lage der Punkte"),
+    ("mirror", "Mirror points", "Punkte spiegeln", "spiegelt Punkte längs einer Achse"),
+    ("taper", "Taper", "Verjüngen", "macht ein Ende des Quaders um die Punkte schmaler"),
+    ("bulge", "Bulge", "Ausbauchen", "macht die Mitte des Quaders um die Punkte breiter"),
+    ("twist", "Twist", "Verdrillen", "verdrillt den Quader um die Punkte um eine Achse"),
+    ("bend", "Bend", "Biegen", "biegt den Quader um die Punkte längs einer Achse"),
+    ("insert", "Insert a block", "Baustein einfügen", "fügt eine Bahn aus einer Datei hinter dem aktuellen Punkt ein"),
+    ("extract", "Save points as a block", "Punkte als Baustein speichern", "schreibt Punkte als eigene Bahn"),
+    ("reverse", "Reverse", "Umkehren", "kehrt den Weg um"),
+    ("repeat", "Repeat", "Wiederholen", "geht den Weg mehrmals"),
+    ("frames", "Number of frames", "Zahl der Bilder", "bringt Punkte auf eine Zahl von Bildern"),
+    ("fit", "Fit recorded poses", "Aufgezeichnete Posen annähern", "macht aus aufgezeichneten Posen eine Bahn aus wenigen Punkten"),
+];
+
+/// What stands before the numbers, by the names of the parameters.
+#[rustfmt::skip]
+const LABELS: &[Word] = &[
+    ("around", "Around", "Um"),
+    ("at", "At", "Ort"),
+    ("radius", "Radius", "Radius"),
+    ("height", "Height", "Höhe"),
+    ("from", "From", "Von"),
+    ("to", "To", "Bis"),
+    ("turns", "Turns", "Runden"),
+    ("zoom", "Zoom", "Zoom"),
+    ("seconds", "Duration", "Dauer"),
+    ("end-radius", "Radius at the end", "Radius am Ende"),
+    ("end-height", "Height at the end", "Höhe am Ende"),
+    ("distance", "Distance", "Abstand"),
+    ("end-distance", "Distance at the end", "Abstand am Ende"),
+    ("length", "Length", "Länge"),
+    ("rise", "Rise", "Anstieg"),
+    ("tilt", "Tilt", "Neigung"),
+    ("width", "Width", "Breite"),
+    ("put", "Place", "Platz"),
+    ("by", "By", "Um"),
+    ("axis", "Axis", "Achse"),
+    ("angle", "Angle", "Winkel"),
+    ("about", "About", "Um"),
+    ("factor", "Factor", "Faktor"),
+    ("r0", "At one end", "An einem Ende"),
+    ("r1", "At the other", "Am anderen"),
+    ("a", "In the middle", "In der Mitte"),
+    ("fit", "Place", "Platz"),
+    ("with-targets", "Targets too", "Ziele auch"),
+    ("first", "From point", "Von Punkt"),
+    ("last", "To point", "Bis Punkt"),
+    ("times", "How often", "Wie oft"),
+    ("frames", "Frames", "Bilder"),
+    ("tolerance", "Tolerance", "Toleranz"),
+];
+
+/// What the parameters do, in German.
+#[rustfmt::skip]
+const HINTS: &[(&str, &str)] = &[
+    ("the place in the middle of the view", "der Ort in der Mitte des Bildes"),
+    ("how far the way is from the axis", "wie weit der Weg von der Achse entfernt ist"),
+    ("how far above the target the camera is", "wie weit die Kamera über dem Ziel ist"),
+    ("heading at which the camera begins", "Richtung, in der die Kamera beginnt, vom Ziel aus"),
+    ("heading at which it ends", "Richtung, in der sie endet"),
+    ("how often round; negative: clockwise from above", "wie oft herum; negativ: von oben gesehen im Uhrzeigersinn"),
+    ("focal length", "Brennweite"),
+    ("focal length at the beginning", "Brennweite am Anfang"),
+    ("how long it takes; 0: by its length", "wie lange es dauert; 0: nach der Länge"),
+    ("the radius at the end", "der Radius am Ende"),
+    ("the height at the end", "die Höhe am Ende"),
+    ("how near the way comes, seen from above", "wie nahe der Weg kommt, von oben gesehen"),
+    ("heading of the camera when it is nearest", "Richtung der Kamera, wo sie am nächsten ist"),
+    ("how long the way is", "wie lang der Weg ist"),
+    ("how far from the target it begins", "wie weit vom Ziel es beginnt"),
+    ("how far from the target it ends", "wie weit vom Ziel es endet"),
+    ("how steeply the camera is above the target", "wie steil die Kamera über dem Ziel ist"),
+    ("how far above the target it begins", "wie weit über dem Ziel es beginnt"),
+    ("how far above the target it ends", "wie weit über dem Ziel es endet"),
+    ("where the camera stands", "wo die Kamera steht"),
+    ("heading of the first view", "Richtung des ersten Blicks"),
+    ("heading of the last view", "Richtung des letzten Blicks"),
+    ("how far it looks up", "wie weit sie nach oben blickt"),
+    ("how wide it is across", "wie breit sie quer ist"),
+    ("as a new path, or behind the current point and how it is brought there",
+        "als neue Bahn, oder hinter dem aktuellen Punkt und wie sie dorthin kommt"),
+    ("by how much", "um wie viel"),
+    ("the axis", "die Achse"),
+    ("by which angle", "um welchen Winkel"),
+    ("what stays where it is", "was bleibt, wo es ist"),
+    ("by which factor", "um welchen Faktor"),
+    ("how wide it is at one end", "wie breit es an einem Ende ist"),
+    ("how wide it is at the other", "wie breit es am anderen ist"),
+    ("how wide it is in the middle", "wie breit es in der Mitte ist"),
+    ("how it is brought there", "wie er dorthin kommt"),
+    ("what the cameras see goes along", "was die Kameras sehen, geht mit"),
+    ("the first of the points", "der erste der Punkte"),
+    ("the last of the points", "der letzte der Punkte"),
+    ("how often", "wie oft"),
+    ("how many, the first and the last with them", "wie viele, das erste und das letzte mitgezählt"),
+    ("how far a position may be from its pose", "wie weit eine Position von ihrer Pose entfernt sein darf"),
+    ("how far view, up and field of view may be from theirs",
+        "wie weit Blick, oben und Bildwinkel von ihren abweichen dürfen"),
+];
+
+/// The names of choices.
+#[rustfmt::skip]
+const CHOICES: &[Word] = &[
+    ("x", "x", "x"),
+    ("y", "y", "y"),
+    ("z", "z", "z"),
+    ("middle", "their middle", "ihre Mitte"),
+    ("origin", "the origin", "den Ursprung"),
+    ("point", "this point", "diesen Punkt"),
+    ("target", "its target", "sein Ziel"),
+    ("new", "new path", "neue Bahn"),
+    ("none", "where it lies", "an Ort und Stelle"),
+    ("move", "moved here", "hierher verschoben"),
+    ("turn", "turned too", "auch gedreht"),
+    ("scale", "scaled too", "auch skaliert"),
+];
+
+fn word(words: &'static [Word], language: Language, name: &'static str) -> &'static str {
+    let found = words.iter().find(|word| word.0 == name);
+    found.map_or(name, |&(_, english, german)| match language {
+        Language::English => english,
+        Language::German => german,
+    })
+}
+
+impl Language {
+    /// The title of a tool.
+    pub(crate) fn tool(self, name: &'static str) -> &'static str {
+        let found = TOOLS.iter().find(|known| known.0 == name);
+        found.map_or(name, |known| match self {
+            Self::English => known.1,
+            Self::German => known.2,
+        })
+    }
+
+    /// What a tool does.
+    pub(crate) fn tool_hint(self, tool: &Tool) -> &'static str {
+        match self {
+            Self::English => tool.does,
+            Self::German => {
+                let found = TOOLS.iter().find(|known| known.0 == tool.name);
+                found.map_or(tool.does, |known| known.3)
+            }
+        }
+    }
+
+    /// The name of a parameter.
+    pub(crate) fn parameter(self, name: &'static str) -> &'static str {
+        word(LABELS, self, name)
+    }
+
+    /// What a parameter does.
+    pub(crate) fn parameter_hint(self, parameter: &Parameter) -> &'static str {
+        let found = HINTS.iter().find(|hint| hint.0 == parameter.does);
+        match (self, found) {
+            (Self::German, Some(&(_, german))) => german,
+            _ => parameter.does,
+        }
+    }
+
+    /// One of the choices of a parameter.
+    pub(crate) fn choice(self, name: &'static str) -> &'static str {
+        word(CHOICES, self, name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::tool::tools;
+    use crate::tools::Unit;
+
+    #[test]
+    fn each_word_of_the_tables_stands_in_both_languages() {
+        for tool in tools() {
+            assert!(TOOLS.iter().any(|known| known.0 == tool.name), "{tool:?}");
+            for parameter in tool.parameters() {
+                let (name, does) = (parameter.name, parameter.does);
+                assert!(LABELS.iter().any(|known| known.0 == name), "{name}");
+                assert!(HINTS.iter().any(|known| known.0 == does), "{does}");
+                if let Unit::Choice(names) = parameter.unit {
+                    for name in names {
+                        assert!(CHOICES.iter().any(|known| known.0 == *name), "{name}");
+                    }
+                }
+            }
+        }
+        assert_eq!(TOOLS.len(), tools().count());
+    }
+}

@@ -1,0 +1,219 @@
+//! What will look wrong in the film: the findings of a check, each with its frames. A
+//! click leads there; where an edit helps, a button does it.
+//!
+//! The path is checked anew as soon as nothing is held any more: never while something is
+//! dragged. Where that would take long it waits until it is asked for. The tree over the
+//! object is kept as long as the object is the same.
+
+use std::ptr;
+
+use egui::{Button, Context, ScrollArea, Ui, vec2};
+
+use super::{SubWindow, Windows, sub_window};
+use crate::actions::Action;
+use crate::document::Object;
+use crate::error::Result;
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::texts::refusals::of_edit;
+use crate::theme;
+use crate::tools::check::Finding;
+use crate::tools::clearance::Clearance;
+
+const WIDTH: f32 = 400.0;
+
+/// Width of the button with the frames.
+const FRAMES: f32 = 116.0;
+
+/// A film with more frames, or with an object of more pieces, is checked when asked.
+const LONG: usize = 20_000;
+const LARGE: usize = 200_000;
+
+/// More than this are not listed.
+const MOST: usize = 500;
+
+#[derive(Debug, Default)]
+pub(crate) struct CheckWindow {
+    /// The contents that were checked.
+    checked: Option<u64>,
+    found: Vec<Finding>,
+    trouble: Option<String>,
+    object: Option<Obstacles>,
+    /// A check was asked for.
+    asked: bool,
+}
+
+/// The objects, prepared.
+#[derive(Debug)]
+struct Obstacles {
+    /// Held, so that its memory is no other's.
+    object: Object,
+    around: Option<u64>,
+    tree: Option<Clearance>,
+}
+
+impl SubWindow for CheckWindow {
+    const ID: &'static str = "check";
+
+    fn slot(windows: &mut Windows) -> &mut Option<Self> {
+        &mut windows.check
+    }
+
+    fn new(_: &Editor) -> Self {
+        Self::default()
+    }
+
+    fn show(&mut self, editor: &Editor, context: &Context, actions: &mut Vec<Action>) -> bool {
+        let texts = &editor.texts().check;
+        let held = context.input(|input| input.pointer.any_down()) || editor.space.moves();
+        let current = self.checked == Some(editor.document.revision());
+        if !current && !held && (self.asked || is_quick(editor)) {
+            self.check(editor);
+        }
+        let current = self.checked == Some(editor.document.revision());
+        let height = (context.content_rect().height() - 200.0).max(120.0);
+        sub_window(context, Self::ID, texts.title, |ui| {
+            ui.set_width(WIDTH);
+            let palette = theme::palette(ui);
+            let count = match self.found.len() {
+                0 => texts.nothing.to_owned(),
+                1 => texts.one.to_owned(),
+                many => fill(texts.many, &[&many]),
+            };
+            ui.horizontal(|ui| {
+                match &self.trouble {
+                    Some(trouble) => ui.colored_label(palette.error, trouble),
+                    None if self.checked.is_none() => ui.colored_label(palette.weak, texts.large),
+                    None => ui.label(count),
+                };
+                if !current && !is_quick(editor) {
+                    if self.checked.is_some() {
+                        ui.colored_label(palette.weak, texts.old);
+                    }
+                    let button = ui.button(texts.now).on_hover_text(texts.now_hint);
+                    self.asked |= button.clicked();
+                }
+            });
+            ScrollArea::vertical().max_height(height).show(ui, |ui| {
+                for (at, finding) in self.found.iter().take(MOST).enumerate() {
+                    ui.push_id(at, |ui| row(editor, ui, finding, current, actions));
+                }
+            });
+        })
+    }
+}
+
+fn row(editor: &Editor, ui: &mut Ui, finding: &Finding, current: bool, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().check;
+    let first = f64::from(editor.document.info().first_frame);
+    let [from, to] = [finding.first_frame, finding.last_frame].map(|frame| {
+        let frame = frame - 1.0 + first;
+        editor.language().number(frame.round(), 0)
+    });
+    let frames = if from == to {
+        fill(texts.frame, &[&from])
+    } else {
+        fill(texts.frames, &[&from, &to])
+    };
+    let (words, remedy) = editor.language().finding(finding);
+    ui.horizontal(|ui| {
+        let hint = fill(texts.go_hint, &[&(finding.point + 1)]);
+        let button = Button::new(&frames).min_size(vec2(FRAMES, theme::ROW));
+        let response = ui.add(button).on_hover_text(hint);
+        response.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{frames}: {words}"))
+        });
+        if response.clicked() {
+            actions.push(Action::GoTo(*finding));
+        }
+        let mend = editor.document.remedy(finding).unwrap_or_default();
+        let room = if mend.is_empty() { 0.0 } else { 88.0 };
+        let width = (ui.available_width() - room).max(80.0);
+        ui.allocate_ui(vec2(width, theme::ROW), |ui| {
+            ui.set_width(width);
+            ui.add(egui::Label::new(words).wrap()).on_hover_text(remedy);
+        });
+        if !mend.is_empty() {
+            let button = ui.add_enabled(current, Button::new(texts.mend));
+            if button.on_hover_text(remedy).clicked() {
+                actions.push(Action::Mend(mend));
+            }
+        }
+    });
+}
+
+/// Whether a check takes no time that anybody feels.
+fn is_quick(editor: &Editor) -> bool {
+    let frames = editor
+        .document
+        .sampler()
+        .map(|sampler| sampler.frame_count());
+    let mut pieces = editor.document.info().object.len();
+    if let Some(around) = editor.document.around() {
+        for node in around.scene().nodes() {
+            if let vides_engine::scene::Kind::Object(object) = &node.kind {
+                let mesh = object.mesh();
+                pieces += mesh.triangles.len() + mesh.lines.len() + mesh.points.len();
+            }
+        }
+    }
+    pieces <= LARGE && frames.is_ok_and(|frames| frames <= LONG)
+}
+
+impl CheckWindow {
+    fn check(&mut self, editor: &Editor) {
+        self.asked = false;
+        self.checked = Some(editor.document.revision());
+        self.found.clear();
+        let found = self.prepare(editor).and_then(|()| {
+            let tree = self.object.as_ref().and_then(|object| object.tree.as_ref());
+            editor.document.check_against(tree)
+        });
+        match found {
+            Ok(found) => (self.found, self.trouble) = (found, None),
+            Err(error) => self.trouble = Some(of_edit(editor.language(), &error)),
+        }
+    }
+
+    /// Makes the tree over the objects, if there are others than before.
+    fn prepare(&mut self, editor: &Editor) -> Result<()> {
+        let object = &editor.document.info().object;
+        let around = editor.document.around().map(|around| around.number());
+        let same =
+            |old: &Obstacles| ptr::eq::<[_]>(&**object, &*old.object) && around == old.around;
+        if self.object.as_ref().is_some_and(same) {
+            return Ok(());
+        }
+        self.object = None;
+        let mesh = editor.document.obstacles()?;
+        self.object = Some(Obstacles {
+            object: object.clone(),
+            around,
+            tree: mesh.as_ref().map(Clearance::new).transpose()?,
+        });
+        Ok(())
+    }
+}
+
+impl Editor {
+    /// The playhead goes to a finding, and the key before it is selected.
+    pub(crate) fn go_to(&mut self, finding: &Finding) {
+        self.scrub(finding.first_frame);
+        let selection = crate::document::Selection::at(finding.point, finding.orientation);
+        if self.document.selection() != selection
+            && self
+                .document
+                .select(finding.point, finding.orientation)
+                .is_ok()
+        {
+            self.playing.put_back(
+                self.playing.frame().or(Some(finding.first_frame)),
+                selection,
+            );
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "check_tests.rs"]
+mod tests;

@@ -1,0 +1,162 @@
+use egui_kittest::kittest::NodeT;
+
+use crate::document::Selection;
+use crate::screenshots::screenshot;
+use crate::tests::*;
+
+/// A path that turns too fast and leaves the space.
+fn wild() -> Document {
+    let mut document = some_points();
+    let position = DVec3::new(0.6, 0.3, -1.2);
+    document
+        .apply(Edit::SetPosition { at: 3, position })
+        .unwrap();
+    let few = Edit::FitFrames {
+        first: 0,
+        last: 5,
+        frames: 60,
+    };
+    document.apply(few).unwrap();
+    document
+}
+
+fn checked(language: Language, size: [f32; 2], theme: Theme) -> Window {
+    let options = crate::Options {
+        document: wild(),
+        ..options(language)
+    };
+    let mut window = window_of(options, size, 1.0, theme);
+    press(&mut window, Modifiers::ALT, Key::W);
+    click(&mut window, language.texts().check.menu);
+    window
+}
+
+/// What the button of the first finding with this word says.
+fn button(window: &Window, word: &str) -> String {
+    let mut all = window.query_all_by_role(Role::Button);
+    let labels = all.find_map(|node| {
+        let label = node.accesskit_node().label()?;
+        label.contains(word).then_some(label)
+    });
+    labels.expect("a finding")
+}
+
+#[test]
+fn a_click_on_a_finding_leads_to_its_frame_and_key() {
+    for language in BOTH {
+        let mut window = checked(language, LARGE, Theme::Dark);
+        let found = window.state().document.check(None).unwrap();
+        let texts = &language.texts().check;
+        let count = fill(texts.many, &[&found.len()]);
+        assert!(window.query_by_label(&count).is_some(), "{count}");
+        let word = match language {
+            Language::English => "outside the space",
+            Language::German => "außerhalb des Raums",
+        };
+        let label = button(&window, word);
+        click(&mut window, &label);
+        let finding = found
+            .iter()
+            .find(|finding| finding.kind == "space")
+            .unwrap();
+        let editor = window.state();
+        assert_eq!(editor.playing.frame(), Some(finding.first_frame));
+        let selection = Selection::at(finding.point, finding.orientation);
+        assert_eq!(editor.document.selection(), selection);
+    }
+}
+
+#[test]
+fn it_follows_each_change_but_not_while_something_is_dragged() {
+    let mut window = checked(Language::English, LARGE, Theme::Dark);
+    let shown = |window: &Window| {
+        let found = window.state().windows.check.as_ref().expect("open");
+        found
+            .found
+            .iter()
+            .filter(|finding| finding.kind == "space")
+            .count()
+    };
+    assert!(shown(&window) > 0);
+    let position = DVec3::new(0.6, 0.3, -0.9);
+    window
+        .state_mut()
+        .edit(Edit::SetPosition { at: 3, position });
+    window.run();
+    let of = |window: &Window| window.state().document.check(None).unwrap();
+    assert_eq!(
+        window.state().windows.check.as_ref().unwrap().found,
+        of(&window)
+    );
+    let before = of(&window);
+    // While a button is down nothing is checked.
+    let at = number(&window, "Hold").rect().center();
+    window.hover_at(at);
+    window.run();
+    window.drag_at(at);
+    window.run();
+    for x in [10.0, 60.0] {
+        window.hover_at(at + vec2(x, 0.0));
+        window.run();
+    }
+    assert!(window.state().document.in_step());
+    assert_ne!(of(&window), before);
+    assert_eq!(window.state().windows.check.as_ref().unwrap().found, before);
+    window.drop_at(at + vec2(60.0, 0.0));
+    window.run();
+    assert_eq!(
+        window.state().windows.check.as_ref().unwrap().found,
+        of(&window)
+    );
+}
+
+#[test]
+fn what_helps_is_one_step() {
+    for language in BOTH {
+        let mut window = checked(language, LARGE, Theme::Light);
+        let before = window.state().document.path().clone();
+        let mend = language.texts().check.mend;
+        let first = window.get_all_by_label(mend).next().expect("a button");
+        first.click();
+        window.run();
+        assert_ne!(*window.state().document.path(), before);
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert_eq!(*window.state().document.path(), before);
+    }
+}
+
+#[test]
+fn a_long_film_is_checked_when_asked() {
+    let mut window = checked(Language::English, LARGE, Theme::Dark);
+    let long = Edit::FitFrames {
+        first: 0,
+        last: 5,
+        frames: 30_000,
+    };
+    window.state_mut().edit(long);
+    window.run();
+    assert!(
+        window
+            .query_by_label("The path has changed since")
+            .is_some()
+    );
+    click(&mut window, "Check now");
+    assert!(window.query_by_label("Check now").is_none());
+    let found = &window.state().windows.check.as_ref().unwrap().found;
+    assert_eq!(*found, window.state().document.check(None).unwrap());
+}
+
+#[test]
+fn it_fits_into_the_window() {
+    for (language, theme, size, name) in [
+        (Language::German, Theme::Dark, SMALL, "de-small"),
+        (Language::English, Theme::Light, LARGE, "en-light"),
+    ] {
+        let mut window = checked(language, size, theme);
+        screenshot(&mut window, &format!("check-{name}.png"));
+        let whole = egui::Rect::from_min_size(egui::Pos2::ZERO, size.into());
+        let count = window.state().windows.check.as_ref().unwrap().found.len();
+        let label = fill(language.texts().check.many, &[&count]);
+        assert!(whole.contains_rect(window.get_by_label(&label).rect()));
+    }
+}

@@ -1,0 +1,370 @@
+//! The window of a tool: fields for what its table asks for. The path is shown with the
+//! tool applied, in a step of the document that is open as long as the window: `OK` ends
+//! the step, `Cancel`, the cross and Escape take it back.
+//!
+//! Nothing else gets into that step: whatever else changes or saves the path first takes
+//! what is shown, as `OK` does; undo takes it back, as `Cancel` does; another tool in its
+//! place does, too. Looking round, playing and choosing a point leave it alone.
+
+use std::path::Path;
+
+use egui::{Align, Button, Context, Layout, Ui, vec2};
+
+use super::{name_cross, row_at_right, sub_window};
+use crate::actions::Action;
+use crate::document::tool::{Material, Needs, Tool};
+use crate::document::{Document, Selection};
+use crate::error::{EngineError, Error, OutOfRange, Result};
+use crate::files::Purpose;
+use crate::number::{Entry, Number};
+use crate::state::Editor;
+use crate::texts::refusals::of_edit;
+use crate::texts::{Language, fill};
+use crate::theme;
+use crate::tools::{Parameter, Unit};
+
+/// Width of a name, of a number, of a button.
+const NAME: f32 = 132.0;
+const NUMBER: f32 = 84.0;
+const FIELDS: f32 = 3.0 * NUMBER + 2.0 * theme::GAP;
+const BUTTON: f32 = 96.0;
+
+/// More poses than this are fitted anew where a drag ends, not while it lasts.
+const POSES: usize = 2_000;
+
+#[derive(Debug)]
+pub(crate) struct ToolWindow {
+    tool: Tool,
+    material: Material,
+    numbers: Vec<f64>,
+    /// The numbers before one of them is dragged.
+    before: Option<Vec<f64>>,
+    /// Why they will not do.
+    trouble: Option<String>,
+    /// The path is shown with the tool applied.
+    applied: bool,
+    /// Where the playhead stood.
+    stood: (Option<f64>, Selection),
+    fresh: bool,
+}
+
+impl ToolWindow {
+    const ID: &'static str = "tool";
+
+    /// Shows it. What closes it is an action.
+    pub(super) fn show(
+        &mut self,
+        editor: &Editor,
+        context: &Context,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let language = editor.language();
+        let texts = &editor.texts().tools;
+        let old = self.numbers.clone();
+        let dragged = self.before.is_some();
+        let open = sub_window(context, Self::ID, language.tool(self.tool.name), |ui| {
+            ui.set_width(NAME + theme::GAP + FIELDS);
+            let palette = theme::palette(ui);
+            ui.colored_label(palette.weak, language.tool_hint(&self.tool));
+            self.fields(editor, ui, actions);
+            match &self.trouble {
+                Some(trouble) => ui.colored_label(palette.error, trouble),
+                None => ui.colored_label(palette.weak, self.result(editor)),
+            };
+            let (ok, hint) = match self.tool.needs() {
+                Needs::Output => (texts.write, texts.write_hint),
+                _ => (texts.ok, texts.ok_hint),
+            };
+            row_at_right(ui, &[texts.cancel, ok], BUTTON, |ui| {
+                let button = |text| Button::new(text).min_size(vec2(BUTTON, theme::ROW));
+                let cancel = ui.add(button(texts.cancel));
+                if cancel.on_hover_text(texts.cancel_hint).clicked() {
+                    actions.push(Action::EndTool { keeps: false });
+                }
+                let able = self.trouble.is_none();
+                let ok = ui.add_enabled(able, button(ok)).on_hover_text(hint);
+                if std::mem::take(&mut self.fresh) {
+                    ok.request_focus();
+                }
+                if ok.clicked() {
+                    actions.push(Action::EndTool { keeps: true });
+                }
+            });
+        });
+        name_cross(
+            context,
+            super::layer(Self::ID),
+            editor.texts().menu.close_window,
+        );
+        let waits = self.is_slow() && self.before.is_some();
+        let ended = dragged && self.before.is_none() && self.is_slow();
+        if (old != self.numbers && !waits) || ended {
+            // Before what a button asks for: it goes by these numbers.
+            actions.insert(0, Action::PreviewTool);
+        }
+        if !open {
+            actions.push(Action::EndTool { keeps: false });
+        }
+        true
+    }
+
+    /// Above all others.
+    pub(crate) fn to_top(context: &Context) {
+        context.move_to_top(super::layer(Self::ID));
+    }
+
+    /// It waits for a file.
+    pub(super) fn waits(&self) -> bool {
+        let material = matches!(self.tool.needs(), Needs::Block | Needs::Poses);
+        material && matches!(self.material, Material::None)
+    }
+
+    fn is_slow(&self) -> bool {
+        matches!(&self.material, Material::Poses(poses, _) if poses.len() > POSES)
+    }
+
+    /// What comes of it.
+    fn result(&self, editor: &Editor) -> String {
+        let points = editor.document.path().points.len();
+        let sampler = editor.document.sampler();
+        sampler.map_or_else(
+            |error| of_edit(editor.language(), &error),
+            |sampler| {
+                let text = editor.texts().tools.result;
+                fill(text, &[&points, &sampler.frame_count()])
+            },
+        )
+    }
+
+    fn fields(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+        let language = editor.language();
+        let mut start = 0;
+        for parameter in self.tool.parameters() {
+            let hint = language.parameter_hint(parameter);
+            let label = language.parameter(parameter.name);
+            ui.horizontal_top(|ui| {
+                let layout = Layout::left_to_right(Align::Center);
+                ui.allocate_ui_with_layout(vec2(NAME, theme::ROW), layout, |ui| {
+                    ui.set_min_size(vec2(NAME, theme::ROW));
+                    ui.label(label).on_hover_text(hint);
+                });
+                ui.allocate_ui(vec2(FIELDS, theme::ROW), |ui| {
+                    ui.set_width(FIELDS);
+                    self.field(editor, ui, (parameter, start, hint), actions);
+                });
+            });
+            start += parameter.width;
+        }
+    }
+
+    fn field(
+        &mut self,
+        editor: &Editor,
+        ui: &mut Ui,
+        (parameter, start, hint): (&'static Parameter, usize, &'static str),
+        actions: &mut Vec<Action>,
+    ) {
+        let language = editor.language();
+        match parameter.unit {
+            Unit::Choice(names) => {
+                ui.horizontal_wrapped(|ui| {
+                    ui.spacing_mut().item_spacing.x = 12.0;
+                    for (at, name) in names.iter().enumerate() {
+                        let at = at as f64;
+                        let chosen = self.numbers.get(start) == Some(&at);
+                        let choice = theme::choice(ui, chosen, language.choice(name));
+                        if choice.on_hover_text(hint).clicked() {
+                            self.set(start, at);
+                        }
+                    }
+                });
+            }
+            Unit::Switch => {
+                let mut on = self.numbers.get(start).is_some_and(|value| *value != 0.0);
+                if theme::tick(ui, &mut on, hint).clicked() {
+                    self.set(start, f64::from(u8::from(on)));
+                }
+            }
+            _ => {
+                ui.horizontal(|ui| {
+                    for part in 0..parameter.width {
+                        self.number(editor, ui, (parameter, start, part), actions);
+                    }
+                });
+            }
+        }
+    }
+
+    fn set(&mut self, at: usize, value: f64) {
+        if let Some(number) = self.numbers.get_mut(at) {
+            *number = value;
+        }
+    }
+
+    fn number(
+        &mut self,
+        editor: &Editor,
+        ui: &mut Ui,
+        (parameter, start, part): (&'static Parameter, usize, usize),
+        actions: &mut Vec<Action>,
+    ) {
+        let language = editor.language();
+        let at = start + part;
+        let letter = if parameter.width == 3 {
+            ["x", "y", "z"][part]
+        } else {
+            ""
+        };
+        let label = language.parameter(parameter.name);
+        let name = format!("{label} {letter}");
+        let number = Number::new(name.trim_end(), self.numbers.get(at).copied())
+            .label(letter)
+            .hint(language.parameter_hint(parameter));
+        let number = match parameter.unit {
+            Unit::Length => number.in_space(editor.document.path().space),
+            Unit::Degrees => number.unit("°").decimals(1).steps(1.0, 0.5),
+            Unit::Zoom => number.unit(" mm").decimals(1).steps(1.0, 0.1),
+            Unit::Seconds => number.unit(" s").decimals(2).steps(1.0, 0.05),
+            Unit::Count => number.whole().steps(1.0, 0.1),
+            Unit::One | Unit::Choice(_) | Unit::Switch => number.steps(0.1, 0.01),
+        };
+        let number = number.range(parameter.least..=parameter.most).pending();
+        let id = format!("tool.{}.{}.{part}", self.tool.name, parameter.name);
+        match number.show(ui, language, &id, NUMBER) {
+            Entry::Idle => {}
+            Entry::Begin => self.before = Some(self.numbers.clone()),
+            Entry::Drag(value) | Entry::Set(value) => self.set(at, value),
+            Entry::End => self.before = None,
+            Entry::Cancel => {
+                if let Some(before) = self.before.take() {
+                    self.numbers = before;
+                }
+            }
+            Entry::Wrong(text) => actions.push(Action::Complain(text)),
+        }
+    }
+
+    /// Writes the points that it names to a file; the first and the last, from 1.
+    pub(crate) fn write(&self, document: &Document, file: &Path) -> Result<[f64; 2]> {
+        self.tool.extracted(document, &self.numbers)?.save(file)?;
+        let of = |at: usize| self.numbers.get(at).copied().unwrap_or_default();
+        Ok([of(0), of(1)])
+    }
+}
+
+/// Why a tool refuses its numbers.
+fn reason(language: Language, error: &Error) -> String {
+    match error {
+        Error::Engine(EngineError::Range(OutOfRange::NumberBetween(name, least, most))) => {
+            let bound = |value: f64| {
+                let decimals = usize::from(value.fract() != 0.0) * 6;
+                let text = language.number(value, decimals);
+                text.trim_end_matches(if decimals > 0 { '0' } else { ' ' })
+                    .to_owned()
+            };
+            let text = language.texts().errors.out_of_range;
+            let label = language.parameter(name);
+            fill(text, &[&label, &bound(*least), &bound(*most)])
+        }
+        error => of_edit(language, error),
+    }
+}
+
+impl Editor {
+    /// Begins with a tool, or asks for the file that it needs first.
+    pub(crate) fn open_tool(&mut self, tool: Tool) {
+        self.cancel_tool();
+        self.document.end_step();
+        let numbers = match tool.defaults(&self.document) {
+            Ok(numbers) => numbers,
+            Err(error) => return self.complain_of(&error),
+        };
+        self.windows.tool = Some(ToolWindow {
+            tool,
+            material: Material::None,
+            numbers,
+            before: None,
+            trouble: None,
+            applied: false,
+            stood: (self.playing.frame(), self.document.selection()),
+            fresh: true,
+        });
+        match tool.needs() {
+            Needs::Block => self.choose_file(Purpose::LoadBlock),
+            Needs::Poses => self.choose_file(Purpose::LoadPoses),
+            Needs::Nothing | Needs::Output => self.preview_tool(),
+        }
+    }
+
+    /// Goes on with what a file had.
+    pub(crate) fn begin_tool_with(&mut self, material: Material) {
+        if let Some(window) = &mut self.windows.tool {
+            window.material = material;
+            window.fresh = true;
+        }
+        self.preview_tool();
+    }
+
+    /// Shows the path with the tool applied, or why it will not do.
+    pub(crate) fn preview_tool(&mut self) {
+        let Some(mut window) = self.windows.tool.take() else {
+            return;
+        };
+        if std::mem::take(&mut window.applied) {
+            self.document.cancel_step();
+        }
+        let document = &mut self.document;
+        let edit = window
+            .tool
+            .edit(document, &window.material, &window.numbers);
+        let done = edit.and_then(|edit| {
+            document.begin_step();
+            document.name_step(window.tool.name);
+            edit.map_or(Ok(()), |edit| document.apply(edit))
+        });
+        window.applied = done.is_ok();
+        let language = self.language();
+        window.trouble = done.err().map(|error| reason(language, &error));
+        if window.trouble.is_some() {
+            self.document.cancel_step();
+        }
+        self.windows.tool = Some(window);
+    }
+
+    /// `OK`, or away with it.
+    pub(crate) fn end_tool(&mut self, keeps: bool) {
+        let output = |window: &ToolWindow| window.tool.needs() == Needs::Output;
+        if keeps && self.windows.tool.as_ref().is_some_and(output) {
+            self.choose_file(Purpose::SaveBlock);
+        } else if keeps {
+            self.take_tool();
+        } else {
+            self.cancel_tool();
+        }
+    }
+
+    /// What the tool shows becomes a step, and its window closes.
+    pub(crate) fn take_tool(&mut self) {
+        if let Some(window) = self.windows.tool.take()
+            && window.applied
+        {
+            self.document.end_step();
+            self.tell_ambiguities();
+        }
+    }
+
+    /// Everything is as it was before the tool, and its window closes.
+    pub(crate) fn cancel_tool(&mut self) {
+        if let Some(window) = self.windows.tool.take() {
+            if window.applied {
+                self.document.cancel_step();
+            }
+            let (frame, selection) = window.stood;
+            self.playing.put_back(frame, selection);
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "tool_tests.rs"]
+mod tests;

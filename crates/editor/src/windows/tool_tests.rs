@@ -1,0 +1,310 @@
+use egui_kittest::kittest::NodeT;
+
+use crate::document::tool::{Needs, tools};
+use crate::files::Purpose;
+use crate::path::CameraPath;
+use crate::screenshots::screenshot;
+use crate::tests::*;
+
+/// A path of points, with nothing done to it.
+fn fresh(language: Language) -> Window {
+    window_with_points(language, LARGE, 1.0, Theme::Dark)
+}
+
+/// The window of a tool that was picked in the menu.
+fn picked(language: Language, name: &'static str) -> Window {
+    let mut window = fresh(language);
+    pick(&mut window, name);
+    window
+}
+
+fn pick(window: &mut Window, name: &'static str) {
+    let language = window.state().language();
+    press(window, Modifiers::ALT, Key::W);
+    let tool = tools().find(|tool| tool.name == name).expect("a tool");
+    let more = if tool.has_numbers() || tool.needs() != Needs::Nothing {
+        " …"
+    } else {
+        ""
+    };
+    click(window, &format!("{}{more}", language.tool(name)));
+}
+
+fn path(window: &Window) -> CameraPath {
+    window.state().document.path().clone()
+}
+
+fn undo_name(window: &Window) -> Option<&'static str> {
+    window.state().document.step_names()[0]
+}
+
+/// The sentence below the fields, if the numbers will not do.
+fn refused(window: &Window) -> bool {
+    let ok = window.get_all_by_label("OK").last().expect("a button");
+    ok.accesskit_node().is_disabled()
+}
+
+#[test]
+fn by_keys_alone_a_move_is_shown_and_kept_as_one_step_with_its_name() {
+    for language in BOTH {
+        let mut window = fresh(language);
+        let before = path(&window);
+        let state = window.state().document.state_number();
+        press(&mut window, Modifiers::ALT, Key::W);
+        press(&mut window, Modifiers::NONE, Key::Enter);
+        // Twelve points a turn, and the last one is where the first is.
+        assert_eq!(path(&window).points.len(), 13);
+        assert_ne!(path(&window), before);
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        assert_eq!(path(&window), before);
+        assert_eq!(window.state().document.state_number(), state);
+        assert!(!window.state().document.is_modified());
+        assert_eq!(undo_name(&window), None);
+        assert!(window.state().windows.tool.is_none());
+        press(&mut window, Modifiers::ALT, Key::W);
+        press(&mut window, Modifiers::NONE, Key::Enter);
+        press(&mut window, Modifiers::NONE, Key::Enter);
+        assert!(window.state().windows.tool.is_none());
+        assert_eq!(undo_name(&window), Some("orbit"));
+        press(&mut window, Modifiers::ALT, Key::B);
+        let texts = &language.texts().tools;
+        let entry = fill(texts.undo, &[&language.tool("orbit")]);
+        click(&mut window, &entry);
+        assert_eq!(path(&window), before);
+        press(&mut window, Modifiers::ALT, Key::B);
+        let entry = fill(texts.redo, &[&language.tool("orbit")]);
+        assert!(window.query_by_label(&entry).is_some());
+    }
+}
+
+#[test]
+fn numbers_change_the_path_at_once_and_bad_ones_change_nothing() {
+    for language in BOTH {
+        let mut window = picked(language, "orbit");
+        let radius = |window: &Window| {
+            let points = path(window).points;
+            let [x, _, z] = points[0].position.to_array();
+            x.hypot(z)
+        };
+        let label = language.parameter("radius");
+        enter(&mut window, label, "0.5");
+        assert!((radius(&window) - 0.5).abs() < 1e-12);
+        assert!(!refused(&window));
+        let shown = window.state().windows.tool.is_some();
+        assert!(shown);
+        enter(&mut window, label, "-2");
+        assert!(refused(&window));
+        let sentence = match language {
+            Language::English => "Radius must lie between 0.000001 and 1000000000",
+            Language::German => "Radius muss zwischen 0,000001 und 1000000000 liegen",
+        };
+        assert!(window.query_by_label(sentence).is_some());
+        assert_eq!(path(&window), some_points().path().clone());
+        assert!(!window.state().document.is_modified());
+        enter(&mut window, label, "0.25");
+        assert!((radius(&window) - 0.25).abs() < 1e-12);
+        assert!(window.query_by_label(sentence).is_none());
+        // What the engine refuses is its own sentence.
+        enter(&mut window, language.parameter("turns"), "0");
+        assert!(refused(&window));
+        assert_eq!(path(&window), some_points().path().clone());
+    }
+}
+
+#[test]
+fn a_number_that_is_dragged_shows_each_path_and_escape_brings_it_back() {
+    let mut window = picked(Language::English, "orbit");
+    let at = number(&window, "Radius").rect().center();
+    let before = path(&window);
+    window.hover_at(at);
+    window.run();
+    window.drag_at(at);
+    window.run();
+    // The first motion only begins the drag.
+    window.hover_at(at + vec2(4.0, 0.0));
+    window.run();
+    let mut last = before.clone();
+    for step in 1..4_u8 {
+        window.hover_at(at + vec2(10.0 * f32::from(step), 0.0));
+        window.run();
+        assert_ne!(path(&window), last);
+        last = path(&window);
+    }
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(path(&window), before);
+    window.drop_at(at);
+    window.run();
+    assert!(window.state().windows.tool.is_some());
+    click(&mut window, "Cancel");
+    assert_eq!(path(&window), some_points().path().clone());
+    assert_eq!(undo_name(&window), None);
+}
+
+#[test]
+fn another_edit_first_takes_what_the_tool_shows() {
+    let mut window = picked(Language::English, "reverse");
+    let reversed = path(&window);
+    assert_ne!(reversed, some_points().path().clone());
+    click(&mut window, "Pos.+");
+    assert!(window.state().windows.tool.is_none());
+    assert_eq!(path(&window).points.len(), 7);
+    press(&mut window, Modifiers::CTRL, Key::Z);
+    assert_eq!(path(&window), reversed);
+    assert_eq!(undo_name(&window), Some("reverse"));
+    press(&mut window, Modifiers::CTRL, Key::Z);
+    assert_eq!(path(&window), some_points().path().clone());
+    // Undo, another tool and another document take it back.
+    pick(&mut window, "reverse");
+    press(&mut window, Modifiers::CTRL, Key::Z);
+    assert!(window.state().windows.tool.is_none());
+    assert_eq!(path(&window), some_points().path().clone());
+    pick(&mut window, "orbit");
+    pick(&mut window, "repeat");
+    assert_eq!(path(&window).points.len(), 11);
+    click(&mut window, "OK");
+    press(&mut window, Modifiers::CTRL, Key::Z);
+    assert_eq!(path(&window), some_points().path().clone());
+    assert_eq!(undo_name(&window), None);
+}
+
+#[test]
+fn looking_round_and_choosing_a_point_leave_a_tool_alone() {
+    let mut window = picked(Language::English, "mirror");
+    let mirrored = path(&window);
+    press(&mut window, Modifiers::CTRL, Key::PageDown);
+    press(&mut window, Modifiers::NONE, Key::F4);
+    let middle = egui::pos2(1000.0, 650.0);
+    window.hover_at(middle);
+    window.run();
+    window.drag_at(middle);
+    window.run();
+    window.hover_at(middle + vec2(40.0, 10.0));
+    window.run();
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    window.drop_at(middle);
+    window.run();
+    assert!(window.state().windows.tool.is_some());
+    assert_eq!(path(&window), mirrored);
+    let outside = window.state_mut().document_mut().path().clone();
+    assert_eq!(outside, mirrored);
+    assert_eq!(undo_name(&window), Some("mirror"));
+    assert!(!window.state().document.in_step());
+}
+
+#[test]
+fn the_playhead_stands_where_it_stood() {
+    let mut window = fresh(Language::English);
+    window.state_mut().scrub(40.0);
+    window.run();
+    let selection = window.state().document.selection();
+    pick(&mut window, "frames");
+    enter(&mut window, "Frames", "12");
+    assert_eq!(poses(window.state()).len(), 12);
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(window.state().playing.frame(), Some(40.0));
+    assert_eq!(window.state().document.selection(), selection);
+}
+
+#[test]
+fn a_block_is_written_and_put_in_by_files() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("block.vid");
+    for language in BOTH {
+        let mut window = picked(language, "extract");
+        let texts = &language.texts().tools;
+        enter(&mut window, language.parameter("first"), "9");
+        assert!(window.query_by_label(texts.result).is_none());
+        let write = window
+            .get_all_by_label(texts.write)
+            .last()
+            .expect("a button");
+        assert!(write.accesskit_node().is_disabled());
+        enter(&mut window, language.parameter("first"), "2");
+        enter(&mut window, language.parameter("last"), "4");
+        click(&mut window, texts.write);
+        window.state_mut().file_chosen(Purpose::SaveBlock, &file);
+        window.run();
+        let told = fill(texts.block_written, &[&2, &4, &"block.vid"]);
+        assert_eq!(said(&window), Some(told));
+        assert_eq!(path(&window), some_points().path().clone());
+        assert_eq!(undo_name(&window), None);
+        let block = Document::load(&file).expect("a path");
+        assert_eq!(block.path().points.len(), 3);
+        assert_eq!(
+            block.path().points[0].position,
+            path(&window).points[1].position
+        );
+
+        // Nothing is left of a file that is not chosen.
+        pick(&mut window, "insert");
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        assert!(window.state().windows.tool.is_none());
+        pick(&mut window, "insert");
+        window.state_mut().file_chosen(Purpose::LoadBlock, &file);
+        window.run();
+        // Its first point is the current one.
+        assert_eq!(path(&window).points.len(), 8);
+        click(&mut window, language.choice("none"));
+        assert_eq!(path(&window).points.len(), 9);
+        click(&mut window, "OK");
+        assert_eq!(undo_name(&window), Some("insert"));
+    }
+}
+
+#[test]
+fn recorded_poses_become_a_path() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("poses.csv");
+    let mut window = fresh(Language::German);
+    window.state_mut().write_poses(&file).expect("written");
+    let recorded = poses(window.state());
+    pick(&mut window, "fit");
+    window.state_mut().file_chosen(Purpose::LoadPoses, &file);
+    window.run();
+    let fitted = poses(window.state());
+    assert_eq!(fitted.len(), recorded.len());
+    for (a, b) in fitted.iter().zip(&recorded) {
+        let [a, b] = [a, b].map(|pose| DVec3::from_array(pose.vrp));
+        assert!((a - b).length() <= 0.01);
+    }
+    click(&mut window, "OK");
+    assert_eq!(undo_name(&window), Some("fit"));
+    std::fs::write(&file, "1 2 3").expect("written");
+    pick(&mut window, "fit");
+    window.state_mut().file_chosen(Purpose::LoadPoses, &file);
+    window.run();
+    let told = said(&window).expect("a sentence");
+    assert!(told.contains("10 Zahlen erwartet"), "{told}");
+}
+
+/// Each of them in each look, with all its controls within the window.
+#[test]
+fn every_tool_fits_into_the_window() {
+    for (language, theme, size) in [
+        (Language::German, Theme::Dark, SMALL),
+        (Language::English, Theme::Light, LARGE),
+    ] {
+        let mut window = window_with_points(language, size, 1.0, theme);
+        press(&mut window, Modifiers::ALT, Key::W);
+        let name = if language == Language::German {
+            "de"
+        } else {
+            "en"
+        };
+        screenshot(&mut window, &format!("tools-menu-{name}.png"));
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        let whole = egui::Rect::from_min_size(egui::Pos2::ZERO, size.into());
+        for tool in tools().filter(|tool| matches!(tool.needs(), Needs::Nothing | Needs::Output)) {
+            pick(&mut window, tool.name);
+            let texts = &language.texts().tools;
+            screenshot(&mut window, &format!("tool-{}-{name}.png", tool.name));
+            for label in [texts.cancel, language.tool_hint(&tool)] {
+                let rect = window.get_all_by_label(label).last().expect("shown").rect();
+                assert!(whole.contains_rect(rect), "{} {label}", tool.name);
+            }
+            press(&mut window, Modifiers::NONE, Key::Escape);
+            assert!(window.state().windows.tool.is_none());
+            assert_eq!(path(&window), some_points().path().clone(), "{}", tool.name);
+        }
+    }
+}
