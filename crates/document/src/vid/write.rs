@@ -310,6 +310,7 @@ mod tests {
                     to: number,
                 }),
                 frames: u32::MAX,
+                locked: true,
                 ahead: Some(number),
                 up: UpVector::Point(vector),
                 velocities: Some(Velocities {
