@@ -1340,18 +1340,35 @@ int v_path_set_frames(V_PATH *path, int point, int at, size_t frames);
 int v_path_get_frames(const V_PATH *path, int point, int at, size_t *frames);
 
 /**
+ * Whether the section that begins with an orientation keeps its frames where
+ * v_path_fit_frames() brings a whole to a number of frames; 0: no.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_MEMORY.
+ */
+int v_path_set_frames_locked(V_PATH *path, int point, int at, int locked);
+
+/**
+ * Whether the section that begins with an orientation keeps its frames so: 0 or 1.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_get_frames_locked(const V_PATH *path, int point, int at, int *locked);
+
+/**
  * Fixes the frames of all moving sections from the first orientation of one
  * support point to the last one of another, so that from the first pose to the
  * last there are exactly frames, holds included. Each section has one, the rest
  * goes in proportion to what they had, by largest remainder, ties to the
- * earlier. With 0 and the last point v_path_frame_count() is then exactly
+ * earlier; locked ones keep theirs. With 0 and the last point v_path_frame_count() is then exactly
  * frames, closed paths with the way back to the first point; on a closed path
  * first_point may lie behind last_point. Too few are refused, v_last_error()
  * names the least possible number.
  * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
  */
-int v_path_fit_frames(V_PATH *path, int first_point, int last_point, size_t frames);
+int v_path_fit_frames(V_PATH *path,
+                      int first_point,
+                      int last_point,
+                      size_t frames);
 
 
 /* ---- The curve --------------------------------------------------------------- */
