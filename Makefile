@@ -116,7 +116,9 @@ demo: all
 	    echo 'No display: mouse and keyboard play it by themselves. Screens and poses:' && \
 	    LD_LIBRARY_PATH=$(abspath $(LIB)) PYTHONDONTWRITEBYTECODE=1 \
 	        python3 tests/x/demo.py $(DEMO)/pyramid_motif $(DEMO)/glut_flight \
-	        $(DEMO)/glut_scene examples/pyramid.vid $(DEMO); \
+	        $(DEMO)/glut_scene examples/pyramid.vid $(DEMO) && \
+	    echo 'What a new user does, by mouse and keyboard in vides edit:' && \
+	    PYTHONDONTWRITEBYTECODE=1 python3 tests/x/tasks.py $(RELEASE)/vides $(DEMO)/tasks; \
 	fi
 
 # ---- Checks, the cheap ones first -----------------------------------------------

@@ -63,7 +63,7 @@ pub const MAX_HOLD: u32 = 1_000_000;
 /// Bytes of a `.vid` file: every document within the limits here fits in, even
 /// if each number takes its 24 characters; more would only exhaust the memory
 /// of a small machine while it is parsed.
-pub const MAX_FILE_BYTES: u64 = 804 << 20;
+pub const MAX_FILE_BYTES: u64 = 805 << 20;
 
 /// Bytes that parsing a part of a file may take, told beforehand and by far too
 /// many for most: the largest object, written as it is saved, and a little more.
