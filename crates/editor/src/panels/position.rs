@@ -15,6 +15,9 @@ use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
 
+/// A lower window does not show the shape at the next point.
+const ROOMY: f32 = 630.0;
+
 /// Room for the arrow beside the preset's name.
 const ARROW: f32 = 14.0;
 
@@ -49,7 +52,10 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     coordinates(editor, ui, &shown, actions);
     if shown.missing == Missing::Nothing {
         shape(editor, ui, false, actions);
-        shape(editor, ui, true, actions);
+        // A low window has no room for it.
+        if ui.ctx().content_rect().height() >= ROOMY {
+            shape(editor, ui, true, actions);
+        }
     } else {
         add_here(editor, ui, &shown, actions);
     }
