@@ -148,7 +148,8 @@ impl ToolWindow {
                     ui.set_min_size(vec2(NAME, theme::ROW));
                     ui.label(label).on_hover_text(hint);
                 });
-                ui.allocate_ui(vec2(FIELDS, theme::ROW), |ui| {
+                let below = Layout::top_down(Align::Min);
+                ui.allocate_ui_with_layout(vec2(FIELDS, theme::ROW), below, |ui| {
                     ui.set_width(FIELDS);
                     self.field(editor, ui, (parameter, start, hint), actions);
                 });

@@ -303,6 +303,10 @@ fn every_tool_fits_into_the_window() {
                 let rect = window.get_all_by_label(label).last().expect("shown").rect();
                 assert!(whole.contains_rect(rect), "{} {label}", tool.name);
             }
+            // No row is wider than name and fields: nothing stands over anything.
+            let [hint, cancel] = [language.tool_hint(&tool), texts.cancel]
+                .map(|label| window.get_all_by_label(label).last().expect("shown").rect());
+            assert!(cancel.right() - hint.left() < 320.0, "{}", tool.name);
             press(&mut window, Modifiers::NONE, Key::Escape);
             assert!(window.state().windows.tool.is_none());
             assert_eq!(path(&window), some_points().path().clone(), "{}", tool.name);
