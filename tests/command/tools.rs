@@ -1,6 +1,7 @@
 //! The tools as a shell sees them: moves, blocks, fits, checks, plots.
 
 use super::*;
+use vides::document::Edit;
 
 const CAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/car.vid");
 
@@ -208,6 +209,50 @@ fn a_plot_has_all_its_parts() {
     sentence(&run(&["plot", "no such file"]), 1);
     sentence(&run(&["plot", CAR]), 1);
     sentence(&run(&["check", CAR]), 1);
+}
+
+/// Of a scene it is the path of the camera that is shown, with the objects where they stand.
+#[test]
+fn a_scene_is_checked_and_plotted_by_its_cameras_path() {
+    use vides::scene::{Beyond, Camera, FollowPath, Kind, Mesh, Node, Object, Scene};
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("scene.vid");
+    let path = Document::new().path().clone();
+    let mut scene = Scene::new();
+    let mut camera = Node::new("eye", Kind::Camera(Camera::default()));
+    let follow = FollowPath::new(path.clone(), 1.0, Beyond::Hold).unwrap();
+    camera.set_path(Some(follow)).unwrap();
+    scene.add(camera).unwrap();
+    let mut object = Object::default();
+    let size = [[2.0, 0.0], [-1.0, 2.0], [-1.0, -2.0]];
+    let points = size
+        .map(|[y, z]| vides::glam::DVec3::new(0.0, y, z))
+        .to_vec();
+    object
+        .set_mesh(Mesh {
+            points,
+            triangles: vec![[0, 1, 2]],
+            ..Mesh::default()
+        })
+        .unwrap();
+    scene.add(Node::new("wall", Kind::Object(object))).unwrap();
+    let mut document = Document::new();
+    document.apply(Edit::ReplaceScene(Box::new(scene))).unwrap();
+    document.save(&file).unwrap();
+    let file = file.to_str().unwrap();
+    // The default path leads from one side of x = 0 to the other.
+    assert!(path.points[0].position.x * path.points[1].position.x < 0.0);
+    let output = run(&["check", file]);
+    assert_eq!(output.status.code(), Some(3));
+    assert_eq!(output.stderr, b"");
+    assert!(
+        String::from_utf8(output.stdout)
+            .unwrap()
+            .contains("through")
+    );
+    assert!(said(&run(&["plot", file])).contains("Clearance"));
+    let piped = run_with_input(&["check", "-"], &fs::read(file).unwrap());
+    assert_eq!(piped.status.code(), Some(3));
 }
 
 #[test]

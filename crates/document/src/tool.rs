@@ -309,6 +309,19 @@ impl Tool {
         self.tables.into_iter().flatten()
     }
 
+    /// Where the first number of one of them stands among all.
+    #[must_use]
+    pub fn place_of(&self, name: &str) -> Option<usize> {
+        let mut start = 0;
+        for parameter in self.parameters() {
+            if parameter.name == name {
+                return Some(start);
+            }
+            start += parameter.width;
+        }
+        None
+    }
+
     /// A ready-made move.
     #[must_use]
     pub const fn is_move(&self) -> bool {
@@ -476,15 +489,8 @@ fn chosen(number: f64) -> usize {
 
 impl Given<'_> {
     fn of(&self, name: &str) -> &[f64] {
-        let mut start = 0;
-        for parameter in self.tool.parameters() {
-            let end = start + parameter.width;
-            if parameter.name == name {
-                return self.numbers.get(start..end).unwrap_or_default();
-            }
-            start = end;
-        }
-        &[]
+        let start = self.tool.place_of(name);
+        start.map_or(&[], |start| self.numbers.get(start..).unwrap_or_default())
     }
 
     fn number(&self, name: &str) -> f64 {
@@ -493,7 +499,7 @@ impl Given<'_> {
 
     fn place(&self, name: &str) -> DVec3 {
         match *self.of(name) {
-            [x, y, z] => DVec3::new(x, y, z),
+            [x, y, z, ..] => DVec3::new(x, y, z),
             _ => DVec3::ZERO,
         }
     }

@@ -29,12 +29,8 @@ fn edit(document: &Document, name: &str, set: &[(&str, f64)]) -> Result<Option<E
     let tool = tool(name);
     let mut numbers = tool.defaults(document).unwrap();
     for (name, value) in set {
-        let mut start = 0;
-        for parameter in tool.parameters() {
-            if parameter.name == *name {
-                numbers[start] = *value;
-            }
-            start += parameter.width;
+        if let Some(at) = tool.place_of(name) {
+            numbers[at] = *value;
         }
     }
     let material = match tool.needs() {

@@ -247,6 +247,7 @@ impl Action {
                 | Self::Gesture(Gesture::Press(_) | Gesture::End | Gesture::Cancel)
                 | Self::Check
                 | Self::GoTo(_)
+                | Self::Choose(_)
                 | Self::Select(_)
                 | Self::PreviousPoint
                 | Self::NextPoint

@@ -295,9 +295,9 @@ impl Editor {
     /// Begins with the tool that makes something of a file.
     fn load_material(&mut self, purpose: Purpose, file: &Path) -> Result<(), String> {
         let read = if purpose == Purpose::LoadBlock {
-            Document::load(file).and_then(|of_file| {
+            Document::load(file).map(|of_file| {
                 let (path, _) = of_file.into_parts();
-                Ok(Material::Block(Box::new(path)))
+                Material::Block(Box::new(path))
             })
         } else {
             load_poses(file).map(|(poses, frames)| {

@@ -22,6 +22,9 @@ use crate::theme;
 const MARK: f32 = 28.0;
 /// Beside a menu's title.
 const TITLE_MARGIN: f32 = 6.0;
+/// The same in a window that is narrower than this.
+const NARROW_MARGIN: f32 = 3.0;
+const ROOMY: f32 = 1000.0;
 /// Between the texts and their keys.
 const APART: f32 = 32.0;
 
@@ -314,7 +317,12 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
     let open = bar.open(ui.ctx());
     bar.popups.clear();
     bar.entries.clear();
-    ui.spacing_mut().button_padding = vec2(TITLE_MARGIN, 0.0);
+    let margin = if ui.ctx().content_rect().width() < ROOMY {
+        NARROW_MARGIN
+    } else {
+        TITLE_MARGIN
+    };
+    ui.spacing_mut().button_padding = vec2(margin, 0.0);
     ui.spacing_mut().item_spacing.x = 0.0;
     for (index, menu) in menus.iter().enumerate() {
         let mut title = Button::new(menu.title).frame_when_inactive(false);

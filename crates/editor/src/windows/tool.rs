@@ -148,7 +148,8 @@ impl ToolWindow {
                     ui.set_min_size(vec2(NAME, theme::ROW));
                     ui.label(label).on_hover_text(hint);
                 });
-                ui.allocate_ui(vec2(FIELDS, theme::ROW), |ui| {
+                let below = Layout::top_down(Align::Min);
+                ui.allocate_ui_with_layout(vec2(FIELDS, theme::ROW), below, |ui| {
                     ui.set_width(FIELDS);
                     self.field(editor, ui, (parameter, start, hint), actions);
                 });
@@ -167,17 +168,20 @@ impl ToolWindow {
         let language = editor.language();
         match parameter.unit {
             Unit::Choice(names) => {
-                ui.horizontal_wrapped(|ui| {
-                    ui.spacing_mut().item_spacing.x = 12.0;
-                    for (at, name) in names.iter().enumerate() {
-                        let at = at as f64;
-                        let chosen = self.numbers.get(start) == Some(&at);
-                        let choice = theme::choice(ui, chosen, language.choice(name));
-                        if choice.on_hover_text(hint).clicked() {
-                            self.set(start, at);
+                let beside = if names.len() <= 3 { 3 } else { 2 };
+                for (row, names) in names.chunks(beside).enumerate() {
+                    ui.horizontal(|ui| {
+                        ui.spacing_mut().item_spacing.x = 12.0;
+                        for (column, name) in names.iter().enumerate() {
+                            let at = (row * beside + column) as f64;
+                            let chosen = self.numbers.get(start) == Some(&at);
+                            let choice = theme::choice(ui, chosen, language.choice(name));
+                            if choice.on_hover_text(hint).clicked() {
+                                self.set(start, at);
+                            }
                         }
-                    }
-                });
+                    });
+                }
             }
             Unit::Switch => {
                 let mut on = self.numbers.get(start).is_some_and(|value| *value != 0.0);
@@ -275,10 +279,18 @@ impl Editor {
     pub(crate) fn open_tool(&mut self, tool: Tool) {
         self.cancel_tool();
         self.document.end_step();
-        let numbers = match tool.defaults(&self.document) {
+        let mut numbers = match tool.defaults(&self.document) {
             Ok(numbers) => numbers,
             Err(error) => return self.complain_of(&error),
         };
+        if let Some([first, .., last]) = self.several() {
+            // From the first of the points that are selected to the last one.
+            for (name, at) in [("first", first + 1), ("last", last + 1)] {
+                if let Some(number) = tool.place_of(name).and_then(|at| numbers.get_mut(at)) {
+                    *number = at as f64;
+                }
+            }
+        }
         self.windows.tool = Some(ToolWindow {
             tool,
             material: Material::None,

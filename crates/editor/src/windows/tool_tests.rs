@@ -145,7 +145,7 @@ fn another_edit_first_takes_what_the_tool_shows() {
     let mut window = picked(Language::English, "reverse");
     let reversed = path(&window);
     assert_ne!(reversed, some_points().path().clone());
-    click(&mut window, "Pos.+");
+    press(&mut window, Modifiers::NONE, Key::Insert);
     assert!(window.state().windows.tool.is_none());
     assert_eq!(path(&window).points.len(), 7);
     press(&mut window, Modifiers::CTRL, Key::Z);
@@ -173,7 +173,8 @@ fn looking_round_and_choosing_a_point_leave_a_tool_alone() {
     let mirrored = path(&window);
     press(&mut window, Modifiers::CTRL, Key::PageDown);
     press(&mut window, Modifiers::NONE, Key::F4);
-    let middle = egui::pos2(1000.0, 650.0);
+    let name = Language::English.texts().space.name;
+    let middle = window.get_by_label(name).rect().left_bottom() + vec2(90.0, -90.0);
     window.hover_at(middle);
     window.run();
     window.drag_at(middle);
@@ -302,6 +303,10 @@ fn every_tool_fits_into_the_window() {
                 let rect = window.get_all_by_label(label).last().expect("shown").rect();
                 assert!(whole.contains_rect(rect), "{} {label}", tool.name);
             }
+            // No row is wider than name and fields: nothing stands over anything.
+            let [hint, cancel] = [language.tool_hint(&tool), texts.cancel]
+                .map(|label| window.get_all_by_label(label).last().expect("shown").rect());
+            assert!(cancel.right() - hint.left() < 320.0, "{}", tool.name);
             press(&mut window, Modifiers::NONE, Key::Escape);
             assert!(window.state().windows.tool.is_none());
             assert_eq!(path(&window), some_points().path().clone(), "{}", tool.name);
