@@ -39,7 +39,7 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("dolly-zoom", "Dolly zoom", "Dolly-Zoom", "auf ein Ziel zu, das im Bild gleich groß bleibt"),
     ("crane", "Crane", "Kran", "gerade hinauf oder hinunter neben einem Ziel, das im Bild bleibt"),
     ("pan", "Pan", "Schwenk", "dreht sich auf der Stelle"),
-    ("figure-eight", "Figure eight", "Achterbahn", "auf einer Acht, die sich über dem Ziel kreuzt"),
+    ("figure-eight", "Figure eight", "Acht", "auf einer Acht, die sich über dem Ziel kreuzt"),
     ("move", "Move points", "Punkte verschieben", "verschiebt Punkte"),
     ("turn", "Turn points", "Punkte drehen", "dreht Punkte um eine Achse"),
     ("scale", "Scale points", "Punkte skalieren", "vergrößert oder verkleinert die Lage der Punkte"),
