@@ -34,7 +34,7 @@ fn edit(document: &Document, name: &str, set: &[(&str, f64)]) -> Result<Option<E
         }
     }
     let material = match tool.needs() {
-        Needs::Block => Material::Block(Box::new(CameraPath::default())),
+        Needs::Block => Material::Block(Box::default()),
         Needs::Poses => {
             let sampler = document.sampler().unwrap();
             let mut poses = vec![Pose::default(); sampler.frame_count()];
