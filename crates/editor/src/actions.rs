@@ -21,6 +21,7 @@ use crate::state::{Editor, Request};
 use crate::texts::refusals::of_edit;
 use crate::texts::{Language, fill};
 use crate::tools::check::Finding;
+use crate::tools::profile::Quantity;
 use crate::windows::{
     self, CheckWindow, CurveWindow, HelpWindow, PointsWindow, SpaceWindow, SpeedWindow, ToolWindow,
 };
@@ -117,6 +118,8 @@ pub(super) enum Action {
     SwitchCameraView,
     /// Put the camera's picture there, or back into its corner.
     CameraPlace(CameraPlace),
+    /// Plot this in place of the speeds of the sections.
+    Plot(Option<Quantity>),
     /// Open or close the speeds of the whole path.
     SwitchSpeedGraph,
     /// The camera's picture is seen from there; none: from the path again.
@@ -415,6 +418,7 @@ impl Editor {
                 setup.camera_view = true;
             }
             Action::Fly(camera) => self.fly(camera),
+            Action::Plot(quantity) => self.plot(quantity),
             Action::SwitchSpeedGraph => self.setup.speed_graph = !self.setup.speed_graph,
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),

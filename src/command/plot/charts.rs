@@ -1,8 +1,9 @@
 //! What changes over the frames, each in a chart of its own.
 
-use vides::glam::{DQuat, DVec3};
+use vides::glam::DVec3;
 use vides::path::Pose;
 use vides::tools::clearance::Clearance;
+use vides::tools::profile::Quantity;
 
 use super::svg::{Anchor, Spot, Svg};
 use super::{Film, MARGIN, WIDTH};
@@ -28,86 +29,32 @@ pub(super) fn height(charts: usize) -> f64 {
 
 pub(super) fn of(film: &Film<'_>) -> vides::Result<Vec<Chart>> {
     let (info, space) = (film.document.info(), film.document.path().space);
-    let fps = info.fps;
-    let place = |pose: &Pose| DVec3::from_array(pose.vrp);
-    // Differences over frames, which lie between two of them.
-    let samples = &film.samples;
-    let between = |value: &dyn Fn(&Pose, &Pose) -> f64| -> Vec<Spot> {
-        let pair = |pair: &[(f64, Pose)]| {
-            let [(a, from), (b, to)] = [pair[0], pair[1]];
-            (0.5 * (a + b), value(&from, &to) * fps / (b - a))
+    let mut charts = Vec::new();
+    for quantity in Quantity::ALL {
+        let (name, of_way) = match quantity {
+            Quantity::Speed => ("Speed, length per second", true),
+            Quantity::Acceleration => ("Acceleration, length per second squared", true),
+            Quantity::Turning => ("Turning, degrees per second", false),
+            Quantity::Roll => ("Roll, degrees", false),
+            Quantity::Zoom => ("Zoom, mm", false),
         };
-        samples.windows(2).map(pair).collect()
-    };
-    let at = |value: &dyn Fn(&Pose) -> f64| -> Vec<Spot> {
-        samples
-            .iter()
-            .map(|(frame, pose)| (*frame, value(pose)))
-            .collect()
-    };
-    let acceleration = samples.windows(3).map(|three| {
-        let [a, b, c] = [0, 1, 2].map(|k| place(&three[k].1));
-        let step = three[1].0 - three[0].0;
-        (
-            three[1].0,
-            (a - 2.0 * b + c).length() * (fps / step).powi(2),
-        )
-    });
-    let turn = |from: &Pose, to: &Pose| {
-        let [a, b] = [from, to].map(|pose| {
-            let (view, up) = (DVec3::from_array(pose.vpn), DVec3::from_array(pose.vup));
-            DQuat::from_mat3(&vides::glam::DMat3::from_cols(up.cross(view), up, view))
+        charts.push(Chart {
+            name,
+            of_way,
+            values: quantity.of(&film.samples, info.fps, space.up)?,
+            kinds: quantity.findings(),
         });
-        a.angle_between(b).to_degrees()
-    };
-    let roll = |pose: &Pose| {
-        let [view, up] = [pose.vpn, pose.vup].map(|v| space.up.upright(v.into()));
-        vides::math::orientation::roll_from_up(view, up).to_degrees()
-    };
-    let mut charts = vec![
-        Chart {
-            name: "Speed, length per second",
-            of_way: true,
-            values: between(&|a, b| place(a).distance(place(b))),
-            kinds: &["speed-jump", "cusp", "corner", "space"],
-        },
-        Chart {
-            name: "Acceleration, length per second squared",
-            of_way: true,
-            values: acceleration.collect(),
-            kinds: &["acceleration"],
-        },
-        Chart {
-            name: "Turning, degrees per second",
-            of_way: false,
-            values: between(&turn),
-            kinds: &[
-                "turning",
-                "turning-acceleration",
-                "view-jump",
-                "half-turn",
-                "pole",
-            ],
-        },
-        Chart {
-            name: "Roll, degrees",
-            of_way: false,
-            values: at(&roll),
-            kinds: &["redundant"],
-        },
-        Chart {
-            name: "Zoom, mm",
-            of_way: false,
-            values: at(&|pose| pose.zoom),
-            kinds: &["zoom"],
-        },
-    ];
+    }
     if let Some(obstacles) = &film.obstacles {
         let object = Clearance::new(obstacles)?;
+        let clearance = |(frame, pose): &(f64, Pose)| {
+            let distance = object.distance(DVec3::from_array(pose.vrp), f64::INFINITY);
+            (*frame, distance.unwrap_or(0.0))
+        };
         charts.push(Chart {
             name: "Clearance, length",
             of_way: true,
-            values: at(&|pose| object.distance(place(pose), f64::INFINITY).unwrap_or(0.0)),
+            values: film.samples.iter().map(clearance).collect(),
             kinds: &["clearance", "through", "nothing-to-see", "target"],
         });
     }

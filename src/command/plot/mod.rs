@@ -14,6 +14,7 @@ use vides::document::{Document, save};
 use vides::path::{Pose, Timeline};
 use vides::scene::Mesh;
 use vides::tools::check::Finding;
+use vides::tools::profile;
 
 use super::{Failure, input, print};
 use svg::{Anchor, Svg};
@@ -122,20 +123,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn picture(document: &Document, style: &Style) -> vides::Result<Svg> {
     let sampler = document.sampler()?;
     let frames = sampler.frame_count();
-    let count = frames.min(POSES);
-    let mut samples = Vec::with_capacity(count);
-    for k in 0..count {
-        let frame = if frames > count {
-            1.0 + (frames - 1) as f64 * k as f64 / (count - 1) as f64
-        } else {
-            1.0 + k as f64
-        };
-        samples.push((frame, sampler.pose(frame)?));
-    }
     let film = Film {
         document,
         style,
-        samples,
+        samples: profile::samples(sampler, POSES)?,
         found: document.check(None)?,
         obstacles: document.obstacles()?,
         frames,

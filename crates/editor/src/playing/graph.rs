@@ -7,7 +7,7 @@ use egui::{
     Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::{Marks, as_frame, scrub_by_mouse};
+use super::{Marks, as_frame, plot, scrub_by_mouse};
 use crate::actions::Action;
 use crate::document::{Document, Edit, Selection};
 use crate::error::Result;
@@ -118,7 +118,7 @@ pub(super) enum Held {
 }
 
 /// Where a frame and a speed stand.
-struct Scale {
+pub(super) struct Scale {
     rail: Rangef,
     rows: Rangef,
     frames: f32,
@@ -136,7 +136,7 @@ impl Scale {
         }
     }
 
-    fn x(&self, frame: f32) -> f32 {
+    pub(super) fn x(&self, frame: f32) -> f32 {
         let share = ((frame - 1.0) / self.frames).min(1.0);
         self.rail.min + self.rail.span() * share
     }
@@ -177,13 +177,8 @@ pub(super) fn show(
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, texts.speed_graph));
     let painter = ui.painter_at(rect);
     painter.rect_filled(ground, CornerRadius::same(3), palette.field);
-    painter.text(
-        pos2(ground.left() - 8.0, ground.top() + 2.0),
-        Align2::RIGHT_TOP,
-        texts.speed_graph,
-        theme::small(),
-        palette.weak,
-    );
+    let room = rect.with_max_x(ground.left() - 12.0);
+    plot::choices(editor, ui, room, actions);
     if marks.frames == 0 || !editor.document.edits_path() {
         return;
     }
@@ -192,12 +187,20 @@ pub(super) fn show(
         scrub_by_mouse(editor, ui, &response, rail, actions);
     }
     seconds(editor, &painter, &scale, ground, palette);
-    paint(editor, &painter, &scale, palette);
+    plot::findings(editor, &painter, &scale, ground);
+    let of_sections = editor.playing.quantity.is_none();
+    if of_sections {
+        paint(editor, &painter, &scale, palette);
+    } else {
+        plot::paint(editor, &painter, &scale, ground, palette);
+    }
     let at = scale.x(editor.position_on_bar() as f32);
     let line = Stroke::new(1.0, palette.accent);
     painter.vline(at, ground.y_range(), line);
-    borders(editor, held, ui, &scale, ground, actions);
-    squares(editor, held, ui, &scale, actions);
+    if of_sections {
+        borders(editor, held, ui, &scale, ground, actions);
+        squares(editor, held, ui, &scale, actions);
+    }
     response.on_hover_text(texts.speed_graph_tip);
 }
 

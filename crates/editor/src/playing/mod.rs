@@ -7,6 +7,7 @@
 mod fields;
 mod graph;
 pub(crate) mod playhead;
+mod plot;
 
 use std::time::Duration;
 
@@ -25,6 +26,7 @@ use crate::setup::Element;
 use crate::space::Camera;
 use crate::state::Editor;
 use crate::theme;
+use crate::tools::profile::Quantity;
 
 const HEIGHT: f32 = 56.0;
 
@@ -63,6 +65,9 @@ pub(super) struct Playing {
     marked: f64,
     /// What is held of the speeds.
     held: graph::Held,
+    /// What is plotted in place of them.
+    quantity: Option<Quantity>,
+    plot: plot::Plot,
 }
 
 /// The keys of the path on the scale of its frames.
@@ -244,6 +249,11 @@ impl Editor {
         self.playing.pace = pace;
     }
 
+    /// Plots a quantity in place of the speeds of the sections.
+    pub(super) fn plot(&mut self, quantity: Option<Quantity>) {
+        self.playing.quantity = quantity;
+    }
+
     /// At the end it begins anew, or does so no more.
     pub(super) fn switch_loops(&mut self, context: &Context) {
         self.go_on_from_here(context);
@@ -297,6 +307,9 @@ impl Editor {
             context.request_repaint_after(Duration::from_secs_f64(rest.min(MARKS_STEP)));
         } else {
             self.playing.marked = now;
+            let quantity = self.playing.quantity.filter(|_| self.setup.speed_graph);
+            // What cannot be plotted, since there are too many frames, is told elsewhere.
+            let _ = self.playing.plot.update(&self.document, quantity);
             if let Err(error) = self.playing.marks.update(&self.document)
                 && self.playing.frame.is_some()
             {

@@ -101,7 +101,15 @@ texts! {
         loop_keys: "L", "L";
         loop_meaning: "Begin anew at the end when playing", "Beim Abspielen am Ende von vorn beginnen";
         too_many_frames: "Too many frames", "Zu viele Bilder";
-        speed_graph: "Speed", "Tempo";
+        speed_graph: "Pace", "Tempo";
+        plot: "Plot", "Verlauf";
+        plot_tip: "Shown along the path, with its value at the playhead; what an open check has found is marked",
+            "Über der Bahn gezeigt, mit dem Wert am Abspielkopf; was eine offene Prüfung fand, ist markiert";
+        plot_speed: "Speed", "Geschwindigkeit";
+        plot_acceleration: "Acceleration", "Beschleunigung";
+        plot_turning: "Turning", "Drehung";
+        plot_roll: "Roll", "Winkel";
+        plot_zoom: "Zoom", "Zoom";
         speed_graph_tip: "Speed all along the path; 50 is the base speed, a red step a jump",
             "Geschwindigkeit über den ganzen Pfad; 50 ist die Grundgeschwindigkeit, eine rote Stufe ein Sprung";
         speed_graph_switch: "Shows the speed all along the path (G)",

@@ -161,6 +161,11 @@ fn is_quick(editor: &Editor) -> bool {
 }
 
 impl CheckWindow {
+    /// What was found.
+    pub(crate) fn found(&self) -> &[Finding] {
+        &self.found
+    }
+
     fn check(&mut self, editor: &Editor) {
         self.asked = false;
         self.checked = Some(editor.document.revision());

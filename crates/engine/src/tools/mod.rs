@@ -14,6 +14,7 @@ pub mod fit;
 mod keep;
 pub mod moves;
 pub mod parameter;
+pub mod profile;
 mod smooth;
 pub mod transform;
 
