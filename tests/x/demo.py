@@ -126,7 +126,7 @@ def shape(player, at, preset):
     if preset == 5:
         player.shot("shape-of-the-curve")
     picture = player.server.drawn(player.window)
-    last = boxes(picture, BUTTON, 0, 34, picture.width - PANEL, picture.height - 60)[-1]
+    last = boxes(picture, BUTTON, 0, 34, picture.width - PANEL, picture.height - 150)[-1]
     player.click(last[-1])
     player.away()
 
@@ -136,11 +136,11 @@ def slow_start(player):
     go_to(player, CORNER)
     for _ in range(3):
         player.button(4, 1)
-    player.button(6, 0)
+    player.button(7, 0)
 
     def shapes():
         picture = player.server.drawn(player.window)
-        found = boxes(picture, BUTTON, 0, 34, picture.width - PANEL, picture.height - 60)
+        found = boxes(picture, BUTTON, 0, 34, picture.width - PANEL, picture.height - 150)
         return [row for row in found if len(row) >= 5]
 
     player.click(wait(shapes, "the shapes")[0][1])
