@@ -48,6 +48,8 @@ pub struct ObjectPoint {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Object {
     points: Option<Arc<Vec<ObjectPoint>>>,
+    /// One for each point, or none.
+    colours: Option<Arc<Vec<[u8; 3]>>>,
     source: Option<Arc<MeshSource>>,
 }
 
@@ -55,6 +57,7 @@ impl From<Vec<ObjectPoint>> for Object {
     fn from(points: Vec<ObjectPoint>) -> Self {
         Self {
             points: (!points.is_empty()).then(|| Arc::new(points)),
+            colours: None,
             source: None,
         }
     }
@@ -68,6 +71,32 @@ impl Object {
             source: Some(Arc::new(source)),
             ..self
         }
+    }
+
+    /// The same with a colour for each point, or none: red, green, blue. A document without the
+    /// file of its mesh does not keep them.
+    pub(super) fn coloured(self, colours: Vec<[u8; 3]>) -> Self {
+        Self {
+            colours: (colours.len() == self.len()).then(|| Arc::new(colours)),
+            ..self
+        }
+    }
+
+    /// What is drawn of it: lines, with the colour of their end if there is one; points
+    /// that belong to none are lines without length.
+    pub fn lines(&self) -> impl Iterator<Item = ([DVec3; 2], Option<[u8; 3]>)> + '_ {
+        let colours = self.colours.as_ref().map(|colours| colours.as_slice());
+        self.iter().enumerate().filter_map(move |(at, point)| {
+            let colour = colours.and_then(|colours| colours.get(at).copied());
+            let alone = !self.get(at + 1).is_some_and(|next| next.draw);
+            match point.draw {
+                true => Some((
+                    [self.get(at.checked_sub(1)?)?.position, point.position],
+                    colour,
+                )),
+                false => alone.then_some(([point.position; 2], colour)),
+            }
+        })
     }
 
     /// The file of its mesh; none if the document keeps the points.

@@ -101,3 +101,20 @@ fn what_is_no_name_of_a_file_has_a_line() {
         assert!(error.contains("line"), "{error}");
     }
 }
+
+#[test]
+fn points_of_a_cloud_are_drawn_with_their_colours() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("cloud.ply");
+    let header = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n\
+                  property float z\nproperty uchar red\nproperty uchar green\n\
+                  property uchar blue\nend_header\n";
+    fs::write(&file, format!("{header}0 0 0 255 0 0\n1 0 0 0 0 255\n")).unwrap();
+    let object = load_object(&file).unwrap();
+    let drawn: Vec<_> = object.lines().map(|([a, b], c)| (a == b, a.x, c)).collect();
+    let red_and_blue = [
+        (true, 0.0, Some([255, 0, 0])),
+        (true, 1.0, Some([0, 0, 255])),
+    ];
+    assert_eq!(drawn, red_and_blue);
+}

@@ -51,6 +51,7 @@ impl Object {
 fn of_lines(mesh: &Mesh, lines: impl IntoIterator<Item = [u32; 2]>) -> Result<Object> {
     let lines = lines.into_iter();
     let mut points = vec_with_room(lines.size_hint().0.min(limits::MAX_OBJECT_POINTS))?;
+    let mut colours = Vec::new();
     let mut at = None;
     for [from, to] in lines {
         let begins = at != Some(from) || from == to;
@@ -64,11 +65,15 @@ fn of_lines(mesh: &Mesh, lines: impl IntoIterator<Item = [u32; 2]>) -> Result<Ob
             if there {
                 let position = mesh.points[index as usize];
                 points.push(ObjectPoint { position, draw });
+                if let Some(&colour) = mesh.colours.get(index as usize) {
+                    colours.try_reserve(1)?;
+                    colours.push(colour);
+                }
             }
         }
         at = Some(to);
     }
-    Ok(points.into())
+    Ok(Object::from(points).coloured(colours))
 }
 
 /// The lines of a mesh at which one sees what it is: its own, and of its triangles where

@@ -10,6 +10,7 @@ use egui::{
 };
 use glam::{DMat4, DVec2, DVec3};
 
+use super::scene::object_line;
 use super::{Camera, flying};
 use crate::actions::Action;
 use crate::host::HostPane;
@@ -468,10 +469,9 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
     }
     if shown.has(Element::Object) {
         let color = colours.of(Element::Object);
-        for pair in object.windows(2) {
-            if pair[1].draw {
-                add(pair[0].position, pair[1].position, 1.2, color);
-            }
+        for ([from, to], own) in object.lines() {
+            let (width, color) = object_line(from == to, own, color);
+            add(from, to, width, color);
         }
         // Without memory there is nothing to be seen, and no other harm.
         let _ = editor.with_scene(|now| {

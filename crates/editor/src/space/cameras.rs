@@ -109,8 +109,8 @@ pub(super) fn camera(
     strokes.line(right, left, width, color);
 }
 
-/// Every orientation of the path but the current one as a small camera; made
-/// again only when others are seen.
+/// A small camera for each point but the current one; made again only when others are
+/// seen.
 #[derive(Debug, Default)]
 pub(super) struct Keys {
     seen: Option<Seen>,
@@ -141,8 +141,8 @@ impl Keys {
     }
 }
 
-/// The cameras that [`Keys`] shows: those that are in sight and not too near to
-/// each other.
+/// The cameras that [`Keys`] shows: the first of each point but the current one, of those
+/// that are in sight and not too near to each other.
 fn collect(document: &Document, look: &Look<'_>, cameras: &mut Vec<Camera>) {
     let selection = document.selection();
     let viewport = look.viewport.expand(40.0);
@@ -157,9 +157,10 @@ fn collect(document: &Document, look: &Look<'_>, cameras: &mut Vec<Camera>) {
             continue;
         }
         last = Some(image);
-        let others = (0..point.orientations.len())
-            .filter(|&number| !current || number != selection.orientation);
-        cameras.extend(others.filter_map(|number| Camera::at(document, index, number)));
+        // The others of one point would stand in each other's way.
+        if !current {
+            cameras.extend(Camera::at(document, index, 0));
+        }
     }
 }
 

@@ -6,9 +6,9 @@ use super::tests::pyramid;
 use super::*;
 use crate::setup::View;
 
-/// Every orientation is there as a camera, and the ribbon is the flight.
+/// Every point has a camera, and the ribbon is the flight.
 #[test]
-fn all_orientations_of_the_path_are_shown() {
+fn each_point_of_the_path_has_a_camera() {
     let document = pyramid();
     let projection = Projection::new(
         &View::default(),
@@ -25,12 +25,12 @@ fn all_orientations_of_the_path_are_shown() {
         colours: &colours,
         shown,
     };
-    // Nine orientations at six points, eleven lines each.
+    // Nine orientations at six points: one camera each, of eleven lines.
     let count = |look: &Look<'_>| {
         let others = cameras::Keys::default().update(&document, look).lines.len();
         others + cameras::current_key(&document, look).lines.len()
     };
-    assert_eq!(count(&look(&shown)), 9 * 11);
+    assert_eq!(count(&look(&shown)), 6 * 11);
     let mut ribbon = Ribbon::default();
     ribbon.update(&document).unwrap();
     let sampler = document.sampler().unwrap();

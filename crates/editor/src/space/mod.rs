@@ -298,6 +298,15 @@ impl Space {
                 add(tool::show_handles(&look, middle, pointer.meant));
             }
         }
+        let preview = editor.windows.curve.as_ref();
+        if let Some(segments) = preview.and_then(|window| window.preview(editor)) {
+            let mut strokes = Strokes::new(look.projection, viewport);
+            let color = editor.setup.theme().palette().accent;
+            for pair in segments.iter().flat_map(|segment| segment.windows(2)) {
+                strokes.line(pair[0], pair[1], 1.5, color);
+            }
+            add(strokes.finish());
+        }
         if let Some(tips) = picking::tips(document) {
             add(overlay::circle(&look, &tips));
             overlay::arrows(painter, &look, &tips);

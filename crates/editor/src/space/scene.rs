@@ -416,13 +416,20 @@ fn still(object: &Object, look: &Look<'_>) -> Lines {
         cube(&mut strokes, look, color);
     }
     if let Some(color) = look.of(Element::Object) {
-        for pair in object.windows(2) {
-            if pair[1].draw {
-                strokes.line(pair[0].position, pair[1].position, 1.2, color);
-            }
+        for ([from, to], own) in object.lines() {
+            let (width, color) = object_line(from == to, own, color);
+            strokes.line(from, to, width, color);
         }
     }
     strokes.finish()
+}
+
+/// Width and colour of a line, or of a point, of the object: its own colour, or that of
+/// all.
+pub(super) fn object_line(point: bool, own: Option<[u8; 3]>, color: Color32) -> (f32, Color32) {
+    let width = if point { 2.0 } else { 1.2 };
+    let own = own.map(|[red, green, blue]| Color32::from_rgb(red, green, blue));
+    (width, own.unwrap_or(color))
 }
 
 /// Lines on the floor in each direction, so that one sees how it lies.

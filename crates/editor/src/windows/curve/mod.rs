@@ -2,6 +2,7 @@
 //! waits for `Zeigen` or `ok`.
 
 use egui::{Grid, Rect, Sense, Slider, Ui, vec2};
+use glam::DVec3;
 
 mod pending;
 mod picture;
@@ -111,6 +112,12 @@ impl SubWindow for CurveWindow {
 }
 
 impl CurveWindow {
+    /// The curve as it will be, if something waits here.
+    pub(crate) fn preview(&self, editor: &Editor) -> Option<Vec<Vec<DVec3>>> {
+        let waits = !self.pending.is_empty();
+        waits.then(|| picture::preview(&editor.document, &self.pending))
+    }
+
     /// Another path is open: what waits here was meant for the old one.
     pub(super) fn lose(&mut self) {
         self.belonging.lose();

@@ -106,6 +106,12 @@ impl Around {
     }
 }
 
+/// The curve around the current point as it will be, segment by segment.
+pub(super) fn preview(document: &Document, pending: &Pending) -> Vec<Vec<DVec3>> {
+    let around = Around::of(document);
+    around.curve(&around.with(document, pending))
+}
+
 /// Where something is seen in the picture.
 #[derive(Debug)]
 struct Flat {
