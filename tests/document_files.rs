@@ -156,11 +156,11 @@ const BROKEN: &[(&str, &str)] = &[
     ("unclosed_array", "line 4: unclosed array, expected `]`"),
     (
         "unknown_object_key",
-        "line 3: unknown key \"lines\"; known here: polylines",
+        "line 3: unknown key \"lines\"; known here: polylines, file, bytes, checksum",
     ),
     (
         "unknown_orientation_key",
-        "line 7: unknown key \"rol_degrees\"; known here: target, offset, roll_degrees, zoom_mm, turning, speed_curve, hold_frames, ahead, up, up_point, up_path, frames, ease, distance, pace_part, velocity_degrees, turning_part, roll_slope_degrees, zoom_slope_mm",
+        "line 7: unknown key \"rol_degrees\"; known here: target, offset, roll_degrees, zoom_mm, turning, speed_curve, hold_frames, ahead, up, up_point, up_path, frames, locked, ease, distance, pace_part, velocity_degrees, turning_part, roll_slope_degrees, zoom_slope_mm",
     ),
     (
         "unknown_point_key",

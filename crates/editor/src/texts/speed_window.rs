@@ -41,6 +41,17 @@ texts! {
         reset: "Reset", "Zurücksetzen";
         reset_hint: "Speed 50 all the way", "Überall Geschwindigkeit 50";
 
+        base: "Base frames", "Grundbilder";
+        base_hint: "Frames that a change takes at speed 50, for the whole path",
+            "Bilder, die eine Änderung bei Geschwindigkeit 50 dauert, für die ganze Bahn";
+        base_move: "Way", "Weg";
+        base_move_hint: "Frames for a way of half the space's size", "Bilder für einen Weg von der halben Größe des Raumes";
+        base_turn: "Turn", "Drehung";
+        base_turn_hint: "Frames for half a turn", "Bilder für eine halbe Drehung";
+        base_zoom: "Zoom", "Zoom";
+        base_zoom_hint: "Frames for a zoom from 1 to 100", "Bilder für einen Zoom von 1 bis 100";
+        base_roll: "Roll", "Rollen";
+        base_roll_hint: "Frames for a roll by 90°", "Bilder für ein Rollen um 90°";
         hold: "Hold (frames)", "Halt (Bilder)";
         hold_hint: "Frames that the camera rests before it goes on",
             "Bilder, die die Kamera ruht, bevor es weitergeht";

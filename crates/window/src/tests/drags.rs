@@ -47,7 +47,7 @@ fn motions_share_a_picture() {
     remote.size.set([900, 700]);
     settle(&[&remote]);
     // In the empty part of the space, which turns.
-    let at = |x: f32| pos2(300.0 + x, 560.0);
+    let at = |x: f32| pos2(300.0 + x, 470.0);
     hand(&remote, Event::PointerMoved(at(0.0)));
     assert!(hand(&remote, button(at(0.0), true)) >= 1);
     let (begun, before) = (Instant::now(), remote.passes.get());

@@ -194,7 +194,7 @@ fn the_view_follows_the_picture_of_a_drag() {
     rest(&remote);
     host.forget();
     // The frames' bar is dragged.
-    let at = |x: f32| pos2(600.0 + x, 672.0);
+    let at = |x: f32| pos2(345.0 + x, 599.0);
     remote.hand(Event::PointerMoved(at(0.0)));
     dispatch();
     remote.hand(button(at(0.0).x, at(0.0).y, true));

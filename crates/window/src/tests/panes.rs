@@ -26,7 +26,7 @@ fn the_host_is_told_of_its_size_and_of_its_end() {
         panic!("one pane");
     };
     // That of the film.
-    assert!(width > 200 && (f64::from(width) / f64::from(height) - 1.5).abs() < 0.02);
+    assert!(width > 150 && (f64::from(width) / f64::from(height) - 1.5).abs() < 0.02);
     settle(&[&remote]);
     assert_eq!(told(&calls), [], "nothing has changed");
     remote.size.set([850, 700]);

@@ -16,7 +16,7 @@ use crate::document::{Edit, Info};
 use crate::limits::{BASE_SPEED, MAX_FPS, MAX_FRAMES, MAX_HOLD, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::{Entry, Number};
 use crate::path::speed_curve::SpeedCurve;
-use crate::path::{Orientation, Own};
+use crate::path::{BaseSpeeds, Orientation, Own};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme::{self, Palette};
@@ -164,6 +164,8 @@ impl SubWindow for SpeedWindow {
             buttons(editor, ui, &section, actions);
             ui.add_space(theme::GAP);
             numbers(editor, ui, &section, actions);
+            ui.separator();
+            base_speeds(editor, ui, actions);
         })
     }
 }
@@ -608,6 +610,52 @@ fn numbers(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Ac
             actions.push(Action::Enter(entry));
             ui.label(texts.fps).on_hover_text(texts.fps_hint);
         });
+    });
+}
+
+/// How many frames each kind of change takes at speed 50, for the whole path.
+fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().speed_window;
+    let speeds = editor.document.path().speeds;
+    let parts: [(&str, &str, fn(&mut BaseSpeeds) -> &mut f64); 4] = [
+        (texts.base_move, texts.base_move_hint, |speeds| {
+            &mut speeds.movement
+        }),
+        (texts.base_turn, texts.base_turn_hint, |speeds| {
+            &mut speeds.turning
+        }),
+        (texts.base_zoom, texts.base_zoom_hint, |speeds| {
+            &mut speeds.zoom
+        }),
+        (texts.base_roll, texts.base_roll_hint, |speeds| {
+            &mut speeds.rolling
+        }),
+    ];
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = theme::GAP;
+        ui.label(texts.base).on_hover_text(texts.base_hint);
+        let gaps = theme::GAP * (parts.len() - 1) as f32;
+        let width = ((ui.available_width() - gaps) / parts.len() as f32).floor();
+        for (name, hint, part) in parts {
+            let mut now = speeds;
+            let frames = *part(&mut now);
+            let full = format!("{}: {name}", texts.base);
+            let entry = Number::new(&full, frames)
+                .label(name)
+                .hint(hint)
+                .decimals(if frames.fract() == 0.0 { 0 } else { 3 })
+                .range(0.001..=MAX_FRAMES as f64)
+                .steps(1.0, 0.5)
+                // Where they are the host's no file changes them, nor anybody here.
+                .fixed_if(editor.fixed_speeds)
+                .show(ui, editor.language(), &format!("speed.base.{name}"), width);
+            let entry = entry.map(|frames| {
+                let mut speeds = speeds;
+                *part(&mut speeds) = frames;
+                Edit::SetSpeeds(speeds)
+            });
+            actions.push(Action::Enter(entry));
+        }
     });
 }
 

@@ -2,6 +2,8 @@
 
 use egui::{Pos2, vec2};
 
+use egui_kittest::kittest::NodeT;
+
 use crate::screenshots::screenshot;
 use crate::tests::*;
 
@@ -191,6 +193,46 @@ fn ten_speeds_are_copied_to_another_section() {
     assert_eq!(speeds(&window), copied);
     click(&mut window, texts.speed_window.reset);
     assert_eq!(speeds(&window), [50.0; 10]);
+}
+
+#[test]
+fn base_frames_hold_for_the_whole_path() {
+    for language in BOTH {
+        let texts = &language.texts().speed_window;
+        let mut window = opened(language);
+        let frames = |window: &Window| {
+            let document = &window.state().document;
+            document.sampler().unwrap().frame_count()
+        };
+        let before = frames(&window);
+        for name in [
+            texts.base_move,
+            texts.base_turn,
+            texts.base_zoom,
+            texts.base_roll,
+        ] {
+            let name = format!("{}: {name}", texts.base);
+            let twice = 2.0 * value(&window, &name).parse::<f64>().unwrap();
+            enter(&mut window, &name, &twice.to_string());
+        }
+        // Twice as many for each section, but for rounding and holds.
+        let after = frames(&window);
+        assert!(after.abs_diff(2 * before) <= 12, "{before} {after}");
+        for _ in 0..4 {
+            press(&mut window, Modifiers::CTRL, Key::Z);
+        }
+        assert_eq!(frames(&window), before);
+        // Those of a host stay.
+        let options = Options {
+            fixed_speeds: true,
+            ..options(language)
+        };
+        let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
+        click(&mut window, language.texts().speed.change);
+        let name = format!("{}: {}", texts.base, texts.base_move);
+        let field = window.get_by_label(&name);
+        assert!(field.accesskit_node().is_disabled());
+    }
 }
 
 #[test]
