@@ -615,9 +615,10 @@ fn numbers(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Ac
 
 /// How many frames each kind of change takes at speed 50, for the whole path.
 fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    type Part = fn(&mut BaseSpeeds) -> &mut f64;
     let texts = &editor.texts().speed_window;
     let speeds = editor.document.path().speeds;
-    let parts: [(&str, &str, fn(&mut BaseSpeeds) -> &mut f64); 4] = [
+    let parts: [(&str, &str, Part); 4] = [
         (texts.base_move, texts.base_move_hint, |speeds| {
             &mut speeds.movement
         }),
