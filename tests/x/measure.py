@@ -93,7 +93,7 @@ def spiral(file, count):
         for number in range(count):
             turn = number * 20 / count
             size = 0.3 + 0.5 * number / count
-            at = ((0.9, 0.6, 0.5) if number == 0 else
+            at = ((-0.9, 0.6, 0.5) if number == 0 else
                   (size * math.cos(turn), 0.8 * math.sin(0.7 * turn), size * math.sin(turn)))
             out.write(f"[[point]]\nposition = {list(at)}\n[[point.orientation]]\n"
                       "target = [0.0, 0.05, 0.0]\n")
@@ -114,7 +114,7 @@ def drags(folder, hosts, kind, shown):
         try:
             host.edit(0, file)
             window = server.window()
-            start = first_look(server.drawn(window)).image((0.9, 0.6, 0.5))
+            start = first_look(server.drawn(window)).image((-0.9, 0.6, 0.5))
             words = server.drag_words(window, start, (start[0] - 20, start[1] - 20), 2, 5, False)
             server.xdotool(*words)
             before = host.path()[0]

@@ -63,8 +63,11 @@ def first_look(picture):
     runs through (-1, 0, -1), the rightmost through (1, 0, 1). Something may lie over the ends of the right one.
     """
     columns = {}
+    # Beside the space, in a wide window, is the list of points.
+    left = 150 if picture.width >= 1100 else 0
     for x, y in picture.find(CUBE, 45):
-        columns.setdefault(x, []).append(y)
+        if x >= left:
+            columns.setdefault(x, []).append(y)
     upright = []
     for x, rows in columns.items():
         start = last = rows[0]

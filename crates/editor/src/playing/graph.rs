@@ -245,8 +245,13 @@ fn paint(editor: &Editor, painter: &Painter, scale: &Scale, palette: &Palette) {
     for stretch in stretches {
         let current = stretch.from == selection;
         let (left, right) = (scale.pos(stretch, 0), scale.pos(stretch, PIECES));
-        // As many pieces as are to be seen.
-        let every = if right.x - left.x < 3.0 { PIECES } else { 1 };
+        // As many pieces as are to be seen: each costs time in every picture of a drag.
+        let wide = right.x - left.x;
+        let every = [3.0, 8.0, 16.0, 32.0, 64.0, f32::INFINITY]
+            .into_iter()
+            .zip([PIECES, PIECES / 2, PIECES / 4, PIECES / 6, PIECES / 12, 1])
+            .find(|&(least, _)| wide < least)
+            .map_or(1, |(_, every)| every);
         let line: Vec<Pos2> = (0..=PIECES)
             .step_by(every)
             .map(|piece| scale.pos(stretch, piece))
