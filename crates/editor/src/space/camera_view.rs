@@ -10,12 +10,11 @@ use egui::{
 };
 use glam::{DMat4, DVec2, DVec3};
 
-use super::scene::object_line;
+use super::scene::{floor, object_line};
 use super::{Camera, flying};
 use crate::actions::Action;
 use crate::host::HostPane;
 use crate::math::view::View;
-use crate::path::Space;
 use crate::raster::{Line, Lines};
 use crate::scene_view::wires;
 use crate::setup::{CameraPlace, Element, Setup};
@@ -34,9 +33,6 @@ const ROOMY: f32 = 330.0;
 
 /// The nearest thing that is seen, in half sizes of the movement space.
 const FRONT: f64 = 1e-3;
-
-/// Lines of the grid on the floor, from edge to edge.
-const GRID: i32 = 8;
 
 /// The movement window, or its part, that is left for the space, and where the picture
 /// stands that is no pane above it.
@@ -463,7 +459,7 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
             add(from, to, 1.0, color);
         }
         let color = color.gamma_multiply(0.45);
-        for (from, to) in floor(space) {
+        for [from, to] in floor(space) {
             add(from, to, 1.0, color);
         }
     }
@@ -482,20 +478,6 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
         });
     }
     lines
-}
-
-/// The lines of a grid on the floor of a space, without its edges.
-fn floor(space: Space) -> impl Iterator<Item = (DVec3, DVec3)> {
-    let place = move |x: f64, z: f64| {
-        space.centre + space.up.world(DVec3::new(x, -1.0, z)) * space.half_size
-    };
-    (1..GRID).flat_map(move |line| {
-        let at = f64::from(2 * line) / f64::from(GRID) - 1.0;
-        [
-            (place(at, -1.0), place(at, 1.0)),
-            (place(-1.0, at), place(1.0, at)),
-        ]
-    })
 }
 
 /// The part of a line in the camera's pyramid, from −1 to 1 to the right and up

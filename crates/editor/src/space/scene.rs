@@ -19,7 +19,7 @@ use crate::document::{Document, Object};
 use crate::error::Result;
 use crate::path::hermite::Cubic;
 use crate::path::tessellation::tessellate;
-use crate::path::{CameraPath, CurveKind, Tangents, Tcb, curve};
+use crate::path::{CameraPath, CurveKind, Space, Tangents, Tcb, curve};
 use crate::raster::Lines;
 use crate::setup::{Colours, Element, Shown};
 
@@ -435,17 +435,22 @@ pub(super) fn object_line(point: bool, own: Option<[u8; 3]>, color: Color32) -> 
 /// Lines on the floor in each direction, so that one sees how it lies.
 pub(super) const FLOOR: i32 = 8;
 
+/// Those lines, without the edges of the space.
+pub(super) fn floor(space: Space) -> impl Iterator<Item = [DVec3; 2]> {
+    (1..FLOOR).flat_map(move |step| {
+        let at = 2.0 * f64::from(step) / f64::from(FLOOR) - 1.0;
+        let ends = [-1.0, 1.0];
+        let across = ends.map(|way| space.place(DVec3::new(at, -1.0, way)));
+        let along = ends.map(|way| space.place(DVec3::new(way, -1.0, at)));
+        [across, along]
+    })
+}
+
 fn cube(strokes: &mut Strokes<'_>, look: &Look<'_>, color: Color32) {
     let floor = color.gamma_multiply(0.16);
     let space = look.projection.space();
-    for step in 1..FLOOR {
-        let at = 2.0 * f64::from(step) / f64::from(FLOOR) - 1.0;
-        let ends = |way: f64| {
-            [DVec3::new(at, -1.0, way), DVec3::new(way, -1.0, at)].map(|p| space.place(p))
-        };
-        for (from, to) in ends(-1.0).into_iter().zip(ends(1.0)) {
-            strokes.line(from, to, THIN, floor);
-        }
+    for [from, to] in self::floor(space) {
+        strokes.line(from, to, THIN, floor);
     }
     let hidden = color.gamma_multiply(0.7);
     // What is in front is painted last.
