@@ -38,8 +38,8 @@ PLACES = [(-0.6, 0.2, 0.8), (-0.85, 0.3, 0.1), (-0.7, 0.35, -0.65),
 class Hand:
     """Hands that count."""
 
-    def __init__(self, server, program, window, folder, vides):
-        self.server, self.program, self.window = server, program, window
+    def __init__(self, server, window, folder, vides):
+        self.server, self.window = server, window
         self.folder, self.vides = folder, vides
         self.actions = 0
         self.file = os.path.join(folder, "flight.vid")
@@ -257,8 +257,14 @@ def insert(hand):
 
 def copy(hand):
     """A view is copied to another point."""
+    counted = hand.actions
+    hand.number(hand.panel(FIELD)[4][0], 7)
+    hand.actions = counted
     hand.keys("ctrl+c", "ctrl+Page_Down", "ctrl+v")
     hand.saved()
+    with open(hand.file, encoding="utf-8") as file:
+        rolls = file.read().count("roll_degrees = 7.0")
+    check(rolls == 2, f"{rolls} views are rolled")
 
 
 def seconds(hand):
@@ -305,7 +311,7 @@ def tasks(vides, folder):
         program = Program(work, [vides, "edit", "--object", shape], server.env)
         try:
             window = server.new_window()
-            hand = Hand(server, program, window, folder, vides)
+            hand = Hand(server, window, folder, vides)
             for number, task in enumerate(TASKS, 1):
                 hand.actions = 0
                 task(hand)

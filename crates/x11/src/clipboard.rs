@@ -118,7 +118,8 @@ impl Clipboard {
 
     /// Asks for a selection's text. It comes as an [`Input::Paste`], or, if a
     /// place is given, as an [`Input::MiddleClickPaste`] there: now if it is our
-    /// own, else later, or never.
+    /// own, else later, or never. If nobody offers a text the former comes
+    /// empty: the key was pressed, and may paste what is no text.
     pub(super) fn request(
         &mut self,
         connection: &Connection,
@@ -326,6 +327,7 @@ impl Clipboard {
             return Ok(());
         };
         let incoming = self.incoming.remove(place);
+        let text = text.filter(|text| incoming.place.is_none() || !text.is_empty());
         out.extend(text.map(|text| pasted(text, incoming.place)));
         incoming.finish(connection)
     }

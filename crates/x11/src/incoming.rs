@@ -51,6 +51,7 @@ pub(super) struct Incoming {
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Step {
     Underway,
+    /// The text, empty if nobody offers one; none if what came is useless.
     Over(Option<String>),
 }
 
@@ -120,7 +121,7 @@ impl Incoming {
         if event.property == NONE {
             self.target += 1;
             if self.target >= targets(connection).len() {
-                return Ok(Step::Over(None));
+                return Ok(Step::Over(Some(String::new())));
             }
             self.ask(connection)?;
             return Ok(Step::Underway);
