@@ -99,8 +99,9 @@ class Server:
             run("xauth", "-q", "-f", self.authority, "add", self.name, ".", key)
         self.helpers = []
         # Not in the middle, where it would light what a window shows there.
-        width, height = screen.split("x")[:2]
-        self.xdotool("mousemove", int(width) - 1, int(height) - 1)
+        if cookie:
+            width, height = screen.split("x")[:2]
+            self.xdotool("mousemove", int(width) - 1, int(height) - 1)
 
     def untrusted(self):
         """The environment of a client whom the server does not trust, as `ssh -X` has it."""
