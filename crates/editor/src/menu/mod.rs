@@ -13,6 +13,7 @@ use crate::actions::Action;
 use crate::document::tool::{self, Needs};
 use crate::keys;
 use crate::limits::MIN_POINTS;
+use crate::selected::Choice;
 use crate::setup::Theme;
 use crate::state::Editor;
 use crate::texts::{Language, Texts, fill};
@@ -184,6 +185,12 @@ fn edit(editor: &Editor) -> Vec<Entry> {
         Entry::new(texts.close, close_hint, Action::SetClosed(!closed))
             .letter(Key::G)
             .on(closed),
+        Entry::new(
+            editor.texts().space.all_points,
+            hints.select_all,
+            Action::Choose(Choice::All),
+        )
+        .only_if(editor.document.edits_path(), editor.texts().tools.only_path),
         Entry::new(
             texts.add_orientation,
             orientation.add_hint,

@@ -281,6 +281,7 @@ fn every_entry_has_a_tooltip() {
                     (menu.append, hints.append),
                     (menu.prepend, hints.prepend),
                     (menu.close, hints.close),
+                    (texts.space.all_points, hints.select_all),
                     (menu.add_orientation, texts.orientation.add_hint),
                     (menu.remove_orientation, texts.orientation.one_remains),
                     (menu.copy_orientation, hints.copy_orientation),

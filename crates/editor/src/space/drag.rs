@@ -68,6 +68,19 @@ impl Freedom {
     }
 }
 
+/// How something is dragged.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Motion {
+    pub(super) freedom: Freedom,
+    /// It goes by steps.
+    pub(super) snaps: bool,
+    /// Where the pointer is taken to be.
+    pub(super) pointer: DVec2,
+    /// Where it began, and a number that was typed: so far it goes towards the pointer.
+    /// A roll becomes the number itself, in degrees.
+    pub(super) typed: Option<(DVec3, f64)>,
+}
+
 /// What a motion of the mouse leads to.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Outcome {
@@ -82,17 +95,18 @@ pub(super) enum Outcome {
 /// The point under the pointer in the plane or on the line through `point`: each
 /// coordinate that moves ends at the faces of the cube. None if the plane is seen
 /// edge-on.
-fn follow(
-    projection: &Projection,
-    point: DVec3,
-    freedom: Freedom,
-    snaps: bool,
-    pointer: DVec2,
-) -> Option<DVec3> {
+fn follow(projection: &Projection, point: DVec3, motion: &Motion) -> Option<DVec3> {
+    let &Motion {
+        freedom, pointer, ..
+    } = motion;
     let mut found = match freedom.along {
         None => projection.point_in_plane(point, freedom.fixed, pointer)?,
         Some(axis) => projection.point_on_line(point, axis, pointer)?,
     };
+    if let Some((from, far)) = motion.typed {
+        found = from + (found - from).normalize_or_zero() * far;
+    }
+    let snaps = motion.snaps && motion.typed.is_none();
     let space = projection.space();
     let (low, high) = (space.low(), space.high());
     for at in freedom.moving().map(Axis::index) {
@@ -112,24 +126,22 @@ pub(super) fn outcome(
     document: &Document,
     projection: &Projection,
     held: Handle,
-    freedom: Freedom,
-    snaps: bool,
-    pointer: DVec2,
+    motion: &Motion,
 ) -> Outcome {
     let edit = match held {
-        Handle::Vup => return roll(document, projection, snaps, pointer),
+        Handle::Vup => return roll(document, projection, motion),
         Handle::Vpn => {
             let Some(tip) = current_tip(document) else {
                 return Outcome::Nothing;
             };
-            let to = follow(projection, tip, freedom, snaps, pointer);
+            let to = follow(projection, tip, motion);
             to.and_then(|to| move_target(document, to))
         }
         Handle::Point(at) => {
             let Some(point) = document.path().points.get(at) else {
                 return Outcome::Nothing;
             };
-            let to = follow(projection, point.position, freedom, snaps, pointer);
+            let to = follow(projection, point.position, motion);
             to.map(|position| Edit::SetPosition { at, position })
         }
     };
@@ -190,7 +202,7 @@ pub(super) fn tip_of(target: Target, position: DVec3) -> DVec3 {
 }
 
 /// The edit that turns the current VUP to the pointer.
-fn roll(document: &Document, projection: &Projection, snaps: bool, pointer: DVec2) -> Outcome {
+fn roll(document: &Document, projection: &Projection, motion: &Motion) -> Outcome {
     let selection = document.selection();
     let Some(support) = document.path().points.get(selection.point) else {
         return Outcome::Nothing;
@@ -198,33 +210,52 @@ fn roll(document: &Document, projection: &Projection, snaps: bool, pointer: DVec
     let Some(orientation) = support.orientations.get(selection.orientation) else {
         return Outcome::Nothing;
     };
-    let view = ahead::view(document.path(), selection.point, selection.orientation);
-    if circle_share(projection, view) < EDGE_ON {
-        return Outcome::CircleEdgeOn;
-    }
-    let way = pointer - projection.image(support.position);
-    // Counted from where the axis makes it, or from the up that there is.
-    let (axes, counted) = match orientation.own.up {
-        UpVector::Axis => (projection.space().up.level_axes(view), 0.0),
-        _ => match document.up(selection.point, selection.orientation) {
-            Ok(up) => ((up.cross(view), up), orientation.roll),
-            Err(_) => return Outcome::Nothing,
+    let rolled = match motion.typed {
+        Some((_, typed)) => orientation::wrap_degrees(typed),
+        None => match rolled(document, projection, orientation, motion) {
+            Ok(rolled) => rolled,
+            Err(outcome) => return outcome,
         },
     };
-    let Some(turn) = roll_towards(projection, axes, way) else {
-        return Outcome::Nothing;
-    };
-    let mut roll = orientation::wrap_degrees(counted + turn);
-    if snaps {
-        roll = (roll / SNAP_ROLL).round() * SNAP_ROLL + 0.0;
-    }
     Outcome::Edit(Edit::SetOrientation {
         point: selection.point,
         at: selection.orientation,
-        orientation: crate::path::Orientation {
-            roll,
+        orientation: Orientation {
+            roll: rolled,
             ..orientation.clone()
         },
+    })
+}
+
+/// The roll at which the current VUP points to the pointer.
+fn rolled(
+    document: &Document,
+    projection: &Projection,
+    current: &Orientation,
+    motion: &Motion,
+) -> Result<f64, Outcome> {
+    let Selection { point, orientation } = document.selection();
+    let view = ahead::view(document.path(), point, orientation);
+    if circle_share(projection, view) < EDGE_ON {
+        return Err(Outcome::CircleEdgeOn);
+    }
+    let support = document.path().points.get(point);
+    let support = support.ok_or(Outcome::Nothing)?;
+    let way = motion.pointer - projection.image(support.position);
+    // Counted from where the axis makes it, or from the up that there is.
+    let (axes, counted) = match current.own.up {
+        UpVector::Axis => (projection.space().up.level_axes(view), 0.0),
+        _ => {
+            let up = document.up(point, orientation);
+            let up = up.map_err(|_| Outcome::Nothing)?;
+            ((up.cross(view), up), current.roll)
+        }
+    };
+    let turn = roll_towards(projection, axes, way).ok_or(Outcome::Nothing)?;
+    let roll = orientation::wrap_degrees(counted + turn);
+    Ok(match motion.snaps {
+        true => (roll / SNAP_ROLL).round() * SNAP_ROLL + 0.0,
+        false => roll,
     })
 }
 
@@ -290,6 +321,15 @@ mod tests {
         document
     }
 
+    fn motion(freedom: Freedom, snaps: bool, pointer: DVec2) -> Motion {
+        Motion {
+            freedom,
+            snaps,
+            pointer,
+            typed: None,
+        }
+    }
+
     fn pointer() -> impl Strategy<Value = DVec2> {
         (200.0..1200.0f64, 50.0..700.0f64).prop_map(|(x, y)| DVec2::new(x, y))
     }
@@ -327,7 +367,7 @@ mod tests {
             let freedom = Freedom::of_button(&projection, wanted);
             let axis = freedom.fixed.index();
             let mut document = document(&[from, -from], Target::Relative(DVec3::X));
-            match outcome(&document, &projection, Handle::Point(0), freedom, false, pointer) {
+            match outcome(&document, &projection, Handle::Point(0), &motion(freedom, false, pointer)) {
                 Outcome::Edit(edit) => {
                     document.apply(edit).unwrap();
                     let moved = document.path().points[0].position;
@@ -358,7 +398,7 @@ mod tests {
             let freedom = Freedom::of_key(&projection, kept);
             let mut document = document(&[from, -from], Target::Relative(DVec3::X));
             let Outcome::Edit(edit) =
-                outcome(&document, &projection, Handle::Point(0), freedom, false, pointer)
+                outcome(&document, &projection, Handle::Point(0), &motion(freedom, false, pointer))
             else {
                 return Err(TestCaseError::fail("refused"));
             };
@@ -391,7 +431,7 @@ mod tests {
             let mut document = document(&[from, -from], Target::Relative(DVec3::X));
             let held = Handle::Point(0);
             let Outcome::Edit(edit) =
-                outcome(&document, &projection, held, freedom, true, pointer) else { return Ok(()) };
+                outcome(&document, &projection, held, &motion(freedom, true, pointer)) else { return Ok(()) };
             document.apply(edit).unwrap();
             let moved = document.path().points[0].position;
             let (free, _) = clamped(&projection, from, freedom.fixed, pointer);
@@ -416,7 +456,7 @@ mod tests {
             let target = if absolute { Target::Absolute(target) } else { Target::Relative(target) };
             let mut document = document(&[at, -at], target);
             let Outcome::Edit(edit) =
-                outcome(&document, &projection, Handle::Vpn, freedom, false, pointer)
+                outcome(&document, &projection, Handle::Vpn, &motion(freedom, false, pointer))
             else { return Ok(()) };
             document.apply(edit).unwrap();
             let moved = document.path().points[0].orientations[0].target;
@@ -442,7 +482,7 @@ mod tests {
             let mut document = document(&[at, -at], Target::Relative(target));
             let direction = orientation::unit(target);
             let freedom = Freedom::of_button(&projection, Axis::X);
-            match outcome(&document, &projection, Handle::Vup, freedom, false, pointer) {
+            match outcome(&document, &projection, Handle::Vup, &motion(freedom, false, pointer)) {
                 Outcome::Edit(edit) => {
                     document.apply(edit).unwrap();
                     let roll = document.path().points[0].orientations[0].roll;
@@ -551,9 +591,12 @@ mod tests {
                     let way = DVec2::from_angle(f64::from(30 * step).to_radians()) * 80.0;
                     let freedom = Freedom::of_button(&projection, Axis::X);
                     let held = Handle::Vup;
-                    let Outcome::Edit(edit) =
-                        outcome(&document, &projection, held, freedom, false, foot + way)
-                    else {
+                    let Outcome::Edit(edit) = outcome(
+                        &document,
+                        &projection,
+                        held,
+                        &motion(freedom, false, foot + way),
+                    ) else {
                         panic!("{up:?} {point}");
                     };
                     document.apply(edit).unwrap();
@@ -587,7 +630,12 @@ mod tests {
         let projection = Projection::new(&crate::setup::View::default(), viewport());
         let held = Handle::Point(7);
         let freedom = Freedom::of_button(&projection, Axis::X);
-        let found = outcome(&document, &projection, held, freedom, false, DVec2::ZERO);
+        let found = outcome(
+            &document,
+            &projection,
+            held,
+            &motion(freedom, false, DVec2::ZERO),
+        );
         assert_eq!(found, Outcome::Nothing);
     }
 }

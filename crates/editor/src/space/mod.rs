@@ -25,6 +25,7 @@ mod scene;
 mod sliders;
 mod strokes;
 mod tool;
+mod typed;
 
 use std::sync::Arc;
 

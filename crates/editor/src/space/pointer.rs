@@ -4,13 +4,14 @@
 use egui::{Context, CursorIcon, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect};
 use glam::{DVec2, DVec3};
 
-use super::drag::{self, Freedom, Handle, Outcome};
+use super::drag::{self, Freedom, Handle, Motion, Outcome};
 use super::gesture::Gesture;
 use super::keyboard::{self, NUDGES};
 use super::picking;
 use super::projection::{Axis, Projection, from_pos, scale};
 use super::projection_of;
 use super::tool::{self, Kind, Next, Tool};
+use super::typed::Typed;
 use crate::actions::Action;
 use crate::selected::Choice;
 use crate::setup::View;
@@ -34,6 +35,8 @@ pub(super) const WHEEL: f64 = 1.1;
 pub(super) struct PointerController {
     /// A button is down.
     hold: Option<Hold>,
+    /// What was typed since then.
+    typed: Typed,
     /// Keys that move something are down; a step of the document is open.
     pub(super) nudging: bool,
     /// A tool is at work; a step of the document is open.
@@ -61,6 +64,8 @@ struct Hold {
     pressed: Pos2,
     now: Pos2,
     what: Option<Handle>,
+    /// Where that was.
+    from: DVec3,
     /// In which coordinates it moves.
     freedom: Freedom,
     /// From the pointer to where it is taken to be, after fine motions.
@@ -231,6 +236,12 @@ impl PointerController {
             }
             return;
         }
+        if let Some(hold) = self.hold.filter(|hold| hold.moved && hold.what.is_some())
+            && self.typed.take(&event)
+        {
+            self.motion(editor, surface, hold.now, actions);
+            return;
+        }
         match event {
             Event::PointerButton {
                 pos,
@@ -384,11 +395,15 @@ impl PointerController {
             actions.push(Action::Gesture(Gesture::Press(what)));
         }
         let boxes = what.is_none() && left && modifiers.ctrl;
+        self.typed = Typed::default();
         self.hold = Some(Hold {
             button,
             pressed: pos,
             now: pos,
             what,
+            from: what
+                .and_then(|what| place_held(editor, what))
+                .unwrap_or_default(),
             freedom,
             lag: DVec2::ZERO,
             snaps: false,
@@ -435,7 +450,7 @@ impl PointerController {
             return;
         }
         actions.extend(match hold.what {
-            Some(what) => pull(editor, surface.viewport, what, hold),
+            Some(what) => pull(editor, surface.viewport, what, hold, &self.typed),
             None if hold.boxes => None,
             None => Some(Action::View(turned(surface.viewport, hold))),
         });
@@ -523,11 +538,21 @@ pub(super) fn axis_of(key: Key) -> Option<Axis> {
 }
 
 /// Brings what is held under the pointer.
-fn pull(editor: &Editor, viewport: Rect, what: Handle, hold: &Hold) -> Option<Action> {
+fn pull(
+    editor: &Editor,
+    viewport: Rect,
+    what: Handle,
+    hold: &Hold,
+    typed: &Typed,
+) -> Option<Action> {
     let projection = projection_of(editor, viewport);
-    let pointer = from_pos(hold.now) + hold.lag;
-    let (document, freedom) = (&editor.document, hold.freedom);
-    match drag::outcome(document, &projection, what, freedom, hold.snaps, pointer) {
+    let motion = Motion {
+        freedom: hold.freedom,
+        snaps: hold.snaps,
+        pointer: from_pos(hold.now) + hold.lag,
+        typed: typed.number().map(|number| (hold.from, number)),
+    };
+    match drag::outcome(&editor.document, &projection, what, &motion) {
         Outcome::Edit(edit) => Some(Action::Gesture(Gesture::Move(what, edit))),
         Outcome::CircleEdgeOn => Some(Action::Complain(
             editor.texts().space.circle_edge_on.to_owned(),

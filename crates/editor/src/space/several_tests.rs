@@ -6,7 +6,7 @@ use glam::{DMat3, DVec3};
 
 use super::tests::{
     editor, empty, hold, image, message, motion, position, press, pyramid, pyramid_window, release,
-    tap, text, viewport, window,
+    tap, text, tips, viewport, window,
 };
 use super::*;
 use crate::path::CurveParameters;
@@ -502,4 +502,55 @@ fn pictures_of_several() {
         motion(&mut harness, corner + vec2(240.0, 200.0));
         screenshot(&mut harness, &format!("box-{name}"));
     }
+}
+
+#[test]
+fn a_number_typed_while_the_mouse_drags_is_the_distance() {
+    let mut harness = pyramid_window();
+    let before = text(&harness);
+    let from = position(&harness, 2);
+    let at = image(&harness, from);
+    press(&mut harness, at, PointerButton::Secondary);
+    motion(&mut harness, at + vec2(12.0, 5.0));
+    let way = (position(&harness, 2) - from).normalize();
+    assert_eq!(way.z, 0.0);
+    write(&mut harness, "0.1255");
+    tap(&mut harness, Key::Backspace, Modifiers::NONE);
+    let moved = position(&harness, 2) - from;
+    assert!((moved - way * 0.125).length() < 1e-12, "{moved}");
+    // Only the pointer's direction counts from now on.
+    motion(&mut harness, at + vec2(24.0, 10.0));
+    assert!((position(&harness, 2) - from).distance(way * 0.125) < 1e-2);
+    motion(&mut harness, at - vec2(24.0, 10.0));
+    assert!((position(&harness, 2) - from).distance(way * -0.125) < 1e-2);
+    // Along one line, and not farther than the space.
+    tap(&mut harness, Key::Z, Modifiers::NONE);
+    for _ in 0..5 {
+        tap(&mut harness, Key::Backspace, Modifiers::NONE);
+    }
+    write(&mut harness, "9");
+    let place = position(&harness, 2);
+    assert_eq!(place.z, from.z);
+    assert_eq!(place.abs().max_element(), 1.0);
+    release(&mut harness, at, PointerButton::Secondary);
+    is_one_step(&mut harness, &before);
+    // The next drag begins without a number.
+    let from = position(&harness, 1);
+    let at = image(&harness, from);
+    press(&mut harness, at, PointerButton::Secondary);
+    motion(&mut harness, at + vec2(12.0, 5.0));
+    let end = image(&harness, position(&harness, 1));
+    assert!((end - at - vec2(12.0, 5.0)).length() < 0.1);
+    tap(&mut harness, Key::Escape, Modifiers::NONE);
+}
+
+#[test]
+fn a_number_typed_while_the_camera_is_rolled_is_the_roll() {
+    let mut harness = pyramid_window();
+    let tip = image(&harness, tips(&harness).up_tip);
+    press(&mut harness, tip, PointerButton::Primary);
+    motion(&mut harness, tip + vec2(20.0, 12.0));
+    write(&mut harness, "-12,5");
+    release(&mut harness, tip + vec2(20.0, 12.0), PointerButton::Primary);
+    assert_eq!(harness.state().orientation().unwrap().roll, -12.5);
 }

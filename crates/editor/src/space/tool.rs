@@ -12,6 +12,7 @@ use super::projection::{Axis, Projection, from_pos};
 use super::projection_of;
 use super::scene::Look;
 use super::strokes::Strokes;
+use super::typed::Typed;
 use crate::actions::Action;
 use crate::document::Edit;
 use crate::number::decimals;
@@ -55,7 +56,7 @@ pub(super) struct Tool {
     last: Option<DVec2>,
     snaps: bool,
     axis: Option<Axis>,
-    typed: String,
+    typed: Typed,
     points: Vec<usize>,
     /// The current point, and where it was.
     current: (usize, DVec3),
@@ -115,7 +116,7 @@ impl Tool {
             last,
             snaps: false,
             axis: None,
-            typed: String::new(),
+            typed: Typed::default(),
             current: (current, path.points.get(current)?.position),
             middle,
             points,
@@ -145,6 +146,7 @@ impl Tool {
             Next::Over
         };
         match event {
+            event if self.typed.take(event) => {}
             Event::PointerMoved(pos) => {
                 let fine = surface.context.input(|input| input.modifiers.shift);
                 let pos = from_pos(*pos);
@@ -180,25 +182,11 @@ impl Tool {
                     return over(gesture, actions);
                 }
                 Key::Tab => return over(Gesture::End, actions),
-                Key::Backspace => {
-                    self.typed.pop();
-                }
                 key => match axis_of(*key) {
                     Some(axis) => self.axis = (self.axis != Some(axis)).then_some(axis),
                     None => return Next::GoesOn,
                 },
             },
-            Event::Text(text) => {
-                let digits = text
-                    .chars()
-                    .filter(|c| matches!(c, '0'..='9' | '.' | ',' | '-'));
-                let before = self.typed.len();
-                self.typed.extend(digits);
-                self.typed.truncate(24);
-                if self.typed.len() == before {
-                    return Next::GoesOn;
-                }
-            }
             _ => return Next::GoesOn,
         }
         self.snaps = surface.context.input(|input| input.modifiers.ctrl);
@@ -247,15 +235,9 @@ impl Tool {
         self.axis.unwrap_or_else(|| projection.facing())
     }
 
-    /// What was typed, if it is a number.
-    fn number(&self) -> Option<f64> {
-        let number = self.typed.replace(',', ".").parse().ok();
-        number.filter(|number: &f64| number.is_finite())
-    }
-
     /// How far it moves what is selected.
     fn moved(&self, projection: &Projection) -> DVec3 {
-        if let Some(number) = self.number() {
+        if let Some(number) = self.typed.number() {
             return self.axis.unwrap_or(Axis::X).unit() * number;
         }
         let middle = self.middle;
@@ -274,7 +256,7 @@ impl Tool {
 
     /// By how many degrees or how many times it turns or scales.
     fn amount(&self, projection: &Projection) -> f64 {
-        if let Some(number) = self.number() {
+        if let Some(number) = self.typed.number() {
             return number;
         }
         let middle = projection.image(self.middle);

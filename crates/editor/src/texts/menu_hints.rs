@@ -28,6 +28,8 @@ texts! {
             "Diese Orientierung merken, um sie anderswo einzufügen";
         paste_orientation: "Put the copied orientation in place of this one",
             "Die kopierte Orientierung an die Stelle dieser setzen";
+        select_all: "What is dragged, typed or deleted then changes all points at once",
+            "Was dann gezogen, getippt oder gelöscht wird, ändert alle Punkte zugleich";
         space: "Where the path lies in the world: centre, size, unit, which axis stands upright",
             "Wo die Bahn in der Welt liegt: Mittelpunkt, Größe, Einheit, welche Achse senkrecht steht";
         aim_here: "The current orientation becomes absolute and looks at this corner of the object",

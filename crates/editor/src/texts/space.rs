@@ -65,11 +65,11 @@ texts! {
         corner_meaning: "Aim one camera or all at it", "Eine Kamera oder alle darauf richten";
         drag_hint: "Drag: left keeps {0}, middle {1}, right {2}",
             "Ziehen: links bleibt {0} fest, Mitte {1}, rechts {2}";
-        in_plane: "In the plane {0} = const · X, Y, Z: keep it · Ctrl: in steps · Shift: finer",
-            "In der Ebene {0} = const · X, Y, Z: festhalten · Strg: in Schritten · Umschalt: feiner";
-        on_line: "Along {0} · X, Y, Z: keep it · Ctrl: in steps · Shift: finer",
-            "Längs {0} · X, Y, Z: festhalten · Strg: in Schritten · Umschalt: feiner";
-        rolling: "Ctrl: in steps of 15° · Shift: finer", "Strg: in Schritten von 15° · Umschalt: feiner";
+        in_plane: "In the plane {0} = const · X, Y, Z: keep it · a number: so far · Ctrl: in steps · Shift: finer",
+            "In der Ebene {0} = const · X, Y, Z: festhalten · Zahl: so weit · Strg: in Schritten · Umschalt: feiner";
+        on_line: "Along {0} · X, Y, Z: keep it · a number: so far · Ctrl: in steps · Shift: finer",
+            "Längs {0} · X, Y, Z: festhalten · Zahl: so weit · Strg: in Schritten · Umschalt: feiner";
+        rolling: "A number: the roll · Ctrl: in steps of 15° · Shift: finer", "Zahl: die Drehung · Strg: in Schritten von 15° · Umschalt: feiner";
         roll_hint: "Drag: roll the camera", "Ziehen: Kamera um die Blickrichtung drehen";
         make_closed: "Close the path", "Bahn schließen";
         make_open: "Open the path", "Bahn öffnen";
