@@ -552,7 +552,7 @@ fn options(text: &str) -> BTreeSet<String> {
 
 #[test]
 fn the_manual_page_knows_every_option_and_no_other() {
-    const COMMANDS: [&str; 12] = [
+    const COMMANDS: [&str; 13] = [
         "sample",
         "info",
         "fit",
@@ -564,6 +564,7 @@ fn the_manual_page_knows_every_option_and_no_other() {
         "insert",
         "reverse",
         "repeat",
+        "frames",
         "blend",
     ];
     let mut text = said(&run(&["--help"]));

@@ -35,7 +35,9 @@ pub(super) fn numbers(text: &str) -> Result<Vec<f64>, String> {
 fn option(parameter: &'static Parameter) -> Arg {
     let value = match parameter.unit {
         _ if parameter.width == 3 => "X,Y,Z",
-        Unit::One | Unit::Length | Unit::Count | Unit::Choice(_) | Unit::Switch => "NUMBER",
+        Unit::One | Unit::Length | Unit::Count | Unit::Choice(_) | Unit::Switch | Unit::Lattice => {
+            "NUMBER"
+        }
         Unit::Degrees => "DEGREES",
         Unit::Zoom => "MM",
         Unit::Seconds => "SECONDS",

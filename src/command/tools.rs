@@ -42,6 +42,20 @@ pub(super) enum Tool {
         #[command(flatten)]
         output: Output,
     },
+    /// Brings a path, or points of it, to a number of frames
+    Frames {
+        /// The path; - is standard input
+        #[arg(value_name = "FILE.vid")]
+        file: PathBuf,
+        /// How many, the first and the last with them
+        #[arg(value_name = "COUNT")]
+        count: usize,
+        /// The points, as 2-5; all unless told
+        #[arg(long, value_name = "POINTS", value_parser = range)]
+        points: Option<Range>,
+        #[command(flatten)]
+        output: Output,
+    },
     /// Mixes paths by weights that sum to 1
     Blend {
         /// The paths
@@ -261,6 +275,21 @@ pub(super) fn run(tool: &Tool) -> Result<(), Failure> {
             times,
             output,
         } => output.edited(file, Edit::Repeat(*times)),
+        Tool::Frames {
+            file,
+            count,
+            points,
+            output,
+        } => {
+            let document = input::load(file)?;
+            let points = picked(*points, document.path())?;
+            let edit = Edit::FitFrames {
+                first: points[0],
+                last: points[points.len() - 1],
+                frames: *count,
+            };
+            output.applied(document, file, edit)
+        }
         Tool::Blend {
             files,
             weights,

@@ -3,7 +3,8 @@
 //! one place; the mathematics is [`vides_engine::tools`].
 
 use glam::{DQuat, DVec3};
-use vides_engine::deform::{Bounds, Deformation};
+use vides_engine::deform::{Bounds, Deformation, LATTICE, identity_lattice};
+use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
 use vides_engine::tools::fit::{Tolerance, fit};
 use vides_engine::tools::moves::{MOVES, Move};
@@ -14,7 +15,7 @@ use super::editing::Document;
 use super::prepare::no_longer_ahead;
 use crate::error::{OutOfRange, Result};
 use crate::limits::{MAX_COORDINATE, MAX_FRAMES, MAX_POINTS};
-use crate::path::{CameraPath, Pose, Space, Target, Up};
+use crate::path::{CameraPath, Orientation, Pose, Space, Target, Up};
 
 /// A tool: what it is called, what it does, what it asks for.
 #[derive(Debug, Clone, Copy)]
@@ -44,6 +45,8 @@ pub enum Material {
     Block(Box<CameraPath>),
     /// Poses that were recorded, with their seconds if they have some.
     Poses(Vec<Pose>, Option<Vec<f64>>),
+    /// The places of a line that was drawn by hand.
+    Stroke(Vec<DVec3>),
 }
 
 /// What a tool needs before it can begin, or does at its end.
@@ -55,6 +58,8 @@ pub enum Needs {
     Block,
     /// A file with poses.
     Poses,
+    /// A line, drawn in the space.
+    Stroke,
     /// A file to be written: it changes nothing.
     Output,
 }
@@ -68,11 +73,13 @@ enum Kind {
     Mirror,
     Deform(&'static str),
     Insert,
+    Blend,
     Extract,
     Reverse,
     Repeat,
     Frames,
     Fit,
+    Draw,
 }
 
 const AXES: &[&str] = &["x", "y", "z"];
@@ -133,7 +140,24 @@ const PUT: &[Parameter] = &[Parameter::choice(
     0,
 )];
 
+const TOLERANCE: Parameter = Parameter {
+    unit: Unit::Length,
+    least: 1e-9,
+    most: MAX_COORDINATE,
+    ..one(
+        "tolerance",
+        "how far a position may be from what was given",
+        0.01,
+    )
+};
+
 const TOOLS: &[Tool] = &[
+    Tool {
+        name: "draw",
+        does: "makes a path of a line that is drawn in the space with the left button",
+        kind: Kind::Draw,
+        tables: [&[TOLERANCE], PUT],
+    },
     Tool {
         name: "move",
         does: "moves points",
@@ -214,6 +238,23 @@ const TOOLS: &[Tool] = &[
         tables: [&[AXIS, degrees("angle", "by which angle", 90.0)], CHANGED],
     },
     Tool {
+        name: "free-form",
+        does: "deforms the points' box by the squares in the space, which are dragged",
+        kind: Kind::Deform("free-form"),
+        tables: [
+            &[Parameter {
+                unit: Unit::Lattice,
+                width: 3 * LATTICE,
+                ..one(
+                    "lattice",
+                    "one of 4 × 4 × 4 squares, and where it is in the box",
+                    0.0,
+                )
+            }],
+            CHANGED,
+        ],
+    },
+    Tool {
         name: "insert",
         does: "puts a path from a file behind the current point",
         kind: Kind::Insert,
@@ -238,6 +279,12 @@ const TOOLS: &[Tool] = &[
         does: "writes points as a path of their own",
         kind: Kind::Extract,
         tables: [&[], RANGE],
+    },
+    Tool {
+        name: "blend",
+        does: "blends the path with another one from a file",
+        kind: Kind::Blend,
+        tables: [&[one("weight", "how much of the other path", 0.5)], &[]],
     },
     Tool {
         name: "reverse",
@@ -271,12 +318,7 @@ const TOOLS: &[Tool] = &[
         kind: Kind::Fit,
         tables: [
             &[
-                Parameter {
-                    unit: Unit::Length,
-                    least: 1e-9,
-                    most: MAX_COORDINATE,
-                    ..one("tolerance", "how far a position may be from its pose", 0.01)
-                },
+                TOLERANCE,
                 Parameter {
                     least: 1e-6,
                     most: 180.0,
@@ -338,8 +380,9 @@ impl Tool {
     #[must_use]
     pub const fn needs(&self) -> Needs {
         match self.kind {
-            Kind::Insert => Needs::Block,
+            Kind::Insert | Kind::Blend => Needs::Block,
             Kind::Fit => Needs::Poses,
+            Kind::Draw => Needs::Stroke,
             Kind::Extract => Needs::Output,
             _ => Needs::Nothing,
         }
@@ -362,7 +405,8 @@ impl Tool {
         };
         match self.kind {
             Kind::Frames => numbers[0] = document.sampler()?.frame_count() as f64,
-            Kind::Fit => numbers[0] *= path.space.half_size,
+            Kind::Fit | Kind::Draw => numbers[0] *= path.space.half_size,
+            Kind::Deform("free-form") => numbers = identity_lattice().to_vec(),
             _ => {}
         }
         let own = numbers.len();
@@ -400,14 +444,17 @@ impl Tool {
             fit: FITS[chosen(fit).min(FITS.len() - 1)],
             with_targets,
         };
+        let put = |made: CameraPath| match given.number("put") {
+            put if put >= 1.0 => block(made, put - 1.0, true),
+            _ => Edit::ReplacePath(Box::new(made)),
+        };
         Ok(Some(match (self.kind, material) {
             (Kind::Move(known), _) => {
                 let fps = document.info().fps;
-                let made = known.path_at(first, path.space, fps, path.speeds)?;
-                match given.number("put") {
-                    put if put >= 1.0 => block(made, put - 1.0, true),
-                    _ => Edit::ReplacePath(Box::new(made)),
-                }
+                put(known.path_at(first, path.space, fps, path.speeds)?)
+            }
+            (Kind::Draw, Material::Stroke(places)) => {
+                put(drawn(document, places, given.number("tolerance"))?)
             }
             (Kind::Shift, _) => given.placed(DVec3::ONE, 0.0, given.place("by"))?,
             (Kind::Turn, _) => {
@@ -426,6 +473,11 @@ impl Tool {
             (Kind::Insert, Material::Block(of_file)) => {
                 let with_targets = given.number(SEEN.name) != 0.0;
                 block(of_file.try_clone()?, given.number("fit"), with_targets)
+            }
+            (Kind::Blend, Material::Block(other)) => {
+                let weight = given.number("weight");
+                let made = blend(&[path, other], &[1.0 - weight, weight])?;
+                Edit::ReplacePath(Box::new(made))
             }
             (Kind::Extract, _) => {
                 given.extracted()?;
@@ -456,8 +508,28 @@ impl Tool {
                 };
                 Edit::ReplacePath(Box::new(made))
             }
-            (Kind::Insert | Kind::Fit, _) => return Ok(None),
+            (Kind::Insert | Kind::Blend | Kind::Fit | Kind::Draw, _) => return Ok(None),
         }))
+    }
+
+    /// The box round the points, as it is deformed with these numbers; none if the tool
+    /// deforms no box, or not by such numbers.
+    #[must_use]
+    pub fn cage(&self, document: &Document, numbers: &[f64]) -> Option<Cage> {
+        let Kind::Deform(kind) = self.kind else {
+            return None;
+        };
+        let given = Given {
+            tool: self,
+            numbers,
+            document,
+        };
+        let own = numbers.get(..Parameter::count(self.tables[0]))?;
+        let deformation = Deformation::new(kind, own).ok()?;
+        let points = &document.path().points;
+        let chosen = given.points().ok()?;
+        let places: Vec<_> = chosen.iter().map(|&at| points[at].position).collect();
+        Some(Cage::new(Bounds::of(&places), &deformation))
     }
 
     /// The points as a path of their own, as a document with all else of this one.
@@ -471,6 +543,71 @@ impl Tool {
             document,
         };
         Document::from_parts(given.extracted()?, document.info().try_clone()?)
+    }
+}
+
+/// A box that is deformed, to be seen.
+#[derive(Debug, Clone)]
+pub struct Cage {
+    bounds: Bounds,
+    /// The lines on it.
+    pub lines: Vec<Vec<DVec3>>,
+    /// The control points of a free form; none for the rest.
+    pub nodes: Vec<DVec3>,
+}
+
+impl Cage {
+    fn new(bounds: Bounds, deformation: &Deformation) -> Self {
+        let nodes: Vec<_> = match deformation.channel("points") {
+            Some(lattice) => lattice
+                .chunks_exact(3)
+                .map(|node| bounds.point(DVec3::from_slice(node)))
+                .collect(),
+            None => Vec::new(),
+        };
+        // A free form has a line through each row of nodes, the others have the edges
+        // and the middle of each side.
+        let (cells, steps) = if nodes.is_empty() { (2, 16) } else { (3, 3) };
+        let mut lines = Vec::with_capacity(3 * (cells + 1) * (cells + 1));
+        for axis in 0..3 {
+            for row in 0..(cells + 1) * (cells + 1) {
+                let (i, j) = (row % (cells + 1), row / (cells + 1));
+                let inner = |at: usize| at != 0 && at != cells;
+                if nodes.is_empty() && inner(i) && inner(j) {
+                    continue;
+                }
+                let mut line: Vec<_> = (0..=steps)
+                    .map(|step| {
+                        let mut place = [0; 3];
+                        (place[axis], place[(axis + 1) % 3], place[(axis + 2) % 3]) = (step, i, j);
+                        if !nodes.is_empty() {
+                            return nodes[place[0] + 4 * place[1] + 16 * place[2]];
+                        }
+                        let side = |at: usize, of: usize| 2.0 * at as f64 / of as f64 - 1.0;
+                        let mut coordinates = DVec3::ZERO;
+                        coordinates[axis] = side(step, steps);
+                        coordinates[(axis + 1) % 3] = side(i, cells);
+                        coordinates[(axis + 2) % 3] = side(j, cells);
+                        bounds.point(coordinates)
+                    })
+                    .collect();
+                if nodes.is_empty() {
+                    deformation.apply(&bounds, &mut line);
+                }
+                lines.push(line);
+            }
+        }
+        Self {
+            bounds,
+            lines,
+            nodes,
+        }
+    }
+
+    /// A place in the coordinates of the box, as a free form takes them.
+    #[must_use]
+    pub fn coordinates(&self, place: DVec3) -> DVec3 {
+        self.bounds.coordinates(place)
     }
 }
 
@@ -559,6 +696,68 @@ impl Given<'_> {
             with_targets: self.number(SEEN.name) != 0.0,
         })
     }
+}
+
+/// Poses along a line that was drawn.
+const DRAWN: usize = 400;
+
+/// A path along places that were drawn. Its cameras look as the current one does; it
+/// goes on at the base speed, whatever the speed of the hand.
+fn drawn(document: &Document, places: &[DVec3], tolerance: f64) -> Result<CameraPath> {
+    let path = document.path();
+    let poses: Vec<_> = spread(places, DRAWN)
+        .into_iter()
+        .map(|place| Pose {
+            vrp: place.to_array(),
+            vpn: [0.0, 0.0, -1.0],
+            vup: [0.0, 1.0, 0.0],
+            zoom: 24.0,
+        })
+        .collect();
+    let tolerance = Tolerance {
+        position: tolerance,
+        angle: 1.0,
+    };
+    let mut made = fit(&poses, None, document.info().fps, tolerance, &mut |_, _| {
+        true
+    })?;
+    let here = document.selection();
+    let mut view = path.points[here.point].orientations[here.orientation].clone();
+    view.own = view.own.for_a_copy()?;
+    view.speeds = Orientation::default().speeds;
+    for point in &mut made.points {
+        point.orientations = vec![view.clone()];
+    }
+    made.speeds = path.speeds;
+    made.space = path.space;
+    Ok(made)
+}
+
+/// So many places, even along a line.
+fn spread(line: &[DVec3], count: usize) -> Vec<DVec3> {
+    let lengths: Vec<_> = line
+        .windows(2)
+        .map(|ends| ends[0].distance(ends[1]))
+        .collect();
+    let whole: f64 = lengths.iter().sum();
+    let mut spread = Vec::with_capacity(count);
+    let (mut piece, mut passed) = (0, 0.0);
+    for number in 0..count {
+        let at = whole * number as f64 / (count - 1) as f64;
+        while piece + 1 < lengths.len() && passed + lengths[piece] < at {
+            passed += lengths[piece];
+            piece += 1;
+        }
+        if let (Some(ends), Some(&length)) = (line.get(piece..piece + 2), lengths.get(piece)) {
+            let share = if length > 0.0 {
+                ((at - passed) / length).min(1.0)
+            } else {
+                0.0
+            };
+            spread.push(ends[0].lerp(ends[1], share));
+        }
+    }
+    spread
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use glam::DVec3;
 
-use crate::document::tool::Tool;
+use crate::document::tool::{Material, Tool};
 use crate::document::{Edit, Selection, no_longer_ahead};
 use crate::error::Result;
 use crate::files::{Purpose, Then};
@@ -98,6 +98,13 @@ pub(super) enum Action {
     Mend(Vec<Edit>),
     /// Show the path with the tool as its numbers are now.
     PreviewTool,
+    /// Bring a control point of the tool's box to a place.
+    MoveControl {
+        at: usize,
+        place: DVec3,
+    },
+    /// Take a line that was drawn for the tool.
+    Stroke(Vec<DVec3>),
     /// `OK` of the tool, or back to what was before it.
     EndTool {
         keeps: bool,
@@ -244,6 +251,8 @@ impl Action {
             Self::Tool(_)
                 | Self::PreviewTool
                 | Self::EndTool { .. }
+                | Self::MoveControl { .. }
+                | Self::Stroke(_)
                 | Self::Undo
                 | Self::Enter(Entry::Idle | Entry::Wrong(_) | Entry::End)
                 | Self::EnterMissing(Entry::Idle | Entry::Wrong(_) | Entry::End)
@@ -400,6 +409,8 @@ impl Editor {
                 self.preview_tool();
                 context.request_repaint();
             }
+            Action::MoveControl { at, place } => self.move_control(at, place),
+            Action::Stroke(places) => self.begin_tool_with(Material::Stroke(places)),
             Action::EndTool { keeps } => self.end_tool(keeps),
             Action::Curve => windows::open::<CurveWindow>(self, context),
             Action::SpeedCurve => windows::open::<SpeedWindow>(self, context),

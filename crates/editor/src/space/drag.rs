@@ -20,6 +20,8 @@ pub(crate) enum Handle {
     /// The tip of the current VPN arrow: what the camera looks at.
     Vpn,
     Point(usize),
+    /// A control point of the box that a tool deforms.
+    Control(usize),
 }
 
 /// What a drag that snaps goes by: a fifth of what lies between two lines of the
@@ -95,7 +97,7 @@ pub(super) enum Outcome {
 /// The point under the pointer in the plane or on the line through `point`: each
 /// coordinate that moves ends at the faces of the cube. None if the plane is seen
 /// edge-on.
-fn follow(projection: &Projection, point: DVec3, motion: &Motion) -> Option<DVec3> {
+pub(super) fn follow(projection: &Projection, point: DVec3, motion: &Motion) -> Option<DVec3> {
     let &Motion {
         freedom, pointer, ..
     } = motion;
@@ -137,6 +139,7 @@ pub(super) fn outcome(
             let to = follow(projection, tip, motion);
             to.and_then(|to| move_target(document, to))
         }
+        Handle::Control(_) => return Outcome::Nothing,
         Handle::Point(at) => {
             let Some(point) = document.path().points.get(at) else {
                 return Outcome::Nothing;

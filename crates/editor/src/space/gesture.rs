@@ -120,6 +120,7 @@ impl Editor {
                 Target::Absolute(target) => place(texts.target_at, target),
                 Target::Relative(offset) => place(texts.offset_at, offset),
             },
+            Handle::Control(_) => return,
             Handle::Vup => fill(
                 texts.roll_at,
                 &[&self.language().number(orientation.roll, 1)],

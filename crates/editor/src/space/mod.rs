@@ -213,7 +213,7 @@ impl Space {
             keyboard: response.has_focus() && !egui::Popup::is_any_open(&context),
         };
         // Each sees what the one before has changed.
-        for event in pointer::events(&context) {
+        for event in self.pointer.events(&context) {
             editor.part(&context, |editor, actions| {
                 self.pointer.take(editor, &surface, event, actions)
             });
@@ -299,6 +299,15 @@ impl Space {
                 add(tool::show_handles(&look, middle, pointer.meant));
             }
         }
+        let palette = editor.setup.theme().palette();
+        if let Some(window) = &editor.windows.tool
+            && let Some(cage) = window.cage()
+        {
+            add(overlay::cage(&look, cage, window.control(), palette));
+        }
+        if let Some(places) = pointer.stroke() {
+            add(overlay::stroke(&look, places, palette));
+        }
         let preview = editor.windows.curve.as_ref();
         if let Some(segments) = preview.and_then(|window| window.preview(editor)) {
             let mut strokes = Strokes::new(look.projection, viewport);
@@ -312,8 +321,15 @@ impl Space {
             add(overlay::circle(&look, &tips));
             overlay::arrows(painter, &look, &tips);
             let held = dragged.map(|(what, _)| what);
+            let place = |handle| match handle {
+                Handle::Control(_) => {
+                    let place = pointer::place_held(editor, handle)?;
+                    Some((place, palette.accent))
+                }
+                handle => overlay::place_of(document, &look, &tips, handle),
+            };
             if let Some(handle) = held.or(pointer.hover)
-                && let Some((at, color)) = overlay::place_of(document, &look, &tips, handle)
+                && let Some((at, color)) = place(handle)
             {
                 add(overlay::ring(&look, at, color, held.is_some()));
             }
@@ -376,6 +392,8 @@ mod memory_tests;
 mod menu_tests;
 #[cfg(test)]
 mod several_tests;
+#[cfg(test)]
+mod shaping_tests;
 #[cfg(test)]
 pub(super) mod tests;
 #[cfg(test)]

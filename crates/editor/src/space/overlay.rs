@@ -15,9 +15,10 @@ use super::projection::{Axis, from_pos, to_pos};
 use super::scene::{Look, THIN};
 use super::strokes::Strokes;
 use crate::document::Document;
+use crate::document::tool::Cage;
 use crate::raster::Lines;
 use crate::setup::Element;
-use crate::theme;
+use crate::theme::{self, Palette};
 
 /// How far the straight pieces of a circle may stray from it, in pixels.
 const STRAY: f64 = 0.1;
@@ -34,6 +35,9 @@ const RING_WIDTH: f32 = 1.5;
 const FRAME: f64 = 6.0;
 
 const ARROW: f32 = 2.0;
+
+/// Half the side of a control point's square, in points.
+const CONTROL: f64 = 2.5;
 
 /// A number keeps the others out of the cells around its own, of this size.
 const CELL: [f32; 2] = [18.0, 14.0];
@@ -214,6 +218,34 @@ pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, freedom:
     ));
 }
 
+/// The box that a tool deforms, with its control points; `shown`: the one whose numbers are
+/// to be seen.
+pub(super) fn cage(look: &Look<'_>, cage: &Cage, shown: usize, palette: &Palette) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.viewport);
+    for pair in cage.lines.iter().flat_map(|line| line.windows(2)) {
+        strokes.line(pair[0], pair[1], THIN, palette.weak);
+    }
+    for (at, &node) in cage.nodes.iter().enumerate() {
+        let (half, color) = match at == shown {
+            true => (CONTROL + 1.0, palette.accent),
+            false => (CONTROL, palette.text),
+        };
+        let image = look.projection.image(node);
+        let side = DVec2::X * half;
+        strokes.flat(image - side, image + side, 2.0 * half as f32, color);
+    }
+    strokes.finish()
+}
+
+/// A line that is being drawn.
+pub(super) fn stroke(look: &Look<'_>, places: &[DVec3], palette: &Palette) -> Lines {
+    let mut strokes = Strokes::new(look.projection, look.viewport);
+    for pair in places.windows(2) {
+        strokes.line(pair[0], pair[1], 1.5, palette.accent);
+    }
+    strokes.finish()
+}
+
 /// The answer to the pointer: a ring around what would be taken hold of.
 pub(super) fn ring(look: &Look<'_>, at: DVec3, color: Color32, held: bool) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
@@ -237,6 +269,7 @@ pub(super) fn place_of(
     match handle {
         Handle::Vup => Some((tips.up_tip, colour(Element::Vup))),
         Handle::Vpn => Some((tips.target, colour(Element::Vpn))),
+        Handle::Control(_) => None,
         Handle::Point(at) => {
             let point = document.path().points.get(at)?;
             Some((point.position, colour(Element::Segment)))

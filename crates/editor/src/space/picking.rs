@@ -72,13 +72,22 @@ pub(super) fn pick(
             return Some(Handle::Point(document.selection().point));
         }
     }
+    let points = document.path().points.iter();
+    nearest(projection, points.map(|point| point.position), pointer).map(Handle::Point)
+}
+
+/// The nearest place within reach of the pointer; of several at one place the first one.
+pub(super) fn nearest(
+    projection: &Projection,
+    places: impl Iterator<Item = DVec3>,
+    pointer: DVec2,
+) -> Option<usize> {
     let mut best = None;
     let mut least = REACH * REACH;
-    for (index, point) in document.path().points.iter().enumerate() {
-        let distance = away(point.position);
-        // Of several at one place the first one.
+    for (index, place) in places.enumerate() {
+        let distance = projection.image(place).distance_squared(pointer);
         if distance < least || (distance == least && best.is_none()) {
-            (best, least) = (Some(Handle::Point(index)), distance);
+            (best, least) = (Some(index), distance);
         }
     }
     best

@@ -17,6 +17,7 @@ use crate::selected::Choice;
 use crate::setup::View;
 use crate::state::Editor;
 use crate::texts::{Texts, fill};
+use crate::windows::ToolWindow;
 
 /// A press that moves no farther than this is a press and no drag, in points:
 /// hands tremble.
@@ -41,6 +42,8 @@ pub(super) struct PointerController {
     pub(super) nudging: bool,
     /// A tool is at work; a step of the document is open.
     pub(super) tool: Option<Tool>,
+    /// The left button draws a line.
+    stroke: Option<Vec<DVec3>>,
     pub(super) hover: Option<Handle>,
     /// The handle around several points that lies under the pointer.
     pub(super) meant: Option<Kind>,
@@ -90,10 +93,38 @@ pub(super) struct PointerContext<'a> {
     pub(super) keyboard: bool,
 }
 
+impl Hold {
+    /// A control point of a tool's box is held: the tool's step is open already.
+    fn controls(&self) -> bool {
+        matches!(self.what, Some(Handle::Control(_)))
+    }
+}
+
 impl PointerController {
+    /// The events of a pass. Of a row of motions only where it leads to counts, unless it
+    /// draws.
+    pub(super) fn events(&self, context: &Context) -> impl Iterator<Item = Event> + use<> {
+        let mut events = context.input(|input| input.events.clone());
+        let moves = |event: &Event| matches!(event, Event::PointerMoved(_));
+        let all = self.stroke.is_some();
+        events.dedup_by(|later, event| {
+            let both = !all && moves(later) && moves(event);
+            if both {
+                std::mem::swap(later, event);
+            }
+            both
+        });
+        events.into_iter()
+    }
+
     /// A button is down.
     pub(super) fn is_busy(&self) -> bool {
-        self.hold.is_some()
+        self.hold.is_some() || self.stroke.is_some()
+    }
+
+    /// The line that is being drawn.
+    pub(super) fn stroke(&self) -> Option<&[DVec3]> {
+        self.stroke.as_deref()
     }
 
     /// What is dragged: what it is, and in which coordinates.
@@ -110,7 +141,7 @@ impl PointerController {
 
     /// Something is on its way: a handle, or the view.
     pub(super) fn moves(&self) -> bool {
-        self.hold.is_some_and(|hold| hold.moved) || self.tool.is_some()
+        self.hold.is_some_and(|hold| hold.moved) || self.tool.is_some() || self.stroke.is_some()
     }
 
     /// What the buttons would do with what lies under the pointer; where a drag goes
@@ -160,6 +191,9 @@ impl PointerController {
             self.motion(editor, surface, hold.now, actions);
         }
         // The release may have been lost with the window's focus.
+        if !surface.context.input(|input| input.pointer.primary_down()) {
+            self.stroke = None;
+        }
         let (down, nudged) = surface.context.input(|input| {
             let down = (self.hold).is_none_or(|hold| input.pointer.button_down(hold.button));
             let nudged = NUDGES.iter().any(|&key| input.key_down(key));
@@ -188,10 +222,9 @@ impl PointerController {
         self.over = pointer.is_some_and(|at| (surface.mine)(at));
         self.hover = match (&self.hold, pointer) {
             (Some(hold), _) => hold.what,
-            (None, Some(at)) if (surface.mine)(at) => {
+            (None, Some(at)) if (surface.mine)(at) && !draws(editor) => {
                 let projection = projection_of(editor, surface.viewport);
-                let shown = &editor.setup.shown;
-                picking::pick(&editor.document, &projection, shown, from_pos(at), true)
+                handle_at(editor, &projection, at, true)
             }
             _ => None,
         };
@@ -211,7 +244,7 @@ impl PointerController {
             (Some(hold), _) if hold.boxes => CursorIcon::Crosshair,
             (Some(hold), _) if hold.shifts => CursorIcon::Move,
             (Some(_), _) => CursorIcon::Grabbing,
-            (None, None) if self.tool.is_some() => CursorIcon::Crosshair,
+            (None, None) if self.tool.is_some() || self.stroke.is_some() => CursorIcon::Crosshair,
             (None, _) if self.meant.is_some() => CursorIcon::Grab,
             (None, Some(_)) => CursorIcon::Grab,
             (None, None) => CursorIcon::Default,
@@ -234,6 +267,10 @@ impl PointerController {
             if tool.take(editor, surface, &event, actions) == Next::GoesOn {
                 self.tool = Some(tool);
             }
+            return;
+        }
+        if self.stroke.is_some() {
+            self.draw(editor, surface, &event, actions);
             return;
         }
         if let Some(hold) = self.hold.filter(|hold| hold.moved && hold.what.is_some())
@@ -304,7 +341,10 @@ impl PointerController {
             } => {
                 if let Some(kept) = axis_of(key)
                     && let Some(hold) = &mut self.hold
-                    && matches!(hold.what, Some(Handle::Point(_) | Handle::Vpn))
+                    && matches!(
+                        hold.what,
+                        Some(Handle::Point(_) | Handle::Vpn | Handle::Control(_))
+                    )
                 {
                     let projection = projection_of(editor, surface.viewport);
                     hold.freedom = Freedom::of_key(&projection, kept);
@@ -352,6 +392,50 @@ impl PointerController {
         self.tool = Some(tool);
     }
 
+    /// Takes what the hand does while it draws.
+    fn draw(
+        &mut self,
+        editor: &Editor,
+        surface: &PointerContext<'_>,
+        event: &Event,
+        actions: &mut Vec<Action>,
+    ) {
+        let place = |pos| {
+            Some(drawn_at(
+                editor,
+                &projection_of(editor, surface.viewport),
+                pos,
+            ))
+        };
+        match *event {
+            Event::PointerMoved(pos) => {
+                if let Some(stroke) = &mut self.stroke {
+                    stroke.extend(place(pos));
+                }
+            }
+            Event::PointerButton {
+                button: PointerButton::Primary,
+                pressed: false,
+                ..
+            } => {
+                let stroke = self.stroke.take().unwrap_or_default();
+                if stroke.len() > 2 {
+                    actions.push(Action::Stroke(stroke));
+                }
+            }
+            Event::Key {
+                key: Key::Escape,
+                pressed: true,
+                ..
+            } => {
+                self.stroke = None;
+                (surface.context)
+                    .input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+            }
+            _ => {}
+        }
+    }
+
     fn press(
         &mut self,
         editor: &Editor,
@@ -371,17 +455,15 @@ impl PointerController {
         self.end_nudge(actions);
         let left = button == PointerButton::Primary;
         let projection = projection_of(editor, surface.viewport);
+        if left && draws(editor) {
+            self.stroke = Some(vec![drawn_at(editor, &projection, pos)]);
+            return;
+        }
         let freedom = match held {
             Some(kept) if left => Freedom::of_key(&projection, kept),
             _ => Freedom::of_button(&projection, plane),
         };
-        let what = picking::pick(
-            &editor.document,
-            &projection,
-            &editor.setup.shown,
-            from_pos(pos),
-            left && held.is_none(),
-        );
+        let what = handle_at(editor, &projection, pos, left && held.is_none());
         let plain = left && what.is_none() && modifiers.is_none();
         let handle = tool::handle_at(editor, &projection, from_pos(pos)).filter(|_| plain);
         let tool = handle.and_then(|kind| Tool::of_handle(editor, surface, kind, button));
@@ -437,13 +519,13 @@ impl PointerController {
                 return;
             }
             hold.moved = true;
-            if hold.what.is_some() {
+            if hold.what.is_some() && !hold.controls() {
                 if hold.adds {
                     actions.push(Action::Gesture(Gesture::Press(hold.what)));
                 }
                 actions.push(Action::Gesture(Gesture::Begin));
             }
-        } else if hold.what.is_some() && !editor.document.in_step() {
+        } else if hold.what.is_some() && !hold.controls() && !editor.document.in_step() {
             // Somebody else ended the step (an undo while the button is down): what
             // follows would not belong to it.
             self.hold = None;
@@ -470,6 +552,10 @@ impl PointerController {
             self.menu = Some((hold.pressed, hold.what));
         } else {
             actions.extend(match hold.what {
+                Some(Handle::Control(at)) => Some(Action::MoveControl {
+                    at,
+                    place: hold.from,
+                }),
                 // A click, on one of several or beside all of them.
                 Some(Handle::Point(at)) if hold.adds => Some(Action::Choose(Choice::Switch(at))),
                 Some(Handle::Point(_)) | None if !hold.adds && !hold.boxes => {
@@ -484,8 +570,13 @@ impl PointerController {
         let Some(hold) = self.hold.take().filter(|hold| hold.moved) else {
             return;
         };
-        if hold.what.is_none() {
-            actions.push(Action::View(hold.view));
+        match hold.what {
+            None => actions.push(Action::View(hold.view)),
+            Some(Handle::Control(at)) => actions.push(Action::MoveControl {
+                at,
+                place: hold.from,
+            }),
+            Some(_) => {}
         }
         actions.push(Action::Gesture(Gesture::Cancel));
     }
@@ -514,18 +605,37 @@ fn in_box(editor: &Editor, viewport: Rect, hold: &Hold) -> Choice {
     Choice::These(found)
 }
 
-/// The events of a pass. Of a row of motions only where it leads to counts.
-pub(super) fn events(context: &Context) -> impl Iterator<Item = Event> {
-    let mut events = context.input(|input| input.events.clone());
-    let moves = |event: &Event| matches!(event, Event::PointerMoved(_));
-    events.dedup_by(|later, event| {
-        let both = moves(later) && moves(event);
-        if both {
-            std::mem::swap(later, event);
-        }
-        both
-    });
-    events.into_iter()
+/// A tool waits for a line that is drawn.
+fn draws(editor: &Editor) -> bool {
+    let tool = editor.windows.tool.as_ref();
+    tool.is_some_and(ToolWindow::draws)
+}
+
+/// What a line leads through that is drawn at `pos`: as deep as the current point, and
+/// within the space.
+fn drawn_at(editor: &Editor, projection: &Projection, pos: Pos2) -> DVec3 {
+    let space = projection.space();
+    let point = editor.point().map_or(space.centre, |point| point.position);
+    let place = projection.point_facing(point, from_pos(pos));
+    place.clamp(space.low(), space.high())
+}
+
+/// What lies under the pointer: a control point of a tool's box before all else.
+fn handle_at(
+    editor: &Editor,
+    projection: &Projection,
+    pos: Pos2,
+    with_vup: bool,
+) -> Option<Handle> {
+    let pointer = from_pos(pos);
+    let cage = editor.windows.tool.as_ref().and_then(ToolWindow::cage);
+    let nodes = cage.map_or(&[][..], |cage| &cage.nodes);
+    picking::nearest(projection, nodes.iter().copied(), pointer)
+        .map(Handle::Control)
+        .or_else(|| {
+            let shown = &editor.setup.shown;
+            picking::pick(&editor.document, projection, shown, pointer, with_vup)
+        })
 }
 
 pub(super) fn axis_of(key: Key) -> Option<Axis> {
@@ -552,6 +662,10 @@ fn pull(
         pointer: from_pos(hold.now) + hold.lag,
         typed: typed.number().map(|number| (hold.from, number)),
     };
+    if let Handle::Control(at) = what {
+        let place = drag::follow(&projection, place_held(editor, what)?, &motion)?;
+        return Some(Action::MoveControl { at, place });
+    }
     match drag::outcome(&editor.document, &projection, what, &motion) {
         Outcome::Edit(edit) => Some(Action::Gesture(Gesture::Move(what, edit))),
         Outcome::CircleEdgeOn => Some(Action::Complain(
@@ -605,5 +719,9 @@ pub(super) fn place_held(editor: &Editor, what: Handle) -> Option<DVec3> {
         }
         Handle::Vpn => drag::current_tip(&editor.document),
         Handle::Vup => None,
+        Handle::Control(at) => {
+            let cage = editor.windows.tool.as_ref()?.cage()?;
+            cage.nodes.get(at).copied()
+        }
     }
 }

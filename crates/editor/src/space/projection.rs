@@ -140,6 +140,13 @@ impl Projection {
         self.toward
     }
 
+    /// The point that is seen at `image` in the plane through a point that faces the viewer.
+    pub(super) fn point_facing(&self, point: DVec3, image: DVec2) -> DVec3 {
+        let way = image - self.image(point);
+        let along = |side: DVec3, far: f64| side * (far / side.length_squared());
+        point + along(self.across, way.x) + along(self.down, way.y)
+    }
+
     /// The share of its area that is seen of the plane across an axis, in
     /// [0, 1].
     pub(super) fn share_seen(&self, across: Axis) -> f64 {

@@ -17,6 +17,8 @@ texts! {
         cancel: "Cancel", "Abbrechen";
         cancel_hint: "Everything is as it was before", "Alles ist wieder wie vorher";
         result: "{0} points · {1} frames", "{0} Punkte · {1} Bilder";
+        draw_now: "Draw a line in the space with the left button",
+            "Mit der linken Taste eine Linie in den Raum zeichnen";
         only_path: "There is no path that is edited", "Es wird keine Bahn bearbeitet";
         undo: "Undo: {0}", "Rückgängig: {0}";
         redo: "Redo: {0}", "Wiederholen: {0}";
@@ -40,6 +42,7 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("crane", "Crane", "Kran", "gerade hinauf oder hinunter neben einem Ziel, das im Bild bleibt"),
     ("pan", "Pan", "Schwenk", "dreht sich auf der Stelle"),
     ("figure-eight", "Figure eight", "Acht", "auf einer Acht, die sich über dem Ziel kreuzt"),
+    ("draw", "Draw", "Zeichnen", "macht eine Bahn aus einer Linie, die mit der linken Taste in den Raum gezeichnet wird"),
     ("move", "Move points", "Punkte verschieben", "verschiebt Punkte"),
     ("turn", "Turn points", "Punkte drehen", "dreht Punkte um eine Achse"),
     ("scale", "Scale points", "Punkte skalieren", "vergrößert oder verkleinert die Lage der Punkte"),
@@ -48,8 +51,10 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("bulge", "Bulge", "Ausbauchen", "macht die Mitte des Quaders um die Punkte breiter"),
     ("twist", "Twist", "Verdrillen", "verdrillt den Quader um die Punkte um eine Achse"),
     ("bend", "Bend", "Biegen", "biegt den Quader um die Punkte längs einer Achse"),
+    ("free-form", "Free form", "Freie Form", "verformt den Quader um die Punkte durch die Quadrate im Raum, die gezogen werden"),
     ("insert", "Insert a block", "Baustein einfügen", "fügt eine Bahn aus einer Datei hinter dem aktuellen Punkt ein"),
     ("extract", "Save points as a block", "Punkte als Baustein speichern", "schreibt Punkte als eigene Bahn"),
+    ("blend", "Blend with a path", "Mit einer Bahn mischen", "mischt die Bahn mit einer anderen aus einer Datei"),
     ("reverse", "Reverse", "Umkehren", "kehrt den Weg um"),
     ("repeat", "Repeat", "Wiederholen", "geht den Weg mehrmals"),
     ("frames", "Number of frames", "Zahl der Bilder", "bringt Punkte auf eine Zahl von Bildern"),
@@ -92,6 +97,8 @@ const LABELS: &[Word] = &[
     ("times", "How often", "Wie oft"),
     ("frames", "Frames", "Bilder"),
     ("tolerance", "Tolerance", "Toleranz"),
+    ("lattice", "Square", "Quadrat"),
+    ("weight", "Weight", "Gewicht"),
 ];
 
 /// What the parameters do, in German.
@@ -137,7 +144,9 @@ const HINTS: &[(&str, &str)] = &[
     ("the last of the points", "der letzte der Punkte"),
     ("how often", "wie oft"),
     ("how many, the first and the last with them", "wie viele, das erste und das letzte mitgezählt"),
-    ("how far a position may be from its pose", "wie weit eine Position von ihrer Pose entfernt sein darf"),
+    ("how far a position may be from what was given", "wie weit eine Position vom Gegebenen entfernt sein darf"),
+    ("one of 4 × 4 × 4 squares, and where it is in the box", "eines von 4 × 4 × 4 Quadraten, und wo es im Quader ist"),
+    ("how much of the other path", "wie viel von der anderen Bahn"),
     ("how far view, up and field of view may be from theirs",
         "wie weit Blick, oben und Bildwinkel von ihren abweichen dürfen"),
 ];

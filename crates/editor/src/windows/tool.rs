@@ -9,10 +9,11 @@
 use std::path::Path;
 
 use egui::{Align, Button, Context, Layout, Ui, vec2};
+use glam::DVec3;
 
 use super::{name_cross, row_at_right, sub_window};
 use crate::actions::Action;
-use crate::document::tool::{Material, Needs, Tool};
+use crate::document::tool::{Cage, Material, Needs, Tool};
 use crate::document::{Document, Selection};
 use crate::error::{EngineError, Error, OutOfRange, Result};
 use crate::files::Purpose;
@@ -43,6 +44,9 @@ pub(crate) struct ToolWindow {
     trouble: Option<String>,
     /// The path is shown with the tool applied.
     applied: bool,
+    /// The box that it deforms, and the control point of it that the fields show.
+    cage: Option<Cage>,
+    control: usize,
     /// Where the playhead stood.
     stood: (Option<f64>, Selection),
     fresh: bool,
@@ -81,7 +85,7 @@ impl ToolWindow {
                 if cancel.on_hover_text(texts.cancel_hint).clicked() {
                     actions.push(Action::EndTool { keeps: false });
                 }
-                let able = self.trouble.is_none();
+                let able = self.trouble.is_none() && !self.lacks_stroke();
                 let ok = ui.add_enabled(able, button(ok)).on_hover_text(hint);
                 if std::mem::take(&mut self.fresh) {
                     ok.request_focus();
@@ -119,12 +123,45 @@ impl ToolWindow {
         material && matches!(self.material, Material::None)
     }
 
+    /// The left button draws a line in the space.
+    pub(crate) fn draws(&self) -> bool {
+        self.tool.needs() == Needs::Stroke
+    }
+
+    fn lacks_stroke(&self) -> bool {
+        self.draws() && matches!(self.material, Material::None)
+    }
+
+    /// The box that it deforms, as it is now.
+    pub(crate) fn cage(&self) -> Option<&Cage> {
+        self.cage.as_ref()
+    }
+
+    /// The control point that the fields show.
+    pub(crate) fn control(&self) -> usize {
+        self.control
+    }
+
+    /// A control point is brought to a place; the fields show it.
+    fn move_control(&mut self, at: usize, place: DVec3) {
+        let Some(cage) = &self.cage else { return };
+        self.control = at;
+        if cage.nodes.get(at).is_some_and(|node| *node != place)
+            && let Some(numbers) = self.numbers.get_mut(3 * at..3 * at + 3)
+        {
+            numbers.copy_from_slice(&cage.coordinates(place).to_array());
+        }
+    }
+
     fn is_slow(&self) -> bool {
         matches!(&self.material, Material::Poses(poses, _) if poses.len() > POSES)
     }
 
     /// What comes of it.
     fn result(&self, editor: &Editor) -> String {
+        if self.lacks_stroke() {
+            return editor.texts().tools.draw_now.to_owned();
+        }
         let points = editor.document.path().points.len();
         let sampler = editor.document.sampler();
         sampler.map_or_else(
@@ -189,6 +226,18 @@ impl ToolWindow {
                     self.set(start, f64::from(u8::from(on)));
                 }
             }
+            Unit::Lattice => {
+                ui.horizontal(|ui| {
+                    for axis in 0..3 {
+                        self.place_in_lattice(editor, ui, (parameter, hint, axis), actions);
+                    }
+                });
+                ui.horizontal(|ui| {
+                    for part in 3 * self.control..3 * self.control + 3 {
+                        self.number(editor, ui, (parameter, start, part), actions);
+                    }
+                });
+            }
             _ => {
                 ui.horizontal(|ui| {
                     for part in 0..parameter.width {
@@ -196,6 +245,36 @@ impl ToolWindow {
                     }
                 });
             }
+        }
+    }
+
+    /// Which of its control points the fields show, from 1 along each axis.
+    fn place_in_lattice(
+        &mut self,
+        editor: &Editor,
+        ui: &mut Ui,
+        (parameter, hint, axis): (&'static Parameter, &'static str, usize),
+        actions: &mut Vec<Action>,
+    ) {
+        let language = editor.language();
+        let letter = ["i", "j", "k"][axis];
+        let place = self.control >> (2 * axis) & 3;
+        let name = format!("{} {letter}", language.parameter(parameter.name));
+        let number = Number::new(&name, Some(place as f64 + 1.0))
+            .label(letter)
+            .hint(hint)
+            .whole()
+            .range(1.0..=4.0)
+            .steps(1.0, 0.05);
+        let id = format!("tool.{}.{}.{letter}", self.tool.name, parameter.name);
+        match number.show(ui, language, &id, NUMBER) {
+            Entry::Drag(value) | Entry::Set(value) => {
+                let chosen = (1..4).take_while(|&at| value > f64::from(at)).count();
+                self.control += chosen << (2 * axis);
+                self.control -= place << (2 * axis);
+            }
+            Entry::Wrong(text) => actions.push(Action::Complain(text)),
+            Entry::Idle | Entry::Begin | Entry::End | Entry::Cancel => {}
         }
     }
 
@@ -214,8 +293,8 @@ impl ToolWindow {
     ) {
         let language = editor.language();
         let at = start + part;
-        let letter = if parameter.width == 3 {
-            ["x", "y", "z"][part]
+        let letter = if parameter.width >= 3 {
+            ["x", "y", "z"][part % 3]
         } else {
             ""
         };
@@ -230,7 +309,7 @@ impl ToolWindow {
             Unit::Zoom => number.unit(" mm").decimals(1).steps(1.0, 0.1),
             Unit::Seconds => number.unit(" s").decimals(2).steps(1.0, 0.05),
             Unit::Count => number.whole().steps(1.0, 0.1),
-            Unit::One | Unit::Choice(_) | Unit::Switch => number.steps(0.1, 0.01),
+            Unit::One | Unit::Choice(_) | Unit::Switch | Unit::Lattice => number.steps(0.1, 0.01),
         };
         let number = number.range(parameter.least..=parameter.most).pending();
         let id = format!("tool.{}.{}.{part}", self.tool.name, parameter.name);
@@ -298,13 +377,15 @@ impl Editor {
             before: None,
             trouble: None,
             applied: false,
+            cage: None,
+            control: 0,
             stood: (self.playing.frame(), self.document.selection()),
             fresh: true,
         });
         match tool.needs() {
             Needs::Block => self.choose_file(Purpose::LoadBlock),
             Needs::Poses => self.choose_file(Purpose::LoadPoses),
-            Needs::Nothing | Needs::Output => self.preview_tool(),
+            Needs::Nothing | Needs::Output | Needs::Stroke => self.preview_tool(),
         }
     }
 
@@ -313,6 +394,14 @@ impl Editor {
         if let Some(window) = &mut self.windows.tool {
             window.material = material;
             window.fresh = true;
+        }
+        self.preview_tool();
+    }
+
+    /// Brings a control point of the tool's box to a place.
+    pub(crate) fn move_control(&mut self, at: usize, place: DVec3) {
+        if let Some(window) = &mut self.windows.tool {
+            window.move_control(at, place);
         }
         self.preview_tool();
     }
@@ -326,6 +415,7 @@ impl Editor {
             self.document.cancel_step();
         }
         let document = &mut self.document;
+        window.cage = window.tool.cage(document, &window.numbers);
         let edit = window
             .tool
             .edit(document, &window.material, &window.numbers);

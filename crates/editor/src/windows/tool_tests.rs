@@ -1,5 +1,7 @@
 use egui_kittest::kittest::NodeT;
+use glam::DVec3;
 
+use crate::document::Edit;
 use crate::document::tool::{Needs, tools};
 use crate::files::Purpose;
 use crate::path::CameraPath;
@@ -249,6 +251,38 @@ fn a_block_is_written_and_put_in_by_files() {
         assert_eq!(path(&window).points.len(), 9);
         click(&mut window, "OK");
         assert_eq!(undo_name(&window), Some("insert"));
+    }
+}
+
+#[test]
+fn a_path_is_blended_with_one_from_a_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("other.vid");
+    let mut other = some_points();
+    let moved = DVec3::new(0.1, -0.05, 0.02);
+    for at in 0..other.path().points.len() {
+        let position = other.path().points[at].position + moved;
+        other
+            .apply(Edit::SetPosition { at, position })
+            .expect("moved");
+    }
+    other.save(&file).expect("written");
+    for language in BOTH {
+        let mut window = fresh(language);
+        let before = path(&window);
+        pick(&mut window, "blend");
+        window.state_mut().file_chosen(Purpose::LoadBlock, &file);
+        window.run();
+        for (weight, share) in [(None, 0.5), (Some("0"), 0.0), (Some("1"), 1.0)] {
+            if let Some(weight) = weight {
+                enter(&mut window, language.parameter("weight"), weight);
+            }
+            for (new, old) in path(&window).points.iter().zip(&before.points) {
+                assert!(new.position.distance(old.position + share * moved) < 1e-12);
+            }
+        }
+        click(&mut window, "OK");
+        assert_eq!(undo_name(&window), Some("blend"));
     }
 }
 

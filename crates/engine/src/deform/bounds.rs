@@ -53,6 +53,22 @@ impl Bounds {
         self.max
     }
 
+    /// A point in the coordinates of the box: −1…1 from side to side, 0 where it is flat.
+    #[must_use]
+    pub fn coordinates(&self, point: DVec3) -> DVec3 {
+        DVec3::from_array([0, 1, 2].map(|axis| self.coordinate(point, axis)))
+    }
+
+    /// The point with such coordinates.
+    #[must_use]
+    pub fn point(&self, coordinates: DVec3) -> DVec3 {
+        let mut point = self.min;
+        for axis in 0..3 {
+            self.place(&mut point, axis, coordinates[axis]);
+        }
+        point
+    }
+
     /// −1…1 from side to side; 0 where the box is flat.
     pub(super) fn coordinate(&self, point: DVec3, axis: usize) -> f64 {
         let (min, max) = (self.min[axis], self.max[axis]);

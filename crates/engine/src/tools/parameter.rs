@@ -22,6 +22,8 @@ pub enum Unit {
     Choice(&'static [&'static str]),
     /// 0: no, 1: yes.
     Switch,
+    /// The control points of a free form, in coordinates of its box.
+    Lattice,
 }
 
 impl Unit {
@@ -29,7 +31,12 @@ impl Unit {
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
-            Self::One | Self::Length | Self::Count | Self::Choice(_) | Self::Switch => "",
+            Self::One
+            | Self::Length
+            | Self::Count
+            | Self::Choice(_)
+            | Self::Switch
+            | Self::Lattice => "",
             Self::Degrees => "degrees",
             Self::Zoom => "mm",
             Self::Seconds => "seconds",
@@ -37,7 +44,7 @@ impl Unit {
     }
 }
 
-/// One parameter of a tool: a number, or three for a place.
+/// One parameter of a tool: a number, or several.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
     /// In small letters, words joined by `-`.
@@ -46,7 +53,7 @@ pub struct Parameter {
     pub does: &'static str,
     /// What its numbers count.
     pub unit: Unit,
-    /// 1, or 3 for x, y and z.
+    /// 1; 3 for x, y and z; 192 for a lattice.
     pub width: usize,
     /// The least that it may be.
     pub least: f64,
