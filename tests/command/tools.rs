@@ -54,6 +54,8 @@ fn an_orbit_is_made_extracted_repeated_and_turned_round() {
             .len(),
         37
     );
+    let exact = written(folder, "exact.vid", &["frames", &orbit, "77"]);
+    assert_eq!(poses_of(&exact).len(), 77);
     let back = written(folder, "back.vid", &["reverse", &orbit]);
     let mut reversed = poses_of(&back);
     reversed.reverse();
@@ -105,6 +107,7 @@ fn tools_refuse_what_does_not_do() {
         &["move", "figure-eight", "--height", "0"],
         &["transform", PYRAMID, "--scale", "0"],
         &["transform", PYRAMID, "--points", "5-99"],
+        &["frames", PYRAMID, "5"],
         &["deform", PYRAMID, "shear", "1"],
         &["extract", PYRAMID, "--points", "2-2"],
         &["repeat", PYRAMID, "0"],

@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use super::projection::{from_pos, to_pos};
 use super::tests::{image, motion, press, pyramid_window, release, tap, text, viewport};
 use super::*;
+use crate::document::Edit;
 use crate::document::tool::tools;
 use crate::screenshots::screenshot;
 
@@ -133,8 +134,8 @@ fn wave(harness: &Window<'_>) -> Vec<Pos2> {
     let centre = viewport(harness).center();
     (0..=60u8)
         .map(|step| {
-            let x = f32::from(step) * 3.0 - 60.0;
-            centre + vec2(x, 30.0 * (x / 30.0).sin())
+            let x = f32::from(step) * 2.0 - 60.0;
+            centre + vec2(x, 25.0 * (x / 14.0).sin())
         })
         .collect()
 }
@@ -150,6 +151,12 @@ fn draw(harness: &mut Window<'_>, line: &[Pos2]) {
 #[test]
 fn a_line_that_is_drawn_becomes_a_path() {
     let mut harness = pyramid_window();
+    // As deep as the middle of the space, so that no face of it is near.
+    let position = DVec3::new(0.1, 0.05, -0.1);
+    let edit = Edit::SetPosition { at: 0, position };
+    let document = &mut harness.state_mut().document;
+    document.apply(edit).unwrap();
+    *document = Document::from_toml(&document.to_toml().unwrap()).unwrap();
     let before = text(&harness);
     let depth = |harness: &Window<'_>, place: DVec3| {
         projection_of(harness.state(), viewport(harness))

@@ -2,7 +2,7 @@
 //! tangents and, if asked, with what their cameras see.
 //!
 //! A tangent goes by the derivative of the map: by its matrix, or for deformations
-//! by differences of the fourth order (1e-10 of its length).
+//! by differences of the fourth order (1e-9 of its length).
 
 use glam::{DMat3, DMat4, DQuat, DVec3};
 
@@ -102,13 +102,9 @@ pub fn deform(
         deformation.apply(&bounds, &mut place);
         place[0]
     };
-    let step = STEP * (bounds.max() - bounds.min()).max_element().max(1e-3);
     let derivative = |at: DVec3| {
-        let along = |axis: DVec3| {
-            let slope = |h: f64| (place(at + h * axis) - place(at - h * axis)) / (2.0 * h);
-            (4.0 * slope(step / 2.0) - slope(step)) / 3.0
-        };
-        DMat3::from_cols(along(DVec3::X), along(DVec3::Y), along(DVec3::Z))
+        let columns = [0, 1, 2].map(|axis| slope(&place, &bounds, at, axis));
+        DMat3::from_cols_array_2d(&columns.map(|column| column.to_array()))
     };
     let map = Map {
         place: &place,
@@ -116,6 +112,31 @@ pub fn deform(
         linear: false,
     };
     mapped(path, points, &map, with_targets)
+}
+
+/// How the image of a place changes along an axis. At a side of the box a deformation may
+/// have an edge, and the outermost points lie there: it is the slope on their own side.
+fn slope(place: &impl Fn(DVec3) -> DVec3, bounds: &Bounds, at: DVec3, axis: usize) -> DVec3 {
+    let size = bounds.max() - bounds.min();
+    let mut step = STEP * size.max_element().max(1e-3);
+    if size[axis] > 0.0 {
+        step = step.min(size[axis] / 8.0);
+    }
+    let (low, high) = (at[axis] - bounds.min()[axis], bounds.max()[axis] - at[axis]);
+    // Whether a side is too near, inside or outside.
+    let near = |away: f64| size[axis] > 0.0 && away.abs() < step;
+    let way = match (near(low), near(high)) {
+        (true, _) => step.copysign(if low < 0.0 { -1.0 } else { 1.0 }),
+        (_, true) => step.copysign(if high < 0.0 { 1.0 } else { -1.0 }),
+        _ => {
+            let at = |h: f64| place(at + DVec3::AXES[axis] * h);
+            let central = |h: f64| (at(h) - at(-h)) / (2.0 * h);
+            return (4.0 * central(step / 2.0) - central(step)) / 3.0;
+        }
+    };
+    let ahead = |steps: f64| place(at + DVec3::AXES[axis] * (steps * way));
+    let [a, b, c, d, e] = [0.0, 1.0, 2.0, 3.0, 4.0].map(ahead);
+    (-25.0 * a + 48.0 * b - 36.0 * c + 16.0 * d - 3.0 * e) / (12.0 * way)
 }
 
 fn mapped(

@@ -209,3 +209,75 @@ fn tangents_are_deformed_by_the_derivative() {
         assert!((a.point(0.4) - b.point(0.4)).length() < 1e-11);
     }
 }
+
+/// Bernstein's polynomials of degree 3 of a coordinate in [-1, 1], and their derivatives.
+fn bernstein(u: f64) -> ([f64; 4], [f64; 4]) {
+    let (t, s) = (f64::midpoint(1.0, u), f64::midpoint(1.0, -u));
+    (
+        [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t],
+        [
+            -1.5 * s * s,
+            1.5 * (s * s - 2.0 * s * t),
+            1.5 * (2.0 * s * t - t * t),
+            1.5 * t * t,
+        ],
+    )
+}
+
+#[test]
+fn tangents_of_the_outermost_points_go_by_the_slope_within_the_box() {
+    let mut random = Random(29);
+    for _ in 0..50 {
+        let old = path(&mut random, false);
+        let all = [0, 1, 2, 3, 4];
+        let places: Vec<_> = old.points.iter().map(|point| point.position).collect();
+        // The box of the points: each of its sides has one of them.
+        let bounds = Bounds::of(&places);
+        let half = (bounds.max() - bounds.min()) / 2.0;
+        let mut lattice = crate::deform::identity_lattice();
+        for number in &mut lattice {
+            *number += random.unit() - 0.5;
+        }
+        let form = Deformation::new("free-form", &lattice).unwrap();
+        let new = changed(&old, deform(&old, &all, &form, None, false).unwrap());
+        for (a, b) in old.points.iter().zip(&new.points) {
+            let at = bounds.coordinates(a.position);
+            let along = [0, 1, 2].map(|axis| bernstein(at[axis]));
+            let tangent = a.tangents.unwrap().after;
+            let mut want = DVec3::ZERO;
+            for (number, node) in lattice.chunks_exact(3).enumerate() {
+                let place = [number & 3, number >> 2 & 3, number >> 4];
+                for axis in 0..3 {
+                    let weight: f64 = (0..3)
+                        .map(|k| match k == axis {
+                            true => along[k].1[place[k]] / half[k],
+                            false => along[k].0[place[k]],
+                        })
+                        .product();
+                    want += weight * tangent[axis] * DVec3::from_slice(node) * half;
+                }
+            }
+            let got = b.tangents.unwrap().after;
+            assert!(
+                (got - want).length() < 1e-8 * want.length().max(1.0),
+                "{got} {want}"
+            );
+        }
+        // r = 1 at the low end and 0.5 at the high one, of which no half is taken.
+        let taper = Deformation::new("taper", &[0.0, 1.0, 0.5]).unwrap();
+        let new = changed(&old, deform(&old, &all, &taper, None, false).unwrap());
+        let middle = (bounds.max() + bounds.min()) / 2.0;
+        for (a, b) in old.points.iter().zip(&new.points) {
+            let tangent = a.tangents.unwrap().after;
+            let r = 0.75 - 0.25 * bounds.coordinates(a.position).x;
+            let rate = -0.25 / half.x * tangent.x;
+            let mut want = r * tangent + rate * (a.position - middle);
+            want.x = tangent.x;
+            let got = b.tangents.unwrap().after;
+            assert!(
+                (got - want).length() < 1e-8 * want.length().max(1.0),
+                "{got} {want}"
+            );
+        }
+    }
+}
