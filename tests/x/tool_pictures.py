@@ -85,13 +85,13 @@ class Cells:
         with open(file, "w", encoding="utf-8") as out:
             out.write(f'''<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}">
 <style>
-svg {{ background: #fcfcfd }}
 text {{ font: 13px sans-serif; fill: #20242c }}
 polyline {{ fill: none }}
 .floor {{ stroke: #d4d8e0 }} .before {{ stroke: #9aa2b0; stroke-width: 1.4 }}
 .after {{ stroke: #c65b00; stroke-width: 2 }} .view {{ stroke: #0a62c4 }}
 .begin {{ fill: #c65b00 }} .dot {{ fill: #6b7484 }}
 </style>
+<rect width="100%" height="100%" fill="#fcfcfd"/>
 ''' + "\n".join(self.cells) + "\n</svg>\n")
 
 
@@ -133,13 +133,13 @@ def main(vides, picture):
         ):
             cells.add(name, cells.made(name, *arguments), way)
         lattice = [c for k in range(4) for j in range(4) for i in range(4)
-                   for c in ((i - 1.5) / 1.5, (j - 1.5) / 1.5 + (2.5 if i in (1, 2) else 0),
+                   for c in ((i - 1.5) / 1.5, (j - 1.5) / 1.5 + (1.5 if i in (1, 2) else 0),
                              (k - 1.5) / 1.5)]
         for name, arguments in (
                 ("taper", ("taper", "0", "1", "0.3")), ("bulge", ("taper", "0", "2")),
-                ("twist", ("twist", "0", "180")), ("bend", ("bend", "0", "120")),
+                ("twist", ("twist", "0", "180")), ("bend", ("bend", "2", "120")),
                 ("free form", ("free-form", *map(str, lattice)))):
-            before = way if name in ("bulge", "bend") else high
+            before = way if name == "bulge" else high
             cells.add(name, cells.made(name, "deform", before, *arguments), before)
         block = cells.made("block", "extract", way, "--points", "2-4")
         cells.add("extract", block, way)
@@ -153,7 +153,7 @@ def main(vides, picture):
         cells.add("repeat", cells.made("repeat", "repeat", step, "3"), step)
         other = cells.made("other", "transform", way, "--mirror", "z")
         cells.add("blend", cells.made("blend", "blend", way, other, "--weights", "0.6,0.4"), way)
-        # cells.add("frames", cells.made("frames", "frames", way, "60"))
+        cells.add("frames", cells.made("frames", "frames", way, "60"))
         poses = os.path.join(folder, "recorded.txt")
         places = recorded(poses, True)
         fitted = cells.made("fit", "fit", poses, "--tolerance", "0.02", "--angle", "1")

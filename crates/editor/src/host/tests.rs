@@ -6,6 +6,7 @@ use glam::DQuat;
 
 use super::*;
 use crate::document::Document;
+use crate::path::UpVector;
 use crate::setup::Theme;
 use crate::space::Camera;
 use crate::tests::{
@@ -135,6 +136,15 @@ fn a_view_is_taken_over_as_it_is() {
             zoom: 24.0 + n as f64,
         };
         let replace = n % 2 == 1;
+        // Whatever was up there before.
+        let ups = [
+            UpVector::Axis,
+            UpVector::Minimal,
+            UpVector::Point(DVec3::new(0.3, 0.9, -0.2)),
+        ];
+        let context = window.ctx.clone();
+        let other = Action::SetUp(ups[n / 2 % 3].clone());
+        window.state_mut().act(other, &context);
         let old = window.state().document.selection();
         window.state_mut().take_over(Some(&given), replace);
         window.run();

@@ -1,8 +1,10 @@
 //! The panels (thesis A.4.1, A.4.2, A.4.4), sentence by sentence.
 
+use egui_kittest::kittest::NodeT as _;
+
 use crate::document::Selection;
 use crate::limits;
-use crate::path::{CurveParameters, Tcb};
+use crate::path::{CurveParameters, Tcb, UpVector};
 use crate::tests::*;
 
 fn selection(window: &Window) -> Selection {
@@ -427,6 +429,51 @@ fn the_camera_looks_along_the_way_until_it_is_aimed() {
         let pose = poses(window.state())[end - 1];
         let [position, view] = [pose.vrp, pose.vpn].map(DVec3::from);
         assert!(view.abs_diff_eq(-position.normalize(), 1e-9));
+    }
+}
+
+#[test]
+fn which_way_is_up_is_chosen_in_a_menu() {
+    for language in [Language::English, Language::German] {
+        let texts = &language.texts().orientation;
+        let mut window = window(language);
+        let up = |window: &Window| window.state().orientation().unwrap().own.up.clone();
+        let pose = |window: &Window| poses(window.state())[0];
+        let before = pose(&window);
+        let choose = |window: &mut Window, from: &str, to: &str| {
+            let menu = fill(texts.up, &[&""]);
+            let shown = window.get_by_label(menu.trim_end());
+            assert_eq!(shown.accesskit_node().value().as_deref(), Some(from));
+            click(window, menu.trim_end());
+            click(window, to);
+        };
+        choose(&mut window, texts.up_axis, texts.up_place);
+        assert!(matches!(up(&window), UpVector::Point(_)));
+        // The point that it begins with leaves the picture as it is.
+        for (a, b) in before.vup.iter().zip(pose(&window).vup) {
+            assert!((a - b).abs() < 1e-9);
+        }
+        // The camera of the first point is rolled until its picture's up leads there.
+        enter(&mut window, &fill(texts.up_at, &[&"x"]), "0.9");
+        let UpVector::Point(place) = up(&window) else {
+            panic!("{:?}", up(&window));
+        };
+        assert_eq!(place.x, 0.9);
+        let [position, view, seen] =
+            [pose(&window).vrp, pose(&window).vpn, pose(&window).vup].map(DVec3::from);
+        let wanted = (place - position).reject_from(view).normalize();
+        assert!(seen.abs_diff_eq(wanted, 1e-9));
+        choose(&mut window, texts.up_place, texts.up_minimal);
+        assert_eq!(up(&window), UpVector::Minimal);
+        // A curve of this kind has no normal to go by: that is said, and nothing changes.
+        choose(&mut window, texts.up_minimal, texts.up_frenet);
+        assert_eq!(up(&window), UpVector::Minimal);
+        assert!(said(&window).is_some_and(|said| said.contains("minimal")));
+        choose(&mut window, texts.up_minimal, texts.up_axis);
+        assert_eq!(up(&window), UpVector::Axis);
+        for (a, b) in before.vup.iter().zip(pose(&window).vup) {
+            assert!((a - b).abs() < 1e-9);
+        }
     }
 }
 

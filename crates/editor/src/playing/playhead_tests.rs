@@ -5,6 +5,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 use super::*;
+use crate::actions::Action;
 use crate::path::{Space, SupportPoint, Up};
 use crate::space::tests::{editor, motion, press, pyramid, pyramid_window, release, tap, window};
 use crate::tests::poses;
@@ -346,4 +347,48 @@ fn whoever_types_stops_the_flight() {
     assert_eq!(harness.state().point().unwrap().position.y, 0.9);
     assert_same(&others(&harness, Some(at)), &before);
     assert!(frame > 1.0);
+}
+
+#[test]
+fn beside_the_keys_a_key_with_another_up_shows_what_it_becomes() {
+    for up in [
+        UpVector::Minimal,
+        UpVector::Point(DVec3::new(0.4, 3.0, 0.3)),
+    ] {
+        let mut harness = pyramid_window();
+        let context = harness.ctx.clone();
+        let count = harness.state().document.path().points.len();
+        for point in 0..count {
+            let document = &mut harness.state_mut().document;
+            document.select(point, 0).unwrap();
+            let action = Action::SetUp(up.clone());
+            harness.state_mut().act(action, &context);
+        }
+        let frame = on_the_way(&harness);
+        harness.state_mut().scrub(frame);
+        harness.run();
+        let pose = |harness: &Harness<'_, Editor>| {
+            let sampler = harness.state().document.sampler().unwrap();
+            sampler.pose(frame).unwrap()
+        };
+        let before = pose(&harness);
+        let shown = harness.state().shown().unwrap();
+        assert_eq!(shown.missing, Missing::Point);
+        assert_eq!(shown.orientation.own.up.name(), up.name());
+        harness.state_mut().act(Action::AddHere, &context);
+        harness.run();
+        // The key that comes has what was shown, and the picture stays.
+        let made = harness.state().orientation().unwrap();
+        assert_eq!(made.own.up.name(), up.name());
+        // As near as an insertion keeps views.
+        let off = made.roll - shown.orientation.roll;
+        assert!(off.abs() < 0.1, "{off}");
+        let after = pose(&harness);
+        for (a, b) in before.vup.iter().zip(after.vup) {
+            assert!((a - b).abs() < 2e-3, "{} {before:?} {after:?}", up.name());
+        }
+        for (a, b) in before.vrp.iter().zip(after.vrp) {
+            assert!((a - b).abs() < 1e-3);
+        }
+    }
 }
