@@ -109,6 +109,7 @@ impl SpeedWindow {
                 name: &fill(texts.way_key, &[&(at + 1)]),
                 value: 100.0 * key[1],
                 words: fill(texts.way_at, &[&way, &time]),
+                rises: true,
                 cursor: CursorIcon::Move,
             };
             let moved = handle.show(&mut self.held, ui, frame.rect, actions);

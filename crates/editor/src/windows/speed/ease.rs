@@ -60,6 +60,7 @@ pub(super) fn corners(
                 texts.percent,
                 &[&editor.language().number(100.0 * share, 1)],
             ),
+            rises: false,
             cursor: CursorIcon::ResizeHorizontal,
         };
         let moved = handle.show(held, ui, frame.rect, actions);

@@ -231,6 +231,8 @@ pub(super) struct Handle<'a> {
     pub(super) value: f64,
     /// What stands beside it while somebody deals with it.
     pub(super) words: String,
+    /// They stand at its left: it lies on a curve that rises.
+    pub(super) rises: bool,
     pub(super) cursor: CursorIcon,
 }
 
@@ -313,12 +315,16 @@ impl Handle<'_> {
             StrokeKind::Outside,
         );
         if lively {
-            let (away, align) = if self.middle.y - within.top() > 26.0 {
-                (-10.0, Align2::CENTER_BOTTOM)
+            let Pos2 { x, y } = self.middle;
+            let (at, align) = if self.rises {
+                let at = pos2(x - 8.0, y - 4.0);
+                let nearest = within.min + vec2(104.0, 16.0);
+                (at.max(nearest), Align2::RIGHT_BOTTOM)
+            } else if y - within.top() > 26.0 {
+                (pos2(x, y - 10.0), Align2::CENTER_BOTTOM)
             } else {
-                (10.0, Align2::CENTER_TOP)
+                (pos2(x, y + 10.0), Align2::CENTER_TOP)
             };
-            let at = self.middle + vec2(0.0, away);
             let text = self.words;
             ui.painter()
                 .text(at, align, text, theme::text(), palette.text);

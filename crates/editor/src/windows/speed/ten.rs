@@ -32,6 +32,7 @@ pub(super) fn squares(
             name: &fill(editor.texts().speed_window.speed, &[&(at + 1)]),
             value: speed,
             words: editor.language().number(speed, 1),
+            rises: false,
             cursor: CursorIcon::ResizeVertical,
         };
         let moved = handle.show(held, ui, frame.rect, actions);
