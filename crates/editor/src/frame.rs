@@ -42,6 +42,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let mut actions = Vec::from_iter(editor.waiting.take());
     if !editor.windows.ask() {
         points_list::take_keys(editor, &context);
+        windows::take_keys(editor, &context);
         actions.extend(keys::pressed(&context));
     }
     if !actions.is_empty() {

@@ -8,8 +8,8 @@ use egui::{
 use super::{Key, heading, keys};
 use crate::actions::Action;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
-use crate::path::speed_curve::{INTERVALS, SpeedCurve};
-use crate::path::{Change, Section};
+use crate::path::speed_curve::INTERVALS;
+use crate::path::{Change, Orientation, Pace, Section, Timing};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -21,16 +21,21 @@ const HEIGHTS: (f32, f32) = (36.0, 112.0);
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, height: f32, actions: &mut Vec<Action>) {
     let texts = &editor.texts().speed;
-    let (curve, section) = current(editor);
+    let (timing, section) = current(editor);
     let words = section.map_or_else(|| texts.end.to_owned(), |section| frames(editor, section));
     heading(ui, texts.heading, &words);
     let height = (height - OTHERS).clamp(HEIGHTS.0, HEIGHTS.1);
-    let speeds = editor.orientation().map(|current| current.speeds);
+    let orientation = editor.orientation();
+    let goes_by_ten =
+        |current: &&Orientation| matches!(current.own.pace, Pace::Speeds | Pace::Part(_));
+    let speeds = orientation
+        .filter(goes_by_ten)
+        .map(|current| current.speeds);
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), height.floor()), Sense::click());
-    paint(ui, rect, &response, curve.as_ref(), speeds.as_ref());
+    paint(ui, rect, &response, timing.as_ref(), speeds.as_ref());
     if let Some(section) = section {
-        let (place, align) = if speeds.is_some_and(begins_low) {
+        let (place, align) = if timing.as_ref().is_some_and(begins_low) {
             (rect.left_top() + vec2(6.0, 4.0), Align2::LEFT_TOP)
         } else {
             (rect.left_bottom() + vec2(6.0, -4.0), Align2::LEFT_BOTTOM)
@@ -49,33 +54,30 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, height: f32, actions: &mut Vec<
 }
 
 /// Whether there is more room above the first speeds than below them.
-fn begins_low(speeds: [f64; SPEEDS]) -> bool {
-    let first = &speeds[..SPEEDS / 3 + 1];
-    let highest = first.iter().copied().fold(MIN_SPEED, f64::max);
-    let lowest = first.iter().copied().fold(MAX_SPEED, f64::min);
+fn begins_low(timing: &Timing) -> bool {
+    let first = (0..=SPEEDS / 3).map(|at| timing.speed(at as f64 / INTERVALS as f64));
+    let (lowest, highest) = first.fold((MAX_SPEED, MIN_SPEED), |(low, high), speed| {
+        (speed.min(low), speed.max(high))
+    });
     MAX_SPEED - highest > lowest - MIN_SPEED
 }
 
-/// The speed curve that belongs to the current orientation, and its section;
-/// the last orientation of an open path begins none.
-fn current(editor: &Editor) -> (Option<SpeedCurve>, Option<Section>) {
+/// The pace that belongs to the current orientation, and its section; the last
+/// orientation of an open path begins none.
+fn current(editor: &Editor) -> (Option<Timing>, Option<Section>) {
     let selection = editor.document.selection();
     let path = editor.document.path();
     let found = editor.document.timeline(|timeline| {
         let section = timeline.section_from(selection.point, selection.orientation)?;
-        Some((
-            timeline.speed_curve(path, section),
-            timeline.section(section),
-        ))
+        let timing = timeline.timing(path, section).ok()?;
+        Some((timing, timeline.section(section)))
     });
     match found {
-        Ok(Some((curve, section))) => (Some(curve), Some(section)),
+        Ok(Some((timing, section))) => (Some(timing), Some(section)),
         _ => {
-            let speeds = editor.orientation().map(|current| current.speeds);
-            (
-                speeds.map(|speeds| SpeedCurve::new(&speeds, None, None)),
-                None,
-            )
+            let orientation = editor.orientation();
+            let timing = orientation.and_then(|new| Timing::new(new, None, None).ok());
+            (timing, None)
         }
     }
 }
@@ -131,7 +133,7 @@ fn paint(
     ui: &Ui,
     rect: Rect,
     response: &Response,
-    curve: Option<&SpeedCurve>,
+    timing: Option<&Timing>,
     speeds: Option<&[f64; SPEEDS]>,
 ) {
     let palette = theme::palette(ui);
@@ -159,11 +161,11 @@ fn paint(
     };
     let (left, right) = (place(0.0, BASE_SPEED), place(1.0, BASE_SPEED));
     painter.line_segment([left, right], Stroke::new(1.0, palette.line));
-    if let Some(curve) = curve {
+    if let Some(timing) = timing {
         let pieces = INTERVALS * 8;
         let line = (0..=pieces).map(|piece| {
             let u = piece as f64 / pieces as f64;
-            place(u, curve.speed(u))
+            place(u, timing.speed(u).min(MAX_SPEED))
         });
         painter.add(Shape::line(
             line.collect(),

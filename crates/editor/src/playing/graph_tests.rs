@@ -115,6 +115,40 @@ fn with_shift_all_behind_a_border_moves_along_and_escape_takes_it_back() {
 }
 
 #[test]
+fn where_there_are_no_ten_speeds_none_are_dragged() {
+    let mut harness = pyramid_window();
+    harness.state_mut().document.select(2, 0).unwrap();
+    harness.step();
+    assert!(harness.query_by_label("Speed 4").is_some());
+    let ease = path::Ease {
+        kind: path::EaseKind::Parabolic,
+        rise: 0.25,
+        fall: 0.0,
+        cruise: 50.0,
+    };
+    let way = [[0.0, 0.0], [0.5, 0.2], [1.0, 1.0]].as_slice();
+    for pace in [path::Pace::Ease(ease), path::Pace::Distance(way.into())] {
+        let set = |own: &mut path::Own| own.pace = pace.clone();
+        harness
+            .state_mut()
+            .set_orientation(|new| new.own = new.own.with(set).unwrap());
+        harness.step();
+        harness.step();
+        assert!(harness.query_by_label("Speed 4").is_none(), "{pace:?}");
+    }
+    // The graph shows the pace itself: a fifth of the way in the first half.
+    let stretches = &harness.state().playing.marks.graph.stretches;
+    let selection = harness.state().document.selection();
+    let shown = stretches.iter().find(|stretch| stretch.from == selection);
+    let speeds = shown.unwrap().speeds;
+    let way = |pieces: std::ops::Range<usize>| -> f32 {
+        pieces.map(|at| speeds[at] + speeds[at + 1]).sum()
+    };
+    let half = way(0..PIECES / 2) / way(0..PIECES);
+    assert!((half - 0.2).abs() < 0.005, "{half}");
+}
+
+#[test]
 fn a_speed_of_the_current_section_is_dragged_up_and_down() {
     let mut harness = pyramid_window();
     harness.state_mut().document.select(2, 0).unwrap();

@@ -110,6 +110,14 @@ fn sub_windows_leave_the_movement_window_to_be_seen() {
             let hidden = at.intersect(space).area() / space.area();
             assert!(hidden < 0.5, "{id} hides {hidden} of the movement window");
             check_nothing_is_cut_off(&window, id);
+            if id == "speed" {
+                let speed = &texts.speed_window;
+                for pace in [speed.distance, speed.sine, speed.parabolic] {
+                    click(&mut window, &format!("{}: {pace}", speed.pace));
+                    check_nothing_is_cut_off(&window, pace);
+                }
+                click(&mut window, &format!("{}: {}", speed.pace, speed.ten));
+            }
             let title = at.center_top() + vec2(0.0, 14.0);
             window.hover_at(title);
             window.run();

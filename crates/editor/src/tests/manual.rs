@@ -142,7 +142,7 @@ fn the_closing_cross_has_a_name_in_the_windows_language() {
 }
 
 /// Whether the pointer is told this that rests on what has this label.
-fn tip(window: &mut Window, label: &str, hint: &str) -> bool {
+pub(crate) fn tip(window: &mut Window, label: &str, hint: &str) -> bool {
     let node = window.get_all_by_label(label).last().expect("a label");
     let at = node.rect().center();
     assert!(window.query_by_label(hint).is_none(), "{hint}");

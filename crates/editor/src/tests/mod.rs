@@ -11,6 +11,7 @@ pub(crate) use egui_kittest::Harness;
 pub(crate) use egui_kittest::kittest::Queryable;
 pub(crate) use glam::DVec3;
 
+pub(crate) use self::manual::tip;
 pub(crate) use crate::document::{Document, Edit};
 pub(crate) use crate::path::{Orientation, Pose, Target};
 pub(crate) use crate::setup::Theme;

@@ -40,6 +40,14 @@ texts! {
         d_meaning: "Open the menu Output, then write to a file",
             "Menü Ausgabe öffnen, dann in Datei ausgeben";
 
+        squares: "Drag a square, arrow keys", "Quadrat ziehen, Pfeiltasten";
+        squares_meaning: "Change the pace of the section; Shift: ten times finer when dragged, ten steps by keys",
+            "Tempo des Abschnitts ändern; Umschalt: gezogen zehnmal feiner, mit Tasten zehn Schritte";
+        on_way: "Click on the curve of a distance", "Klick auf die Kurve eines Weges";
+        on_way_meaning: "A new key of the distance", "Ein neuer Schlüssel des Weges";
+        way_key: "Right click on its key, Delete", "Rechtsklick auf dessen Schlüssel, Entf";
+        way_key_meaning: "Remove the key", "Schlüssel entfernen";
+
         fields: "Numbers", "Zahlen";
         drag: "Drag", "Ziehen";
         drag_meaning: "Change the value; Shift: ten times finer",

@@ -17,6 +17,61 @@ texts! {
         locked_hint: "Keeps its frames where the whole path gets another number of frames or seconds",
             "Behält seine Bilder, wenn die ganze Bahn eine andere Zahl von Bildern oder Sekunden bekommt";
         nothing_changes: "Nothing changes: no frames", "Nichts ändert sich: keine Bilder";
+        pace: "Pace", "Tempo";
+        ten: "Ten speeds", "Zehn Werte";
+        ten_hint: "Ten speeds from the start of the section to its end",
+            "Zehn Geschwindigkeiten vom Anfang des Abschnitts bis zum Ende";
+        sine: "Sine", "Sinus";
+        sine_hint: "Speeds up, cruises and slows down as a sine does; the section takes as long as before, as far as speed 100 will do",
+            "Fährt an, fährt gleichmäßig und bremst ab, wie ein Sinus verläuft; der Abschnitt dauert so lange wie bisher, soweit Geschwindigkeit 100 dafür reicht";
+        parabolic: "Parabolic", "Parabel";
+        parabolic_hint: "Speeds up, cruises and slows down evenly, so that the way is a parabola; the section takes as long as before, as far as speed 100 will do",
+            "Fährt an, fährt gleichmäßig und bremst ab, jeweils gleichförmig, sodass der Weg eine Parabel ist; der Abschnitt dauert so lange wie bisher, soweit Geschwindigkeit 100 dafür reicht";
+        distance: "Distance", "Weg";
+        distance_hint: "The way over time is given by keys, which begin on the present one; the section gets its present number of frames",
+            "Der Weg über der Zeit ist durch Schlüssel vorgegeben, die auf dem jetzigen liegen; der Abschnitt bekommt seine jetzige Zahl von Bildern";
+        graph: "Graph", "Kurve";
+        graph_speed: "Speed", "Geschwindigkeit";
+        graph_speed_hint: "The speed over the time of this section; 50 is that of the base frames",
+            "Die Geschwindigkeit über der Zeit dieses Abschnitts; 50 ist die der Grundbilder";
+        graph_distance: "Distance", "Weg";
+        graph_distance_hint: "The way gone over the time of this section, in percent",
+            "Der zurückgelegte Weg über der Zeit dieses Abschnitts, in Prozent";
+        graph_acceleration: "Acceleration", "Beschleunigung";
+        graph_acceleration_hint: "By how much the speed changes in a second, over the time of this section",
+            "Um wie viel sich die Geschwindigkeit in einer Sekunde ändert, über der Zeit dieses Abschnitts";
+
+        rise: "Speeding up", "Anfahren";
+        rise_hint: "Share of the time for speeding up; together with slowing down at most 100 %",
+            "Anteil der Zeit zum Anfahren; zusammen mit dem Abbremsen höchstens 100 %";
+        fall: "Slowing down", "Abbremsen";
+        fall_hint: "Share of the time for slowing down; together with speeding up at most 100 %",
+            "Anteil der Zeit zum Abbremsen; zusammen mit dem Anfahren höchstens 100 %";
+        cruise: "Cruising speed", "Reisetempo";
+        cruise_hint: "The speed between speeding up and slowing down, 1 to 100",
+            "Die Geschwindigkeit zwischen Anfahren und Abbremsen, 1 bis 100";
+        rise_end: "End of speeding up", "Ende des Anfahrens";
+        fall_start: "Start of slowing down", "Beginn des Abbremsens";
+        percent: "{0} %", "{0} %";
+
+        way_graph: "Way over time", "Weg über der Zeit";
+        way_graph_hint: "Drag a key; a click on the curve adds one, a right click or Delete removes one; Shift: ten times finer",
+            "Schlüssel ziehen; ein Klick auf die Kurve fügt einen ein, ein Rechtsklick oder Entf entfernt einen; Umschalt: zehnmal feiner";
+        way_key: "Key {0}", "Schlüssel {0}";
+        way_at: "{0} % at {1} %", "{0} % bei {1} %";
+        which_key: "Key {0} of {1}", "Schlüssel {0} von {1}";
+        key_time: "Time", "Zeit";
+        key_time_hint: "When the key is reached: share of the section's time",
+            "Wann der Schlüssel erreicht wird: Anteil an der Zeit des Abschnitts";
+        key_way: "Way", "Weg";
+        key_way_hint: "How far the camera has come then: share of the section's way",
+            "Wie weit die Kamera dann gekommen ist: Anteil am Weg des Abschnitts";
+        new_key: "New key", "Neuer";
+        new_key_hint: "One more key on the curve, where two are farthest apart in time",
+            "Ein weiterer Schlüssel auf der Kurve, wo zwei zeitlich am weitesten auseinanderliegen";
+        remove_key: "Remove", "Entfernen";
+        remove_key_hint: "Remove this key", "Diesen Schlüssel entfernen";
+
         speed: "Speed {0}", "Geschwindigkeit {0}";
 
         constant: "Constant", "Gleichmäßig";

@@ -59,7 +59,7 @@ impl SubWindow for HelpWindow {
 /// Keys or what a hand does, and the meaning.
 type Row = (String, Cow<'static, str>);
 
-fn sections(language: Language) -> [(&'static str, Vec<Row>); 4] {
+fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
     let texts = &language.texts().help;
     let row = |keys: &str, meaning: &'static str| (keys.to_owned(), meaning.into());
     let plain = |key| combination(language, Modifiers::NONE, key);
@@ -105,10 +105,16 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 4] {
         row(texts.up_down, texts.up_down_meaning),
         row(texts.tab, texts.tab_meaning),
     ];
+    let speed = vec![
+        row(texts.squares, texts.squares_meaning),
+        row(texts.on_way, texts.on_way_meaning),
+        row(texts.way_key, texts.way_key_meaning),
+    ];
     [
         (texts.mouse, mouse),
         (texts.shortcuts, shortcuts),
         (texts.menus, menus),
+        (language.texts().speed_window.title, speed),
         (texts.fields, fields),
     ]
 }

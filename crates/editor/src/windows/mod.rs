@@ -116,6 +116,14 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_slot(editor, context, |open| &mut open.changed, Question::show);
 }
 
+/// The keys that belong to what has the keyboard in one of them; nobody else sees them
+/// then.
+pub(super) fn take_keys(editor: &mut Editor, context: &egui::Context) {
+    if let Some(window) = &mut editor.windows.speed {
+        window.take_keys(context);
+    }
+}
+
 impl Windows {
     /// Another path is open: what waits was meant for the old one.
     pub(super) fn path_replaced(&mut self) {

@@ -133,6 +133,24 @@ impl Ease {
     pub fn speed(&self, t: f64) -> f64 {
         self.cruise * self.shape(t)
     }
+
+    /// Derivative of [`Self::speed`] at the share `t` of the time; where a rise ends it is
+    /// over, where a fall begins it has not begun.
+    #[must_use]
+    pub fn acceleration(&self, t: f64) -> f64 {
+        let (x, change) = if t < self.rise {
+            (t / self.rise, 1.0 / self.rise)
+        } else if 1.0 - t < self.fall {
+            ((1.0 - t) / self.fall, -1.0 / self.fall)
+        } else {
+            return 0.0;
+        };
+        let slope = match self.kind {
+            EaseKind::Sine => FRAC_PI_2 * (x * FRAC_PI_2).cos(),
+            EaseKind::Parabolic => 1.0,
+        };
+        self.cruise * slope * change
+    }
 }
 
 #[cfg(test)]
@@ -233,6 +251,11 @@ mod tests {
         }
         assert!((ease(EaseKind::Sine).slope(0.5) - FRAC_PI_2).abs() < 1e-15);
         assert_eq!(ease(EaseKind::Parabolic).slope(0.5), 2.0);
+        // Of a way of 1 in a time of 1: the parabola's is 4, the sine's π²/2 at the start.
+        let [sine, parabola] = [EaseKind::Sine, EaseKind::Parabolic].map(ease);
+        assert_eq!(parabola.acceleration(0.2) / parabola.mean(), 4.0);
+        assert_eq!(parabola.acceleration(0.7) / parabola.mean(), -4.0);
+        assert!((sine.acceleration(0.0) / sine.mean() - PI * PI / 2.0).abs() < 1e-14);
         assert_eq!(ease(EaseKind::Sine).slope(0.0), 0.0);
         assert!(ease(EaseKind::Sine).slope(1.0).abs() < 1e-15);
     }

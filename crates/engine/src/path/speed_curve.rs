@@ -76,6 +76,14 @@ impl SpeedCurve {
         (((c[3] * x + c[2]) * x + c[1]) * x + c[0]).clamp(MIN_SPEED, MAX_SPEED)
     }
 
+    /// v′(u), u in [0, 1]; where two intervals meet, that of the later one.
+    #[must_use]
+    pub fn acceleration(&self, u: f64) -> f64 {
+        let (i, x) = interval(u);
+        let c = &self.speed[i];
+        ((3.0 * c[3] * x + 2.0 * c[2]) * x + c[1]) * INTERVALS as f64
+    }
+
     /// f(u) = ∫₀ᵘv / ∫₀¹v, u in [0, 1]; exact at both ends.
     #[must_use]
     pub fn fraction(&self, u: f64) -> f64 {

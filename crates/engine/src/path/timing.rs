@@ -110,6 +110,17 @@ impl Course {
             }
         }
     }
+
+    fn acceleration(&self, u: f64) -> f64 {
+        match self {
+            Self::Curve(curve) => curve.acceleration(u),
+            Self::Ease(ease) => ease.acceleration(u),
+            Self::Distance(pieces) => {
+                let (DistancePiece { length, way: c, .. }, x) = piece_at(pieces, u);
+                BASE_SPEED * (6.0 * c[3] * x + 2.0 * c[2]) / (length * length)
+            }
+        }
+    }
 }
 
 impl Timing {
@@ -227,6 +238,13 @@ impl Timing {
         self.course.speed(self.at(u))
     }
 
+    /// Derivative of [`Self::speed`] at the share `u` of the time, in closed form; where it
+    /// jumps, its value behind that place.
+    #[must_use]
+    pub fn acceleration(&self, u: f64) -> f64 {
+        self.course.acceleration(self.at(u)) * (self.to - self.from)
+    }
+
     /// All that makes it what it is.
     pub(super) fn each_number(&self, see: &mut dyn FnMut([f64; 4])) {
         match &self.course {
@@ -281,8 +299,8 @@ pub fn facing(orientation: &Orientation) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::path::own;
     use crate::path::test_support::Random;
+    use crate::path::{EaseKind, own};
 
     fn with(pace: Pace) -> Orientation {
         let own = Orientation::default().own.with(|own| own.pace = pace);
@@ -322,6 +340,81 @@ mod tests {
                 let second = whole.fraction(cut + (1.0 - cut) * u) - whole.fraction(cut);
                 assert!((b.fraction(u) * rest - second).abs() < 1e-14);
                 assert!((a.speed(u) - whole.speed(cut * u)).abs() < 1e-12);
+            }
+        }
+    }
+
+    /// Between the places where it jumps, the mean of the acceleration (five nodes of Gauss
+    /// and Legendre) is the change of the speed.
+    #[test]
+    fn the_speed_is_the_integral_of_the_acceleration() {
+        const NODES: [(f64, f64); 5] = [
+            (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
+            (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
+            (0.0, 0.568_888_888_888_888_9),
+            (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
+            (0.906_179_845_938_664, 0.236_926_885_056_189_1),
+        ];
+        let ease = |kind| Ease {
+            kind,
+            rise: 0.3,
+            fall: 0.45,
+            cruise: 70.0,
+        };
+        let speeds = [3.0, 60.0, 100.0, 1.0, 1.0, 55.0, 20.0, 70.0, 90.0, 5.0];
+        let whole = Whole::Speeds {
+            speeds,
+            before: Some(40.0),
+            after: None,
+        };
+        let keys = [[0.0, 0.0], [0.2, 0.05], [0.5, 0.7], [0.9, 0.8], [1.0, 1.0]];
+        let part = |of| {
+            Pace::Part(PacePart {
+                of,
+                from: 0.0,
+                to: 0.5,
+            })
+        };
+        let ninths: Vec<f64> = (0..=9).map(|i| f64::from(i) / 9.0).collect();
+        let halves: Vec<f64> = ninths
+            .iter()
+            .map(|u| 2.0 * u)
+            .filter(|&u| u <= 1.0)
+            .collect();
+        for (pace, jumps) in [
+            (Pace::Ease(ease(EaseKind::Sine)), vec![0.0, 0.3, 0.55, 1.0]),
+            (
+                Pace::Ease(ease(EaseKind::Parabolic)),
+                vec![0.0, 0.3, 0.55, 1.0],
+            ),
+            (
+                own::distance(&keys).unwrap(),
+                keys.map(|key| key[0]).to_vec(),
+            ),
+            (part(whole), halves),
+            (Pace::Speeds, ninths),
+        ] {
+            let orientation = Orientation {
+                speeds,
+                ..with(pace.clone())
+            };
+            let timing = Timing::new(&orientation, Some(40.0), None).unwrap();
+            for pair in jumps.windows(2) {
+                // Pieces of it, so that the sine is a polynomial to rounding.
+                for piece in 0..4 {
+                    let at = |part: i32| pair[0] + (pair[1] - pair[0]) * f64::from(part) / 4.0;
+                    let (from, to) = (at(piece) + 1e-13, at(piece + 1) - 1e-13);
+                    let (middle, half) = (f64::midpoint(from, to), (to - from) / 2.0);
+                    let change: f64 = NODES
+                        .iter()
+                        .map(|(x, weight)| half * weight * timing.acceleration(middle + half * x))
+                        .sum();
+                    let found = timing.speed(to) - timing.speed(from);
+                    assert!(
+                        (found - change).abs() < 1e-9,
+                        "{pace:?} {from}: {found} {change}"
+                    );
+                }
             }
         }
     }

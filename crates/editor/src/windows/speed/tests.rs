@@ -7,7 +7,7 @@ use egui_kittest::kittest::NodeT;
 use crate::screenshots::screenshot;
 use crate::tests::*;
 
-fn opened(language: Language) -> Window {
+pub(super) fn opened(language: Language) -> Window {
     opened_with(language, language.texts().speed.change)
 }
 
@@ -22,7 +22,7 @@ fn square(window: &Window, at: usize) -> Pos2 {
     square.rect().center()
 }
 
-fn drag(window: &mut Window, from: Pos2, way: egui::Vec2) {
+pub(super) fn drag(window: &mut Window, from: Pos2, way: egui::Vec2) {
     window.hover_at(from);
     window.run();
     window.drag_at(from);

@@ -1,0 +1,233 @@
+//! A section whose way over time is given: its keys as squares to be dragged in the
+//! picture, and as numbers.
+
+use egui::{Button, CursorIcon, Id, Key, Modifiers, Rect, Sense, Ui, Vec2, WidgetInfo, pos2};
+
+use super::graph::{Frame, Handle};
+use super::{Section, SpeedWindow, entered};
+use crate::actions::Action;
+use crate::number::Number;
+use crate::path::{Orientation, Pace, Timing};
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
+
+/// Keys of the way: share of the time, share of the way.
+pub(super) type Keys = [[f64; 2]];
+
+/// So far from the curve a click means it.
+const NEAR: f32 = 10.0;
+
+/// Keys that are dragged keep so far apart, in time and in way.
+const APART: f64 = 0.002;
+
+/// A way is given by keys after so many equal parts of the time: by as few as are
+/// near it, in shares of the way, everywhere.
+const PARTS: [usize; 8] = [1, 2, 3, 4, 6, 9, 12, 18];
+const NEAR_IT: f64 = 0.002;
+
+/// A few keys that are near the way of a section, and exactly on it where they stand.
+pub(super) fn sampled(timing: &Timing) -> Vec<[f64; 2]> {
+    let mut keys = Vec::new();
+    for parts in PARTS {
+        let times = (0..=parts).map(|part| part as f64 / parts as f64);
+        keys = times.map(|time| [time, timing.fraction(time)]).collect();
+        let mut orientation = Orientation::default();
+        super::pace::set(&mut orientation, Pace::Distance(keys.as_slice().into()));
+        let Ok(now) = Timing::new(&orientation, None, None) else {
+            break;
+        };
+        let off = |u: f64| (now.fraction(u) - timing.fraction(u)).abs();
+        if (1..100).all(|u| off(f64::from(u) / 100.0) < NEAR_IT) {
+            break;
+        }
+    }
+    keys
+}
+
+fn set(editor: &Editor, keys: Vec<[f64; 2]>) -> Option<Action> {
+    let pace = Pace::Distance(keys.into());
+    let edit = editor.orientation_edit(|orientation| super::pace::set(orientation, pace));
+    edit.map(Action::Edit)
+}
+
+/// The keys with one of them at another place, as far as its neighbours leave room.
+fn with_key(keys: &Keys, at: usize, to: [f64; 2]) -> Vec<[f64; 2]> {
+    let mut new = keys.to_vec();
+    for (part, wanted) in to.into_iter().enumerate() {
+        let (low, high) = (keys[at - 1][part] + APART, keys[at + 1][part] - APART);
+        if low <= high {
+            new[at][part] = wanted.clamp(low, high);
+        }
+    }
+    new
+}
+
+impl SpeedWindow {
+    /// The squares of the keys; a click on the curve between them makes one more.
+    pub(super) fn keys(
+        &mut self,
+        editor: &Editor,
+        ui: &Ui,
+        frame: &Frame,
+        (section, keys): (&Section, &Keys),
+        actions: &mut Vec<Action>,
+    ) {
+        let texts = &editor.texts().speed_window;
+        let palette = theme::palette(ui);
+        let place = |[time, way]: [f64; 2]| pos2(frame.x(time), frame.y(100.0 * way));
+        // Drags too, or they would move the window.
+        let sense = Sense::click_and_drag();
+        let ground = ui.interact(frame.rect, Id::unique("way over time"), sense);
+        ground.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, texts.way_graph));
+        let on_curve = |pointer: egui::Pos2| {
+            let time = frame.time(pointer.x);
+            let key = [time, section.timing.fraction(time)];
+            (place(key).distance(pointer) < NEAR && time > 0.0 && time < 1.0).then_some(key)
+        };
+        if let Some(key) = ground.hover_pos().and_then(on_curve) {
+            ui.set_cursor_icon(CursorIcon::Crosshair);
+            frame.paint_fixed(ui.painter(), palette, place(key));
+        }
+        let clicked = ground.interact_pointer_pos().filter(|_| ground.clicked());
+        if let Some(key) = clicked.and_then(on_curve) {
+            actions.extend(self.add(editor, keys, key));
+        }
+        ground.on_hover_text(texts.way_graph_hint);
+        let mut removed = self.removed.take();
+        for (at, &key) in keys.iter().enumerate() {
+            let middle = place(key);
+            if at == 0 || at + 1 == keys.len() {
+                frame.paint_fixed(ui.painter(), palette, middle);
+                continue;
+            }
+            let [time, way] = key.map(|share| editor.language().number(100.0 * share, 1));
+            let handle = Handle {
+                id: key_id(at),
+                middle,
+                place: Rect::from_center_size(middle, Vec2::splat(20.0)),
+                name: &fill(texts.way_key, &[&(at + 1)]),
+                value: 100.0 * key[1],
+                words: fill(texts.way_at, &[&way, &time]),
+                rises: true,
+                cursor: CursorIcon::Move,
+            };
+            let moved = handle.show(&mut self.held, ui, frame.rect, actions);
+            let mut to = None;
+            if let Some((to_pos, fine)) = moved.to {
+                let scale = if fine { 1e4 } else { 1e3 };
+                let place = [frame.time(to_pos.x), frame.value(to_pos.y) / 100.0];
+                to = Some(place.map(|share| (share * scale).round() / scale));
+            }
+            if moved.steps != [0.0; 2] {
+                to = Some([0, 1].map(|part| key[part] + moved.steps[part] / 100.0));
+            }
+            if let Some(to) = to {
+                actions.extend(set(editor, with_key(keys, at, to)));
+            }
+            if moved.response.has_focus() {
+                self.key = at;
+            }
+            if moved.response.secondary_clicked() {
+                removed = Some(at);
+            }
+        }
+        if let Some(at) = removed {
+            actions.extend(self.remove(editor, keys, at));
+        }
+    }
+
+    fn add(&mut self, editor: &Editor, keys: &Keys, key: [f64; 2]) -> Option<Action> {
+        let mut keys = keys.to_vec();
+        self.key = keys.partition_point(|other| other[0] < key[0]);
+        keys.insert(self.key, key);
+        set(editor, keys)
+    }
+
+    fn remove(&mut self, editor: &Editor, keys: &Keys, at: usize) -> Option<Action> {
+        if at == 0 || at + 1 >= keys.len() {
+            return None;
+        }
+        let mut keys = keys.to_vec();
+        keys.remove(at);
+        set(editor, keys)
+    }
+
+    /// One key as numbers; new ones, and away with it.
+    pub(super) fn key_numbers(
+        &mut self,
+        editor: &Editor,
+        ui: &mut Ui,
+        (section, keys): (&Section, &Keys),
+        actions: &mut Vec<Action>,
+    ) {
+        let texts = &editor.texts().speed_window;
+        let at = self.key.min(keys.len() - 1);
+        let fixed = at == 0 || at + 1 == keys.len();
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = theme::GAP;
+            let which = fill(texts.which_key, &[&(at + 1), &keys.len()]);
+            super::pace::label(ui, 112.0, &which);
+            let parts = [
+                (texts.key_time, texts.key_time_hint),
+                (texts.key_way, texts.key_way_hint),
+            ];
+            for (part, (name, hint)) in parts.into_iter().enumerate() {
+                let shown = (keys[at][part] * 1e11).round() / 1e9;
+                let range = if fixed {
+                    shown..=shown
+                } else {
+                    let apart = 100.0 * APART;
+                    let neighbours = [keys[at - 1][part], keys[at + 1][part]];
+                    let [low, high] = neighbours.map(|share| (share * 1e5).round() / 1e3);
+                    low + apart..=(high - apart).max(low + apart)
+                };
+                let number = Number::new(name, shown)
+                    .label(name)
+                    .hint(hint)
+                    .unit("\u{a0}%")
+                    .decimals(1)
+                    .range(range)
+                    .steps(1.0, 0.1)
+                    .fixed_if(fixed);
+                let id = format!("speed.key.{part}");
+                let entry = number.show(ui, editor.language(), &id, 104.0);
+                actions.extend(entered(editor, entry, |orientation, value| {
+                    let mut keys = keys.to_vec();
+                    keys[at][part] = value / 100.0;
+                    super::pace::set(orientation, Pace::Distance(keys.into()));
+                }));
+            }
+            if ui
+                .button(texts.new_key)
+                .on_hover_text(texts.new_key_hint)
+                .clicked()
+            {
+                let gap = |pair: &&[[f64; 2]]| pair[1][0] - pair[0][0];
+                let gaps = keys.windows(2);
+                let widest = gaps.max_by(|a, b| gap(a).total_cmp(&gap(b)));
+                let time = widest.map_or(0.5, |pair| f64::midpoint(pair[0][0], pair[1][0]));
+                let key = [time, section.timing.fraction(time)];
+                actions.extend(self.add(editor, keys, key));
+            }
+            let remove = ui.add_enabled(!fixed, Button::new(texts.remove_key));
+            if remove.on_hover_text(texts.remove_key_hint).clicked() {
+                actions.extend(self.remove(editor, keys, at));
+            }
+        });
+    }
+
+    /// Delete means the key that has the keyboard; nobody else sees it then.
+    pub(crate) fn take_keys(&mut self, context: &egui::Context) {
+        let focused = context.memory(|memory| memory.focused());
+        if focused == Some(key_id(self.key))
+            && context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Delete))
+        {
+            self.removed = Some(self.key);
+        }
+    }
+}
+
+fn key_id(at: usize) -> Id {
+    Id::unique(("distance key", at))
+}

@@ -1,0 +1,176 @@
+//! By what a section goes through its time, and what becomes of one such pace when
+//! another is chosen: the section takes as long as before, as far as that can be.
+
+use std::sync::Arc;
+
+use egui::{Button, Ui};
+
+use super::distance::sampled;
+use super::graph::Quantity;
+use super::{Section, SpeedWindow};
+use crate::actions::Action;
+use crate::document::Selection;
+use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED};
+use crate::path::{Ease, EaseKind, Orientation, Pace};
+use crate::state::Editor;
+use crate::theme;
+
+/// Shares of the time for speeding up and slowing down to begin with.
+const SHARE: f64 = 0.25;
+
+/// What can be chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// Also a part of another pace, since its ten speeds are near it.
+    Ten,
+    Ease(EaseKind),
+    Distance,
+}
+
+impl Kind {
+    fn of(pace: &Pace) -> Self {
+        match pace {
+            Pace::Speeds | Pace::Part(_) => Self::Ten,
+            Pace::Ease(ease) => Self::Ease(ease.kind),
+            Pace::Distance(_) => Self::Distance,
+        }
+    }
+
+    /// Such a pace with about this mean speed.
+    fn pace(self, section: &Section, mean: f64) -> Pace {
+        let kind = match self {
+            Self::Ten => return Pace::Speeds,
+            Self::Distance => return Pace::Distance(Arc::from(sampled(&section.timing))),
+            Self::Ease(kind) => kind,
+        };
+        let (rise, fall) = match section.pace {
+            Pace::Ease(ease) => (ease.rise, ease.fall),
+            _ => (SHARE, SHARE),
+        };
+        let mut ease = Ease {
+            kind,
+            rise,
+            fall,
+            cruise: 1.0,
+        };
+        let cruise = mean / ease.mean();
+        ease.cruise = (cruise * 10.0).round() / 10.0;
+        ease.cruise = ease.cruise.clamp(MIN_SPEED, MAX_SPEED);
+        Pace::Ease(ease)
+    }
+}
+
+/// Gives an orientation another pace. Without memory for it all stays as it is.
+pub(super) fn set(orientation: &mut Orientation, pace: Pace) {
+    if let Ok(own) = orientation.own.with(|own| own.pace = pace) {
+        orientation.own = own;
+    }
+}
+
+impl SpeedWindow {
+    /// Which pace the section has, and what the picture shows.
+    pub(super) fn choices(
+        &mut self,
+        editor: &Editor,
+        ui: &mut Ui,
+        section: &Section,
+        actions: &mut Vec<Action>,
+    ) {
+        let texts = &editor.texts().speed_window;
+        let kinds = [
+            (Kind::Ten, texts.ten, texts.ten_hint),
+            (Kind::Ease(EaseKind::Sine), texts.sine, texts.sine_hint),
+            (
+                Kind::Ease(EaseKind::Parabolic),
+                texts.parabolic,
+                texts.parabolic_hint,
+            ),
+            (Kind::Distance, texts.distance, texts.distance_hint),
+        ];
+        let now = Kind::of(&section.pace);
+        if let Some(kind) = one_of(ui, texts.pace, now, kinds) {
+            actions.extend(self.choose_pace(editor, section, kind));
+        }
+        let names = [
+            (texts.graph_speed, texts.graph_speed_hint),
+            (texts.graph_distance, texts.graph_distance_hint),
+            (texts.graph_acceleration, texts.graph_acceleration_hint),
+        ];
+        let mut names = names.into_iter();
+        let quantities = Quantity::ALL.map(|quantity| {
+            let (name, hint) = names.next().unwrap_or_default();
+            (quantity, name, hint)
+        });
+        if let Some(quantity) = one_of(ui, texts.graph, self.shown, quantities) {
+            self.shown = quantity;
+        }
+    }
+
+    fn choose_pace(&mut self, editor: &Editor, section: &Section, kind: Kind) -> Option<Action> {
+        let at = editor.document.selection();
+        let mine = |fixed: &(Selection, u32)| *fixed == (at, section.fixed);
+        let unfixes = self.fixed.take().filter(mine).is_some();
+        // A given distance has no speed of its own: only its frames say how long it takes.
+        let fixes = kind == Kind::Distance
+            && section.fixed == 0
+            && editor.several().is_none()
+            && (section.timing.mean() - BASE_SPEED).abs() > 1e-9;
+        let frames = match section.frames.and_then(|frames| u32::try_from(frames).ok()) {
+            Some(frames) if fixes && frames > 0 => {
+                self.fixed = Some((at, frames));
+                frames
+            }
+            _ if unfixes => 0,
+            _ => section.fixed,
+        };
+        match kind {
+            Kind::Ten => self.shown = Quantity::Speed,
+            Kind::Ease(_) => {}
+            Kind::Distance => self.shown = Quantity::Distance,
+        }
+        // Shown speeds are real ones where the length says how many frames there are.
+        let scale = if unfixes { section.scale } else { 1.0 };
+        let mean = section.timing.mean() * scale;
+        let edit = editor.orientation_edit(|orientation| {
+            set(orientation, kind.pace(section, mean));
+            if let Ok(own) = orientation.own.with(|own| own.frames = frames) {
+                orientation.own = own;
+            }
+        });
+        edit.map(Action::Edit)
+    }
+}
+
+/// A row of which one is chosen; another one that is clicked.
+fn one_of<T: Copy + PartialEq, const N: usize>(
+    ui: &mut Ui,
+    title: &str,
+    now: T,
+    all: [(T, &str, &str); N],
+) -> Option<T> {
+    let mut clicked = None;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = theme::GAP;
+        label(ui, 48.0, title);
+        for (value, name, hint) in all {
+            let chosen = value == now;
+            let button = ui.add(Button::selectable(chosen, name).frame_when_inactive(true));
+            button.widget_info(|| {
+                let name = format!("{title}: {name}");
+                egui::WidgetInfo::selected(egui::Role::RadioButton, true, chosen, name)
+            });
+            if button.on_hover_text(hint).clicked() && !chosen {
+                clicked = Some(value);
+            }
+        }
+    });
+    clicked
+}
+
+/// A label as wide as others below it.
+pub(super) fn label(ui: &mut Ui, width: f32, text: &str) {
+    ui.horizontal(|ui| {
+        ui.set_width(width);
+        ui.label(text);
+    });
+}

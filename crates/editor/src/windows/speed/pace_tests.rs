@@ -1,0 +1,581 @@
+//! Other paces than ten speeds in the speed window.
+
+use egui::{Pos2, vec2};
+
+use super::tests::{drag, opened};
+use crate::path::{Ease, EaseKind, Pace, Timing};
+use crate::screenshots::screenshot;
+use crate::tests::*;
+
+fn pace(window: &Window) -> Pace {
+    window.state().orientation().unwrap().own.pace.clone()
+}
+
+fn ease(window: &Window) -> Ease {
+    match pace(window) {
+        Pace::Ease(ease) => ease,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn keys(window: &Window) -> Vec<[f64; 2]> {
+    match pace(window) {
+        Pace::Distance(keys) => keys.to_vec(),
+        other => panic!("{other:?}"),
+    }
+}
+
+fn timing(window: &Window) -> Timing {
+    let document = &window.state().document;
+    let timing = document.timeline(|timeline| timeline.timing(document.path(), 2));
+    timing.unwrap().unwrap()
+}
+
+fn frames(window: &Window) -> usize {
+    let document = &window.state().document;
+    document
+        .timeline(|timeline| timeline.section(2).frames)
+        .unwrap()
+}
+
+/// Chooses a pace or a graph.
+fn choose(window: &mut Window, title: &str, name: &str) {
+    let label = format!("{title}: {name}");
+    window
+        .get_by_role_and_label(Role::RadioButton, &label)
+        .click();
+    window.run();
+}
+
+fn handle(window: &Window, name: &str) -> Pos2 {
+    let square = window.get_by_role_and_label(Role::Slider, name);
+    square.rect().center()
+}
+
+fn is_there(window: &Window, name: &str) -> bool {
+    window.query_by_role_and_label(Role::Slider, name).is_some()
+}
+
+/// Drags what has this name.
+fn drag_handle(window: &mut Window, name: &str, way: egui::Vec2) {
+    let from = handle(window, name);
+    drag(window, from, way);
+    window.drop_at(from + way);
+    window.run();
+}
+
+/// Where the section begins and ends in the picture: below the first and the last of the
+/// ten speeds.
+fn ends(window: &Window) -> [f32; 2] {
+    let language = window.state().language();
+    [1, 10].map(|at| {
+        let name = fill(language.texts().speed_window.speed, &[&at]);
+        handle(window, &name).x
+    })
+}
+
+/// The curve of the picture: the line with most points.
+fn curve(window: &Window) -> Vec<Pos2> {
+    let shapes = window.output().shapes.iter();
+    let lines = shapes.filter_map(|clipped| match &clipped.shape {
+        egui::Shape::Path(path) if !path.closed => Some(path.points.clone()),
+        _ => None,
+    });
+    lines.max_by_key(Vec::len).expect("a curve")
+}
+
+/// How high the curve is at a share of the time, as a share of the room between two
+/// heights.
+fn height(curve: &[Pos2], [left, right]: [f32; 2], u: f32) -> f32 {
+    let x = left + u * (right - left);
+    let at = curve.partition_point(|point| point.x < x).max(1);
+    let (a, b) = (curve[at - 1], curve[at.min(curve.len() - 1)]);
+    a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x).max(1e-6)).clamp(0.0, 1.0)
+}
+
+#[test]
+fn an_ease_is_chosen_and_the_section_takes_as_long() {
+    for language in BOTH {
+        let texts = &language.texts().speed_window;
+        for (name, kind) in [
+            (texts.sine, EaseKind::Sine),
+            (texts.parabolic, EaseKind::Parabolic),
+        ] {
+            let mut window = opened(language);
+            let (before, mean) = (frames(&window), timing(&window).mean());
+            choose(&mut window, texts.pace, name);
+            let chosen = ease(&window);
+            assert_eq!((chosen.kind, chosen.rise, chosen.fall), (kind, 0.25, 0.25));
+            // What the parabola's trapezoid and the sine's integral leave of the cruise.
+            let area = match kind {
+                EaseKind::Parabolic => 0.75,
+                EaseKind::Sine => 0.5 + 0.5 * 2.0 / std::f64::consts::PI,
+            };
+            assert!((chosen.cruise * area - mean).abs() < 0.05, "{chosen:?}");
+            assert!(frames(&window).abs_diff(before) <= 1, "{name}");
+            // No ten speeds are offered any more, in numbers or squares.
+            let first = fill(texts.speed, &[&1]);
+            assert!(window.query_all_by_label(&first).next().is_none());
+            assert!(window.query_by_label(texts.ease_in).is_none());
+            press(&mut window, Modifiers::CTRL, Key::Z);
+            assert_eq!(pace(&window), Pace::Speeds);
+            assert!(!window.state().document.is_modified());
+        }
+    }
+}
+
+#[test]
+fn the_numbers_of_an_ease_are_typed() {
+    for language in BOTH {
+        let texts = &language.texts().speed_window;
+        let mut window = opened(language);
+        choose(&mut window, texts.pace, texts.sine);
+        for (name, text, wrong) in [
+            (texts.rise, "40", false),
+            (texts.fall, "60,5", true),
+            (texts.fall, "60", false),
+            (texts.rise, "7", false),
+            (texts.cruise, "101", true),
+            (texts.cruise, "77,5", false),
+        ] {
+            enter(&mut window, name, text);
+            assert_eq!(said(&window).is_some(), wrong, "{name} {text}");
+            window.state_mut().message = None;
+        }
+        let Ease {
+            rise, fall, cruise, ..
+        } = ease(&window);
+        assert_eq!([rise, fall, cruise], [0.07, 0.6, 77.5]);
+        assert_eq!(value(&window, texts.rise), "7\u{a0}%");
+        // Another kind has the same shares, and takes as long.
+        let mean = timing(&window).mean();
+        choose(&mut window, texts.pace, texts.parabolic);
+        assert_eq!((ease(&window).rise, ease(&window).fall), (0.07, 0.6));
+        assert!((timing(&window).mean() - mean).abs() < 0.05);
+    }
+}
+
+#[test]
+fn the_corners_of_an_ease_are_dragged_aside_in_each_graph() {
+    for language in BOTH {
+        let texts = &language.texts().speed_window;
+        for graph in [
+            texts.graph_speed,
+            texts.graph_distance,
+            texts.graph_acceleration,
+        ] {
+            let mut window = opened(language);
+            let [left, right] = ends(&window);
+            choose(&mut window, texts.pace, texts.parabolic);
+            choose(&mut window, texts.graph, graph);
+            let before = ease(&window);
+            let at = |share: f32| left + share * (right - left);
+            let of = |window: &Window, name: &str| handle(window, name).x;
+            assert!((of(&window, texts.rise_end) - at(0.25)).abs() < 0.5);
+            assert!((of(&window, texts.fall_start) - at(0.75)).abs() < 0.5);
+            let tenth = vec2(0.1 * (right - left), 0.0);
+            drag_handle(&mut window, texts.rise_end, tenth + vec2(0.0, 25.0));
+            assert_eq!(
+                ease(&window),
+                Ease {
+                    rise: 0.35,
+                    ..before
+                },
+                "{graph}"
+            );
+            drag_handle(&mut window, texts.fall_start, -tenth);
+            assert_eq!(ease(&window).fall, 0.35, "{graph}");
+            // No farther than to each other; there each is taken at its own side.
+            drag_handle(&mut window, texts.rise_end, 7.0 * tenth);
+            assert_eq!((ease(&window).rise, ease(&window).fall), (0.65, 0.35));
+            drag_handle(&mut window, texts.rise_end, -tenth);
+            assert_eq!((ease(&window).rise, ease(&window).fall), (0.55, 0.35));
+            drag_handle(&mut window, texts.fall_start, tenth);
+            assert_eq!((ease(&window).rise, ease(&window).fall), (0.55, 0.25));
+            for _ in 0..5 {
+                press(&mut window, Modifiers::CTRL, Key::Z);
+            }
+            assert_eq!(ease(&window), before, "each is one step");
+            // By keys; and a drag is broken off.
+            window
+                .get_by_role_and_label(Role::Slider, texts.fall_start)
+                .focus();
+            window.run();
+            press(&mut window, Modifiers::NONE, Key::ArrowRight);
+            press(&mut window, Modifiers::SHIFT, Key::ArrowLeft);
+            assert_eq!(ease(&window).fall, 0.34);
+            let from = handle(&window, texts.rise_end);
+            drag(&mut window, from, tenth);
+            assert_ne!(ease(&window).rise, before.rise);
+            press(&mut window, Modifiers::NONE, Key::Escape);
+            assert_eq!(ease(&window).rise, before.rise);
+            window.drop_at(from);
+            window.run();
+        }
+    }
+}
+
+#[test]
+fn the_picture_shows_speed_way_and_acceleration() {
+    let texts = &Language::English.texts().speed_window;
+    let mut window = opened(Language::English);
+    let ends = ends(&window);
+    choose(&mut window, texts.pace, texts.parabolic);
+    enter(&mut window, texts.rise, "40");
+    enter(&mut window, texts.fall, "20");
+    let cruise = ease(&window).cruise as f32;
+    // Closed forms of the trapezoid, to a pixel.
+    let speed = |u: f32| cruise * (u / 0.4).min((1.0 - u) / 0.2).min(1.0);
+    let way = |u: f32| {
+        let gone = match u {
+            u if u < 0.4 => u * u / 0.8,
+            u if u < 0.8 => u - 0.2,
+            u => 0.7 - (1.0 - u) * (1.0 - u) / 0.4,
+        };
+        gone / 0.7
+    };
+    let change = |u: f32| match u {
+        u if u < 0.4 => 1.0 / 0.4,
+        u if u < 0.8 => 0.0,
+        _ => -1.0 / 0.2,
+    };
+    let graphs: [(&str, &dyn Fn(f32) -> f32); 3] = [
+        (texts.graph_speed, &speed),
+        (texts.graph_distance, &way),
+        (texts.graph_acceleration, &change),
+    ];
+    for (name, expected) in graphs {
+        choose(&mut window, texts.graph, name);
+        let curve = curve(&window);
+        let y = |u: f32| height(&curve, ends, u);
+        // Two places give the scale; all others must fit.
+        let (a, b) = (0.1, 0.6);
+        let scale = (y(b) - y(a)) / (expected(b) - expected(a));
+        assert!(
+            scale.abs() * (expected(b) - expected(a)).abs() > 20.0,
+            "{name}"
+        );
+        for k in 1..40 {
+            let u = k as f32 / 40.0 + 0.003;
+            let fits = y(a) + scale * (expected(u) - expected(a));
+            assert!((y(u) - fits).abs() < 1.0, "{name} {u}: {} {fits}", y(u));
+        }
+    }
+}
+
+#[test]
+fn a_distance_begins_as_the_way_is_and_the_ten_speeds_are_kept() {
+    for language in BOTH {
+        let texts = &language.texts().speed_window;
+        for first in [texts.ten, texts.sine, texts.parabolic] {
+            let mut window = opened(language);
+            let speeds = window.state().orientation().unwrap().speeds;
+            if first != texts.ten {
+                choose(&mut window, texts.pace, first);
+            }
+            let (before, old) = (timing(&window), frames(&window));
+            choose(&mut window, texts.pace, texts.distance);
+            assert_eq!(frames(&window), old, "as long as before");
+            let keys = keys(&window);
+            assert!((3..=19).contains(&keys.len()), "{keys:?}");
+            for [time, way] in &keys {
+                assert_eq!(before.fraction(*time), *way);
+            }
+            let now = timing(&window);
+            for k in 0..=1000 {
+                let u = f64::from(k) / 1000.0;
+                assert!((now.fraction(u) - before.fraction(u)).abs() < 0.0025, "{u}");
+            }
+            choose(&mut window, texts.pace, texts.ten);
+            let orientation = window.state().orientation().unwrap();
+            assert_eq!((orientation.speeds, orientation.own.frames), (speeds, 0));
+            assert!(orientation.own.is_empty());
+            for _ in 0..2 + usize::from(first != texts.ten) {
+                press(&mut window, Modifiers::CTRL, Key::Z);
+            }
+            assert!(!window.state().document.is_modified(), "each is one step");
+        }
+        // Even motion needs no key between; what was fixed stays so.
+        let mut window = opened(language);
+        click(&mut window, texts.constant);
+        enter(&mut window, texts.frames, "77");
+        choose(&mut window, texts.pace, texts.distance);
+        assert_eq!(keys(&window), [[0.0, 0.0], [1.0, 1.0]]);
+        choose(&mut window, texts.pace, texts.sine);
+        assert_eq!(frames(&window), 77);
+    }
+}
+
+/// A window that shows a distance of three keys.
+fn with_distance(language: Language) -> Window {
+    let mut window = opened(language);
+    let texts = &language.texts().speed_window;
+    choose(&mut window, texts.pace, texts.distance);
+    let way = [[0.0, 0.0], [0.5, 0.25], [1.0, 1.0]].as_slice();
+    let set = |own: &mut crate::path::Own| own.pace = Pace::Distance(way.into());
+    let editor = window.state_mut();
+    editor.set_orientation(|new| new.own = new.own.with(set).unwrap());
+    editor.document.mark_saved();
+    window.run();
+    window
+}
+
+#[test]
+fn keys_of_a_distance_are_dragged_between_their_neighbours() {
+    for language in BOTH {
+        let texts = &language.texts().speed_window;
+        let mut window = with_distance(language);
+        let name = fill(texts.way_key, &[&2]);
+        let canvas = window.get_by_label(texts.way_graph).rect();
+        let from = handle(&window, &name);
+        drag_handle(&mut window, &name, vec2(40.0, -30.0));
+        let to = handle(&window, &name);
+        assert!(
+            (to - from - vec2(40.0, -30.0)).length() < 1.0,
+            "{from} {to}"
+        );
+        let [time, way] = keys(&window)[1];
+        assert!(time > 0.55 && way > 0.35, "{time} {way}");
+        // What is seen is what is said.
+        assert_eq!(
+            value(&window, texts.key_way),
+            format!("{}\u{a0}%", language.number(100.0 * way, 1))
+        );
+        for way in [canvas.size(), -canvas.size()] {
+            drag_handle(&mut window, &name, way);
+            let all = keys(&window);
+            assert_eq!(all.len(), 3);
+            for part in 0..2 {
+                assert!(all.windows(2).all(|pair| pair[1][part] > pair[0][part]));
+            }
+            assert!(said(&window).is_none());
+        }
+        for _ in 0..3 {
+            press(&mut window, Modifiers::CTRL, Key::Z);
+        }
+        assert!(!window.state().document.is_modified(), "each is one step");
+        assert_eq!(keys(&window)[1], [0.5, 0.25]);
+        window.get_by_role_and_label(Role::Slider, &name).focus();
+        window.run();
+        press(&mut window, Modifiers::NONE, Key::ArrowRight);
+        press(&mut window, Modifiers::SHIFT, Key::ArrowUp);
+        let [time, way] = keys(&window)[1];
+        assert!((time - 0.51).abs() < 1e-12 && (way - 0.35).abs() < 1e-12);
+        let number = [
+            (texts.key_time, "60"),
+            (texts.key_way, "12,5"),
+            (texts.key_way, "100"),
+        ];
+        for (name, text) in number {
+            enter(&mut window, name, text);
+        }
+        assert_eq!(keys(&window)[1], [0.6, 0.125]);
+        assert!(said(&window).is_some(), "100 % is where the next key is");
+        // The ends stay, and are no handles.
+        for end in [1, 3] {
+            assert!(!is_there(&window, &fill(texts.way_key, &[&end])));
+        }
+    }
+}
+
+#[test]
+fn a_click_on_the_curve_adds_a_key_and_delete_or_a_right_click_removes_it() {
+    for language in BOTH {
+        let texts = &language.texts().speed_window;
+        let mut window = with_distance(language);
+        let points = window.state().document.path().points.len();
+        let before = timing(&window);
+        let three = handle(&window, &fill(texts.way_key, &[&2]));
+        let there = curve(&window)[140];
+        let tap = |window: &mut Window, at: Pos2, button| {
+            window.hover_at(at);
+            window.run();
+            for pressed in [true, false] {
+                window.event(egui::Event::PointerButton {
+                    pos: at,
+                    button,
+                    pressed,
+                    modifiers: Modifiers::NONE,
+                });
+                window.run();
+            }
+        };
+        let primary = egui::PointerButton::Primary;
+        tap(&mut window, there + vec2(0.0, 40.0), primary);
+        assert_eq!(keys(&window).len(), 3, "beside the curve");
+        tap(&mut window, there, primary);
+        let all = keys(&window);
+        assert_eq!(all.len(), 4);
+        assert!((all[2][0] - 140.0 / 180.0).abs() < 0.003);
+        assert_eq!(all[2][1], before.fraction(all[2][0]), "on the curve");
+        assert_eq!(handle(&window, &fill(texts.way_key, &[&2])), three);
+        tap(&mut window, there, egui::PointerButton::Secondary);
+        assert_eq!(keys(&window).len(), 3);
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert_eq!(keys(&window), all, "one step");
+        // Delete means the key that has the keyboard, and elsewhere the point.
+        let third = fill(texts.way_key, &[&3]);
+        window.get_by_role_and_label(Role::Slider, &third).focus();
+        window.run();
+        press(&mut window, Modifiers::NONE, Key::Delete);
+        assert_eq!(keys(&window).len(), 3);
+        assert_eq!(window.state().document.path().points.len(), points);
+        click(&mut window, texts.new_key);
+        click(&mut window, texts.remove_key);
+        assert_eq!(keys(&window).len(), 3);
+        window.get_by_label(texts.new_key).focus();
+        window.run();
+        press(&mut window, Modifiers::NONE, Key::Delete);
+        assert_eq!(window.state().document.path().points.len(), points - 1);
+    }
+}
+
+#[test]
+fn what_the_engine_refuses_is_a_sentence() {
+    for (language, sentence) in [
+        (Language::German, "2 bis 32"),
+        (Language::English, "between 2 and 32"),
+    ] {
+        let texts = &language.texts().speed_window;
+        let mut window = with_distance(language);
+        for _ in 3..32 {
+            click(&mut window, texts.new_key);
+            assert!(said(&window).is_none());
+        }
+        assert_eq!(keys(&window).len(), 32);
+        click(&mut window, texts.new_key);
+        assert_eq!(keys(&window).len(), 32);
+        let said = said(&window).expect("a refusal");
+        assert!(said.contains(sentence), "{said}");
+    }
+}
+
+#[test]
+fn all_of_it_has_a_hint() {
+    for language in BOTH {
+        let texts = &language.texts().speed_window;
+        let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+        click(&mut window, language.texts().speed.change);
+        let paces = [
+            (texts.ten, texts.ten_hint),
+            (texts.sine, texts.sine_hint),
+            (texts.parabolic, texts.parabolic_hint),
+            (texts.distance, texts.distance_hint),
+        ];
+        let graphs = [
+            (texts.graph_speed, texts.graph_speed_hint),
+            (texts.graph_distance, texts.graph_distance_hint),
+            (texts.graph_acceleration, texts.graph_acceleration_hint),
+        ];
+        let titled = |title, all: &[(&str, &'static str)]| -> Vec<(String, &'static str)> {
+            let label = |name: &str| format!("{title}: {name}");
+            all.iter()
+                .map(|&(name, hint)| (label(name), hint))
+                .collect()
+        };
+        let mut all = titled(texts.pace, &paces);
+        all.extend(titled(texts.graph, &graphs));
+        for (label, hint) in &all {
+            assert!(tip(&mut window, label, hint), "{label}");
+        }
+        choose(&mut window, texts.pace, texts.sine);
+        for (label, hint) in [
+            (texts.rise, texts.rise_hint),
+            (texts.fall, texts.fall_hint),
+            (texts.cruise, texts.cruise_hint),
+        ] {
+            assert!(tip(&mut window, label, hint), "{label}");
+        }
+        choose(&mut window, texts.pace, texts.distance);
+        for (label, hint) in [
+            (texts.key_time, texts.key_time_hint),
+            (texts.key_way, texts.key_way_hint),
+            (texts.new_key, texts.new_key_hint),
+            (texts.remove_key, texts.remove_key_hint),
+        ] {
+            assert!(tip(&mut window, label, hint), "{label}");
+        }
+        // No key stands in the middle.
+        for _ in 0..keys(&window).len() / 2 {
+            click(&mut window, texts.remove_key);
+        }
+        assert!(tip(&mut window, texts.way_graph, texts.way_graph_hint));
+    }
+}
+
+/// The texts of the sub-window that are painted, with their places: what is painted after
+/// its title.
+fn texts_of(window: &Window) -> Vec<(String, egui::Rect)> {
+    let title = window.state().texts().speed_window.title;
+    let shapes = window.output().shapes.iter();
+    let texts = shapes.filter_map(|clipped| match &clipped.shape {
+        egui::Shape::Text(text) if !text.galley.text().is_empty() => {
+            let rect = text.galley.rect.translate(text.pos.to_vec2());
+            Some((text.galley.text().to_owned(), rect, clipped.clip_rect))
+        }
+        _ => None,
+    });
+    let texts: Vec<_> = texts.collect();
+    let first = texts.iter().rposition(|(text, _, _)| text == title);
+    let own = texts.into_iter().skip(first.expect("a title"));
+    own.map(|(text, rect, clip)| {
+        assert!(clip.expand(1.0).contains_rect(rect), "{text} is cut off");
+        (text, rect)
+    })
+    .collect()
+}
+
+#[test]
+fn no_text_lies_over_another_in_the_smallest_window() {
+    for language in BOTH {
+        let texts = &language.texts().speed_window;
+        let mut window = window_with_points(language, SMALL, 1.0, Theme::Dark);
+        click(&mut window, language.texts().speed.change);
+        for pace in [texts.ten, texts.sine, texts.parabolic, texts.distance] {
+            if pace != texts.ten {
+                choose(&mut window, texts.pace, pace);
+            }
+            for graph in [
+                texts.graph_acceleration,
+                texts.graph_distance,
+                texts.graph_speed,
+            ] {
+                choose(&mut window, texts.graph, graph);
+                window.hover_at(egui::pos2(1.0, 599.0));
+                window.run();
+                let shown = texts_of(&window);
+                assert!(shown.len() > 25, "{}", shown.len());
+                for (index, (one, a)) in shown.iter().enumerate() {
+                    for (other, b) in &shown[index + 1..] {
+                        let both = a.shrink(1.0).intersects(b.shrink(1.0));
+                        assert!(!both, "{pace}: {one} {a:?} over {other} {b:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn pictures() {
+    for (language, theme, scale, name) in LOOKS {
+        for size in [SMALL, LARGE] {
+            let texts = &language.texts().speed_window;
+            let mut window = window_with_points(language, size, scale, theme);
+            click(&mut window, language.texts().speed.change);
+            let end = if size == SMALL { "small" } else { "large" };
+            screenshot(&mut window, &format!("pace-{name}-{end}-0ten.png"));
+            choose(&mut window, texts.graph, texts.graph_acceleration);
+            screenshot(&mut window, &format!("pace-{name}-{end}-1acc.png"));
+            choose(&mut window, texts.pace, texts.parabolic);
+            screenshot(&mut window, &format!("pace-{name}-{end}-2acc.png"));
+            choose(&mut window, texts.pace, texts.sine);
+            choose(&mut window, texts.graph, texts.graph_speed);
+            screenshot(&mut window, &format!("pace-{name}-{end}-3sine.png"));
+            choose(&mut window, texts.pace, texts.distance);
+            screenshot(&mut window, &format!("pace-{name}-{end}-4way.png"));
+            choose(&mut window, texts.graph, texts.graph_speed);
+            screenshot(&mut window, &format!("pace-{name}-{end}-5speed.png"));
+        }
+    }
+}
