@@ -11,12 +11,12 @@ use crate::error::Result;
 use crate::files::{Purpose, Then};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
-use crate::panels::orientation::{look_ahead, set_up};
+use crate::panels::orientation::{Held, look_ahead, set_up};
 use crate::path::{CameraPath, Orientation, Target, UpVector, insertion};
 use crate::playing::Pace;
 use crate::selected::Choice;
 use crate::setup::{CameraPlace, ColourWindow, DisplayWindow, Setup, Theme, View};
-use crate::space::{Camera, Gesture};
+use crate::space::{Camera, Gesture, Joint};
 use crate::state::{Editor, Request};
 use crate::texts::refusals::of_edit;
 use crate::texts::{Language, fill};
@@ -55,6 +55,10 @@ pub(super) enum Action {
     /// A new point before the first one.
     PrependPoint,
     SetClosed(bool),
+    /// Let the point own the tangents that it has, or take its own away.
+    OwnTangents(bool),
+    /// How own tangents are joined.
+    Join(Joint),
     /// `Ori.+`.
     AddOrientation,
     /// `Ori.-`.
@@ -65,6 +69,8 @@ pub(super) enum Action {
     NextOrientation,
     /// `Abs.` (true) or `Rel.` (false).
     SetAbsolute(bool),
+    /// Take away what the current orientation owns of this.
+    GiveBack(Held),
     /// Let the current orientation look along the way.
     LookAhead,
     /// Which way is up for the current orientation.
@@ -352,6 +358,9 @@ impl Editor {
             Action::SetClosed(closed) => {
                 self.edit(Edit::SetClosed(closed));
             }
+            Action::OwnTangents(own) => self.set_own_tangents(own),
+            Action::Join(joint) => self.join(joint),
+            Action::GiveBack(what) => self.give_back(what),
             Action::AddOrientation => {
                 self.edit(Edit::InsertOrientation {
                     point,

@@ -115,6 +115,8 @@ pub struct Editor {
     pub(super) copied: Option<Orientation>,
     /// The points that are selected together with the current one.
     pub(super) selected: Selected,
+    /// How its tangents are joined, chosen for this point.
+    pub(super) joint: (usize, space::Joint),
     /// Where the last file was chosen.
     pub(super) last_folder: Option<PathBuf>,
     /// What is to be done when what is typed at present has been applied.
@@ -171,6 +173,7 @@ impl Editor {
             host_pane: None,
             copied: None,
             selected: Selected::default(),
+            joint: Default::default(),
             last_folder: None,
             waiting: None,
             typing: false,

@@ -1,5 +1,6 @@
 //! The panels on the right, one file each (thesis A.4).
 
+pub(crate) mod curve;
 pub(crate) mod orientation;
 pub(crate) mod output;
 mod position;

@@ -7,10 +7,11 @@ use super::position::three_numbers;
 use super::{Key, heading, keys, round, share};
 use crate::actions::Action;
 use crate::document::{Edit, Selection};
+use crate::error::Result;
 use crate::limits::MAX_HOLD;
 use crate::math::rotation_minimising::turned;
 use crate::number::Number;
-use crate::path::{CameraPath, Orientation, Target, UpVector, ahead};
+use crate::path::{CameraPath, Orientation, Own, Target, UpVector, ahead};
 use crate::playing::playhead::Shown;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -139,7 +140,8 @@ fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>
     three_numbers(editor, ui, words, vector, missing, edit, actions);
 }
 
-/// Which way is up: a choice, and the point if it is one.
+/// Which way is up: a choice, and the point if it is one. Beside it, whether the turning is
+/// the orientation's own.
 fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     let texts = &editor.texts().orientation;
     let current = &shown.orientation.own.up;
@@ -150,8 +152,18 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
         UpVector::Minimal => (texts.up_minimal, texts.up_minimal_hint),
         UpVector::Frenet => (texts.up_frenet, texts.up_frenet_hint),
     };
-    let size = [ui.available_width(), theme::ROW];
-    let response = ui.add_sized(size, Button::new(fill(texts.up, &[&words(current).0])));
+    let turns = Held::Turning.is_owned(shown);
+    let width = share(ui, 1 + usize::from(turns));
+    let row = ui.horizontal(|ui| {
+        ui.spacing_mut().button_padding.x = 0.0;
+        let button = Button::new(fill(texts.up, &[&words(current).0]));
+        let response = ui.add_sized([width, theme::ROW], button);
+        if turns {
+            own(editor, ui, Held::Turning, width, actions);
+        }
+        response
+    });
+    let response = row.inner;
     response.widget_info(|| WidgetInfo {
         current_text_value: Some(words(current).0.to_owned()),
         ..WidgetInfo::labeled(Role::ComboBox, true, fill(texts.up, &[&""]).trim_end())
@@ -193,6 +205,94 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
             actions,
         );
     }
+}
+
+/// What an orientation may own that keeps a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Held {
+    /// How it is turned through: angular velocities, a part of a turning, the slope of the roll.
+    Turning,
+    /// The slope of its zoom.
+    Zoom,
+}
+
+impl Held {
+    pub(super) fn is_owned(self, shown: &Shown) -> bool {
+        let own = &shown.orientation.own;
+        let turns = || own.velocities.is_some() || own.turning.is_some();
+        !shown.has_no_orientation()
+            && match self {
+                Self::Turning => turns() || own.roll_slope.is_some(),
+                Self::Zoom => own.zoom_slope.is_some(),
+            }
+    }
+}
+
+/// Says that the orientation owns this, and gives it back.
+pub(super) fn own(editor: &Editor, ui: &mut Ui, what: Held, width: f32, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().orientation;
+    let (text, hint) = match what {
+        Held::Turning => (texts.own_turning, texts.own_turning_hint),
+        Held::Zoom => (texts.own_slope, texts.own_slope_hint),
+    };
+    let key = Key::new(text, hint, Action::GiveBack(what)).chosen(true);
+    key.show(editor, ui, width, actions);
+}
+
+impl Editor {
+    /// Takes away what the current orientation owns of this.
+    pub(crate) fn give_back(&mut self, what: Held) {
+        match self.without(what) {
+            Ok(edits) => {
+                self.edit_all(edits);
+            }
+            Err(error) => self.complain_of(&error),
+        }
+    }
+
+    fn without(&self, what: Held) -> Result<Vec<Edit>> {
+        let path = self.document.path();
+        let here = self.document.selection();
+        let mut edits = Vec::new();
+        let mut change = |at: Selection, change: &dyn Fn(&mut Own)| -> Result<()> {
+            let points = path.points.get(at.point);
+            let key = points.and_then(|point| point.orientations.get(at.orientation));
+            let Some(key) = key else { return Ok(()) };
+            let own = key.own.with(change)?;
+            if own != key.own {
+                edits.push(with(at, key, |new| new.own = own));
+            }
+            Ok(())
+        };
+        match what {
+            Held::Zoom => change(here, &|own| own.zoom_slope = None)?,
+            Held::Turning => {
+                change(here, &|own| {
+                    own.velocities = None;
+                    own.turning = None;
+                    own.roll_slope = None;
+                })?;
+                // A part of a turning that leads here would reach it as before.
+                if let Some(before) = before(path, here) {
+                    change(before, &|own| own.turning = None)?;
+                }
+            }
+        }
+        Ok(edits)
+    }
+}
+
+/// The orientation with which the section begins that leads to another.
+fn before(path: &CameraPath, at: Selection) -> Option<Selection> {
+    if let Some(orientation) = at.orientation.checked_sub(1) {
+        return Some(Selection::at(at.point, orientation));
+    }
+    let last = path.closed.then(|| path.points.len() - 1);
+    let point = at.point.checked_sub(1).or(last)?;
+    Some(Selection::at(
+        point,
+        path.points[point].orientations.len() - 1,
+    ))
 }
 
 /// A point above the camera of the current orientation, half a space away, with which its

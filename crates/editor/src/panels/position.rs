@@ -4,12 +4,13 @@
 use egui::{Button, Color32, Popup, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2};
 use glam::DVec3;
 
+use super::curve::{self, without_shape, words_of};
 use super::{Key, heading_with_room, keys, round, share, words};
 use crate::actions::Action;
 use crate::document::Edit;
 use crate::limits::PRESETS;
 use crate::number::Number;
-use crate::path::{CurveParameters, Tcb};
+use crate::path::{CurveKind, CurveParameters, Tcb};
 use crate::playing::playhead::{Missing, Shown};
 use crate::state::Editor;
 use crate::texts::fill;
@@ -59,8 +60,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     } else {
         add_here(editor, ui, &shown, actions);
     }
-    let change = Key::new(texts.change, texts.change_hint, Action::Curve);
-    keys(editor, ui, &[change], actions);
+    curve::show(editor, ui, actions);
 }
 
 /// The heading, and at its right the choice of a preset for the current point:
@@ -90,6 +90,7 @@ fn presets(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     ui.painter()
         .add(Shape::line(arrow, Stroke::new(1.5, colour)));
     let now = editor.point().map(|point| point.curve);
+    let without = without_shape(editor, editor.document.selection().point);
     Popup::menu(&response).show(|ui| {
         for preset in (0_u8..).take(PRESETS) {
             let chosen = now == Some(CurveParameters::Preset(preset));
@@ -102,7 +103,9 @@ fn presets(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             });
             let button =
                 Button::selectable(chosen, fill(texts.preset, &[&preset])).right_text(shape);
-            if ui.add(button).clicked() {
+            let button = ui.add_enabled(without.is_none(), button);
+            let button = button.on_disabled_hover_text(without.unwrap_or_default());
+            if button.clicked() {
                 let at = editor.document.selection().point;
                 let preset = preset.into();
                 actions.push(Action::Edit(Edit::UsePreset { at, preset }));
@@ -115,6 +118,13 @@ fn presets(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
 /// Where the current point takes its shape from.
 fn preset(editor: &Editor) -> String {
     let texts = &editor.texts().position;
+    if editor.joint().is_some() {
+        return texts.tangents.to_owned();
+    }
+    match editor.document.path().curve {
+        CurveKind::Tcb => {}
+        kind => return words_of(editor, kind).0.to_owned(),
+    }
     match editor.point().map(|point| point.curve) {
         Some(CurveParameters::Preset(preset)) => {
             let preset = usize::from(preset);
@@ -207,7 +217,10 @@ fn shape(editor: &Editor, ui: &mut Ui, next: bool, actions: &mut Vec<Action>) {
     let tcb = point.map(|point| path.tcb(point));
     let width = share(ui, 3);
     let language = editor.language();
-    let hint = if next {
+    let without = point.and_then(|point| without_shape(editor, point));
+    let hint = if let Some(why) = without {
+        why
+    } else if next {
         texts.position.next_shape_hint
     } else {
         texts.position.shape_hint
@@ -234,7 +247,7 @@ fn shape(editor: &Editor, ui: &mut Ui, next: bool, actions: &mut Vec<Action>) {
                 .decimals(2)
                 .range(-1.0..=1.0)
                 .steps(0.01, 0.01)
-                .fixed_if(next);
+                .fixed_if(next || without.is_some());
             let entry = number.show(ui, language, &format!("shape {label}"), width);
             if let Some(tcb) = tcb.filter(|_| !next) {
                 let edit = |value| {

@@ -3,13 +3,16 @@
 use egui::{Slider, SliderClamping, Ui};
 
 use super::heading;
-use super::orientation::with;
+use super::orientation::{Held, own, with};
 use crate::actions::Action;
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
 use crate::number::{Entry, Number};
 use crate::state::Editor;
 
 const FIELD: f32 = 56.0;
+
+/// Width of the button that gives a slope back.
+const OWN: f32 = 76.0;
 
 /// Half the height of the picture in mm: of a 36×24 mm camera.
 const HALF_HEIGHT: f64 = 12.0;
@@ -21,13 +24,15 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         return;
     };
     let missing = shown.has_no_orientation();
+    let owns = Held::Zoom.is_owned(&shown);
     let (selection, current) = (shown.at, shown.orientation);
     let angle = 2.0 * (HALF_HEIGHT / current.zoom).atan().to_degrees();
     let words = format!("{}°", language.number(angle, 1));
     heading(ui, texts.heading, &words).on_hover_text(texts.angle_hint);
     ui.horizontal(|ui| {
         let gap = ui.spacing().item_spacing.x;
-        ui.spacing_mut().slider_width = super::WIDTH - FIELD - gap;
+        let room = if owns { OWN + gap } else { 0.0 };
+        ui.spacing_mut().slider_width = super::WIDTH - FIELD - gap - room;
         let mut zoom = current.zoom;
         let slider = Slider::new(&mut zoom, MIN_ZOOM..=MAX_ZOOM)
             .clamping(SliderClamping::Never)
@@ -56,5 +61,9 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             .steps(1.0, 0.2)
             .show(ui, language, "zoom", FIELD);
         actions.push(Action::enter(missing, entry.map(edit)));
+        if owns {
+            ui.spacing_mut().button_padding.x = 0.0;
+            own(editor, ui, Held::Zoom, OWN, actions);
+        }
     });
 }

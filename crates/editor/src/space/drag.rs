@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 
 use super::projection::{Axis, EDGE_ON, Projection};
 use super::scene::FLOOR;
+use super::tangents::{self, Joint, Side};
 use crate::document::{Document, Edit, Selection, no_longer_ahead};
 use crate::math::orientation;
 use crate::path::{Orientation, Target, UpVector, ahead};
@@ -22,6 +23,8 @@ pub(crate) enum Handle {
     Point(usize),
     /// A control point of the box that a tool deforms.
     Control(usize),
+    /// The end of a tangent that the current point owns.
+    Tangent(Side),
 }
 
 /// What a drag that snaps goes by: a fifth of what lies between two lines of the
@@ -81,6 +84,8 @@ pub(super) struct Motion {
     /// Where it began, and a number that was typed: so far it goes towards the pointer.
     /// A roll becomes the number itself, in degrees.
     pub(super) typed: Option<(DVec3, f64)>,
+    /// What the other tangent does if one is dragged.
+    pub(super) joint: Joint,
 }
 
 /// What a motion of the mouse leads to.
@@ -95,9 +100,14 @@ pub(super) enum Outcome {
 }
 
 /// The point under the pointer in the plane or on the line through `point`: each
-/// coordinate that moves ends at the faces of the cube. None if the plane is seen
-/// edge-on.
-pub(super) fn follow(projection: &Projection, point: DVec3, motion: &Motion) -> Option<DVec3> {
+/// coordinate that moves ends at the faces of a box, which is the cube but for the ends
+/// of tangents. None if the plane is seen edge-on.
+pub(super) fn follow(
+    projection: &Projection,
+    point: DVec3,
+    motion: &Motion,
+    [low, high]: [DVec3; 2],
+) -> Option<DVec3> {
     let &Motion {
         freedom, pointer, ..
     } = motion;
@@ -110,7 +120,6 @@ pub(super) fn follow(projection: &Projection, point: DVec3, motion: &Motion) -> 
     }
     let snaps = motion.snaps && motion.typed.is_none();
     let space = projection.space();
-    let (low, high) = (space.low(), space.high());
     for at in freedom.moving().map(Axis::index) {
         let (coordinate, centre) = (&mut found[at], space.centre[at]);
         if snaps {
@@ -123,6 +132,11 @@ pub(super) fn follow(projection: &Projection, point: DVec3, motion: &Motion) -> 
     Some(found)
 }
 
+/// The corners of the movement space.
+pub(super) fn cube(projection: &Projection) -> [DVec3; 2] {
+    [projection.space().low(), projection.space().high()]
+}
+
 /// The edit that brings what is held under the pointer.
 pub(super) fn outcome(
     document: &Document,
@@ -130,13 +144,14 @@ pub(super) fn outcome(
     held: Handle,
     motion: &Motion,
 ) -> Outcome {
+    let cube = cube(projection);
     let edit = match held {
         Handle::Vup => return roll(document, projection, motion),
         Handle::Vpn => {
             let Some(tip) = current_tip(document) else {
                 return Outcome::Nothing;
             };
-            let to = follow(projection, tip, motion);
+            let to = follow(projection, tip, motion, cube);
             to.and_then(|to| move_target(document, to))
         }
         Handle::Control(_) => return Outcome::Nothing,
@@ -144,8 +159,18 @@ pub(super) fn outcome(
             let Some(point) = document.path().points.get(at) else {
                 return Outcome::Nothing;
             };
-            let to = follow(projection, point.position, motion);
+            let to = follow(projection, point.position, motion, cube);
             to.map(|position| Edit::SetPosition { at, position })
+        }
+        Handle::Tangent(side) => {
+            let Some(tip) = tangents::tip(document, side) else {
+                return Outcome::Nothing;
+            };
+            // Those of a point near a face reach beyond it.
+            let [low, high] = cube;
+            let wide = [low.min(tip) - (high - low), high.max(tip) + (high - low)];
+            let to = follow(projection, tip, motion, wide);
+            to.and_then(|to| tangents::moved(document, side, to, motion.joint))
         }
     };
     edit.map_or(Outcome::Nothing, Outcome::Edit)
@@ -330,6 +355,7 @@ mod tests {
             snaps,
             pointer,
             typed: None,
+            joint: Joint::Smooth,
         }
     }
 

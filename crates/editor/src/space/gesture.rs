@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::drag::Handle;
+use super::tangents::Side;
 use crate::document::Edit;
 use crate::number::decimals;
 use crate::path::Target;
@@ -121,6 +122,14 @@ impl Editor {
                 Target::Relative(offset) => place(texts.offset_at, offset),
             },
             Handle::Control(_) => return,
+            Handle::Tangent(side) => {
+                let Some(own) = point.tangents else { return };
+                let tangent = match side {
+                    Side::Before => own.before,
+                    Side::After => own.after,
+                };
+                place(texts.tangent_at, tangent)
+            }
             Handle::Vup => fill(
                 texts.roll_at,
                 &[&self.language().number(orientation.roll, 1)],

@@ -153,6 +153,14 @@ fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     if entry(ui, text, hint, None) {
         actions.push(Action::SetClosed(!closed));
     }
+    let (text, hint) = if editor.joint().is_some() {
+        (position.by_shape, position.by_shape_hint)
+    } else {
+        (position.own_tangents, position.own_tangents_hint)
+    };
+    if entry(ui, text, hint, None) {
+        actions.push(Action::OwnTangents(editor.joint().is_none()));
+    }
     ui.separator();
     if entry(ui, menu.copy_orientation, hints.copy_orientation, None) {
         actions.push(Action::CopyOrientation);

@@ -24,6 +24,7 @@ mod ribbon;
 mod scene;
 mod sliders;
 mod strokes;
+mod tangents;
 mod tool;
 mod typed;
 
@@ -43,6 +44,7 @@ use self::projection::Projection;
 use self::ribbon::Ribbon;
 use self::scene::{Look, Scene};
 use self::strokes::Strokes;
+pub(super) use self::tangents::Joint;
 use crate::actions::Action;
 use crate::document::Document;
 use crate::error::Result;
@@ -108,7 +110,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do here beside what the thesis names: hand, meaning.
-pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 27] {
+pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 28] {
     let texts = &texts.space;
     [
         (texts.shift_mouse, texts.shift_meaning),
@@ -118,6 +120,7 @@ pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 27] {
         (texts.tool_keys, texts.tool_meaning),
         (texts.axis_keys, texts.axis_meaning),
         (texts.handle_mouse, texts.handle_meaning),
+        (texts.tangent_mouse, texts.tangent_meaning),
         (texts.list_keys, texts.list_meaning),
         (texts.corner_mouse, texts.corner_meaning),
         (texts.whole_mouse, texts.whole_meaning),
@@ -293,6 +296,7 @@ impl Space {
             add(overlay::guides(&look, through, freedom));
         }
         let current = scene::current(document, &look).map(add);
+        add(tangents::show(document, &look));
         if let Some(points) = editor.several() {
             add(overlay::selected(document, &look, points));
             if let Some(middle) = tool::handles(editor, &projection) {
@@ -394,6 +398,8 @@ mod menu_tests;
 mod several_tests;
 #[cfg(test)]
 mod shaping_tests;
+#[cfg(test)]
+mod tangents_tests;
 #[cfg(test)]
 pub(super) mod tests;
 #[cfg(test)]

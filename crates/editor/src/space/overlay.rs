@@ -14,6 +14,7 @@ use super::picking::Tips;
 use super::projection::{Axis, from_pos, to_pos};
 use super::scene::{Look, THIN};
 use super::strokes::Strokes;
+use super::tangents;
 use crate::document::Document;
 use crate::document::tool::Cage;
 use crate::raster::Lines;
@@ -274,6 +275,7 @@ pub(super) fn place_of(
             let point = document.path().points.get(at)?;
             Some((point.position, colour(Element::Segment)))
         }
+        Handle::Tangent(side) => Some((tangents::tip(document, side)?, colour(Element::Segment))),
     }
 }
 
@@ -425,8 +427,15 @@ fn free_corner(
     };
     let camera = Camera::at(document, at, number);
     let seen = |way: DVec3| look.projection.image_of_way(way);
+    let mut tips = tangents::tips(document).filter(|_| at == selection.point);
+    let mut handle = || {
+        tips.next()
+            .map(|(_, tip)| look.projection.image(tip) - image)
+    };
     // Up is where the ribbon leans, and the arrow of the current camera.
     let taken = [
+        handle(),
+        handle(),
         neighbour(at.checked_sub(1)),
         neighbour(Some(at + 1)),
         camera.map(|camera| seen(camera.view)),

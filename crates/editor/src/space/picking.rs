@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::drag::{Handle, VUP_LENGTH, current_tip};
 use super::projection::Projection;
+use super::tangents;
 use crate::document::Document;
 use crate::path::ahead;
 use crate::setup::{Element, Shown};
@@ -43,7 +44,7 @@ pub(super) fn tips(document: &Document) -> Option<Tips> {
 }
 
 /// What is taken hold of at `pointer`: the tip of VUP if `with_vup`, the tip of
-/// VPN, the current point, the nearest other point, the first of these that is
+/// VPN, the end of a tangent of its own, the current point, the nearest other point, the first of these that is
 /// within reach. A tip that is not shown is not taken, nor is that of an arrow
 /// which points at the viewer: it lies on its point, which is what is meant.
 pub(super) fn pick(
@@ -67,6 +68,9 @@ pub(super) fn pick(
         }
         if shown.has(Element::Vpn) && free(tips.target) {
             return Some(Handle::Vpn);
+        }
+        if let Some((side, _)) = tangents::tips(document).find(|&(_, tip)| free(tip)) {
+            return Some(Handle::Tangent(side));
         }
         if near(tips.position) {
             return Some(Handle::Point(document.selection().point));

@@ -10,6 +10,7 @@ use super::keyboard::{self, NUDGES};
 use super::picking;
 use super::projection::{Axis, Projection, from_pos, scale};
 use super::projection_of;
+use super::tangents::{self, Joint, Side};
 use super::tool::{self, Kind, Next, Tool};
 use super::typed::Typed;
 use crate::actions::Action;
@@ -75,6 +76,9 @@ struct Hold {
     lag: DVec2,
     /// It goes by steps.
     snaps: bool,
+    /// Of two tangents one stays; else they are joined so.
+    alone: bool,
+    joint: Joint,
     view: View,
     /// Empty space is shifted instead of turned.
     shifts: bool,
@@ -153,19 +157,28 @@ impl PointerController {
         several: usize,
     ) -> Option<String> {
         let texts = &texts.space;
+        let of_tangent = |what: Handle, hint: String| match what {
+            Handle::Tangent(Side::Before) => fill(texts.tangent_hint, &[&texts.before, &hint]),
+            Handle::Tangent(Side::After) => fill(texts.tangent_hint, &[&texts.after, &hint]),
+            _ => hint,
+        };
         match (self.dragged(), self.hover) {
             (None, None) if self.meant == Some(Kind::Turn) => Some(texts.turn_hint.to_owned()),
             (None, None) if self.meant.is_some() => Some(texts.scale_hint.to_owned()),
             (Some((Handle::Vup, _)), _) => Some(texts.rolling.to_owned()),
-            (Some((_, freedom)), _) => Some(match freedom.along {
-                None => fill(texts.in_plane, &[&freedom.fixed.letter()]),
-                Some(along) => fill(texts.on_line, &[&along.letter()]),
-            }),
+            (Some((what, freedom)), _) => Some(of_tangent(
+                what,
+                match freedom.along {
+                    None => fill(texts.in_plane, &[&freedom.fixed.letter()]),
+                    Some(along) => fill(texts.on_line, &[&along.letter()]),
+                },
+            )),
             (None, Some(Handle::Vup)) if !self.is_busy() => Some(texts.roll_hint.to_owned()),
-            (None, Some(_)) if !self.is_busy() => {
+            (None, Some(what)) if !self.is_busy() => {
                 let [left, middle, right] =
                     PLANES.map(|(_, axis)| Freedom::of_button(projection, axis).fixed.letter());
-                Some(fill(texts.drag_hint, &[&left, &middle, &right]))
+                let hint = fill(texts.drag_hint, &[&left, &middle, &right]);
+                Some(of_tangent(what, hint))
             }
             (None, None) if several > 0 && !self.is_busy() => {
                 Some(fill(texts.several_hint, &[&several]))
@@ -182,11 +195,11 @@ impl PointerController {
         surface: &PointerContext<'_>,
         actions: &mut Vec<Action>,
     ) {
-        // Ctrl may come and go while the pointer rests.
-        let snaps = surface.context.input(|input| input.modifiers.ctrl);
+        // Ctrl and Alt may come and go while the pointer rests.
+        let held = surface.context.input(|input| input.modifiers);
         if let Some(hold) = self.hold
             && hold.moved
-            && hold.snaps != snaps
+            && (hold.snaps, hold.alone) != (held.ctrl, held.alt)
         {
             self.motion(editor, surface, hold.now, actions);
         }
@@ -343,7 +356,12 @@ impl PointerController {
                     && let Some(hold) = &mut self.hold
                     && matches!(
                         hold.what,
-                        Some(Handle::Point(_) | Handle::Vpn | Handle::Control(_))
+                        Some(
+                            Handle::Point(_)
+                                | Handle::Vpn
+                                | Handle::Control(_)
+                                | Handle::Tangent(_)
+                        )
                     )
                 {
                     let projection = projection_of(editor, surface.viewport);
@@ -489,6 +507,8 @@ impl PointerController {
             freedom,
             lag: DVec2::ZERO,
             snaps: false,
+            alone: false,
+            joint: editor.joint().unwrap_or_default(),
             view: editor.setup.view,
             shifts: what.is_none() && (button == PointerButton::Middle || modifiers.shift),
             boxes,
@@ -511,7 +531,7 @@ impl PointerController {
         if modifiers.shift {
             hold.lag -= (from_pos(pos) - from_pos(hold.now)) * (1.0 - 1.0 / FINE);
         }
-        hold.snaps = modifiers.ctrl;
+        (hold.snaps, hold.alone) = (modifiers.ctrl, modifiers.alt);
         hold.now = pos;
         if !hold.moved {
             let way = pos - hold.pressed;
@@ -661,9 +681,18 @@ fn pull(
         snaps: hold.snaps,
         pointer: from_pos(hold.now) + hold.lag,
         typed: typed.number().map(|number| (hold.from, number)),
+        joint: match hold.alone {
+            true => Joint::Corner,
+            false => hold.joint,
+        },
     };
     if let Handle::Control(at) = what {
-        let place = drag::follow(&projection, place_held(editor, what)?, &motion)?;
+        let place = drag::follow(
+            &projection,
+            place_held(editor, what)?,
+            &motion,
+            drag::cube(&projection),
+        )?;
         return Some(Action::MoveControl { at, place });
     }
     match drag::outcome(&editor.document, &projection, what, &motion) {
@@ -718,6 +747,7 @@ pub(super) fn place_held(editor: &Editor, what: Handle) -> Option<DVec3> {
             points.get(at).map(|point| point.position)
         }
         Handle::Vpn => drag::current_tip(&editor.document),
+        Handle::Tangent(side) => tangents::tip(&editor.document, side),
         Handle::Vup => None,
         Handle::Control(at) => {
             let cage = editor.windows.tool.as_ref()?.cage()?;

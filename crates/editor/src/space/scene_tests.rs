@@ -61,6 +61,13 @@ pub(in crate::space) fn edit(count: usize) -> impl Strategy<Value = Edit> {
         1 => (0..count).prop_map(|at| Edit::RemovePoint { at }),
         1 => any::<bool>().prop_map(Edit::SetClosed),
         1 => Just(Edit::AppendAfterLast),
+        1 => (0..count, prop::option::of((position(), position()))).prop_map(|(at, own)| {
+            let tangents = own.map(|(before, after)| Tangents { before, after });
+            Edit::SetTangents { at, tangents }
+        }),
+        1 => (0..3usize).prop_map(|kind| {
+            Edit::SetCurveKind([CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear][kind])
+        }),
     ]
 }
 

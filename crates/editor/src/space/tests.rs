@@ -469,7 +469,7 @@ fn in_place_of_a_plane_seen_edge_on_the_best_one_is_taken_and_shown() {
 }
 
 /// All texts in the picture.
-fn shown(harness: &Harness<'_, Editor>) -> Vec<String> {
+pub(super) fn shown(harness: &Harness<'_, Editor>) -> Vec<String> {
     let shapes = harness.output().shapes.iter();
     let texts = shapes.filter_map(|clipped| match &clipped.shape {
         egui::Shape::Text(text) => Some(text.galley.text().to_owned()),

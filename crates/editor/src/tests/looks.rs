@@ -432,6 +432,21 @@ fn no_text_of_the_panels_lies_over_another() {
             .map(|place| {
                 let mut point = crate::path::SupportPoint::new(DVec3::from_array(place));
                 point.orientations = vec![orientation(0.5), orientation(0.5)];
+                if place[0] != 0.0 {
+                    // One that owns what there is to own.
+                    let own = DVec3::X;
+                    let tangents = crate::path::Tangents {
+                        before: own,
+                        after: own,
+                    };
+                    point.tangents = Some(tangents);
+                    let key = &mut point.orientations[1];
+                    let own = key.own.with(|own| {
+                        own.zoom_slope = Some(0.1);
+                        own.roll_slope = Some(0.1);
+                    });
+                    key.own = own.expect("memory");
+                }
                 point
             })
             .to_vec(),

@@ -61,6 +61,12 @@ texts! {
         up_at: "Up towards {0}", "Oben zu {0}";
         up_at_hint: "The point that is up for the camera: drag, or click and type",
             "Der Punkt, der für die Kamera oben ist: ziehen, oder klicken und tippen";
+        own_turning: "Own turning ×", "Eigene Drehung ×";
+        own_turning_hint: "The camera turns here at a rate of its own, as an insertion leaves it: give that back, and the views around shape the turning again",
+            "Die Kamera dreht sich hier in eigenem Maß, wie ein Einfügen es hinterlässt: das zurückgeben, und die Blicke ringsum formen die Drehung wieder";
+        own_slope: "Own slope ×", "Steigung ×";
+        own_slope_hint: "The zoom changes here at a rate of its own: give that back, and the views around shape the zoom again",
+            "Der Zoom ändert sich hier in eigenem Maß: das zurückgeben, und die Blicke ringsum formen den Zoom wieder";
         hold: "Hold", "Halt";
         hold_unit: " fr.", " B.";
         hold_hint: "Frames that the camera rests here before it goes on",

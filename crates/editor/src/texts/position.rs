@@ -40,6 +40,40 @@ texts! {
         change_hint: "Open the window with presets and numbers",
             "Das Fenster mit Standardwerten und Zahlen öffnen";
 
+        kind: "Kind of curve", "Art der Kurve";
+        kind_hint: "How the curve leads through all points of the path",
+            "Wie die Kurve durch alle Punkte der Bahn führt";
+        tcb: "Curve: TCB", "Kurve: TCB";
+        tcb_hint: "By tension, continuity and bias at each point (Kochanek and Bartels)",
+            "Nach Tension, Continuity und Bias an jedem Punkt (Kochanek und Bartels)";
+        cubic: "Curve: C2", "Kurve: C2";
+        cubic_hint: "Cubic spline: its curvature does not jump at the points",
+            "Kubischer Spline: Die Krümmung springt an den Punkten nicht";
+        linear: "Straight", "Gerade";
+        linear_hint: "Straight from point to point", "Geradlinig von Punkt zu Punkt";
+        tangents: "Tangents", "Tangenten";
+        tangents_hint: "Whether this point owns its tangents, which then are dragged in the space",
+            "Ob dieser Punkt eigene Tangenten hat, an denen man dann im Raum zieht";
+        own_tangents: "Own tangents", "Eigene Tangenten";
+        own_tangents_hint: "The point owns the tangents that it has: the curve stays, and their ends can be dragged",
+            "Dem Punkt gehören die Tangenten, die er hat: Die Kurve bleibt, und an ihren Enden lässt sich ziehen";
+        by_shape: "Tangents of the curve", "Tangenten der Kurve";
+        by_shape_hint: "Take the own tangents away: the kind of curve gives them again, with T, C and B",
+            "Die eigenen Tangenten wegnehmen: Die Art der Kurve gibt sie wieder vor, mit T, C und B";
+        smooth: "Smooth", "Glatt";
+        smooth_hint: "One tangent turns with the other and keeps its length",
+            "Eine Tangente dreht sich mit der anderen und behält ihre Länge";
+        mirrored: "Mirrored", "Gespiegelt";
+        mirrored_hint: "One tangent is as long as the other, too",
+            "Eine Tangente ist auch so lang wie die andere";
+        corner: "Corner", "Ecke";
+        corner_hint: "One tangent stays while the other is dragged (with Alt always)",
+            "Eine Tangente bleibt, während man an der anderen zieht (mit Alt immer)";
+        no_shape_own: "This point has tangents of its own: T, C and B do nothing here",
+            "Dieser Punkt hat eigene Tangenten: T, C und B bewirken hier nichts";
+        no_shape_kind: "T, C and B shape curves of the kind TCB only",
+            "T, C und B formen nur Kurven der Art TCB";
+
         how_many: "How many points?", "Wie viele Punkte?";
         how_many_hint: "Number of points to insert after point {0}",
             "Anzahl der Punkte, die hinter Punkt {0} kommen";

@@ -20,6 +20,7 @@ texts! {
         position_at: "Position  x {0}  y {1}  z {2}", "Position  x {0}  y {1}  z {2}";
         target_at: "Target  x {0}  y {1}  z {2}", "Ziel  x {0}  y {1}  z {2}";
         offset_at: "Direction  x {0}  y {1}  z {2}", "Richtung  x {0}  y {1}  z {2}";
+        tangent_at: "Tangent  x {0}  y {1}  z {2}", "Tangente  x {0}  y {1}  z {2}";
         roll_at: "Roll {0}°", "Winkel {0}°";
         aim_here: "Aim the camera here", "Kamera hierauf richten";
         aim_all_here: "Aim all cameras here", "Alle Kameras hierauf richten";
@@ -71,6 +72,12 @@ texts! {
             "Längs {0} · X, Y, Z: festhalten · Zahl: so weit · Strg: in Schritten · Umschalt: feiner";
         rolling: "A number: the roll · Ctrl: in steps of 15° · Shift: finer", "Zahl: die Drehung · Strg: in Schritten von 15° · Umschalt: feiner";
         roll_hint: "Drag: roll the camera", "Ziehen: Kamera um die Blickrichtung drehen";
+        tangent_hint: "{0} · {1} · Alt: this side alone", "{0} · {1} · Alt: nur diese Seite";
+        before: "Tangent before the point", "Tangente vor dem Punkt";
+        after: "Tangent behind the point", "Tangente hinter dem Punkt";
+        tangent_mouse: "Drag the end of a tangent", "Am Ende einer Tangente ziehen";
+        tangent_meaning: "Bend the curve at a point with tangents of its own; Alt: on this side alone",
+            "Kurve an einem Punkt mit eigenen Tangenten biegen; Alt: nur auf dieser Seite";
         make_closed: "Close the path", "Bahn schließen";
         make_open: "Open the path", "Bahn öffnen";
         play: "Play", "Abspielen";

@@ -12,6 +12,7 @@ use super::{SubWindow, Windows, is_cramped, row_at_right, sub_window};
 use crate::actions::Action;
 use crate::limits::PRESETS;
 use crate::number::{Entry, Number};
+use crate::panels::curve::without_shape;
 use crate::path::{Target, Tcb};
 use crate::state::Editor;
 use crate::texts::fill;
@@ -81,16 +82,22 @@ impl SubWindow for CurveWindow {
         let stays = sub_window(context, Self::ID, texts.title, |ui| {
             ui.set_width(LIST + theme::GAP * 4.0 + rest(ui));
             self.heading(editor, ui);
+            let without = without_shape(editor, editor.document.selection().point);
             ui.horizontal_top(|ui| {
                 ui.spacing_mut().item_spacing.x = theme::GAP * 4.0;
                 ui.vertical(|ui| {
                     ui.set_width(LIST);
-                    self.list(editor, ui);
+                    ui.add_enabled_ui(without.is_none(), |ui| self.list(editor, ui));
+                    if let Some(why) = without {
+                        ui.colored_label(theme::palette(ui).weak, why);
+                    }
                 });
                 ui.vertical(|ui| {
                     ui.spacing_mut().item_spacing.x = theme::GAP;
                     ui.set_width(rest(ui));
-                    wrong |= self.shape(editor, ui, actions);
+                    let shape =
+                        ui.add_enabled_ui(without.is_none(), |ui| self.shape(editor, ui, actions));
+                    wrong |= shape.inner;
                     self.picture(editor, ui);
                     wrong |= self.numbers(editor, ui, actions);
                 });

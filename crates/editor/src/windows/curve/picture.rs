@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::pending::{Choice, Pending};
 use crate::document::Document;
-use crate::path::{CameraPath, CurveParameters, SupportPoint, Tcb, curve};
+use crate::path::{CameraPath, CurveKind, CurveParameters, SupportPoint, Tcb, curve};
 use crate::theme::{self, Palette};
 
 /// Segments on either side that depend on a point: its position shapes two.
@@ -45,8 +45,15 @@ impl Around {
         };
         let points = numbers.iter().map(|&number| {
             let point = &path.points[number];
+            // A spline feels points from further away.
+            let outermost = number == numbers[0] || Some(&number) == numbers.last();
+            let cut = path.curve == CurveKind::Cubic && !whole && outermost;
             SupportPoint {
                 curve: point.curve,
+                tangents: match cut {
+                    true => Some(curve::tangents(path, number)),
+                    false => point.tangents,
+                },
                 ..SupportPoint::new(point.position)
             }
         });
@@ -55,6 +62,7 @@ impl Around {
             path: CameraPath {
                 points: points.collect(),
                 presets: path.presets,
+                curve: path.curve,
                 closed: path.closed && whole,
                 ..CameraPath::default()
             },
@@ -297,6 +305,7 @@ fn beside(at: Pos2, size: Vec2, lines: &[Pos2]) -> Rect {
 mod tests {
     use super::*;
     use crate::document::{Edit, Info};
+    use crate::path::Tangents;
 
     fn document(count: usize, closed: bool) -> Document {
         let at = |k: usize| {
@@ -311,18 +320,33 @@ mod tests {
         Document::from_parts(path, Info::default()).unwrap()
     }
 
-    /// The neighbourhood gives the very segments of the whole path.
+    /// The neighbourhood gives the very segments of the whole path, of a spline to rounding,
+    /// also where a point owns its tangents.
     #[test]
     fn the_neighbourhood_is_that_of_the_whole() {
-        for (count, closed) in [
+        let paths = [
             (2, false),
             (3, true),
             (5, false),
             (7, true),
             (20, false),
             (20, true),
-        ] {
+        ];
+        let kinds = [CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear];
+        for ((count, closed), kind) in paths
+            .into_iter()
+            .zip([kinds; 6])
+            .flat_map(|(path, kinds)| kinds.map(|kind| (path, kind)))
+        {
             let mut document = document(count, closed);
+            document.apply(Edit::SetCurveKind(kind)).unwrap();
+            let tangents = Some(Tangents {
+                before: DVec3::X,
+                after: DVec3::Y,
+            });
+            document
+                .apply(Edit::SetTangents { at: 1, tangents })
+                .unwrap();
             for current in 0..count {
                 document.select(current, 0).unwrap();
                 let around = Around::of(&document);
@@ -331,7 +355,13 @@ mod tests {
                 assert!(!segments.is_empty());
                 for segment in segments {
                     let whole = curve::segment(document.path(), around.numbers[segment]);
-                    assert_eq!(curve::segment(&around.path, segment), whole);
+                    let found = curve::segment(&around.path, segment);
+                    if kind == CurveKind::Cubic {
+                        let away = |t: f64| found.point(t).distance(whole.point(t));
+                        assert!([0.2, 0.5, 0.8].map(away).into_iter().all(|far| far < 1e-12));
+                    } else {
+                        assert_eq!(found, whole);
+                    }
                 }
             }
         }
