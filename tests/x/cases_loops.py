@@ -35,7 +35,7 @@ def dragging(server, window, seconds):
     server.xdotool("mouseup", 3)
 
 
-def goes_on(place, way, draws=True, seconds=10):
+def goes_on(place, way, draws=True, seconds=5):
     """A host goes on drawing while the editor is used; gives the events that it got."""
     server = place.server()
     host = place.told(server, "loop_pending", way)

@@ -4,6 +4,7 @@
 //! [`projection`] says where something is seen, [`picking`] what lies under
 //! the pointer, [`drag`] what a motion makes of it: three pieces of arithmetic
 //! that are tested without a window. [`mod@pointer`] and [`keyboard`] make actions of the events,
+//! [`hold`] of what a button holds, [`drawing`] of a line that it draws;
 //! [`gesture`] says what those of a drag change,
 //! [`scene`], [`cameras`], [`ribbon`] and [`overlay`] draw, [`sliders`] stand
 //! around, [`menu`] is a point's menu.
@@ -11,8 +12,10 @@
 pub(crate) mod camera_view;
 mod cameras;
 mod drag;
+mod drawing;
 mod flying;
 mod gesture;
+mod hold;
 mod keyboard;
 mod menu;
 mod nodes;
@@ -266,7 +269,7 @@ impl Space {
         let pointer = &self.pointer;
         let dragged = pointer.dragged();
         let through = dragged.and_then(|(what, freedom)| {
-            let place = pointer::place_held(editor, what)?;
+            let place = hold::place_held(editor, what)?;
             Some((place, freedom))
         });
         let tool = pointer.tool.as_ref();
@@ -327,7 +330,7 @@ impl Space {
             let held = dragged.map(|(what, _)| what);
             let place = |handle| match handle {
                 Handle::Control(_) => {
-                    let place = pointer::place_held(editor, handle)?;
+                    let place = hold::place_held(editor, handle)?;
                     Some((place, palette.accent))
                 }
                 handle => overlay::place_of(document, &look, &tips, handle),

@@ -4,13 +4,15 @@
 use egui::{Context, CursorIcon, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect};
 use glam::{DVec2, DVec3};
 
-use super::drag::{self, Freedom, Handle, Motion, Outcome};
+use super::drag::{Freedom, Handle};
+use super::drawing::{self, Drawing};
 use super::gesture::Gesture;
+use super::hold::{Hold, place_held};
 use super::keyboard::{self, NUDGES};
 use super::picking;
 use super::projection::{Axis, Projection, from_pos, scale};
 use super::projection_of;
-use super::tangents::{self, Joint, Side};
+use super::tangents::Side;
 use super::tool::{self, Kind, Next, Tool};
 use super::typed::Typed;
 use crate::actions::Action;
@@ -27,9 +29,6 @@ const STILL: f32 = 2.0;
 /// With Shift a drag is so many times finer.
 pub(super) const FINE: f64 = 10.0;
 
-/// Degrees for a point on the screen.
-const TURN: f64 = 0.35;
-
 /// What a step of the wheel makes of the size.
 pub(super) const WHEEL: f64 = 1.1;
 
@@ -44,7 +43,7 @@ pub(super) struct PointerController {
     /// A tool is at work; a step of the document is open.
     pub(super) tool: Option<Tool>,
     /// The left button draws a line.
-    stroke: Option<Vec<DVec3>>,
+    drawing: Option<Drawing>,
     pub(super) hover: Option<Handle>,
     /// The handle around several points that lies under the pointer.
     pub(super) meant: Option<Kind>,
@@ -61,34 +60,6 @@ pub(super) const PLANES: [(PointerButton, Axis); 3] = [
     (PointerButton::Secondary, Axis::Z),
 ];
 
-/// A button that is down.
-#[derive(Clone, Copy, Debug)]
-struct Hold {
-    button: PointerButton,
-    pressed: Pos2,
-    now: Pos2,
-    what: Option<Handle>,
-    /// Where that was.
-    from: DVec3,
-    /// In which coordinates it moves.
-    freedom: Freedom,
-    /// From the pointer to where it is taken to be, after fine motions.
-    lag: DVec2,
-    /// It goes by steps.
-    snaps: bool,
-    /// Of two tangents one stays; else they are joined so.
-    alone: bool,
-    joint: Joint,
-    view: View,
-    /// Empty space is shifted instead of turned.
-    shifts: bool,
-    /// A box is drawn there that selects points.
-    boxes: bool,
-    /// What is selected stays so, whatever else is.
-    adds: bool,
-    moved: bool,
-}
-
 pub(super) struct PointerContext<'a> {
     pub(super) context: &'a Context,
     pub(super) viewport: Rect,
@@ -97,20 +68,13 @@ pub(super) struct PointerContext<'a> {
     pub(super) keyboard: bool,
 }
 
-impl Hold {
-    /// A control point of a tool's box is held: the tool's step is open already.
-    fn controls(&self) -> bool {
-        matches!(self.what, Some(Handle::Control(_)))
-    }
-}
-
 impl PointerController {
     /// The events of a pass. Of a row of motions only where it leads to counts, unless it
     /// draws.
     pub(super) fn events(&self, context: &Context) -> impl Iterator<Item = Event> + use<> {
         let mut events = context.input(|input| input.events.clone());
         let moves = |event: &Event| matches!(event, Event::PointerMoved(_));
-        let all = self.stroke.is_some();
+        let all = self.drawing.is_some();
         events.dedup_by(|later, event| {
             let both = !all && moves(later) && moves(event);
             if both {
@@ -123,12 +87,12 @@ impl PointerController {
 
     /// A button is down.
     pub(super) fn is_busy(&self) -> bool {
-        self.hold.is_some() || self.stroke.is_some()
+        self.hold.is_some() || self.drawing.is_some()
     }
 
     /// The line that is being drawn.
     pub(super) fn stroke(&self) -> Option<&[DVec3]> {
-        self.stroke.as_deref()
+        self.drawing.as_ref().map(Drawing::places)
     }
 
     /// What is dragged: what it is, and in which coordinates.
@@ -145,7 +109,7 @@ impl PointerController {
 
     /// Something is on its way: a handle, or the view.
     pub(super) fn moves(&self) -> bool {
-        self.hold.is_some_and(|hold| hold.moved) || self.tool.is_some() || self.stroke.is_some()
+        self.hold.is_some_and(|hold| hold.moved) || self.tool.is_some() || self.drawing.is_some()
     }
 
     /// What the buttons would do with what lies under the pointer; where a drag goes
@@ -205,7 +169,7 @@ impl PointerController {
         }
         // The release may have been lost with the window's focus.
         if !surface.context.input(|input| input.pointer.primary_down()) {
-            self.stroke = None;
+            self.drawing = None;
         }
         let (down, nudged) = surface.context.input(|input| {
             let down = (self.hold).is_none_or(|hold| input.pointer.button_down(hold.button));
@@ -235,7 +199,7 @@ impl PointerController {
         self.over = pointer.is_some_and(|at| (surface.mine)(at));
         self.hover = match (&self.hold, pointer) {
             (Some(hold), _) => hold.what,
-            (None, Some(at)) if (surface.mine)(at) && !draws(editor) => {
+            (None, Some(at)) if (surface.mine)(at) && !drawing::is_wanted(editor) => {
                 let projection = projection_of(editor, surface.viewport);
                 handle_at(editor, &projection, at, true)
             }
@@ -257,7 +221,7 @@ impl PointerController {
             (Some(hold), _) if hold.boxes => CursorIcon::Crosshair,
             (Some(hold), _) if hold.shifts => CursorIcon::Move,
             (Some(_), _) => CursorIcon::Grabbing,
-            (None, None) if self.tool.is_some() || self.stroke.is_some() => CursorIcon::Crosshair,
+            (None, None) if self.tool.is_some() || self.drawing.is_some() => CursorIcon::Crosshair,
             (None, _) if self.meant.is_some() => CursorIcon::Grab,
             (None, Some(_)) => CursorIcon::Grab,
             (None, None) => CursorIcon::Default,
@@ -282,8 +246,8 @@ impl PointerController {
             }
             return;
         }
-        if self.stroke.is_some() {
-            self.draw(editor, surface, &event, actions);
+        if let Some(drawing) = self.drawing.take() {
+            self.drawing = drawing.take(editor, surface, &event, actions);
             return;
         }
         if let Some(hold) = self.hold.filter(|hold| hold.moved && hold.what.is_some())
@@ -410,50 +374,6 @@ impl PointerController {
         self.tool = Some(tool);
     }
 
-    /// Takes what the hand does while it draws.
-    fn draw(
-        &mut self,
-        editor: &Editor,
-        surface: &PointerContext<'_>,
-        event: &Event,
-        actions: &mut Vec<Action>,
-    ) {
-        let place = |pos| {
-            Some(drawn_at(
-                editor,
-                &projection_of(editor, surface.viewport),
-                pos,
-            ))
-        };
-        match *event {
-            Event::PointerMoved(pos) => {
-                if let Some(stroke) = &mut self.stroke {
-                    stroke.extend(place(pos));
-                }
-            }
-            Event::PointerButton {
-                button: PointerButton::Primary,
-                pressed: false,
-                ..
-            } => {
-                let stroke = self.stroke.take().unwrap_or_default();
-                if stroke.len() > 2 {
-                    actions.push(Action::Stroke(stroke));
-                }
-            }
-            Event::Key {
-                key: Key::Escape,
-                pressed: true,
-                ..
-            } => {
-                self.stroke = None;
-                (surface.context)
-                    .input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
-            }
-            _ => {}
-        }
-    }
-
     fn press(
         &mut self,
         editor: &Editor,
@@ -473,8 +393,8 @@ impl PointerController {
         self.end_nudge(actions);
         let left = button == PointerButton::Primary;
         let projection = projection_of(editor, surface.viewport);
-        if left && draws(editor) {
-            self.stroke = Some(vec![drawn_at(editor, &projection, pos)]);
+        if left && drawing::is_wanted(editor) {
+            self.drawing = Some(Drawing::begin(editor, surface, pos));
             return;
         }
         let freedom = match held {
@@ -552,9 +472,9 @@ impl PointerController {
             return;
         }
         actions.extend(match hold.what {
-            Some(what) => pull(editor, surface.viewport, what, hold, &self.typed),
+            Some(what) => hold.pull(editor, surface.viewport, what, &self.typed),
             None if hold.boxes => None,
-            None => Some(Action::View(turned(surface.viewport, hold))),
+            None => Some(Action::View(hold.turned(surface.viewport))),
         });
     }
 
@@ -566,7 +486,7 @@ impl PointerController {
             if hold.what.is_some() {
                 actions.push(Action::Gesture(Gesture::End));
             } else if hold.boxes {
-                actions.push(Action::Choose(in_box(editor, viewport, &hold)));
+                actions.push(Action::Choose(hold.points_within(editor, viewport)));
             }
         } else if hold.button == PointerButton::Secondary {
             self.menu = Some((hold.pressed, hold.what));
@@ -609,37 +529,6 @@ impl PointerController {
     }
 }
 
-/// The points within the box that was drawn.
-fn in_box(editor: &Editor, viewport: Rect, hold: &Hold) -> Choice {
-    let drawn = Rect::from_two_pos(hold.pressed, hold.now);
-    let projection = projection_of(editor, viewport);
-    let points = editor.document.path().points.iter().enumerate();
-    let within = points.filter(|(_, point)| drawn.contains(projection.pos(point.position)));
-    let mut found: Vec<usize> = within.map(|(at, _)| at).collect();
-    if hold.adds {
-        found.extend(editor.all_selected());
-    }
-    if found.is_empty() {
-        return Choice::Current;
-    }
-    Choice::These(found)
-}
-
-/// A tool waits for a line that is drawn.
-fn draws(editor: &Editor) -> bool {
-    let tool = editor.windows.tool.as_ref();
-    tool.is_some_and(ToolWindow::draws)
-}
-
-/// What a line leads through that is drawn at `pos`: as deep as the current point, and
-/// within the space.
-fn drawn_at(editor: &Editor, projection: &Projection, pos: Pos2) -> DVec3 {
-    let space = projection.space();
-    let point = editor.point().map_or(space.centre, |point| point.position);
-    let place = projection.point_facing(point, from_pos(pos));
-    place.clamp(space.low(), space.high())
-}
-
 /// What lies under the pointer: a control point of a tool's box before all else.
 fn handle_at(
     editor: &Editor,
@@ -667,58 +556,6 @@ pub(super) fn axis_of(key: Key) -> Option<Axis> {
     }
 }
 
-/// Brings what is held under the pointer.
-fn pull(
-    editor: &Editor,
-    viewport: Rect,
-    what: Handle,
-    hold: &Hold,
-    typed: &Typed,
-) -> Option<Action> {
-    let projection = projection_of(editor, viewport);
-    let motion = Motion {
-        freedom: hold.freedom,
-        snaps: hold.snaps,
-        pointer: from_pos(hold.now) + hold.lag,
-        typed: typed.number().map(|number| (hold.from, number)),
-        joint: match hold.alone {
-            true => Joint::Corner,
-            false => hold.joint,
-        },
-    };
-    if let Handle::Control(at) = what {
-        let place = drag::follow(
-            &projection,
-            place_held(editor, what)?,
-            &motion,
-            drag::cube(&projection),
-        )?;
-        return Some(Action::MoveControl { at, place });
-    }
-    match drag::outcome(&editor.document, &projection, what, &motion) {
-        Outcome::Edit(edit) => Some(Action::Gesture(Gesture::Move(what, edit))),
-        Outcome::CircleEdgeOn => Some(Action::Complain(
-            editor.texts().space.circle_edge_on.to_owned(),
-        )),
-        Outcome::Nothing => None,
-    }
-}
-
-/// Turns or shifts the space by a drag in its empty part.
-fn turned(viewport: Rect, hold: &Hold) -> View {
-    let way = from_pos(hold.now) - from_pos(hold.pressed);
-    let mut changed = hold.view;
-    if hold.shifts {
-        let scale = scale(&hold.view, viewport);
-        changed.shift[0] += way.x / scale;
-        changed.shift[1] -= way.y / scale;
-    } else {
-        changed.rotation += way.x * TURN;
-        changed.tilt += way.y * TURN;
-    }
-    changed.in_range()
-}
-
 /// With another size. What lies under the pointer stays there; the smaller the
 /// space gets, the more it comes back to the middle.
 pub(super) fn resized(view: &View, viewport: Rect, pointer: Option<Pos2>, factor: f64) -> View {
@@ -737,21 +574,4 @@ pub(super) fn resized(view: &View, viewport: Rect, pointer: Option<Pos2>, factor
     }
     view.size = size;
     view.in_range()
-}
-
-/// The place that a drag's guides lead through.
-pub(super) fn place_held(editor: &Editor, what: Handle) -> Option<DVec3> {
-    match what {
-        Handle::Point(at) => {
-            let points = &editor.document.path().points;
-            points.get(at).map(|point| point.position)
-        }
-        Handle::Vpn => drag::current_tip(&editor.document),
-        Handle::Tangent(side) => tangents::tip(&editor.document, side),
-        Handle::Vup => None,
-        Handle::Control(at) => {
-            let cage = editor.windows.tool.as_ref()?.cage()?;
-            cage.nodes.get(at).copied()
-        }
-    }
 }

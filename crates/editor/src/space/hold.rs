@@ -1,0 +1,138 @@
+//! What a button that is down holds, and what its motion leads to.
+
+use egui::{PointerButton, Pos2, Rect};
+use glam::{DVec2, DVec3};
+
+use super::drag::{self, Freedom, Handle, Motion, Outcome};
+use super::gesture::Gesture;
+use super::projection::{from_pos, scale};
+use super::projection_of;
+use super::tangents::{self, Joint};
+use super::typed::Typed;
+use crate::actions::Action;
+use crate::selected::Choice;
+use crate::setup::View;
+use crate::state::Editor;
+
+/// Degrees for a point on the screen.
+const TURN: f64 = 0.35;
+
+/// A button that is down.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hold {
+    pub(super) button: PointerButton,
+    pub(super) pressed: Pos2,
+    pub(super) now: Pos2,
+    pub(super) what: Option<Handle>,
+    /// Where that was.
+    pub(super) from: DVec3,
+    /// In which coordinates it moves.
+    pub(super) freedom: Freedom,
+    /// From the pointer to where it is taken to be, after fine motions.
+    pub(super) lag: DVec2,
+    /// It goes by steps.
+    pub(super) snaps: bool,
+    /// Of two tangents one stays; else they are joined so.
+    pub(super) alone: bool,
+    pub(super) joint: Joint,
+    pub(super) view: View,
+    /// Empty space is shifted instead of turned.
+    pub(super) shifts: bool,
+    /// A box is drawn there that selects points.
+    pub(super) boxes: bool,
+    /// What is selected stays so, whatever else is.
+    pub(super) adds: bool,
+    pub(super) moved: bool,
+}
+
+impl Hold {
+    /// A control point of a tool's box is held: the tool's step is open already.
+    pub(super) fn controls(&self) -> bool {
+        matches!(self.what, Some(Handle::Control(_)))
+    }
+
+    /// Brings what is held under the pointer.
+    pub(super) fn pull(
+        &self,
+        editor: &Editor,
+        viewport: Rect,
+        what: Handle,
+        typed: &Typed,
+    ) -> Option<Action> {
+        let projection = projection_of(editor, viewport);
+        let motion = Motion {
+            freedom: self.freedom,
+            snaps: self.snaps,
+            pointer: from_pos(self.now) + self.lag,
+            typed: typed.number().map(|number| (self.from, number)),
+            joint: match self.alone {
+                true => Joint::Corner,
+                false => self.joint,
+            },
+        };
+        if let Handle::Control(at) = what {
+            let place = drag::follow(
+                &projection,
+                place_held(editor, what)?,
+                &motion,
+                drag::cube(&projection),
+            )?;
+            return Some(Action::MoveControl { at, place });
+        }
+        match drag::outcome(&editor.document, &projection, what, &motion) {
+            Outcome::Edit(edit) => Some(Action::Gesture(Gesture::Move(what, edit))),
+            Outcome::CircleEdgeOn => Some(Action::Complain(
+                editor.texts().space.circle_edge_on.to_owned(),
+            )),
+            Outcome::Nothing => None,
+        }
+    }
+
+    /// Turns or shifts the space by a drag in its empty part.
+    pub(super) fn turned(&self, viewport: Rect) -> View {
+        let way = from_pos(self.now) - from_pos(self.pressed);
+        let mut changed = self.view;
+        if self.shifts {
+            let scale = scale(&self.view, viewport);
+            changed.shift[0] += way.x / scale;
+            changed.shift[1] -= way.y / scale;
+        } else {
+            changed.rotation += way.x * TURN;
+            changed.tilt += way.y * TURN;
+        }
+        changed.in_range()
+    }
+
+    /// The points within the box that was drawn.
+    pub(super) fn points_within(&self, editor: &Editor, viewport: Rect) -> Choice {
+        let drawn = Rect::from_two_pos(self.pressed, self.now);
+        let projection = projection_of(editor, viewport);
+        let points = editor.document.path().points.iter().enumerate();
+        let within = points.filter(|(_, point)| drawn.contains(projection.pos(point.position)));
+        let mut found: Vec<usize> = within.map(|(at, _)| at).collect();
+        if self.adds {
+            found.extend(editor.all_selected());
+        }
+        if found.is_empty() {
+            return Choice::Current;
+        }
+        Choice::These(found)
+    }
+}
+
+/// The place that a drag's guides lead through.
+pub(super) fn place_held(editor: &Editor, what: Handle) -> Option<DVec3> {
+    match what {
+        Handle::Point(at) => {
+            let points = &editor.document.path().points;
+            points.get(at).map(|point| point.position)
+        }
+        Handle::Vpn => drag::current_tip(&editor.document),
+        Handle::Tangent(side) => tangents::tip(&editor.document, side),
+        Handle::Vup => None,
+        Handle::Control(at) => {
+            let cage = editor.windows.tool.as_ref()?.cage()?;
+            cage.nodes.get(at).copied()
+        }
+    }
+}
