@@ -238,11 +238,13 @@ fn roll(document: &Document, projection: &Projection, motion: &Motion) -> Outcom
     let Some(orientation) = support.orientations.get(selection.orientation) else {
         return Outcome::Nothing;
     };
+    let view = ahead::view(document.path(), selection.point, selection.orientation);
     let rolled = match motion.typed {
         Some((_, typed)) => orientation::wrap_degrees(typed),
-        None => match rolled(document, projection, orientation, motion) {
-            Ok(rolled) => rolled,
-            Err(outcome) => return outcome,
+        None if circle_share(projection, view) < EDGE_ON => return Outcome::CircleEdgeOn,
+        None => match rolled(document, projection, (orientation, view), motion) {
+            Some(rolled) => rolled,
+            None => return Outcome::Nothing,
         },
     };
     Outcome::Edit(Edit::SetOrientation {
@@ -259,29 +261,23 @@ fn roll(document: &Document, projection: &Projection, motion: &Motion) -> Outcom
 fn rolled(
     document: &Document,
     projection: &Projection,
-    current: &Orientation,
+    (current, view): (&Orientation, DVec3),
     motion: &Motion,
-) -> Result<f64, Outcome> {
+) -> Option<f64> {
     let Selection { point, orientation } = document.selection();
-    let view = ahead::view(document.path(), point, orientation);
-    if circle_share(projection, view) < EDGE_ON {
-        return Err(Outcome::CircleEdgeOn);
-    }
-    let support = document.path().points.get(point);
-    let support = support.ok_or(Outcome::Nothing)?;
+    let support = document.path().points.get(point)?;
     let way = motion.pointer - projection.image(support.position);
     // Counted from where the axis makes it, or from the up that there is.
     let (axes, counted) = match current.own.up {
         UpVector::Axis => (projection.space().up.level_axes(view), 0.0),
         _ => {
-            let up = document.up(point, orientation);
-            let up = up.map_err(|_| Outcome::Nothing)?;
+            let up = document.up(point, orientation).ok()?;
             ((up.cross(view), up), current.roll)
         }
     };
-    let turn = roll_towards(projection, axes, way).ok_or(Outcome::Nothing)?;
+    let turn = roll_towards(projection, axes, way)?;
     let roll = orientation::wrap_degrees(counted + turn);
-    Ok(match motion.snaps {
+    Some(match motion.snaps {
         true => (roll / SNAP_ROLL).round() * SNAP_ROLL + 0.0,
         false => roll,
     })
