@@ -41,7 +41,11 @@ fn edit(document: &Document, name: &str, set: &[(&str, f64)]) -> Result<Option<E
             sampler.sample(1, &mut poses).unwrap();
             Material::Poses(poses, None)
         }
-        _ => Material::None,
+        Needs::Stroke => {
+            let places = (0..50).map(|step| 0.02 * f64::from(step));
+            Material::Stroke(places.map(|x| DVec3::new(x, x * x, 0.1)).collect())
+        }
+        Needs::Nothing | Needs::Output => Material::None,
     };
     tool.edit(document, &material, &numbers)
 }
@@ -54,8 +58,8 @@ fn each_tool_changes_a_path_in_one_step_that_leaves_nothing_behind() {
         names.push(tool.name);
         let mut document = document();
         let before = document.path().clone();
-        let Some(edit) = edit(&document, tool.name, &[("by", 0.1), ("frames", 100.0)]).unwrap()
-        else {
+        let set = [("by", 0.1), ("frames", 100.0), ("lattice", -0.7)];
+        let Some(edit) = edit(&document, tool.name, &set).unwrap() else {
             assert_eq!(tool.needs(), Needs::Output);
             continue;
         };
