@@ -119,6 +119,8 @@ pub struct Editor {
     pub(super) joint: (usize, space::Joint),
     /// Where the last file was chosen.
     pub(super) last_folder: Option<PathBuf>,
+    /// The same of blocks.
+    pub(super) block_folder: Option<PathBuf>,
     /// What is to be done when what is typed at present has been applied.
     pub(super) waiting: Option<Action>,
     pub(super) typing: bool,
@@ -175,6 +177,7 @@ impl Editor {
             selected: Selected::default(),
             joint: Default::default(),
             last_folder: None,
+            block_folder: None,
             waiting: None,
             typing: false,
             message: None,

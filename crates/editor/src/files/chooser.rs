@@ -16,6 +16,7 @@ use super::listing::{Folder, MAX_ENTRIES, fits, is_hidden};
 use crate::actions::Action;
 use crate::document::export::Format;
 use crate::files::folders;
+use crate::files::picture::{self, Picture};
 use crate::files::{Purpose, readable, short};
 use crate::state::Editor;
 use crate::texts::fill;
@@ -28,6 +29,8 @@ const WIDTH: f32 = 520.0;
 const ROWS: f32 = 12.0;
 /// Width of the words before the fields.
 const LABELS: f32 = 88.0;
+/// Size of the picture of a path.
+const PICTURE: egui::Vec2 = vec2(148.0, 112.0);
 
 #[derive(Debug)]
 pub(crate) struct FileWindow {
@@ -45,6 +48,8 @@ pub(crate) struct FileWindow {
     fresh: bool,
     /// The list shows the chosen row.
     scroll: bool,
+    /// The file that was chosen last, and its picture if it has one.
+    picture: Option<(PathBuf, Option<Picture>)>,
 }
 
 #[derive(Default)]
@@ -80,6 +85,7 @@ impl FileWindow {
             overwrite: None,
             fresh: true,
             scroll: false,
+            picture: None,
         };
         window.go(editor, editor.folder_for(purpose));
         window
@@ -269,7 +275,7 @@ impl FileWindow {
                 done.go = home;
             }
         });
-        self.show_list(editor, ui, done);
+        self.show_list_and_picture(editor, ui, done);
         ui.horizontal(|ui| {
             field(ui, texts.name);
             let (width, words) = (ui.available_width(), (texts.name, texts.name_hint));
@@ -345,6 +351,32 @@ impl FileWindow {
                 self.chosen = None;
             }
         }
+    }
+
+    /// The list, and beside it the path that is chosen there.
+    fn show_list_and_picture(&mut self, editor: &Editor, ui: &mut Ui, done: &mut Done) {
+        if !matches!(self.purpose, Purpose::LoadPath | Purpose::LoadBlock) {
+            return self.show_list(editor, ui, done);
+        }
+        ui.horizontal_top(|ui| {
+            let width = ui.available_width() - PICTURE.x - ui.spacing().item_spacing.x;
+            ui.vertical(|ui| {
+                ui.set_max_width(width);
+                self.show_list(editor, ui, done);
+            });
+            let item = self.current().and_then(|at| self.folder.items.get(at));
+            let file = item.filter(|item| !item.is_folder);
+            let file = file.map(|item| self.folder.path.join(&item.name));
+            if self.picture.as_ref().map(|of| &of.0) != file.as_ref() {
+                self.picture = file.map(|file| {
+                    let picture = Picture::of_file(&file, PICTURE);
+                    (file, picture)
+                });
+            }
+            if let Some((_, picture)) = &self.picture {
+                picture::show(editor, ui, PICTURE, picture.as_ref());
+            }
+        });
     }
 
     fn show_list(&mut self, editor: &Editor, ui: &mut Ui, done: &mut Done) {

@@ -14,6 +14,8 @@ pub struct Folders {
     pub setup: Option<PathBuf>,
     /// Holds unsaved work and the list of recent files: `$XDG_STATE_HOME/vides`.
     pub state: Option<PathBuf>,
+    /// The library of blocks: `$XDG_DATA_HOME/vides/blocks`.
+    pub blocks: Option<PathBuf>,
 }
 
 impl Folders {
@@ -36,6 +38,7 @@ impl Folders {
         Self {
             setup: folder("XDG_CONFIG_HOME", ".config"),
             state: folder("XDG_STATE_HOME", ".local/state"),
+            blocks: folder("XDG_DATA_HOME", ".local/share").map(|data| data.join("blocks")),
         }
     }
 
@@ -80,6 +83,7 @@ mod tests {
         let folders = of(&[("HOME", "/h"), ("XDG_CONFIG_HOME", "/c")]);
         assert_eq!(folders.setup, Some("/c/vides".into()));
         assert_eq!(folders.state, Some("/h/.local/state/vides".into()));
+        assert_eq!(folders.blocks, Some("/h/.local/share/vides/blocks".into()));
         assert_eq!(folders.setup_file(), Some("/c/vides/setup.toml".into()));
     }
 

@@ -4,6 +4,7 @@ mod autosave;
 mod chooser;
 pub(crate) mod folders;
 mod listing;
+mod picture;
 mod question;
 mod recent;
 pub(crate) mod recovery;
@@ -183,7 +184,13 @@ impl Editor {
             Purpose::SaveBlock => self.save_block(file),
         };
         match done {
-            Ok(()) => self.last_folder = file.parent().map(Path::to_owned),
+            Ok(()) => {
+                let folder = file.parent().map(Path::to_owned);
+                match purpose {
+                    Purpose::LoadBlock | Purpose::SaveBlock => self.block_folder = folder,
+                    _ => self.last_folder = folder,
+                }
+            }
             Err(text) => {
                 self.complain(text.clone());
                 self.windows.files = window.map(|window| window.refused(text));
@@ -383,10 +390,21 @@ impl Editor {
 
     /// Where a file window begins.
     pub(crate) fn folder_for(&self, purpose: Purpose) -> PathBuf {
-        if !matches!(purpose, Purpose::LoadSetup | Purpose::SaveSetup) {
-            return self.folder();
+        let ours = match purpose {
+            Purpose::LoadSetup | Purpose::SaveSetup => self.folders.setup.clone(),
+            Purpose::LoadBlock | Purpose::SaveBlock => {
+                let library = self.folders.blocks.clone();
+                self.block_folder.clone().or(library)
+            }
+            _ => None,
+        };
+        if let Some(folder) = &ours
+            && purpose == Purpose::SaveBlock
+        {
+            // Without it the window begins elsewhere.
+            let _ = folders::make(folder);
         }
-        let ours = self.folders.setup.clone().filter(|folder| folder.is_dir());
+        let ours = ours.filter(|folder| folder.is_dir());
         ours.unwrap_or_else(|| self.folder())
     }
 

@@ -10,8 +10,8 @@ fn recent_files_are_in_the_menu_and_load() {
         let start = || {
             let options = Options {
                 folders: Folders {
-                    setup: None,
                     state: Some(at("state")),
+                    ..Folders::default()
                 },
                 ..options(language)
             };

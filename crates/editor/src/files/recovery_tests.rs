@@ -236,8 +236,8 @@ fn editor(folder: &Path) -> Editor {
         hand_over: false,
         fixed_speeds: false,
         folders: Folders {
-            setup: None,
             state: Some(folder.to_owned()),
+            ..Folders::default()
         },
         program: Program::of_tests("tests"),
         host_view: crate::HostView::default(),

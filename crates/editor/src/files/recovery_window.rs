@@ -3,14 +3,13 @@
 
 use std::time::{Duration, SystemTime};
 
-use egui::{Button, Color32, Pos2, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
+use egui::{Button, Ui, Vec2, vec2};
 
 use crate::actions::Action;
+use crate::files::picture::{self, Picture};
 use crate::files::recovery::Found;
 use crate::files::short;
 use crate::host::Date;
-use crate::setup::Element;
-use crate::space;
 use crate::state::Editor;
 use crate::texts::{Language, fill};
 use crate::theme;
@@ -36,8 +35,8 @@ pub(crate) struct RecoveryWindow {
 #[derive(Debug)]
 struct Offered {
     found: Found,
-    /// The edges of the movement space and the curve; none if it is broken.
-    picture: Option<(Vec<[Pos2; 2]>, Vec<Pos2>)>,
+    /// None if it is broken.
+    picture: Option<Picture>,
 }
 
 /// What was answered: an action, or nothing before the next start.
@@ -50,7 +49,7 @@ impl RecoveryWindow {
             picture: found
                 .document()
                 .ok()
-                .map(|document| space::thumbnail(&document, PICTURE)),
+                .map(|document| Picture::of(&document, PICTURE)),
             found,
         });
         Self {
@@ -73,7 +72,7 @@ impl RecoveryWindow {
         let mut answer = None;
         for (index, offered) in self.offered.iter().enumerate() {
             ui.horizontal(|ui| {
-                paint(editor, ui, offered);
+                picture::show(editor, ui, PICTURE, offered.picture.as_ref());
                 ui.vertical(|ui| {
                     ui.set_width(ui.available_width() - BUTTON.x - 16.0);
                     describe(editor, ui, &offered.found);
@@ -186,40 +185,6 @@ fn describe(editor: &Editor, ui: &mut Ui, found: &Found) {
         }
         None => line(ui, age),
     }
-}
-
-fn paint(editor: &Editor, ui: &mut Ui, offered: &Offered) {
-    let texts = &editor.texts().recovery;
-    let (rect, response) = ui.allocate_exact_size(PICTURE, Sense::hover());
-    let colours = editor.setup.colours();
-    let painter = ui.painter_at(rect);
-    painter.rect_filled(rect, 4.0, colours.of(Element::Background));
-    let name = match &offered.picture {
-        Some((edges, curve)) => {
-            let at = |point: &Pos2| pos2(rect.left() + point.x, rect.top() + point.y);
-            let faint = colours.of(Element::Cube).gamma_multiply(0.5);
-            for [from, to] in edges {
-                painter.line_segment([at(from), at(to)], Stroke::new(1.0, faint));
-            }
-            let line = Stroke::new(1.5, colours.of(Element::Curve));
-            painter.add(Shape::line(curve.iter().map(at).collect(), line));
-            texts.picture
-        }
-        None => {
-            let colour: Color32 = theme::palette(ui).error;
-            let font = theme::text();
-            painter.text(
-                rect.center(),
-                egui::Align2::CENTER_CENTER,
-                "?",
-                font,
-                colour,
-            );
-            texts.unreadable
-        }
-    };
-    response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, name));
-    response.on_hover_text(name);
 }
 
 fn date_in_words(language: Language, date: Date) -> String {

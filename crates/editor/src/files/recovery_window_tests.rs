@@ -14,8 +14,8 @@ fn start_of(program: Program, language: Language, folder: &std::path::Path) -> W
     };
     let options = Options {
         folders: Folders {
-            setup: None,
             state: Some(folder.to_owned()),
+            ..Folders::default()
         },
         program,
         ..options(language)

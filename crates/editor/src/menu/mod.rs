@@ -261,7 +261,8 @@ fn tools(editor: &Editor) -> Vec<Entry> {
             text: format!("{}{more}", language.tool(tool.name)).into(),
             ..Entry::new("", language.tool_hint(&tool), Action::Tool(tool))
         };
-        let first = !tool.is_move() && !std::mem::replace(&mut beside, !tool.is_move());
+        let makes = tool.is_move() || tool.needs() == Needs::Stroke;
+        let first = !makes && !std::mem::replace(&mut beside, !makes);
         let entry = if first { entry.beside() } else { entry };
         let entry = match tool.name {
             "taper" | "insert" | "reverse" | "fit" => entry.apart(),

@@ -75,7 +75,13 @@ fn show_setting(editor: &Editor, ui: &Ui, response: Response) {
     let width = |text: &str, font: FontId| text_width(ui, text, font);
     let digits = width("0", theme::text());
     // Labels beside the numbers where there is room for them, else above.
-    for (above, between) in [(false, 20.0), (false, 12.0), (true, 14.0), (true, 8.0)] {
+    for (above, between) in [
+        (false, 20.0),
+        (false, 12.0),
+        (true, 14.0),
+        (true, 8.0),
+        (true, 4.0),
+    ] {
         let mut places = Vec::new();
         let mut x = 0.0;
         for column in &columns {
@@ -100,7 +106,7 @@ fn show_setting(editor: &Editor, ui: &Ui, response: Response) {
             x = x.max(label_width + digits * 0.75) + between - digits * 0.75;
         }
         let all = x - between;
-        if all <= rect.width() || (above && between < 10.0) {
+        if all <= rect.width() || (above && between < 5.0) {
             paint(ui, rect, rect.right() - all, &places);
             if above {
                 response.on_hover_text(in_words(&columns));

@@ -74,7 +74,7 @@ fn the_language_is_chosen_and_kept() {
         let options = Options {
             folders: Folders {
                 setup: Some(folder.path().to_owned()),
-                state: None,
+                ..Folders::default()
             },
             ..options(language)
         };
@@ -112,7 +112,7 @@ fn the_theme_chosen_is_that_of_the_next_start() {
             let options = Options {
                 folders: Folders {
                     setup: Some(folder.path().join("deep")),
-                    state: None,
+                    ..Folders::default()
                 },
                 ..options(language)
             };
@@ -186,7 +186,7 @@ fn the_setup_is_read_at_start() {
     let folder = tempfile::tempdir().unwrap();
     let folders = || Folders {
         setup: Some(folder.path().to_owned()),
-        state: None,
+        ..Folders::default()
     };
     let start = |language| {
         let options = Options {
@@ -232,7 +232,7 @@ fn a_setup_is_saved_and_loaded_by_the_menu() {
         let options = Options {
             folders: Folders {
                 setup: Some(folder.path().to_owned()),
-                state: None,
+                ..Folders::default()
             },
             ..options(language)
         };

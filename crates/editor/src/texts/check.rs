@@ -21,7 +21,7 @@ texts! {
         frames: "Frames {0}–{1}", "Bilder {0}–{1}";
         go_hint: "Go to this frame and select the key before it: point {0}",
             "Zu diesem Bild gehen und die Stelle davor wählen: Punkt {0}";
-        mend: "Mend", "Beheben";
+        mend: "Fix", "Beheben";
     }
 }
 

@@ -15,7 +15,7 @@ texts! {
         crosses: "Support points", "Stützpunkte";
         numbers: "Numbers of the points", "Nummern der Punkte";
         vpn: "View direction (VPN)", "Blickrichtung (VPN)";
-        vup: "Up (VUP)", "Kameranormale (VUP)";
+        vup: "Up (VUP)", "Oben (VUP)";
         circle: "Circle of VUP", "Kreis des VUP";
         axes: "Axes while dragging", "Achsen beim Ziehen";
         plane: "Plane while dragging", "Ebene beim Ziehen";

@@ -20,7 +20,7 @@ texts! {
         relative: "Direction", "Richtung";
         relative_hint: "The camera keeps its direction when the point is moved (Rel.)",
             "Die Kamera behält ihre Richtung, wenn der Punkt verschoben wird (Rel.)";
-        ahead: "Along way", "Weg";
+        ahead: "Along path", "Voraus";
         ahead_hint: "The camera looks along its way, upright",
             "Die Kamera blickt aufrecht ihren Weg entlang";
         distance: "Ahead", "Voraus";

@@ -17,9 +17,9 @@ texts! {
         object: "object", "Objekt";
         light: "light", "Licht";
         camera: "camera", "Kamera";
-        no_path: "No path is edited. Choose a node that follows one in the list of the scene.",
+        no_path: "No path is edited. In the list of the scene, choose a node that moves on a path.",
             "Keine Bahn wird bearbeitet. Bitte in der Liste der Szene einen Knoten wählen, \
-             der einer folgt.";
+             der sich auf einer Bahn bewegt.";
         at_frame: "{0}, frame {1}", "{0}, Bild {1}";
     }
 }

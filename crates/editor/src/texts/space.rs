@@ -26,7 +26,7 @@ texts! {
         aim_all_here: "Aim all cameras here", "Alle Kameras hierauf richten";
         empty_hint: "Drag: turn · Shift: move the space · Ctrl: select points",
             "Ziehen: drehen · Umschalt: Raum verschieben · Strg: Punkte auswählen";
-        several_hint: "{0} points selected: what is done is done to all · M, R, S: move, turn, scale · Esc: one",
+        several_hint: "{0} points selected: a change changes all · M, R, S: move, turn, scale · Esc: one",
             "{0} Punkte ausgewählt: Was geschieht, gilt für alle · M, R, S: bewegen, drehen, skalieren · Esc: einer";
         all_points: "Select all points", "Alle Punkte auswählen";
         click_mouse: "Shift or Ctrl, click on a point",
@@ -66,10 +66,10 @@ texts! {
         corner_meaning: "Aim one camera or all at it", "Eine Kamera oder alle darauf richten";
         drag_hint: "Drag: left keeps {0}, middle {1}, right {2}",
             "Ziehen: links bleibt {0} fest, Mitte {1}, rechts {2}";
-        in_plane: "In the plane {0} = const · X, Y, Z: keep it · a number: so far · Ctrl: in steps · Shift: finer",
-            "In der Ebene {0} = const · X, Y, Z: festhalten · Zahl: so weit · Strg: in Schritten · Umschalt: feiner";
-        on_line: "Along {0} · X, Y, Z: keep it · a number: so far · Ctrl: in steps · Shift: finer",
-            "Längs {0} · X, Y, Z: festhalten · Zahl: so weit · Strg: in Schritten · Umschalt: feiner";
+        in_plane: "In the plane {0} = const · X, Y, Z: lock one · a number: distance · Ctrl: in steps · Shift: finer",
+            "In der Ebene {0} = const · X, Y, Z: festhalten · Zahl: Abstand · Strg: in Schritten · Umschalt: feiner";
+        on_line: "Along {0} · X, Y, Z: lock one · a number: distance · Ctrl: in steps · Shift: finer",
+            "Längs {0} · X, Y, Z: festhalten · Zahl: Abstand · Strg: in Schritten · Umschalt: feiner";
         rolling: "A number: the roll · Ctrl: in steps of 15° · Shift: finer", "Zahl: die Drehung · Strg: in Schritten von 15° · Umschalt: feiner";
         roll_hint: "Drag: roll the camera", "Ziehen: Kamera um die Blickrichtung drehen";
         tangent_hint: "{0} · {1} · Alt: this side alone", "{0} · {1} · Alt: nur diese Seite";

@@ -56,7 +56,7 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("extract", "Save points as a block", "Punkte als Baustein speichern", "schreibt Punkte als eigene Bahn"),
     ("blend", "Blend with a path", "Mit einer Bahn mischen", "mischt die Bahn mit einer anderen aus einer Datei"),
     ("reverse", "Reverse", "Umkehren", "kehrt den Weg um"),
-    ("repeat", "Repeat", "Wiederholen", "geht den Weg mehrmals"),
+    ("repeat", "Go several times", "Mehrmals gehen", "geht den Weg mehrmals"),
     ("frames", "Number of frames", "Zahl der Bilder", "bringt Punkte auf eine Zahl von Bildern"),
     ("fit", "Fit recorded poses", "Aufgezeichnete Posen annähern", "macht aus aufgezeichneten Posen eine Bahn aus wenigen Punkten"),
 ];

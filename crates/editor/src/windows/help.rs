@@ -31,7 +31,9 @@ impl SubWindow for HelpWindow {
 
     fn show(&mut self, editor: &Editor, context: &egui::Context, _: &mut Vec<Action>) -> bool {
         let texts = &editor.texts().help;
-        let height = (context.content_rect().height() - 120.0).max(160.0);
+        let screen = context.content_rect().size();
+        let height = (screen.y - 120.0).max(160.0);
+        let column = ((screen.x - 100.0) / 2.0).max(KEYS);
         sub_window(context, Self::ID, texts.title, |ui| {
             ScrollArea::vertical().max_height(height).show(ui, |ui| {
                 for (heading, rows) in sections(editor.language()) {
@@ -42,10 +44,12 @@ impl SubWindow for HelpWindow {
                         .num_columns(2)
                         .spacing([16.0, 4.0])
                         .min_col_width(KEYS)
+                        .max_col_width(column)
                         .show(ui, |ui| {
                             for (keys, meaning) in rows {
                                 ui.label(keys);
-                                ui.colored_label(palette.weak, &*meaning);
+                                let meaning = egui::RichText::new(&*meaning);
+                                ui.add(egui::Label::new(meaning.color(palette.weak)).wrap());
                                 ui.end_row();
                             }
                         });

@@ -11,7 +11,7 @@ use std::path::Path;
 use egui::{Align, Button, Context, Layout, Ui, vec2};
 use glam::DVec3;
 
-use super::{name_cross, row_at_right, sub_window};
+use super::{name_cross, row_at_right, sub_window_as};
 use crate::actions::Action;
 use crate::document::tool::{Cage, Material, Needs, Tool};
 use crate::document::{Document, Selection};
@@ -66,35 +66,45 @@ impl ToolWindow {
         let texts = &editor.texts().tools;
         let old = self.numbers.clone();
         let dragged = self.before.is_some();
-        let open = sub_window(context, Self::ID, language.tool(self.tool.name), |ui| {
-            ui.set_width(NAME + theme::GAP + FIELDS);
-            let palette = theme::palette(ui);
-            ui.colored_label(palette.weak, language.tool_hint(&self.tool));
-            self.fields(editor, ui, actions);
-            match &self.trouble {
-                Some(trouble) => ui.colored_label(palette.error, trouble),
-                None => ui.colored_label(palette.weak, self.result(editor)),
-            };
-            let (ok, hint) = match self.tool.needs() {
-                Needs::Output => (texts.write, texts.write_hint),
-                _ => (texts.ok, texts.ok_hint),
-            };
-            row_at_right(ui, &[texts.cancel, ok], BUTTON, |ui| {
-                let button = |text| Button::new(text).min_size(vec2(BUTTON, theme::ROW));
-                let cancel = ui.add(button(texts.cancel));
-                if cancel.on_hover_text(texts.cancel_hint).clicked() {
-                    actions.push(Action::EndTool { keeps: false });
-                }
-                let able = self.trouble.is_none() && !self.lacks_stroke();
-                let ok = ui.add_enabled(able, button(ok)).on_hover_text(hint);
-                if std::mem::take(&mut self.fresh) {
-                    ok.request_focus();
-                }
-                if ok.clicked() {
-                    actions.push(Action::EndTool { keeps: true });
-                }
-            });
-        });
+        // Beside what it changes.
+        let corner = context.content_rect().right_top() + super::OVER_PANELS;
+        let pivot = egui::Align2::RIGHT_TOP;
+        let title = language.tool(self.tool.name);
+        let open = sub_window_as(
+            context,
+            Self::ID,
+            title,
+            |window| window.pivot(pivot).default_pos(corner),
+            |ui| {
+                ui.set_width(NAME + theme::GAP + FIELDS);
+                let palette = theme::palette(ui);
+                ui.colored_label(palette.weak, language.tool_hint(&self.tool));
+                self.fields(editor, ui, actions);
+                match &self.trouble {
+                    Some(trouble) => ui.colored_label(palette.error, trouble),
+                    None => ui.colored_label(palette.weak, self.result(editor)),
+                };
+                let (ok, hint) = match self.tool.needs() {
+                    Needs::Output => (texts.write, texts.write_hint),
+                    _ => (texts.ok, texts.ok_hint),
+                };
+                row_at_right(ui, &[texts.cancel, ok], BUTTON, |ui| {
+                    let button = |text| Button::new(text).min_size(vec2(BUTTON, theme::ROW));
+                    let cancel = ui.add(button(texts.cancel));
+                    if cancel.on_hover_text(texts.cancel_hint).clicked() {
+                        actions.push(Action::EndTool { keeps: false });
+                    }
+                    let able = self.trouble.is_none() && !self.lacks_stroke();
+                    let ok = ui.add_enabled(able, button(ok)).on_hover_text(hint);
+                    if std::mem::take(&mut self.fresh) {
+                        ok.request_focus();
+                    }
+                    if ok.clicked() {
+                        actions.push(Action::EndTool { keeps: true });
+                    }
+                });
+            },
+        );
         name_cross(
             context,
             super::layer(Self::ID),

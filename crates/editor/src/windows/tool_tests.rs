@@ -255,6 +255,44 @@ fn a_block_is_written_and_put_in_by_files() {
 }
 
 #[test]
+fn blocks_lie_in_a_library_and_are_seen_before_they_are_chosen() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let library = folder.path().join("vides").join("blocks");
+    for language in BOTH {
+        let options = Options {
+            document: some_points(),
+            folders: Folders {
+                blocks: Some(library.clone()),
+                ..Folders::default()
+            },
+            ..options(language)
+        };
+        let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
+        let texts = &language.texts();
+        pick(&mut window, "extract");
+        click(&mut window, texts.tools.write);
+        // The file window stands in the library, which is made for the first block.
+        assert!(library.is_dir());
+        let name = format!("{}.vid", texts.files.block);
+        click(&mut window, texts.files.save);
+        assert!(library.join(&name).is_file());
+        pick(&mut window, "insert");
+        let picture = texts.recovery.picture;
+        assert!(window.query_by_label(picture).is_none());
+        click(&mut window, &name);
+        assert!(window.query_by_label(picture).is_some());
+        screenshot(&mut window, "files-block.png");
+        click(&mut window, texts.files.load);
+        assert!(window.state().windows.tool.is_some());
+        click(&mut window, "OK");
+        assert_eq!(undo_name(&window), Some("insert"));
+        // Another file is chosen where paths are.
+        let elsewhere = window.state().folder_for(Purpose::LoadPath);
+        assert_ne!(elsewhere, library);
+    }
+}
+
+#[test]
 fn a_path_is_blended_with_one_from_a_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("other.vid");

@@ -1,0 +1,68 @@
+//! A small picture of a path in a file.
+
+use std::path::Path;
+
+use egui::{Align2, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2};
+
+use crate::document::Document;
+use crate::setup::Element;
+use crate::space;
+use crate::state::Editor;
+use crate::theme;
+
+/// A longer file is not read for its picture alone.
+const LONGEST: u64 = 1 << 20;
+
+/// The edges of the movement space and the curve.
+#[derive(Debug)]
+pub(super) struct Picture {
+    edges: Vec<[Pos2; 2]>,
+    curve: Vec<Pos2>,
+}
+
+impl Picture {
+    pub(super) fn of(document: &Document, size: Vec2) -> Self {
+        let (edges, curve) = space::thumbnail(document, size);
+        Self { edges, curve }
+    }
+
+    /// That of a file; none if it is no path, or a long one.
+    pub(super) fn of_file(file: &Path, size: Vec2) -> Option<Self> {
+        let known = std::fs::metadata(file).ok()?;
+        let short = known.is_file() && known.len() <= LONGEST;
+        let document = short.then(|| Document::load(file).ok())??;
+        Some(Self::of(&document, size))
+    }
+
+    fn paint(&self, editor: &Editor, ui: &Ui, rect: Rect) {
+        let colours = editor.setup.colours();
+        let painter = ui.painter_at(rect);
+        let at = |point: &Pos2| pos2(rect.left() + point.x, rect.top() + point.y);
+        let faint = colours.of(Element::Cube).gamma_multiply(0.5);
+        for [from, to] in &self.edges {
+            painter.line_segment([at(from), at(to)], Stroke::new(1.0, faint));
+        }
+        let line = Stroke::new(1.5, colours.of(Element::Curve));
+        painter.add(Shape::line(self.curve.iter().map(at).collect(), line));
+    }
+}
+
+/// Shows it; a question mark for what is no path.
+pub(super) fn show(editor: &Editor, ui: &mut Ui, size: Vec2, picture: Option<&Picture>) {
+    let texts = &editor.texts().recovery;
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    let ground = editor.setup.colours().of(Element::Background);
+    ui.painter().rect_filled(rect, 4.0, ground);
+    let name = if let Some(picture) = picture {
+        picture.paint(editor, ui, rect);
+        texts.picture
+    } else {
+        let color = theme::palette(ui).error;
+        let (centre, font) = (rect.center(), theme::text());
+        ui.painter()
+            .text(centre, Align2::CENTER_CENTER, "?", font, color);
+        texts.unreadable
+    };
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, name));
+    response.on_hover_text(name);
+}
