@@ -518,6 +518,9 @@ impl Editor {
 
     /// Does an edit; what hinders it is told.
     pub(crate) fn edit(&mut self, edit: Edit) -> bool {
+        if self.replaces_tangents(&edit).is_some() {
+            return self.edit_together([edit]);
+        }
         let done = self.document.apply(edit);
         self.tell(done)
     }
@@ -530,8 +533,24 @@ impl Editor {
 
     /// The same as a part of a step that is open.
     pub(super) fn edit_together(&mut self, edits: impl IntoIterator<Item = Edit>) -> bool {
-        let done = self.document.apply_all(edits);
+        let mut all = Vec::new();
+        for edit in edits {
+            let replaced = self.replaces_tangents(&edit);
+            all.extend(replaced.map(|at| Edit::SetTangents { at, tangents: None }));
+            all.push(edit);
+        }
+        let done = self.document.apply_all(all);
         self.tell(done)
+    }
+
+    /// The point that loses its own tangents by an edit: a shape that is chosen takes
+    /// their place.
+    fn replaces_tangents(&self, edit: &Edit) -> Option<usize> {
+        let (Edit::SetOwn { at, .. } | Edit::UsePreset { at, .. }) = *edit else {
+            return None;
+        };
+        let owns = self.document.path().points.get(at)?.tangents.is_some();
+        owns.then_some(at)
     }
 
     /// What hinders an edit stands in the output field.

@@ -23,16 +23,19 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     });
 }
 
-/// Why tension, continuity and bias do nothing at a point; none: they do.
-pub(crate) fn without_shape(editor: &Editor, point: usize) -> Option<&'static str> {
-    let texts = &editor.texts().position;
+/// Why tension, continuity and bias do nothing; none: they do.
+pub(crate) fn without_shape(editor: &Editor) -> Option<&'static str> {
+    match editor.document.path().curve {
+        CurveKind::Tcb => None,
+        CurveKind::Cubic | CurveKind::Linear => Some(editor.texts().position.no_shape_kind),
+    }
+}
+
+/// What they do at a point that owns its tangents.
+pub(crate) fn in_place_of_tangents(editor: &Editor, point: usize) -> Option<&'static str> {
     let path = editor.document.path();
     let owns = path.points.get(point)?.tangents.is_some();
-    match path.curve {
-        _ if owns => Some(texts.no_shape_own),
-        CurveKind::Tcb => None,
-        CurveKind::Cubic | CurveKind::Linear => Some(texts.no_shape_kind),
-    }
+    (owns && path.curve == CurveKind::Tcb).then_some(editor.texts().position.in_place_of_tangents)
 }
 
 /// What kind of curve the path has, and what that means.

@@ -4,7 +4,7 @@
 use egui::{Button, Color32, Popup, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2};
 use glam::DVec3;
 
-use super::curve::{self, without_shape, words_of};
+use super::curve::{self, in_place_of_tangents, without_shape, words_of};
 use super::{Key, heading_with_room, keys, round, share, words};
 use crate::actions::Action;
 use crate::document::Edit;
@@ -90,10 +90,10 @@ fn presets(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     ui.painter()
         .add(Shape::line(arrow, Stroke::new(1.5, colour)));
     let now = editor.point().map(|point| point.curve);
-    let without = without_shape(editor, editor.document.selection().point);
+    let without = without_shape(editor);
     Popup::menu(&response).show(|ui| {
         for preset in (0_u8..).take(PRESETS) {
-            let chosen = now == Some(CurveParameters::Preset(preset));
+            let chosen = now == Some(CurveParameters::Preset(preset)) && editor.joint().is_none();
             let tcb = editor.document.path().presets[usize::from(preset)];
             let shape = editor.texts().curve.shape(editor.language(), tcb);
             let shape = RichText::new(shape).color(if chosen {
@@ -217,8 +217,10 @@ fn shape(editor: &Editor, ui: &mut Ui, next: bool, actions: &mut Vec<Action>) {
     let tcb = point.map(|point| path.tcb(point));
     let width = share(ui, 3);
     let language = editor.language();
-    let without = point.and_then(|point| without_shape(editor, point));
-    let hint = if let Some(why) = without {
+    let without = without_shape(editor);
+    let owns = point.filter(|_| !next);
+    let owns = owns.and_then(|point| in_place_of_tangents(editor, point));
+    let hint = if let Some(why) = without.or(owns) {
         why
     } else if next {
         texts.position.next_shape_hint

@@ -10,7 +10,7 @@ use super::tests::{
 };
 use super::*;
 use crate::document::Edit;
-use crate::path::{CurveKind, Tangents, UpVector, curve};
+use crate::path::{CurveKind, CurveParameters, Tangents, UpVector, curve};
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::tests::{BOTH, LARGE, SMALL, Window, enter, poses, some_points};
@@ -87,7 +87,7 @@ fn a_point_owns_the_tangents_that_it_has_and_no_bit_of_the_curve_changes() {
         harness.run();
         let heading = format!("{}: {}", texts.heading, texts.tangents);
         assert!(harness.query_by_label(&heading).is_some());
-        // Its T, C and B are shown, and cannot be changed; why not is told.
+        // T, C and B take their place, which is told.
         let owning = text(&harness);
         let tension = format!("{} (t1)", language.texts().curve.tension);
         let value = if language == Language::German {
@@ -95,16 +95,35 @@ fn a_point_owns_the_tangents_that_it_has_and_no_bit_of_the_curve_changes() {
         } else {
             "0.5"
         };
-        enter(&mut harness, &tension, value);
-        assert_eq!(text(&harness), owning);
         let field = crate::tests::number(&harness, &tension).rect().center();
         harness.hover_at(field);
         for _ in 0..80 {
             harness.step();
         }
-        let told = |text: &String| text.contains(texts.no_shape_own);
+        let told = |text: &String| text.contains(texts.in_place_of_tangents);
         assert!(shown(&harness).iter().any(told));
-        // Those of the next point can.
+        enter(&mut harness, &tension, value);
+        let point = harness.state().point().unwrap();
+        assert_eq!(point.tangents, None);
+        assert!(matches!(point.curve, CurveParameters::Own(tcb) if tcb.tension == 0.5));
+        assert!(harness.state_mut().document.undo());
+        assert_eq!(text(&harness), owning);
+        harness.run();
+        // So does a preset, the one that it had before, too.
+        let used = match harness.state().point().unwrap().curve {
+            CurveParameters::Preset(preset) => usize::from(preset),
+            CurveParameters::Own(_) => 0,
+        };
+        let action = Action::Edit(Edit::UsePreset {
+            at: harness.state().document.selection().point,
+            preset: used,
+        });
+        let context = harness.ctx.clone();
+        harness.state_mut().act(action, &context);
+        assert_eq!(harness.state().point().unwrap().tangents, None);
+        assert!(harness.state_mut().document.undo());
+        assert_eq!(text(&harness), owning);
+        harness.run();
         choose(&mut harness, texts.tangents, texts.own_tangents);
         assert_eq!(text(&harness), before);
         enter(&mut harness, &tension, value);
@@ -421,16 +440,16 @@ fn the_kind_of_curve_is_chosen_and_what_cannot_be_is_told() {
 
 /// The curve window shows the curve that there is, of every kind.
 #[test]
-fn the_curve_window_says_where_its_numbers_do_nothing() {
+fn the_curve_window_says_what_its_numbers_do_to_tangents() {
     for language in BOTH {
         let texts = &language.texts().position;
         let mut harness = with_tangents(language);
         harness.get_by_label(texts.change).click();
         harness.run();
-        assert!(harness.query_by_label(texts.no_shape_own).is_some());
+        assert!(harness.query_by_label(texts.in_place_of_tangents).is_some());
         harness.state_mut().set_own_tangents(false);
         harness.run();
-        assert!(harness.query_by_label(texts.no_shape_own).is_none());
+        assert!(harness.query_by_label(texts.in_place_of_tangents).is_none());
     }
 }
 

@@ -69,8 +69,8 @@ texts! {
         corner: "Corner", "Ecke";
         corner_hint: "One tangent stays while the other is dragged (with Alt always)",
             "Eine Tangente bleibt, während man an der anderen zieht (mit Alt immer)";
-        no_shape_own: "This point has tangents of its own: T, C and B do nothing here",
-            "Dieser Punkt hat eigene Tangenten: T, C und B bewirken hier nichts";
+        in_place_of_tangents: "This point has tangents of its own; what is chosen here takes their place",
+            "Dieser Punkt hat eigene Tangenten; was hier gewählt wird, tritt an ihre Stelle";
         no_shape_kind: "T, C and B shape curves of the kind TCB only",
             "T, C und B formen nur Kurven der Art TCB";
 

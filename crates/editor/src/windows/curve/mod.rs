@@ -12,7 +12,7 @@ use super::{SubWindow, Windows, is_cramped, row_at_right, sub_window};
 use crate::actions::Action;
 use crate::limits::PRESETS;
 use crate::number::{Entry, Number};
-use crate::panels::curve::without_shape;
+use crate::panels::curve::{in_place_of_tangents, without_shape};
 use crate::path::{Target, Tcb};
 use crate::state::Editor;
 use crate::texts::fill;
@@ -82,13 +82,14 @@ impl SubWindow for CurveWindow {
         let stays = sub_window(context, Self::ID, texts.title, |ui| {
             ui.set_width(LIST + theme::GAP * 4.0 + rest(ui));
             self.heading(editor, ui);
-            let without = without_shape(editor, editor.document.selection().point);
+            let without = without_shape(editor);
+            let owns = in_place_of_tangents(editor, editor.document.selection().point);
             ui.horizontal_top(|ui| {
                 ui.spacing_mut().item_spacing.x = theme::GAP * 4.0;
                 ui.vertical(|ui| {
                     ui.set_width(LIST);
                     ui.add_enabled_ui(without.is_none(), |ui| self.list(editor, ui));
-                    if let Some(why) = without {
+                    if let Some(why) = without.or(owns) {
                         ui.colored_label(theme::palette(ui).weak, why);
                     }
                 });
@@ -188,10 +189,11 @@ impl CurveWindow {
     fn list(&mut self, editor: &Editor, ui: &mut Ui) {
         let texts = &editor.texts().curve;
         let now = self.pending.choice(&editor.document);
+        let owns = editor.joint().is_some();
         let mut choose = None;
         let mut radio = |ui: &mut Ui, choice, name: String, shape: String| {
             let response = theme::choice(ui, now == choice, &name).on_hover_text(shape);
-            if response.clicked() && now != choice {
+            if response.clicked() && (now != choice || owns) {
                 choose = Some(choice);
             }
         };

@@ -124,6 +124,11 @@ impl Pending {
         self.roll.unwrap_or_else(|| orientation(document).roll)
     }
 
+    /// It gives the current point a shape.
+    pub(super) fn shapes(&self) -> bool {
+        self.choice.is_some() || self.own.is_some()
+    }
+
     /// The edits that apply it, in an order in which each is possible if the
     /// outcome is.
     pub(crate) fn edits(&self, document: &Document) -> Vec<Edit> {
@@ -135,7 +140,7 @@ impl Pending {
         for (preset, tcb) in self.presets.iter().enumerate() {
             edits.extend(tcb.map(|tcb| Edit::SetPreset { preset, tcb }));
         }
-        if self.choice.is_some() || self.own.is_some() {
+        if self.shapes() {
             edits.push(match self.choice(document) {
                 Choice::Preset(preset) => Edit::UsePreset { at, preset },
                 Choice::Own => Edit::SetOwn {

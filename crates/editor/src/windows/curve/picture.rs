@@ -83,6 +83,9 @@ impl Around {
         }
         let point = &mut path.points[self.current];
         point.position = pending.position(document).into();
+        if pending.shapes() {
+            point.tangents = None;
+        }
         point.curve = match pending.choice(document) {
             Choice::Preset(preset) => CurveParameters::Preset(preset.min(9) as u8),
             Choice::Own => CurveParameters::Own(limited(pending.tcb(document))),
