@@ -35,7 +35,7 @@ pub(super) const WHEEL: f64 = 1.1;
 #[derive(Debug, Default)]
 pub(super) struct PointerController {
     /// A button is down.
-    hold: Option<Hold>,
+    hold: Option<Box<Hold>>,
     /// What was typed since then.
     typed: Typed,
     /// Keys that move something are down; a step of the document is open.
@@ -97,19 +97,22 @@ impl PointerController {
 
     /// What is dragged: what it is, and in which coordinates.
     pub(super) fn dragged(&self) -> Option<(Handle, Freedom)> {
-        let hold = self.hold.filter(|hold| hold.moved)?;
+        let hold = self.hold.as_deref().filter(|hold| hold.moved)?;
         Some((hold.what?, hold.freedom))
     }
 
     /// The box that is drawn.
     pub(super) fn drawn_box(&self) -> Option<Rect> {
-        let hold = self.hold.filter(|hold| hold.moved && hold.boxes)?;
+        let hold = self.hold.as_deref();
+        let hold = hold.filter(|hold| hold.moved && hold.boxes)?;
         Some(Rect::from_two_pos(hold.pressed, hold.now))
     }
 
     /// Something is on its way: a handle, or the view.
     pub(super) fn moves(&self) -> bool {
-        self.hold.is_some_and(|hold| hold.moved) || self.tool.is_some() || self.drawing.is_some()
+        self.hold.as_ref().is_some_and(|hold| hold.moved)
+            || self.tool.is_some()
+            || self.drawing.is_some()
     }
 
     /// What the buttons would do with what lies under the pointer; where a drag goes
@@ -161,18 +164,20 @@ impl PointerController {
     ) {
         // Ctrl and Alt may come and go while the pointer rests.
         let held = surface.context.input(|input| input.modifiers);
-        if let Some(hold) = self.hold
+        if let Some(hold) = self.hold.as_deref()
             && hold.moved
             && (hold.snaps, hold.alone) != (held.ctrl, held.alt)
         {
-            self.motion(editor, surface, hold.now, actions);
+            let now = hold.now;
+            self.motion(editor, surface, now, actions);
         }
         // The release may have been lost with the window's focus.
         if !surface.context.input(|input| input.pointer.primary_down()) {
             self.drawing = None;
         }
         let (down, nudged) = surface.context.input(|input| {
-            let down = (self.hold).is_none_or(|hold| input.pointer.button_down(hold.button));
+            let down =
+                (self.hold.as_ref()).is_none_or(|hold| input.pointer.button_down(hold.button));
             let nudged = NUDGES.iter().any(|&key| input.key_down(key));
             (down, nudged)
         });
@@ -250,10 +255,12 @@ impl PointerController {
             self.drawing = drawing.take(editor, surface, &event, actions);
             return;
         }
-        if let Some(hold) = self.hold.filter(|hold| hold.moved && hold.what.is_some())
+        let held = self.hold.as_deref();
+        let held = held.filter(|hold| hold.moved && hold.what.is_some());
+        if let Some(now) = held.map(|hold| hold.now)
             && self.typed.take(&event)
         {
-            self.motion(editor, surface, hold.now, actions);
+            self.motion(editor, surface, now, actions);
             return;
         }
         match event {
@@ -270,7 +277,7 @@ impl PointerController {
                 button,
                 pressed: false,
                 ..
-            } if self.hold.is_some_and(|hold| hold.button == button) => {
+            } if (self.hold.as_ref()).is_some_and(|hold| hold.button == button) => {
                 self.motion(editor, surface, pos, actions);
                 self.release(editor, surface.viewport, actions);
             }
@@ -416,7 +423,7 @@ impl PointerController {
         }
         let boxes = what.is_none() && left && modifiers.ctrl;
         self.typed = Typed::default();
-        self.hold = Some(Hold {
+        self.hold = Some(Box::new(Hold {
             button,
             pressed: pos,
             now: pos,
@@ -434,7 +441,7 @@ impl PointerController {
             boxes,
             adds: if boxes { modifiers.shift } else { adds },
             moved: false,
-        });
+        }));
     }
 
     fn motion(
