@@ -3,16 +3,19 @@
 use vides::glam::DVec3;
 use vides::path::Pose;
 use vides::tools::clearance::Clearance;
-use vides::tools::profile::Quantity;
+use vides::tools::profile::{self, Quantity};
 
 use super::svg::{Anchor, Spot, Svg};
-use super::{Film, MARGIN, WIDTH};
+use super::{Film, MARGIN, POSES, WIDTH};
 
 /// Room for the numbers at the left, the name above and the frames below.
 const SCALE: f64 = 48.0;
 const NAME: f64 = 26.0;
 const FRAMES: f64 = 44.0;
 const HEIGHT: f64 = 84.0;
+
+/// Of a longer film so many frames at equal distances.
+const FRAMES_LOOKED_AT: usize = 500_000;
 
 /// One chart: its name, whether it has the colour of the way or of the view, its
 /// values over frames, and kinds of findings that are marked in it.
@@ -29,6 +32,8 @@ pub(super) fn height(charts: usize) -> f64 {
 
 pub(super) fn of(film: &Film<'_>) -> vides::Result<Vec<Chart>> {
     let (info, space) = (film.document.info(), film.document.path().space);
+    // What happens within one frame is to be seen in a long film, too.
+    let poses = profile::samples(film.document.sampler()?, FRAMES_LOOKED_AT)?;
     let mut charts = Vec::new();
     for quantity in Quantity::ALL {
         let (name, of_way) = match quantity {
@@ -41,7 +46,7 @@ pub(super) fn of(film: &Film<'_>) -> vides::Result<Vec<Chart>> {
         charts.push(Chart {
             name,
             of_way,
-            values: quantity.of(&film.samples, info.fps, space.up)?,
+            values: with_peaks(quantity.of(&poses, info.fps, space.up)?, POSES),
             kinds: quantity.findings(),
         });
     }
@@ -59,6 +64,34 @@ pub(super) fn of(film: &Film<'_>) -> vides::Result<Vec<Chart>> {
         });
     }
     Ok(charts)
+}
+
+/// Fewer values: of each stretch the least and the greatest.
+fn with_peaks(values: Vec<Spot>, most: usize) -> Vec<Spot> {
+    let [Some(&first), Some(&last)] = [values.first(), values.last()] else {
+        return values;
+    };
+    if values.len() <= most {
+        return values;
+    }
+    let mut kept = vec![first];
+    for stretch in values.chunks(values.len().div_ceil(most / 2)) {
+        let by_value = |a: &&Spot, b: &&Spot| a.1.total_cmp(&b.1);
+        let ends = [
+            stretch.iter().min_by(by_value),
+            stretch.iter().max_by(by_value),
+        ];
+        let [Some(&low), Some(&high)] = ends else {
+            continue;
+        };
+        kept.extend(if low.0 < high.0 {
+            [low, high]
+        } else {
+            [high, low]
+        });
+    }
+    kept.push(last);
+    kept
 }
 
 pub(super) fn draw(svg: &mut Svg, film: &Film<'_>, charts: &[Chart], top: f64) {
@@ -169,4 +202,25 @@ fn scale(range: f64) -> (f64, usize) {
         .unwrap_or(10.0 * power);
     let decimals = (-(step.log10() + 1e-9).floor()).clamp(0.0, 12.0) as usize;
     (step, decimals)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_peak_of_one_frame_stays() {
+        let value = |frame: usize| match frame {
+            3333 => 12.5,
+            7001 => -3.0,
+            _ => 1.0,
+        };
+        let all: Vec<Spot> = (0..10_000).map(|k| (k as f64, value(k))).collect();
+        let kept = with_peaks(all.clone(), POSES);
+        assert!(kept.len() <= POSES + 2);
+        assert!(kept.contains(&(3333.0, 12.5)) && kept.contains(&(7001.0, -3.0)));
+        assert!(kept.is_sorted_by(|a, b| a.0 <= b.0));
+        assert_eq!([kept[0].0, kept[kept.len() - 1].0], [0.0, 9_999.0]);
+        assert_eq!(with_peaks(all[..100].to_vec(), POSES), all[..100]);
+    }
 }
