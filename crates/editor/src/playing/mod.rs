@@ -22,6 +22,7 @@ use crate::document::{Document, Selection};
 use crate::error::Result;
 use crate::number::Entry;
 use crate::path::{Change, Timeline};
+use crate::selected::Choice;
 use crate::setup::Element;
 use crate::space::Camera;
 use crate::state::Editor;
@@ -549,6 +550,18 @@ fn scrub_by_mouse(
         let marks = editor.playing.marks.keys.iter();
         let nearest = marks.min_by(|a, b| away(a).total_cmp(&away(b)));
         let snapped = nearest.filter(|mark| away(mark) <= reach);
+        // As in the space and in the list: one more, or all up to here.
+        let held = ui.input(|input| input.modifiers);
+        if held.ctrl || held.shift {
+            let choice = snapped
+                .filter(|_| response.clicked())
+                .map(|mark| match held.ctrl {
+                    true => Choice::Switch(mark.point),
+                    false => Choice::UpTo(mark.point),
+                });
+            actions.extend(choice.map(Action::Choose));
+            return;
+        }
         actions.push(to_frame(snapped.map_or(frame, |mark| mark.first())));
         ui.ctx().request_repaint();
     }

@@ -7,7 +7,9 @@ use egui_kittest::kittest::Queryable;
 use super::*;
 use crate::actions::Action;
 use crate::path::{Space, SupportPoint, Up};
-use crate::space::tests::{editor, motion, press, pyramid, pyramid_window, release, tap, window};
+use crate::space::tests::{
+    editor, hold, motion, press, pyramid, pyramid_window, release, tap, window,
+};
 use crate::tests::poses;
 use crate::texts::Language;
 
@@ -125,6 +127,34 @@ fn a_click_near_a_mark_means_the_mark() {
     motion(&mut harness, beside);
     assert_ne!(harness.state().position_on_bar(), frame);
     release(&mut harness, beside, PointerButton::Primary);
+}
+
+#[test]
+fn with_ctrl_or_shift_marks_select_points() {
+    let mut harness = pyramid_window();
+    let marks: Vec<_> = keys(&harness)
+        .into_iter()
+        .filter(|(at, _)| at.orientation == 0)
+        .map(|(at, frame)| (at.point, frame))
+        .collect();
+    let click = |harness: &mut Harness<'_, Editor>, at: usize, held: Modifiers| {
+        let pos = place(harness, marks[at].1) + vec2(2.0, 0.0);
+        hold(harness, held);
+        press(harness, pos, PointerButton::Primary);
+        release(harness, pos, PointerButton::Primary);
+        hold(harness, Modifiers::NONE);
+    };
+    let selected = |harness: &Harness<'_, Editor>| harness.state().all_selected();
+    click(&mut harness, 1, Modifiers::NONE);
+    assert_eq!(selected(&harness), [1]);
+    click(&mut harness, 4, Modifiers::CTRL);
+    assert_eq!(selected(&harness), [1, 4]);
+    click(&mut harness, 1, Modifiers::CTRL);
+    assert_eq!(selected(&harness), [4]);
+    click(&mut harness, 2, Modifiers::SHIFT);
+    assert_eq!(selected(&harness), [2, 3, 4]);
+    click(&mut harness, 0, Modifiers::NONE);
+    assert_eq!(selected(&harness), [0]);
 }
 
 #[test]

@@ -511,7 +511,7 @@ fn a_held_key_keeps_its_coordinate_where_its_plane_is_seen_edge_on() {
 }
 
 /// Tells of keys that are held.
-pub(super) fn hold(harness: &mut Harness<'_, Editor>, modifiers: Modifiers) {
+pub(crate) fn hold(harness: &mut Harness<'_, Editor>, modifiers: Modifiers) {
     harness.event(Event::ModifiersChanged(modifiers));
     harness.step();
 }
