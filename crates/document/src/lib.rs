@@ -14,9 +14,11 @@
 mod around;
 pub mod ascii;
 mod blocks;
+mod cage;
 mod change;
 mod check;
 mod contents;
+mod draw;
 mod edit;
 mod editing;
 pub mod error;

@@ -10,12 +10,14 @@ use vides_engine::tools::fit::{Tolerance, fit};
 use vides_engine::tools::moves::{MOVES, Move};
 use vides_engine::tools::{Parameter, Unit, transform};
 
+use super::draw::drawn;
 use super::edit::Edit;
 use super::editing::Document;
 use super::prepare::no_longer_ahead;
+pub use crate::cage::Cage;
 use crate::error::{OutOfRange, Result};
 use crate::limits::{MAX_COORDINATE, MAX_FRAMES, MAX_POINTS};
-use crate::path::{CameraPath, Orientation, Pose, Space, Target, Up};
+use crate::path::{CameraPath, Pose, Space, Target, Up};
 
 /// A tool: what it is called, what it does, what it asks for.
 #[derive(Debug, Clone, Copy)]
@@ -546,71 +548,6 @@ impl Tool {
     }
 }
 
-/// A box that is deformed, to be seen.
-#[derive(Debug, Clone)]
-pub struct Cage {
-    bounds: Bounds,
-    /// The lines on it.
-    pub lines: Vec<Vec<DVec3>>,
-    /// The control points of a free form; none for the rest.
-    pub nodes: Vec<DVec3>,
-}
-
-impl Cage {
-    fn new(bounds: Bounds, deformation: &Deformation) -> Self {
-        let nodes: Vec<_> = match deformation.channel("points") {
-            Some(lattice) => lattice
-                .chunks_exact(3)
-                .map(|node| bounds.point(DVec3::from_slice(node)))
-                .collect(),
-            None => Vec::new(),
-        };
-        // A free form has a line through each row of nodes, the others have the edges
-        // and the middle of each side.
-        let (cells, steps) = if nodes.is_empty() { (2, 16) } else { (3, 3) };
-        let mut lines = Vec::with_capacity(3 * (cells + 1) * (cells + 1));
-        for axis in 0..3 {
-            for row in 0..(cells + 1) * (cells + 1) {
-                let (i, j) = (row % (cells + 1), row / (cells + 1));
-                let inner = |at: usize| at != 0 && at != cells;
-                if nodes.is_empty() && inner(i) && inner(j) {
-                    continue;
-                }
-                let mut line: Vec<_> = (0..=steps)
-                    .map(|step| {
-                        let mut place = [0; 3];
-                        (place[axis], place[(axis + 1) % 3], place[(axis + 2) % 3]) = (step, i, j);
-                        if !nodes.is_empty() {
-                            return nodes[place[0] + 4 * place[1] + 16 * place[2]];
-                        }
-                        let side = |at: usize, of: usize| 2.0 * at as f64 / of as f64 - 1.0;
-                        let mut coordinates = DVec3::ZERO;
-                        coordinates[axis] = side(step, steps);
-                        coordinates[(axis + 1) % 3] = side(i, cells);
-                        coordinates[(axis + 2) % 3] = side(j, cells);
-                        bounds.point(coordinates)
-                    })
-                    .collect();
-                if nodes.is_empty() {
-                    deformation.apply(&bounds, &mut line);
-                }
-                lines.push(line);
-            }
-        }
-        Self {
-            bounds,
-            lines,
-            nodes,
-        }
-    }
-
-    /// A place in the coordinates of the box, as a free form takes them.
-    #[must_use]
-    pub fn coordinates(&self, place: DVec3) -> DVec3 {
-        self.bounds.coordinates(place)
-    }
-}
-
 /// The numbers of a tool by their names.
 struct Given<'a> {
     tool: &'a Tool,
@@ -696,68 +633,6 @@ impl Given<'_> {
             with_targets: self.number(SEEN.name) != 0.0,
         })
     }
-}
-
-/// Poses along a line that was drawn.
-const DRAWN: usize = 400;
-
-/// A path along places that were drawn. Its cameras look as the current one does; it
-/// goes on at the base speed, whatever the speed of the hand.
-fn drawn(document: &Document, places: &[DVec3], tolerance: f64) -> Result<CameraPath> {
-    let path = document.path();
-    let poses: Vec<_> = spread(places, DRAWN)
-        .into_iter()
-        .map(|place| Pose {
-            vrp: place.to_array(),
-            vpn: [0.0, 0.0, -1.0],
-            vup: [0.0, 1.0, 0.0],
-            zoom: 24.0,
-        })
-        .collect();
-    let tolerance = Tolerance {
-        position: tolerance,
-        angle: 1.0,
-    };
-    let mut made = fit(&poses, None, document.info().fps, tolerance, &mut |_, _| {
-        true
-    })?;
-    let here = document.selection();
-    let mut view = path.points[here.point].orientations[here.orientation].clone();
-    view.own = view.own.for_a_copy()?;
-    view.speeds = Orientation::default().speeds;
-    for point in &mut made.points {
-        point.orientations = vec![view.clone()];
-    }
-    made.speeds = path.speeds;
-    made.space = path.space;
-    Ok(made)
-}
-
-/// So many places, even along a line.
-fn spread(line: &[DVec3], count: usize) -> Vec<DVec3> {
-    let lengths: Vec<_> = line
-        .windows(2)
-        .map(|ends| ends[0].distance(ends[1]))
-        .collect();
-    let whole: f64 = lengths.iter().sum();
-    let mut spread = Vec::with_capacity(count);
-    let (mut piece, mut passed) = (0, 0.0);
-    for number in 0..count {
-        let at = whole * number as f64 / (count - 1) as f64;
-        while piece + 1 < lengths.len() && passed + lengths[piece] < at {
-            passed += lengths[piece];
-            piece += 1;
-        }
-        if let (Some(ends), Some(&length)) = (line.get(piece..piece + 2), lengths.get(piece)) {
-            let share = if length > 0.0 {
-                ((at - passed) / length).min(1.0)
-            } else {
-                0.0
-            };
-            spread.push(ends[0].lerp(ends[1], share));
-        }
-    }
-    spread
 }
 
 #[cfg(test)]

@@ -1,0 +1,69 @@
+//! The box round some points, as a deformation bends it: what a window shows of it.
+
+use glam::DVec3;
+use vides_engine::deform::{Bounds, Deformation};
+
+/// A box that is deformed, to be seen.
+#[derive(Debug, Clone)]
+pub struct Cage {
+    bounds: Bounds,
+    /// The lines on it.
+    pub lines: Vec<Vec<DVec3>>,
+    /// The control points of a free form; none for the rest.
+    pub nodes: Vec<DVec3>,
+}
+
+impl Cage {
+    pub(super) fn new(bounds: Bounds, deformation: &Deformation) -> Self {
+        let nodes: Vec<_> = match deformation.channel("points") {
+            Some(lattice) => lattice
+                .chunks_exact(3)
+                .map(|node| bounds.point(DVec3::from_slice(node)))
+                .collect(),
+            None => Vec::new(),
+        };
+        // A free form has a line through each row of nodes, the others have the edges
+        // and the middle of each side.
+        let (cells, steps) = if nodes.is_empty() { (2, 16) } else { (3, 3) };
+        let mut lines = Vec::with_capacity(3 * (cells + 1) * (cells + 1));
+        for axis in 0..3 {
+            for row in 0..(cells + 1) * (cells + 1) {
+                let (i, j) = (row % (cells + 1), row / (cells + 1));
+                let inner = |at: usize| at != 0 && at != cells;
+                if nodes.is_empty() && inner(i) && inner(j) {
+                    continue;
+                }
+                let mut line: Vec<_> = (0..=steps)
+                    .map(|step| {
+                        let mut place = [0; 3];
+                        (place[axis], place[(axis + 1) % 3], place[(axis + 2) % 3]) = (step, i, j);
+                        if !nodes.is_empty() {
+                            return nodes[place[0] + 4 * place[1] + 16 * place[2]];
+                        }
+                        let side = |at: usize, of: usize| 2.0 * at as f64 / of as f64 - 1.0;
+                        let mut coordinates = DVec3::ZERO;
+                        coordinates[axis] = side(step, steps);
+                        coordinates[(axis + 1) % 3] = side(i, cells);
+                        coordinates[(axis + 2) % 3] = side(j, cells);
+                        bounds.point(coordinates)
+                    })
+                    .collect();
+                if nodes.is_empty() {
+                    deformation.apply(&bounds, &mut line);
+                }
+                lines.push(line);
+            }
+        }
+        Self {
+            bounds,
+            lines,
+            nodes,
+        }
+    }
+
+    /// A place in the coordinates of the box, as a free form takes them.
+    #[must_use]
+    pub fn coordinates(&self, place: DVec3) -> DVec3 {
+        self.bounds.coordinates(place)
+    }
+}
