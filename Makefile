@@ -159,11 +159,12 @@ check-linking: libs
 	tests/linking/run.sh $(LIB) include
 
 # Calls as no host should make them; and a library that panics when it is told
-# to, and says where it is. That one is not optimised, and nobody installs it.
+# to, and says where it is. That one is built with what the Rust tests are built
+# with, and nobody installs it.
 check-calls: libs
 	@mk/need.sh Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev
-	$(CARGO) rustc --locked --features capi,inject --lib --crate-type staticlib
-	mk/libraries.sh $(CARGO_TARGET_DIR)/debug/libvides.a $(CARGO_TARGET_DIR)/inject $(VERSION)
+	$(CARGO) build --locked --workspace --all-features --lib --tests
+	mk/libraries.sh $(CARGO_TARGET_DIR)/debug/libvides_archive.a $(CARGO_TARGET_DIR)/inject $(VERSION)
 	tests/calls/run.sh $(LIB)
 	tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
 
@@ -223,6 +224,7 @@ soak: toolchain libs fuzz
 # Other calls each time; the seeds are said.
 soak-calls: libs
 	@mk/need.sh Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev
+	EACH=1 tests/calls/run.sh $(LIB) reentry
 	SEEDS="$$(seq $$(date +%s) $$(($$(date +%s) + 19)))" CALLS=3000 tests/calls/run.sh $(LIB) hostile
 
 # Events for a minute, 1,000 panes of each kind, and 10,000 windows.

@@ -14,6 +14,7 @@
 #
 #     SEEDS  of hostile (1), CALLS for each of its rounds (600)
 #     KINDS  of the library (archive shared), WAYS (plain sanitizers)
+#     EACH  not empty: reentry in each way with each kind, and not each once
 #     AT_ONCE  so many side by side (4), since much of their time is waiting
 set -u
 
@@ -124,9 +125,10 @@ for test; do
         library=$libraries/libvides.a
         [ $kind = shared ] && library=$libraries/libvides.so
         for way in ${WAYS:-plain sanitizers}; do
-            # Not optimised, and full of debugging: each kind once will do. What
+            # The longest: each kind and each way once, or EACH with each. What
             # replaces malloc cannot have it replaced again.
             case $test-$kind-$way in
+            reentry-archive-plain | reentry-shared-sanitizers) [ -n "${EACH:-}" ] || continue ;;
             inject-archive-sanitizers | inject-shared-plain) continue ;;
             hand_over-*-sanitizers) continue ;;
             esac

@@ -3,6 +3,7 @@
 
 use std::path::PathBuf;
 
+use egui::Pos2;
 use glam::DVec3;
 
 use crate::document::tool::{Material, Tool};
@@ -108,6 +109,13 @@ pub(super) enum Action {
     MoveControl {
         at: usize,
         place: DVec3,
+    },
+    /// A line for the tool is being drawn in the camera's picture: another place of it, and
+    /// where that lies in the picture.
+    DrawOn(Pos2, DVec3),
+    /// It is taken, or given up.
+    EndDrawing {
+        keeps: bool,
     },
     /// Take a line that was drawn for the tool.
     Stroke(Vec<DVec3>),
@@ -258,6 +266,8 @@ impl Action {
                 | Self::PreviewTool
                 | Self::EndTool { .. }
                 | Self::MoveControl { .. }
+                | Self::DrawOn(..)
+                | Self::EndDrawing { .. }
                 | Self::Stroke(_)
                 | Self::Undo
                 | Self::Enter(Entry::Idle | Entry::Wrong(_) | Entry::End)
@@ -276,6 +286,8 @@ impl Action {
                 | Self::PlayOrPause
                 | Self::SwitchLoops
                 | Self::Pace(_)
+                | Self::Plot(_)
+                | Self::Fly(_)
                 | Self::SwitchCameraView
                 | Self::Setup(_)
                 | Self::Theme(_)
@@ -419,6 +431,8 @@ impl Editor {
                 context.request_repaint();
             }
             Action::MoveControl { at, place } => self.move_control(at, place),
+            Action::DrawOn(at, place) => self.draw_on(at, place),
+            Action::EndDrawing { keeps } => self.end_drawing(keeps),
             Action::Stroke(places) => self.begin_tool_with(Material::Stroke(places)),
             Action::EndTool { keeps } => self.end_tool(keeps),
             Action::Curve => windows::open::<CurveWindow>(self, context),

@@ -20,6 +20,7 @@ pub mod hostile;
 mod keys;
 mod menu;
 mod number;
+mod obstacles;
 mod panels;
 mod playing;
 mod points_list;

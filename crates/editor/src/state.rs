@@ -12,6 +12,7 @@ use crate::host::Warnings;
 use crate::host::pane::HostPane;
 use crate::host::{Program, Standing};
 use crate::number::Entry;
+use crate::obstacles::Obstacles;
 use crate::path::{Orientation, Pose, SupportPoint};
 use crate::selected::Selected;
 use crate::setup::{Element, Setup};
@@ -112,6 +113,7 @@ pub struct Editor {
     pub(super) written: Option<(std::time::SystemTime, u64)>,
     /// The state that the host has by a hand-over after which nothing is unsaved.
     pub(super) handed: Option<u64>,
+    pub(super) obstacles: Obstacles,
     pub(super) copied: Option<Orientation>,
     /// The points that are selected together with the current one.
     pub(super) selected: Selected,
@@ -173,6 +175,7 @@ impl Editor {
             flown: None,
             hands_over: false,
             host_pane: None,
+            obstacles: Obstacles::default(),
             copied: None,
             selected: Selected::default(),
             joint: Default::default(),

@@ -1,7 +1,5 @@
 //! What changes over the frames, each in a chart of its own.
 
-use vides::glam::DVec3;
-use vides::path::Pose;
 use vides::tools::clearance::Clearance;
 use vides::tools::profile::{self, Quantity};
 
@@ -34,64 +32,34 @@ pub(super) fn of(film: &Film<'_>) -> vides::Result<Vec<Chart>> {
     let (info, space) = (film.document.info(), film.document.path().space);
     // What happens within one frame is to be seen in a long film, too.
     let poses = profile::samples(film.document.sampler()?, FRAMES_LOOKED_AT)?;
+    let object = film.obstacles.as_ref().map(Clearance::new).transpose()?;
+    let plotted = profile::Film {
+        samples: &poses,
+        fps: info.fps,
+        up: space.up,
+        object: object.as_ref(),
+    };
     let mut charts = Vec::new();
     for quantity in Quantity::ALL {
         let (name, of_way) = match quantity {
+            // It only rises, by what the speed tells.
+            Quantity::Distance => continue,
             Quantity::Speed => ("Speed, length per second", true),
             Quantity::Acceleration => ("Acceleration, length per second squared", true),
             Quantity::Turning => ("Turning, degrees per second", false),
             Quantity::Roll => ("Roll, degrees", false),
             Quantity::Zoom => ("Zoom, mm", false),
+            Quantity::Clearance if object.is_none() => continue,
+            Quantity::Clearance => ("Clearance, length", true),
         };
         charts.push(Chart {
             name,
             of_way,
-            values: with_peaks(quantity.of(&poses, info.fps, space.up)?, POSES),
+            values: profile::with_peaks(quantity.of(&plotted)?, POSES),
             kinds: quantity.findings(),
         });
     }
-    if let Some(obstacles) = &film.obstacles {
-        let object = Clearance::new(obstacles)?;
-        let clearance = |(frame, pose): &(f64, Pose)| {
-            let distance = object.distance(DVec3::from_array(pose.vrp), f64::INFINITY);
-            (*frame, distance.unwrap_or(0.0))
-        };
-        charts.push(Chart {
-            name: "Clearance, length",
-            of_way: true,
-            values: film.samples.iter().map(clearance).collect(),
-            kinds: &["clearance", "through", "nothing-to-see", "target"],
-        });
-    }
     Ok(charts)
-}
-
-/// Fewer values: of each stretch the least and the greatest.
-fn with_peaks(values: Vec<Spot>, most: usize) -> Vec<Spot> {
-    let [Some(&first), Some(&last)] = [values.first(), values.last()] else {
-        return values;
-    };
-    if values.len() <= most {
-        return values;
-    }
-    let mut kept = vec![first];
-    for stretch in values.chunks(values.len().div_ceil(most / 2)) {
-        let by_value = |a: &&Spot, b: &&Spot| a.1.total_cmp(&b.1);
-        let ends = [
-            stretch.iter().min_by(by_value),
-            stretch.iter().max_by(by_value),
-        ];
-        let [Some(&low), Some(&high)] = ends else {
-            continue;
-        };
-        kept.extend(if low.0 < high.0 {
-            [low, high]
-        } else {
-            [high, low]
-        });
-    }
-    kept.push(last);
-    kept
 }
 
 pub(super) fn draw(svg: &mut Svg, film: &Film<'_>, charts: &[Chart], top: f64) {
@@ -202,25 +170,4 @@ fn scale(range: f64) -> (f64, usize) {
         .unwrap_or(10.0 * power);
     let decimals = (-(step.log10() + 1e-9).floor()).clamp(0.0, 12.0) as usize;
     (step, decimals)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_peak_of_one_frame_stays() {
-        let value = |frame: usize| match frame {
-            3333 => 12.5,
-            7001 => -3.0,
-            _ => 1.0,
-        };
-        let all: Vec<Spot> = (0..10_000).map(|k| (k as f64, value(k))).collect();
-        let kept = with_peaks(all.clone(), POSES);
-        assert!(kept.len() <= POSES + 2);
-        assert!(kept.contains(&(3333.0, 12.5)) && kept.contains(&(7001.0, -3.0)));
-        assert!(kept.is_sorted_by(|a, b| a.0 <= b.0));
-        assert_eq!([kept[0].0, kept[kept.len() - 1].0], [0.0, 9_999.0]);
-        assert_eq!(with_peaks(all[..100].to_vec(), POSES), all[..100]);
-    }
 }

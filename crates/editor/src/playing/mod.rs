@@ -310,7 +310,10 @@ impl Editor {
             self.playing.marked = now;
             let quantity = self.playing.quantity.filter(|_| self.setup.speed_graph);
             // What cannot be plotted, since there are too many frames, is told elsewhere.
-            let _ = self.playing.plot.update(&self.document, quantity);
+            let mut plot = std::mem::take(&mut self.playing.plot);
+            let held = context.input(|input| input.pointer.any_down());
+            let _ = plot.update(&self.document, quantity, held, || self.obstacles());
+            self.playing.plot = plot;
             if let Err(error) = self.playing.marks.update(&self.document)
                 && self.playing.frame.is_some()
             {

@@ -1,6 +1,8 @@
 //! What else changes along the path, in place of the speeds of its sections: read from the
 //! poses, as `vides plot` has it. What a check has found is marked, in both.
 
+use std::rc::Rc;
+
 use egui::{Align2, Button, Painter, Pos2, Rect, RichText, Shape, Stroke, Ui, pos2, vec2};
 
 use super::graph::Scale;
@@ -9,10 +11,13 @@ use crate::document::Document;
 use crate::error::Result;
 use crate::state::Editor;
 use crate::theme::{self, Palette};
-use crate::tools::profile::{Quantity, samples};
+use crate::tools::clearance::Clearance;
+use crate::tools::profile::{Film, Quantity, samples, with_peaks};
 
-/// So many poses are looked at: a little more than there are columns.
-const POSES: usize = 1_000;
+/// So many poses are looked at, and so many while something is held; so many values are
+/// drawn of them: a little more than there are columns.
+const POSES: usize = 20_000;
+const VALUES: usize = 1_000;
 
 /// Findings that are marked over the speeds of the sections.
 const OF_SECTIONS: &[&str] = &["speed-jump", "cusp", "corner"];
@@ -20,24 +25,40 @@ const OF_SECTIONS: &[&str] = &["speed-jump", "cusp", "corner"];
 /// The values of a quantity.
 #[derive(Debug, Default)]
 pub(super) struct Plot {
-    /// The revision of the path, and the quantity.
-    of: Option<(u64, Quantity)>,
+    /// The revision of the path, the quantity, the most poses.
+    of: Option<(u64, Quantity, usize)>,
     /// Frame and value.
     values: Vec<(f64, f64)>,
 }
 
 impl Plot {
-    pub(super) fn update(&mut self, document: &Document, quantity: Option<Quantity>) -> Result<()> {
-        let of = quantity.map(|quantity| (document.revision(), quantity));
+    /// Follows the path; `held`: something may be dragged.
+    pub(super) fn update(
+        &mut self,
+        document: &Document,
+        quantity: Option<Quantity>,
+        held: bool,
+        object: impl FnOnce() -> Result<Option<Rc<Clearance>>>,
+    ) -> Result<()> {
+        let most = if held { VALUES } else { POSES };
+        let of = quantity.map(|quantity| (document.revision(), quantity, most));
         if self.of == of {
             return Ok(());
         }
         self.of = of;
         self.values.clear();
         if let Some(quantity) = quantity {
-            let poses = samples(document.sampler()?, POSES)?;
-            let up = document.path().space.up;
-            self.values = quantity.of(&poses, document.info().fps, up)?;
+            let object = match quantity {
+                Quantity::Clearance => object()?,
+                _ => None,
+            };
+            let film = Film {
+                samples: &samples(document.sampler()?, most)?,
+                fps: document.info().fps,
+                up: document.path().space.up,
+                object: object.as_deref(),
+            };
+            self.values = with_peaks(quantity.of(&film)?, VALUES);
         }
         Ok(())
     }
@@ -57,17 +78,19 @@ pub(super) fn choices(editor: &Editor, ui: &mut Ui, room: Rect, actions: &mut Ve
     let texts = &editor.texts().space;
     let names = [
         (None, texts.speed_graph),
+        (Some(Quantity::Distance), texts.plot_distance),
         (Some(Quantity::Speed), texts.plot_speed),
         (Some(Quantity::Acceleration), texts.plot_acceleration),
         (Some(Quantity::Turning), texts.plot_turning),
         (Some(Quantity::Roll), texts.plot_roll),
         (Some(Quantity::Zoom), texts.plot_zoom),
+        (Some(Quantity::Clearance), texts.plot_clearance),
     ];
     let gap = theme::GAP;
-    let size = vec2((room.width() - 2.0 * gap) / 3.0, theme::ROW);
+    let size = (room.size() - 2.0 * vec2(gap, gap)) / 3.0;
     for (at, (quantity, name)) in names.into_iter().enumerate() {
         let (row, column) = ((at / 3) as f32, (at % 3) as f32);
-        let corner = room.min + vec2(column * (size.x + gap), gap + row * (size.y + gap));
+        let corner = room.min + vec2(column, row) * (size + vec2(gap, gap));
         let chosen = editor.playing.quantity == quantity;
         let words = RichText::new(name).font(theme::small());
         let place = Rect::from_min_size(corner, size);
@@ -111,6 +134,18 @@ pub(super) fn paint(
     palette: &Palette,
 ) {
     let plot = &editor.playing.plot;
+    if plot.values.is_empty() && editor.playing.quantity == Some(Quantity::Clearance) {
+        let words = editor.texts().space_window.no_object;
+        let middle = ground.center();
+        painter.text(
+            middle,
+            Align2::CENTER_CENTER,
+            words,
+            theme::small(),
+            palette.weak,
+        );
+        return;
+    }
     let all = plot.values.iter().map(|&(_, value)| value);
     let (low, high) = all.fold((0.0_f64, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
     let span = (high - low).max(1e-9);
@@ -127,22 +162,25 @@ pub(super) fn paint(
     if line.len() > 1 {
         painter.add(Shape::line(line, Stroke::new(1.5, palette.accent)));
     }
+    let Some((_, quantity, _)) = plot.of else {
+        return;
+    };
+    // The scale, beside it.
+    for value in [high, low] {
+        if !plot.values.is_empty() && (value != 0.0 || high == low) {
+            let place = pos2(ground.right() + 6.0, y(value));
+            let text = with_unit(editor, quantity, value);
+            painter.text(
+                place,
+                Align2::LEFT_CENTER,
+                text,
+                theme::small(),
+                palette.weak,
+            );
+        }
+    }
     let frame = editor.position_on_bar();
-    let Some((_, quantity)) = plot.of else { return };
     if let Some(value) = plot.at(frame) {
-        let unit = match quantity {
-            Quantity::Speed => "/s",
-            Quantity::Acceleration => "/s²",
-            Quantity::Turning => "°/s",
-            Quantity::Roll => "°",
-            Quantity::Zoom => " mm",
-        };
-        let decimals = if matches!(quantity, Quantity::Speed | Quantity::Acceleration) {
-            3
-        } else {
-            1
-        };
-        let text = format!("{}{unit}", editor.language().number(value, decimals));
         #[allow(clippy::cast_possible_truncation)]
         let at = scale.x(frame as f32);
         let (place, align) = if at > ground.center().x {
@@ -150,13 +188,27 @@ pub(super) fn paint(
         } else {
             (pos2(at + 5.0, ground.bottom() - 4.0), Align2::LEFT_BOTTOM)
         };
+        let text = with_unit(editor, quantity, value);
         painter.text(place, align, text, theme::small(), palette.text);
     }
+}
+
+fn with_unit(editor: &Editor, quantity: Quantity, value: f64) -> String {
+    let (unit, decimals) = match quantity {
+        Quantity::Distance | Quantity::Clearance => ("", 3),
+        Quantity::Speed => ("/s", 3),
+        Quantity::Acceleration => ("/s²", 3),
+        Quantity::Turning => ("°/s", 1),
+        Quantity::Roll => ("°", 1),
+        Quantity::Zoom => (" mm", 1),
+    };
+    format!("{}{unit}", editor.language().number(value, decimals))
 }
 
 #[cfg(test)]
 mod tests {
     use egui_kittest::kittest::Queryable;
+    use glam::DVec3;
 
     use super::*;
     use crate::screenshots::screenshot;
@@ -180,6 +232,41 @@ mod tests {
             assert!(editor.playing.plot.values.len() > 700);
             screenshot(&mut harness, &format!("plot-{name}.png"));
         }
+        // The pyramid is an object; the way is as long as its parts.
+        let label = |name| format!("{}: {name}", texts.plot);
+        for (name, quantity) in [
+            (texts.plot_distance, Quantity::Distance),
+            (texts.plot_clearance, Quantity::Clearance),
+        ] {
+            harness.get_by_label(&label(name)).click();
+            harness.step();
+            harness.step();
+            let editor = harness.state();
+            let sampler = editor.document.sampler().unwrap();
+            let place = |frame: f64| DVec3::from_array(sampler.pose(frame).unwrap().vrp);
+            let frames = sampler.frame_count() as u32;
+            let expected = if quantity == Quantity::Distance {
+                let steps = (1..frames).map(f64::from);
+                steps.map(|k| place(k).distance(place(k + 1.0))).sum()
+            } else {
+                // No line of the object is far from one of these.
+                let lines = editor.document.info().object.lines();
+                let last = place(f64::from(frames));
+                let places = lines.flat_map(|(ends, _)| {
+                    (0..=1000).map(move |k| ends[0].lerp(ends[1], f64::from(k) / 1000.0))
+                });
+                places.map(|on| on.distance(last)).fold(f64::MAX, f64::min)
+            };
+            let shown = editor.playing.plot.at(1e9).unwrap();
+            assert!(
+                (shown - expected).abs() < 1e-5,
+                "{name}: {shown} {expected}"
+            );
+            screenshot(&mut harness, &format!("plot-{name}.png"));
+        }
+        harness.get_by_label(&label(texts.plot_zoom)).click();
+        harness.step();
+        harness.step();
         // The zoom of all is 24; at the end it is another.
         let last = |harness: &egui_kittest::Harness<'_, Editor>| {
             harness.state().playing.plot.at(1e9).unwrap()

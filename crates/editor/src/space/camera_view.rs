@@ -11,7 +11,7 @@ use egui::{
 use glam::{DMat4, DVec2, DVec3};
 
 use super::scene::{floor, object_line};
-use super::{Camera, flying};
+use super::{Camera, drawing, flying};
 use crate::actions::Action;
 use crate::host::HostPane;
 use crate::math::view::View;
@@ -169,7 +169,8 @@ fn contents(
     };
     let size = vec2(width.min(high * aspect), high.min(width / aspect));
     let room = if docked { vec2(width, high) } else { size };
-    let sense = if docked && !editor.host_view.fills_pane {
+    let draws = drawing::is_wanted(editor);
+    let sense = if (docked || draws) && !editor.host_view.fills_pane {
         Sense::click_and_drag()
     } else {
         Sense::hover()
@@ -192,7 +193,17 @@ fn contents(
     if editor.setup.safe_frame {
         safe_frame(&painter, picture, theme::palette(ui).rim);
     }
-    if docked {
+    if draws {
+        let camera = if flown.is_some() {
+            Some(camera)
+        } else {
+            camera_of_path(editor)
+        };
+        if let Some(camera) = camera {
+            let aspect = f64::from(editor.setup.camera_aspect.ratio());
+            drawing::in_picture(editor, ui, &response, (picture, camera, aspect), actions);
+        }
+    } else if docked {
         actions.extend(flown_on(editor, ui, &response, camera));
         if flown.is_none() {
             response.on_hover_text(editor.texts().space.fly_tip);
@@ -412,6 +423,15 @@ fn scene_label(editor: &Editor) -> String {
         fill(editor.texts().scene.at_frame, &[&name, &frame])
     });
     said.ok().flatten().unwrap_or_default()
+}
+
+/// The camera that is shown, in the coordinates of the path.
+fn camera_of_path(editor: &Editor) -> Option<Camera> {
+    let of_scene = editor.with_scene(|now| Some(now.camera(now.scene.shown_camera()?)));
+    match of_scene {
+        Ok(Some(camera)) => camera,
+        _ => Some(editor.camera()?.0),
+    }
 }
 
 /// Cube and object as the camera sees them, in `picture`.

@@ -12,6 +12,7 @@ use super::scene::{Look, Seen, THIN};
 use super::strokes::Strokes;
 use crate::document::Document;
 use crate::math::orientation;
+use crate::math::view::HALF_FILM_HEIGHT;
 use crate::path::{Pose, ahead};
 use crate::raster::Lines;
 use crate::setup::Element;
@@ -24,8 +25,8 @@ const CAMERA: [f64; 2] = [26.0, 0.16];
 /// points.
 const APART: f64 = 14.0;
 
-/// Half the height of the film in mm, and width by height.
-const FILM: [f64; 2] = [12.0, 1.5];
+/// Width by height of the picture that is drawn of a camera.
+const ASPECT: f64 = 1.5;
 
 /// A camera: where it is, along what it looks, what is up, its zoom.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,12 +75,21 @@ impl Camera {
     /// The corners of its picture, each so far from it: to the right above,
     /// and on the way round. The wider it sees, the wider and flatter it is.
     fn corners(&self, length: f64) -> [DVec3; 4] {
-        let high = FILM[0] / self.zoom;
+        [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]]
+            .map(|[x, y]| self.position + orientation::unit(self.ray(x, y, ASPECT)) * length)
+    }
+
+    /// Half the height of its picture at distance 1.
+    pub(super) fn half_height(&self) -> f64 {
+        HALF_FILM_HEIGHT / self.zoom
+    }
+
+    /// What it sees at a place of its picture, from −1 to 1 to the right and up: a
+    /// direction of any length.
+    pub(super) fn ray(&self, x: f64, y: f64, aspect: f64) -> DVec3 {
+        let high = self.half_height();
         let right = self.view.cross(self.up);
-        [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[x, y]| {
-            let ray = self.view + right * (x * high * FILM[1]) + self.up * (y * high);
-            self.position + orientation::unit(ray) * length
-        })
+        self.view + right * (x * high * aspect) + self.up * (y * high)
     }
 }
 

@@ -1,14 +1,23 @@
-//! A line that the left button draws, for a tool that waits for one.
+//! A line that the left button draws, for a tool that waits for one: in the space, or in the
+//! camera's picture on the object.
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2};
+use egui::{
+    CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, Shape, Stroke, Ui,
+};
 use glam::DVec3;
 
+use super::Camera;
 use super::pointer::PointerContext;
 use super::projection::from_pos;
 use super::projection_of;
 use crate::actions::Action;
 use crate::state::Editor;
+use crate::theme;
+use crate::tools::clearance::Clearance;
 use crate::windows::ToolWindow;
+
+/// So near beside lines and points of an object, in points, a line on it leads through them.
+const NEAR: f64 = 8.0;
 
 /// What was drawn so far.
 #[derive(Debug)]
@@ -71,5 +80,96 @@ impl Drawing {
             _ => {}
         }
         Some(self)
+    }
+}
+
+/// Takes what is drawn in the camera's picture, and shows it.
+pub(super) fn in_picture(
+    editor: &Editor,
+    ui: &Ui,
+    response: &Response,
+    (picture, camera, aspect): (Rect, Camera, f64),
+    actions: &mut Vec<Action>,
+) {
+    if response.hovered() || response.dragged() {
+        ui.set_cursor_icon(CursorIcon::Crosshair);
+    }
+    let Some(window) = &editor.windows.tool else {
+        return;
+    };
+    let drawn = window.drawn();
+    let line: Vec<Pos2> = drawn.iter().map(|(at, _)| *at).collect();
+    let stroke = Stroke::new(2.0, theme::palette(ui).accent);
+    ui.painter_at(picture).add(Shape::line(line, stroke));
+    let given_up =
+        !drawn.is_empty() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+    if given_up {
+        actions.push(Action::EndDrawing { keeps: false });
+        return;
+    }
+    let begins = response.drag_started_by(PointerButton::Primary);
+    if begins || (response.dragged_by(PointerButton::Primary) && !drawn.is_empty()) {
+        // Without memory for the tree it is drawn in the air.
+        let object = editor.obstacles().ok().flatten();
+        let space = editor.document.path().space;
+        let mut last = drawn.last().map_or(space.centre, |(_, place)| *place);
+        let pressed = ui.input(|input| input.pointer.press_origin());
+        let motions = ui.input(|input| {
+            let moved = input.events.iter().filter_map(|event| match event {
+                Event::PointerMoved(at) => Some(*at),
+                _ => None,
+            });
+            moved.collect::<Vec<_>>()
+        });
+        for at in pressed.filter(|_| begins).into_iter().chain(motions) {
+            let at = picture.clamp(at);
+            let ray = Ray::through(at, picture, &camera, aspect);
+            let place = ray.meets(object.as_deref(), last, space.half_size);
+            last = place.clamp(space.low(), space.high());
+            actions.push(Action::DrawOn(at, last));
+        }
+    }
+    if response.drag_stopped() {
+        actions.push(Action::EndDrawing { keeps: true });
+    }
+}
+
+/// What lies behind a place of the camera's picture.
+struct Ray {
+    from: DVec3,
+    way: DVec3,
+    /// Along what the camera looks.
+    view: DVec3,
+    /// Its width, as a part of the distance.
+    spread: f64,
+}
+
+impl Ray {
+    fn through(at: Pos2, picture: Rect, camera: &Camera, aspect: f64) -> Self {
+        let away = from_pos(at) - from_pos(picture.center());
+        let half = 0.5 * from_pos(picture.size().to_pos2());
+        let way = camera.ray(away.x / half.x, -away.y / half.y, aspect);
+        Self {
+            from: camera.position,
+            way: way.normalize_or(camera.view),
+            view: camera.view,
+            spread: NEAR * camera.half_height() / half.y,
+        }
+    }
+
+    /// The place on the object, else as deep as the last place; before the camera if that
+    /// is behind it.
+    fn meets(&self, object: Option<&Clearance>, last: DVec3, half_size: f64) -> DVec3 {
+        let far = object.and_then(|object| object.ahead(self.from, self.way, self.spread));
+        let far = far.unwrap_or_else(|| {
+            let deep = (last - self.from).dot(self.view);
+            let deep = if deep > 1e-3 * half_size {
+                deep
+            } else {
+                half_size
+            };
+            deep / self.way.dot(self.view)
+        });
+        self.from + far * self.way
     }
 }

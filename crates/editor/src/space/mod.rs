@@ -315,6 +315,12 @@ impl Space {
         if let Some(places) = pointer.stroke() {
             add(overlay::stroke(&look, places, palette));
         }
+        if let Some(window) = &editor.windows.tool
+            && !window.drawn().is_empty()
+        {
+            let places: Vec<_> = window.drawn().iter().map(|(_, place)| *place).collect();
+            add(overlay::stroke(&look, &places, palette));
+        }
         let preview = editor.windows.curve.as_ref();
         if let Some(segments) = preview.and_then(|window| window.preview(editor)) {
             let mut strokes = Strokes::new(look.projection, viewport);

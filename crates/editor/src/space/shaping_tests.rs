@@ -2,6 +2,7 @@
 
 use egui::{Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
 use glam::{DVec2, DVec3};
 
 use super::projection::{from_pos, to_pos};
@@ -222,6 +223,84 @@ fn a_line_that_is_drawn_becomes_a_path() {
     draw(&mut harness, &line);
     assert_ne!(harness.state().setup.view, turned);
     assert_eq!(text(&harness), before);
+}
+
+/// Where the camera's picture shows a place: by its view, right and up.
+fn in_picture(harness: &Window<'_>, place: DVec3) -> Pos2 {
+    let texts = &harness.state().texts().space;
+    let (camera, _) = harness.state().camera().unwrap();
+    let away = place - camera.position;
+    let deep = away.dot(camera.view) * 12.0 / camera.zoom;
+    let right = camera.view.cross(camera.up);
+    let room = harness.get_by_label(texts.camera_picture).rect();
+    let ratio = harness.state().setup.camera_aspect.ratio();
+    let width = room.width().min(room.height() * ratio);
+    let picture = Rect::from_center_size(room.center(), vec2(width, width / ratio));
+    let aspect = f64::from(ratio);
+    let at = DVec2::new(away.dot(right) / deep / aspect, -away.dot(camera.up) / deep);
+    let half = from_pos((picture.size() / 2.0).to_pos2());
+    to_pos(from_pos(picture.center()) + at * half)
+}
+
+/// Along an edge of the pyramid, from its tip downwards, then on beside it.
+#[test]
+fn a_line_in_the_cameras_picture_lies_on_the_object() {
+    for large in [false, true] {
+        let mut harness = pyramid_window();
+        if large {
+            harness.state_mut().setup.camera_place = crate::setup::CameraPlace::Beside;
+            harness.step();
+        }
+        let before = text(&harness);
+        let object = &harness.state().document.info().object;
+        let (ends, _) = object.lines().nth(4).unwrap();
+        let ends = if ends[0].y > ends[1].y {
+            ends
+        } else {
+            [ends[1], ends[0]]
+        };
+        let [top, foot] = [ends[0].lerp(ends[1], 0.02), ends[0].lerp(ends[1], 0.4)];
+        let line: Vec<Pos2> = (0..=40)
+            .map(|part| in_picture(&harness, top.lerp(foot, f64::from(part) / 40.0)))
+            .collect();
+        begin(&mut harness, "draw");
+        // Given up.
+        press(&mut harness, line[0], LEFT);
+        motion(&mut harness, line[20]);
+        motion(&mut harness, line[30]);
+        tap(&mut harness, Key::Escape, Modifiers::NONE);
+        release(&mut harness, line[30], LEFT);
+        assert_eq!(text(&harness), before);
+        assert!(harness.state().windows.tool.is_some());
+
+        press(&mut harness, line[0], LEFT);
+        for &at in &line[1..30] {
+            motion(&mut harness, at);
+        }
+        screenshot(&mut harness, &format!("tool-draw-on-object-{large}.png"));
+        for &at in &line[30..] {
+            motion(&mut harness, at);
+        }
+        release(&mut harness, line[40], LEFT);
+        let sampler = harness.state().document.sampler().unwrap();
+        let mut places = Vec::new();
+        for frame in 1..=sampler.frame_count() {
+            places.push(DVec3::from_array(sampler.pose(frame as f64).unwrap().vrp));
+        }
+        // Within the tolerance of the fit of the edge, from end to end.
+        let way = (foot - top).normalize();
+        for place in &places {
+            let off = (*place - top).reject_from_normalized(way).length();
+            assert!(off < 0.02, "{large}: {place} is {off} beside the edge");
+        }
+        let [first, last] = [places[0], places[places.len() - 1]];
+        let off = [first.distance(top), last.distance(foot)];
+        assert!(off[0].max(off[1]) < 0.02, "{large}: {off:?}");
+        end(&mut harness, true);
+        let document = &mut harness.state_mut().document;
+        assert!(document.undo());
+        assert_eq!(text(&harness), before);
+    }
 }
 
 #[test]

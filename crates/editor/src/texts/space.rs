@@ -112,6 +112,8 @@ texts! {
         plot: "Plot", "Verlauf";
         plot_tip: "Shown along the path, with its value at the playhead; what an open check has found is marked",
             "Über der Bahn gezeigt, mit dem Wert am Abspielkopf; was eine offene Prüfung fand, ist markiert";
+        plot_distance: "Distance", "Strecke";
+        plot_clearance: "Clearance", "Abstand";
         plot_speed: "Speed", "Geschwindigkeit";
         plot_acceleration: "Acceleration", "Beschleunigung";
         plot_turning: "Turning", "Drehung";

@@ -105,7 +105,7 @@ texts! {
         base_turn_hint: "Frames for half a turn", "Bilder für eine halbe Drehung";
         base_zoom: "Zoom", "Zoom";
         base_zoom_hint: "Frames for a zoom from 1 to 100", "Bilder für einen Zoom von 1 bis 100";
-        base_roll: "Roll", "Rollen";
+        base_roll: "Roll", "Winkel";
         base_roll_hint: "Frames for a roll by 90°", "Bilder für ein Rollen um 90°";
         hold: "Hold (frames)", "Halt (Bilder)";
         hold_hint: "Frames that the camera rests before it goes on",

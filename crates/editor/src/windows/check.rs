@@ -5,20 +5,15 @@
 //! dragged. Where that would take long it waits until it is asked for. The tree over the
 //! object is kept as long as the object is the same.
 
-use std::ptr;
-
 use egui::{Button, Context, ScrollArea, Ui, vec2};
 
 use super::{SubWindow, Windows, sub_window};
 use crate::actions::Action;
-use crate::document::Object;
-use crate::error::Result;
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;
 use crate::theme;
 use crate::tools::check::Finding;
-use crate::tools::clearance::Clearance;
 
 const WIDTH: f32 = 400.0;
 
@@ -38,18 +33,8 @@ pub(crate) struct CheckWindow {
     checked: Option<u64>,
     found: Vec<Finding>,
     trouble: Option<String>,
-    object: Option<Obstacles>,
     /// A check was asked for.
     asked: bool,
-}
-
-/// The objects, prepared.
-#[derive(Debug)]
-struct Obstacles {
-    /// Held, so that its memory is no other's.
-    object: Object,
-    around: Option<u64>,
-    tree: Option<Clearance>,
 }
 
 impl SubWindow for CheckWindow {
@@ -170,33 +155,13 @@ impl CheckWindow {
         self.asked = false;
         self.checked = Some(editor.document.revision());
         self.found.clear();
-        let found = self.prepare(editor).and_then(|()| {
-            let tree = self.object.as_ref().and_then(|object| object.tree.as_ref());
-            editor.document.check_against(tree)
-        });
+        let found = editor
+            .obstacles()
+            .and_then(|tree| editor.document.check_against(tree.as_deref()));
         match found {
             Ok(found) => (self.found, self.trouble) = (found, None),
             Err(error) => self.trouble = Some(of_edit(editor.language(), &error)),
         }
-    }
-
-    /// Makes the tree over the objects, if there are others than before.
-    fn prepare(&mut self, editor: &Editor) -> Result<()> {
-        let object = &editor.document.info().object;
-        let around = editor.document.around().map(|around| around.number());
-        let same =
-            |old: &Obstacles| ptr::eq::<[_]>(&**object, &*old.object) && around == old.around;
-        if self.object.as_ref().is_some_and(same) {
-            return Ok(());
-        }
-        self.object = None;
-        let mesh = editor.document.obstacles()?;
-        self.object = Some(Obstacles {
-            object: object.clone(),
-            around,
-            tree: mesh.as_ref().map(Clearance::new).transpose()?,
-        });
-        Ok(())
     }
 }
 

@@ -8,7 +8,7 @@
 
 use std::path::Path;
 
-use egui::{Align, Button, Context, Layout, Ui, vec2};
+use egui::{Align, Button, Context, Layout, Pos2, Ui, vec2};
 use glam::DVec3;
 
 use super::{name_cross, row_at_right, sub_window_as};
@@ -47,6 +47,9 @@ pub(crate) struct ToolWindow {
     /// The box that it deforms, and the control point of it that the fields show.
     cage: Option<Cage>,
     control: usize,
+    /// A line that is being drawn in the camera's picture: where it leads there, and in the
+    /// space.
+    drawn: Vec<(Pos2, DVec3)>,
     /// Where the playhead stood.
     stood: (Option<f64>, Selection),
     fresh: bool,
@@ -66,9 +69,20 @@ impl ToolWindow {
         let texts = &editor.texts().tools;
         let old = self.numbers.clone();
         let dragged = self.before.is_some();
-        // Beside what it changes.
-        let corner = context.content_rect().right_top() + super::OVER_PANELS;
-        let pivot = egui::Align2::RIGHT_TOP;
+        // Beside what it changes, and below the camera's picture where one draws on that.
+        let screen = context.content_rect();
+        let (pivot, corner) = if self.draws() {
+            let above_bar = vec2(super::OVER_PANELS.x, -148.0);
+            (
+                egui::Align2::RIGHT_BOTTOM,
+                screen.right_bottom() + above_bar,
+            )
+        } else {
+            (
+                egui::Align2::RIGHT_TOP,
+                screen.right_top() + super::OVER_PANELS,
+            )
+        };
         let title = language.tool(self.tool.name);
         let open = sub_window_as(
             context,
@@ -136,6 +150,11 @@ impl ToolWindow {
     /// The left button draws a line in the space.
     pub(crate) fn draws(&self) -> bool {
         self.tool.needs() == Needs::Stroke
+    }
+
+    /// What has been drawn in the camera's picture so far.
+    pub(crate) fn drawn(&self) -> &[(Pos2, DVec3)] {
+        &self.drawn
     }
 
     fn lacks_stroke(&self) -> bool {
@@ -389,6 +408,7 @@ impl Editor {
             applied: false,
             cage: None,
             control: 0,
+            drawn: Vec::new(),
             stood: (self.playing.frame(), self.document.selection()),
             fresh: true,
         });
@@ -406,6 +426,25 @@ impl Editor {
             window.fresh = true;
         }
         self.preview_tool();
+    }
+
+    /// A line that is drawn in the camera's picture leads on to a place.
+    pub(crate) fn draw_on(&mut self, at: Pos2, place: DVec3) {
+        if let Some(window) = &mut self.windows.tool {
+            window.drawn.push((at, place));
+        }
+    }
+
+    /// What was drawn in the camera's picture is taken, or given up.
+    pub(crate) fn end_drawing(&mut self, keeps: bool) {
+        let Some(window) = &mut self.windows.tool else {
+            return;
+        };
+        let drawn = std::mem::take(&mut window.drawn);
+        if keeps && drawn.len() > 2 {
+            let places = drawn.into_iter().map(|(_, place)| place).collect();
+            self.begin_tool_with(Material::Stroke(places));
+        }
     }
 
     /// Brings a control point of the tool's box to a place.

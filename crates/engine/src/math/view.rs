@@ -19,7 +19,7 @@ use crate::error::{Invalid, OutOfRange, Result};
 const PARALLEL: f64 = 1e-12;
 
 /// Half the height in mm of the film on which the zoom is a focal length.
-const HALF_FILM_HEIGHT: f64 = 12.0;
+pub const HALF_FILM_HEIGHT: f64 = 12.0;
 
 /// The description of a picture (2.4.1). `vrp`, `normal` and `up` are world
 /// coordinates. All else is in view reference coordinates (u, v, n): origin

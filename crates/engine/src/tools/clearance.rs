@@ -93,6 +93,39 @@ impl Clearance {
         crossed
     }
 
+    /// How far ahead a ray first meets it. `way` has length 1. Of lines and points that the
+    /// ray passes within `spread` times the distance the one counts that it passes closest,
+    /// by the angle, if no triangle is before it.
+    #[must_use]
+    pub fn ahead(&self, from: DVec3, way: DVec3, spread: f64) -> Option<f64> {
+        let mut nearest = f64::INFINITY;
+        // By how much the ray passes the closest line, and where.
+        let mut line = (spread, f64::INFINITY);
+        self.walk(&mut |node, primitives| {
+            // Where it passes the box, as wide as the ray is there.
+            let far = (node.min - from).abs().max((node.max - from).abs());
+            let room = DVec3::splat(far.length() * spread);
+            let [low, high] = [node.min - room, node.max + room].map(|p| (p - from) / way);
+            // 0/0: along a side of the box.
+            let (enter, leave) = (low.min(high), low.max(high));
+            let enter = enter.to_array().into_iter().fold(0.0, f64::max);
+            let leave = leave.to_array().into_iter().fold(nearest, f64::min);
+            if enter > leave {
+                return false;
+            }
+            for primitive in primitives {
+                match primitive.ahead(from, way) {
+                    Some((far, None)) => nearest = nearest.min(far),
+                    Some((far, Some(off))) if (off, far) <= line => line = (off, far),
+                    _ => {}
+                }
+            }
+            true
+        });
+        let first = nearest.min(line.1);
+        first.is_finite().then_some(first)
+    }
+
     /// Whether any of it is on the inner side of all planes (normal · p ≥ offset).
     #[must_use]
     pub fn is_seen(&self, planes: &[(DVec3, f64); 5]) -> bool {
@@ -195,6 +228,31 @@ impl Primitive {
             .into_iter()
             .min_by(|a, b| far(a).total_cmp(&far(b)))
             .unwrap_or(a)
+    }
+
+    /// How far ahead a ray meets a triangle, in its plane and within its edges; or passes a
+    /// line, and by which part of that distance.
+    fn ahead(&self, from: DVec3, way: DVec3) -> Option<(f64, Option<f64>)> {
+        let [a, b, c] = self.0.map(|corner| corner - from);
+        let normal = (b - a).cross(c - a);
+        let (far, off) = if normal.length_squared() > 0.0 {
+            let round = |u: DVec3, v: DVec3| way.dot(u.cross(v));
+            let sides = [round(a, b), round(b, c), round(c, a)];
+            let inside = sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0);
+            inside.then(|| (a.dot(normal) / way.dot(normal), None))?
+        } else {
+            let aside = |v: DVec3| v.reject_from_normalized(way);
+            let (start, side) = (aside(a), aside(b - a));
+            let square = side.length_squared();
+            let share = if square > 0.0 {
+                (-start.dot(side) / square).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            let far = way.dot(a + share * (b - a));
+            (far, Some((start + share * side).length() / far))
+        };
+        (far >= 0.0 && far.is_finite()).then_some((far, off))
     }
 
     /// Whether the way from `p` to `q` goes through it: its ends are on two sides, and
@@ -321,5 +379,60 @@ mod tests {
         assert!(!clearance.is_seen(&planes(1.3, 0.25, 1.0)));
         assert!(!clearance.is_seen(&planes(0.25, 0.25, -1.0)));
         assert!(Clearance::new(&Mesh::default()).is_err());
+    }
+
+    /// Triangles: where Cramer's rule puts a ray in the plane of each; lines and points:
+    /// along a dense row of places on them.
+    #[test]
+    fn a_ray_meets_what_is_first() {
+        let mut random = Random(77);
+        let mesh = soup(&mut random, 300);
+        let tree = Clearance::new(&mesh).unwrap();
+        let mut met = 0;
+        for _ in 0..400 {
+            let from = 1.5 * vector(&mut random);
+            let Some(way) = (0.3 * vector(&mut random) - from).try_normalize() else {
+                continue;
+            };
+            let mut first = f64::INFINITY;
+            for corners in &mesh.triangles {
+                let [a, b, c] = corners.map(|at| mesh.points[at as usize]);
+                let all = glam::DMat3::from_cols(b - a, c - a, -way);
+                let at = all.inverse() * (from - a);
+                if at.x >= 0.0 && at.y >= 0.0 && at.x + at.y <= 1.0 && at.z >= 0.0 {
+                    first = first.min(at.z);
+                }
+            }
+            let found = tree.ahead(from, way, 0.0).unwrap_or(f64::INFINITY);
+            met += u32::from(first.is_finite());
+            assert!(
+                found == first || (found - first).abs() < 1e-9 * first,
+                "{found} {first}"
+            );
+        }
+        assert!(met > 50, "{met}");
+
+        let points = vec![DVec3::new(0.0, 0.1, 2.0), DVec3::new(1.0, 0.1, 3.0)];
+        let line = Mesh {
+            points: points.clone(),
+            lines: vec![[0, 1]],
+            ..Mesh::default()
+        };
+        let tree = Clearance::new(&line).unwrap();
+        for k in 0..50 {
+            let way = DVec3::new(f64::from(k) / 100.0, 0.0, 1.0).normalize();
+            let near = (0..=100_000).map(|part| {
+                let place = points[0].lerp(points[1], f64::from(part) / 100_000.0);
+                let far = way.dot(place);
+                (place.distance(far * way), far)
+            });
+            let (off, far) = near.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+            let seen = off <= 0.04 * far;
+            assert_eq!(tree.ahead(DVec3::ZERO, way, 0.04).is_some(), seen, "{k}");
+            if let Some(found) = tree.ahead(DVec3::ZERO, way, 0.2) {
+                assert!((found - far).abs() < 1e-3, "{k}: {found} {far}");
+            }
+        }
+        assert!(tree.ahead(DVec3::ZERO, DVec3::NEG_Z, 0.2).is_none());
     }
 }

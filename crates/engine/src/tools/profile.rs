@@ -1,8 +1,10 @@
-//! What changes over the frames of a film, as it is plotted: how fast the camera goes and
-//! turns, its roll, its zoom (`docs/tools.md`, plots).
+//! What changes over the frames of a film, as it is plotted: how far and how fast the
+//! camera goes, how fast it turns, its roll, its zoom, how near it comes to the object
+//! (`docs/tools.md`, plots).
 
 use glam::{DMat3, DQuat, DVec3};
 
+use super::clearance::Clearance;
 use crate::math::orientation::roll_from_up;
 use crate::path::{Pose, Sampler, Up};
 use crate::{Result, error::vec_with_room};
@@ -10,6 +12,8 @@ use crate::{Result, error::vec_with_room};
 /// A quantity of a camera in motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
+    /// Length of the way since the first frame.
+    Distance,
     /// Length per second.
     Speed,
     /// Length per second squared.
@@ -20,22 +24,40 @@ pub enum Quantity {
     Roll,
     /// Millimetres.
     Zoom,
+    /// Distance to the nearest of the object.
+    Clearance,
+}
+
+/// A film as it is plotted.
+#[derive(Debug, Clone, Copy)]
+pub struct Film<'a> {
+    /// Frames and poses, in order, equally far apart for the acceleration.
+    pub samples: &'a [(f64, Pose)],
+    /// Frames a second.
+    pub fps: f64,
+    /// The vertical of the space.
+    pub up: Up,
+    /// What the camera must not run into.
+    pub object: Option<&'a Clearance>,
 }
 
 impl Quantity {
     /// All of them, in the order in which they are plotted.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 7] = [
+        Self::Distance,
         Self::Speed,
         Self::Acceleration,
         Self::Turning,
         Self::Roll,
         Self::Zoom,
+        Self::Clearance,
     ];
 
     /// The kinds of findings ([`super::check`]) that are seen in it.
     #[must_use]
     pub const fn findings(self) -> &'static [&'static str] {
         match self {
+            Self::Distance => &[],
             Self::Speed => &["speed-jump", "cusp", "corner", "space"],
             Self::Acceleration => &["acceleration"],
             Self::Turning => &[
@@ -47,15 +69,17 @@ impl Quantity {
             ],
             Self::Roll => &["redundant"],
             Self::Zoom => &["zoom"],
+            Self::Clearance => &["clearance", "through", "nothing-to-see", "target"],
         }
     }
 
-    /// Its values over `samples` of a film (frame, pose; in order, equally far apart for
-    /// the acceleration): pairs of frame and value. Differences lie between two frames.
+    /// Its values over a film: pairs of frame and value. Differences lie between two frames;
+    /// without an object there is no clearance.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
-    pub fn of(self, samples: &[(f64, Pose)], fps: f64, up: Up) -> Result<Vec<(f64, f64)>> {
+    pub fn of(self, film: &Film<'_>) -> Result<Vec<(f64, f64)>> {
+        let (samples, fps, up) = (film.samples, film.fps, film.up);
         let mut values = vec_with_room(samples.len())?;
         let place = |pose: &Pose| DVec3::from_array(pose.vrp);
         let pairs = samples.windows(2).map(|pair| (&pair[0], &pair[1]));
@@ -64,6 +88,15 @@ impl Quantity {
             (0.5 * (a + b), value(from, to) * fps / (b - a))
         };
         match self {
+            Self::Distance => {
+                let mut way = 0.0;
+                let mut last = None;
+                values.extend(samples.iter().map(|(frame, pose)| {
+                    let here = place(pose);
+                    way += here.distance(last.replace(here).unwrap_or(here));
+                    (*frame, way)
+                }));
+            }
             Self::Speed => {
                 let way = |a: &Pose, b: &Pose| place(a).distance(place(b));
                 values.extend(pairs.map(|pair| between(&way, pair)));
@@ -80,6 +113,22 @@ impl Quantity {
                 (*frame, roll_from_up(view, up).to_degrees())
             })),
             Self::Zoom => values.extend(samples.iter().map(|(frame, pose)| (*frame, pose.zoom))),
+            Self::Clearance => {
+                let Some(object) = film.object else {
+                    return Ok(values);
+                };
+                let mut before: Option<(DVec3, f64)> = None;
+                values.extend(samples.iter().map(|(frame, pose)| {
+                    let here = place(pose);
+                    // No farther than from the place before and the way from there.
+                    let most = before.map_or(f64::INFINITY, |(place, far)| {
+                        (far + place.distance(here)) * (1.0 + 1e-9) + f64::MIN_POSITIVE
+                    });
+                    let far = object.distance(here, most).unwrap_or(most);
+                    before = Some((here, far));
+                    (*frame, far)
+                }));
+            }
         }
         Ok(values)
     }
@@ -114,6 +163,36 @@ pub fn samples(sampler: &Sampler, most: usize) -> Result<Vec<(f64, Pose)>> {
     Ok(samples)
 }
 
+/// Fewer values, about so many: of each stretch the least and the greatest, so that a peak
+/// of one frame is seen in a plot of a long film.
+#[must_use]
+pub fn with_peaks(values: Vec<(f64, f64)>, most: usize) -> Vec<(f64, f64)> {
+    let [Some(&first), Some(&last)] = [values.first(), values.last()] else {
+        return values;
+    };
+    if values.len() <= most {
+        return values;
+    }
+    let mut kept = vec![first];
+    for stretch in values.chunks(values.len().div_ceil(most / 2)) {
+        let by_value = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
+        let ends = [
+            stretch.iter().min_by(by_value),
+            stretch.iter().max_by(by_value),
+        ];
+        let [Some(&low), Some(&high)] = ends else {
+            continue;
+        };
+        kept.extend(if low.0 < high.0 {
+            [low, high]
+        } else {
+            [high, low]
+        });
+    }
+    kept.push(last);
+    kept
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -136,13 +215,19 @@ mod tests {
             (1.0 + f64::from(k), pose)
         };
         let samples: Vec<_> = (0..250).map(frame).collect();
+        let film = Film {
+            samples: &samples,
+            fps,
+            up: Up::Y,
+            object: None,
+        };
         for (quantity, expected) in [
             (Quantity::Speed, radius * omega),
             (Quantity::Acceleration, radius * omega * omega),
             (Quantity::Turning, omega.to_degrees()),
             (Quantity::Roll, 0.0),
         ] {
-            let values = quantity.of(&samples, fps, Up::Y).unwrap();
+            let values = quantity.of(&film).unwrap();
             assert!(values.len() >= 248);
             for (frame, value) in values {
                 // A chord is a little shorter than its arc.
@@ -153,7 +238,63 @@ mod tests {
                 );
             }
         }
-        let zoom = Quantity::Zoom.of(&samples, fps, Up::Y).unwrap();
-        assert_eq!(zoom[7], (8.0, 31.0));
+        assert_eq!(Quantity::Zoom.of(&film).unwrap()[7], (8.0, 31.0));
+        let way = Quantity::Distance.of(&film).unwrap();
+        assert_eq!(way[0], (1.0, 0.0));
+        assert!((way[249].1 - radius * omega * 249.0 / fps).abs() < 1e-3);
+        assert!(Quantity::Clearance.of(&film).unwrap().is_empty());
+    }
+
+    /// Past two points on a line: the distance to the nearer of them, by Pythagoras.
+    #[test]
+    fn the_clearance_is_the_distance_to_the_nearest() {
+        let points = vec![DVec3::new(-1.0, 0.5, 0.0), DVec3::new(2.0, 0.0, 0.25)];
+        let mesh = crate::scene::Mesh {
+            points: points.clone(),
+            ..Default::default()
+        };
+        let object = Clearance::new(&mesh).unwrap();
+        let frame = |k: i32| {
+            let pose = Pose {
+                vrp: [0.07 * f64::from(k) - 3.0, 0.0, 0.0],
+                vpn: [0.0, 0.0, 1.0],
+                vup: [0.0, 1.0, 0.0],
+                zoom: 24.0,
+            };
+            (1.0 + f64::from(k), pose)
+        };
+        // There, and at once back to the beginning.
+        let samples: Vec<_> = (0..90).chain([0]).map(frame).collect();
+        let film = Film {
+            samples: &samples,
+            fps: 25.0,
+            up: Up::Y,
+            object: Some(&object),
+        };
+        let values = Quantity::Clearance.of(&film).unwrap();
+        assert_eq!(values.len(), 91);
+        for ((_, pose), (_, value)) in samples.iter().zip(values) {
+            let place = DVec3::from_array(pose.vrp);
+            let far = points.iter().map(|point| point.distance(place));
+            let expected = far.fold(f64::INFINITY, f64::min);
+            assert!((value - expected).abs() < 1e-12, "{value} {expected}");
+        }
+    }
+
+    #[test]
+    fn a_peak_of_one_frame_stays() {
+        let value = |frame: u32| match frame {
+            3333 => 12.5,
+            7001 => -3.0,
+            _ => 1.0,
+        };
+        let all = |count| (0..count).map(|k| (f64::from(k), value(k))).collect();
+        let kept = with_peaks(all(10_000), 2_000);
+        assert!(kept.len() <= 2_002);
+        assert!(kept.contains(&(3333.0, 12.5)) && kept.contains(&(7001.0, -3.0)));
+        assert!(kept.is_sorted_by(|a, b| a.0 <= b.0));
+        assert_eq!([kept[0].0, kept[kept.len() - 1].0], [0.0, 9_999.0]);
+        let short: Vec<_> = all(100);
+        assert_eq!(with_peaks(short.clone(), 2_000), short);
     }
 }

@@ -10,7 +10,7 @@ use super::{SCALE, Section};
 use crate::actions::Action;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::Entry;
-use crate::path::Pace;
+use crate::path::{Pace, Timing};
 use crate::state::Editor;
 use crate::theme::{self, Palette};
 
@@ -38,10 +38,15 @@ impl Quantity {
 
     /// Its value at the share `u` of the time.
     pub(super) fn at(self, section: &Section, u: f64) -> f64 {
+        self.of(&section.timing, section.seconds, u)
+    }
+
+    /// The same of a timing that takes so many seconds.
+    pub(super) fn of(self, timing: &Timing, seconds: f64, u: f64) -> f64 {
         match self {
-            Self::Speed => section.timing.speed(u),
-            Self::Distance => 100.0 * section.timing.fraction(u),
-            Self::Acceleration => section.timing.acceleration(u) / section.seconds,
+            Self::Speed => timing.speed(u),
+            Self::Distance => 100.0 * timing.fraction(u),
+            Self::Acceleration => timing.acceleration(u) / seconds,
         }
     }
 
@@ -75,7 +80,7 @@ pub(super) struct Frame {
     low: f64,
     high: f64,
     curve: Vec<[f64; 2]>,
-    quantity: Quantity,
+    pub(super) quantity: Quantity,
 }
 
 impl Frame {
@@ -116,6 +121,11 @@ impl Frame {
         let share = (value - self.low) / (self.high - self.low);
         let room = self.rect.height() - 2.0 * MARGIN;
         self.rect.bottom() - MARGIN - share as f32 * room
+    }
+
+    /// A hundredth of what it shows from the lowest value to the highest.
+    pub(super) fn percent(&self) -> f64 {
+        (self.high - self.low) / 100.0
     }
 
     pub(super) fn value(&self, y: f32) -> f64 {

@@ -284,7 +284,7 @@ impl SpeedWindow {
             section,
         );
         match (&section.pace, self.shown) {
-            (Pace::Speeds | Pace::Part(_), Quantity::Speed) => {
+            (Pace::Speeds | Pace::Part(_), _) => {
                 let state = (&mut self.held, &mut self.choose);
                 ten::squares(editor, state, ui, &frame, section, actions);
             }

@@ -31,7 +31,7 @@ fn timing(window: &Window) -> Timing {
     timing.unwrap().unwrap()
 }
 
-fn frames(window: &Window) -> usize {
+pub(super) fn frames(window: &Window) -> usize {
     let document = &window.state().document;
     document
         .timeline(|timeline| timeline.section(2).frames)
@@ -39,7 +39,7 @@ fn frames(window: &Window) -> usize {
 }
 
 /// Chooses a pace or a graph.
-fn choose(window: &mut Window, title: &str, name: &str) {
+pub(super) fn choose(window: &mut Window, title: &str, name: &str) {
     let label = format!("{title}: {name}");
     window
         .get_by_role_and_label(Role::RadioButton, &label)
@@ -47,7 +47,7 @@ fn choose(window: &mut Window, title: &str, name: &str) {
     window.run();
 }
 
-fn handle(window: &Window, name: &str) -> Pos2 {
+pub(super) fn handle(window: &Window, name: &str) -> Pos2 {
     let square = window.get_by_role_and_label(Role::Slider, name);
     square.rect().center()
 }
@@ -57,7 +57,7 @@ fn is_there(window: &Window, name: &str) -> bool {
 }
 
 /// Drags what has this name.
-fn drag_handle(window: &mut Window, name: &str, way: egui::Vec2) {
+pub(super) fn drag_handle(window: &mut Window, name: &str, way: egui::Vec2) {
     let from = handle(window, name);
     drag(window, from, way);
     window.drop_at(from + way);

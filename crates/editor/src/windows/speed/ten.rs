@@ -3,18 +3,24 @@
 
 use egui::{CursorIcon, Id, Rect, Ui, pos2, vec2};
 
-use super::graph::{Frame, Handle, Held};
+use super::graph::{Frame, Handle, Held, Quantity};
 use super::shapes::Shape;
 use super::{SCALE, Section, Size, entered};
 use crate::actions::Action;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::Number;
+use crate::path::{Orientation, Timing};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
 use crate::windows::row_at_right;
 
-/// One square for each; `choose` is the one that an arrow key has chosen.
+/// So many parts of one are not rounded.
+const EXACT: f64 = 1e9;
+
+/// Squares to be dragged: one for each speed; on the way over time one wherever a speed
+/// between the ends counts; on the acceleration one between two speeds. `choose` is the one
+/// that an arrow key has chosen.
 pub(super) fn squares(
     editor: &Editor,
     (held, choose): (&mut Held, &mut Option<usize>),
@@ -23,16 +29,41 @@ pub(super) fn squares(
     section: &Section,
     actions: &mut Vec<Action>,
 ) {
-    for (at, &speed) in section.speeds.iter().enumerate() {
-        let middle = pos2(frame.x(at as f64 / (SPEEDS - 1) as f64), frame.y(speed));
+    let (texts, shown) = (&editor.texts().speed_window, frame.quantity);
+    let (squares, beside) = match shown {
+        Quantity::Speed => (0..SPEEDS, 0.0),
+        Quantity::Distance => (1..SPEEDS - 1, 0.0),
+        Quantity::Acceleration => (0..SPEEDS - 1, 0.5),
+    };
+    for at in squares.clone() {
+        let time = (at as f64 + beside) / (SPEEDS - 1) as f64;
+        let (value, name, words) = match shown {
+            Quantity::Speed => {
+                let speed = section.speeds[at];
+                let words = editor.language().number(speed, 1);
+                (speed, fill(texts.speed, &[&(at + 1)]), words)
+            }
+            Quantity::Distance => {
+                let way = shown.at(section, time);
+                let [words, when] = [way, 100.0 * time].map(|x| editor.language().number(x, 1));
+                let name = format!("{} {}", texts.graph_distance, at + 1);
+                (way, name, fill(texts.way_at, &[&words, &when]))
+            }
+            Quantity::Acceleration => {
+                let change = shown.at(section, time);
+                let name = format!("{} {}", texts.graph_acceleration, at + 1);
+                (change, name, editor.language().number(change, 1))
+            }
+        };
+        let middle = pos2(frame.x(time), frame.y(value));
         let handle = Handle {
             id: Id::unique(("speed square", at)),
             middle,
             place: Rect::from_center_size(middle, vec2(Size::of(ui).step * 0.6, 28.0)),
-            name: &fill(editor.texts().speed_window.speed, &[&(at + 1)]),
-            value: speed,
-            words: editor.language().number(speed, 1),
-            rises: false,
+            name: &name,
+            value,
+            words,
+            rises: shown == Quantity::Distance,
             cursor: CursorIcon::ResizeVertical,
         };
         let moved = handle.show(held, ui, frame.rect, actions);
@@ -40,36 +71,83 @@ pub(super) fn squares(
             *choose = None;
             moved.response.request_focus();
         }
-        if let Some((to, fine)) = moved.to {
-            let scale = if fine { 10.0 } else { 1.0 };
-            let rounded = (frame.value(to.y) * scale).round() / scale;
-            actions.extend(set_speed(editor, at, rounded));
-        }
         let [aside, rise] = moved.steps;
+        let mut new = None;
+        if let Some((to, fine)) = moved.to {
+            let whole = shown == Quantity::Speed;
+            let parts = if whole { 1.0 } else { 10.0 } * if fine { 10.0 } else { 1.0 };
+            new = with_value(section, (shown, at, time), frame.value(to.y), parts);
+        }
         if rise != 0.0 {
-            actions.extend(set_speed(editor, at, speed + rise));
+            let value = value + rise * frame.percent().max(1.0);
+            new = with_value(section, (shown, at, time), value, EXACT);
+        }
+        if let Some(speeds) = new {
+            let edit = editor.orientation_edit(|orientation| orientation.speeds = speeds);
+            actions.extend(edit.map(Action::Edit));
         }
         let next = if aside > 0.0 {
             at + 1
         } else {
             at.wrapping_sub(1)
         };
-        if aside != 0.0 && next < SPEEDS {
+        if aside != 0.0 && squares.contains(&next) {
             *choose = Some(next);
             ui.ctx().request_repaint();
         }
     }
 }
 
-/// Gives one of the ten speeds another value.
-fn set_speed(editor: &Editor, at: usize, speed: f64) -> Option<Action> {
-    let speed = speed.clamp(MIN_SPEED, MAX_SPEED);
-    let edit = editor.orientation_edit(|orientation| {
-        if let Some(old) = orientation.speeds.get_mut(at) {
-            *old = speed;
+/// The ten speeds, rounded to parts of one, with which a graph has a value at one of its
+/// squares, as near as their range allows. A speed is itself. More way up to a square is a
+/// higher speed before it and a lower one behind it, more acceleration between two speeds a
+/// lower first and a higher second one: the section's mean speed hardly changes.
+fn with_value(
+    section: &Section,
+    (shown, at, time): (Quantity, usize, f64),
+    value: f64,
+    parts: f64,
+) -> Option<[f64; SPEEDS]> {
+    let old = section.speeds;
+    let (rises, falls) = match shown {
+        Quantity::Speed => {
+            let mut speeds = old;
+            let speed = (value * parts).round() / parts;
+            *speeds.get_mut(at)? = speed.clamp(MIN_SPEED, MAX_SPEED);
+            return Some(speeds);
         }
-    });
-    edit.map(Action::Edit)
+        Quantity::Distance => (at.checked_sub(1)?, at + 1),
+        Quantity::Acceleration => (at + 1, at),
+    };
+    // An outermost speed counts for half as much of the way.
+    let weight = |at| {
+        if at == 0 || at == SPEEDS - 1 {
+            2.0
+        } else {
+            1.0
+        }
+    };
+    let room = |at: usize, end: f64| (end - old[at]) / weight(at);
+    let mut low = room(rises, MIN_SPEED).max(-room(falls, MAX_SPEED));
+    let mut high = room(rises, MAX_SPEED).min(-room(falls, MIN_SPEED));
+    let by = |by: f64, parts: f64| {
+        let mut orientation = Orientation {
+            speeds: old,
+            ..Orientation::default()
+        };
+        for (at, by) in [(rises, by), (falls, -by)] {
+            let speed = ((old[at] + by * weight(at)) * parts).round() / parts;
+            orientation.speeds[at] = speed.clamp(MIN_SPEED, MAX_SPEED);
+        }
+        orientation
+    };
+    for _ in 0..50 {
+        let middle = f64::midpoint(low, high);
+        let timing = Timing::new(&by(middle, EXACT), section.before, section.after).ok()?;
+        let less = shown.of(&timing, section.seconds, time) < value;
+        *(if less { &mut low } else { &mut high }) = middle;
+    }
+    Some(by(low, parts).speeds)
 }
 
 /// The ten values as numbers, each below its square.

@@ -4,6 +4,7 @@ use egui::{Pos2, vec2};
 
 use egui_kittest::kittest::NodeT;
 
+use super::pace_tests::{choose, drag_handle, frames, handle};
 use crate::screenshots::screenshot;
 use crate::tests::*;
 
@@ -52,6 +53,59 @@ fn squares_are_dragged_up_and_down_in_one_step() {
         press(&mut window, Modifiers::CTRL, Key::Z);
         assert_eq!(speeds(&window), before);
         assert!(!window.state().document.is_modified());
+    }
+}
+
+/// In the graphs of way and acceleration: the square goes where the hand is, what one speed
+/// gains the other loses, and the section takes as long.
+#[test]
+fn the_way_and_the_acceleration_are_dragged_by_squares_too() {
+    for language in BOTH {
+        let texts = &language.texts().speed_window;
+        for (graph, at, way, [rises, falls]) in [
+            (texts.graph_distance, 5, vec2(30.0, -8.0), [3, 5]),
+            (texts.graph_acceleration, 5, vec2(30.0, -24.0), [5, 4]),
+        ] {
+            let mut window = opened(language);
+            choose(&mut window, texts.graph, graph);
+            let name = format!("{graph} {at}");
+            let (before, lasts) = (speeds(&window), frames(&window));
+            let from = handle(&window, &name);
+            drag(&mut window, from, way);
+            let to = handle(&window, &name);
+            assert!((to.y - (from + way).y).abs() < 2.0 && (to.x - from.x).abs() < 0.1);
+            window.drop_at(from + way);
+            window.run();
+            let after = speeds(&window);
+            let gained = after[rises] - before[rises];
+            assert!(gained > 1.0, "{graph}: {after:?}");
+            assert!((gained + after[falls] - before[falls]).abs() < 1e-9);
+            let others = (0..10).filter(|other| *other != rises && *other != falls);
+            assert!(
+                others
+                    .into_iter()
+                    .all(|other| after[other] == before[other])
+            );
+            assert_eq!(frames(&window), lasts);
+            // As far as picture and speeds go, and no farther.
+            drag_handle(&mut window, &name, vec2(0.0, -500.0));
+            let most = speeds(&window);
+            let at_the_end = most[rises] == 100.0 || most[falls] == 1.0;
+            assert!(at_the_end || graph == texts.graph_acceleration, "{most:?}");
+            assert!(most != after, "{graph}: {after:?}");
+            press(&mut window, Modifiers::CTRL, Key::Z);
+            press(&mut window, Modifiers::CTRL, Key::Z);
+            assert_eq!(speeds(&window), before);
+            // By the keyboard, and on to the next square.
+            window.get_by_role_and_label(Role::Slider, &name).focus();
+            window.run();
+            press(&mut window, Modifiers::NONE, Key::ArrowUp);
+            assert!(speeds(&window)[rises] > before[rises]);
+            press(&mut window, Modifiers::NONE, Key::ArrowRight);
+            press(&mut window, Modifiers::NONE, Key::ArrowDown);
+            assert!(speeds(&window)[rises + 1] < before[rises + 1]);
+            screenshot(&mut window, &format!("speed-squares-{graph}.png"));
+        }
     }
 }
 

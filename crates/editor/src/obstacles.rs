@@ -1,0 +1,47 @@
+//! What the camera must not run into, prepared when something first asks: a check, a plot, a
+//! line that is drawn on it.
+
+use std::cell::RefCell;
+use std::ptr;
+use std::rc::Rc;
+
+use crate::document::Object;
+use crate::error::Result;
+use crate::state::Editor;
+use crate::tools::clearance::Clearance;
+
+#[derive(Debug, Default)]
+pub(crate) struct Obstacles(RefCell<Option<Prepared>>);
+
+#[derive(Debug)]
+struct Prepared {
+    /// Held, so that its memory is no other's.
+    object: Object,
+    /// The scene around the path.
+    around: Option<u64>,
+    tree: Option<Rc<Clearance>>,
+}
+
+impl Editor {
+    /// The tree over the objects; none if there are none.
+    pub(crate) fn obstacles(&self) -> Result<Option<Rc<Clearance>>> {
+        let object = &self.document.info().object;
+        let around = self.document.around().map(|around| around.number());
+        let mut known = self.obstacles.0.borrow_mut();
+        if let Some(old) = &*known
+            && ptr::eq::<[_]>(&**object, &*old.object)
+            && old.around == around
+        {
+            return Ok(old.tree.clone());
+        }
+        *known = None;
+        let mesh = self.document.obstacles()?;
+        let tree = mesh.as_ref().map(Clearance::new).transpose()?.map(Rc::new);
+        *known = Some(Prepared {
+            object: object.clone(),
+            around,
+            tree: tree.clone(),
+        });
+        Ok(tree)
+    }
+}
