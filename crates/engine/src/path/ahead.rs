@@ -11,8 +11,8 @@ use super::camera_path::CameraPath;
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
-use super::orientation_curve::AT_TARGET;
 use super::space::Space;
+use super::turning::AT_TARGET;
 use crate::error::{Result, can_allocate, vec_with_room};
 use crate::math::orientation::unit;
 

@@ -8,9 +8,9 @@ use super::ahead;
 use super::alignment::rolled;
 use super::camera_path::{CameraPath, Orientation, Target};
 use super::hermite::Cubic;
-use super::orientation_curve::AT_TARGET;
 use super::space::Space;
 use super::timeline::{Change, Timeline};
+use super::turning::AT_TARGET;
 use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::continue_sign;
 

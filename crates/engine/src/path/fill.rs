@@ -9,13 +9,13 @@
 use glam::DVec3;
 
 use super::arc_length;
-use super::orientation_curve::{AT_TARGET, Turning};
 use super::pose::Pose;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::space::Up;
 use super::speed_curve::{INTERVALS, SpeedCurve};
 use super::tables::{Fit, Tables, quaternions};
 use super::timing::Timing;
+use super::turning::{AT_TARGET, Turning};
 use crate::error::Result;
 use crate::math::orientation::POLE;
 use crate::math::vector::{Vector, horner, horner_each};

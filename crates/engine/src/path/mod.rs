@@ -47,6 +47,7 @@ mod tables;
 pub mod tessellation;
 pub mod timeline;
 pub mod timing;
+mod turning;
 pub mod up_vector;
 
 #[cfg(test)]

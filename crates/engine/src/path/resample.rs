@@ -4,10 +4,10 @@ use glam::DVec3;
 
 use super::arc_length::ArcLength;
 use super::camera_path::{CameraPath, CurveParameters, Orientation, SupportPoint, Target};
-use super::orientation_curve::Turning;
 use super::own::Tangents;
 use super::sampling::Sampler;
 use super::timeline::{Change, Timeline};
+use super::turning::Turning;
 use crate::error::{Invalid, Result, vec_with_room};
 use crate::math::orientation::{roll_from_up, unit, wrap_degrees};
 

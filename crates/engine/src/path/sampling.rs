@@ -13,6 +13,7 @@ use super::orientation_curve::{self, Key, turnings};
 use super::pose::Pose;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::timeline::{Change, Timeline};
+use super::turning::Turning;
 use crate::error::{OutOfRange, Result, try_box, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_ZOOM, MIN_ZOOM};
 use crate::math::{monotone_cubic, orientation};
@@ -94,7 +95,7 @@ impl<'a> Layout<'a> {
                 },
                 way: curve.map(|&curve| ArcLengthCurve { curve, length }),
                 position: point.position,
-                turning: orientation_curve::Turning::Kept(glam::DVec3::Z, glam::DVec3::Y),
+                turning: Turning::Kept(glam::DVec3::Z, glam::DVec3::Y),
                 space: path.space,
                 zoom: [pose.zoom, 0.0, 0.0, 0.0],
                 tables: OnceLock::new(),

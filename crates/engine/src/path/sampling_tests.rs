@@ -143,8 +143,8 @@ fn the_path_has_every_kind_of_section() {
         let sampler = prepared(&path(OrientationMode::Tcb, closed));
         for section in &sampler.sections {
             match section.turning {
-                orientation_curve::Turning::Tracked(..) => tracked += 1,
-                orientation_curve::Turning::Kept(..) => kept += 1,
+                Turning::Tracked(..) => tracked += 1,
+                Turning::Kept(..) => kept += 1,
                 _ => free += 1,
             }
             short += usize::from(section.frames < 4);

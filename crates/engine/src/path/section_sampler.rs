@@ -8,11 +8,11 @@ use glam::{DQuat, DVec3};
 
 use super::arc_length::ArcLength;
 use super::hermite::Cubic;
-use super::orientation_curve::Turning;
 use super::pose::Pose;
 use super::space::Space;
 use super::tables::Tables;
 use super::timing::Timing;
+use super::turning::Turning;
 use crate::error::Result;
 
 /// The curve of a section and its length.

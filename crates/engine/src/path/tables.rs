@@ -5,8 +5,8 @@
 
 use super::arc_length::{self, Piece};
 use super::arcs::ShortBezier;
-use super::orientation_curve::Turning;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
+use super::turning::Turning;
 use crate::error::Result;
 use crate::math::chebyshev::{self, NODES};
 use crate::math::vector::Vector;
