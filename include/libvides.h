@@ -61,7 +61,7 @@
  * V_ERR_ARGUMENT  a value that makes no sense: not a finite number, a target
  *                 on the camera itself, an up vector along the view, a
  *                 pointer that is not aligned for its type
- * V_ERR_RANGE     an index or a value outside its range
+ * V_ERR_RANGE     an index or a value outside its range (NaN where there is one)
  * V_ERR_SIZE      an array too small, or a struct whose size is not set
  * V_ERR_LIMIT     more points, orientations or poses than the library takes
  * V_ERR_MEMORY    out of memory; nothing was changed
@@ -1425,12 +1425,12 @@ int v_path_point_at_length(const V_PATH *path,
  *     to degrees (45), zoom mm (24), seconds (10)
  * "flyby"  straight past a target that stays in view
  *     around x y z (0), distance (1), height (0.4), from degrees (0),
- *     length (3), zoom mm (24), seconds (10)
+ *     length (2), zoom mm (24), seconds (10)
  * "approach"  straight towards a target
- *     around x y z (0), distance (3), end-distance (1), from degrees (0),
+ *     around x y z (0), distance (1), end-distance (0.4), from degrees (0),
  *     rise degrees (15), zoom mm (24), seconds (10)
  * "dolly-zoom"  towards a target that keeps its size in the picture
- *     around x y z (0), distance (3), end-distance (1), from degrees (0),
+ *     around x y z (0), distance (1), end-distance (0.4), from degrees (0),
  *     rise degrees (15), zoom mm (60), seconds (10)
  * "crane"  straight up or down beside a target that stays in view
  *     around x y z (0), radius (1), height (-0.2), end-height (1),
@@ -1438,8 +1438,8 @@ int v_path_point_at_length(const V_PATH *path,
  * "pan"  turns on the spot
  *     at x y z (0), from degrees (-45), to degrees (45), tilt degrees (0),
  *     zoom mm (24), seconds (10)
- * "figure-eight"  on an eight that crosses above the target
- *     around x y z (0), radius (1), height (0.4), width (0.8), from degrees (0),
+ * "figure-eight"  on an eight that lies before the target
+ *     around x y z (0), radius (0.7), height (0.4), width (1.2), from degrees (0),
  *     zoom mm (24), seconds (10)
  *
  * *path is the caller's, to be freed with v_path_free().
@@ -1527,8 +1527,9 @@ int v_path_repeat(V_PATH *path, int count);
 /**
  * The sum of paths times their weights: positions, curve, targets, roll, zoom and
  * speeds, point by point; paths with different numbers of points are resampled to
- * the largest of them by length first. All else is that of the path with the
- * greatest weight.
+ * the largest of them by length first. Fixed frames (rounded), angular velocities
+ * and slopes are blended where each path owns them. All else is that of the path
+ * with the greatest weight.
  *
  * weights  count numbers with the sum 1
  * *blend is the caller's, to be freed with v_path_free().
@@ -1979,7 +1980,7 @@ int v_scene_frame_range(const V_SCENE *scene, double *first, double *last);
  * gives no finite number steps from key to key: the rest plays, the answer is
  * V_OK, and v_last_error() tells.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
- * than the nodes), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * than the nodes; *count is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
  * V_ERR_MEMORY.
  */
 int v_scene_evaluate(const V_SCENE *scene,
@@ -2006,7 +2007,7 @@ int v_scene_sample(const V_SCENE *scene,
  * a track; *width (NULL: not wanted) is how many. values NULL: only that. What
  * v_scene_evaluate() says of a host's interpolation holds here too.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
- * than the channel has), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * than the channel has; *width is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
  * V_ERR_MEMORY.
  */
 int v_scene_value(const V_SCENE *scene,
@@ -2023,7 +2024,7 @@ int v_scene_value(const V_SCENE *scene,
  * wanted) is how many. xyz NULL: only that. What v_scene_evaluate() says of a
  * host's interpolation holds here too.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more
- * points than room), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
+ * points than room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
  * V_ERR_MEMORY.
  */
 int v_scene_vertices(const V_SCENE *scene,
@@ -2105,8 +2106,8 @@ int v_path_set_limit(V_PATH *path, const char *kind, double limit);
 int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
 
 /**
- * The options' defaults: size, and everything else NULL or 0. NULL does
- * nothing but set v_last_error(). In C a macro of this name hands the struct's size
+ * The options' defaults: size, space_up V_UP_Y, and everything else NULL or 0. NULL
+ * does nothing but set v_last_error(). In C a macro of this name hands the struct's size
  * on to v_editor_options_init_sized(); the function itself, for other languages,
  * fills in the options of version 1.0, to user.
  * Any thread; from callbacks too.
@@ -2230,8 +2231,8 @@ int v_editor_select(V_EDITOR *editor, int point, int orientation);
 int v_editor_set_object(V_EDITOR *editor, const V_MESH *object);
 
 /**
- * Sets what follows "VIDES" in the window's title, UTF-8, one line; NULL: the
- * file's name.
+ * Sets what follows "VIDES" in the window's title, UTF-8, one line (control
+ * characters are shown as spaces); NULL: the file's name.
  * The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
  * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT.
  */

@@ -89,7 +89,7 @@ fn summary(
     entry(
         "Base speeds",
         &format_args!(
-            "move {}, orient {}, zoom {}, winkel {} frames",
+            "move {}, turn {}, zoom {}, roll {} frames",
             speeds.movement, speeds.turning, speeds.zoom, speeds.rolling
         ),
     );

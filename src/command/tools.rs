@@ -235,6 +235,16 @@ enum FitName {
     Scale,
 }
 
+/// Points are counted from 1 here.
+fn check_point(at: usize, count: usize) -> Result<(), Failure> {
+    if at == 0 || at > count {
+        return Err(Failure::Input(format!(
+            "there is no point {at}: the path has points 1 to {count}"
+        )));
+    }
+    Ok(())
+}
+
 pub(super) fn run(tool: &Tool) -> Result<(), Failure> {
     match tool {
         Tool::Transform(arguments) => transform(arguments),
@@ -242,6 +252,7 @@ pub(super) fn run(tool: &Tool) -> Result<(), Failure> {
         Tool::Extract(arguments) => {
             let (path, info) = input::load(&arguments.file)?.into_parts();
             let Range { first, last } = arguments.points;
+            check_point(first.max(last), path.points.len())?;
             let block = block::extract(&path, first - 1, last - 1)
                 .map_err(|error| vides::Error::from(error).at(input::name(&arguments.file)))?;
             arguments.output.write(&Document::from_parts(block, info)?)
@@ -250,11 +261,7 @@ pub(super) fn run(tool: &Tool) -> Result<(), Failure> {
             let document = input::load(&arguments.file)?;
             let count = document.path().points.len();
             let at = arguments.at.unwrap_or(count);
-            if at == 0 || at > count {
-                return Err(Failure::Input(format!(
-                    "there is no point {at}: the path has points 1 to {count}"
-                )));
-            }
+            check_point(at, count)?;
             let (block, _) = input::load(&arguments.block)?.into_parts();
             let insert = Edit::InsertPath {
                 at: at - 1,

@@ -78,8 +78,8 @@ pub(super) fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
     Ok(found)
 }
 
-/// The options' defaults: size, and everything else NULL or 0. NULL does
-/// nothing but set v_last_error(). In C a macro of this name hands the struct's size
+/// The options' defaults: size, space_up V_UP_Y, and everything else NULL or 0. NULL
+/// does nothing but set v_last_error(). In C a macro of this name hands the struct's size
 /// on to v_editor_options_init_sized(); the function itself, for other languages,
 /// fills in the options of version 1.0, to user.
 /// Any thread; from callbacks too.

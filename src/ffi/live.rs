@@ -133,8 +133,8 @@ pub unsafe extern "C" fn v_editor_set_object(
     })
 }
 
-/// Sets what follows "VIDES" in the window's title, UTF-8, one line; NULL: the
-/// file's name.
+/// Sets what follows "VIDES" in the window's title, UTF-8, one line (control
+/// characters are shown as spaces); NULL: the file's name.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
 /// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]

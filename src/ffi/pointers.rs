@@ -106,7 +106,8 @@ fn check_extent<T>(count: usize) -> Answer<()> {
 }
 
 /// Where a result goes. Made before the work, written after it: a call that
-/// fails has written nothing.
+/// fails has written nothing but the size that an array needs.
+#[derive(Clone, Copy)]
 pub(super) struct Out<T>(*mut T);
 
 impl<T: Copy> Out<T> {
@@ -234,6 +235,11 @@ pub(super) unsafe fn name<'a>(text: *const c_char) -> Answer<&'a [u8]> {
 pub(super) fn index(value: c_int) -> Answer<usize> {
     usize::try_from(value)
         .map_err(|_| Failure::Border(V_ERR_RANGE, "an index must not be negative"))
+}
+
+/// How many of something, where negative is never right.
+pub(super) fn how_many(value: c_int) -> Answer<usize> {
+    usize::try_from(value).map_err(|_| Failure::Border(V_ERR_RANGE, "a count must not be negative"))
 }
 
 /// A number for C. The limits of a path keep every count below `INT_MAX`.

@@ -4,7 +4,7 @@ use std::ffi::c_int;
 
 use super::border::border;
 use super::path::{edit, read};
-use super::pointers::{Out, count, index, read_vector};
+use super::pointers::{Out, count, how_many, index, read_vector};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit};
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn v_path_divide_segment(
     points: c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (segment, points) = (index(segment)?, index(points)?);
+        let (segment, points) = (index(segment)?, how_many(points)?);
         edit(path, Edit::DivideSegment { segment, points })
     })
 }

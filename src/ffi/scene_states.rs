@@ -16,7 +16,10 @@ use crate::document::SceneDocument;
 use crate::error::vec_with_room;
 use crate::scene::{Channel, NodeState, Troubles};
 
-const SMALL: Failure = Failure::Border(V_ERR_SIZE, "the array is too small");
+const SMALL: Failure = Failure::Border(
+    V_ERR_SIZE,
+    "the array is too small; the count tells how many there are",
+);
 
 /// After a success: what a host's interpolation did wrong; and nothing of what its
 /// own calls left as their last error.
@@ -73,7 +76,7 @@ pub unsafe extern "C" fn v_scene_frame_range(
 /// gives no finite number steps from key to key: the rest plays, the answer is
 /// V_OK, and v_last_error() tells.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
-/// than the nodes), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// than the nodes; *count is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_evaluate(
@@ -93,6 +96,8 @@ pub unsafe extern "C" fn v_scene_evaluate(
                 return Ok(nodes);
             }
             if nodes > capacity {
+                // SAFETY: room for a size_t, as the header says.
+                unsafe { out.write(nodes) };
                 return Err(SMALL);
             }
             document.scene.prepare(frame)?;
@@ -163,7 +168,7 @@ pub unsafe extern "C" fn v_scene_sample(
 /// a track; *width (NULL: not wanted) is how many. values NULL: only that. What
 /// v_scene_evaluate() says of a host's interpolation holds here too.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
-/// than the channel has), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// than the channel has; *width is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_value(
@@ -188,6 +193,8 @@ pub unsafe extern "C" fn v_scene_value(
         })?;
         if !values.is_null() {
             if numbers.len() > capacity {
+                // SAFETY: room for a size_t, as the header says.
+                unsafe { out.write(numbers.len()) };
                 return Err(SMALL);
             }
             // SAFETY: room for so many numbers, as the header says.
@@ -204,7 +211,7 @@ pub unsafe extern "C" fn v_scene_value(
 /// wanted) is how many. xyz NULL: only that. What v_scene_evaluate() says of a
 /// host's interpolation holds here too.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more
-/// points than room), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
+/// points than room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_vertices(
@@ -221,6 +228,8 @@ pub unsafe extern "C" fn v_scene_vertices(
         let count = read(scene, |document| {
             let count = mesh_points(&document.scene.node(node)?.kind);
             if !xyz.is_null() && count > capacity {
+                // SAFETY: room for a size_t, as the header says.
+                unsafe { out.write(count) };
                 return Err(SMALL);
             }
             let mut troubles = Troubles::default();

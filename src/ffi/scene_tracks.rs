@@ -204,9 +204,11 @@ pub unsafe extern "C" fn v_scene_get_track(
             ];
             let any = wanted.iter().any(|(room, _)| !room.is_null());
             if any && track.frames().len() > capacity {
+                // SAFETY: room for a size_t, as the header says.
+                unsafe { count.write(track.frames().len()) };
                 return Err(Failure::Border(
                     V_ERR_SIZE,
-                    "the arrays are too small for the keys of this track",
+                    "the arrays are too small for the keys of this track; the count tells how many there are",
                 ));
             }
             for (room, numbers) in wanted {

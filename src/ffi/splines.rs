@@ -5,7 +5,7 @@ use std::ffi::c_int;
 use glam::DQuat;
 
 use super::border::border;
-use super::pointers::{Out, check, index, read_array, read_optional, slice};
+use super::pointers::{Out, check, how_many, read_array, read_optional, slice};
 use super::quaternions::{from_c, to_c};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_LIMIT, V_OK};
 use crate::error::{OutOfRange, Quantity, vec_with_room};
@@ -25,7 +25,7 @@ unsafe fn keys_and_times<'a>(
 ) -> Answer<(Vec<DQuat>, &'a [f64])> {
     check(keys)?;
     check(times)?;
-    let count = index(count)?;
+    let count = how_many(count)?;
     if count > limits::MAX_KEYS {
         return Err(Failure::Border(
             V_ERR_LIMIT,

@@ -31,7 +31,7 @@ pub const V_VERSION_PATCH: c_int = 0;
 /// V_ERR_ARGUMENT  a value that makes no sense: not a finite number, a target
 ///                 on the camera itself, an up vector along the view, a
 ///                 pointer that is not aligned for its type
-/// V_ERR_RANGE     an index or a value outside its range
+/// V_ERR_RANGE     an index or a value outside its range (NaN where there is one)
 /// V_ERR_SIZE      an array too small, or a struct whose size is not set
 /// V_ERR_LIMIT     more points, orientations or poses than the library takes
 /// V_ERR_MEMORY    out of memory; nothing was changed

@@ -6,7 +6,7 @@ use glam::DMat4;
 
 use super::border::border;
 use super::path::{edit, keep, read};
-use super::pointers::{Out, index, read_array, slice, text};
+use super::pointers::{Out, how_many, index, read_array, slice, text};
 use super::scene_tracks::{bounds, deformation};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
 use super::types::V_PATH;
@@ -72,12 +72,12 @@ fn range(first: c_int, last: c_int) -> Answer<Vec<usize>> {
 ///     to degrees (45), zoom mm (24), seconds (10)
 /// "flyby"  straight past a target that stays in view
 ///     around x y z (0), distance (1), height (0.4), from degrees (0),
-///     length (3), zoom mm (24), seconds (10)
+///     length (2), zoom mm (24), seconds (10)
 /// "approach"  straight towards a target
-///     around x y z (0), distance (3), end-distance (1), from degrees (0),
+///     around x y z (0), distance (1), end-distance (0.4), from degrees (0),
 ///     rise degrees (15), zoom mm (24), seconds (10)
 /// "dolly-zoom"  towards a target that keeps its size in the picture
-///     around x y z (0), distance (3), end-distance (1), from degrees (0),
+///     around x y z (0), distance (1), end-distance (0.4), from degrees (0),
 ///     rise degrees (15), zoom mm (60), seconds (10)
 /// "crane"  straight up or down beside a target that stays in view
 ///     around x y z (0), radius (1), height (-0.2), end-height (1),
@@ -85,8 +85,8 @@ fn range(first: c_int, last: c_int) -> Answer<Vec<usize>> {
 /// "pan"  turns on the spot
 ///     at x y z (0), from degrees (-45), to degrees (45), tilt degrees (0),
 ///     zoom mm (24), seconds (10)
-/// "figure-eight"  on an eight that crosses above the target
-///     around x y z (0), radius (1), height (0.4), width (0.8), from degrees (0),
+/// "figure-eight"  on an eight that lies before the target
+///     around x y z (0), radius (0.7), height (0.4), width (1.2), from degrees (0),
 ///     zoom mm (24), seconds (10)
 ///
 /// *path is the caller's, to be freed with v_path_free().
@@ -275,13 +275,16 @@ pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
 /// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int {
-    border(V_ERR_INTERNAL, || edit(path, Edit::Repeat(index(count)?)))
+    border(V_ERR_INTERNAL, || {
+        edit(path, Edit::Repeat(how_many(count)?))
+    })
 }
 
 /// The sum of paths times their weights: positions, curve, targets, roll, zoom and
 /// speeds, point by point; paths with different numbers of points are resampled to
-/// the largest of them by length first. All else is that of the path with the
-/// greatest weight.
+/// the largest of them by length first. Fixed frames (rounded), angular velocities
+/// and slopes are blended where each path owns them. All else is that of the path
+/// with the greatest weight.
 ///
 /// weights  count numbers with the sum 1
 /// *blend is the caller's, to be freed with v_path_free().

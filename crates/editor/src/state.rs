@@ -300,7 +300,10 @@ impl Editor {
         };
         let file = self.file.as_deref().and_then(|file| file.file_name());
         match (&self.title, file) {
-            (Some(title), _) => format!("VIDES – {mark}{title}"),
+            (Some(title), _) => {
+                let title = title.replace(char::is_control, " ");
+                format!("VIDES – {mark}{title}")
+            }
             (None, Some(file)) => format!("VIDES – {mark}{}", file.to_string_lossy()),
             (None, None) => format!("VIDES{mark}"),
         }

@@ -113,7 +113,7 @@ german! {
             "die Zeiten liegen zu weit oder zu ungleich auseinander, um damit zu rechnen";
         DrawnBound => "die Fehlerschranke einer gezeichneten Kurve muss positiv und endlich sein";
         DrawnNotFinite => "eine gezeichnete Kurve muss endlich sein";
-        NoName => "ein Knoten braucht einen Namen";
+        NoName => "ein Name darf nicht leer sein";
         NodeTwice(name) => "einen Knoten „{name}“ gibt es schon";
         NoNodeNamed(name) => "einen Knoten „{name}“ gibt es nicht";
         KindStays { node, kind } => "„{node}“ ist von der Art „{kind}“ und bleibt es";
@@ -183,6 +183,11 @@ german! {
         PoseTimes => "die Zeiten der Posen müssen wachsen, eine für jede";
         SamePoses => "alle Posen sind gleich";
         WithinTolerance => "die Posen unterscheiden sich um nicht mehr als die Toleranz";
+        PoseMissed(times) =>
+            "kein Pfad, dessen Punkte bei ganzen Bildern liegen, trifft sie innerhalb der \
+             Toleranz (verfehlt um das {}-Fache): mehr Bilder pro Sekunde helfen, oder eine \
+             größere Toleranz",
+            number((times * 10.0).round() / 10.0);
         NoCheck(name) => "die Prüfung „{name}“ gibt es nicht";
         NoGeometry => "das Objekt hat keine Geometrie";
     }

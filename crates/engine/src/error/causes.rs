@@ -149,7 +149,7 @@ pub enum Invalid {
     DrawnNotFinite,
 
     // Nodes.
-    #[error("a node needs a name")]
+    #[error("a name must not be empty")]
     NoName,
     #[error("there is a node \"{0}\" already")]
     NodeTwice(Text),
@@ -272,6 +272,12 @@ pub enum Invalid {
     SamePoses,
     #[error("the poses do not differ by more than the tolerance")]
     WithinTolerance,
+    /// By how many times the tolerance it is missed.
+    #[error(
+        "no path whose points stand at whole frames passes it within the tolerance (it is \
+         missed by {0:.1} times that): more frames a second help, or a larger tolerance"
+    )]
+    PoseMissed(f64),
     #[error("there is no check \"{0}\"")]
     NoCheck(Text),
     #[error("the object has no geometry")]

@@ -5,15 +5,17 @@ use glam::DVec3;
 
 use super::keep::{check_upright, keep_tangents};
 use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
+use crate::limits::MAX_FRAMES;
 use crate::math::orientation::wrap_degrees;
 use crate::path::resample::resample;
-use crate::path::{CameraPath, Orientation, Tangents, Target, curve};
+use crate::path::{CameraPath, Orientation, Own, Tangents, Target, Velocities, curve};
 
 /// How far from 1 the weights' sum may be.
 const SUM: f64 = 1e-9;
 
-/// Positions, tangents, targets, roll, zoom and speeds of some paths, weighted. Paths
-/// with different numbers of points are first resampled to the largest of them.
+/// Positions, tangents, targets, roll, zoom and speeds of some paths, weighted; fixed frames
+/// (rounded), angular velocities and slopes, too, where each of them has its own. Paths with
+/// different numbers of points are first resampled to the largest of them.
 /// All else is that of the path with the greatest weight.
 ///
 /// # Errors
@@ -108,7 +110,33 @@ fn blended(
     for (n, speed) in new.speeds.iter_mut().enumerate() {
         *speed = sum(&|k| of(k).1.speeds[n]);
     }
-    new.own = first.own.for_a_copy()?;
+    // What not all of them own is the leader's frames, and else nobody's.
+    let owned = |value: &dyn Fn(&Own) -> Option<f64>| -> Option<f64> {
+        let parts = (0..all.len()).map(|k| Some(all[k].1 * value(&of(k).1.own)?));
+        parts.sum()
+    };
+    let velocity = |value: &dyn Fn(&Velocities) -> DVec3| -> Option<DVec3> {
+        let parts = (0..all.len()).map(|k| {
+            let own = of(k).1.own.velocities.as_ref()?;
+            Some(all[k].1 * value(own))
+        });
+        parts.sum()
+    };
+    let fixed = |own: &Own| (own.frames > 0).then_some(f64::from(own.frames));
+    let frames = owned(&fixed).map(|frames| frames.round().clamp(1.0, MAX_FRAMES as f64));
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let frames = frames.map_or(first.own.frames, |frames| frames as u32);
+    let (locked, slopes) = (
+        first.own.locked,
+        [owned(&|own| own.roll_slope), owned(&|own| own.zoom_slope)],
+    );
+    let velocities = velocity(&|own| own.reach).zip(velocity(&|own| own.leave));
+    let copy = first.own.for_a_copy()?;
+    new.own = copy.with(|own| {
+        (own.frames, own.locked) = (frames, locked);
+        [own.roll_slope, own.zoom_slope] = slopes;
+        own.velocities = velocities.map(|(reach, leave)| Velocities { reach, leave });
+    })?;
     Ok(new)
 }
 

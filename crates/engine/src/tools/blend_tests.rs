@@ -47,6 +47,41 @@ fn the_curve_is_the_sum_of_the_curves() {
     }
 }
 
+/// Fixed frames, angular velocities and slopes of the zoom: those of one path blended with
+/// itself, and the sum where they differ.
+#[test]
+fn what_each_path_owns_is_blended_too() {
+    let mut random = Random(23);
+    let path = |random: &mut Random, frames: u32, slope: f64| {
+        let mut path = random_path(random, 4);
+        for point in &mut path.points {
+            let view = &mut point.orientations[0];
+            let own = |own: &mut Own| {
+                own.frames = frames;
+                own.zoom_slope = Some(slope);
+                let reach = DVec3::new(slope, 0.5, -1.0);
+                let leave = 2.0 * reach;
+                own.velocities = Some(Velocities { reach, leave });
+            };
+            view.own = view.own.with(own).unwrap();
+        }
+        path
+    };
+    let (a, b) = (path(&mut random, 41, 0.2), path(&mut random, 20, -0.1));
+    let same = blend(&[&a, &a], &[0.75, 0.25]).unwrap();
+    let both = blend(&[&a, &b], &[0.75, 0.25]).unwrap();
+    for at in 0..4 {
+        let [same, both] = [&same, &both].map(|path| &path.points[at].orientations[0].own);
+        let old = a.points[at].orientations[0].own.velocities.unwrap();
+        assert_eq!((same.frames, both.frames), (41, 36));
+        assert!((same.zoom_slope.unwrap() - 0.2).abs() < 1e-12);
+        assert!((both.zoom_slope.unwrap() - 0.125).abs() < 1e-12);
+        let own = same.velocities.unwrap();
+        assert!(own.reach.distance(old.reach) + own.leave.distance(old.leave) < 1e-12);
+        assert!((both.velocities.unwrap().leave.x - 0.25).abs() < 1e-12);
+    }
+}
+
 #[test]
 fn one_path_alone_is_itself() {
     let mut random = Random(22);

@@ -6,22 +6,27 @@
 //! one before; the way over the time as given distances; the turning as a spherical
 //! Bézier curve and the zoom as a cubic over the way, by least squares too. A piece is
 //! accepted by its errors at the poses themselves. Its length is sought by doubling
-//! and halving, so that n poses cost n·log n.
+//! and halving, so that n poses cost n·log n. At the end the path is held against all poses;
+//! if it misses one, all is done again with the noise left in.
 
 mod piece;
 
 use glam::{DMat3, DQuat, DVec3};
 
 use super::smooth::{Row, noise, smoothed};
-use crate::error::{Invalid, OutOfRange, Place, Result, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Place, Result, vec_with_room};
 use crate::limits::{MAX_FPS, MAX_ZOOM, MIN_ZOOM};
 use crate::math::orientation::{quaternion_from_view, roll_from_up, view_from_quaternion};
-use crate::math::quaternion::continue_sign;
+use crate::math::quaternion::{angle, continue_sign};
 use crate::path::camera_path::{check_coordinates, check_zoom};
 use crate::path::hermite::Cubic;
 use crate::path::{
-    CameraPath, Orientation, Own, Pace, Pose, SupportPoint, Tangents, Target, Velocities,
+    CameraPath, Orientation, Own, Pace, Pose, Sampler, SupportPoint, Tangents, Target, Timeline,
+    Velocities,
 };
+
+/// A pose that is missed by no more than so many times the tolerance is met.
+const WITHIN: f64 = 1.001;
 
 /// Rounds of a fit; most settle sooner.
 const ROUNDS: usize = 24;
@@ -56,6 +61,14 @@ struct Sample {
     zoom: f64,
 }
 
+impl Sample {
+    /// By which angle a view misses it, or its field of view.
+    fn off(&self, turn: DQuat, zoom: f64) -> f64 {
+        let turned = 2.0 * angle(self.turn, continue_sign(self.turn, turn).0);
+        turned.max((view_angle(self.zoom) - view_angle(zoom)).abs())
+    }
+}
+
 struct Piece {
     first: usize,
     last: usize,
@@ -79,7 +92,8 @@ struct Joint {
 }
 
 /// A path that passes all poses within a tolerance at their times: `seconds`
-/// increasing, or evenly one a frame.
+/// increasing, or evenly one a frame. Its points stand at whole frames: what moves faster
+/// than they let it between frames, with times of its own, is refused.
 ///
 /// # Errors
 /// [`crate::Error::Argument`] or [`crate::Error::Range`] for poses that are no path (fewer than
@@ -93,37 +107,70 @@ pub fn fit(
     tolerance: Tolerance,
     progress: Progress<'_>,
 ) -> Result<CameraPath> {
-    let data = Data::new(poses, seconds, fps, tolerance)?;
-    let last = poses.len() - 1;
-    let mut pieces: Vec<Piece> = Vec::new();
-    let (mut at, mut joint, mut guess) = (0, Joint::default(), 8);
-    while at < last {
-        let Some(piece) = data.longest(at, joint, guess)? else {
-            // The rest is within one frame.
-            break;
-        };
-        guess = piece.last - piece.first;
-        at = piece.last;
-        joint = Joint {
-            direction: piece
-                .curve
-                .and_then(|curve| curve.derivative(1.0).try_normalize()),
-            zoom_slope: if piece.holds {
-                joint.zoom_slope
-            } else {
-                Some(piece.zoom_slopes[1] / f64::from(piece.frames))
-            },
-        };
-        pieces.try_reserve(1)?;
-        pieces.push(piece);
-        if !progress(at, last) {
-            return Err(Invalid::Cancelled.into());
-        }
+    let mut data = Data::new(poses, seconds, fps, tolerance)?;
+    let path = data.fitted(progress)?;
+    if data.worst(&path)?.is_none() {
+        return Ok(path);
     }
-    data.path(&pieces)
+    data.smooth.clone_from(&data.raw);
+    let path = data.fitted(progress)?;
+    match data.worst(&path)? {
+        None => Ok(path),
+        Some((at, times)) => Err(Error::from(Invalid::PoseMissed(times)).at(Place::Pose(at + 1))),
+    }
 }
 
 impl Data {
+    /// Pieces from the first pose to the last, and the path of them.
+    fn fitted(&self, progress: Progress<'_>) -> Result<CameraPath> {
+        let (data, last) = (self, self.raw.len() - 1);
+        let mut pieces: Vec<Piece> = Vec::new();
+        let (mut at, mut joint, mut guess) = (0, Joint::default(), 8);
+        while at < last {
+            let Some(piece) = data.longest(at, joint, guess)? else {
+                // The rest is within one frame.
+                break;
+            };
+            guess = piece.last - piece.first;
+            at = piece.last;
+            joint = Joint {
+                direction: piece
+                    .curve
+                    .and_then(|curve| curve.derivative(1.0).try_normalize()),
+                zoom_slope: if piece.holds {
+                    joint.zoom_slope
+                } else {
+                    Some(piece.zoom_slopes[1] / f64::from(piece.frames))
+                },
+            };
+            pieces.try_reserve(1)?;
+            pieces.push(piece);
+            if !progress(at, last) {
+                return Err(Invalid::Cancelled.into());
+            }
+        }
+        data.path(&pieces)
+    }
+
+    /// The pose that a path misses most, and by how many times the tolerance; none if it
+    /// passes all of them.
+    fn worst(&self, path: &CameraPath) -> Result<Option<(usize, f64)>> {
+        let sampler = Sampler::new(path, &Timeline::new(path)?)?;
+        let last = sampler.frame_count() as f64;
+        let mut worst = (0, WITHIN);
+        for (at, (sample, time)) in self.raw.iter().zip(&self.times).enumerate() {
+            let pose = sampler.pose((1.0 + time).clamp(1.0, last))?;
+            let far = DVec3::from_array(pose.vrp).distance(sample.position);
+            let turn = quaternion_from_view(pose.vpn.into(), pose.vup.into());
+            let off = self.off(at, turn, pose.zoom);
+            let times = (far / self.tolerance).max(off / self.angle);
+            if times > worst.1 {
+                worst = (at, times);
+            }
+        }
+        Ok((worst.1 > WITHIN).then_some(worst))
+    }
+
     fn new(
         poses: &[Pose],
         seconds: Option<&[f64]>,
@@ -205,13 +252,17 @@ impl Data {
                 .max(2.0 * far(3..7) / turn)
                 .max(seen / turn)
         };
-        for row in smoothed(&self.times, &rows, &misses)? {
+        for (row, raw) in smoothed(&self.times, &rows, &misses)?.iter().zip(&self.raw) {
             let turn = DQuat::from_xyzw(row[3], row[4], row[5], row[6]);
-            smooth.push(Sample {
+            let found = Sample {
                 position: DVec3::new(row[0], row[1], row[2]),
                 turn: turn.normalize(),
                 zoom: row[7].clamp(MIN_ZOOM, MAX_ZOOM),
-            });
+            };
+            // What is no noise, a jump or more than is allowed, stays.
+            let far = found.position.distance(raw.position);
+            let kept = far > self.tolerance || raw.off(found.turn, found.zoom) > self.angle;
+            smooth.push(if kept { *raw } else { found });
         }
         Ok(smooth)
     }
@@ -325,8 +376,10 @@ fn sample(pose: &Pose) -> Result<Sample> {
         check_coordinates(v)?;
     }
     check_zoom(pose.zoom)?;
-    let side = up.cross(view).try_normalize();
-    let (Some(side), Some(view)) = (side, view.try_normalize()) else {
+    let (Some(view), Some(up)) = (view.try_normalize(), up.try_normalize()) else {
+        return Err(Invalid::LookZero.into());
+    };
+    let Some(side) = up.cross(view).try_normalize() else {
         return Err(Invalid::UpParallel.into());
     };
     let up = DMat3::from_cols(side, view.cross(side), view).y_axis;

@@ -176,3 +176,56 @@ fn poses_that_are_no_path_are_refused() {
     let cancelled = fit(&poses, None, 25.0, TOLERANCE, &mut |_, _| false);
     assert!(cancelled.unwrap_err().to_string().contains("cancelled"));
 }
+
+/// Cuts, shaking by more than the tolerance and turns from one frame to the next are no
+/// noise: the poses themselves are met, or the fit says which is not.
+#[test]
+fn what_is_no_noise_is_met_too() {
+    let mut random = Random(8);
+    let flight = flight(&mut random, 6, 250);
+    let mut noisy = |poses: &[Pose], most: f64| -> Vec<Pose> {
+        let mut poses = poses.to_vec();
+        for pose in &mut poses {
+            let place = DVec3::from(pose.vrp) + most * vector(&mut random);
+            pose.vrp = place.to_array();
+        }
+        poses
+    };
+    let mut cut = flight.clone();
+    for pose in &mut cut[120..] {
+        pose.vrp[0] += 0.5;
+    }
+    let mut shaking = flight.clone();
+    for pose in shaking.iter_mut().step_by(2) {
+        pose.vrp[1] += 0.05;
+    }
+    let mut flips = flight.clone();
+    for pose in &mut flips[100..102] {
+        pose.vpn = pose.vpn.map(|x| -x);
+    }
+    for poses in [
+        noisy(&flight, 0.008),
+        noisy(&flight, 0.02),
+        noisy(&flight, 0.2),
+        noisy(&cut, 0.003),
+        shaking,
+        noisy(&flips, 0.002),
+        flips,
+    ] {
+        let path = fitted(&poses);
+        let (far, off) = errors(&path, &poses);
+        assert!(far <= 0.0101 && off <= 0.505, "{far} {off}");
+    }
+    // Between whole frames the view turns back and forth.
+    let seconds: Vec<f64> = (0..flight.len()).map(|k| k as f64 / 60.0).collect();
+    let mut poses = flight;
+    for pose in poses.iter_mut().step_by(2) {
+        pose.vpn[1] += 0.3;
+    }
+    let refused = fit(&poses, Some(&seconds), 25.0, TOLERANCE, &mut |_, _| true);
+    let error = refused.unwrap_err().to_string();
+    assert!(
+        error.starts_with("pose ") && error.contains("times that"),
+        "{error}"
+    );
+}

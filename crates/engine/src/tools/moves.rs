@@ -167,7 +167,7 @@ pub const MOVES: &[Move] = &[
             distance("distance", "how near the way comes, seen from above", 1.0),
             HEIGHT,
             degrees("from", "heading of the camera when it is nearest", 0.0),
-            distance("length", "how long the way is", 3.0),
+            distance("length", "how long the way is", 2.0),
             ZOOM,
             SECONDS,
         ],
@@ -187,8 +187,8 @@ pub const MOVES: &[Move] = &[
         does: "straight towards a target",
         parameters: &[
             AROUND,
-            distance("distance", "how far from the target it begins", 3.0),
-            distance("end-distance", "how far from the target it ends", 1.0),
+            distance("distance", "how far from the target it begins", 1.0),
+            distance("end-distance", "how far from the target it ends", 0.4),
             FROM,
             RISE,
             ZOOM,
@@ -201,8 +201,8 @@ pub const MOVES: &[Move] = &[
         does: "towards a target that keeps its size in the picture",
         parameters: &[
             AROUND,
-            distance("distance", "how far from the target it begins", 3.0),
-            distance("end-distance", "how far from the target it ends", 1.0),
+            distance("distance", "how far from the target it begins", 1.0),
+            distance("end-distance", "how far from the target it ends", 0.4),
             FROM,
             RISE,
             Parameter {
@@ -264,12 +264,12 @@ pub const MOVES: &[Move] = &[
     },
     Move {
         name: "figure-eight",
-        does: "on an eight that crosses above the target",
+        does: "on an eight that lies before the target",
         parameters: &[
             AROUND,
-            RADIUS,
+            distance("radius", "how far from the axis it crosses itself", 0.7),
             HEIGHT,
-            distance("width", "how wide it is across", 0.8),
+            distance("width", "how wide it is, twice as wide as deep", 1.2),
             FROM,
             ZOOM,
             SECONDS,
@@ -528,7 +528,7 @@ fn pan(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
 #[allow(clippy::cast_precision_loss)]
 fn eight(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
     let [radius, width, height, from] = given.numbers(["radius", "width", "height", "from"]);
-    let (along, across) = (
+    let (away, across) = (
         heading(from.to_radians()),
         heading(from.to_radians() + TAU / 4.0),
     );
@@ -536,8 +536,9 @@ fn eight(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
     let mut points = vec_with_room(EIGHT + 1)?;
     for k in 0..=EIGHT {
         let t = step * k as f64;
-        let place = radius * t.sin() * along + 0.5 * width * (2.0 * t).sin() * across;
-        let tangent = radius * t.cos() * along + width * (2.0 * t).cos() * across;
+        let place =
+            0.5 * width * t.sin() * across + (radius + 0.25 * width * (2.0 * t).sin()) * away;
+        let tangent = 0.5 * width * (t.cos() * across + (2.0 * t).cos() * away);
         points.push(point(
             given,
             place + height * DVec3::Y,

@@ -1,5 +1,7 @@
 use super::*;
+use crate::deform::Bounds;
 use crate::path::{Pose, Sampler};
+use crate::tools::check::{Against, Limits, check};
 
 fn poses(path: &CameraPath) -> Vec<Pose> {
     let timeline = Timeline::new(path).unwrap();
@@ -128,8 +130,8 @@ fn straight_moves_lead_where_they_say() {
     assert!(path.iter().all(|pose| (pose.vrp[0] - 1.0).abs() < 1e-12));
     let path = poses(&made("approach", &[("rise", &[30.0])]).unwrap());
     let (first, last) = (place(&path[0]), place(&path[path.len() - 1]));
-    assert!((first - DVec3::new(0.0, 1.5, 3.0 * 0.75f64.sqrt())).length() < 1e-14);
-    assert!((last.length() - 1.0).abs() < 1e-14);
+    assert!((first - DVec3::new(0.0, 0.5, 0.75f64.sqrt())).length() < 1e-14);
+    assert!((last.length() - 0.4).abs() < 1e-14);
     let path = poses(&made("crane", &[]).unwrap());
     assert_eq!(path[0].vrp, [0.0, -0.2, 1.0]);
     assert_eq!(path[path.len() - 1].vrp, [0.0, 1.0, 1.0]);
@@ -152,12 +154,28 @@ fn a_pan_turns_evenly() {
 #[test]
 fn a_figure_of_eight_is_geronos() {
     for pose in poses(&made("figure-eight", &[]).unwrap()) {
-        let [across, y, along] = pose.vrp;
-        let want = along * along * (1.0 - along * along) * 0.8 * 0.8;
-        assert!((across * across - want).abs() < 1e-4 && (y - 0.4).abs() < 1e-15);
+        let [x, y, z] = pose.vrp;
+        let (across, away) = (x / 0.6, (z - 0.7) / 0.3);
+        let want = 4.0 * across * across * (1.0 - across * across);
+        assert!((away * away - want).abs() < 1e-3 && (y - 0.4).abs() < 1e-15);
     }
-    let flat = made("figure-eight", &[("height", &[0.0])]).unwrap_err();
-    assert!(flat.to_string().contains("own position"), "{flat}");
+}
+
+/// As they come, they stay within the space, and nothing in them looks wrong.
+#[test]
+fn a_check_finds_nothing_in_them() {
+    for made_of in MOVES {
+        let path = made(made_of.name, &[]).unwrap();
+        let space = path.space;
+        let against = Against {
+            fps: 25.0,
+            space: Some(Bounds::new(space.low(), space.high()).unwrap()),
+            object: None,
+            limits: Limits::default(),
+        };
+        let found = check(&path, &against).unwrap();
+        assert!(found.is_empty(), "{}: {found:?}", made_of.name);
+    }
 }
 
 #[test]

@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3};
 use super::{Data, Joint, Piece, ROUNDS, view_angle};
 use crate::error::{Result, vec_with_room};
 use crate::limits::{MAX_DISTANCE_KEYS, MAX_ZOOM, MIN_ZOOM};
-use crate::math::quaternion::{angle, continue_sign, exp, log};
+use crate::math::quaternion::{angle, exp, log};
 use crate::path::arc_length::ArcLength;
 use crate::path::hermite::Cubic;
 use crate::path::quaternion_spline::bezier;
@@ -174,10 +174,8 @@ impl Data {
     }
 
     /// By which angle a view misses that of a pose, or its field of view.
-    fn off(&self, at: usize, turn: DQuat, zoom: f64) -> f64 {
-        let pose = &self.raw[at];
-        let turned = 2.0 * angle(pose.turn, continue_sign(pose.turn, turn).0);
-        turned.max((view_angle(pose.zoom) - view_angle(zoom)).abs())
+    pub(super) fn off(&self, at: usize, turn: DQuat, zoom: f64) -> f64 {
+        self.raw[at].off(turn, zoom)
     }
 
     /// Pace, turning and zoom of a piece; and whether it meets all its poses.
