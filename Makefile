@@ -97,7 +97,7 @@ demo: all
 	    -L$(LIB) -lvides -lm -lXm -lXt -lX11
 	for program in glut_flight glut_scene; do \
 	    $(CC) -Iinclude -o $(DEMO)/$$program c_examples/$$program.c \
-	        -L$(LIB) -lvides -lm -lglut -lGL || exit; \
+	        -L$(LIB) -lvides -lm -lglut -lGL -lX11 || exit; \
 	done
 	@echo
 	@echo 'A flight around a pyramid, in $(DEMO):'

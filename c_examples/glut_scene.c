@@ -1,12 +1,13 @@
 /*
  * glut_scene: a scene of moving things, drawn with OpenGL.
  *
- *     cc -o glut_scene glut_scene.c -lvides -lm -lglut -lGL
+ *     cc -o glut_scene glut_scene.c -lvides -lm -lglut -lGL -lX11
  *
  * A car drives along its keys, its wheels turn, an arm of three parts swings, and a
  * camera looks at the car wherever it is. The program builds all of it, shows it in an
  * editor, and draws the state of every node at the frame of the editor's playhead,
- * whether that is played, scrubbed or changed. The space key gives the car's way another
+ * whether that is played, scrubbed or changed; it fills the camera's picture within the
+ * editor, too. The space key gives the car's way another
  * interpolation, s shows its headlights' cones or not, Escape ends. "glut_scene --save
  * FILE.vid" writes the scene and ends.
  */
@@ -15,6 +16,7 @@
 #include <string.h>
 
 #include <GL/freeglut.h>
+#include <GL/glx.h>
 
 #include <libvides.h>
 
@@ -25,6 +27,8 @@ static V_SCENE *scene;
 static V_EDITOR *editor;
 static int car, camera, lights[2];
 static double frame = 1.0;
+static Window pane; /* of this program's, in the editor's window; None: there is none */
+static int pane_width, pane_height;
 static int way;        /* which interpolation the car's way has */
 static int cones = 1;
 static const char *const ways[] = {"catmull-rom", "linear", "tcb"};
@@ -230,7 +234,8 @@ static void draw_cone(const V_NODE_STATE *state)
     glEnd();
 }
 
-static void display(void)
+/* What the camera sees, in the window that GL draws in. */
+static void draw_scene(int width, int height)
 {
     static V_NODE_STATE states[NODES];
     double view[16], xyz[3 * 13], slope, aspect;
@@ -241,7 +246,8 @@ static void display(void)
     check(v_pose_gl_matrix(&states[camera].pose, view));
     /* The zoom is the focal length of a camera with a picture 24 mm high. */
     slope = 12.0 / states[camera].pose.zoom;
-    aspect = (double)glutGet(GLUT_WINDOW_WIDTH) / glutGet(GLUT_WINDOW_HEIGHT);
+    aspect = (double)width / height;
+    glViewport(0, 0, width, height);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
@@ -268,7 +274,52 @@ static void display(void)
             draw_points(xyz, points, states[i].colour);
         glPopMatrix();
     }
+}
+
+static void display(void)
+{
+    draw_scene(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
     glutSwapBuffers();
+}
+
+/* Both pictures anew: GLUT draws its window when that is seen, the editor's does not wait. */
+static void redraw(void)
+{
+    Display *server = glXGetCurrentDisplay();
+    GLXDrawable window = glXGetCurrentDrawable();
+
+    glutPostRedisplay();
+    if (pane != None) {
+        glXMakeCurrent(server, pane, glXGetCurrentContext());
+        draw_scene(pane_width, pane_height);
+        glXSwapBuffers(server, pane);
+        glXMakeCurrent(server, window, glXGetCurrentContext());
+    }
+}
+
+/* The camera's picture in the editor has opened, has another size, or has closed (window
+ * 0): in it lies a window of the same kind as GLUT's own. */
+static void on_pane(V_EDITOR *of, unsigned long window, int width, int height, void *user)
+{
+    Display *server = glXGetCurrentDisplay();
+    XWindowAttributes like;
+    XSetWindowAttributes own;
+
+    (void)of, (void)user;
+    pane_width = width;
+    pane_height = height;
+    if (window != 0 && pane == None) {
+        XGetWindowAttributes(server, glXGetCurrentDrawable(), &like);
+        own.border_pixel = 0;
+        own.colormap = like.colormap;
+        pane = XCreateWindow(server, window, 0, 0, width, height, 0, like.depth, InputOutput,
+                             like.visual, CWBorderPixel | CWColormap, &own);
+        XMapWindow(server, pane);
+    } else if (window == 0 && pane != None) {
+        XDestroyWindow(server, pane);
+        pane = None;
+    }
+    redraw();
 }
 
 /* The scene in the editor is another one. */
@@ -281,7 +332,7 @@ static void on_change(V_EDITOR *of, void *user)
         v_scene_free(scene);
         scene = changed;
     }
-    glutPostRedisplay();
+    redraw();
 }
 
 /* The editor's playhead has moved, or what stands there is being changed. */
@@ -290,7 +341,8 @@ static void on_frame(V_EDITOR *of, double at, int reason, void *user)
     frame = at;
     if (reason == V_VIEW_EDITED)
         on_change(of, user);
-    glutPostRedisplay();
+    else
+        redraw();
 }
 
 /* GLUT watches no descriptor: a timer serves the editor. */
@@ -305,15 +357,17 @@ static void key(unsigned char character, int x, int y)
     (void)x, (void)y;
     if (character == 27)
         exit(0);
-    if (character == 's')
+    if (character == 's') {
         cones = !cones;
+        redraw();
+    }
     if (character == ' ') {
         way = (way + 1) % 3;
         drive();
         if (v_editor_set_scene(editor, scene) != V_OK)
             fprintf(stderr, "glut_scene: %s\n", v_last_error());
         glutSetWindowTitle(ways[way]);
-        glutPostRedisplay();
+        redraw();
     }
 }
 
@@ -338,6 +392,7 @@ int main(int argc, char **argv)
     options.title = "glut_scene";
     options.on_frame = on_frame;
     options.on_change = on_change;
+    options.on_pane = on_pane;
     check(v_editor_open(&options, &editor));
     check(v_editor_set_scene(editor, scene));
     glutTimerFunc(TICK, tick, 0);

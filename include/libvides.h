@@ -1868,7 +1868,8 @@ int v_scene_get_track(const V_SCENE *scene,
 
 /**
  * Makes a function known as the interpolation "host:NAME" of every scene of the
- * process, in place of an older one; NULL takes it away. It is called by
+ * process, in place of an older one; NULL takes it away. name is NAME, with or
+ * without "host:". It is called by
  * whatever thread evaluates a scene, must not use scenes itself, and returns to its
  * caller: no longjmp() and no exception may leave it.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT,

@@ -289,7 +289,8 @@ impl Host {
 }
 
 /// Makes a function known as the interpolation "host:NAME" of every scene of the
-/// process, in place of an older one; NULL takes it away. It is called by
+/// process, in place of an older one; NULL takes it away. name is NAME, with or
+/// without "host:". It is called by
 /// whatever thread evaluates a scene, must not use scenes itself, and returns to its
 /// caller: no longjmp() and no exception may leave it.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT,
@@ -303,6 +304,7 @@ pub unsafe extern "C" fn v_register_interpolation(
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
         let name = unsafe { text(name) }?;
+        let name = name.strip_prefix("host:").unwrap_or(name);
         let function = match function {
             None => None,
             Some(function) => {

@@ -156,13 +156,16 @@ static void a_car(void)
     CHECK(after == (V_AFTER_OFFSET | V_BEFORE_PINGPONG));
     CHECK(memcmp(frames, two, sizeof two) == 0 && memcmp(values, way, sizeof way) == 0);
     STATUS(V_ERR_SIZE,
-           v_scene_get_track(scene, car, "position", NULL, 1, frames, NULL, NULL, NULL, NULL));
+           v_scene_get_track(scene, car, "position", NULL, 1, frames, NULL, NULL, &keys, NULL));
+    CHECK(keys == 2);
     OK(v_scene_get_track(scene, car, "scale", &interpolation, 0, NULL, NULL, NULL, &keys, NULL));
     CHECK(keys == 0 && interpolation[0] == '\0');
     OK(v_scene_value(scene, wheel, "rotation", 3.5, numbers, 4, &width));
     CHECK(width == 4);
     NEAR(fabs(numbers[1]), 1, 1e-12);
+    width = 0;
     STATUS(V_ERR_SIZE, v_scene_value(scene, wheel, "rotation", 3.5, numbers, 3, &width));
+    CHECK(width == 4);
     OK(v_scene_set_track(scene, car, "value:wind:2", "linear", two, way + 2, NULL, 2, 0));
     OK(v_scene_value(scene, car, "value:wind", 6, numbers, 4, &width));
     CHECK(width == 2 && numbers[0] == 0 && numbers[1] == 2);
@@ -207,7 +210,9 @@ static void objects_change(void)
     OK(v_scene_set_track(scene, sheet, "weights", "linear", two, weight, NULL, 2, 0));
     OK(v_scene_vertices(scene, sheet, 6, out, 4, &points));
     CHECK(points == 4 && out[2] == 1 && out[11] == 1 && out[6] == 1);
+    points = 0;
     STATUS(V_ERR_SIZE, v_scene_vertices(scene, sheet, 6, out, 3, &points));
+    CHECK(points == 4);
     STATUS(V_ERR_ARGUMENT, v_scene_vertices(scene, 0, 6, out, 3, &points));
     /* Twisted in the scene and by itself: the same. */
     OK(v_deform("twist", twist, 2, box, p, 1));
@@ -274,7 +279,7 @@ static void a_hosts_interpolation(void)
     CHECK(v_scene_evaluate(scene, 3, states, 2, &count) == V_OK && count == 2);
     CHECK(strstr(v_last_error(), "node \"node\": channel \"position\": no interpolation") != NULL);
     CHECK(states[1].matrix[12] == 0 && states[0].pose.vpn[2] == -1);
-    OK(v_register_interpolation("middle", not_a_number, NULL));
+    OK(v_register_interpolation("host:middle", not_a_number, NULL));
     CHECK(v_scene_evaluate(scene, 3, states, 2, &count) == V_OK);
     CHECK(strstr(v_last_error(), "cannot be used") != NULL && states[1].matrix[12] == 0);
     OK(v_register_interpolation("middle", NULL, NULL));
@@ -329,8 +334,9 @@ static void what_is_wrong_is_refused(void)
     STATUS(V_ERR_LIMIT, v_scene_set_track(scene, a, "position", "linear", two, six, NULL,
                                           (size_t)-1 / 64, 0));
     STATUS(V_ERR_ARGUMENT, v_scene_evaluate(scene, odd[4], states, 4, &count));
-    STATUS(V_ERR_SIZE, v_scene_evaluate(scene, 1, states, 2, &count));
     CHECK(count == 77);
+    STATUS(V_ERR_SIZE, v_scene_evaluate(scene, 1, states, 2, &count));
+    CHECK(count == 3);
     OK(v_scene_evaluate(scene, 1, NULL, 0, &count));
     CHECK(count == 3);
     OK(v_scene_remove_node(scene, a));

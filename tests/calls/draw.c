@@ -1,5 +1,6 @@
 /* Arguments for calls, drawn at random: see draw.h. */
 #include "draw.h"
+#include "every.h"
 
 #include <float.h>
 #include <limits.h>
@@ -74,6 +75,19 @@ int frame_untouched(void)
             return 0;
     }
     return 1;
+}
+
+int too_small(int status, size_t *count, size_t capacity)
+{
+    size_t needed;
+
+    if (status == V_ERR_SIZE && count != NULL) {
+        memcpy(&needed, count, sizeof needed);
+        if (needed <= capacity)
+            fault("it needs %lu and has %lu", (unsigned long)needed, (unsigned long)capacity);
+        memset(count, FILL, sizeof *count);
+    }
+    return status;
 }
 
 void frame_end(void)

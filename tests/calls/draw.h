@@ -46,6 +46,9 @@ extern struct frame *frame;
 void frame_begin(struct frame *new_frame, const char *name);
 /* Whether everything that was to be written is still as it was. */
 int frame_untouched(void);
+/* The one result of a call that fails: how many are needed, of an array that is too small. It
+ * is looked at and forgotten; gives the status. */
+int too_small(int status, size_t *count, size_t capacity);
 void frame_end(void);
 
 /* Words for the call under way. */

@@ -308,8 +308,9 @@ CALL(v_scene_get_track)
     const char **way = result(sizeof *way, 1);
     double *frames = result(2 * sizeof(double), 1), *values = result(8 * sizeof(double), 1);
     size_t *keys = result(sizeof *keys, 1);
-    return v_scene_get_track(of, node, channel, way, 2, frames, values, NULL, keys,
-                             result(sizeof(int), 1));
+    int *after = result(sizeof *after, 1);
+    return too_small(v_scene_get_track(of, node, channel, way, 2, frames, values, NULL, keys, after),
+                     keys, 2);
 }
 
 CALL(v_register_interpolation)
@@ -391,7 +392,8 @@ CALL(v_scene_evaluate)
     const V_SCENE *of = a_scene();
     double at = number(-50, 500);
     V_NODE_STATE *states = result(NODES * sizeof *states, 1);
-    return v_scene_evaluate(of, at, states, NODES, result(sizeof(size_t), 1));
+    size_t *count = result(sizeof *count, 1);
+    return too_small(v_scene_evaluate(of, at, states, NODES, count), count, NODES);
 }
 
 CALL(v_scene_sample)
@@ -410,7 +412,8 @@ CALL(v_scene_value)
     const char *channel = one_of(channels, 4);
     double at = number(-50, 500);
     double *values = result(3 * sizeof *values, 1);
-    return v_scene_value(of, node, channel, at, values, 3, result(sizeof(size_t), 1));
+    size_t *width = result(sizeof *width, 1);
+    return too_small(v_scene_value(of, node, channel, at, values, 3, width), width, 3);
 }
 
 CALL(v_scene_vertices)
@@ -419,7 +422,8 @@ CALL(v_scene_vertices)
     int node = whole(1, 1);
     double at = number(-50, 500);
     double *xyz = result(3 * POINTS * sizeof *xyz, 1);
-    return v_scene_vertices(of, node, at, xyz, POINTS, result(sizeof(size_t), 1));
+    size_t *points = result(sizeof *points, 1);
+    return too_small(v_scene_vertices(of, node, at, xyz, POINTS, points), points, POINTS);
 }
 
 CALL(v_editor_get_scene)

@@ -44,7 +44,7 @@ build plain_main_loop "$examples/plain_main_loop.c" -- -lvides -lm
 build two_windows "$examples/two_windows.c" -- -lvides -lm
 build xlib_loop "$examples/xlib_loop.c" -- -lvides -lm -lX11
 build glut_flight "$examples/glut_flight.c" -- -lvides -lm -lglut -lGL
-build glut_scene "$examples/glut_scene.c" -- -lvides -lm -lglut -lGL
+build glut_scene "$examples/glut_scene.c" -- -lvides -lm -lglut -lGL -lX11
 build glx_pane "$examples/glx_pane.c" -- -lvides -lm -lX11 -lGL
 
 # The README's own program: C99, as it stands there.

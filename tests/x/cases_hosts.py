@@ -156,6 +156,10 @@ def a_flight_in_opengl(place):
     check(program.ends() == 0, "its exit status")
 
 
+CAR = (145, 21, 21)
+"""Its longest side."""
+
+
 @test()
 def a_scene_in_opengl(place):
     """Draws what it built, which is what examples/car.vid says, at the frame of the editor
@@ -172,12 +176,15 @@ def a_scene_in_opengl(place):
         check(ours[table] == file[table], f"the {table}s of examples/car.vid are others")
     program = place.program(server, "glut_scene", **software)
     host = server.named("^glut_scene$")
+    server.place(host, 1250, 100)
     window = server.new_window()
-    first = wait(lambda: (lambda p: p.colours() > 10 and p)(server.picture(host)), "the car")
+    first = wait(lambda: (lambda p: p.colours() > 5 and p)(server.picture(host)), "the car")
     width, height = server.geometry(window)[2:]
     server.drawn(window)
     server.click(window, width // 2, height - SPEEDS - 28)
     wait(lambda: server.picture(host).differs(first), "the car to drive")
+    # It fills the camera's picture in the editor, too: the editor paints nothing so red.
+    wait(lambda: len(server.picture(window).find(CAR)) > 100, "the car in the camera's picture")
     server.drawn(window)
     driven = server.drawn(host, 1)
     server.press(host, "space")

@@ -270,7 +270,8 @@ def main():
     beside([glut, flight], "glut_flight", folder, "glut.png",
            "a program of today beside the editor, at the same moment", orbits=True)
     beside([scene], "glut_scene", folder, "scene.png",
-           "a scene in the editor, and drawn by a program at the same frame", orbits=False)
+           "a scene in the editor, drawn by a program at the same frame, in its picture too",
+           orbits=False)
 
 
 if __name__ == "__main__":

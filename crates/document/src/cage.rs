@@ -13,6 +13,20 @@ pub struct Cage {
     pub nodes: Vec<DVec3>,
 }
 
+/// The box round some points. A side that is flat is given room for a free form, which
+/// could not move them out of it.
+pub(super) fn bounds(kind: &str, places: &[DVec3]) -> Bounds {
+    let bounds = Bounds::of(places);
+    let (low, high) = (bounds.min(), bounds.max());
+    let size = high - low;
+    if kind != "free-form" {
+        return bounds;
+    }
+    let flat = size.cmplt(DVec3::splat(1e-6 * size.max_element()));
+    let room = DVec3::select(flat, DVec3::splat(0.25 * size.max_element()), DVec3::ZERO);
+    Bounds::new(low - room, high + room).unwrap_or(bounds)
+}
+
 impl Cage {
     pub(super) fn new(bounds: Bounds, deformation: &Deformation) -> Self {
         let nodes: Vec<_> = match deformation.channel("points") {

@@ -110,7 +110,8 @@ impl Document {
     }
 
     /// The edits that do what helps against a finding, to be one step; none where that is
-    /// for the user to choose. More frames where something turns or zooms too fast, a
+    /// for the user to choose. More frames where something turns or zooms too fast, if eight
+    /// times as many do: what turns faster is for another view, not for a flight of minutes; a
     /// smooth tangent at a corner, a view of a place ahead instead of along the tangent
     /// where it jumps, away with a key that stands for nothing.
     ///
@@ -141,7 +142,7 @@ impl Document {
             Ok(())
         };
         match finding.kind {
-            "turning" | "zoom" if finding.limit > 0.0 => {
+            "turning" | "zoom" if finding.value <= MOST * finding.limit => {
                 let sampler = self.sampler()?;
                 let more = finding.value / finding.limit;
                 let sections = self.timeline(|timeline| {
@@ -198,6 +199,9 @@ impl Document {
         Ok(edits)
     }
 }
+
+/// By so many times at most a section gets more frames.
+const MOST: f64 = 8.0;
 
 /// How far ahead a view looks that jumped, in half sizes.
 const AHEAD: f64 = 0.1;

@@ -72,6 +72,21 @@ fn a_zoom_that_is_too_fast_gets_more_frames() {
     assert!(mended(&mut document, "zoom"));
 }
 
+/// A turn in three frames is for another view: a flight of minutes is no remedy.
+#[test]
+fn a_turn_at_once_is_left_to_the_user() {
+    let mut document = straight([DVec3::NEG_Z, DVec3::X, DVec3::Z]);
+    let few = Edit::FitFrames {
+        first: 0,
+        last: 2,
+        frames: 5,
+    };
+    document.apply(few).unwrap();
+    let finding = found(&document, "turning").unwrap();
+    assert!(finding.value > 8.0 * finding.limit, "{finding:?}");
+    assert!(document.remedy(&finding).unwrap().is_empty());
+}
+
 #[test]
 fn keys_that_stand_for_nothing_go() {
     let mut document = straight([DVec3::NEG_Z; 3]);

@@ -14,6 +14,7 @@ use super::draw::drawn;
 use super::edit::Edit;
 use super::editing::Document;
 use super::prepare::no_longer_ahead;
+use crate::cage;
 pub use crate::cage::Cage;
 use crate::error::{OutOfRange, Result};
 use crate::limits::{MAX_COORDINATE, MAX_FRAMES, MAX_POINTS};
@@ -469,7 +470,7 @@ impl Tool {
             (Kind::Deform(kind), _) => Edit::DeformPoints {
                 points: given.points()?,
                 deformation: Deformation::new(kind, first)?,
-                bounds: None,
+                bounds: Some(cage::bounds(kind, &given.places()?)),
                 with_targets: given.number(SEEN.name) != 0.0,
             },
             (Kind::Insert, Material::Block(of_file)) => {
@@ -528,10 +529,8 @@ impl Tool {
         };
         let own = numbers.get(..Parameter::count(self.tables[0]))?;
         let deformation = Deformation::new(kind, own).ok()?;
-        let points = &document.path().points;
-        let chosen = given.points().ok()?;
-        let places: Vec<_> = chosen.iter().map(|&at| points[at].position).collect();
-        Some(Cage::new(Bounds::of(&places), &deformation))
+        let bounds = cage::bounds(kind, &given.places().ok()?);
+        Some(Cage::new(bounds, &deformation))
     }
 
     /// The points as a path of their own, as a document with all else of this one.
@@ -595,6 +594,13 @@ impl Given<'_> {
             return Err(OutOfRange::NumberBetween(LAST.name, 1.0, count as f64).into());
         }
         Ok((first - 1..last).collect())
+    }
+
+    /// Where they lie.
+    fn places(&self) -> Result<Vec<DVec3>> {
+        let all = &self.document.path().points;
+        let points = self.points()?;
+        Ok(points.iter().map(|&at| all[at].position).collect())
     }
 
     fn extracted(&self) -> Result<CameraPath> {

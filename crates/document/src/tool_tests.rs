@@ -191,3 +191,27 @@ fn a_block_is_a_document_of_its_own() {
     };
     assert_eq!(places(&block), places(&document)[1..]);
 }
+
+/// Points in a plane can be moved out of it by a free form; untouched it moves none.
+#[test]
+fn a_free_form_bends_what_is_flat() {
+    let mut document = Document::new();
+    for at in 0..2 {
+        let position = DVec3::new(at as f64 - 0.5, 0.2, 0.3 * at as f64);
+        document.apply(Edit::SetPosition { at, position }).unwrap();
+    }
+    let place = |document: &Document| document.path().points[0].position;
+    let (before, tool) = (place(&document), tool("free-form"));
+    let mut numbers = tool.defaults(&document).unwrap();
+    for (lowered, moved) in [(0.0, 0.0), (1.0, 0.25)] {
+        for node in 0..64 {
+            numbers[3 * node + 1] -= lowered;
+        }
+        let edit = tool.edit(&document, &Material::None, &numbers).unwrap();
+        document.begin_step();
+        document.apply(edit.unwrap()).unwrap();
+        let way = before - place(&document);
+        assert!(way.distance(DVec3::new(0.0, moved, 0.0)) < 1e-12, "{way}");
+        document.cancel_step();
+    }
+}

@@ -127,17 +127,18 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             .show(ui, language, "playing.second", FIELD);
         let entry = entry.map(|value| (value * fps).round() + 1.0);
         actions.push(Action::Playhead(entry));
-        let entry = Number::new(texts.duration, seconds(count))
+        // The last frame is shown as long as every other one.
+        let entry = Number::new(texts.duration, count / fps)
             .label(texts.of)
             .hint(texts.duration_tip)
             .unit(" s")
             .decimals(2)
             .typed()
             .fixed_if(of_scene)
-            .range(1.0 / fps..=seconds(as_frame(MAX_FRAMES)))
+            .range(2.0 / fps..=as_frame(MAX_FRAMES) / fps)
             .steps(1.0, 0.0)
             .show(ui, language, "playing.duration", FIELD);
-        let entry = entry.map(|seconds| fit((seconds * fps).round() + 1.0));
+        let entry = entry.map(|seconds| fit((seconds * fps).round()));
         actions.push(Action::Enter(entry));
         how(editor, ui, actions);
     });

@@ -267,3 +267,52 @@ proptest! {
         }
     }
 }
+
+/// The rotation of a track of numbers in place of it: its share of the way between two keys,
+/// and slerp by its definition (Shoemake 1985); angles by a track that stands still at them.
+#[test]
+fn rotations_follow_the_numbers_of_their_kind() {
+    let frames = [1.0, 8.0, 30.0];
+    let quaternions = [
+        [0.5, 0.5, -0.5, 0.5],
+        [0.1, -0.7, 0.1, 0.7],
+        [-0.8, 0.0, 0.6, 0.0],
+    ];
+    let units = quaternions.map(|[w, x, y, z]| DQuat::from_xyzw(x, y, z, w).normalize());
+    let values = quaternions.concat();
+    let slerp = |a: DQuat, b: DQuat, t: f64| {
+        let cosine = a.dot(b);
+        let b = if cosine < 0.0 { -b } else { b };
+        let angle = cosine.abs().acos();
+        (a * ((1.0 - t) * angle).sin() + b * (t * angle).sin()) * angle.sin().recip()
+    };
+    let same = |a: DQuat, b: DQuat| 1.0 - a.dot(b).abs() < 1e-12;
+    let troubles = &mut Troubles::default();
+    for kind in ["step", "ramp", "sine", "parabolic"] {
+        let turned = track("rotation", kind, &frames, &values, &[]).unwrap();
+        for key in 0..2 {
+            let ends = [frames[key], frames[key + 1]];
+            let share = track("value:x", kind, &ends, &[0.0, 1.0], &[]).unwrap();
+            for part in 0..20 {
+                let frame = ends[0] + (ends[1] - ends[0]) * f64::from(part) / 20.0;
+                let wanted = slerp(units[key], units[key + 1], number(&share, frame));
+                let found = turned.rotation(frame, troubles);
+                assert!(same(found, wanted), "{kind} {frame}: {found} {wanted}");
+            }
+        }
+    }
+    let angles = [10.0, 40.0, -20.0, 400.0, -60.0, 15.0, 350.0, 0.0, 720.0];
+    let turned = track("rotation", "euler-catmull-rom", &frames, &angles, &[]).unwrap();
+    let plain = track("value:x:3", "catmull-rom", &frames, &angles, &[]).unwrap();
+    for part in 0..=58 {
+        let frame = 1.0 + 0.5 * f64::from(part);
+        let mut now = [0.0; 3];
+        plain.numbers(frame, &mut now, troubles);
+        let still = track("rotation", "euler-linear", &[1.0], &now, &[]).unwrap();
+        let (found, wanted) = (
+            turned.rotation(frame, troubles),
+            still.rotation(frame, troubles),
+        );
+        assert!(same(found, wanted), "{frame}: {found} {wanted}");
+    }
+}
