@@ -48,7 +48,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         position: arguments.tolerance,
         angle: arguments.angle,
     };
-    let mut bar = io::stderr().is_terminal().then(|| Bar::new(io::stderr()));
+    let mut bar = io::stderr()
+        .is_terminal()
+        .then(|| Bar::new(io::stderr(), "poses"));
     let path = fit(
         &poses,
         times.as_deref(),

@@ -115,6 +115,7 @@ pub(crate) fn run() -> ExitCode {
         // --help and --version
         Err(error) => return conclude(print(&error.render().to_string())),
     };
+    progress::watch_meshes();
     conclude(match cli.command {
         Command::Edit { file, object } => edit::run(file.as_deref(), object.as_deref()),
         Command::Sample(arguments) => sample::run(&arguments),

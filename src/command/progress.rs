@@ -1,7 +1,7 @@
 //! A progress bar for a person who waits: nothing in the first second, then a
 //! line that is drawn over itself, and gone when the work is done.
 
-use std::io::Write;
+use std::io::{self, IsTerminal, Write};
 use std::time::{Duration, Instant};
 
 /// Work that takes less than this shows nothing.
@@ -21,18 +21,21 @@ pub(super) struct Bar<W: Write> {
     out: W,
     start: Instant,
     drawn: Option<Instant>,
+    /// What is counted.
+    what: &'static str,
 }
 
 impl<W: Write> Bar<W> {
-    pub(super) fn new(out: W) -> Self {
+    pub(super) fn new(out: W, what: &'static str) -> Self {
         Self {
             out,
+            what,
             start: Instant::now(),
             drawn: None,
         }
     }
 
-    /// Tells how many frames of all are done.
+    /// Tells how many of all are done.
     pub(super) fn update(&mut self, done: usize, all: usize) {
         self.update_at(Instant::now(), done, all);
     }
@@ -45,7 +48,11 @@ impl<W: Write> Bar<W> {
         };
         if due && all > 0 {
             // A bar that cannot be drawn is no reason to stop the work.
-            let _ = write!(self.out, "{CLEAR}{}", line(waited, done.min(all), all));
+            let _ = write!(
+                self.out,
+                "{CLEAR}{}",
+                line(waited, done.min(all), all, self.what)
+            );
             let _ = self.out.flush();
             self.drawn = Some(now);
         }
@@ -61,7 +68,25 @@ impl<W: Write> Drop for Bar<W> {
     }
 }
 
-fn line(waited: Duration, done: usize, all: usize) -> String {
+/// Shows on a terminal how far the reading of a mesh is.
+pub(super) fn watch_meshes() {
+    if !io::stderr().is_terminal() {
+        return;
+    }
+    let mut bar = None;
+    vides::document::watch_meshes(Some(Box::new(move |share| {
+        let bar_of_this =
+            bar.get_or_insert_with(|| Bar::new(io::stderr(), "per mille of the mesh"));
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        bar_of_this.update((1000.0 * share) as usize, 1000);
+        if share >= 1.0 {
+            bar = None;
+        }
+        true
+    })));
+}
+
+fn line(waited: Duration, done: usize, all: usize, what: &str) -> String {
     let full = WIDTH * done / all;
     let percent = 100 * done / all;
     let left = if done == 0 {
@@ -71,7 +96,7 @@ fn line(waited: Duration, done: usize, all: usize) -> String {
         format!(", {} s left", left.ceil())
     };
     format!(
-        "[{}{}] {percent:3} %  {done} of {all} frames{left}",
+        "[{}{}] {percent:3} %  {done} of {all} {what}{left}",
         "#".repeat(full),
         "-".repeat(WIDTH - full),
     )
@@ -84,7 +109,7 @@ mod tests {
     /// What a bar writes when it is told of these moments.
     fn shown(moments: &[(u64, usize)], all: usize) -> String {
         let mut out = Vec::new();
-        let mut bar = Bar::new(&mut out);
+        let mut bar = Bar::new(&mut out, "frames");
         let start = bar.start;
         for &(milliseconds, done) in moments {
             bar.update_at(start + Duration::from_millis(milliseconds), done, all);
@@ -116,10 +141,13 @@ mod tests {
 
     #[test]
     fn the_line_fits_a_narrow_terminal() {
-        let longest = line(Duration::from_secs(999), 99_999_999, 100_000_000);
+        let longest = line(Duration::from_secs(999), 99_999_999, 100_000_000, "frames");
         assert!(longest.len() < 80, "{longest}");
-        let begun = line(Duration::from_secs(9_999), 1_000_000, 100_000_000);
+        let begun = line(Duration::from_secs(9_999), 1_000_000, 100_000_000, "frames");
         assert!(begun.len() < 80, "{begun}");
-        assert_eq!(line(Duration::ZERO, 0, 5).matches("left").count(), 0);
+        assert_eq!(
+            line(Duration::ZERO, 0, 5, "frames").matches("left").count(),
+            0
+        );
     }
 }

@@ -46,7 +46,7 @@ pub use editing::{Document, Selection};
 pub use error::{Error, Result};
 pub use export_node::write_node;
 pub use info::{Info, Object, ObjectPoint};
-pub use mesh_file::{load_mesh, load_object};
+pub use mesh_file::{Watcher, load_mesh, load_object, watch_meshes};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
 pub use wireframe::features;

@@ -1,6 +1,7 @@
 //! Meshes that lie in files of their own, beside the scene's: a scene keeps their
 //! names, lengths and checksums, and reads them when it is loaded.
 
+use std::cell::Cell;
 use std::path::{Path, PathBuf, absolute};
 
 use vides_engine::scene::{Kind, Mesh, MeshSource, Scene};
@@ -11,6 +12,20 @@ use super::vid::read_bytes;
 use crate::error::{Cause, EngineError, Error, Place, Result};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::Space;
+
+/// Asked now and then while a mesh is read, with the share that is done, 1 at the end; false
+/// stops the reading.
+pub type Watcher = Box<dyn FnMut(f64) -> bool>;
+
+thread_local! {
+    static WATCHER: Cell<Option<Watcher>> = const { Cell::new(None) };
+}
+
+/// Who is asked while the files of meshes are read on this thread; none: nobody. An object
+/// whose reading is stopped is empty, and that is told as of one whose file is broken.
+pub fn watch_meshes(watcher: Option<Watcher>) {
+    WATCHER.set(watcher);
+}
 
 /// The mesh in an OBJ, PLY or STL file, by the ending of its name.
 ///
@@ -24,7 +39,13 @@ pub fn load_mesh(file: &Path) -> Result<(MeshSource, Mesh)> {
 fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
     let format = Format::of(file).ok_or(vides_mesh::Error::UnknownFormat)?;
     let bytes = read_bytes(file, MAX_FILE_BYTES)?;
-    let mesh = vides_mesh::read(format, &bytes, &mut |_| true)?;
+    // Taken out meanwhile: it may do what it likes.
+    let mut watcher = WATCHER.take();
+    let mut go_on = |share: f64| watcher.as_mut().is_none_or(|go_on| go_on(share));
+    let mesh = vides_mesh::read(format, &bytes, &mut go_on);
+    go_on(1.0);
+    WATCHER.set(watcher);
+    let mesh = mesh?;
     let source = MeshSource {
         file: name.to_owned(),
         bytes: bytes.len() as u64,

@@ -118,3 +118,31 @@ fn points_of_a_cloud_are_drawn_with_their_colours() {
     ];
     assert_eq!(drawn, red_and_blue);
 }
+
+#[test]
+fn the_reading_of_a_mesh_is_watched_and_stopped() {
+    use std::rc::Rc;
+
+    let folder = tempfile::tempdir().unwrap();
+    let (_, file) = with_object(folder.path());
+    let many: String = (0..100_000).map(|k| format!("v {k} 0 0\n")).collect();
+    fs::write(folder.path().join("pyramid.obj"), many + PYRAMID).unwrap();
+    for until in [2.0, 0.5] {
+        let seen = Rc::new(Cell::new((0, 0.0)));
+        let told = seen.clone();
+        watch_meshes(Some(Box::new(move |share| {
+            let (count, before) = told.get();
+            assert!(share >= before);
+            told.set((count + 1, share));
+            share < until
+        })));
+        let (loaded, warnings) = Document::load_scene(&file).unwrap();
+        watch_meshes(None);
+        let (count, last) = seen.get();
+        assert!(count > 3 && last == 1.0, "{count} {last}");
+        let stopped = until < 1.0;
+        assert_eq!(loaded.info().object.is_empty(), stopped);
+        assert_eq!(warnings.len(), 1, "{warnings:?}");
+        assert!(loaded.info().object.source().is_some());
+    }
+}
