@@ -1439,8 +1439,8 @@ int v_path_point_at_length(const V_PATH *path,
  *     at x y z (0), from degrees (-45), to degrees (45), tilt degrees (0),
  *     zoom mm (24), seconds (10)
  * "figure-eight"  on an eight that lies before the target
- *     around x y z (0), radius (0.7), height (0.4), width (1.2), from degrees (0),
- *     zoom mm (24), seconds (10)
+ *     around x y z (0), radius (0.7), height (0.4), width (1.2),
+ *     from degrees (0), zoom mm (24), seconds (10)
  *
  * *path is the caller's, to be freed with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,

@@ -104,7 +104,7 @@ fn tools_refuse_what_does_not_do() {
     for arguments in [
         &["move", "orbit", "--radius", "0"][..],
         &["move", "dolly-zoom", "--end-distance", "1e-3"],
-        &["move", "figure-eight", "--height", "0"],
+        &["move", "figure-eight", "--width", "0"],
         &["transform", PYRAMID, "--scale", "0"],
         &["transform", PYRAMID, "--points", "5-99"],
         &["frames", PYRAMID, "5"],

@@ -149,7 +149,7 @@ pub enum Invalid {
     DrawnNotFinite,
 
     // Nodes.
-    #[error("a name must not be empty")]
+    #[error("it needs a name")]
     NoName,
     #[error("there is a node \"{0}\" already")]
     NodeTwice(Text),
