@@ -3,6 +3,7 @@
 #   make             the libraries and the command, in target/
 #   make demo        a Motif program that opens the editor, on your display or by itself
 #   make test        every check there is
+#   make check       format, lints and Rust tests: what one runs while working
 #   make check-hosts the window beside hosts of many toolkits; large packages
 #   make bench       speed, beside other libraries
 #   make soak        the random checks again, with many more cases, and fuzz
@@ -53,7 +54,7 @@ X_TOOLS = python3=python3 Xvfb=xvfb xauth=xauth xdotool=xdotool xprop=x11-utils 
     xwd=x11-apps /usr/include/Xm/Xm.h=libmotif-dev
 LINT = -D warnings
 
-.PHONY: all libs demo test bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header clean side-by-side FORCE \
+.PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header clean side-by-side FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-calls check-x check-demo check-install check-docs check-dependencies \
 	check-hosts soak-hosts
@@ -129,6 +130,9 @@ test: toolchain check-format
 	@$(MAKE) -j$(JOBS) --output-sync=target side-by-side
 	@$(MAKE) check-x
 	@echo 'make test: every check passed'
+
+# While working: minutes after a change of one file.
+check: toolchain check-format check-lints check-rust
 
 # Compiling, then what takes longest, comes first. The window from outside comes last
 # and alone: some of its checks look at the clock.
