@@ -167,8 +167,17 @@ impl<T: fmt::Display + ?Sized> From<&T> for Text {
         struct Copy(String);
         impl fmt::Write for Copy {
             fn write_str(&mut self, s: &str) -> fmt::Result {
-                self.0.try_reserve(s.len()).map_err(|_| fmt::Error)?;
-                self.0.push_str(s);
+                for sign in s.chars() {
+                    // A name of a file's may have any: a sentence is one line.
+                    let sign = if sign.is_control() {
+                        char::REPLACEMENT_CHARACTER
+                    } else {
+                        sign
+                    };
+                    let room = sign.len_utf8();
+                    self.0.try_reserve(room).map_err(|_| fmt::Error)?;
+                    self.0.push(sign);
+                }
                 Ok(())
             }
         }
