@@ -51,7 +51,7 @@ enum Command {
         #[arg(value_name = "FILE.vid")]
         file: Option<PathBuf>,
 
-        /// A mesh or a point cloud (.obj, .ply, .stl) to be shown as the object;
+        /// A mesh or a point cloud (.obj, .ply, .stl, .gltf, .glb) to be shown as the object;
         /// a new path lies in a space around it
         #[arg(long, value_name = "MESH")]
         object: Option<PathBuf>,

@@ -11,7 +11,7 @@ pub(crate) fn check(bytes: &[u8]) {
     let Some((&first, rest)) = bytes.split_first() else {
         return;
     };
-    let format = [Format::Obj, Format::Ply, Format::Stl][usize::from(first) % 3];
+    let format = [Format::Obj, Format::Ply, Format::Stl, Format::Gltf][usize::from(first) % 4];
     match mesh::read(format, rest, &mut |_| true) {
         Ok(mesh) => mesh.check().expect("a mesh in order"),
         Err(error) => {

@@ -2,7 +2,7 @@
 //! names, lengths and checksums, and reads them when it is loaded.
 
 use std::cell::Cell;
-use std::path::{Path, PathBuf, absolute};
+use std::path::{Component, Path, PathBuf, absolute};
 
 use vides_engine::scene::{Kind, Mesh, MeshSource, Scene};
 use vides_mesh::Format;
@@ -27,7 +27,7 @@ pub fn watch_meshes(watcher: Option<Watcher>) {
     WATCHER.set(watcher);
 }
 
-/// The mesh in an OBJ, PLY or STL file, by the ending of its name.
+/// The mesh in an OBJ, PLY, STL or glTF file, by the ending of its name.
 ///
 /// # Errors
 /// [`Error::Io`], [`Error::FileTooLarge`], [`Error::Mesh`], each with the file.
@@ -42,7 +42,14 @@ fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
     // Taken out meanwhile: it may do what it likes.
     let mut watcher = WATCHER.take();
     let mut go_on = |share: f64| watcher.as_mut().is_none_or(|go_on| go_on(share));
-    let mesh = vides_mesh::read(format, &bytes, &mut go_on);
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let mut beside = |name: &str| {
+        // Within the folder of the file, and nowhere else.
+        let plain = |part| matches!(part, Component::Normal(_));
+        let inside = Path::new(name).components().all(plain);
+        inside.then(|| read_bytes(&folder.join(name), MAX_FILE_BYTES).ok())?
+    };
+    let mesh = vides_mesh::read_with(format, &bytes, &mut beside, &mut go_on);
     go_on(1.0);
     WATCHER.set(watcher);
     let mesh = mesh?;
@@ -54,7 +61,7 @@ fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
     Ok((source, mesh))
 }
 
-/// The wireframe of the mesh in an OBJ, PLY or STL file: its features. A document with it
+/// The wireframe of the mesh in an OBJ, PLY, STL or glTF file: its features. A document with it
 /// keeps the file's name.
 ///
 /// # Errors

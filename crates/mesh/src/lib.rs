@@ -1,5 +1,5 @@
 //! Meshes and point clouds from files: Wavefront OBJ, PLY (ASCII and both binary
-//! encodings), STL (ASCII and binary).
+//! encodings), STL (ASCII and binary), glTF and GLB.
 //!
 //! A file is read from memory, whose length bounds what reading it takes: nothing is
 //! allocated because a header claims a number. Only geometry is taken: points, their
@@ -9,6 +9,9 @@
 
 #![forbid(unsafe_code)]
 
+mod gltf;
+#[cfg(test)]
+mod gltf_tests;
 mod obj;
 mod ply;
 mod stl;
@@ -29,6 +32,9 @@ pub enum Format {
     Ply,
     /// Stereolithography. Corners of the same coordinates become one point.
     Stl,
+    /// glTF 2.0, as text and as GLB: triangles, lines and points of all nodes of its scene,
+    /// with their colours.
+    Gltf,
 }
 
 impl Format {
@@ -36,7 +42,14 @@ impl Format {
     #[must_use]
     pub fn of(file: &Path) -> Option<Self> {
         let ending = file.extension().and_then(OsStr::to_str)?;
-        [("obj", Self::Obj), ("ply", Self::Ply), ("stl", Self::Stl)]
+        let known = [
+            ("obj", Self::Obj),
+            ("ply", Self::Ply),
+            ("stl", Self::Stl),
+            ("gltf", Self::Gltf),
+            ("glb", Self::Gltf),
+        ];
+        known
             .into_iter()
             .find_map(|(name, format)| ending.eq_ignore_ascii_case(name).then_some(format))
     }
@@ -66,7 +79,7 @@ pub enum Error {
     #[error("reading was stopped")]
     Stopped,
     /// The ending of the file's name is none of [`Format`]'s.
-    #[error("the names of files with meshes end in .obj, .ply or .stl")]
+    #[error("the names of files with meshes end in .obj, .ply, .stl, .gltf or .glb")]
     UnknownFormat,
     /// A warning: the file is not the one that a scene was saved with.
     #[error("the mesh has changed since the scene was saved")]
@@ -94,6 +107,12 @@ pub enum Problem {
     /// Nothing that can be shown.
     #[error("there are no points in this file")]
     Empty,
+    /// A buffer of a glTF file.
+    #[error("a buffer of this file is gone, or cannot be read")]
+    Buffer,
+    /// More than is taken.
+    #[error("this file has more than is taken")]
+    Long,
     /// A file that must begin otherwise.
     #[error("this is no file of this format")]
     Format,
@@ -105,6 +124,8 @@ impl From<std::collections::TryReserveError> for Error {
     }
 }
 
+pub use gltf::Beside;
+
 type Result<T> = std::result::Result<T, Error>;
 
 /// Reads a mesh. `go_on` is asked now and then with the share that is done, in 0…1.
@@ -112,10 +133,25 @@ type Result<T> = std::result::Result<T, Error>;
 /// # Errors
 /// [`Error`]; [`Error::Stopped`] if `go_on` says no.
 pub fn read(format: Format, bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<Mesh> {
+    read_with(format, bytes, &mut |_| None, go_on)
+}
+
+/// The same of a file with buffers that lie beside it: `beside` gives each by the name that
+/// stands in the file.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with(
+    format: Format,
+    bytes: &[u8],
+    beside: Beside<'_>,
+    go_on: &mut dyn FnMut(f64) -> bool,
+) -> Result<Mesh> {
     let mesh = match format {
         Format::Obj => obj::read(bytes, go_on),
         Format::Ply => ply::read(bytes, go_on),
         Format::Stl => stl::read(bytes, go_on),
+        Format::Gltf => gltf::read(bytes, beside, go_on),
     }?;
     if mesh.points.is_empty() {
         return Err(Error::File(Problem::Empty));

@@ -13,11 +13,11 @@ fn error(format: Format, bytes: &[u8]) -> String {
 
 /// The unit cube by its corners, x first, and its sides, seen from outside against
 /// the clock.
-fn corner(at: u32) -> [f32; 3] {
+pub(super) fn corner(at: u32) -> [f32; 3] {
     [at & 1, at >> 1 & 1, at >> 2].map(|bit| bit as f32)
 }
 
-const SIDES: [[u32; 4]; 6] = [
+pub(super) const SIDES: [[u32; 4]; 6] = [
     [0, 2, 3, 1],
     [4, 5, 7, 6],
     [0, 1, 5, 4],
@@ -28,7 +28,7 @@ const SIDES: [[u32; 4]; 6] = [
 
 /// What a body holds, by the divergence theorem: a sixth of the sum of the
 /// triangles' triple products. It sees missing, doubled and turned triangles.
-fn volume(mesh: &Mesh) -> f64 {
+pub(super) fn volume(mesh: &Mesh) -> f64 {
     let triangles = mesh.triangles.iter().map(|triangle| {
         let [a, b, c] = triangle.map(|at| mesh.points[at as usize]);
         a.dot(b.cross(c))
@@ -36,7 +36,7 @@ fn volume(mesh: &Mesh) -> f64 {
     triangles.sum::<f64>() / 6.0
 }
 
-fn is_cube(mesh: &Mesh) {
+pub(super) fn is_cube(mesh: &Mesh) {
     assert_eq!((mesh.points.len(), mesh.triangles.len()), (8, 12));
     assert_eq!(volume(mesh), 1.0);
 }

@@ -68,7 +68,7 @@ impl FileWindow {
             Purpose::SaveBlock => (format!("{}.vid", texts.block), "*.vid"),
             Purpose::LoadPoses => (String::new(), "*.csv *.txt"),
             Purpose::SavePath(_) => (editor.proposal(texts.proposal, "vid"), "*.vid"),
-            Purpose::LoadObject => (String::new(), "*.obj *.ply *.stl"),
+            Purpose::LoadObject => (String::new(), "*.obj *.ply *.stl *.gltf *.glb"),
             Purpose::Export => (editor.proposal(texts.poses, "txt"), "*.txt *.csv *.json"),
             Purpose::LoadSetup => (String::new(), "*.toml"),
             Purpose::SaveSetup => ("setup.toml".to_owned(), "*.toml"),

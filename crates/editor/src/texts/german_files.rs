@@ -56,7 +56,7 @@ german! {
         Ply(said) => "der PLY-Leser sagt: {said}";
         Memory => "der Speicher reicht nicht";
         Stopped => "das Lesen wurde abgebrochen";
-        UnknownFormat => "die Namen von Dateien mit Netzen enden auf .obj, .ply oder .stl";
+        UnknownFormat => "die Namen von Dateien mit Netzen enden auf .obj, .ply, .stl, .gltf oder .glb";
         Changed => "das Netz hat sich geändert, seit die Szene gespeichert wurde";
         Mesh(error) => "{}", German(error);
     }
@@ -66,6 +66,8 @@ german! {
         End => "die Datei endet zu früh";
         Expected(word) => "erwartet: „{word}“";
         Empty => "in dieser Datei sind keine Punkte";
+        Buffer => "ein Puffer dieser Datei fehlt oder lässt sich nicht lesen";
+        Long => "in dieser Datei ist mehr, als genommen wird";
         Format => "das ist keine Datei dieses Formats";
     }
     End {

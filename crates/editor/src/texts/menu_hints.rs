@@ -6,8 +6,8 @@ texts! {
     /// Tooltips of the entries of all menus.
     MenuHints {
         load: "Open a path in place of this one", "Eine Bahn an Stelle dieser öffnen";
-        load_object: "Show a mesh or a point cloud (OBJ, PLY, STL) in the movement window",
-            "Ein Netz oder eine Punktwolke (OBJ, PLY, STL) im Bewegungsfenster zeigen";
+        load_object: "Show a mesh or a point cloud (OBJ, PLY, STL, glTF) in the movement window",
+            "Ein Netz oder eine Punktwolke (OBJ, PLY, STL, glTF) im Bewegungsfenster zeigen";
         save: "Save the path under its name", "Die Bahn unter ihrem Namen speichern";
         save_as: "Save the path under a name that is asked for",
             "Die Bahn unter einem Namen speichern, nach dem gefragt wird";

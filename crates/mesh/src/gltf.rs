@@ -1,0 +1,401 @@
+//! glTF 2.0 (Khronos 2021), as text and as GLB: the primitives of all nodes of the scene,
+//! where they stand. Read by hand: readers of the whole format trust the accessors of a
+//! checked file to lie within its buffers.
+
+use glam::{DAffine3, DMat4, DQuat, DVec3};
+use serde_json::Value;
+use vides_engine::limits::{MAX_MESH_CORNERS, MAX_MESH_POINTS};
+use vides_engine::scene::Mesh;
+
+use super::{Error, Problem, Result};
+
+/// Bytes of JSON, of which what is made takes some ten times as many.
+const MOST_JSON: usize = 64 << 20;
+
+/// Levels of nodes below each other.
+const DEPTH: usize = 256;
+
+/// Of a component: its number in the format, bytes.
+const BYTE: u64 = 5121;
+const SHORT: u64 = 5123;
+const INT: u64 = 5125;
+const FLOAT: u64 = 5126;
+
+/// Gives a buffer that lies beside the file, by the name that stands there.
+pub type Beside<'a> = &'a mut dyn FnMut(&str) -> Option<Vec<u8>>;
+
+const FORMAT: Error = Error::File(Problem::Format);
+const END: Error = Error::File(Problem::End);
+const INDICES: Error = Error::File(Problem::Indices);
+
+pub(super) fn read(
+    bytes: &[u8],
+    beside: Beside<'_>,
+    go_on: &mut dyn FnMut(f64) -> bool,
+) -> Result<Mesh> {
+    let (json, chunk) = parts(bytes)?;
+    if json.len() > MOST_JSON {
+        return Err(Error::File(Problem::Long));
+    }
+    let document: Value = serde_json::from_slice(json).map_err(|_| FORMAT)?;
+    let version = document["asset"]["version"].as_str().ok_or(FORMAT)?;
+    if !version.starts_with("2.") {
+        return Err(FORMAT);
+    }
+    let mut buffers = Vec::new();
+    for (at, buffer) in list(&document["buffers"]).iter().enumerate() {
+        let data = match (buffer["uri"].as_str(), chunk) {
+            (Some(uri), _) => of_uri(uri, beside)?,
+            (None, Some(chunk)) if at == 0 => {
+                let mut copy = Vec::new();
+                copy.try_reserve_exact(chunk.len())?;
+                copy.extend_from_slice(chunk);
+                copy
+            }
+            _ => return Err(Error::File(Problem::Buffer)),
+        };
+        buffers.try_reserve(1)?;
+        buffers.push(data);
+    }
+    let mut reader = Reader {
+        document: &document,
+        buffers: &buffers,
+        mesh: Mesh::default(),
+    };
+    reader.scene(go_on)?;
+    Ok(reader.mesh)
+}
+
+/// The JSON and the binary chunk, if it is a GLB with one.
+fn parts(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>)> {
+    if !bytes.starts_with(b"glTF") {
+        return Ok((bytes, None));
+    }
+    let word = |at: usize| {
+        let word = bytes.get(at..at + 4)?;
+        Some(u32::from_le_bytes(word.try_into().ok()?) as usize)
+    };
+    let chunk = |at: usize, kind: &[u8; 4]| {
+        let length = word(at)?;
+        let known = bytes.get(at + 4..at + 8)? == kind;
+        known.then(|| bytes.get(at + 8..(at + 8).checked_add(length)?))?
+    };
+    if word(4) != Some(2) {
+        return Err(FORMAT);
+    }
+    let json = chunk(12, b"JSON").ok_or(END)?;
+    Ok((json, chunk(20 + json.len(), b"BIN\0")))
+}
+
+fn list(value: &Value) -> &[Value] {
+    value.as_array().map_or(&[], Vec::as_slice)
+}
+
+fn index(value: &Value) -> Option<usize> {
+    usize::try_from(value.as_u64()?).ok()
+}
+
+/// So many numbers; none if there are others.
+fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
+    let found = list(value);
+    let mut numbers = [0.0; N];
+    for (number, value) in numbers.iter_mut().zip(found) {
+        *number = value.as_f64()?;
+    }
+    (found.len() == N).then_some(numbers)
+}
+
+fn of_uri(uri: &str, beside: Beside<'_>) -> Result<Vec<u8>> {
+    let found = match uri.strip_prefix("data:") {
+        Some(data) => data
+            .split_once(";base64,")
+            .and_then(|(_, text)| base64(text)),
+        None => beside(uri),
+    };
+    found.ok_or(Error::File(Problem::Buffer))
+}
+
+/// RFC 4648; none for what is not.
+fn base64(text: &str) -> Option<Vec<u8>> {
+    const SIGNS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let signs = text.trim_end_matches('=').as_bytes();
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(signs.len() / 4 * 3 + 3).ok()?;
+    for four in signs.chunks(4) {
+        let mut word = 0_u32;
+        for &sign in four {
+            let value = SIGNS.iter().position(|known| *known == sign)?;
+            word = word << 6 | value as u32;
+        }
+        word <<= 6 * (4 - four.len());
+        bytes.extend_from_slice(&word.to_be_bytes()[1..four.len()]);
+    }
+    Some(bytes)
+}
+
+struct Reader<'a> {
+    document: &'a Value,
+    buffers: &'a [Vec<u8>],
+    mesh: Mesh,
+}
+
+/// Numbers in a buffer.
+struct Accessor<'a> {
+    bytes: &'a [u8],
+    count: usize,
+    stride: usize,
+    component: u64,
+}
+
+impl Accessor<'_> {
+    /// One component of an element, as it stands there.
+    fn number(&self, at: usize, part: usize) -> f64 {
+        let size = size_of_component(self.component);
+        let start = at * self.stride + part * size;
+        let bytes = self.bytes.get(start..start + size).unwrap_or_default();
+        match *bytes {
+            [a] => f64::from(a),
+            [a, b] => f64::from(u16::from_le_bytes([a, b])),
+            [a, b, c, d] if self.component == FLOAT => f64::from(f32::from_le_bytes([a, b, c, d])),
+            [a, b, c, d] => f64::from(u32::from_le_bytes([a, b, c, d])),
+            _ => 0.0,
+        }
+    }
+
+    /// The same as a share of the largest, for a colour.
+    fn share(&self, at: usize, part: usize) -> f64 {
+        let most = match self.component {
+            BYTE => 255.0,
+            SHORT => 65535.0,
+            _ => 1.0,
+        };
+        self.number(at, part) / most
+    }
+}
+
+const fn size_of_component(component: u64) -> usize {
+    match component {
+        BYTE => 1,
+        SHORT => 2,
+        _ => 4,
+    }
+}
+
+impl<'a> Reader<'a> {
+    /// All nodes of the scene that is shown, or of the tree where there is none.
+    fn scene(&mut self, go_on: &mut dyn FnMut(f64) -> bool) -> Result<()> {
+        let document = self.document;
+        let nodes = list(&document["nodes"]);
+        let scenes = list(&document["scenes"]);
+        let mut waiting: Vec<(usize, DAffine3, usize)> = Vec::new();
+        let mut seen = Vec::new();
+        seen.try_reserve_exact(nodes.len())?;
+        seen.resize(nodes.len(), false);
+        let mut push = |waiting: &mut Vec<_>, node: &Value, place: DAffine3, depth: usize| {
+            let at = index(node).ok_or(INDICES)?;
+            // Each has one parent at most: nothing goes round.
+            if depth > DEPTH || std::mem::replace(seen.get_mut(at).ok_or(INDICES)?, true) {
+                return Err(INDICES);
+            }
+            waiting.try_reserve(1)?;
+            waiting.push((at, place, depth));
+            Ok(())
+        };
+        let shown = match &document["scene"] {
+            Value::Null => scenes.first(),
+            number => Some(index(number).and_then(|at| scenes.get(at)).ok_or(INDICES)?),
+        };
+        if let Some(scene) = shown {
+            for node in list(&scene["nodes"]).iter().rev() {
+                push(&mut waiting, node, DAffine3::IDENTITY, 0)?;
+            }
+        } else {
+            let mut below = vec![false; nodes.len()];
+            for child in nodes.iter().flat_map(|node| list(&node["children"])) {
+                *index(child)
+                    .and_then(|at| below.get_mut(at))
+                    .ok_or(INDICES)? = true;
+            }
+            for at in (0..nodes.len()).rev().filter(|&at| !below[at]) {
+                push(&mut waiting, &at.into(), DAffine3::IDENTITY, 0)?;
+            }
+        }
+        let mut done = 0;
+        while let Some((at, place, depth)) = waiting.pop() {
+            if !go_on(done as f64 / nodes.len() as f64) {
+                return Err(Error::Stopped);
+            }
+            done += 1;
+            let node = &nodes[at];
+            let place = place * own_place(node)?;
+            if let Some(mesh) = node.get("mesh") {
+                let meshes = list(&document["meshes"]);
+                let mesh = index(mesh).and_then(|at| meshes.get(at)).ok_or(INDICES)?;
+                for primitive in list(&mesh["primitives"]) {
+                    self.primitive(primitive, &place)?;
+                }
+            }
+            for child in list(&node["children"]).iter().rev() {
+                push(&mut waiting, child, place, depth + 1)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn primitive(&mut self, primitive: &Value, place: &DAffine3) -> Result<()> {
+        let attributes = &primitive["attributes"];
+        let Some(positions) = attributes.get("POSITION") else {
+            return Ok(());
+        };
+        let positions = self.accessor(positions, 3, &[FLOAT])?;
+        let first = self.mesh.points.len();
+        if positions.count > MAX_MESH_POINTS - first.min(MAX_MESH_POINTS) {
+            return Err(Error::File(Problem::Long));
+        }
+        let colours = match attributes.get("COLOR_0") {
+            None => None,
+            Some(colours) => Some(self.accessor(colours, 0, &[BYTE, SHORT, FLOAT])?),
+        };
+        let colours = colours.filter(|colours| colours.count == positions.count);
+        if colours.is_some() || !self.mesh.colours.is_empty() {
+            let room = first + positions.count - self.mesh.colours.len();
+            self.mesh.colours.try_reserve(room)?;
+            self.mesh.colours.resize(first, [255; 3]);
+            self.mesh.colours.extend((0..positions.count).map(|at| {
+                colours.as_ref().map_or([255; 3], |colours| {
+                    [0, 1, 2].map(|part| (255.0 * colours.share(at, part)).round() as u8)
+                })
+            }));
+        }
+        self.mesh.points.try_reserve(positions.count)?;
+        self.mesh.points.extend((0..positions.count).map(|at| {
+            let point = [0, 1, 2].map(|part| positions.number(at, part));
+            place.transform_point3(DVec3::from_array(point))
+        }));
+        let corners = match primitive.get("indices") {
+            None => None,
+            Some(indices) => Some(self.accessor(indices, 1, &[BYTE, SHORT, INT])?),
+        };
+        let count = corners.as_ref().map_or(positions.count, |c| c.count);
+        let known = 3 * self.mesh.triangles.len() + 2 * self.mesh.lines.len();
+        if count > MAX_MESH_CORNERS / 3 - (known / 3).min(MAX_MESH_CORNERS / 3) {
+            return Err(Error::File(Problem::Long));
+        }
+        let corner = |at: usize| -> Result<u32> {
+            let number = corners
+                .as_ref()
+                .map_or(at, |corners| corners.number(at, 0) as usize);
+            // The points are fewer than 2³².
+            (number < positions.count)
+                .then_some((first + number) as u32)
+                .ok_or(INDICES)
+        };
+        // What is mirrored has its triangles turned, or they would look inwards.
+        let turned = place.matrix3.determinant() < 0.0;
+        let lines = &mut self.mesh.lines;
+        let mut line = |from: usize, to: usize| -> Result<()> {
+            lines.try_reserve(1)?;
+            lines.push([corner(from)?, corner(to)?]);
+            Ok(())
+        };
+        let triangles = &mut self.mesh.triangles;
+        let mut triangle = |a: usize, b: usize, c: usize| -> Result<()> {
+            let [b, c] = if turned { [c, b] } else { [b, c] };
+            triangles.try_reserve(1)?;
+            triangles.push([corner(a)?, corner(b)?, corner(c)?]);
+            Ok(())
+        };
+        match primitive.get("mode").map_or(Some(4), index) {
+            Some(0) => Ok(()),
+            Some(1) => (0..count / 2).try_for_each(|at| line(2 * at, 2 * at + 1)),
+            Some(2) if count > 1 => (0..count).try_for_each(|at| line(at, (at + 1) % count)),
+            Some(2 | 3) => (1..count).try_for_each(|at| line(at - 1, at)),
+            Some(4) => (0..count / 3).try_for_each(|at| triangle(3 * at, 3 * at + 1, 3 * at + 2)),
+            Some(5) => (2..count).try_for_each(|at| {
+                let odd = at % 2;
+                triangle(at - 2, at - 1 + odd, at - odd)
+            }),
+            Some(6) => (2..count).try_for_each(|at| triangle(0, at - 1, at)),
+            _ => Err(FORMAT),
+        }
+    }
+
+    /// The elements of an accessor, so many numbers each (0: three or four).
+    fn accessor(&self, number: &Value, width: usize, components: &[u64]) -> Result<Accessor<'a>> {
+        let accessors = list(&self.document["accessors"]);
+        let accessor = index(number)
+            .and_then(|at| accessors.get(at))
+            .ok_or(INDICES)?;
+        let found = match accessor["type"].as_str() {
+            Some("SCALAR") => 1,
+            Some("VEC3") => 3,
+            Some("VEC4") => 4,
+            _ => return Err(FORMAT),
+        };
+        let component = accessor["componentType"].as_u64().unwrap_or(0);
+        let fits = found == width || (width == 0 && found > 1);
+        if !fits || !components.contains(&component) || accessor.get("sparse").is_some() {
+            return Err(FORMAT);
+        }
+        let views = list(&self.document["bufferViews"]);
+        let view = index(&accessor["bufferView"])
+            .and_then(|at| views.get(at))
+            .ok_or(INDICES)?;
+        let buffer = index(&view["buffer"])
+            .and_then(|at| self.buffers.get(at))
+            .ok_or(INDICES)?;
+        let offset = |value: &Value| match value {
+            Value::Null => Ok(0),
+            value => index(value).ok_or(FORMAT),
+        };
+        let (start, length) = (offset(&view["byteOffset"])?, offset(&view["byteLength"])?);
+        let bytes = start
+            .checked_add(length)
+            .and_then(|end| buffer.get(start..end))
+            .and_then(|view| view.get(offset(&accessor["byteOffset"]).ok()?..))
+            .ok_or(END)?;
+        let size = found * size_of_component(component);
+        let stride = offset(&view["byteStride"])?.max(size);
+        let count = index(&accessor["count"]).ok_or(FORMAT)?;
+        let needed = count
+            .saturating_sub(1)
+            .checked_mul(stride)
+            .and_then(|before| before.checked_add(if count > 0 { size } else { 0 }));
+        if needed.is_none_or(|needed| needed > bytes.len()) {
+            return Err(END);
+        }
+        Ok(Accessor {
+            bytes,
+            count,
+            stride,
+            component,
+        })
+    }
+}
+
+/// Where a node stands in its parent.
+fn own_place(node: &Value) -> Result<DAffine3> {
+    if let Some(matrix) = node.get("matrix") {
+        let matrix = numbers::<16>(matrix).ok_or(FORMAT)?;
+        return Ok(DAffine3::from_mat4(DMat4::from_cols_array(&matrix)));
+    }
+    let part = |name: &str, rest: DVec3| match node.get(name) {
+        None => Some(rest),
+        Some(value) => numbers::<3>(value).map(DVec3::from_array),
+    };
+    let rotation = match node.get("rotation") {
+        None => Some(DQuat::IDENTITY),
+        Some(value) => numbers::<4>(value).map(|[x, y, z, w]| DQuat::from_xyzw(x, y, z, w)),
+    };
+    let (Some(at), Some(rotation), Some(scale)) = (
+        part("translation", DVec3::ZERO),
+        rotation,
+        part("scale", DVec3::ONE),
+    ) else {
+        return Err(FORMAT);
+    };
+    let rotation = rotation.normalize();
+    Ok(DAffine3::from_scale_rotation_translation(
+        scale, rotation, at,
+    ))
+}
