@@ -119,6 +119,19 @@ texts! {
         plot_turning: "Turning", "Drehung";
         plot_roll: "Roll", "Winkel";
         plot_zoom: "Zoom", "Zoom";
+        plot_distance_tip: "How far the camera has come since the first frame",
+            "Wie weit die Kamera seit dem ersten Bild gekommen ist";
+        plot_clearance_tip: "How near the camera comes to the object",
+            "Wie nahe die Kamera dem Objekt kommt";
+        plot_speed_tip: "How far the camera moves in a second",
+            "Wie weit sich die Kamera in einer Sekunde bewegt";
+        plot_acceleration_tip: "By how much the camera's motion changes in a second",
+            "Um wie viel sich die Bewegung der Kamera in einer Sekunde ändert";
+        plot_turning_tip: "By how many degrees the camera turns in a second",
+            "Um wie viel Grad sich die Kamera in einer Sekunde dreht";
+        plot_roll_tip: "How far the camera is rolled about its view direction, in degrees",
+            "Um wie viel Grad die Kamera um ihre Blickrichtung gedreht ist";
+        plot_zoom_tip: "The camera's zoom, in millimetres", "Der Zoom der Kamera, in Millimetern";
         speed_graph_tip: "Speed all along the path; 50 is the base speed, a red step a jump",
             "Geschwindigkeit über den ganzen Pfad; 50 ist die Grundgeschwindigkeit, eine rote Stufe ein Sprung";
         speed_graph_switch: "Shows the speed all along the path (G)",
