@@ -33,7 +33,7 @@ mod typed;
 
 use std::sync::Arc;
 
-use egui::{EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
+use egui::{Context, EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
 use glam::DVec3;
 
 pub(super) use self::cameras::Camera;
@@ -227,6 +227,7 @@ impl Space {
         };
         if response.is_pointer_button_down_on()
             || context.memory(|memory| memory.focused().is_none())
+            || is_meant_by_letters(&context, &mine)
         {
             response.request_focus();
         }
@@ -413,6 +414,20 @@ impl Space {
         }
         current.and(trouble)
     }
+}
+
+/// A letter was pressed with the pointer over the movement window, and nobody types: it is
+/// meant there, though a list or a button has the keyboard.
+fn is_meant_by_letters(context: &Context, mine: &dyn Fn(Pos2) -> bool) -> bool {
+    let (pointer, pressed) = context.input(|input| {
+        let plain = !(input.modifiers.command || input.modifiers.ctrl || input.modifiers.alt);
+        let pressed = || keyboard::LETTERS.iter().any(|&key| input.key_pressed(key));
+        (input.pointer.latest_pos(), plain && pressed())
+    });
+    pressed
+        && pointer.is_some_and(mine)
+        && !context.text_edit_focused()
+        && !egui::Popup::is_any_open(context)
 }
 
 /// The movement space as it is seen.
