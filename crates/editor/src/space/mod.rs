@@ -407,7 +407,10 @@ impl Space {
         }
         let hint = match tool {
             Some(tool) => Some(tool.hint(editor, &projection)),
-            None => pointer.hint(editor.texts(), &projection, several.len()),
+            None => {
+                let draws = drawing::is_wanted(editor);
+                pointer.hint(editor.texts(), &projection, several.len(), draws)
+            }
         };
         if let Some(hint) = hint {
             overlay::hint(painter, &look, &hint, editor.setup.theme().palette().weak);
