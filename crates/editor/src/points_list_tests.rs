@@ -297,3 +297,53 @@ fn pictures_of_the_list() {
     harness.run();
     screenshot(&mut harness, "list-300-small.png");
 }
+
+/// A letter means what the pointer is over, though the list has the keyboard; while a name
+/// is typed it is a letter.
+#[test]
+fn over_the_space_the_letters_of_its_tools_are_its_own() {
+    let mut harness = pyramid_list();
+    let name = harness.state().texts().space.name;
+    let space = harness.get_by_label(name).rect();
+    let over = space.left_bottom() + vec2(150.0, -60.0);
+    let before = harness.state().document.path().clone();
+    let choose = |harness: &mut Window<'_>| {
+        click(harness, LEFT_SIDE, Modifiers::NONE);
+        click(harness, RIGHT_SIDE, Modifiers::CTRL);
+    };
+    for (letter, axis) in [(Key::M, Key::X), (Key::R, Key::Y), (Key::S, Key::X)] {
+        choose(&mut harness);
+        tap(&mut harness, letter, Modifiers::NONE);
+        assert!(!harness.state().document.in_step(), "the pointer is here");
+        motion(&mut harness, over);
+        tap(&mut harness, letter, Modifiers::NONE);
+        assert!(harness.state().document.in_step(), "{letter:?}");
+        tap(&mut harness, axis, Modifiers::NONE);
+        harness.event(Event::Text("0.5".to_owned()));
+        harness.step();
+        if letter == Key::S {
+            screenshot(&mut harness, "list-then-tool.png");
+        }
+        tap(&mut harness, Key::Enter, Modifiers::NONE);
+        assert_ne!(*harness.state().document.path(), before, "{letter:?}");
+        tap(&mut harness, Key::Z, Modifiers::CTRL);
+        assert_eq!(*harness.state().document.path(), before);
+        // Escape gives up the tool and nothing else.
+        choose(&mut harness);
+        motion(&mut harness, over);
+        tap(&mut harness, letter, Modifiers::NONE);
+        tap(&mut harness, Key::Escape, Modifiers::NONE);
+        assert!(!harness.state().document.in_step());
+        assert_eq!(harness.state().all_selected(), [1, 4]);
+    }
+    click(&mut harness, START, Modifiers::NONE);
+    tap(&mut harness, Key::F2, Modifiers::NONE);
+    harness.step();
+    motion(&mut harness, over);
+    tap(&mut harness, Key::M, Modifiers::NONE);
+    harness.event(Event::Text("m".to_owned()));
+    harness.step();
+    tap(&mut harness, Key::Enter, Modifiers::NONE);
+    harness.step();
+    assert_eq!(names(&harness)[0], "m");
+}

@@ -13,24 +13,32 @@ use crate::theme;
 /// A longer file is not read for its picture alone.
 const LONGEST: u64 = 1 << 20;
 
-/// The edges of the movement space and the curve.
+/// The edges of the movement space and the curve; of a scene in which no path is edited
+/// what stands in it.
 #[derive(Debug)]
 pub(super) struct Picture {
     edges: Vec<[Pos2; 2]>,
     curve: Vec<Pos2>,
+    scene: Option<Vec<[Pos2; 2]>>,
 }
 
 impl Picture {
     pub(super) fn of(document: &Document, size: Vec2) -> Self {
         let (edges, curve) = space::thumbnail(document, size);
-        Self { edges, curve }
+        Self {
+            edges,
+            curve,
+            scene: space::thumbnail_of_scene(document, size),
+        }
     }
 
-    /// That of a file; none if it is no path, or a long one.
+    /// That of a file; none if it is neither path nor scene, or a long one.
     pub(super) fn of_file(file: &Path, size: Vec2) -> Option<Self> {
         let known = std::fs::metadata(file).ok()?;
         let short = known.is_file() && known.len() <= LONGEST;
-        let document = short.then(|| Document::load(file).ok())??;
+        let of_scene = || Some(Document::load_scene(file).ok()?.0);
+        let load = || Document::load(file).ok().or_else(of_scene);
+        let document = short.then(load)??;
         Some(Self::of(&document, size))
     }
 
@@ -42,12 +50,16 @@ impl Picture {
         for [from, to] in &self.edges {
             painter.line_segment([at(from), at(to)], Stroke::new(1.0, faint));
         }
+        let object = Stroke::new(1.0, colours.of(Element::Object));
+        for [from, to] in self.scene.iter().flatten() {
+            painter.line_segment([at(from), at(to)], object);
+        }
         let line = Stroke::new(1.5, colours.of(Element::Curve));
         painter.add(Shape::line(self.curve.iter().map(at).collect(), line));
     }
 }
 
-/// Shows it; a question mark for what is no path.
+/// Shows it; a question mark for what is neither path nor scene.
 pub(super) fn show(editor: &Editor, ui: &mut Ui, size: Vec2, picture: Option<&Picture>) {
     let texts = &editor.texts().recovery;
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
@@ -55,7 +67,10 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, size: Vec2, picture: Option<&Pi
     ui.painter().rect_filled(rect, 4.0, ground);
     let name = if let Some(picture) = picture {
         picture.paint(editor, ui, rect);
-        texts.picture
+        match picture.scene {
+            Some(_) => texts.scene,
+            None => texts.picture,
+        }
     } else {
         let color = theme::palette(ui).error;
         let (centre, font) = (rect.center(), theme::text());

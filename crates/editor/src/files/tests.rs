@@ -705,3 +705,33 @@ fn two_windows_that_save_to_one_file_leave_it_whole() {
     let names = std::fs::read_dir(folder.path()).expect("a folder");
     assert_eq!(names.count(), 1);
 }
+
+/// A scene in which nothing moves on a path is no broken file.
+#[test]
+fn a_scene_without_a_path_has_a_picture() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    std::fs::copy(examples.join("car.vid"), folder.path().join("car.vid")).expect("copied");
+    std::fs::write(folder.path().join("broken.vid"), "version = ").expect("written");
+    for language in BOTH {
+        let texts = &language.texts().recovery;
+        let mut window = window_in(language, folder.path());
+        press(&mut window, Modifiers::ALT, Key::L);
+        click(&mut window, "broken.vid");
+        assert!(window.query_by_label(texts.unreadable).is_some());
+        click(&mut window, "car.vid");
+        assert!(window.query_by_label(texts.unreadable).is_none());
+        let picture = window.get_by_label(texts.scene).rect();
+        crate::screenshots::screenshot(&mut window, &format!("files-scene-{language:?}.png"));
+        let colour = window
+            .state()
+            .setup
+            .colours()
+            .of(crate::setup::Element::Object);
+        let lines = window.output().shapes.iter().filter(|clipped| {
+            matches!(&clipped.shape, egui::Shape::LineSegment { points, stroke }
+                if stroke.color == colour && picture.contains(points[0]))
+        });
+        assert!(lines.count() > 20);
+    }
+}

@@ -201,7 +201,7 @@ pub(super) fn show(
         borders(editor, held, ui, &scale, ground, actions);
         squares(editor, held, ui, &scale, actions);
     }
-    response.on_hover_text(texts.speed_graph_tip);
+    response.on_hover_text(plot::meaning(editor.texts(), editor.playing.quantity));
 }
 
 /// Seconds at the upper edge, as many as have room.

@@ -10,6 +10,7 @@ use crate::actions::Action;
 use crate::document::Document;
 use crate::error::Result;
 use crate::state::Editor;
+use crate::texts::Texts;
 use crate::theme::{self, Palette};
 use crate::tools::clearance::Clearance;
 use crate::tools::profile::{Film, Quantity, samples, with_peaks};
@@ -102,9 +103,25 @@ pub(super) fn choices(editor: &Editor, ui: &mut Ui, room: Rect, actions: &mut Ve
             let name = format!("{}: {name}", texts.plot);
             egui::WidgetInfo::selected(egui::Role::RadioButton, true, chosen, name)
         });
-        if button.on_hover_text(texts.plot_tip).clicked() {
+        let tip = format!("{}\n{}", meaning(editor.texts(), quantity), texts.plot_tip);
+        if button.on_hover_text(tip).clicked() {
             actions.push(Action::Plot(quantity));
         }
+    }
+}
+
+/// What the curve of a quantity tells; none: of the speeds of the sections.
+pub(super) fn meaning(texts: &Texts, quantity: Option<Quantity>) -> &'static str {
+    let texts = &texts.space;
+    match quantity {
+        None => texts.speed_graph_tip,
+        Some(Quantity::Distance) => texts.plot_distance_tip,
+        Some(Quantity::Speed) => texts.plot_speed_tip,
+        Some(Quantity::Acceleration) => texts.plot_acceleration_tip,
+        Some(Quantity::Turning) => texts.plot_turning_tip,
+        Some(Quantity::Roll) => texts.plot_roll_tip,
+        Some(Quantity::Zoom) => texts.plot_zoom_tip,
+        Some(Quantity::Clearance) => texts.plot_clearance_tip,
     }
 }
 
@@ -287,5 +304,38 @@ mod tests {
         harness.step();
         harness.step();
         assert!(harness.state().playing.plot.values.is_empty());
+    }
+
+    #[test]
+    fn the_hint_over_a_plot_tells_what_is_plotted() {
+        use crate::tests::{BOTH, window};
+        for language in BOTH {
+            let texts = language.texts();
+            let mut window = window(language);
+            let all = || std::iter::once(None).chain(Quantity::ALL.map(Some));
+            for quantity in all() {
+                let context = window.ctx.clone();
+                window.state_mut().act(Action::Plot(quantity), &context);
+                window.run();
+                let plot =
+                    window.get_by_role_and_label(egui::Role::Canvas, texts.space.speed_graph);
+                let plot = plot.rect();
+                window.hover_at(plot.center() + vec2(0.0, 20.0));
+                for _ in 0..80 {
+                    window.step();
+                }
+                for other in all() {
+                    let words = meaning(texts, other);
+                    let seen = window.query_by_label(words).is_some();
+                    assert_eq!(seen, other == quantity, "{words}");
+                }
+                screenshot(
+                    &mut window,
+                    &format!("plot-tip-{quantity:?}-{language:?}.png"),
+                );
+                window.hover_at(pos2(1.0, 799.0));
+                window.run();
+            }
+        }
     }
 }

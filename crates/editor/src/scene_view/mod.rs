@@ -17,7 +17,7 @@ use glam::{DAffine3, DVec3};
 use vides_engine::scene::{NodeState, Scene, Troubles};
 
 pub(super) use self::panel::{list, no_path, show};
-pub(super) use self::wires::{other_paths, wires};
+pub(super) use self::wires::{other_paths, outline, wires};
 use crate::document::Document;
 use crate::error::{Error, Refused, Result};
 use crate::path::{Pose, Space};

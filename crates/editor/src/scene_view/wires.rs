@@ -4,6 +4,9 @@ use glam::DVec3;
 use vides_engine::scene::{Kind, Node, Troubles};
 
 use super::Now;
+use super::edges::Edges;
+use crate::document::Document;
+use crate::error::Result;
 use crate::path::curve;
 use crate::state::Editor;
 
@@ -22,8 +25,24 @@ const PIECES: usize = 4_000;
 const OF_SEGMENT: usize = 24;
 
 /// The lines of all objects that are to be seen.
-pub(crate) fn wires(editor: &Editor, now: &Now, mut take: impl FnMut(Wire)) {
-    let mut edges = editor.scene_view.edges.borrow_mut();
+pub(crate) fn wires(editor: &Editor, now: &Now, take: impl FnMut(Wire)) {
+    of_objects(&mut editor.scene_view.edges.borrow_mut(), now, take);
+}
+
+/// The lines of a scene at its first frame: objects, other paths.
+///
+/// # Errors
+/// `ErrorKind::Memory`.
+pub(crate) fn outline(document: &Document) -> Result<Vec<[DVec3; 2]>> {
+    let mut lines = Vec::new();
+    if let Some(now) = Now::of(document, 1.0, None)? {
+        of_objects(&mut Edges::default(), &now, |wire| lines.push(wire.ends));
+        other_paths(&now, |ends| lines.push(ends));
+    }
+    Ok(lines)
+}
+
+fn of_objects(edges: &mut Edges, now: &Now, mut take: impl FnMut(Wire)) {
     let mut moved = Vec::new();
     for (at, node) in now.scene.nodes().iter().enumerate() {
         let state = &now.states[at];

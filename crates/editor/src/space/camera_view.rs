@@ -123,6 +123,10 @@ pub(super) fn show(
         by_hand,
     };
     context.data_mut(|data| data.insert_temp(id, placed));
+    // egui puts it by the width that it had before: with a new one it belongs elsewhere.
+    if known.is_none_or(|known| known.viewport != viewport || known.rect.size() != rect.size()) {
+        context.request_repaint();
+    }
     shown.inner?
 }
 

@@ -242,3 +242,29 @@ fn what_was_flown_to_is_taken_over_as_a_point() {
     tap(&mut harness, Key::Z, Modifiers::CTRL);
     assert!(!harness.state().document.is_modified());
 }
+
+/// It stands within the space when nobody moves the mouse any more.
+#[test]
+fn the_pane_is_whole_at_once_after_the_window_is_enlarged() {
+    use crate::tests::{Window, window};
+    let mut window = window(crate::Language::English);
+    let whole = |window: &Window| {
+        let pane = window.ctx.memory(|memory| memory.area_rect(id())).unwrap();
+        let viewport = window.get_by_label("Movement window").rect();
+        let away = pane.right_top() - corner(viewport);
+        assert!(away.length() < 2.0, "{pane:?} in {viewport:?}");
+        let close = window.get_by_label("Close the camera view").rect();
+        assert!(viewport.contains_rect(close), "{close:?} in {viewport:?}");
+    };
+    for size in [
+        [1100.0, 800.0],
+        [1300.0, 850.0],
+        [800.0, 600.0],
+        [1400.0, 870.0],
+    ] {
+        window.set_size(vec2(size[0], size[1]));
+        window.run();
+        whole(&window);
+        screenshot(&mut window, &format!("camera-enlarged-{}.png", size[0]));
+    }
+}

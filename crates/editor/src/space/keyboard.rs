@@ -34,6 +34,19 @@ pub(super) const NUDGES: [Key; 8] = [
     Key::Period,
 ];
 
+/// The letters that mean something here. But for texts no control has use for them.
+pub(super) const LETTERS: [Key; 9] = [
+    Key::M,
+    Key::R,
+    Key::S,
+    Key::N,
+    Key::O,
+    Key::C,
+    Key::B,
+    Key::G,
+    Key::L,
+];
+
 /// Takes a key that was pressed while the movement window has the keyboard.
 pub(super) fn press(
     controller: &mut PointerController,

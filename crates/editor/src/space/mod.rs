@@ -33,7 +33,7 @@ mod typed;
 
 use std::sync::Arc;
 
-use egui::{EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
+use egui::{Context, EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
 use glam::DVec3;
 
 pub(super) use self::cameras::Camera;
@@ -159,7 +159,8 @@ pub(super) fn cube(space: path::Space) -> impl Iterator<Item = (DVec3, DVec3)> {
 /// the edges of the space, and the curve as one line, from the upper left corner.
 pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec<Pos2>) {
     let viewport = Rect::from_min_size(Pos2::ZERO, size);
-    let space = document.path().space;
+    let around = document.around().filter(|_| !document.edits_path());
+    let space = around.map_or(document.path().space, |around| around.scene().space());
     let projection = Projection::of(&View::default(), viewport, space);
     let edges = cube(space).map(|(from, to)| [from, to].map(|end| projection.pos(end)));
     let curve = document.timeline(|timeline| {
@@ -175,8 +176,33 @@ pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec
         along.map(|point| projection.pos(point)).collect()
     });
     // Without memory there is no picture, and no other harm.
-    (edges.collect(), curve.unwrap_or_default())
+    let mut curve: Vec<Pos2> = curve.unwrap_or_default();
+    if !document.edits_path() {
+        curve.clear();
+    }
+    (edges.collect(), curve)
 }
+
+/// The lines of a scene in which no path is edited, in such a picture.
+pub(super) fn thumbnail_of_scene(document: &Document, size: Vec2) -> Option<Vec<[Pos2; 2]>> {
+    let scene = document
+        .around()
+        .filter(|_| !document.edits_path())?
+        .scene();
+    let viewport = Rect::from_min_size(Pos2::ZERO, size);
+    let projection = Projection::of(&View::default(), viewport, scene.space());
+    let ends = scene_view::outline(document).unwrap_or_default();
+    // As many as can be told apart in it.
+    let every = ends.len().div_ceil(THUMBNAIL_LINES).max(1);
+    let seen = ends.iter().step_by(every);
+    Some(
+        seen.map(|ends| ends.map(|end| projection.pos(end)))
+            .collect(),
+    )
+}
+
+/// At most so many lines has a scene in a [`thumbnail`].
+const THUMBNAIL_LINES: usize = 2_000;
 
 /// About so many pieces has the curve in a [`thumbnail`].
 const THUMBNAIL_PIECES: usize = 400;
@@ -201,6 +227,7 @@ impl Space {
         };
         if response.is_pointer_button_down_on()
             || context.memory(|memory| memory.focused().is_none())
+            || is_meant_by_letters(&context, &mine)
         {
             response.request_focus();
         }
@@ -380,13 +407,30 @@ impl Space {
         }
         let hint = match tool {
             Some(tool) => Some(tool.hint(editor, &projection)),
-            None => pointer.hint(editor.texts(), &projection, several.len()),
+            None => {
+                let draws = drawing::is_wanted(editor);
+                pointer.hint(editor.texts(), &projection, several.len(), draws)
+            }
         };
         if let Some(hint) = hint {
             overlay::hint(painter, &look, &hint, editor.setup.theme().palette().weak);
         }
         current.and(trouble)
     }
+}
+
+/// A letter was pressed with the pointer over the movement window, and nobody types: it is
+/// meant there, though a list or a button has the keyboard.
+fn is_meant_by_letters(context: &Context, mine: &dyn Fn(Pos2) -> bool) -> bool {
+    let (pointer, pressed) = context.input(|input| {
+        let plain = !(input.modifiers.command || input.modifiers.ctrl || input.modifiers.alt);
+        let pressed = || keyboard::LETTERS.iter().any(|&key| input.key_pressed(key));
+        (input.pointer.latest_pos(), plain && pressed())
+    });
+    pressed
+        && pointer.is_some_and(mine)
+        && !context.text_edit_focused()
+        && !egui::Popup::is_any_open(context)
 }
 
 /// The movement space as it is seen.

@@ -37,6 +37,9 @@ const FRAME: f64 = 6.0;
 
 const ARROW: f32 = 2.0;
 
+/// The line along which something moves, in points.
+const ALONG: f32 = 2.0;
+
 /// Half the side of a control point's square, in points.
 const CONTROL: f64 = 2.5;
 
@@ -118,8 +121,8 @@ fn arrow(
     }
 }
 
-/// The axes through a point that is dragged, and the border of the plane in
-/// which it moves or the line along which it does, out to the faces of the cube.
+/// The axes through a point that is dragged and the border of the plane in which it moves,
+/// or that axis alone along which it does, out to the faces of the cube.
 pub(super) fn guides(look: &Look<'_>, through: DVec3, freedom: Freedom) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     // Of a point that lies outside, as far as the point.
@@ -144,15 +147,20 @@ pub(super) fn guides(look: &Look<'_>, through: DVec3, freedom: Freedom) -> Lines
             strokes.line(corners[k], corners[(k + 1) % 4], 1.4, color);
         }
     }
-    if let Some(color) = look.of(Element::Axes) {
-        for axis in Axis::ALL.map(Axis::index) {
-            let [mut from, mut to] = [through; 2];
-            from[axis] = low[axis];
-            to[axis] = high[axis];
-            match plane.filter(|_| freedom.along.is_some_and(|along| along.index() == axis)) {
-                Some(plane) => strokes.line(from, to, 1.4, plane),
-                None => strokes.line(from, to, THIN, color),
-            }
+    let axes = look.of(Element::Axes);
+    let (color, width) = match freedom.along {
+        // Beside others one would have to look for it.
+        Some(_) => (plane.or(axes), ALONG),
+        None => (axes, THIN),
+    };
+    let shown = Axis::ALL.into_iter();
+    let shown = shown.filter(|&axis| freedom.along.is_none_or(|along| along == axis));
+    for axis in shown.map(Axis::index) {
+        let [mut from, mut to] = [through; 2];
+        from[axis] = low[axis];
+        to[axis] = high[axis];
+        if let Some(color) = color {
+            strokes.line(from, to, width, color);
         }
     }
     strokes.finish()
@@ -588,5 +596,27 @@ mod tests {
             met += usize::from(up.dot(DVec2::new(1.0, -1.0).normalize()) > 0.9);
         }
         assert!(met > 5, "the arrow was never where numbers stand as a rule");
+    }
+
+    /// An axis that was chosen is seen to be it: the others are not drawn.
+    #[test]
+    fn the_guide_along_an_axis_is_that_axis_alone() {
+        let eye = Eye::new(&View::default());
+        let look = eye.look();
+        let through = DVec3::new(0.2, -0.1, 0.3);
+        for axis in Axis::ALL {
+            let freedom = |along| Freedom {
+                fixed: Axis::Y,
+                along,
+            };
+            let [line] = &guides(&look, through, freedom(Some(axis))).lines[..] else {
+                panic!("one line along {axis:?}");
+            };
+            let way = (from_pos(line.to) - from_pos(line.from)).normalize();
+            let wanted = look.projection.image_of_way(axis.unit()).normalize();
+            assert!(way.perp_dot(wanted).abs() < 1e-3, "{axis:?}");
+            let free = guides(&look, through, freedom(None)).lines;
+            assert!(free.len() > 3 && free.iter().all(|free| free.width < line.width));
+        }
     }
 }

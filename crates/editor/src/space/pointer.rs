@@ -116,12 +116,14 @@ impl PointerController {
     }
 
     /// What the buttons would do with what lies under the pointer; where a drag goes
-    /// while one is down. `several`: so many points are selected, if more than one.
+    /// while one is down. `several`: so many points are selected, if more than one;
+    /// `draws`: the left button draws a line.
     pub(super) fn hint(
         &self,
         texts: &Texts,
         projection: &Projection,
         several: usize,
+        draws: bool,
     ) -> Option<String> {
         let texts = &texts.space;
         let of_tangent = |what: Handle, hint: String| match what {
@@ -130,6 +132,7 @@ impl PointerController {
             _ => hint,
         };
         match (self.dragged(), self.hover) {
+            (None, None) if draws && !self.is_busy() => Some(texts.draw_hint.to_owned()),
             (None, None) if self.meant == Some(Kind::Turn) => Some(texts.turn_hint.to_owned()),
             (None, None) if self.meant.is_some() => Some(texts.scale_hint.to_owned()),
             (Some((Handle::Vup, _)), _) => Some(texts.rolling.to_owned()),
@@ -215,6 +218,7 @@ impl PointerController {
             .and_then(|at| {
                 let projection = projection_of(editor, surface.viewport);
                 let free = self.tool.is_none() && self.hover.is_none();
+                let free = free && !drawing::is_wanted(editor);
                 let found = tool::handle_at(editor, &projection, from_pos(at));
                 found.filter(|_| free)
             });

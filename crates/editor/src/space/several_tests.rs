@@ -554,3 +554,30 @@ fn a_number_typed_while_the_camera_is_rolled_is_the_roll() {
     release(&mut harness, tip + vec2(20.0, 12.0), PointerButton::Primary);
     assert_eq!(harness.state().orientation().unwrap().roll, -12.5);
 }
+
+#[test]
+fn what_is_moved_against_a_face_says_how_far_it_came() {
+    let mut harness = pyramid_window();
+    choose(&mut harness, &[0, 1, 5]);
+    let from = positions(&harness);
+    let start = image(&harness, from[1]);
+    motion(&mut harness, start);
+    tap(&mut harness, Key::M, Modifiers::NONE);
+    for way in [vec2(4.0, -3.0), vec2(900.0, -300.0)] {
+        motion(&mut harness, start + way);
+        let editor = harness.state();
+        let by = position(&harness, current(&harness)) - from[current(&harness)];
+        assert!(by != DVec3::ZERO);
+        let [x, y, z] = by.to_array().map(|by| editor.language().number(by, 3));
+        let words = fill(editor.texts().space.moved_by, &[&x, &y, &z]);
+        let tool = editor.space.pointer.tool.as_ref().unwrap();
+        let hint = tool.hint(editor, &projection_of(editor, viewport(&harness)));
+        assert!(hint.starts_with(&words), "{words}: {hint}");
+    }
+    screenshot(&mut harness, "moved-against-a-face.png");
+    tap(&mut harness, Key::X, Modifiers::NONE);
+    motion(&mut harness, start + vec2(90.0, -30.0));
+    screenshot(&mut harness, "moved-along-x.png");
+    tap(&mut harness, Key::Escape, Modifiers::NONE);
+    assert_eq!(positions(&harness), from);
+}

@@ -6,11 +6,15 @@ use egui_kittest::kittest::Queryable;
 use glam::{DVec2, DVec3};
 
 use super::projection::{from_pos, to_pos};
-use super::tests::{image, motion, press, pyramid_window, release, tap, text, viewport};
+use super::tests::{
+    editor, empty, image, motion, press, pyramid, pyramid_window, release, tap, text, viewport,
+    window,
+};
 use super::*;
 use crate::document::Edit;
 use crate::document::tool::tools;
 use crate::screenshots::screenshot;
+use crate::texts::Language;
 
 type Window<'a> = Harness<'a, Editor>;
 
@@ -312,4 +316,41 @@ fn a_place_that_is_drawn_faces_the_viewer() {
     let place = projection.point_facing(point, image);
     assert!(projection.image(place).distance(image) < 1e-9);
     assert!((place - point).dot(projection.toward()).abs() < 1e-12);
+}
+
+/// The texts that are painted.
+fn painted(harness: &Window<'_>) -> Vec<String> {
+    let shapes = harness.output().shapes.iter();
+    let texts = shapes.filter_map(|clipped| match &clipped.shape {
+        egui::Shape::Text(text) => Some(text.galley.job.text.clone()),
+        _ => None,
+    });
+    texts.collect()
+}
+
+#[test]
+fn while_a_line_is_waited_for_the_hint_says_what_the_left_button_does() {
+    for language in [Language::English, Language::German] {
+        let mut harness = window(editor(pyramid(), language), vec2(1200.0, 800.0), 1.0);
+        let texts = &language.texts().space;
+        let nothing = empty(&harness);
+        let says =
+            |harness: &Window<'_>, hint: &str| painted(harness).iter().any(|text| text == hint);
+        motion(&mut harness, nothing);
+        harness.step();
+        assert!(says(&harness, texts.empty_hint));
+        for several in [false, true] {
+            if several {
+                tap(&mut harness, Key::A, Modifiers::CTRL);
+            }
+            begin(&mut harness, "draw");
+            motion(&mut harness, nothing);
+            harness.step();
+            assert!(says(&harness, texts.draw_hint));
+            assert!(!says(&harness, texts.empty_hint));
+            screenshot(&mut harness, &format!("draw-hint-{language:?}.png"));
+            end(&mut harness, false);
+            assert!(!says(&harness, texts.draw_hint));
+        }
+    }
 }

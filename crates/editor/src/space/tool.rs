@@ -281,8 +281,15 @@ impl Tool {
         match self.kind {
             Kind::Move => {
                 let half_size = projection.space().half_size;
-                let by = self.moved(projection).to_array();
-                let [x, y, z] = by.map(|by| language.number(by, decimals(half_size)));
+                // Not the pointer's way: the space may have held them back.
+                let (at, from) = self.current;
+                let points = &editor.document.path().points;
+                let by = points
+                    .get(at)
+                    .map_or(DVec3::ZERO, |now| now.position - from);
+                let [x, y, z] = by
+                    .to_array()
+                    .map(|by| language.number(by, decimals(half_size)));
                 fill(texts.moved_by, &[&x, &y, &z])
             }
             Kind::Turn => {

@@ -215,3 +215,33 @@ fn the_space_window_changes_it_in_one_step() {
         assert_eq!(*harness.state().document.path(), before);
     }
 }
+
+#[test]
+fn the_path_goes_along_into_a_space_that_is_found_for_it() {
+    for language in [Language::English, Language::German] {
+        let texts = &language.texts().space_window;
+        for found in [texts.to_object, texts.to_path] {
+            let mut harness = window(editor(pyramid(), language), vec2(1200.0, 800.0), 1.0);
+            let before = harness.state().document.path().clone();
+            let context = harness.ctx.clone();
+            harness
+                .state_mut()
+                .act(crate::actions::Action::Space, &context);
+            harness.run();
+            for label in [texts.fit, found] {
+                harness.get_by_label(label).click();
+                harness.run();
+            }
+            screenshot(&mut harness, &format!("space-window-fit-{language:?}.png"));
+            harness.get_by_label(texts.ok).click();
+            harness.run();
+            let path = harness.state().document.path();
+            let space = path.space;
+            assert_ne!(space, before.space);
+            for (now, then) in path.points.iter().zip(&before.points) {
+                let wanted = space.centre + then.position * space.half_size;
+                assert!(now.position.distance(wanted) < 1e-9, "{}", now.position);
+            }
+        }
+    }
+}

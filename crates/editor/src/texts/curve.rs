@@ -55,7 +55,7 @@ texts! {
 
         show: "Show", "Zeigen";
         show_hint: "Apply what was entered", "Die Eingaben übernehmen";
-        ok: "ok", "ok";
+        ok: "OK", "OK";
         ok_hint: "Apply what was entered and close", "Die Eingaben übernehmen und schließen";
         given_up: "Another point or orientation is current: what was entered has been discarded",
             "Ein anderer Punkt oder eine andere Orientierung ist aktuell: Die Eingaben sind verworfen";

@@ -12,6 +12,7 @@ texts! {
             "Diese Arbeit hier öffnen, nicht gespeichert, wie sie war";
         discard_hint: "Delete this work for good", "Diese Arbeit endgültig löschen";
         picture: "The path", "Die Bahn";
+        scene: "The scene", "Die Szene";
         unreadable: "This cannot be read", "Das ist nicht lesbar";
         date: "{0}-{1}-{2}, {3}:{4}", "{2}.{1}.{0}, {3}:{4}";
         restore: "Restore", "Wiederherstellen";

@@ -26,6 +26,8 @@ texts! {
         aim_all_here: "Aim all cameras here", "Alle Kameras hierauf richten";
         empty_hint: "Drag: turn · Shift: move the space · Ctrl: select points",
             "Ziehen: drehen · Umschalt: Raum verschieben · Strg: Punkte auswählen";
+        draw_hint: "Drag: draw a line, as deep as the current point lies · right button: turn · middle: move the space",
+            "Ziehen: Linie zeichnen, so tief, wie der aktuelle Punkt liegt · rechts: drehen · Mitte: Raum verschieben";
         several_hint: "{0} points selected: a change changes all · M, R, S: move, turn, scale · Esc: one",
             "{0} Punkte ausgewählt: Was geschieht, gilt für alle · M, R, S: bewegen, drehen, skalieren · Esc: einer";
         all_points: "Select all points", "Alle Punkte auswählen";
@@ -119,6 +121,19 @@ texts! {
         plot_turning: "Turning", "Drehung";
         plot_roll: "Roll", "Winkel";
         plot_zoom: "Zoom", "Zoom";
+        plot_distance_tip: "How far the camera has come since the first frame",
+            "Wie weit die Kamera seit dem ersten Bild gekommen ist";
+        plot_clearance_tip: "How near the camera comes to the object",
+            "Wie nahe die Kamera dem Objekt kommt";
+        plot_speed_tip: "How far the camera moves in a second",
+            "Wie weit sich die Kamera in einer Sekunde bewegt";
+        plot_acceleration_tip: "By how much the camera's motion changes in a second",
+            "Um wie viel sich die Bewegung der Kamera in einer Sekunde ändert";
+        plot_turning_tip: "By how many degrees the camera turns in a second",
+            "Um wie viel Grad sich die Kamera in einer Sekunde dreht";
+        plot_roll_tip: "How far the camera is rolled about its view direction, in degrees",
+            "Um wie viel Grad die Kamera um ihre Blickrichtung gedreht ist";
+        plot_zoom_tip: "The camera's zoom, in millimetres", "Der Zoom der Kamera, in Millimetern";
         speed_graph_tip: "Speed all along the path; 50 is the base speed, a red step a jump",
             "Geschwindigkeit über den ganzen Pfad; 50 ist die Grundgeschwindigkeit, eine rote Stufe ein Sprung";
         speed_graph_switch: "Shows the speed all along the path (G)",

@@ -34,7 +34,7 @@ texts! {
         graph_speed: "Speed", "Geschwindigkeit";
         graph_speed_hint: "The speed over the time of this section; 50 is that of the base frames",
             "Die Geschwindigkeit über der Zeit dieses Abschnitts; 50 ist die der Grundbilder";
-        graph_distance: "Distance", "Strecke";
+        graph_distance: "Distance", "Weg";
         graph_distance_hint: "The way gone over the time of this section, in percent",
             "Der zurückgelegte Weg über der Zeit dieses Abschnitts, in Prozent";
         graph_acceleration: "Acceleration", "Beschleunigung";

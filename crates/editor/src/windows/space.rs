@@ -176,7 +176,6 @@ impl SpaceWindow {
                     up: self.space.up,
                     ..found
                 };
-                self.fit = false;
             }
             Err(error) => {
                 let text = refusals::reason_of(editor.language(), &error);

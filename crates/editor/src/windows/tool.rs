@@ -50,6 +50,8 @@ pub(crate) struct ToolWindow {
     /// A line that is being drawn in the camera's picture: where it leads there, and in the
     /// space.
     drawn: Vec<(Pos2, DVec3)>,
+    /// Points and frames of what it writes to a file.
+    written: Option<[usize; 2]>,
     /// Where the playhead stood.
     stood: (Option<f64>, Selection),
     fresh: bool,
@@ -191,15 +193,14 @@ impl ToolWindow {
         if self.lacks_stroke() {
             return editor.texts().tools.draw_now.to_owned();
         }
-        let points = editor.document.path().points.len();
-        let sampler = editor.document.sampler();
-        sampler.map_or_else(
-            |error| of_edit(editor.language(), &error),
-            |sampler| {
-                let text = editor.texts().tools.result;
-                fill(text, &[&points, &sampler.frame_count()])
-            },
-        )
+        let of_path = || {
+            let points = editor.document.path().points.len();
+            Ok([points, editor.document.sampler()?.frame_count()])
+        };
+        match self.written.map_or_else(of_path, Ok) {
+            Ok([points, frames]) => fill(editor.texts().tools.result, &[&points, &frames]),
+            Err(error) => of_edit(editor.language(), &error),
+        }
     }
 
     fn fields(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
@@ -356,6 +357,12 @@ impl ToolWindow {
         }
     }
 
+    /// Points and frames of what it would write to a file.
+    fn to_write(&self, document: &Document) -> Result<[usize; 2]> {
+        let block = self.tool.extracted(document, &self.numbers)?;
+        Ok([block.path().points.len(), block.sampler()?.frame_count()])
+    }
+
     /// Writes the points that it names to a file; the first and the last, from 1.
     pub(crate) fn write(&self, document: &Document, file: &Path) -> Result<[f64; 2]> {
         self.tool.extracted(document, &self.numbers)?.save(file)?;
@@ -409,6 +416,7 @@ impl Editor {
             cage: None,
             control: 0,
             drawn: Vec::new(),
+            written: None,
             stood: (self.playing.frame(), self.document.selection()),
             fresh: true,
         });
@@ -474,6 +482,10 @@ impl Editor {
             edit.map_or(Ok(()), |edit| document.apply(edit))
         });
         window.applied = done.is_ok();
+        window.written = match window.tool.needs() {
+            Needs::Output if window.applied => window.to_write(document).ok(),
+            _ => None,
+        };
         let language = self.language();
         window.trouble = done.err().map(|error| reason(language, &error));
         if window.trouble.is_some() {

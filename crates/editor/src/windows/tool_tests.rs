@@ -385,3 +385,26 @@ fn every_tool_fits_into_the_window() {
         }
     }
 }
+
+#[test]
+fn points_and_frames_of_a_block_are_those_that_are_written() {
+    for language in BOTH {
+        let mut window = picked(language, "extract");
+        let tool = tools().find(|tool| tool.name == "extract").expect("a tool");
+        for [first, last] in [[2, 4], [1, 6], [5, 6]] {
+            enter(&mut window, language.parameter("first"), &first.to_string());
+            enter(&mut window, language.parameter("last"), &last.to_string());
+            let numbers = [first, last].map(f64::from);
+            let block = tool
+                .extracted(&window.state().document, &numbers)
+                .expect("a block");
+            let frames = block.sampler().expect("poses").frame_count();
+            let text = language.texts().tools.result;
+            let told = fill(text, &[&(last - first + 1), &frames]);
+            assert!(window.query_by_label(&told).is_some(), "{told}");
+            screenshot(&mut window, &format!("tool-extract-{first}-{last}.png"));
+            // So that the first is never behind the last.
+            enter(&mut window, language.parameter("first"), "1");
+        }
+    }
+}

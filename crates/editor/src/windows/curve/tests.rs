@@ -361,3 +361,12 @@ fn the_window_keeps_its_size_whatever_is_chosen() {
         }
     }
 }
+
+#[test]
+fn its_buttons_are_called_as_those_of_other_windows() {
+    for language in BOTH {
+        let texts = language.texts();
+        let [here, there] = [texts.curve.ok, texts.space_window.ok];
+        assert_eq!((here, here), (there, texts.tools.ok));
+    }
+}

@@ -132,9 +132,17 @@ impl SpeedWindow {
                 removed = Some(at);
             }
         }
+        if let Some(&key) = keys.get(self.shown(keys)) {
+            frame.paint_chosen(ui.painter(), palette, place(key));
+        }
         if let Some(at) = removed {
             actions.extend(self.remove(editor, keys, at));
         }
+    }
+
+    /// The key that the numbers show.
+    fn shown(&self, keys: &Keys) -> usize {
+        self.key.min(keys.len() - 1)
     }
 
     fn add(&mut self, editor: &Editor, keys: &Keys, key: [f64; 2]) -> Option<Action> {
@@ -162,7 +170,7 @@ impl SpeedWindow {
         actions: &mut Vec<Action>,
     ) {
         let texts = &editor.texts().speed_window;
-        let at = self.key.min(keys.len() - 1);
+        let at = self.shown(keys);
         let fixed = at == 0 || at + 1 == keys.len();
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = theme::GAP;

@@ -18,6 +18,8 @@ use crate::theme::{self, Palette};
 const MARGIN: f32 = 14.0;
 /// Half the side of a square.
 const SQUARE: f32 = 4.5;
+/// Half the side of the frame around one.
+const CHOSEN: f32 = 8.5;
 /// Straight pieces of the curve.
 const PIECES: usize = 180;
 /// So near before a jump of the acceleration its value there is taken.
@@ -214,6 +216,14 @@ impl Frame {
         let stroke = Stroke::new(1.5, palette.accent);
         let corner = CornerRadius::same(1);
         painter.rect(square, corner, palette.field, stroke, StrokeKind::Inside);
+    }
+
+    /// A frame around the square whose numbers are shown.
+    pub(super) fn paint_chosen(&self, painter: &Painter, palette: &Palette, at: Pos2) {
+        let around = Rect::from_center_size(at, Vec2::splat(2.0 * CHOSEN));
+        let stroke = Stroke::new(1.5, palette.text);
+        let corner = CornerRadius::same(2);
+        painter.rect_stroke(around, corner, stroke, StrokeKind::Inside);
     }
 }
 

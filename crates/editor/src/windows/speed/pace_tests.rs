@@ -579,3 +579,40 @@ fn pictures() {
         }
     }
 }
+
+#[test]
+fn the_key_whose_numbers_are_shown_is_marked_wherever_the_pointer_is() {
+    for language in BOTH {
+        let texts = &language.texts().speed_window;
+        let mut window = with_distance(language);
+        click(&mut window, texts.new_key);
+        let names = [2, 3].map(|at| fill(texts.way_key, &[&at]));
+        let away = window.get_by_label(texts.title).rect().center();
+        for (chosen, name) in names.iter().enumerate() {
+            let at = handle(&window, name);
+            drag(&mut window, at, vec2(0.0, 0.0));
+            window.drop_at(at);
+            window.run();
+            window.hover_at(away);
+            window.run();
+            window.ctx.memory_mut(|memory| {
+                let focused = memory.focused().expect("the key");
+                memory.surrender_focus(focused);
+            });
+            window.run();
+            let which = fill(texts.which_key, &[&(chosen + 2), &keys(&window).len()]);
+            assert!(window.query_by_label(&which).is_some(), "{which}");
+            let is_marked = |name: &str| {
+                let at = handle(&window, name);
+                window.output().shapes.iter().any(|clipped| {
+                    matches!(&clipped.shape, egui::Shape::Rect(rect)
+                        if rect.rect.center().distance(at) < 0.5 && rect.rect.width() > 15.0)
+                })
+            };
+            for (other, name) in names.iter().enumerate() {
+                assert_eq!(is_marked(name), other == chosen, "{name}");
+            }
+            screenshot(&mut window, &format!("way-key-{chosen}.png"));
+        }
+    }
+}
