@@ -1890,8 +1890,8 @@ int v_register_interpolation(const char *name, V_INTERPOLATE function, void *use
 int v_scene_set_geometry(V_SCENE *scene, int node, const V_MESH *mesh);
 
 /**
- * Reads the geometry of an object from an OBJ, PLY or STL file, by the ending of its
- * name. A .vid file then names that file, relative to itself if it lies beside or below
+ * Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by the ending
+ * of its name. A .vid file then names that file, relative to itself if it lies beside or below
  * it, in the place of points; v_scene_load() reads it again.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT,
  * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
