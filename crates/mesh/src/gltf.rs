@@ -2,15 +2,30 @@
 //! where they stand. Read by hand: readers of the whole format trust the accessors of a
 //! checked file to lie within its buffers.
 
+use std::collections::HashMap;
+
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 use serde_json::Value;
-use vides_engine::limits::{MAX_MESH_CORNERS, MAX_MESH_POINTS};
+use vides_engine::limits::{MAX_FILE_BYTES, MAX_MESH_CORNERS, MAX_MESH_POINTS};
 use vides_engine::scene::Mesh;
 
 use super::{Error, Problem, Result};
 
-/// Bytes of JSON, of which what is made takes some ten times as many.
-const MOST_JSON: usize = 64 << 20;
+/// Bytes that serde_json takes for an object, with the node of its tree, and for one more
+/// value in it or in a list.
+const OBJECT: usize = 700;
+const VALUE: usize = 160;
+
+/// What is made of the text may take so many.
+const MOST_JSON: usize = 512 << 20;
+
+/// A mesh that nodes place again and again may have so many points, and corners, besides as
+/// many for each byte of the file.
+const PLACED: usize = 50_000;
+const FOR_A_BYTE: usize = 4;
+
+/// So many primitives are placed.
+const MOST_PRIMITIVES: usize = 100_000;
 
 /// Levels of nodes below each other.
 const DEPTH: usize = 256;
@@ -34,7 +49,7 @@ pub(super) fn read(
     go_on: &mut dyn FnMut(f64) -> bool,
 ) -> Result<Mesh> {
     let (json, chunk) = parts(bytes)?;
-    if json.len() > MOST_JSON {
+    if weight(json) > MOST_JSON {
         return Err(Error::File(Problem::Long));
     }
     let document: Value = serde_json::from_slice(json).map_err(|_| FORMAT)?;
@@ -42,7 +57,8 @@ pub(super) fn read(
     if !version.starts_with("2.") {
         return Err(FORMAT);
     }
-    let mut buffers = Vec::new();
+    let mut buffers: Vec<Vec<u8>> = Vec::new();
+    let mut all = bytes.len();
     for (at, buffer) in list(&document["buffers"]).iter().enumerate() {
         let data = match (buffer["uri"].as_str(), chunk) {
             (Some(uri), _) => of_uri(uri, beside)?,
@@ -54,6 +70,10 @@ pub(super) fn read(
             }
             _ => return Err(Error::File(Problem::Buffer)),
         };
+        all = all.saturating_add(data.len());
+        if all as u64 > MAX_FILE_BYTES {
+            return Err(Error::File(Problem::Long));
+        }
         buffers.try_reserve(1)?;
         buffers.push(data);
     }
@@ -61,9 +81,57 @@ pub(super) fn read(
         document: &document,
         buffers: &buffers,
         mesh: Mesh::default(),
+        room: PLACED.saturating_add(all.saturating_mul(FOR_A_BYTE)),
+        corners: 0,
     };
     reader.scene(go_on)?;
-    Ok(reader.mesh)
+    joined(reader.mesh)
+}
+
+/// About so many bytes takes what is made of a text.
+fn weight(json: &[u8]) -> usize {
+    json.iter().fold(2 * json.len(), |weight, sign| {
+        weight
+            + match sign {
+                b'{' => OBJECT,
+                b'[' | b',' | b':' => VALUE,
+                _ => 0,
+            }
+    })
+}
+
+/// Corners at one place and of one colour become one point: exporters part them where normals
+/// or textures differ, and each seam would be an edge.
+fn joined(mut mesh: Mesh) -> Result<Mesh> {
+    if mesh.triangles.is_empty() && mesh.lines.is_empty() {
+        return Ok(mesh);
+    }
+    let mut known: HashMap<([u64; 3], [u8; 3]), u32> = HashMap::new();
+    known.try_reserve(mesh.points.len())?;
+    let mut new: Vec<u32> = Vec::new();
+    new.try_reserve_exact(mesh.points.len())?;
+    let mut kept = 0;
+    for at in 0..mesh.points.len() {
+        // Adding 0 makes one of both zeros.
+        let place = (mesh.points[at] + DVec3::ZERO).to_array().map(f64::to_bits);
+        let colour = mesh.colours.get(at).copied().unwrap_or_default();
+        let point = *known.entry((place, colour)).or_insert(kept as u32);
+        if point as usize == kept {
+            mesh.points[kept] = mesh.points[at];
+            if let Some(&colour) = mesh.colours.get(at) {
+                mesh.colours[kept] = colour;
+            }
+            kept += 1;
+        }
+        new.push(point);
+    }
+    mesh.points.truncate(kept);
+    mesh.colours.truncate(kept);
+    let corners = mesh.triangles.iter_mut().flatten();
+    for corner in corners.chain(mesh.lines.iter_mut().flatten()) {
+        *corner = new[*corner as usize];
+    }
+    Ok(mesh)
 }
 
 /// The JSON and the binary chunk, if it is a GLB with one.
@@ -110,9 +178,23 @@ fn of_uri(uri: &str, beside: Beside<'_>) -> Result<Vec<u8>> {
         Some(data) => data
             .split_once(";base64,")
             .and_then(|(_, text)| base64(text)),
-        None => beside(uri),
+        None => unescaped(uri).and_then(|name| beside(&name)),
     };
     found.ok_or(Error::File(Problem::Buffer))
+}
+
+/// A name without the percent signs of RFC 3986.
+fn unescaped(uri: &str) -> Option<String> {
+    let mut bytes = Vec::new();
+    let mut rest = uri.as_bytes();
+    while let Some((&sign, behind)) = rest.split_first() {
+        bytes.try_reserve(1).ok()?;
+        let two = behind.get(..2).filter(|_| sign == b'%');
+        let code = two.and_then(|two| u8::from_str_radix(str::from_utf8(two).ok()?, 16).ok());
+        bytes.push(code.unwrap_or(sign));
+        rest = if code.is_some() { &behind[2..] } else { behind };
+    }
+    String::from_utf8(bytes).ok()
 }
 
 /// RFC 4648; none for what is not.
@@ -137,6 +219,9 @@ struct Reader<'a> {
     document: &'a Value,
     buffers: &'a [Vec<u8>],
     mesh: Mesh,
+    /// So many points and corners it may have.
+    room: usize,
+    corners: usize,
 }
 
 /// Numbers in a buffer.
@@ -162,14 +247,20 @@ impl Accessor<'_> {
         }
     }
 
-    /// The same as a share of the largest, for a colour.
-    fn share(&self, at: usize, part: usize) -> f64 {
+    /// The same as a byte of sRGB (IEC 61966-2-1), for a colour: here they are linear.
+    fn colour(&self, at: usize, part: usize) -> u8 {
         let most = match self.component {
             BYTE => 255.0,
             SHORT => 65535.0,
             _ => 1.0,
         };
-        self.number(at, part) / most
+        let linear = self.number(at, part) / most;
+        let share = if linear <= 0.003_130_8 {
+            12.92 * linear
+        } else {
+            1.055 * linear.powf(1.0 / 2.4) - 0.055
+        };
+        (255.0 * share).round() as u8
     }
 }
 
@@ -220,7 +311,7 @@ impl<'a> Reader<'a> {
                 push(&mut waiting, &at.into(), DAffine3::IDENTITY, 0)?;
             }
         }
-        let mut done = 0;
+        let (mut done, mut placed) = (0, 0);
         while let Some((at, place, depth)) = waiting.pop() {
             if !go_on(done as f64 / nodes.len() as f64) {
                 return Err(Error::Stopped);
@@ -232,6 +323,10 @@ impl<'a> Reader<'a> {
                 let meshes = list(&document["meshes"]);
                 let mesh = index(mesh).and_then(|at| meshes.get(at)).ok_or(INDICES)?;
                 for primitive in list(&mesh["primitives"]) {
+                    placed += 1;
+                    if placed > MOST_PRIMITIVES {
+                        return Err(Error::File(Problem::Long));
+                    }
                     self.primitive(primitive, &place)?;
                 }
             }
@@ -249,7 +344,8 @@ impl<'a> Reader<'a> {
         };
         let positions = self.accessor(positions, 3, &[FLOAT])?;
         let first = self.mesh.points.len();
-        if positions.count > MAX_MESH_POINTS - first.min(MAX_MESH_POINTS) {
+        let room = self.room.min(MAX_MESH_POINTS);
+        if positions.count > room.saturating_sub(first) {
             return Err(Error::File(Problem::Long));
         }
         let colours = match attributes.get("COLOR_0") {
@@ -263,7 +359,7 @@ impl<'a> Reader<'a> {
             self.mesh.colours.resize(first, [255; 3]);
             self.mesh.colours.extend((0..positions.count).map(|at| {
                 colours.as_ref().map_or([255; 3], |colours| {
-                    [0, 1, 2].map(|part| (255.0 * colours.share(at, part)).round() as u8)
+                    [0, 1, 2].map(|part| colours.colour(at, part))
                 })
             }));
         }
@@ -277,8 +373,9 @@ impl<'a> Reader<'a> {
             Some(indices) => Some(self.accessor(indices, 1, &[BYTE, SHORT, INT])?),
         };
         let count = corners.as_ref().map_or(positions.count, |c| c.count);
-        let known = 3 * self.mesh.triangles.len() + 2 * self.mesh.lines.len();
-        if count > MAX_MESH_CORNERS / 3 - (known / 3).min(MAX_MESH_CORNERS / 3) {
+        // A strip or a fan has three for each.
+        self.corners = self.corners.saturating_add(3 * count);
+        if self.corners > MAX_MESH_CORNERS.min(3 * self.room) {
             return Err(Error::File(Problem::Long));
         }
         let corner = |at: usize| -> Result<u32> {

@@ -130,6 +130,34 @@ fn a_mesh_stands_where_its_nodes_are() {
     );
 }
 
+/// Each side with corners of its own, as exporters write them: joined again.
+#[test]
+fn corners_at_one_place_are_one_point() {
+    let corners: Vec<u8> = SIDES
+        .iter()
+        .flat_map(|side| side.map(corner))
+        .flatten()
+        .flat_map(f32::to_le_bytes)
+        .collect();
+    let sides = (0..6u16).flat_map(|side| [0, 1, 2, 0, 2, 3].map(|at| 4 * side + at));
+    let data: Vec<u8> = corners
+        .into_iter()
+        .chain(sides.flat_map(u16::to_le_bytes))
+        .collect();
+    let json = document(r#"{"mesh": 0}"#, "")
+        .replace(r#""count": 8"#, r#""count": 24"#)
+        .replace("96", "288");
+    is_cube(&mesh(&glb(&json, &data)));
+}
+
+#[test]
+fn names_of_buffers_lose_their_percent_signs() {
+    let json = document(r#"{"mesh": 0}"#, r#""uri": "a%20cube%2g.bin", "#);
+    let mut given = |name: &str| (name == "a cube%2g.bin").then(cube);
+    let read = read_with(Format::Gltf, json.as_bytes(), &mut given, &mut |_| true);
+    is_cube(&read.unwrap());
+}
+
 /// Points 0 to 4 in each mode.
 fn in_mode(mode: usize) -> Mesh {
     let json = format!(
@@ -154,7 +182,12 @@ fn in_mode(mode: usize) -> Mesh {
 #[test]
 fn modes_are_those_of_opengl() {
     let points = in_mode(0);
-    assert_eq!((points.points.len(), points.colours[3]), (5, [3, 10, 20]));
+    let bytes = |linear: f64| (255.0 * (1.055 * (linear / 255.0).powf(1.0 / 2.4) - 0.055)) as u8;
+    let colour = points.colours[3];
+    for (seen, linear) in colour.into_iter().zip([3.0, 10.0, 20.0]) {
+        assert!(seen.abs_diff(bytes(linear)) <= 1, "{colour:?}");
+    }
+    assert_eq!(points.points.len(), 5);
     assert!(points.lines.is_empty() && points.triangles.is_empty());
     assert_eq!(in_mode(1).lines, [[0, 1], [2, 3]]);
     assert_eq!(in_mode(2).lines, [[0, 1], [1, 2], [2, 3], [3, 4], [4, 0]]);
@@ -202,6 +235,29 @@ fn what_is_broken_is_refused() {
         let sentence = refused(&broken);
         assert!(sentence.contains(said), "{new}: {sentence}");
     }
+    // Too much of what is no file's size.
+    let objects = format!("[{}]", r#"{"":0},"#.repeat(2_000_000));
+    assert!(refused(objects.as_bytes()).contains("more than"));
+    let nodes = r#"{"mesh": 0},"#.repeat(20_000);
+    let all: Vec<String> = (0..20_000).map(|at| at.to_string()).collect();
+    let many = document(nodes.trim_end_matches(','), "");
+    let many = many.replace(
+        r#""nodes": [0]}"#,
+        &format!(r#""nodes": [{}]}}"#, all.join(",")),
+    );
+    let empty = many
+        .replace(r#""count": 8"#, r#""count": 0"#)
+        .replace("36", "0");
+    assert!(
+        !refused(&glb(
+            &empty.replace(r#""indices": 1"#, r#""mode": 0"#),
+            &data
+        ))
+        .is_empty()
+    );
+    let one = vec![r#"{"attributes": {}}"#; 60].join(",");
+    let primitives = many.replace(r#"{"attributes": {"POSITION": 0}, "indices": 1}"#, &one);
+    assert!(refused(&glb(&primitives, &data)).contains("more than"));
     // A thousand levels.
     let mut nodes: Vec<String> = (1..1000)
         .map(|at| format!(r#"{{"children": [{at}]}}"#))
