@@ -429,6 +429,34 @@ static size_t vertices(V_SCENE *scene, int node)
 }
 
 /* A mesh beside the scene: named there, not copied; gone, broken, changed, and back. */
+/* With a buffer within, and with one beside it that is not there. */
+static void a_mesh_in_gltf(void)
+{
+    static const char text[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":["
+        "{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":"
+        "5126,\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+        "\"buffers\":[{\"byteLength\":36,\"uri\":\"%s\"}]}";
+    char mesh[512], json[1024];
+    V_SCENE *scene;
+    V_NODE node;
+    int at;
+    snprintf(mesh, sizeof mesh, "%s/corner.gltf", folder);
+    OK(v_scene_new(&scene));
+    v_node_init(&node, V_NODE_OBJECT);
+    OK(v_scene_add_node(scene, "corner", &node, &at));
+    snprintf(json, sizeof json, text, "gone.bin");
+    write_file(mesh, json);
+    STATUS(V_ERR_FORMAT, v_scene_load_geometry(scene, at, mesh));
+    CHECK(strstr(v_last_error(), "buffer") != NULL && vertices(scene, at) == 0);
+    snprintf(json, sizeof json, text,
+             "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA");
+    write_file(mesh, json);
+    OK(v_scene_load_geometry(scene, at, mesh));
+    CHECK(vertices(scene, at) == 3);
+    v_scene_free(scene);
+}
+
 static void a_mesh_of_a_file(void)
 {
     static const char corner[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -487,5 +515,6 @@ int main(int argc, char **argv)
     what_is_wrong_is_refused();
     files();
     a_mesh_of_a_file();
+    a_mesh_in_gltf();
     return failures != 0;
 }
