@@ -4,14 +4,15 @@
 
 use egui::{
     Align2, CornerRadius, CursorIcon, Id, Key, Modifiers, Painter, Pos2, Rangef, Rect, Response,
-    Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
+use super::curve::Curve;
 use super::{Marks, as_frame, plot, scrub_by_mouse};
 use crate::actions::Action;
 use crate::document::{Document, Edit, Selection};
 use crate::error::Result;
-use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
+use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::Entry;
 use crate::path::{self, Change};
 use crate::state::Editor;
@@ -24,16 +25,13 @@ pub(super) const HEIGHT: f32 = 76.0;
 const FINE_SECTIONS: usize = 1000;
 
 /// Pieces of a section's curve.
-const PIECES: usize = 24;
+pub(super) const PIECES: usize = 24;
 
 /// Apart from these no border, and no square, can be taken hold of.
 const GRIP: f32 = 7.0;
 
 /// Seconds stand so far apart.
 const ROOM_OF_SECONDS: f32 = 52.0;
-
-/// A step between two sections that one sees in the flight.
-const JUMP: f32 = 5.0;
 
 /// The speeds of the whole path.
 #[derive(Debug, Default)]
@@ -45,15 +43,15 @@ pub(super) struct Graph {
 
 /// The frames of a section in which something changes.
 #[derive(Debug)]
-struct Stretch {
+pub(super) struct Stretch {
     /// The orientation with which it begins.
-    from: Selection,
+    pub(super) from: Selection,
     /// The frame after its hold, and the one of the next key.
-    start: usize,
-    end: usize,
+    pub(super) start: usize,
+    pub(super) end: usize,
     /// 50 is the base speed; by as much as its frames are fewer than its length asks
     /// for, it is faster.
-    speeds: [f32; PIECES + 1],
+    pub(super) speeds: [f32; PIECES + 1],
     /// Its share of what the ten speeds say.
     scale: f32,
 }
@@ -102,7 +100,7 @@ impl Graph {
 
 /// What is held of the graph.
 #[derive(Debug, Default)]
-pub(super) enum Held {
+enum Held {
     #[default]
     Nothing,
     /// A border: the sections at its sides with their frames, and where it was pressed.
@@ -118,9 +116,10 @@ pub(super) enum Held {
 }
 
 /// Where a frame and a speed stand.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
-    rail: Rangef,
-    rows: Rangef,
+    pub(super) rail: Rangef,
+    pub(super) rows: Rangef,
     frames: f32,
     highest: f32,
 }
@@ -141,7 +140,7 @@ impl Scale {
         self.rail.min + self.rail.span() * share
     }
 
-    fn y(&self, speed: f32) -> f32 {
+    pub(super) fn y(&self, speed: f32) -> f32 {
         self.rows.max - self.rows.span() * speed / self.highest
     }
 
@@ -149,7 +148,7 @@ impl Scale {
         (self.rows.max - y) / self.rows.span() * self.highest
     }
 
-    fn pos(&self, stretch: &Stretch, piece: usize) -> Pos2 {
+    pub(super) fn pos(&self, stretch: &Stretch, piece: usize) -> Pos2 {
         let share = piece as f32 / PIECES as f32;
         let (start, end) = (stretch.start as f32, stretch.end as f32);
         pos2(
@@ -159,10 +158,17 @@ impl Scale {
     }
 }
 
+/// What the graph remembers from pass to pass.
+#[derive(Debug, Default)]
+pub(super) struct Memory {
+    held: Held,
+    curve: Curve,
+}
+
 /// Shows the graph in `rect`; `rail` is the way of the playhead.
 pub(super) fn show(
     editor: &Editor,
-    held: &mut Held,
+    Memory { held, curve }: &mut Memory,
     ui: &mut Ui,
     rect: Rect,
     rail: Rect,
@@ -190,7 +196,9 @@ pub(super) fn show(
     plot::findings(editor, &painter, &scale, ground);
     let of_sections = editor.playing.quantity.is_none();
     if of_sections {
-        paint(editor, &painter, &scale, palette);
+        let stretches = (marks.revision, &*marks.graph.stretches);
+        let current = editor.document.selection();
+        curve.paint(&painter, stretches, current, &scale, palette);
     } else {
         plot::paint(editor, &painter, &scale, ground, palette);
     }
@@ -231,60 +239,6 @@ fn seconds(editor: &Editor, painter: &Painter, scale: &Scale, ground: Rect, pale
             palette.weak,
         );
         at += step;
-    }
-}
-
-fn paint(editor: &Editor, painter: &Painter, scale: &Scale, palette: &Palette) {
-    let stretches = &editor.playing.marks.graph.stretches;
-    let selection = editor.document.selection();
-    let base = scale.y(BASE_SPEED as f32);
-    painter.hline(scale.rail, base, Stroke::new(1.0, palette.line));
-    let foot = scale.rows.max;
-    let plain = palette.accent.gamma_multiply(0.75);
-    let mut before: Option<(&Stretch, Pos2)> = None;
-    for stretch in stretches {
-        let current = stretch.from == selection;
-        let (left, right) = (scale.pos(stretch, 0), scale.pos(stretch, PIECES));
-        // As many pieces as are to be seen: each costs time in every picture of a drag.
-        let wide = right.x - left.x;
-        let every = [3.0, 8.0, 16.0, 32.0, 64.0, f32::INFINITY]
-            .into_iter()
-            .zip([PIECES, PIECES / 2, PIECES / 4, PIECES / 6, PIECES / 12, 1])
-            .find(|&(least, _)| wide < least)
-            .map_or(1, |(_, every)| every);
-        let line: Vec<Pos2> = (0..=PIECES)
-            .step_by(every)
-            .map(|piece| scale.pos(stretch, piece))
-            .collect();
-        let shade = palette
-            .accent
-            .gamma_multiply(if current { 0.22 } else { 0.09 });
-        for pair in line.windows(2) {
-            let below = [pos2(pair[1].x, foot), pos2(pair[0].x, foot)];
-            let corners = vec![pair[0], pair[1], below[0], below[1]];
-            painter.add(Shape::convex_polygon(corners, shade, Stroke::NONE));
-        }
-        let (width, color) = if current {
-            (2.0, palette.accent)
-        } else {
-            (1.3, plain)
-        };
-        painter.line(line, Stroke::new(width, color));
-        match before {
-            Some((last, end)) if last.end == stretch.start => {
-                let step = (last.speeds[PIECES] - stretch.speeds[0]).abs();
-                if step > JUMP {
-                    painter.line_segment([end, left], Stroke::new(1.5, palette.error));
-                }
-            }
-            // It rests there.
-            Some((_, end)) => {
-                let rest = [pos2(end.x, foot), pos2(left.x, foot)];
-                painter.line_segment(rest, Stroke::new(1.3, plain));
-            }
-            None => {}
-        }
-        before = Some((stretch, right));
     }
 }
 

@@ -4,6 +4,7 @@
 //! While it plays the window asks for the next frame when that is due; at rest
 //! it asks for nothing.
 
+mod curve;
 mod fields;
 mod graph;
 pub(crate) mod playhead;
@@ -64,8 +65,7 @@ pub(super) struct Playing {
     between: Option<playhead::Between>,
     /// When they were brought up to date, in egui's time.
     marked: f64,
-    /// What is held of the speeds.
-    held: graph::Held,
+    speeds: graph::Memory,
     /// What is plotted in place of them.
     quantity: Option<Quantity>,
     plot: plot::Plot,
@@ -374,14 +374,15 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     editor.advance(ui.ctx());
     editor.keep_between();
     let context = ui.ctx().clone();
-    let mut held = std::mem::take(&mut editor.playing.held);
+    // What it remembers changes while the rest of the editor is only read.
+    let mut speeds = std::mem::take(&mut editor.playing.speeds);
     editor.part(&context, |editor, actions| {
-        bar(editor, &mut held, ui, actions)
+        bar(editor, &mut speeds, ui, actions)
     });
-    editor.playing.held = held;
+    editor.playing.speeds = speeds;
 }
 
-fn bar(editor: &Editor, held: &mut graph::Held, ui: &mut Ui, actions: &mut Vec<Action>) {
+fn bar(editor: &Editor, graph: &mut graph::Memory, ui: &mut Ui, actions: &mut Vec<Action>) {
     let palette = theme::palette(ui);
     let frame = egui::Frame::new()
         .fill(palette.panel)
@@ -423,8 +424,8 @@ fn bar(editor: &Editor, held: &mut graph::Held, ui: &mut Ui, actions: &mut Vec<A
             });
             if speeds > 0.0 {
                 let rail = rail.inner.inner;
-                let graph = below.with_max_y(below.bottom() - theme::GAP);
-                graph::show(editor, held, ui, graph, rail, actions);
+                let rect = below.with_max_y(below.bottom() - theme::GAP);
+                graph::show(editor, graph, ui, rect, rail, actions);
             }
         });
 }
