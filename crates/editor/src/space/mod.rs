@@ -306,7 +306,7 @@ impl Space {
             overlay::directions(painter, &look);
             return trouble;
         }
-        // Below the curve, which matters more, and below what a drag changes: painted only once.
+        // Below the curve, which matters more, and below what a drag changes: not repainted then.
         add_shared(self.keys.update(document, &look));
         if editor.setup.shown.has(Element::Ribbon) && self.ribbon.update(document).is_ok() {
             self.ribbon.paint(painter, &look);

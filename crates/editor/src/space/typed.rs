@@ -2,7 +2,7 @@
 
 use egui::{Event, Key};
 
-/// Most characters.
+/// Most characters that it keeps.
 const MOST: usize = 24;
 
 #[derive(Clone, Debug, Default)]
