@@ -52,7 +52,7 @@ impl Editor {
                     self.say(words);
                 }
             }
-            // The open step is the tool's: only the view was dragged.
+            // The open step is the tool's: only the view or a control point was dragged.
             Gesture::End | Gesture::Cancel if self.windows.tool.is_some() => {}
             Gesture::End => {
                 self.document.end_step();
