@@ -1,5 +1,4 @@
-//! The row below the numbers of a point: the window with all of them, the path's kind of
-//! curve, and whether the point owns its tangents.
+//! The row below the numbers of a point: their window, the kind of curve, the point's own tangents.
 
 use egui::{Button, Popup, Response, RichText, Role, Ui, WidgetInfo};
 
@@ -23,7 +22,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     });
 }
 
-/// Why tension, continuity and bias do nothing; none: they do.
+/// Why tension, continuity and bias have no effect, if they have none.
 pub(crate) fn without_shape(editor: &Editor) -> Option<&'static str> {
     match editor.document.path().curve {
         CurveKind::Tcb => None,
@@ -31,14 +30,14 @@ pub(crate) fn without_shape(editor: &Editor) -> Option<&'static str> {
     }
 }
 
-/// What they do at a point that owns its tangents.
+/// The hint for them at a point that owns its tangents.
 pub(crate) fn in_place_of_tangents(editor: &Editor, point: usize) -> Option<&'static str> {
     let path = editor.document.path();
     let owns = path.points.get(point)?.tangents.is_some();
     (owns && path.curve == CurveKind::Tcb).then_some(editor.texts().position.in_place_of_tangents)
 }
 
-/// What kind of curve the path has, and what that means.
+/// Name and hint of a kind of curve.
 pub(super) fn words_of(editor: &Editor, kind: CurveKind) -> (&'static str, &'static str) {
     let texts = &editor.texts().position;
     match kind {
@@ -97,7 +96,7 @@ fn tangents(editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>)
     response.on_hover_text(texts.tangents_hint);
 }
 
-/// A button that opens a choice: its text, its name and its value for who cannot see it.
+/// A button that opens a choice; `name` and `value` are for screen readers.
 fn choice(ui: &mut Ui, width: f32, text: &str, name: &str, value: &str, lit: bool) -> Response {
     let palette = theme::palette(ui);
     let button = if lit {

@@ -14,18 +14,16 @@ use crate::keys;
 use crate::state::Editor;
 use crate::theme;
 
-/// Width of the panels: two, three and four columns with gaps between them
-/// fill it exactly.
+/// Width of the panels, which two, three or four columns with gaps fill exactly.
 pub(super) const WIDTH: f32 = 236.0;
 
-/// A lower window has no room for gaps between the rows.
+/// A lower window has smaller gaps between the rows.
 const ROOMY: f32 = 580.0;
 
-/// Between two panels.
+/// Distance between two panels, in points.
 const APART: f32 = 8.0;
 
-/// Shows the panels from top to bottom; what one returns is done before the next is
-/// drawn. They scroll where the window is lower than they are.
+/// Shows the panels, which scroll in a low window; each one's actions are done before the next.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let height = ui.available_height();
     let mut panel = |ui: &mut Ui, show: &dyn Fn(&Editor, &mut Ui, &mut Vec<Action>)| {
@@ -81,7 +79,7 @@ fn heading_with_room(ui: &mut Ui, text: &str, remark: &str, room: f32) -> Respon
         theme::heading(),
         palette.text,
     );
-    // Where there is no room for all of the remark, its first parts will do.
+    // Without room for all of the remark, its first parts will do.
     let mut shown = remark;
     let laid_out = |words: &str| {
         let galley = painter.layout_no_wrap(words.to_owned(), theme::text(), palette.weak);
@@ -115,7 +113,7 @@ struct Key<'a> {
     text: &'a str,
     hint: &'a str,
     action: Action,
-    /// For two that exclude each other: whether this one holds.
+    /// Of buttons that exclude each other: whether this one is chosen.
     chosen: Option<bool>,
 }
 
@@ -162,7 +160,7 @@ impl<'a> Key<'a> {
 fn keys(editor: &Editor, ui: &mut Ui, keys: &[Key<'_>], actions: &mut Vec<Action>) {
     let width = share(ui, keys.len());
     ui.horizontal(|ui| {
-        // Their widths are given: words have all of it.
+        // The width is fixed: the words have all of it.
         ui.spacing_mut().button_padding.x = 0.0;
         for key in keys {
             key.show(editor, ui, width, actions);
@@ -170,7 +168,7 @@ fn keys(editor: &Editor, ui: &mut Ui, keys: &[Key<'_>], actions: &mut Vec<Action
     });
 }
 
-/// One to go back, where one is, one to go on.
+/// A button to go back, the current place, a button to go on.
 fn round(
     editor: &Editor,
     ui: &mut Ui,
@@ -186,7 +184,7 @@ fn round(
     });
 }
 
-/// A text in the middle of so much room.
+/// A text centred in `width`.
 fn words(ui: &mut Ui, text: &str, width: f32, color: Color32) -> Response {
     let (rect, response) = ui.allocate_exact_size(vec2(width, theme::ROW), Sense::hover());
     let center = rect.center();

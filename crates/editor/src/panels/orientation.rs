@@ -101,14 +101,13 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             .range(0.0..=f64::from(MAX_HOLD))
             .steps(1.0, 0.2)
             .show(ui, language, "hold", width);
-        // Whole, and within an u32.
+        // Whole, and in the range of a u32.
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let hold = hold.map(|hold| with(selection, current, |new| new.hold = hold as u32));
         actions.push(Action::enter(missing, hold));
     });
 }
 
-/// What the camera looks at: a place or a direction.
 fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     let texts = &editor.texts().orientation;
     let (selection, current) = (shown.at, &shown.orientation);
@@ -140,8 +139,7 @@ fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>
     three_numbers(editor, ui, words, vector, missing, edit, actions);
 }
 
-/// Which way is up: a choice, and the point if it is one. Beside it, whether the turning is
-/// the orientation's own.
+/// Which way is up: a choice, and the point if it is one; beside it, whether the turning is owned.
 fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     let texts = &editor.texts().orientation;
     let current = &shown.orientation.own.up;
@@ -207,10 +205,10 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     }
 }
 
-/// What an orientation may own that keeps a motion.
+/// Something of a motion that an orientation may own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Held {
-    /// How it is turned through: angular velocities, a part of a turning, the slope of the roll.
+    /// Angular velocities, a part of a turning, the slope of the roll.
     Turning,
     /// The slope of its zoom.
     Zoom,
@@ -240,7 +238,7 @@ pub(super) fn own(editor: &Editor, ui: &mut Ui, what: Held, width: f32, actions:
 }
 
 impl Editor {
-    /// Takes away what the current orientation owns of this.
+    /// Removes what the current orientation owns of this.
     pub(crate) fn give_back(&mut self, what: Held) {
         match self.without(what) {
             Ok(edits) => {
@@ -282,7 +280,7 @@ impl Editor {
     }
 }
 
-/// The orientation with which the section begins that leads to another.
+/// The orientation before another, around the end of a closed path.
 fn before(path: &CameraPath, at: Selection) -> Option<Selection> {
     if let Some(orientation) = at.orientation.checked_sub(1) {
         return Some(Selection::at(at.point, orientation));
@@ -295,8 +293,7 @@ fn before(path: &CameraPath, at: Selection) -> Option<Selection> {
     ))
 }
 
-/// A point above the camera of the current orientation, half a space away, with which its
-/// picture stays.
+/// A point above the current camera, half a space away, with which its picture stays.
 fn up_place(editor: &Editor) -> Option<DVec3> {
     let Selection { point, orientation } = editor.document.selection();
     let path = editor.document.path();
@@ -306,30 +303,29 @@ fn up_place(editor: &Editor) -> Option<DVec3> {
     Some(editor.point()?.position + path.space.half_size * unrolled)
 }
 
-/// The second path that some orientation has for its up.
+/// The first path that an orientation has for its up.
 fn path_for_up(path: &CameraPath) -> Option<UpVector> {
     let mut all = path.points.iter().flat_map(|point| &point.orientations);
     let found = all.find(|key| matches!(key.own.up, UpVector::Path(_)))?;
     Some(found.own.up.clone())
 }
 
-/// Up that way from now on.
 pub(crate) fn set_up(orientation: &mut Orientation, up: UpVector) {
-    // Without memory for it all stays as it is.
+    // Out of memory, all stays as it is.
     if let Ok(own) = orientation.own.with(|own| own.up = up) {
         orientation.own = own;
     }
 }
 
-/// Along the way from now on, or at the place so far ahead on it.
+/// Looks along the path from now on (0), or at the place `distance` ahead on it.
 pub(crate) fn look_ahead(orientation: &mut Orientation, distance: f64) {
-    // Without memory for it all stays as it is.
+    // Out of memory, all stays as it is.
     if let Ok(own) = orientation.own.with(|own| own.ahead = Some(distance)) {
         orientation.own = own;
     }
 }
 
-/// The edit that changes the current orientation.
+/// The edit that changes an orientation.
 pub(super) fn with(
     at: Selection,
     current: &Orientation,

@@ -1,5 +1,4 @@
-//! The output field (thesis A.2): the current camera setting in steady columns,
-//! or what there is to say.
+//! The output field (thesis A.2): the current camera setting in columns, or a message.
 
 use egui::{
     Align, Align2, Color32, FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
@@ -12,17 +11,15 @@ use crate::state::Editor;
 use crate::texts::Language;
 use crate::theme;
 
-/// One value: as it is written, and how wide it may become.
+/// One part of the setting.
 struct Column {
-    /// Stands before it where there is room, else above it.
+    /// Before the values if there is room, else above them.
     label: &'static str,
-    /// The numbers.
     values: Vec<String>,
-    /// The widest number that is expected.
+    /// The widest value that is expected.
     widest: &'static str,
 }
 
-/// Shows the field in the room that is left.
 pub(crate) fn show(editor: &Editor, ui: &mut Ui) {
     let room = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(room, Sense::hover());
@@ -40,7 +37,7 @@ pub(crate) fn show(editor: &Editor, ui: &mut Ui) {
     }
 }
 
-/// A sentence: on one line, or small on two; all of it in the tooltip.
+/// A sentence on one line, or small on two; if it is cut, all of it in the tooltip.
 fn show_message(ui: &Ui, response: Response, text: &str, color: Color32) {
     let rect = response.rect.shrink2(vec2(12.0, 0.0));
     let painter = ui.painter().with_clip_rect(response.rect);
@@ -74,7 +71,7 @@ fn show_setting(editor: &Editor, ui: &Ui, response: Response) {
     let rect = response.rect.shrink2(vec2(12.0, 0.0));
     let width = |text: &str, font: FontId| text_width(ui, text, font);
     let digits = width("0", theme::text());
-    // Labels beside the numbers where there is room for them, else above.
+    // Labels beside the numbers if there is room, else above.
     for (above, between) in [
         (false, 20.0),
         (false, 12.0),
@@ -116,7 +113,6 @@ fn show_setting(editor: &Editor, ui: &Ui, response: Response) {
     }
 }
 
-/// A text of the field.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Value,
@@ -170,7 +166,7 @@ fn columns(editor: &Editor) -> Vec<Column> {
     let space = decimals(editor.document.path().space.half_size);
     let at = editor.document.selection().point;
     let number = if shown.has_no_point() {
-        // On the way.
+        // Between two points.
         let next = (at + 1) % editor.document.path().points.len().max(1);
         format!("{}–{}", at + 1, next + 1)
     } else {
@@ -210,7 +206,6 @@ fn columns(editor: &Editor) -> Vec<Column> {
     ]
 }
 
-/// A zoom: as many decimals as it has, at most one.
 fn zoom(language: Language, zoom: f64) -> String {
     language.number(zoom, 1)
 }

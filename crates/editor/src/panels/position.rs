@@ -1,5 +1,5 @@
-//! Position and curve (thesis A.4.1): points come, go and become current; the
-//! shape of the curve at this point and the next is shown.
+//! Position and curve (thesis A.4.1): adding, removing and choosing points; the shape of the curve
+//! at this point and the next.
 
 use egui::{Button, Color32, Popup, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2};
 use glam::DVec3;
@@ -53,7 +53,6 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     coordinates(editor, ui, &shown, actions);
     if shown.missing == Missing::Nothing {
         shape(editor, ui, false, actions);
-        // A low window has no room for it.
         if ui.ctx().content_rect().height() >= ROOMY {
             shape(editor, ui, true, actions);
         }
@@ -63,8 +62,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     curve::show(editor, ui, actions);
 }
 
-/// The heading, and at its right the choice of a preset for the current point:
-/// the way to one that needs no window.
+/// The heading, with the choice of a preset for the current point at its right.
 fn presets(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().position;
     let name = preset(editor);
@@ -115,7 +113,7 @@ fn presets(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     response.on_hover_text(texts.choice_hint);
 }
 
-/// Where the current point takes its shape from.
+/// Where the current point's shape comes from.
 fn preset(editor: &Editor) -> String {
     let texts = &editor.texts().position;
     if editor.joint().is_some() {
@@ -136,7 +134,7 @@ fn preset(editor: &Editor) -> String {
     }
 }
 
-/// Beside the keys: makes one of what is shown.
+/// Between keys: makes one of what is shown.
 fn add_here(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     let texts = &editor.texts().position;
     let text = if shown.has_no_point() {
@@ -164,8 +162,7 @@ fn coordinates(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Ac
     );
 }
 
-/// A place or a direction: three numbers, faint if they are `missing` in the path.
-/// `id`, `name` and `hint` are theirs; `edit` makes them another vector.
+/// A place or a direction as three numbers, faint if `missing` in the path; `edit` sets them.
 pub(super) fn three_numbers(
     editor: &Editor,
     ui: &mut Ui,
@@ -203,8 +200,7 @@ pub(super) fn three_numbers(
     }
 }
 
-/// Tension, continuity and bias at the current point, which then has its own, or at the
-/// `next` one; dashes where there is none.
+/// Tension, continuity and bias of the current point, or those of the `next` one to be read only.
 fn shape(editor: &Editor, ui: &mut Ui, next: bool, actions: &mut Vec<Action>) {
     let texts = editor.texts();
     let path = editor.document.path();

@@ -1,5 +1,4 @@
-//! The speed curve of the current section, small (thesis A.4.3), as it really
-//! runs, with the frames and seconds that the section takes.
+//! The speed curve of the current section, small (thesis A.4.3), with its frames and seconds.
 
 use egui::{
     Align2, CornerRadius, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
@@ -62,8 +61,7 @@ fn begins_low(timing: &Timing) -> bool {
     MAX_SPEED - highest > lowest - MIN_SPEED
 }
 
-/// The pace that belongs to the current orientation, and its section; the last
-/// orientation of an open path begins none.
+/// The pace of the current orientation, and its section; an open path's last one begins none.
 fn current(editor: &Editor) -> (Option<Timing>, Option<Section>) {
     let selection = editor.document.selection();
     let path = editor.document.path();
@@ -82,8 +80,7 @@ fn current(editor: &Editor) -> (Option<Timing>, Option<Section>) {
     }
 }
 
-/// From where to where a section leads: points, with their orientation where
-/// there are several.
+/// The ends of a section: points, with the orientation where a point has several.
 fn ends(editor: &Editor, section: Section) -> String {
     let points = &editor.document.path().points;
     let several = |point: usize| {

@@ -14,7 +14,7 @@ const FIELD: f32 = 56.0;
 /// Width of the button that gives a slope back.
 const OWN: f32 = 76.0;
 
-/// Half the height of the picture in mm: of a 36×24 mm camera.
+/// Half the height of the picture of a 36×24 mm camera, in mm.
 const HALF_HEIGHT: f64 = 12.0;
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {

@@ -10,7 +10,7 @@ use crate::limits::BASE_SPEED;
 use crate::raster::{Line, Lines};
 use crate::theme::Palette;
 
-/// A step between two sections that one sees in the flight.
+/// Least step between two sections that is marked as a jump.
 const JUMP: f32 = 5.0;
 
 #[derive(Debug, Default)]

@@ -1,5 +1,4 @@
-//! The numbers of the bar, frame, second and rate, each typed or dragged; and how it
-//! is played: again and again, slower, faster.
+//! The numbers of the bar, frame, second and rate, and how it plays: in a loop, slower, faster.
 
 use egui::{Align, Button, Layout, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, UiBuilder};
 use egui::{WidgetInfo, pos2, vec2};
@@ -11,13 +10,13 @@ use crate::limits::{MAX_FPS, MAX_FRAMES};
 use crate::number::Number;
 use crate::theme;
 
-/// Width of frame and second, of the rate, and of a button; between them.
+/// Widths of frame and second, of the rate and of a button; the gap between them.
 const FIELD: f32 = 84.0;
 const RATE: f32 = 76.0;
 const BUTTON: f32 = 35.0;
 const GAP: f32 = 6.0;
 
-/// How fast it is played.
+/// Speed of playing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Pace {
     #[default]
@@ -27,7 +26,7 @@ pub(crate) enum Pace {
 }
 
 impl Pace {
-    /// Film time for a second.
+    /// Film time per second.
     pub(super) const fn factor(self) -> f64 {
         match self {
             Self::Half => 0.5,
@@ -44,7 +43,6 @@ impl Pace {
         }
     }
 
-    /// What follows it, round and round.
     const fn next(self) -> Self {
         match self {
             Self::Half => Self::Whole,
@@ -75,9 +73,9 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let layout = Layout::left_to_right(Align::Center);
         UiBuilder::new().max_rect(rect).layout(layout)
     };
-    // A scene ends when all has: its frames are no path's.
+    // A scene ends when everything in it has ended: its length is not that of one path.
     let of_scene = editor.document.around().is_some();
-    // As many poses for the whole flight, each section its share of them.
+    // The frames of the whole path; each section gets its share of them.
     let points = editor.document.path().points.len();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let fit = |frames: f64| Edit::FitFrames {
@@ -144,7 +142,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     });
 }
 
-/// Again and again; slower or faster.
+/// The buttons for looping and for the pace.
 fn how(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     let size = [BUTTON, theme::ROW];
@@ -172,7 +170,6 @@ fn how(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     }
 }
 
-/// Two arrows that run after one another.
 fn arrows_round(centre: Pos2, color: egui::Color32) -> Vec<Shape> {
     let stroke = Stroke::new(1.5, color);
     let half = |sign: f32| {

@@ -1,6 +1,5 @@
-//! The speed along the whole path, under the frames on which it is reached: where a
-//! section follows another with a jump one sees it. Borders of sections are dragged
-//! aside, the ten speeds of the current section up and down.
+//! The speed along the whole path, below the bar of its frames: jumps between sections show there.
+//! Borders of sections are dragged sideways, the ten speeds of the current section up and down.
 
 use egui::{
     Align2, CornerRadius, CursorIcon, Id, Key, Modifiers, Painter, Pos2, Rangef, Rect, Response,
@@ -21,23 +20,23 @@ use crate::theme::{self, Palette};
 
 pub(super) const HEIGHT: f32 = 76.0;
 
-/// A path of more sections has one value for each: more is not to be seen.
+/// On a path of more sections each has only one value.
 const FINE_SECTIONS: usize = 1000;
 
 /// Pieces of a section's curve.
 pub(super) const PIECES: usize = 24;
 
-/// Apart from these no border, and no square, can be taken hold of.
+/// Borders and squares with less room than this cannot be dragged, in points.
 const GRIP: f32 = 7.0;
 
-/// Seconds stand so far apart.
+/// Least distance between the labels of seconds, in points.
 const ROOM_OF_SECONDS: f32 = 52.0;
 
 /// The speeds of the whole path.
 #[derive(Debug, Default)]
 pub(super) struct Graph {
     stretches: Vec<Stretch>,
-    /// The highest speed.
+    /// The highest speed, or [`MAX_SPEED`] if that is higher.
     highest: f32,
 }
 
@@ -49,10 +48,9 @@ pub(super) struct Stretch {
     /// The frame after its hold, and the one of the next key.
     pub(super) start: usize,
     pub(super) end: usize,
-    /// 50 is the base speed; by as much as its frames are fewer than its length asks
-    /// for, it is faster.
+    /// 50 is the base speed; higher the fewer frames the section has for its length.
     pub(super) speeds: [f32; PIECES + 1],
-    /// Its share of what the ten speeds say.
+    /// Factor from the ten speeds to these.
     scale: f32,
 }
 
@@ -62,7 +60,7 @@ impl Graph {
         self.highest = MAX_SPEED as f32;
     }
 
-    /// The speeds anew, on the frames of `keys`.
+    /// Computes the speeds anew, on the frames of `keys`.
     pub(super) fn update(&mut self, document: &Document, keys: &[super::Mark]) -> Result<()> {
         self.clear();
         let path = document.path();
@@ -98,7 +96,7 @@ impl Graph {
     }
 }
 
-/// What is held of the graph.
+/// What is being dragged.
 #[derive(Debug, Default)]
 enum Held {
     #[default]
@@ -108,14 +106,14 @@ enum Held {
         before: (Selection, usize),
         after: Option<(Selection, usize)>,
         from: f32,
-        /// Frames for each point on the screen.
+        /// Frames per point.
         frames: f32,
     },
-    /// One of the ten speeds, and how far the pointer is from its middle.
+    /// One of the ten speeds, and the pointer's offset from its middle.
     Speed(usize, f32),
 }
 
-/// Where a frame and a speed stand.
+/// From frames and speeds to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
     pub(super) rail: Rangef,
@@ -165,7 +163,7 @@ pub(super) struct Memory {
     curve: Curve,
 }
 
-/// Shows the graph in `rect`; `rail` is the way of the playhead.
+/// Shows the graph in `rect`; `rail` is that of the playhead.
 pub(super) fn show(
     editor: &Editor,
     Memory { held, curve }: &mut Memory,
@@ -212,7 +210,7 @@ pub(super) fn show(
     response.on_hover_text(plot::meaning(editor.texts(), editor.playing.quantity));
 }
 
-/// Seconds at the upper edge, as many as have room.
+/// Labels of seconds at the upper edge, as many as have room.
 fn seconds(editor: &Editor, painter: &Painter, scale: &Scale, ground: Rect, palette: &Palette) {
     let fps = editor.document.info().fps as f32;
     let whole = (scale.frames / fps).max(1e-6);
@@ -302,8 +300,7 @@ fn borders(
     }
 }
 
-/// The sections at both sides of a border with as many frames as its place gives them.
-/// With `ripple` the one behind it keeps its own, and all moves along.
+/// The edits for a dragged border; with `ripple` the section after it keeps its frames and shifts.
 fn moved_border(editor: &Editor, held: &Held, at: f32, ripple: bool) -> Vec<Action> {
     let &Held::Border {
         before: (first, frames),
@@ -360,7 +357,7 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
         let shown = stretch.scale * speed as f32;
         let middle = pos2(ends.min + step * at as f32, scale.y(shown));
         let id = Id::unique(("speed in graph", at));
-        // The borders are taken hold of above and below the outermost ones.
+        // Above and below the outermost ones the borders can be dragged.
         let place = Rect::from_center_size(middle, vec2(step.min(14.0), 14.0));
         let response = ui.interact(place, id, Sense::drag());
         let name = fill(editor.texts().speed_window.speed, &[&(at + 1)]);
@@ -409,7 +406,7 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
     }
 }
 
-/// Lets go of what was held; Escape leaves it as it was.
+/// Ends a drag; Escape undoes it.
 fn ended(ui: &Ui, response: &Response, held: &mut Held, actions: &mut Vec<Action>) {
     if !response.drag_stopped() || matches!(held, Held::Nothing) {
         return;

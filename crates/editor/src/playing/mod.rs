@@ -1,8 +1,6 @@
-//! Playing the flight: the bar under the movement window with all frames, the
-//! marks of the orientations, play and pause, by mouse and by keyboard.
+//! Playing: the bar under the movement window, with all frames and the marks of the orientations.
 //!
-//! While it plays the window asks for the next frame when that is due; at rest
-//! it asks for nothing.
+//! While it plays the window asks for the next frame when that is due; at rest it asks for nothing.
 
 mod curve;
 mod fields;
@@ -32,41 +30,40 @@ use crate::tools::profile::Quantity;
 
 const HEIGHT: f32 = 56.0;
 
-/// A lower window has no room for the speeds.
+/// A lower window has no room for the graph of the speeds.
 const ROOMY: f32 = 660.0;
 
 const BUTTON: f32 = 32.0;
 
-/// A press so near to a mark, in points, means the mark.
+/// A press this near to a mark, in points, means the mark.
 const SNAP: f64 = 6.0;
 
-/// So often, in seconds, the marks move along with something that is dragged in the
-/// space: every one does with the first section's frames.
+/// Seconds between updates of the marks in a drag: a change of the first section moves them all.
 const MARKS_STEP: f64 = 0.25;
 
 #[derive(Debug, Default)]
 pub(super) struct Playing {
     /// The frame that is shown, from 1; none: the current orientation.
     frame: Option<f64>,
-    /// It plays: since when (in egui's time), from which frame.
+    /// While it plays: since when, in egui's time, and from which frame.
     since: Option<(f64, f64)>,
-    /// It shall play, or shall not, from the next pass on.
+    /// Whether to play from the next pass on, if that was ordered.
     ordered: Option<bool>,
-    /// The bar has led here.
+    /// The playhead was moved by hand.
     scrubbed: bool,
-    /// It begins anew at the end.
+    /// Begins anew at the end.
     loops: bool,
     pace: Pace,
-    /// The frame before a number of the bar is dragged.
+    /// The frame before a number of the bar was dragged.
     before: Option<f64>,
     /// What was current in the last pass.
     selection: Selection,
     marks: Marks,
     between: Option<playhead::Between>,
-    /// When they were brought up to date, in egui's time.
+    /// When `marks` were brought up to date, in egui's time.
     marked: f64,
     speeds: graph::Memory,
-    /// What is plotted in place of them.
+    /// What is plotted instead of the speeds.
     quantity: Option<Quantity>,
     plot: plot::Plot,
 }
@@ -87,7 +84,7 @@ pub(super) struct Mark {
     pub(super) point: usize,
     pub(super) orientation: usize,
     frame: usize,
-    /// For so many frames more the camera rests there.
+    /// For how many frames more the camera rests there.
     hold: usize,
 }
 
@@ -114,7 +111,7 @@ impl Marks {
         self.graph.clear();
         self.frames = 0;
         if !document.edits_path() {
-            // Its keys are nobody's.
+            // No path is edited, so there are no keys to show.
             self.frames = document.timeline(Timeline::frame_count)??;
             return Ok(());
         }
@@ -167,22 +164,20 @@ impl Playing {
         self.since.is_some()
     }
 
-    /// The bar has led to where the playhead stands.
     pub(super) fn was_scrubbed(&self) -> bool {
         self.scrubbed
     }
 
-    /// Plays from the next pass on, or plays no more.
+    /// Starts or stops playing in the next pass.
     pub(super) fn order(&mut self, plays: bool) {
         self.ordered = Some(plays);
     }
 
-    /// The frame that is shown; none: the current key.
     pub(super) fn frame(&self) -> Option<f64> {
         self.frame
     }
 
-    /// The key from which the camera comes to a frame, or which it shows.
+    /// The last key at or before a frame.
     pub(super) fn mark_before(&self, frame: f64) -> Option<Mark> {
         let keys = &self.marks.keys;
         let behind = keys.partition_point(|mark| mark.first() <= frame);
@@ -193,7 +188,7 @@ impl Playing {
         self.marks.of(selection)
     }
 
-    /// The playhead has selected a key: stands at it, or beside it.
+    /// The playhead has selected a key: it stands at it, or beside it.
     pub(super) fn selected(&mut self, selection: Selection, at_it: bool) {
         self.selection = selection;
         if at_it {
@@ -201,12 +196,11 @@ impl Playing {
         }
     }
 
-    /// The playhead stands where it stood.
     pub(super) fn put_back(&mut self, frame: Option<f64>, selection: Selection) {
         (self.frame, self.selection) = (frame, selection);
     }
 
-    /// The playhead goes to the current key, and stays there.
+    /// Stops playing, with the playhead at the current key.
     pub(super) fn leave(&mut self) {
         (self.frame, self.since) = (None, None);
         self.scrubbed = false;
@@ -214,8 +208,7 @@ impl Playing {
 }
 
 impl Editor {
-    /// The camera that is shown: the one at the frame that is played, else the
-    /// current one. With it whether it is that of a frame.
+    /// The camera at the frame that is played, else the current one; and whether it is of a frame.
     pub(super) fn camera(&self) -> Option<(Camera, bool)> {
         let frame = self.playing.frame;
         if let Some(pose) = frame.and_then(|frame| self.document.sampler().ok()?.pose(frame).ok()) {
@@ -231,7 +224,7 @@ impl Editor {
         Some(frame - 1 + i64::from(self.document.info().first_frame))
     }
 
-    /// Begins to play, or stops; at the end it begins anew.
+    /// Plays, from the beginning if at the end, or stops.
     pub(super) fn play_or_pause(&mut self, context: &Context) {
         if self.playing.since.take().is_some() {
             self.select_at_playhead();
@@ -244,24 +237,22 @@ impl Editor {
         self.playing.since = Some((context.input(|input| input.time), from));
     }
 
-    /// Plays faster or slower, from the frame that is shown on.
     pub(super) fn set_pace(&mut self, pace: Pace, context: &Context) {
         self.go_on_from_here(context);
         self.playing.pace = pace;
     }
 
-    /// Plots a quantity in place of the speeds of the sections.
+    /// Plots a quantity, or the speeds of the sections.
     pub(super) fn plot(&mut self, quantity: Option<Quantity>) {
         self.playing.quantity = quantity;
     }
 
-    /// At the end it begins anew, or does so no more.
     pub(super) fn switch_loops(&mut self, context: &Context) {
         self.go_on_from_here(context);
         self.playing.loops = !self.playing.loops;
     }
 
-    /// What was played up to now counts no more.
+    /// Counts the time of playing from now on, from the frame that is shown.
     fn go_on_from_here(&mut self, context: &Context) {
         let (now, at) = (context.input(|input| input.time), self.position_on_bar());
         let playing = &mut self.playing;
@@ -271,14 +262,14 @@ impl Editor {
     /// Goes to a frame; out of range to the nearest one.
     pub(super) fn scrub(&mut self, frame: f64) {
         self.playing.since = None;
-        // The path may have changed since they were shown. Too many frames have none.
+        // The path may have changed since they were shown; too many frames leave it without marks.
         let _ = self.playing.marks.update(&self.document);
         self.playing.frame = Some(frame.clamp(1.0, as_frame(self.playing.marks.frames)));
         self.playing.scrubbed = true;
         self.select_at_playhead();
     }
 
-    /// The playhead goes where a number of the bar says.
+    /// Moves the playhead by a number of the bar.
     pub(super) fn enter_frame(&mut self, entry: Entry) {
         match entry {
             Entry::Begin => self.playing.before = Some(self.position_on_bar()),
@@ -309,7 +300,7 @@ impl Editor {
         } else {
             self.playing.marked = now;
             let quantity = self.playing.quantity.filter(|_| self.setup.speed_graph);
-            // What cannot be plotted, since there are too many frames, is told elsewhere.
+            // Too many frames to plot are reported elsewhere.
             let mut plot = std::mem::take(&mut self.playing.plot);
             let held = context.input(|input| input.pointer.any_down());
             let _ = plot.update(&self.document, quantity, held, || self.obstacles());
@@ -322,7 +313,7 @@ impl Editor {
         }
         let playing = &mut self.playing;
         let selection = self.document.selection();
-        // Another current orientation is one that somebody wants to see.
+        // A newly selected orientation is to be seen.
         if playing.selection != selection && playing.since.is_none() {
             playing.leave();
         }
@@ -338,7 +329,7 @@ impl Editor {
         }
         let playing = &mut self.playing;
         if context.text_edit_focused() && playing.since.take().is_some() {
-            // What is typed must stay what it is typed for.
+            // A number must not come to mean another key while it is typed.
             self.select_at_playhead();
         }
         let playing = &mut self.playing;
@@ -358,7 +349,7 @@ impl Editor {
             playing.since = None;
             self.select_at_playhead();
         } else {
-            // To when the next whole frame is due.
+            // Until the next whole frame is due.
             let wait = (frame + 1.0 - from - gone) / fps;
             context.request_repaint_after(Duration::from_secs_f64(wait.clamp(0.001, 3600.0)));
         }
@@ -374,7 +365,6 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     editor.advance(ui.ctx());
     editor.keep_between();
     let context = ui.ctx().clone();
-    // What it remembers changes while the rest of the editor is only read.
     let mut speeds = std::mem::take(&mut editor.playing.speeds);
     editor.part(&context, |editor, actions| {
         bar(editor, &mut speeds, ui, actions)
@@ -485,7 +475,6 @@ fn camera_button(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     }
 }
 
-/// Opens and closes the speeds of the whole path.
 fn speed_button(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     let on = editor.setup.speed_graph;
@@ -504,7 +493,7 @@ fn speed_button(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     }
 }
 
-/// The scale of frames with its handle; gives where it runs.
+/// The scale of frames with its handle; returns its rail.
 fn timeline(editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>) -> Rect {
     let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click_and_drag());
     let texts = &editor.texts().space;
@@ -582,7 +571,7 @@ fn scrub_by_keys(editor: &Editor, ui: &Ui, response: &egui::Response, actions: &
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     let (step, end, plays) = ui.input_mut(|input| {
         let mut count = |modifiers, key| input.count_and_consume_key(modifiers, key) as f64;
-        // The one with Shift first: without, egui takes it for both.
+        // With Shift first: without modifiers egui would take both.
         let ten =
             count(Modifiers::SHIFT, Key::ArrowRight) - count(Modifiers::SHIFT, Key::ArrowLeft);
         let one = count(Modifiers::NONE, Key::ArrowRight) - count(Modifiers::NONE, Key::ArrowLeft);
@@ -632,7 +621,7 @@ fn paint_timeline(editor: &Editor, ui: &Ui, rect: Rect, rail: Rect, focus: bool)
         } else {
             palette.weak
         };
-        // One pixel wide, on the pixels.
+        // One pixel wide, on whole pixels.
         let left = (x * scale).floor() / scale;
         let tick = Rect::from_min_max(
             pos2(left, rail.top() - 7.0),

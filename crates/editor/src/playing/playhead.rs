@@ -1,6 +1,6 @@
-//! Playhead and selection are one thought: at a key the playhead selects it, beside
-//! the keys the panels show what the camera does there, and what is entered then
-//! makes a key of it. No key elsewhere changes.
+//! Playhead and selection go together: at a key the playhead selects it; between keys the panels
+//! show what the camera does there, and a value that is entered makes a key of it. No other key
+//! changes.
 
 use glam::DVec3;
 
@@ -13,10 +13,10 @@ use crate::path::{MayOwn, Orientation, Space, Target, UpVector};
 use crate::space::Camera;
 use crate::state::Editor;
 
-/// Length of a direction that stands for no other, in half sizes of the space.
+/// Length of a view direction that no key gives, in half sizes of the space.
 const DIRECTION: f64 = 0.4;
 
-/// What was found for the playhead between two keys.
+/// Roll and up of the playhead between two keys, kept for one pass.
 #[derive(Debug)]
 pub(super) struct Between {
     revision: u64,
@@ -28,14 +28,14 @@ pub(super) struct Between {
 /// What the panels show and change.
 #[derive(Clone, Debug)]
 pub(crate) struct Shown {
-    /// Where it stands in the path, or would.
+    /// Its place in the path, or the place it would have.
     pub(crate) at: Selection,
     pub(crate) position: DVec3,
     pub(crate) orientation: Orientation,
     pub(crate) missing: Missing,
 }
 
-/// What would have to be added.
+/// What would have to be added for a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Missing {
     /// It is a key.
@@ -47,20 +47,17 @@ pub(crate) enum Missing {
 }
 
 impl Shown {
-    /// The position is not that of a point.
     pub(crate) fn has_no_point(&self) -> bool {
         self.missing == Missing::Point
     }
 
-    /// The orientation is none of a point.
     pub(crate) fn has_no_orientation(&self) -> bool {
         self.missing != Missing::Nothing
     }
 }
 
 impl Editor {
-    /// What the panels show: the current key, or what the camera does where the
-    /// playhead stands.
+    /// What the panels show: the current key, or what the camera does at the playhead.
     pub(crate) fn shown(&self) -> Option<Shown> {
         if !self.document.edits_path() {
             return None;
@@ -77,7 +74,7 @@ impl Editor {
         })
     }
 
-    /// The same where the playhead is not simply at the current key.
+    /// The same, if the playhead shows a frame.
     fn at_playhead(&self) -> Option<Shown> {
         let frame = self.playing.frame()?;
         let mark = self.playing.mark_before(frame)?;
@@ -122,8 +119,8 @@ impl Editor {
         })
     }
 
-    /// The roll with which a key has the picture of a frame, where up is another one than
-    /// the axis: that of a copy of the path in which it is one.
+    /// Roll and own values of a key that would show this frame, where up is not the axis: those it
+    /// has in a copy of the path.
     fn roll_there(
         &self,
         frame: f64,
@@ -165,7 +162,7 @@ impl Editor {
         Some((orientation::wrap_degrees(key.roll + missing), own))
     }
 
-    /// Keeps the roll of what is shown between keys for all who ask in this pass.
+    /// Keeps the roll between keys, so that it is found once in a pass.
     pub(super) fn keep_between(&mut self) {
         let shown = self.at_playhead().filter(|shown| {
             shown.missing != Missing::Nothing && shown.orientation.own.up != UpVector::Axis
@@ -180,8 +177,7 @@ impl Editor {
             });
     }
 
-    /// Selects the key at which the playhead stands or from which the camera comes
-    /// there. At the key itself the playhead stands wherever that key goes.
+    /// Selects the last key at or before the playhead, which stays with the key if it is at it.
     pub(crate) fn select_at_playhead(&mut self) {
         let Some(frame) = self.playing.frame() else {
             return;
@@ -203,8 +199,7 @@ impl Editor {
             .selected(self.document.selection(), mark.begins_at(frame));
     }
 
-    /// Makes a key of what the panels show; part of a step that is open, else one of
-    /// its own.
+    /// Makes a key of what the panels show, within the open step or as one of its own.
     pub(crate) fn add_here(&mut self) -> bool {
         let Some(shown) = self.shown() else {
             return false;
@@ -241,16 +236,14 @@ impl Editor {
         true
     }
 
-    /// Does what was entered into a number of what the panels show and the path has
-    /// not got: the entry adds it first, in the same step.
+    /// Enters a value of what the path does not have yet: adds it first, in the same step.
     pub(crate) fn enter_missing(&mut self, entry: Entry<Edit>) {
         match entry {
             Entry::Begin => {
                 self.document.begin_step();
                 self.add_here();
             }
-            // A drag without a beginning is that of a slider that was not held: it makes
-            // a step by itself.
+            // A slider that was not held drags without a beginning: a step of its own.
             Entry::Set(edit) | Entry::Drag(edit) => {
                 self.document.begin_step();
                 if self.add_here() {
@@ -263,8 +256,7 @@ impl Editor {
     }
 }
 
-/// An orientation in between, with which a camera sees what this one does: looking at
-/// a place if both keys do, with the speeds of the first.
+/// An orientation for this camera: looking at a place if both keys do, with the first one's speeds.
 fn between(
     from: &Orientation,
     to: Option<&Orientation>,
@@ -291,7 +283,6 @@ fn between(
 }
 
 impl Mark {
-    /// The key is reached in this frame.
     fn begins_at(self, frame: f64) -> bool {
         self.first() == frame
     }

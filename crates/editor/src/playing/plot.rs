@@ -1,5 +1,5 @@
-//! What else changes along the path, in place of the speeds of its sections: read from the
-//! poses, as `vides plot` has it. What a check has found is marked, in both.
+//! Other quantities along the path in place of the speeds, from the poses as `vides plot` has them,
+//! and what a check has found.
 
 use std::rc::Rc;
 
@@ -15,15 +15,14 @@ use crate::theme::{self, Palette};
 use crate::tools::clearance::Clearance;
 use crate::tools::profile::{Film, Quantity, samples, with_peaks};
 
-/// So many poses are looked at, and so many while something is held; so many values are
-/// drawn of them: a little more than there are columns.
+/// Most poses sampled; while something is held, [`VALUES`]. At most so many values are drawn: a
+/// little more than there are columns.
 const POSES: usize = 20_000;
 const VALUES: usize = 1_000;
 
 /// Findings that are marked over the speeds of the sections.
 const OF_SECTIONS: &[&str] = &["speed-jump", "cusp", "corner"];
 
-/// The values of a quantity.
 #[derive(Debug, Default)]
 pub(super) struct Plot {
     /// The revision of the path, the quantity, the most poses.
@@ -33,7 +32,7 @@ pub(super) struct Plot {
 }
 
 impl Plot {
-    /// Follows the path; `held`: something may be dragged.
+    /// Brings the values up to date; `held`: something may be dragged.
     pub(super) fn update(
         &mut self,
         document: &Document,
@@ -64,7 +63,7 @@ impl Plot {
         Ok(())
     }
 
-    /// The value at a frame, or at the nearest that has one.
+    /// The value at a frame, or at the nearest one that has a value.
     fn at(&self, frame: f64) -> Option<f64> {
         let next = self.values.partition_point(|&(at, _)| at < frame);
         let near = self.values[next.saturating_sub(1)..].iter().take(2);
@@ -74,7 +73,7 @@ impl Plot {
     }
 }
 
-/// Which of them is shown, in the room at the left: the speeds of the sections first.
+/// The buttons that choose a quantity, the speeds of the sections first.
 pub(super) fn choices(editor: &Editor, ui: &mut Ui, room: Rect, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     let names = [
@@ -110,7 +109,7 @@ pub(super) fn choices(editor: &Editor, ui: &mut Ui, room: Rect, actions: &mut Ve
     }
 }
 
-/// What the curve of a quantity tells; none: of the speeds of the sections.
+/// What the curve of a quantity tells; none stands for the speeds of the sections.
 pub(super) fn meaning(texts: &Texts, quantity: Option<Quantity>) -> &'static str {
     let texts = &texts.space;
     match quantity {
@@ -125,7 +124,7 @@ pub(super) fn meaning(texts: &Texts, quantity: Option<Quantity>) -> &'static str
     }
 }
 
-/// What a check that is open has found, over the frames.
+/// Marks what the open check has found.
 pub(super) fn findings(editor: &Editor, painter: &Painter, scale: &Scale, ground: Rect) {
     let Some(window) = &editor.windows.check else {
         return;
@@ -182,7 +181,7 @@ pub(super) fn paint(
     let Some((_, quantity, _)) = plot.of else {
         return;
     };
-    // The scale, beside it.
+    // The scale beside it.
     for value in [high, low] {
         if !plot.values.is_empty() && (value != 0.0 || high == low) {
             let place = pos2(ground.right() + 6.0, y(value));

@@ -1,5 +1,4 @@
-//! What the camera sees: cube and object in perspective, by its zoom, with the
-//! projection of the thesis's chapter 2. At the frame that is played, else for
+//! What the camera sees, in perspective (thesis chapter 2): at the frame that is played, else for
 //! the current orientation.
 
 use std::sync::Arc;
@@ -22,20 +21,19 @@ use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
 
-/// Width of the picture at first, in points.
+/// Initial width of the picture, in points.
 const WIDTH: f32 = 228.0;
 
-/// Height of the strip above it that says what it shows, in points.
+/// Height of the caption above it, in points.
 const CAPTION: f32 = 19.0;
 
-/// A narrower strip has no room for what is only wanted now and then.
+/// A narrower caption has no room for what is rarely wanted.
 const ROOMY: f32 = 330.0;
 
-/// The nearest thing that is seen, in half sizes of the movement space.
+/// Distance of the front plane, in half sizes of the movement space.
 const FRONT: f64 = 1e-3;
 
-/// The movement window, or its part, that is left for the space, and where the picture
-/// stands that is no pane above it.
+/// Divides the movement window into the part for the space and that for a docked picture, if any.
 pub(super) fn divided(setup: &Setup, viewport: Rect) -> (Rect, Option<Rect>) {
     let middle = viewport.center();
     match setup.camera_place {
@@ -53,8 +51,7 @@ pub(super) fn divided(setup: &Setup, viewport: Rect) -> (Rect, Option<Rect>) {
     }
 }
 
-/// Shows the picture in a part of the window of its own, where one can fly through it.
-/// Where the host draws it, what it is to draw into.
+/// Shows the picture docked, where one can fly through it; returns what the host is to draw into.
 pub(super) fn docked(
     editor: &Editor,
     ui: &mut Ui,
@@ -73,8 +70,7 @@ pub(super) fn docked(
         .inner
 }
 
-/// Shows the picture as a pane above the movement window, if it is open; `viewport` is
-/// that window. Where the host draws it, what it is to draw into.
+/// Shows the picture as a floating pane, if it is open; returns what the host is to draw into.
 pub(super) fn show(
     editor: &Editor,
     context: &Context,
@@ -103,7 +99,7 @@ pub(super) fn show(
         .default_pos(corner(viewport))
         .default_width(width)
         .min_width(WIDTH / 2.0);
-    // Where no hand has moved it, it goes along with the window's size.
+    // Until the user moves it, it follows the window's size.
     let known: Option<Placed> = context.data(|data| data.get_temp(id));
     if known.is_some_and(|known| !known.by_hand && known.viewport != viewport) {
         pane = pane
@@ -123,7 +119,7 @@ pub(super) fn show(
         by_hand,
     };
     context.data_mut(|data| data.insert_temp(id, placed));
-    // egui puts it by the width that it had before: with a new one it belongs elsewhere.
+    // egui placed it by its previous width; with a new one it must be placed again.
     if known.is_none_or(|known| known.viewport != viewport || known.rect.size() != rect.size()) {
         context.request_repaint();
     }
@@ -134,13 +130,12 @@ pub(crate) fn id() -> egui::Id {
     egui::Id::unique("camera view")
 }
 
-/// Where the pane is.
+/// Where the pane was in the last pass.
 #[derive(Clone, Copy, Debug)]
 struct Placed {
-    /// The movement window.
     viewport: Rect,
     rect: Rect,
-    /// Somebody has put it there.
+    /// The user has put it there.
     by_hand: bool,
 }
 
@@ -165,7 +160,7 @@ fn contents(
     let camera = flown.or(scene).or_else(|| Some(editor.camera()?.0))?;
     caption(editor, ui, vec2(width, CAPTION), &camera, actions);
     let aspect = editor.setup.camera_aspect.ratio();
-    // In a pane the height follows the width.
+    // A floating pane's height follows its width.
     let high = if docked {
         ui.available_height().max(40.0)
     } else {
@@ -216,8 +211,7 @@ fn contents(
     None
 }
 
-/// What of the picture every screen shows, and every title (SMPTE ST 2046-1: 93 % and
-/// 90 % of width and height).
+/// Outlines the safe action and title areas (SMPTE ST 2046-1: 93 % and 90 % of each side).
 fn safe_frame(painter: &Painter, picture: Rect, colour: Color32) {
     for share in [0.93, 0.9] {
         let safe = Rect::from_center_size(picture.center(), picture.size() * share);
@@ -233,7 +227,7 @@ fn safe_frame(painter: &Painter, picture: Rect, colour: Color32) {
     }
 }
 
-/// Where mouse and keys take the camera.
+/// Moves the camera by mouse and keys.
 fn flown_on(editor: &Editor, ui: &Ui, response: &Response, camera: Camera) -> Option<Action> {
     let space = editor.shown_space();
     let mut at = camera;
@@ -283,8 +277,7 @@ fn flown_on(editor: &Editor, ui: &Ui, response: &Response, camera: Camera) -> Op
     (at != camera).then_some(Action::Fly(Some(at)))
 }
 
-/// What is shown, beside the picture and not on it: that may be the host's, whole. By
-/// this strip a pane can be moved then, too.
+/// Stands above the picture, since all of that may be the host's; a pane can be dragged by it.
 fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &mut Vec<Action>) {
     let (strip, _) = ui.allocate_exact_size(size, Sense::hover());
     let texts = &editor.texts().space;
@@ -384,7 +377,7 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &
     });
 }
 
-/// A small button of the strip that is painted.
+/// A small button whose icon the caller paints.
 fn icon(ui: &mut Ui, name: &str, tip: &str, on: bool) -> (Response, Painter) {
     let (place, response) = ui.allocate_exact_size(vec2(CAPTION, CAPTION), Sense::click());
     response.widget_info(|| egui::WidgetInfo::selected(egui::Role::Button, true, on, name));
@@ -403,7 +396,7 @@ fn stroke_of(ui: &Ui, response: &Response, on: bool) -> egui::Stroke {
     egui::Stroke::new(1.3, color)
 }
 
-/// Puts the picture there, or back: whether it was clicked.
+/// The button that moves the picture to `place` or back; returns whether it was clicked.
 fn place_button(ui: &mut Ui, now: CameraPlace, place: CameraPlace, name: &str, tip: &str) -> bool {
     let on = now == place;
     let (response, painter) = icon(ui, name, tip, on);
@@ -418,7 +411,7 @@ fn place_button(ui: &mut Ui, now: CameraPlace, place: CameraPlace, name: &str, t
     response.clicked()
 }
 
-/// The name of the camera that is shown, and the frame of the scene.
+/// The name of the shown camera, and the frame of the scene.
 fn scene_label(editor: &Editor) -> String {
     let said = editor.with_scene(|now| {
         let shown = now.scene.shown_camera();
@@ -429,7 +422,7 @@ fn scene_label(editor: &Editor) -> String {
     said.ok().flatten().unwrap_or_default()
 }
 
-/// The camera that is shown, in the coordinates of the path.
+/// The shown camera, in the coordinates of the path.
 fn camera_of_path(editor: &Editor) -> Option<Camera> {
     let of_scene = editor.with_scene(|now| Some(now.camera(now.scene.shown_camera()?)));
     match of_scene {
@@ -441,10 +434,9 @@ fn camera_of_path(editor: &Editor) -> Option<Camera> {
 /// Cube and object as the camera sees them, in `picture`.
 fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
     let mut lines = Lines::default();
-    // Behind the farthest corner and beyond the object.
     let object = &editor.document.info().object;
     let space = editor.shown_space();
-    // Counted from its middle in half sizes: what is far away loses no digits.
+    // In half sizes from the middle, so that a space far from the origin loses no digits.
     let local = |place: DVec3| (place - space.centre) / space.half_size;
     let farthest = object
         .iter()
@@ -493,7 +485,7 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
             let (width, color) = object_line(from == to, own, color);
             add(from, to, width, color);
         }
-        // Without memory there is nothing to be seen, and no other harm.
+        // Out of memory these lines are merely missing.
         let _ = editor.with_scene(|now| {
             wires(editor, now, |wire| {
                 let [from, to] = wire.ends;
@@ -504,12 +496,11 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
     lines
 }
 
-/// The part of a line in the camera's pyramid, from −1 to 1 to the right and up
-/// on the picture; none if it is not seen. `front` is the depth of the front
-/// plane in the canonical volume (thesis 2.5.1).
+/// The part of a line within the camera's pyramid, from −1 to 1 to the right and up. `front` is the
+/// depth of the front plane in the canonical volume (thesis 2.5.1).
 fn seen(matrix: &DMat4, front: f64, from: DVec3, to: DVec3) -> Option<[DVec2; 2]> {
     let [a, b] = [from, to].map(|p| matrix.transform_point3(p));
-    // Distances to the planes: inside where they are not negative.
+    // Distances to the six planes; inside where they are not negative.
     let planes = |p: DVec3| {
         [
             p.z - p.x,

@@ -1,6 +1,5 @@
-//! The orientations of the whole path at a glance, which the thesis wishes for
-//! (chapter 8): each of them as a small camera, with [`super::ribbon`] between
-//! them.
+//! The orientations of the whole path as small cameras (wished for in the thesis's chapter 8), with
+//! [`super::ribbon`] between them.
 
 use std::sync::Arc;
 
@@ -17,18 +16,15 @@ use crate::path::{Pose, ahead};
 use crate::raster::Lines;
 use crate::setup::Element;
 
-/// Length of a camera's edges on the screen, in points, and at most in half sizes
-/// of the movement space.
+/// Length of a camera's edges: in points, and at most in half sizes of the movement space.
 const CAMERA: [f64; 2] = [26.0, 0.16];
 
-/// Cameras nearer to each other than this on the screen are left out, in
-/// points.
+/// Cameras nearer than this to the last one are left out, in points.
 const APART: f64 = 14.0;
 
-/// Width by height of the picture that is drawn of a camera.
+/// Width by height of the picture of a drawn camera.
 const ASPECT: f64 = 1.5;
 
-/// A camera: where it is, along what it looks, what is up, its zoom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Camera {
     pub(crate) position: DVec3,
@@ -72,8 +68,7 @@ impl Camera {
         })
     }
 
-    /// The corners of its picture, each so far from it: to the right above,
-    /// and on the way round. The wider it sees, the wider and flatter it is.
+    /// The corners of its picture, each `length` away, counterclockwise from the upper right.
     fn corners(&self, length: f64) -> [DVec3; 4] {
         [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]]
             .map(|[x, y]| self.position + orientation::unit(self.ray(x, y, ASPECT)) * length)
@@ -84,8 +79,7 @@ impl Camera {
         HALF_FILM_HEIGHT / self.zoom
     }
 
-    /// What it sees at a place of its picture, from −1 to 1 to the right and up: a
-    /// direction of any length.
+    /// The direction, of any length, to a place of its picture, from −1 to 1 to the right and up.
     pub(super) fn ray(&self, x: f64, y: f64, aspect: f64) -> DVec3 {
         let high = self.half_height();
         let right = self.view.cross(self.up);
@@ -93,8 +87,7 @@ impl Camera {
     }
 }
 
-/// Draws a camera with edges of so many points: its pyramid, and a small roof
-/// that shows what is up.
+/// Draws a camera with edges of `points`: its pyramid, and a small roof that shows what is up.
 pub(super) fn camera(
     strokes: &mut Strokes<'_>,
     look: &Look<'_>,
@@ -109,7 +102,7 @@ pub(super) fn camera(
         strokes.line(camera.position, corners[k], width, color);
         strokes.line(corners[k], corners[(k + 1) % 4], width, color);
     }
-    // The roof stands a little above the picture, so that the two are told apart.
+    // A little above the picture, so that the two are told apart.
     let [right, left] = [corners[0], corners[1]];
     let wide = left.distance(right);
     let roof = |share: f64, up: f64| left.lerp(right, share) + camera.up * (wide * up);
@@ -119,13 +112,12 @@ pub(super) fn camera(
     strokes.line(right, left, width, color);
 }
 
-/// A small camera for each point but the current one; made again only when others are
-/// seen.
+/// Small cameras of all points but the current one; made again only when others are seen.
 #[derive(Debug, Default)]
 pub(super) struct Keys {
     seen: Option<Seen>,
     cameras: Vec<Camera>,
-    /// Those of this pass, kept for its memory.
+    /// Those of this pass, kept for their allocation.
     now: Vec<Camera>,
     lines: Arc<Lines>,
 }
@@ -151,8 +143,7 @@ impl Keys {
     }
 }
 
-/// The cameras that [`Keys`] shows: the first of each point but the current one, of those
-/// that are in sight and not too near to each other.
+/// The first camera of each point but the current one, if in sight and not too near another.
 fn collect(document: &Document, look: &Look<'_>, cameras: &mut Vec<Camera>) {
     let selection = document.selection();
     let viewport = look.viewport.expand(40.0);
@@ -167,14 +158,14 @@ fn collect(document: &Document, look: &Look<'_>, cameras: &mut Vec<Camera>) {
             continue;
         }
         last = Some(image);
-        // The others of one point would stand in each other's way.
+        // Only the first: several at one point would hide each other.
         if !current {
             cameras.extend(Camera::at(document, index, 0));
         }
     }
 }
 
-/// The current orientation as a small camera that stands out.
+/// The current orientation as a camera that stands out.
 pub(super) fn current_key(document: &Document, look: &Look<'_>) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     let selection = document.selection();

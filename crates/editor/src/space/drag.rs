@@ -1,5 +1,4 @@
-//! What a drag makes of a point, a target or a roll. The way from the pointer
-//! to the edit; nothing here looks at the mouse.
+//! What a drag makes of a point, a target or a roll: from the pointer's place to the edit.
 
 use glam::{DVec2, DVec3};
 
@@ -13,12 +12,12 @@ use crate::path::{Orientation, Target, UpVector, ahead};
 /// Length of the VUP arrow, in half sizes of the movement space.
 pub(super) const VUP_LENGTH: f64 = 0.25;
 
-/// Something that can be taken hold of.
+/// Something that can be dragged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Handle {
     /// The tip of the current VUP arrow.
     Vup,
-    /// The tip of the current VPN arrow: what the camera looks at.
+    /// The tip of the current VPN arrow: the target.
     Vpn,
     Point(usize),
     /// A control point of the box that a tool deforms.
@@ -27,26 +26,23 @@ pub(crate) enum Handle {
     Tangent(Side),
 }
 
-/// What a drag that snaps goes by: a fifth of what lies between two lines of the
-/// floor, so many steps for a half size.
+/// Snap steps for a half size of the space: five between two lines of the floor.
 pub(super) const SNAP: f64 = 5.0 * FLOOR as f64 / 2.0;
 
-/// The same for a roll, in degrees.
+/// Snap step of a roll, in degrees.
 const SNAP_ROLL: f64 = 15.0;
 
-/// In which coordinates something moves.
+/// The coordinates in which something moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Freedom {
     /// The axis across the plane in which it moves.
     pub(super) fixed: Axis,
-    /// The one line of that plane along which it moves, if not in all of it.
+    /// The only axis of that plane along which it moves, if any.
     pub(super) along: Option<Axis>,
 }
 
 impl Freedom {
-    /// What a button means: its plane (thesis A.3.1). In the place of one that is
-    /// seen edge-on stands the plane that is seen best, which in a view along an
-    /// axis is the one that faces the viewer.
+    /// The plane of a button (thesis A.3.1), or the plane seen best if that one is edge-on.
     pub(super) fn of_button(projection: &Projection, button: Axis) -> Self {
         let fixed = if projection.share_seen(button) < EDGE_ON {
             projection.facing()
@@ -56,8 +52,8 @@ impl Freedom {
         Self { fixed, along: None }
     }
 
-    /// What X, Y or Z held means: that coordinate stays. Where its plane is seen
-    /// edge-on, a line is left of the one that is seen best.
+    /// The plane of a held X, Y or Z, whose coordinate stays; if it is edge-on, the line in the
+    /// plane seen best that keeps the coordinate.
     pub(super) fn of_key(projection: &Projection, kept: Axis) -> Self {
         let Self { fixed, .. } = Self::of_button(projection, kept);
         let along = Axis::ALL
@@ -66,42 +62,35 @@ impl Freedom {
         Self { fixed, along }
     }
 
-    /// The coordinates that change.
     fn moving(self) -> impl Iterator<Item = Axis> {
         let others = self.fixed.others().into_iter();
         others.filter(move |&axis| self.along.is_none_or(|along| along == axis))
     }
 }
 
-/// How something is dragged.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion {
     pub(super) freedom: Freedom,
-    /// It goes by steps.
     pub(super) snaps: bool,
-    /// Where the pointer is taken to be.
+    /// The pointer, or where fine dragging takes it to be.
     pub(super) pointer: DVec2,
-    /// Where it began, and a number that was typed: so far it goes towards the pointer.
-    /// A roll becomes the number itself, in degrees.
+    /// Where it began, and a typed distance towards the pointer; for a roll, the roll in degrees.
     pub(super) typed: Option<(DVec3, f64)>,
     /// What the other tangent does if one is dragged.
     pub(super) joint: Joint,
 }
 
-/// What a motion of the mouse leads to.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Outcome {
     Edit(Edit),
     /// The circle of VUP is seen edge-on: nothing moves.
     CircleEdgeOn,
-    /// The pointer says nothing: it lies on the centre of the circle, or what
-    /// was held is no longer there.
+    /// The pointer is at the centre of the circle, or what was held is gone.
     Nothing,
 }
 
-/// The point under the pointer in the plane or on the line through `point`: each
-/// coordinate that moves ends at the faces of a box, which is the cube but for the ends
-/// of tangents. None if the plane is seen edge-on.
+/// The point under the pointer in the plane or on the line through `point`, its moving coordinates
+/// clamped to a box; none if the plane is seen edge-on.
 pub(super) fn follow(
     projection: &Projection,
     point: DVec3,
@@ -126,7 +115,7 @@ pub(super) fn follow(
             let steps = ((*coordinate - centre) / space.half_size * SNAP).round();
             *coordinate = centre + steps * space.half_size / SNAP;
         }
-        // Zero without a sign: it is shown.
+        // Turns −0 into 0, since it is shown.
         *coordinate = coordinate.clamp(low[at], high[at]) + 0.0;
     }
     Some(found)
@@ -137,7 +126,7 @@ pub(super) fn cube(projection: &Projection) -> [DVec3; 2] {
     [projection.space().low(), projection.space().high()]
 }
 
-/// The edit that brings what is held under the pointer.
+/// The edit that moves what is held to the pointer.
 pub(super) fn outcome(
     document: &Document,
     projection: &Projection,
@@ -166,7 +155,7 @@ pub(super) fn outcome(
             let Some(tip) = tangents::tip(document, side) else {
                 return Outcome::Nothing;
             };
-            // Those of a point near a face reach beyond it.
+            // Tangents of a point near a face reach beyond it.
             let [low, high] = cube;
             let wide = [low.min(tip) - (high - low), high.max(tip) + (high - low)];
             let to = follow(projection, tip, motion, wide);
@@ -183,7 +172,7 @@ pub(super) fn current_tip(document: &Document) -> Option<DVec3> {
     Some(tip_of(orientation.target, point.position))
 }
 
-/// The current orientation; one that looks along the way as if it looked that way.
+/// The current orientation, with a target in its view direction if it looks ahead.
 fn current(document: &Document) -> Option<Orientation> {
     let Selection { point, orientation } = document.selection();
     document
@@ -195,8 +184,7 @@ fn current(document: &Document) -> Option<Orientation> {
     no_longer_ahead(document.path(), point, orientation).ok()
 }
 
-/// The edit that moves the target of the current orientation to `to`.
-/// Coordinates that stay keep every bit, also those of an offset.
+/// The edit that moves the current target; coordinates that stay keep every bit, also of an offset.
 pub(super) fn move_target(document: &Document, to: DVec3) -> Option<Edit> {
     let selection = document.selection();
     let (point, at) = (selection.point, selection.orientation);
@@ -221,7 +209,6 @@ pub(super) fn move_target(document: &Document, to: DVec3) -> Option<Edit> {
     })
 }
 
-/// Where a target lies, seen from a point.
 pub(super) fn tip_of(target: Target, position: DVec3) -> DVec3 {
     match target {
         Target::Absolute(target) => target,
@@ -229,7 +216,7 @@ pub(super) fn tip_of(target: Target, position: DVec3) -> DVec3 {
     }
 }
 
-/// The edit that turns the current VUP to the pointer.
+/// The edit that turns the current VUP towards the pointer.
 fn roll(document: &Document, projection: &Projection, motion: &Motion) -> Outcome {
     let selection = document.selection();
     let Some(support) = document.path().points.get(selection.point) else {
@@ -267,7 +254,7 @@ fn rolled(
     let Selection { point, orientation } = document.selection();
     let support = document.path().points.get(point)?;
     let way = motion.pointer - projection.image(support.position);
-    // Counted from where the axis makes it, or from the up that there is.
+    // Relative to the level axes, or else to the up vector that the current roll gives.
     let (axes, counted) = match current.own.up {
         UpVector::Axis => (projection.space().up.level_axes(view), 0.0),
         _ => {
@@ -283,17 +270,16 @@ fn rolled(
     })
 }
 
-/// The share of the VUP circle's area that is seen.
+/// The visible share of the VUP circle's area.
 pub(super) fn circle_share(projection: &Projection, view: DVec3) -> f64 {
     projection.toward().dot(view).abs()
 }
 
-/// The roll in degrees with which the image of VUP points along `way`, if U₀ and V₀ are
-/// right and up without it; none if that has no direction.
+/// The roll in degrees with which the image of VUP points along `way`, if U₀ and V₀ are right and
+/// up without it; none if that has no direction.
 ///
-/// VUP is V₀·cos φ − U₀·sin φ. With the images a and b of V₀ and U₀ the angle
-/// follows from way × (a·cos φ − b·sin φ) = 0 at once, where the thesis halves
-/// an interval (6.2.3).
+/// VUP is V₀·cos φ − U₀·sin φ. With the images a and b of V₀ and U₀, φ follows directly from
+/// way × (a·cos φ − b·sin φ) = 0, where the thesis halves an interval (6.2.3).
 pub(super) fn roll_towards(
     projection: &Projection,
     (u, v): (DVec3, DVec3),

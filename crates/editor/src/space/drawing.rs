@@ -1,5 +1,4 @@
-//! A line that the left button draws, for a tool that waits for one: in the space, or in the
-//! camera's picture on the object.
+//! Freehand lines for a tool that waits for one: in the space, or on the object in the picture.
 
 use egui::{
     CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, Shape, Stroke, Ui,
@@ -16,21 +15,19 @@ use crate::theme;
 use crate::tools::clearance::Clearance;
 use crate::windows::ToolWindow;
 
-/// So near beside lines and points of an object, in points, a line on it leads through them.
+/// A line drawn this near, in points, to lines and points of an object leads through them.
 const NEAR: f64 = 8.0;
 
-/// What was drawn so far.
 #[derive(Debug)]
 pub(super) struct Drawing(Vec<DVec3>);
 
-/// A tool waits for a line.
+/// Whether a tool waits for a line.
 pub(super) fn is_wanted(editor: &Editor) -> bool {
     let tool = editor.windows.tool.as_ref();
     tool.is_some_and(ToolWindow::draws)
 }
 
-/// What a line leads through that is drawn at `pos`: as deep as the current point, and
-/// within the space.
+/// The place drawn at `pos`: at the depth of the current point, within the space.
 fn place(editor: &Editor, surface: &PointerContext<'_>, pos: Pos2) -> DVec3 {
     let projection = projection_of(editor, surface.viewport);
     let space = projection.space();
@@ -48,7 +45,7 @@ impl Drawing {
         &self.0
     }
 
-    /// Takes what the hand does; the line, or none once it is over.
+    /// Handles an event; returns the line, or none once it is over.
     pub(super) fn take(
         mut self,
         editor: &Editor,
@@ -83,7 +80,7 @@ impl Drawing {
     }
 }
 
-/// Takes what is drawn in the camera's picture, and shows it.
+/// Handles drawing in the camera's picture, and shows the line.
 pub(super) fn in_picture(
     editor: &Editor,
     ui: &Ui,
@@ -109,7 +106,7 @@ pub(super) fn in_picture(
     }
     let begins = response.drag_started_by(PointerButton::Primary);
     if begins || (response.dragged_by(PointerButton::Primary) && !drawn.is_empty()) {
-        // Without memory for the tree it is drawn in the air.
+        // Out of memory for the tree, the line is drawn in the air.
         let object = editor.obstacles().ok().flatten();
         let space = editor.document.path().space;
         let mut last = drawn.last().map_or(space.centre, |(_, place)| *place);
@@ -134,13 +131,12 @@ pub(super) fn in_picture(
     }
 }
 
-/// What lies behind a place of the camera's picture.
+/// From the camera through a place of its picture.
 struct Ray {
     from: DVec3,
     way: DVec3,
-    /// Along what the camera looks.
     view: DVec3,
-    /// Its width, as a part of the distance.
+    /// Its width for each unit of distance.
     spread: f64,
 }
 
@@ -157,8 +153,7 @@ impl Ray {
         }
     }
 
-    /// The place on the object, else as deep as the last place; before the camera if that
-    /// is behind it.
+    /// The place on the object, else at the depth of `last`, or ahead if that is behind the camera.
     fn meets(&self, object: Option<&Clearance>, last: DVec3, half_size: f64) -> DVec3 {
         let far = object.and_then(|object| object.ahead(self.from, self.way, self.spread));
         let far = far.unwrap_or_else(|| {

@@ -1,25 +1,24 @@
-//! Flying through the space with the camera's picture in the hand: look around, walk,
-//! circle around what stands in the middle. Arithmetic without a window.
+//! Flying in the camera's picture: looking around, walking, circling. Arithmetic without a window.
 
 use glam::{DQuat, DVec3};
 
 use super::Camera;
 use crate::path::Space;
 
-/// What the mouse turns for each point that it goes.
+/// Degrees of turning for each point of mouse motion.
 const TURN: f64 = 0.3;
 
-/// So near to the vertical one can look, in degrees.
+/// The view comes no nearer to the vertical than this, in degrees.
 const POLE: f64 = 0.5;
 
-/// What a notch of the wheel, and a point of the mouse, goes, in half sizes.
+/// How far a notch of the wheel and a point of mouse motion walk, in half sizes.
 pub(super) const NOTCH: f64 = 0.08;
 pub(super) const DRAG: f64 = 0.004;
 
-/// So far a key that is held goes in a second, in half sizes.
+/// Walking speed of a held key, in half sizes per second.
 pub(super) const WALK: f64 = 0.6;
 
-/// A camera that looks around: so many points to the right and down.
+/// Looks around by a mouse motion in points.
 pub(super) fn looked(camera: Camera, space: Space, [right, down]: [f64; 2]) -> Camera {
     let turned = turn(&camera, space, [-right * TURN, -down * TURN]);
     Camera {
@@ -29,8 +28,7 @@ pub(super) fn looked(camera: Camera, space: Space, [right, down]: [f64; 2]) -> C
     }
 }
 
-/// A camera that circles around what is in the middle of its picture, as if that were
-/// turned by the mouse.
+/// Circles around what is in the middle of the picture, as if the mouse turned that.
 pub(super) fn circled(camera: Camera, space: Space, [right, down]: [f64; 2]) -> Camera {
     let middle = camera.position + camera.view * depth(&camera, space);
     let turned = turn(&camera, space, [-right * TURN, -down * TURN]);
@@ -42,7 +40,7 @@ pub(super) fn circled(camera: Camera, space: Space, [right, down]: [f64; 2]) -> 
     }
 }
 
-/// A camera that walks: so far to its right, up, and where it looks, in half sizes.
+/// Walks to the right, up and ahead, in half sizes.
 pub(super) fn walked(camera: Camera, space: Space, [right, up, ahead]: [f64; 3]) -> Camera {
     let way = camera.view.cross(camera.up) * right + camera.up * up + camera.view * ahead;
     let far = DVec3::splat(FAR * space.half_size);
@@ -53,16 +51,16 @@ pub(super) fn walked(camera: Camera, space: Space, [right, up, ahead]: [f64; 3])
     }
 }
 
-/// Nobody flies farther from the middle than this, in half sizes.
+/// Farthest flight from the middle along each axis, in half sizes.
 const FAR: f64 = 50.0;
 
-/// How far away stands what it looks at: as far as the middle of the space.
+/// Distance of what it looks at: as far as the middle of the space.
 fn depth(camera: &Camera, space: Space) -> f64 {
     let middle = (space.centre - camera.position).dot(camera.view);
     middle.max(0.1 * space.half_size)
 }
 
-/// About the vertical, then up or down, in degrees; never over a pole.
+/// A turn about the vertical, then up or down, in degrees; never over a pole.
 fn turn(camera: &Camera, space: Space, [aside, rise]: [f64; 2]) -> DQuat {
     let vertical = space.up.world(DVec3::Y);
     let height = camera
@@ -72,7 +70,7 @@ fn turn(camera: &Camera, space: Space, [aside, rise]: [f64; 2]) -> DQuat {
         .asin()
         .to_degrees();
     let most = 90.0 - POLE;
-    // Who stands nearer to the pole than that is not driven away from it.
+    // A view already nearer to the pole is not pushed away from it.
     let rise = (height + rise).clamp((-most).min(height), most.max(height)) - height;
     let level = camera.view.cross(vertical);
     let level = level

@@ -1,4 +1,4 @@
-//! What a hand does in the movement window, and what that changes.
+//! The parts of a drag in the movement window, and what they change.
 
 use glam::DVec3;
 
@@ -10,20 +10,16 @@ use crate::path::Target;
 use crate::state::Editor;
 use crate::texts::fill;
 
-/// A part of a drag, by mouse or by keys: what is moved is one step to be taken back.
+/// A part of a drag, by mouse or keys; a whole drag is one step of the history.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Gesture {
-    /// A button goes down, on a handle perhaps.
+    /// A button goes down, perhaps on a handle.
     Press(Option<Handle>),
-    /// What is held begins to move.
     Begin,
-    /// It moves.
     Move(Handle, Edit),
-    /// All that are selected are changed at once, which these words tell.
+    /// Changes all that is selected at once; the words describe it.
     Transform(Edit, String),
-    /// It stays where it is.
     End,
-    /// It goes back.
     Cancel,
 }
 
@@ -33,7 +29,7 @@ impl Editor {
             Gesture::Press(what) => {
                 self.message = None;
                 if what.is_some() {
-                    // All that can be taken hold of belongs to a key.
+                    // Every handle belongs to a key.
                     self.playing.leave();
                 }
                 if let Some(Handle::Point(at)) = what
@@ -56,12 +52,11 @@ impl Editor {
                     self.say(words);
                 }
             }
-            // The step that is open is that of a tool: only the view was dragged.
+            // The open step is the tool's: only the view or a control point was dragged.
             Gesture::End | Gesture::Cancel if self.windows.tool.is_some() => {}
             Gesture::End => {
                 self.document.end_step();
-                // The running coordinates give way to the pose; what could not be done
-                // stays to be read.
+                // The running coordinates give way to the pose; an error stays to be read.
                 self.message.take_if(|message| !message.error);
                 if self.message.is_none() {
                     self.tell_ambiguities();
@@ -74,8 +69,7 @@ impl Editor {
         }
     }
 
-    /// A motion of what is selected as far as all points stay within the movement space; one
-    /// that is outside goes no farther.
+    /// Limits a motion of the selection to the movement space; a point outside goes no farther out.
     fn kept_within(&mut self, mut edit: Edit) -> Edit {
         let Edit::SetPosition { at, position } = &mut edit else {
             return edit;
@@ -106,7 +100,7 @@ impl Editor {
         edit
     }
 
-    /// Shows in the output field where what is held has come to.
+    /// Shows in the output field where what is held is now.
     fn tell_place(&mut self, what: Handle) {
         let Some((point, orientation)) = self.point().zip(self.orientation()) else {
             return;

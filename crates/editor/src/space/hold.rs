@@ -1,4 +1,4 @@
-//! What a button that is down holds, and what its motion leads to.
+//! What a held mouse button drags, and what its motion leads to.
 
 use egui::{PointerButton, Pos2, Rect};
 use glam::{DVec2, DVec3};
@@ -14,44 +14,41 @@ use crate::selected::Choice;
 use crate::setup::View;
 use crate::state::Editor;
 
-/// Degrees for a point on the screen.
+/// Degrees of turning for each point of motion.
 const TURN: f64 = 0.35;
 
-/// A button that is down.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hold {
     pub(super) button: PointerButton,
     pub(super) pressed: Pos2,
     pub(super) now: Pos2,
     pub(super) what: Option<Handle>,
-    /// Where that was.
+    /// Where that was at first.
     pub(super) from: DVec3,
-    /// In which coordinates it moves.
     pub(super) freedom: Freedom,
-    /// From the pointer to where it is taken to be, after fine motions.
+    /// From the pointer to where fine dragging takes it to be.
     pub(super) lag: DVec2,
-    /// It goes by steps.
     pub(super) snaps: bool,
-    /// Of two tangents one stays; else they are joined so.
+    /// The other tangent stays, whatever `joint` says.
     pub(super) alone: bool,
     pub(super) joint: Joint,
     pub(super) view: View,
-    /// Empty space is shifted instead of turned.
+    /// Shifts the view instead of turning it.
     pub(super) shifts: bool,
-    /// A box is drawn there that selects points.
+    /// Draws a box that selects points.
     pub(super) boxes: bool,
-    /// What is selected stays so, whatever else is.
+    /// Adds to what is selected.
     pub(super) adds: bool,
     pub(super) moved: bool,
 }
 
 impl Hold {
-    /// A control point of a tool's box is held: the tool's step is open already.
+    /// Whether a control point of a tool's box is held; the tool's step is open already.
     pub(super) fn controls(&self) -> bool {
         matches!(self.what, Some(Handle::Control(_)))
     }
 
-    /// Brings what is held under the pointer.
+    /// The action that moves what is held to the pointer.
     pub(super) fn pull(
         &self,
         editor: &Editor,
@@ -88,7 +85,7 @@ impl Hold {
         }
     }
 
-    /// Turns or shifts the space by a drag in its empty part.
+    /// The view turned or shifted by a drag in empty space.
     pub(super) fn turned(&self, viewport: Rect) -> View {
         let way = from_pos(self.now) - from_pos(self.pressed);
         let mut changed = self.view;
@@ -103,7 +100,7 @@ impl Hold {
         changed.in_range()
     }
 
-    /// The points within the box that was drawn.
+    /// The points within the drawn box, and those selected before if it adds.
     pub(super) fn points_within(&self, editor: &Editor, viewport: Rect) -> Choice {
         let drawn = Rect::from_two_pos(self.pressed, self.now);
         let projection = projection_of(editor, viewport);

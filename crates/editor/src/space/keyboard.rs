@@ -1,9 +1,5 @@
-//! The keyboard in the movement window: everything that the mouse does there.
-//!
-//! Arrow keys move the current point in the plane that is seen best, Page Up
-//! and Page Down across it; with Alt they move the target. Comma and full stop
-//! roll. With Ctrl the arrow keys turn the space; plus, minus and Home are its
-//! size. N and O go to the next point and orientation, with Shift back.
+//! The keyboard in the movement window. Arrow keys move the current point in the plane that is seen
+//! best, Page Up and Page Down across it; with Alt they move the target.
 
 use egui::{Key, Modifiers, Rect};
 use glam::DVec3;
@@ -18,11 +14,10 @@ use crate::document::{Edit, Selection};
 use crate::setup::{CameraPlace, View};
 use crate::state::Editor;
 
-/// What an arrow key moves by, in half sizes of the space; the larger one with
-/// Shift.
+/// How far an arrow key moves, in half sizes of the space: without and with Shift.
 const STEPS: [f64; 2] = [0.01, 0.1];
 
-/// The keys that move something a step.
+/// The keys that move something by a step; the first six can move the target.
 pub(super) const NUDGES: [Key; 8] = [
     Key::ArrowLeft,
     Key::ArrowRight,
@@ -34,7 +29,7 @@ pub(super) const NUDGES: [Key; 8] = [
     Key::Period,
 ];
 
-/// The letters that mean something here. But for texts no control has use for them.
+/// The letters that mean something here; only text fields use them otherwise.
 pub(super) const LETTERS: [Key; 9] = [
     Key::M,
     Key::R,
@@ -47,7 +42,7 @@ pub(super) const LETTERS: [Key; 9] = [
     Key::L,
 ];
 
-/// Takes a key that was pressed while the movement window has the keyboard.
+/// Handles a key that was pressed while the movement window has the focus.
 pub(super) fn press(
     controller: &mut PointerController,
     editor: &Editor,
@@ -67,7 +62,7 @@ pub(super) fn press(
         actions.push(Action::View(view.in_range()));
         return;
     }
-    // With Alt only what moves; the rest are the menus' keys.
+    // With Alt only what moves something; the rest are the menus' keys.
     if modifiers.alt && !NUDGES[..6].contains(&key) {
         return;
     }
@@ -123,7 +118,7 @@ pub(super) fn press(
         }
     };
     if let Some(edit) = edit {
-        // Repeated while the key is down, it is one step of the history.
+        // A key that repeats makes one step of the history.
         if !(controller.nudging && editor.document.in_step()) {
             controller.nudging = true;
             actions.push(Action::Gesture(Gesture::Begin));
@@ -132,8 +127,7 @@ pub(super) fn press(
     }
 }
 
-/// The axis along which an arrow key moves, in the plane that is seen best, and
-/// which way along it.
+/// The axis and direction in which an arrow key moves, in the plane that is seen best.
 fn direction_of(projection: &Projection, key: Key) -> (Axis, f64) {
     let [a, b] = projection.facing().others();
     let way = |axis: Axis| {
@@ -141,7 +135,7 @@ fn direction_of(projection: &Projection, key: Key) -> (Axis, f64) {
         unit[axis.index()] = 1.0;
         projection.image_of_way(unit)
     };
-    // Whichever runs more to the side is the one for left and right.
+    // The axis that runs more sideways is the one for left and right.
     let (side, other) = if way(a).x.abs() * way(b).y.abs() >= way(b).x.abs() * way(a).y.abs() {
         (a, b)
     } else {
@@ -168,8 +162,7 @@ fn nudge(
     let moved = |from: DVec3| {
         let mut to = from;
         let at = &mut to[axis.index()];
-        // Steps of a hundredth stay hundredths. One that lies outside the
-        // cube goes no farther.
+        // Steps of a hundredth stay hundredths. A point outside the cube goes no farther out.
         let wanted = rounded(*at + by * space.half_size, space.half_size) + 0.0;
         *at = wanted.clamp(at.min(low), at.max(high));
         to
@@ -184,7 +177,7 @@ fn nudge(
     }
 }
 
-/// A coordinate to nine digits behind the first one of the half size.
+/// A coordinate rounded to nine digits after the first one of the half size.
 #[allow(clippy::cast_possible_truncation)]
 fn rounded(value: f64, half_size: f64) -> f64 {
     let digits = 9 - half_size.log10().floor() as i32;

@@ -1,5 +1,4 @@
-//! The menu of a point, or of the empty space: a press of the right button
-//! without motion.
+//! The menu of a point or of empty space, opened by a right click.
 
 use egui::containers::menu::menu_style;
 use egui::{Align, Button, Key, Layout, Popup, PopupKind, Pos2, Rect, SetOpenCommand, Ui};
@@ -17,13 +16,13 @@ use crate::texts::fill;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PointMenu {
     at: Pos2,
-    /// It is about the current point; else about the view.
+    /// It is about the current point, else about the view.
     of_point: bool,
-    /// A corner of the object that lies there.
+    /// The corner of the object that lies there.
     corner: Option<DVec3>,
 }
 
-/// Shows the menu if it is open, and opens it where the hand has asked for it.
+/// Shows the menu if it is open, and opens it where it was `asked` for.
 pub(super) fn show(
     menu: &mut PointMenu,
     mut asked: Option<(Pos2, Option<Handle>)>,
@@ -35,7 +34,7 @@ pub(super) fn show(
     let id = ui.scope_id().with("point menu");
     let context = ui.ctx();
     let projection = super::projection_of(editor, viewport);
-    // Shift-F10 stands for the menu key everywhere.
+    // Shift-F10 is the menu key everywhere.
     if asked.is_none()
         && !Popup::is_any_open(context)
         && context.input_mut(|input| input.consume_key(egui::Modifiers::SHIFT, Key::F10))
@@ -82,8 +81,7 @@ pub(super) fn show(
         });
 }
 
-/// The corner of the object at a place on the screen, of several in a row the
-/// one in front.
+/// The corner of the object at a place on the screen, the front one of several.
 fn corner_at(editor: &Editor, projection: &super::Projection, at: Pos2) -> Option<DVec3> {
     if !editor.setup.shown.has(Element::Object) {
         return None;
@@ -91,14 +89,14 @@ fn corner_at(editor: &Editor, projection: &super::Projection, at: Pos2) -> Optio
     let away = |corner: DVec3| projection.image(corner).distance(from_pos(at));
     let corners = editor.document.info().object.iter();
     let near = corners.map(|point| point.position).filter(|&corner| {
-        // Written so that what is not a number is not near.
+        // Written so that NaN is not near.
         away(corner) <= 1.5 * REACH
     });
     let depth = |corner: DVec3| corner.dot(projection.toward());
     near.max_by(|&a, &b| depth(a).total_cmp(&depth(b)))
 }
 
-/// Cameras that are to look at a corner of the object.
+/// Entries that aim cameras at a corner of the object.
 fn aims(editor: &Editor, ui: &mut Ui, corner: DVec3, actions: &mut Vec<Action>) {
     let (texts, hints) = (&editor.texts().space, &editor.texts().menu_hints);
     let button = ui.button(texts.aim_here).on_hover_text(hints.aim_here);
@@ -111,7 +109,7 @@ fn aims(editor: &Editor, ui: &mut Ui, corner: DVec3, actions: &mut Vec<Action>) 
     }
 }
 
-/// The host's view becomes one of the path.
+/// Entries that make the host's view one of the path.
 fn take_over(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     for (text, hint, replace) in [
@@ -124,14 +122,14 @@ fn take_over(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     }
 }
 
-/// What can be done with the current point.
+/// Entries for the current point.
 fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = editor.texts();
     let (space, menu, hints) = (&texts.space, &texts.menu, &texts.menu_hints);
     let (position, output) = (&texts.position, &texts.output);
     let closed = editor.document.path().closed;
     let count = editor.document.path().points.len();
-    // Where it is not possible the tooltip says why.
+    // The tooltip says why an entry is disabled.
     let entry = |ui: &mut Ui, text: &str, hint: &str, not: Option<&str>| {
         ui.add_enabled(not.is_none(), Button::new(text))
             .on_hover_text(hint)
@@ -179,7 +177,6 @@ fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     }
 }
 
-/// From where the space can be seen.
 fn views(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let (texts, hints) = (&editor.texts().space, &editor.texts().menu_hints);
     let [right, upright, front] = match editor.document.path().space.up {

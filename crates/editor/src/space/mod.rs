@@ -1,13 +1,9 @@
-//! The movement window: the path in space, and the hand in it (thesis chapter
-//! 6, A.3).
+//! The movement window: the path in space and what the user does with it (thesis chapter 6, A.3).
 //!
-//! [`projection`] says where something is seen, [`picking`] what lies under
-//! the pointer, [`drag`] what a motion makes of it: three pieces of arithmetic
-//! that are tested without a window. [`mod@pointer`] and [`keyboard`] make actions of the events,
-//! [`hold`] of what a button holds, [`drawing`] of a line that it draws;
-//! [`gesture`] says what those of a drag change,
-//! [`scene`], [`cameras`], [`ribbon`] and [`overlay`] draw, [`sliders`] stand
-//! around, [`menu`] is a point's menu.
+//! Three pieces of arithmetic are tested without a window: [`projection`] (where a point appears),
+//! [`picking`] (what lies under the pointer) and [`drag`] (the edit that a drag makes).
+//! [`mod@pointer`] and [`keyboard`] turn events into actions, [`gesture`] applies those of a drag;
+//! [`scene`], [`cameras`], [`ribbon`] and [`overlay`] draw.
 
 pub(crate) mod camera_view;
 mod cameras;
@@ -59,7 +55,7 @@ use crate::texts::Texts;
 use crate::texts::refusals::reason_of;
 use crate::{host, playing, points_list, scene_view};
 
-/// What the movement window remembers.
+/// The movement window's own state.
 #[derive(Debug, Default)]
 pub(super) struct Space {
     pointer: PointerController,
@@ -68,23 +64,22 @@ pub(super) struct Space {
     ribbon: Ribbon,
     nodes: Nodes,
     menu: menu::PointMenu,
-    /// The view before a number of it is dragged.
+    /// The view before one of its numbers was dragged.
     view_before: Option<View>,
 }
 
 impl Space {
-    /// A step of the document is open for keys that are held down.
+    /// Whether held keys or a tool keep a step of the document open.
     pub(super) fn keeps_step_open(&self) -> bool {
         self.pointer.nudging || self.pointer.tool.is_some()
     }
 
-    /// The lines of the nodes, to be compared.
     #[cfg(test)]
     pub(super) fn lines_of_nodes(&self) -> *const Lines {
         self.nodes.lines()
     }
 
-    /// A handle or the view is dragged.
+    /// Whether a handle or the view is being dragged.
     pub(super) fn moves(&self) -> bool {
         self.pointer.moves()
     }
@@ -93,7 +88,7 @@ impl Space {
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     playing::show(editor, ui);
     points_list::show(editor, ui);
-    // What it remembers changes while the rest of the editor is only read.
+    // Taken out, so that it can change while the rest of the editor is only read.
     let mut space = std::mem::take(&mut editor.space);
     let context = ui.ctx().clone();
     let before = &mut space.view_before;
@@ -112,7 +107,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     });
 }
 
-/// What mouse and keys do here beside what the thesis names: hand, meaning.
+/// What mouse and keys do beside what the thesis names: input and meaning.
 pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 28] {
     let texts = &texts.space;
     [
@@ -155,8 +150,7 @@ pub(super) fn cube(space: path::Space) -> impl Iterator<Item = (DVec3, DVec3)> {
     })
 }
 
-/// A small picture of a path in a movement space of this size as a new window sees it:
-/// the edges of the space, and the curve as one line, from the upper left corner.
+/// A small picture of a path in the default view: its space's edges, and the curve as one line.
 pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec<Pos2>) {
     let viewport = Rect::from_min_size(Pos2::ZERO, size);
     let around = document.around().filter(|_| !document.edits_path());
@@ -165,7 +159,6 @@ pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec
     let edges = cube(space).map(|(from, to)| [from, to].map(|end| projection.pos(end)));
     let curve = document.timeline(|timeline| {
         let segments = timeline.segment_count();
-        // As many as there are dots along the picture, and then some.
         let steps = (THUMBNAIL_PIECES / segments.max(1)).clamp(1, 24);
         let every = segments.div_ceil(THUMBNAIL_PIECES).max(1);
         let some = (0..segments).step_by(every);
@@ -175,7 +168,7 @@ pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec
         });
         along.map(|point| projection.pos(point)).collect()
     });
-    // Without memory there is no picture, and no other harm.
+    // Out of memory there is merely no curve.
     let mut curve: Vec<Pos2> = curve.unwrap_or_default();
     if !document.edits_path() {
         curve.clear();
@@ -183,7 +176,7 @@ pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec
     (edges.collect(), curve)
 }
 
-/// The lines of a scene in which no path is edited, in such a picture.
+/// The same for a scene in which no path is edited: its lines.
 pub(super) fn thumbnail_of_scene(document: &Document, size: Vec2) -> Option<Vec<[Pos2; 2]>> {
     let scene = document
         .around()
@@ -192,7 +185,6 @@ pub(super) fn thumbnail_of_scene(document: &Document, size: Vec2) -> Option<Vec<
     let viewport = Rect::from_min_size(Pos2::ZERO, size);
     let projection = Projection::of(&View::default(), viewport, scene.space());
     let ends = scene_view::outline(document).unwrap_or_default();
-    // As many as can be told apart in it.
     let every = ends.len().div_ceil(THUMBNAIL_LINES).max(1);
     let seen = ends.iter().step_by(every);
     Some(
@@ -201,14 +193,14 @@ pub(super) fn thumbnail_of_scene(document: &Document, size: Vec2) -> Option<Vec<
     )
 }
 
-/// At most so many lines has a scene in a [`thumbnail`].
+/// Most lines of a scene in a thumbnail.
 const THUMBNAIL_LINES: usize = 2_000;
 
-/// About so many pieces has the curve in a [`thumbnail`].
+/// About how many pieces the curve of a thumbnail has.
 const THUMBNAIL_PIECES: usize = 400;
 
 impl Space {
-    /// The part in which the space is seen, but for what is `covered`.
+    /// Shows the space in `viewport`, except where it is `covered`.
     fn show(&mut self, editor: &mut Editor, ui: &mut Ui, viewport: Rect, covered: Option<Rect>) {
         let response = ui.interact(
             viewport,
@@ -314,8 +306,7 @@ impl Space {
             overlay::directions(painter, &look);
             return trouble;
         }
-        // Cameras and ribbon below the curve, at which people look more; and what lies
-        // below all that changes in a drag need not be painted again.
+        // Below the curve, which matters more, and below what a drag changes: not repainted then.
         add_shared(self.keys.update(document, &look));
         if editor.setup.shown.has(Element::Ribbon) && self.ribbon.update(document).is_ok() {
             self.ribbon.paint(painter, &look);
@@ -419,8 +410,8 @@ impl Space {
     }
 }
 
-/// A letter was pressed with the pointer over the movement window, and nobody types: it is
-/// meant there, though a list or a button has the keyboard.
+/// Whether a letter was pressed that is meant here although another control has the focus: the
+/// pointer is over the movement window and nobody types.
 fn is_meant_by_letters(context: &Context, mine: &dyn Fn(Pos2) -> bool) -> bool {
     let (pointer, pressed) = context.input(|input| {
         let plain = !(input.modifiers.command || input.modifiers.ctrl || input.modifiers.alt);
@@ -433,7 +424,6 @@ fn is_meant_by_letters(context: &Context, mine: &dyn Fn(Pos2) -> bool) -> bool {
         && !egui::Popup::is_any_open(context)
 }
 
-/// The movement space as it is seen.
 fn projection_of(editor: &Editor, viewport: Rect) -> Projection {
     let space = editor.document.path().space;
     Projection::of(&editor.setup.view, viewport, space)

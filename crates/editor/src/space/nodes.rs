@@ -1,5 +1,4 @@
-//! The nodes of the scene around the path, where they stand at the playhead: objects as
-//! lines, lights and cameras as small pictures, other paths faint.
+//! The scene around the path at the playhead: its objects, lights, cameras and other paths.
 
 use std::sync::Arc;
 
@@ -21,10 +20,10 @@ use crate::state::Editor;
 const CAMERA: f64 = 34.0;
 const RAYS: f64 = 12.0;
 
-/// With more cameras than this their names would hide them.
+/// With more cameras than this the names would hide them.
 const NAMES: usize = 12;
 
-/// What was made last, and of what.
+/// The lines made last, and what they were made of.
 #[derive(Debug, Default)]
 pub(super) struct Nodes {
     made: Option<(Seen, (u64, u64), f64)>,
@@ -37,10 +36,7 @@ impl Nodes {
         Arc::as_ptr(&self.lines)
     }
 
-    /// The lines as they are now; none where there is no scene.
-    ///
-    /// # Errors
-    /// As [`Editor::with_scene`].
+    /// The current lines; none where there is no scene.
     pub(super) fn update(&mut self, editor: &Editor, look: &Look<'_>) -> Result<&Arc<Lines>> {
         let made = editor.with_scene(|now| {
             let of = (look.seen(), now.made_of, now.frame);
@@ -56,8 +52,7 @@ impl Nodes {
     }
 }
 
-/// The colour of an object that is drawn as lines: that of the window where the object has
-/// none of its own, else its own one, moved a little to what is seen on this ground.
+/// A wire object's colour, moved towards the window's for contrast; white counts as none.
 pub(crate) fn colour(own: [f64; 3], of_window: Color32) -> Color32 {
     if own == [1.0; 3] {
         return of_window;
@@ -108,8 +103,7 @@ fn lines(editor: &Editor, now: &Now, look: &Look<'_>) -> Lines {
     strokes.finish()
 }
 
-/// A light: a star for one that shines everywhere, its cone for a spot, a bundle of rays
-/// for one from far away.
+/// A light: a star for a point light, a cone for a spot, a bundle of rays for a directional one.
 fn light(
     strokes: &mut Strokes<'_>,
     look: &Look<'_>,
@@ -153,17 +147,17 @@ fn light(
     }
 }
 
-/// The ways between three axes.
+/// The diagonals between three axes.
 fn star([x, y, z]: [DVec3; 3]) -> [DVec3; 4] {
     [x + y + z, x + y - z, x - y + z, y + z - x].map(|way| way * 0.5)
 }
 
-/// The names of the cameras, where they are few.
+/// The names of the cameras, if these are few.
 pub(super) fn names(editor: &Editor, painter: &Painter, look: &Look<'_>) {
     let Some(color) = look.of(Element::Numbers) else {
         return;
     };
-    // What went wrong was told when the lines were made.
+    // An error was reported when the lines were made.
     let _ = editor.with_scene(|now| {
         let nodes = now.scene.nodes().iter().enumerate();
         let camera = |node: &Node| matches!(node.kind, Kind::Camera(_));

@@ -1,6 +1,5 @@
-//! What stands above the curve: the current camera's arrows and circle, the
-//! guides of a drag, numbers, the answer to the pointer. Few shapes, made anew
-//! in each pass.
+//! What stands above the curve and is made anew in each pass: the current camera's arrows and
+//! circle, the guides of a drag, numbers, the ring around what the pointer would drag.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -21,36 +20,34 @@ use crate::raster::Lines;
 use crate::setup::Element;
 use crate::theme::{self, Palette};
 
-/// How far the straight pieces of a circle may stray from it, in pixels.
+/// Largest distance of a circle's straight pieces from it, in pixels.
 const STRAY: f64 = 0.1;
 
-/// Length and half the width of an arrow's head.
+/// Length and half the width of an arrow's head, in points.
 const HEAD: [f64; 2] = [12.0, 4.2];
 
-/// Radius of the ring around what would be taken hold of and its width, in
-/// points.
+/// Radius and width of the ring around what would be dragged, in points.
 const RING: f64 = 8.0;
 const RING_WIDTH: f32 = 1.5;
 
-/// Half the side of the frame around a point that is selected with others, in points.
+/// Half the side of the frame around a point selected with others, in points.
 const FRAME: f64 = 6.0;
 
 const ARROW: f32 = 2.0;
 
-/// The line along which something moves, in points.
+/// Width of the line along which something moves, in points.
 const ALONG: f32 = 2.0;
 
 /// Half the side of a control point's square, in points.
 const CONTROL: f64 = 2.5;
 
-/// A number keeps the others out of the cells around its own, of this size.
+/// Size of the cells by which numbers keep apart, in points.
 const CELL: [f32; 2] = [18.0, 14.0];
 
-/// More points than this carry no numbers but the current one.
+/// On paths of more points only the current one and the one under the pointer have numbers.
 const MANY: usize = 2000;
 
-/// The straight pieces of a circle whose radius on the screen is so many points:
-/// ways from its middle to both ends, in radii.
+/// The straight pieces of a circle of `radius` points on the screen: their ends, in radii.
 pub(super) fn corners(look: &Look<'_>, radius: f64) -> impl Iterator<Item = (DVec2, DVec2)> {
     let rise = STRAY / (radius * look.pixels_per_point).max(1.0);
     let count = (PI / (1.0 - rise).acos()).ceil();
@@ -87,8 +84,7 @@ pub(super) fn arrows(painter: &Painter, look: &Look<'_>, tips: &Tips) {
     painter.extend(heads);
 }
 
-/// An arrow whose head ends exactly at its tip. One that points straight at the
-/// viewer is a dot.
+/// An arrow whose head ends exactly at its tip; a dot if it points straight at the viewer.
 fn arrow(
     shafts: &mut Strokes<'_>,
     heads: &mut Vec<Shape>,
@@ -112,7 +108,7 @@ fn arrow(
     if look.viewport.expand(24.0).contains(to_pos(to)) {
         let side = way.perp() * HEAD[1];
         let foot = to - way * head;
-        // A notched head: its two halves, since it is not convex.
+        // A notched head in two halves, since it is not convex.
         let notch = foot + way * (head * 0.22);
         heads.extend([side, -side].map(|side| {
             let corners = [to, foot + side, notch].map(to_pos).to_vec();
@@ -121,11 +117,10 @@ fn arrow(
     }
 }
 
-/// The axes through a point that is dragged and the border of the plane in which it moves,
-/// or that axis alone along which it does, out to the faces of the cube.
+/// Guides of a drag, out to the cube: the plane's border and axes, or the one line of the motion.
 pub(super) fn guides(look: &Look<'_>, through: DVec3, freedom: Freedom) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
-    // Of a point that lies outside, as far as the point.
+    // Out to the point, if that lies outside.
     let space = look.projection.space();
     let (low, high) = (through.min(space.low()), through.max(space.high()));
     let plane = look.of(Element::Plane);
@@ -149,7 +144,7 @@ pub(super) fn guides(look: &Look<'_>, through: DVec3, freedom: Freedom) -> Lines
     }
     let axes = look.of(Element::Axes);
     let (color, width) = match freedom.along {
-        // Beside others one would have to look for it.
+        // A thin one would be hard to find.
         Some(_) => (plane.or(axes), ALONG),
         None => (axes, THIN),
     };
@@ -166,7 +161,7 @@ pub(super) fn guides(look: &Look<'_>, through: DVec3, freedom: Freedom) -> Lines
     strokes.finish()
 }
 
-/// A frame around the cross of each point that is selected together with others.
+/// A frame around the cross of each point that is selected with others.
 pub(super) fn selected(document: &Document, look: &Look<'_>, points: &[usize]) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     let color = look.colours.of(Element::Segment);
@@ -188,7 +183,7 @@ pub(super) fn selected(document: &Document, look: &Look<'_>, points: &[usize]) -
     strokes.finish()
 }
 
-/// The box with which points are selected.
+/// The box that selects points.
 pub(super) fn drawn_box(painter: &Painter, look: &Look<'_>, drawn: Rect) {
     let color = look.colours.of(Element::Segment);
     painter.add(theme::block(drawn, color.gamma_multiply(0.12)));
@@ -204,7 +199,7 @@ pub(super) fn drawn_box(painter: &Painter, look: &Look<'_>, drawn: Rect) {
     }
 }
 
-/// The plane of a drag as a breath of colour.
+/// The plane of a drag, faintly filled.
 pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, freedom: Freedom) {
     let Some(color) = look.of(Element::Plane).filter(|_| freedom.along.is_none()) else {
         return;
@@ -227,8 +222,7 @@ pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, freedom:
     ));
 }
 
-/// The box that a tool deforms, with its control points; `shown`: the one whose numbers are
-/// to be seen.
+/// The box that a tool deforms; `shown` is the control point whose numbers are shown.
 pub(super) fn cage(look: &Look<'_>, cage: &Cage, shown: usize, palette: &Palette) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     for pair in cage.lines.iter().flat_map(|line| line.windows(2)) {
@@ -246,7 +240,7 @@ pub(super) fn cage(look: &Look<'_>, cage: &Cage, shown: usize, palette: &Palette
     strokes.finish()
 }
 
-/// A line that is being drawn.
+/// A line being drawn.
 pub(super) fn stroke(look: &Look<'_>, places: &[DVec3], palette: &Palette) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     for pair in places.windows(2) {
@@ -255,7 +249,7 @@ pub(super) fn stroke(look: &Look<'_>, places: &[DVec3], palette: &Palette) -> Li
     strokes.finish()
 }
 
-/// The answer to the pointer: a ring around what would be taken hold of.
+/// The ring around what would be dragged.
 pub(super) fn ring(look: &Look<'_>, at: DVec3, color: Color32, held: bool) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     let centre = look.projection.image(at);
@@ -267,7 +261,7 @@ pub(super) fn ring(look: &Look<'_>, at: DVec3, color: Color32, held: bool) -> Li
     strokes.finish()
 }
 
-/// Where something that can be taken hold of lies, and its colour.
+/// The place of a handle, and its colour.
 pub(super) fn place_of(
     document: &Document,
     look: &Look<'_>,
@@ -287,9 +281,8 @@ pub(super) fn place_of(
     }
 }
 
-/// The numbers of the points, from 1, as far as there is room for them; the current one
-/// and the one under the pointer always, that one with its name. The others have names
-/// where these stand in the way of no other.
+/// The numbers of the points, from 1, as far as there is room; always that of the current point and
+/// that under the pointer, the latter with its name. Other names appear where they cover nothing.
 pub(super) fn numbers(
     painter: &Painter,
     document: &Document,
@@ -351,7 +344,7 @@ pub(super) fn numbers(
     }
 }
 
-/// Which cells of the viewport have a number in them, with a row of cells around.
+/// The cells of the viewport that hold a number, with a margin of one cell.
 struct Taken {
     cells: Vec<bool>,
     wide: usize,
@@ -369,7 +362,7 @@ impl Taken {
         }
     }
 
-    /// Column and row of a place of the viewport.
+    /// Column and row of a position.
     fn cell(&self, pos: Pos2) -> [usize; 2] {
         let way = pos - self.corner;
         [
@@ -378,7 +371,7 @@ impl Taken {
         ]
     }
 
-    /// Takes the cell of a number, unless one next to it is taken and it need not be there.
+    /// Takes the cell of a number, unless a neighbour is taken and it is not needed `always`.
     fn take(&mut self, pos: Pos2, always: bool) -> bool {
         let [x, y] = self.cell(pos);
         let rows =
@@ -392,8 +385,7 @@ impl Taken {
         true
     }
 
-    /// Takes the cells of a name, unless one is taken by another than the number of its
-    /// own at `pos`.
+    /// Takes the cells of a name, unless one is taken by another than its own number, at `pos`.
     fn take_beside(&mut self, pos: Pos2, name: Rect) -> bool {
         let own = self.cell(pos);
         let room = name.expand2(vec2(CELL[0], CELL[1]) / 2.0);
@@ -413,9 +405,8 @@ impl Taken {
     }
 }
 
-/// Beside a point, the corner that is farthest from where its curve runs and
-/// from its camera's view and up directions: the way there, and which corner of
-/// the text comes to lie in it.
+/// The corner beside a point that is farthest from its curve and its camera's view and up: the
+/// offset, and which corner of the text comes to lie there.
 fn free_corner(
     document: &Document,
     look: &Look<'_>,
@@ -440,7 +431,7 @@ fn free_corner(
         tips.next()
             .map(|(_, tip)| look.projection.image(tip) - image)
     };
-    // Up is where the ribbon leans, and the arrow of the current camera.
+    // Towards up lie the ribbon and the current camera's arrow.
     let taken = [
         handle(),
         handle(),
@@ -463,7 +454,7 @@ fn free_corner(
     let (mut best, mut least) = (corners[0], crowd(corners[0].0));
     for corner in &corners[1..] {
         let found = crowd(corner.0);
-        // The first ones are where one looks for a number.
+        // Earlier corners are preferred: there one looks for a number.
         if found < least - 0.1 {
             (best, least) = (*corner, found);
         }
@@ -490,7 +481,7 @@ fn label(
     painter.galley(rect.min, galley, color);
 }
 
-/// What a camera is called, beside its foot.
+/// The name of a camera, beside it.
 pub(super) fn name(
     painter: &Painter,
     look: &Look<'_>,
@@ -505,23 +496,23 @@ pub(super) fn name(
     }
 }
 
-/// A hint in the upper left corner, where it covers least.
+/// A hint in the upper left corner, where it covers the least.
 pub(super) fn hint(painter: &Painter, look: &Look<'_>, text: &str, color: Color32) {
     let pos = look.viewport.left_top() + vec2(12.0, 10.0);
-    // As far as the camera's picture at first.
+    // Up to where the camera's pane is at first.
     let room = (look.viewport.width() * 0.68).max(160.0);
     let galley = painter.layout(text.to_owned(), theme::small(), color, room);
     halo(painter, look, Rect::from_min_size(pos, galley.size()));
     painter.galley(pos, galley, color);
 }
 
-/// The ground below a text, so that it can be read above lines.
+/// A background, so that a text can be read above lines.
 fn halo(painter: &Painter, look: &Look<'_>, text: Rect) {
     let ground = look.colours.of(Element::Background).gamma_multiply(0.7);
     painter.add(theme::block(text.expand2(vec2(2.0, -1.0)), ground));
 }
 
-/// The three directions, small, in a corner of the viewport.
+/// The three axes, small, in a corner of the viewport.
 pub(super) fn directions(painter: &Painter, look: &Look<'_>) {
     let Some(color) = look.of(Element::Numbers) else {
         return;

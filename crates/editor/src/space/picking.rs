@@ -9,23 +9,19 @@ use crate::document::Document;
 use crate::path::ahead;
 use crate::setup::{Element, Shown};
 
-/// How far from something the pointer may be to take hold of it: pixels of an
-/// ordinary screen.
+/// How far from something the pointer may be to drag it, in points.
 pub(super) const REACH: f64 = 6.0;
 
-/// The tips of the current camera's arrows and its position.
+/// The current camera: position, unit view and up vectors, and the tips of its arrows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Tips {
     pub(super) position: DVec3,
-    /// Its view direction, a unit vector.
     pub(super) view: DVec3,
-    /// Its up vector, a unit vector.
     pub(super) up: DVec3,
     pub(super) target: DVec3,
     pub(super) up_tip: DVec3,
 }
 
-/// Those of the current orientation.
 pub(super) fn tips(document: &Document) -> Option<Tips> {
     let selection = document.selection();
     let point = document.path().points.get(selection.point)?;
@@ -43,10 +39,9 @@ pub(super) fn tips(document: &Document) -> Option<Tips> {
     })
 }
 
-/// What is taken hold of at `pointer`: the tip of VUP if `with_vup`, the tip of
-/// VPN, the end of a tangent of its own, the current point, the nearest other point, the first of these that is
-/// within reach. A tip that is not shown is not taken, nor is that of an arrow
-/// which points at the viewer: it lies on its point, which is what is meant.
+/// What lies under `pointer`: the first within reach of VUP's tip (if `with_vup`), VPN's tip, the
+/// tangents' ends, the current point and the nearest other one. A hidden tip is not taken, nor that
+/// of an arrow which points at the viewer: it lies on its point, which is what is meant.
 pub(super) fn pick(
     document: &Document,
     projection: &Projection,
@@ -80,7 +75,7 @@ pub(super) fn pick(
     nearest(projection, points.map(|point| point.position), pointer).map(Handle::Point)
 }
 
-/// The nearest place within reach of the pointer; of several at one place the first one.
+/// The nearest place within reach of the pointer, the first of several at one place.
 pub(super) fn nearest(
     projection: &Projection,
     places: impl Iterator<Item = DVec3>,

@@ -1,5 +1,4 @@
-//! The mouse in the movement window: from egui's events, in their order, to
-//! actions. Keys go on to [`keyboard`].
+//! The mouse in the movement window: turns egui's events into actions. Keys go to [`keyboard`].
 
 use egui::{Context, CursorIcon, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect};
 use glam::{DVec2, DVec3};
@@ -22,21 +21,19 @@ use crate::state::Editor;
 use crate::texts::{Texts, fill};
 use crate::windows::ToolWindow;
 
-/// A press that moves no farther than this is a press and no drag, in points:
-/// hands tremble.
+/// A press that moves no farther than this, in points, is no drag: hands tremble.
 const STILL: f32 = 2.0;
 
-/// With Shift a drag is so many times finer.
+/// A drag with Shift is this many times finer.
 pub(super) const FINE: f64 = 10.0;
 
-/// What a step of the wheel makes of the size.
+/// Factor of the size for a step of the wheel.
 pub(super) const WHEEL: f64 = 1.1;
 
 #[derive(Debug, Default)]
 pub(super) struct PointerController {
-    /// A button is down.
     hold: Option<Box<Hold>>,
-    /// What was typed since then.
+    /// What was typed since the button went down.
     typed: Typed,
     /// Keys that move something are down; a step of the document is open.
     pub(super) nudging: bool,
@@ -49,7 +46,7 @@ pub(super) struct PointerController {
     pub(super) meant: Option<Kind>,
     /// The pointer is in the movement window.
     over: bool,
-    /// Where the last press without motion of the right button asks for a menu.
+    /// Where the last right click asks for a menu, and of what.
     pub(super) menu: Option<(Pos2, Option<Handle>)>,
 }
 
@@ -63,14 +60,13 @@ pub(super) const PLANES: [(PointerButton, Axis); 3] = [
 pub(super) struct PointerContext<'a> {
     pub(super) context: &'a Context,
     pub(super) viewport: Rect,
-    /// Whether the pointer at a place means the movement window.
+    /// Whether a place belongs to the movement window and not to what covers it.
     pub(super) mine: &'a dyn Fn(Pos2) -> bool,
     pub(super) keyboard: bool,
 }
 
 impl PointerController {
-    /// The events of a pass. Of a row of motions only where it leads to counts, unless it
-    /// draws.
+    /// The events of a pass; of successive motions only the last, unless a line is drawn.
     pub(super) fn events(&self, context: &Context) -> impl Iterator<Item = Event> + use<> {
         let mut events = context.input(|input| input.events.clone());
         let moves = |event: &Event| matches!(event, Event::PointerMoved(_));
@@ -85,7 +81,7 @@ impl PointerController {
         events.into_iter()
     }
 
-    /// A button is down.
+    /// Whether a button is down.
     pub(super) fn is_busy(&self) -> bool {
         self.hold.is_some() || self.drawing.is_some()
     }
@@ -95,29 +91,28 @@ impl PointerController {
         self.drawing.as_ref().map(Drawing::places)
     }
 
-    /// What is dragged: what it is, and in which coordinates.
+    /// What is dragged, and in which coordinates.
     pub(super) fn dragged(&self) -> Option<(Handle, Freedom)> {
         let hold = self.hold.as_deref().filter(|hold| hold.moved)?;
         Some((hold.what?, hold.freedom))
     }
 
-    /// The box that is drawn.
+    /// The box that selects points.
     pub(super) fn drawn_box(&self) -> Option<Rect> {
         let hold = self.hold.as_deref();
         let hold = hold.filter(|hold| hold.moved && hold.boxes)?;
         Some(Rect::from_two_pos(hold.pressed, hold.now))
     }
 
-    /// Something is on its way: a handle, or the view.
+    /// Whether a handle, the view or a line is on its way.
     pub(super) fn moves(&self) -> bool {
         self.hold.as_ref().is_some_and(|hold| hold.moved)
             || self.tool.is_some()
             || self.drawing.is_some()
     }
 
-    /// What the buttons would do with what lies under the pointer; where a drag goes
-    /// while one is down. `several`: so many points are selected, if more than one;
-    /// `draws`: the left button draws a line.
+    /// What the buttons would do under the pointer, or where a drag goes. `several`: how many
+    /// points are selected, if more than one; `draws`: the left button draws a line.
     pub(super) fn hint(
         &self,
         texts: &Texts,
@@ -158,7 +153,7 @@ impl PointerController {
         }
     }
 
-    /// Brings the state to what the devices are at after the events of a pass.
+    /// Brings the state in line with the devices after the events of a pass.
     pub(super) fn settle(
         &mut self,
         editor: &Editor,
@@ -247,7 +242,7 @@ impl PointerController {
         let wheel = matches!(event, Event::MouseWheel { .. });
         if !wheel && let Some(mut tool) = self.tool.take() {
             if !editor.document.in_step() {
-                // Somebody else ended the step.
+                // Something else ended the step.
                 return;
             }
             if tool.take(editor, surface, &event, actions) == Next::GoesOn {
@@ -356,7 +351,7 @@ impl PointerController {
         }
     }
 
-    /// Begins with the tool that a key stands for; false: it stands for none.
+    /// Begins the tool of a key; false if the key has none.
     fn begin_tool(
         &mut self,
         editor: &Editor,
@@ -421,7 +416,7 @@ impl PointerController {
             return;
         }
         let adds = left && (modifiers.shift || modifiers.ctrl);
-        // Whether that selects one more or drags it finely is seen later.
+        // A click selects one more, a drag is fine: which one it is shows later.
         if !(adds && matches!(what, Some(Handle::Point(_)))) {
             actions.push(Action::Gesture(Gesture::Press(what)));
         }
@@ -477,8 +472,7 @@ impl PointerController {
                 actions.push(Action::Gesture(Gesture::Begin));
             }
         } else if hold.what.is_some() && !hold.controls() && !editor.document.in_step() {
-            // Somebody else ended the step (an undo while the button is down): what
-            // follows would not belong to it.
+            // An undo with the button down ended the step: what follows would not belong to it.
             self.hold = None;
             return;
         }
@@ -507,7 +501,7 @@ impl PointerController {
                     at,
                     place: hold.from,
                 }),
-                // A click, on one of several or beside all of them.
+                // A click selects one more or one less, or the current one alone.
                 Some(Handle::Point(at)) if hold.adds => Some(Action::Choose(Choice::Switch(at))),
                 Some(Handle::Point(_)) | None if !hold.adds && !hold.boxes => {
                     Some(Action::Choose(Choice::Current))
@@ -567,8 +561,7 @@ pub(super) fn axis_of(key: Key) -> Option<Axis> {
     }
 }
 
-/// With another size. What lies under the pointer stays there; the smaller the
-/// space gets, the more it comes back to the middle.
+/// The view with another size: larger about the pointer, smaller back towards the middle.
 pub(super) fn resized(view: &View, viewport: Rect, pointer: Option<Pos2>, factor: f64) -> View {
     let mut view = *view;
     let size = (view.size * factor).clamp(View::MIN_SIZE, View::MAX_SIZE);

@@ -1,8 +1,6 @@
-//! The parallel projection of the movement space, its vertical axis upright:
-//! rotation about it, then tilt, then size (thesis 6.2).
-//!
-//! Everything in double precision and in points as egui counts them, so that
-//! what is dragged lies under the pointer however far the view is enlarged.
+//! The parallel projection of the movement space, its vertical axis upright: rotation about it,
+//! then tilt, then size (thesis 6.2). In double precision and egui's points, so that what is
+//! dragged lies under the pointer however far the view is enlarged.
 
 use egui::{Pos2, Rect, pos2};
 use glam::{DVec2, DVec3};
@@ -10,8 +8,8 @@ use glam::{DVec2, DVec3};
 use crate::path::Space;
 use crate::setup::View;
 
-/// One of the world's axes. In an unturned view with y upright x leads to the right
-/// and z towards the viewer; with z upright these are y and x.
+/// A world axis. In an unturned view with y up, x leads to the right and z towards the viewer; with
+/// z up these are y and x.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Axis {
     X,
@@ -51,11 +49,10 @@ impl Axis {
     }
 }
 
-/// A plane of which less than this share of its area is seen lies edge-on: it
-/// is seen at less than two degrees.
+/// A plane of which less than this share is seen counts as edge-on: an angle below two degrees.
 pub(super) const EDGE_ON: f64 = 0.035;
 
-/// How much of the viewport is left free around the largest cube.
+/// The share of the viewport that the largest cube fills.
 const MARGIN: f64 = 0.98;
 
 /// From the movement space to the screen.
@@ -63,9 +60,9 @@ const MARGIN: f64 = 0.98;
 pub(super) struct Projection {
     space: Space,
     middle: DVec2,
-    /// Points to the right for a unit along each axis.
+    /// Points to the right for a unit of each axis.
     across: DVec3,
-    /// Points downwards for a unit along each axis.
+    /// Points downwards for a unit of each axis.
     down: DVec3,
     /// Unit vector towards the viewer.
     toward: DVec3,
@@ -83,13 +80,11 @@ pub(super) fn scale(view: &View, viewport: Rect) -> f64 {
 }
 
 impl Projection {
-    /// The space [−1, 1]³ as it is seen in `viewport`.
     #[cfg(test)]
     pub(super) fn new(view: &View, viewport: Rect) -> Self {
         Self::of(view, viewport, Space::default())
     }
 
-    /// A movement space as it is seen in `viewport`.
     pub(super) fn of(view: &View, viewport: Rect, space: Space) -> Self {
         let (sin, cos) = view.rotation.to_radians().sin_cos();
         let (sin_tilt, cos_tilt) = view.tilt.to_radians().sin_cos();
@@ -116,7 +111,7 @@ impl Projection {
         self.middle + self.image_of_way(point - self.space.centre)
     }
 
-    /// How a way is seen: the image of its end less that of its beginning.
+    /// The image of a vector: that of its end less that of its beginning.
     pub(super) fn image_of_way(&self, way: DVec3) -> DVec2 {
         DVec2::new(self.across.dot(way), self.down.dot(way))
     }
@@ -130,35 +125,29 @@ impl Projection {
         self.space
     }
 
-    /// Points on the screen for a half size of the space across the line of sight.
     pub(super) fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// Unit vector towards the viewer.
     pub(super) fn toward(&self) -> DVec3 {
         self.toward
     }
 
-    /// The point that is seen at `image` in the plane through a point that faces the viewer.
+    /// The point seen at `image` in the plane through `point` that faces the viewer.
     pub(super) fn point_facing(&self, point: DVec3, image: DVec2) -> DVec3 {
         let way = image - self.image(point);
         let along = |side: DVec3, far: f64| side * (far / side.length_squared());
         point + along(self.across, way.x) + along(self.down, way.y)
     }
 
-    /// The share of its area that is seen of the plane across an axis, in
-    /// [0, 1].
+    /// The share of the plane across an axis that is seen, in [0, 1].
     pub(super) fn share_seen(&self, across: Axis) -> f64 {
         self.toward[across.index()].abs()
     }
 
-    /// The point that is seen at `image` among those that share with `point`
-    /// the coordinate along `fixed`; that coordinate keeps every bit. None if
-    /// the plane is seen edge-on.
-    ///
-    /// The thesis takes sines and cosines of the axes' images for it (6.2.1);
-    /// these are the same two equations, solved as they stand.
+    /// The point seen at `image` in the plane through `point` across `fixed`, whose coordinate
+    /// keeps every bit; none if the plane is seen edge-on. Solves the equations of the thesis
+    /// (6.2.1) as they stand, without the sines and cosines of the axes' images.
     pub(super) fn point_in_plane(&self, point: DVec3, fixed: Axis, image: DVec2) -> Option<DVec3> {
         if self.share_seen(fixed) < EDGE_ON {
             return None;
@@ -188,9 +177,8 @@ impl Projection {
         })
     }
 
-    /// The point whose image is nearest to `image` among those that differ from
-    /// `point` in the coordinate along `axis` only. None if the axis points at the
-    /// viewer.
+    /// The point seen nearest to `image` on the line through `point` along `axis`; none if that
+    /// points at the viewer.
     pub(super) fn point_on_line(&self, point: DVec3, axis: Axis, image: DVec2) -> Option<DVec3> {
         let at = axis.index();
         let way = DVec2::new(self.across[at], self.down[at]);
@@ -199,12 +187,8 @@ impl Projection {
         found.is_finite().then_some(found)
     }
 
-    /// Whether an edge of the cube is hidden by it. The edge runs along
-    /// `along`; `signs` says at which ends of the two other axes.
-    ///
-    /// A cube is convex: an edge is hidden if both faces that meet in it are
-    /// turned away. In a general view these are the edges at the corner that
-    /// is farthest away.
+    /// Whether the cube hides its edge along `along`, which is at the ends `signs` of the other
+    /// axes: the cube is convex, so it does if both faces that meet there are turned away.
     pub(super) fn hides_edge(&self, along: Axis, signs: [f64; 2]) -> bool {
         along
             .others()
@@ -214,7 +198,7 @@ impl Projection {
     }
 }
 
-/// For egui, which counts in single precision.
+/// For egui, in single precision.
 pub(super) fn to_pos(image: DVec2) -> Pos2 {
     #[allow(clippy::cast_possible_truncation)]
     let [x, y] = image.to_array().map(|x| x as f32);
@@ -226,7 +210,7 @@ pub(super) fn from_pos(pos: Pos2) -> DVec2 {
     DVec2::new(f64::from(pos.x), f64::from(pos.y))
 }
 
-/// The twelve edges of the cube: along which axis, at which ends of the others.
+/// The twelve edges of the cube: along which axis, and at which ends of the others.
 pub(super) fn cube_edges() -> impl Iterator<Item = (Axis, [f64; 2])> {
     Axis::ALL.into_iter().flat_map(|axis| {
         [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]].map(|signs| (axis, signs))

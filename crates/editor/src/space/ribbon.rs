@@ -1,9 +1,8 @@
-//! The ribbon along the curve. It leans the way up is, so that it shows the
-//! roll; its fringe points the way the camera looks (the thesis wishes for a
-//! sight of it in chapter 8).
+//! The ribbon along the curve, which leans towards up and so shows the roll; its fringe points
+//! where the camera looks (wished for in the thesis's chapter 8).
 //!
-//! A drag changes few sections. So the ribbon is kept in pieces of a few
-//! sections, and a piece is made again only where its poses are other ones.
+//! A drag changes few sections. So the ribbon is kept in pieces of a few sections, and a piece is
+//! made again only where its poses changed.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -20,36 +19,33 @@ use crate::path::{Change, Pose, Sampler, Timeline};
 use crate::raster::Lines;
 use crate::setup::Element;
 
-/// Width of the ribbon and length of its fringe, in half sizes of the movement
-/// space.
+/// Width of the ribbon and length of its fringe, in half sizes of the movement space.
 const WIDTH: f64 = 0.07;
 const FRINGE: f64 = 0.11;
 
-/// Poses that the ribbon is made of, at most.
+/// Most poses of the ribbon.
 const POSES: usize = 1200;
 
-/// Up to so many frames all of them together cost less than [`POSES`] one by one.
+/// Up to this many frames, sampling all costs less than [`POSES`] one by one.
 const ALL_AT_ONCE: usize = 4 * POSES;
 
-/// Frames that are computed together.
+/// Frames that are sampled together.
 const TOGETHER: usize = 512;
 
 /// On a path of more points the ribbon waits for the end of a drag.
 const MANY_POINTS: usize = 2000;
 
-/// Pieces that it is kept in, at most.
+/// Most pieces that it is kept in.
 const PIECES: usize = 32;
 
-/// Points on the screen from one step of the ribbon to the next, and from one
-/// thread of the fringe to the next.
+/// Distances between steps of the ribbon and between threads of its fringe, in points.
 const STEP: f64 = 6.0;
 const THREAD: f64 = 22.0;
 
-/// One pose of the ribbon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Rib {
     camera: Camera,
-    /// A section begins here, or the path.
+    /// A section or the path begins here.
     begins: bool,
 }
 
@@ -60,31 +56,27 @@ impl Rib {
     }
 }
 
-/// Some sections of the ribbon.
 #[derive(Debug)]
 struct Piece {
-    /// Its poses. The last one is the first one of the next piece.
+    /// The last one is the first one of the next piece.
     ribs: Range<usize>,
     made: Option<(Arc<Mesh>, Arc<Lines>)>,
 }
 
-/// The poses that the ribbon is made of, kept as long as the path is the same,
-/// and what was made of them.
-///
-/// They are counted from the beginning of each section, so that a section
-/// which a change does not reach keeps its part of the ribbon as it is.
+/// The ribbon's poses, and what was made of them. They are counted from the beginning of each
+/// section, so that a section which a change does not reach keeps its part.
 #[derive(Debug, Default)]
 pub(super) struct Ribbon {
     revision: Option<u64>,
     ribs: Vec<Rib>,
     pieces: Vec<Piece>,
     seen: Option<Seen>,
-    /// Those of the path before; kept for their memory.
+    /// Those of the path before, to copy from.
     before: Vec<Rib>,
-    /// The sections that `ribs` come from, and every which frame of theirs.
+    /// The sections that `ribs` come from; of each, every `stride`th frame.
     sections: Vec<Section>,
     stride: usize,
-    /// Kept for their memory.
+    /// Kept for their allocation.
     poses: Vec<Pose>,
 }
 
@@ -98,11 +90,7 @@ struct Section {
 }
 
 impl Ribbon {
-    /// Brings the poses up to date.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`, or `ErrorKind::Limit` if there are too
-    /// many frames; there is no ribbon then.
+    /// Brings the poses up to date; fails for want of memory or with too many frames.
     pub(super) fn update(&mut self, document: &Document) -> Result<()> {
         let revision = document.revision();
         if self.revision == Some(revision) {
@@ -125,8 +113,7 @@ impl Ribbon {
         Ok(())
     }
 
-    /// Makes `ribs`; what is the same as in one of the `old` sections comes from
-    /// `before`.
+    /// Makes `ribs`; those of sections that are as before are copied.
     fn collect(
         &mut self,
         timeline: &Timeline,
@@ -171,7 +158,7 @@ impl Ribbon {
             self.sections.push(Section { fingerprint, ribs });
             self.ribs.push(rib(end, true)?);
         }
-        // Of very many sections one sees nothing; and the last key may rest.
+        // The rest: all frames of a path with very many sections, else a hold at the last key.
         for frame in (end + stride..last).step_by(stride) {
             self.ribs.push(rib(frame, false)?);
         }
@@ -181,8 +168,7 @@ impl Ribbon {
         Ok(())
     }
 
-    /// Adds poses within a section that ends with a frame. In a short path poses
-    /// cost less when many are computed together.
+    /// Adds poses of a section that ends at frame `end`; in a short path many are sampled at once.
     fn between(
         &mut self,
         sampler: &Sampler,
@@ -213,7 +199,7 @@ impl Ribbon {
         Ok(())
     }
 
-    /// Divides it into pieces; one that was there before stays as it is.
+    /// Divides the ribs into pieces; a piece that was there before stays as it is.
     fn divide(&mut self, old: Vec<Piece>) {
         let begins = (0..self.ribs.len()).filter(|&at| self.ribs[at].begins);
         let sections = begins.clone().count();
@@ -236,7 +222,7 @@ impl Ribbon {
         self.ribs.iter().map(|rib| rib.camera)
     }
 
-    /// Paints it: all surfaces, and above them all lines.
+    /// Paints all surfaces, and above them all lines.
     pub(super) fn paint(&mut self, painter: &Painter, look: &Look<'_>) {
         let made = self.made(look);
         let surfaces = made.iter().filter(|(mesh, _)| !mesh.is_empty());
@@ -264,7 +250,6 @@ impl Ribbon {
     }
 }
 
-/// The surface and the lines of a piece.
 fn make(ribs: &[Rib], look: &Look<'_>, color: Color32) -> (Arc<Mesh>, Arc<Lines>) {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     let mut mesh = Mesh::default();
@@ -272,8 +257,7 @@ fn make(ribs: &[Rib], look: &Look<'_>, color: Color32) -> (Arc<Mesh>, Arc<Lines>
     let (edge, fringe) = (color.gamma_multiply(0.5), color.gamma_multiply(0.6));
     let half_size = look.projection.space().half_size;
     let mut last: Option<[DVec3; 2]> = None;
-    // On the screen: since the last thread of the fringe, and since the
-    // section began.
+    // On the screen: since the last thread of the fringe, and since the section began.
     let (mut since_thread, mut since_begin) = (f64::INFINITY, 0.0);
     for (at, rib) in ribs.iter().enumerate() {
         let ends = rib.ends(half_size);
@@ -296,7 +280,7 @@ fn make(ribs: &[Rib], look: &Look<'_>, color: Color32) -> (Arc<Mesh>, Arc<Lines>
         if rib.begins {
             since_begin = 0.0;
         }
-        // The next piece begins with one; at the end of all stands a camera.
+        // Not at the end: there the next piece begins with one, or a camera stands.
         if since_thread >= THREAD && !ends_piece {
             since_thread = 0.0;
             let tip = ends[1] + rib.camera.view * (FRINGE * half_size);

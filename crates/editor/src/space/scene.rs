@@ -1,10 +1,8 @@
-//! What stands in the movement space, as lines: made again only where it
-//! changed.
+//! What stands in the movement space, as lines: made again only where it changed.
 //!
-//! A drag changes four segments of perhaps ten thousand. So the curve is kept
-//! in chunks; each remembers the points that it was made of, and is made again
-//! when these are other ones, whoever changed them. The curve's straight
-//! pieces are kept in space, so that turning the view costs a projection only.
+//! A drag changes four segments of perhaps ten thousand. So the curve is kept in chunks that know
+//! the points they were made of. Its straight pieces are kept in space, so that turning the view
+//! costs only a projection.
 
 use std::ops::Range;
 use std::ptr;
@@ -23,25 +21,22 @@ use crate::path::{CameraPath, CurveKind, Space, Tangents, Tcb, curve};
 use crate::raster::Lines;
 use crate::setup::{Colours, Element, Shown};
 
-/// Segments in a chunk; of a path with more points than [`FEW`] more of them, since
-/// each chunk is looked at in every picture.
+/// Segments in a chunk; more in paths of over [`FEW`] points, since each pass looks at each chunk.
 const CHUNK: usize = 16;
 const LARGE_CHUNK: usize = 64;
 const FEW: usize = 1024;
 
-/// How far the drawn curve may stray from the true one, in pixels.
+/// Largest distance of the drawn curve from the true one, in pixels.
 const STRAY: f64 = 0.25;
 
-/// Points of the curve and crosses that are nearer to the last one than this
-/// are not drawn, in pixels: nobody would see them, and a path of ten thousand
-/// points has many.
+/// Points of the curve and crosses nearer than this to the last one are left out, in pixels.
 const MERGE: f64 = 0.25;
 const MERGE_CROSSES: f64 = 1.5;
 
 /// Half the size of a cross, in points.
 const CROSS: f64 = 4.0;
 
-/// Width of lines that matter little, of the curve, of the current segment.
+/// Widths of unimportant lines, of the curve and of the current segment, in points.
 pub(super) const THIN: f32 = 1.0;
 const CURVE: f32 = 1.7;
 const SEGMENT: f32 = 2.6;
@@ -55,7 +50,7 @@ pub(super) struct Look<'a> {
     pub(super) shown: &'a Shown,
 }
 
-/// What [`Look`] was when something was made.
+/// The values of a [`Look`], to be compared with the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Seen {
     projection: Projection,
@@ -80,35 +75,31 @@ impl Look<'_> {
         self.shown.has(element).then(|| self.colours.of(element))
     }
 
-    /// The error bound for curves in the world: a power of two half sizes, so that
-    /// enlarging the view a little changes no piece.
+    /// Error bound of curves in space: a power of two half sizes, so that a small zoom keeps them.
     fn stray(&self) -> f64 {
         let exact = STRAY / (self.projection.scale() * self.pixels_per_point);
         exact.log2().floor().exp2() * self.projection.space().half_size
     }
 }
 
-/// A point as far as the curve depends on it.
+/// What the curve depends on at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Knot {
     position: DVec3,
     tcb: Tcb,
     kind: CurveKind,
-    /// Its own; in a cubic spline, which feels points from further away, those
-    /// that it has.
+    /// Those it owns; in a cubic spline those it has, which depend on points farther away.
     tangents: Option<Tangents>,
 }
 
-/// Some segments of the curve, with the crosses at the points where they begin.
+/// Some segments of the curve, and the crosses where they begin.
 #[derive(Debug, Default)]
 struct Chunk {
-    /// The points on which it depends: one before, those of the segments, two
-    /// behind; none where an open path has no more.
+    /// The points it depends on: one before, those of the segments, two after; none past an end.
     knots: Vec<Option<Knot>>,
-    /// Straight pieces, segment after segment; a segment's first point is the
-    /// last one of the segment before.
+    /// Straight pieces; a segment's first point is the last one of the segment before.
     pieces: Vec<DVec3>,
-    /// The error bound that they keep.
+    /// Error bound of the pieces.
     stray: f64,
     curve: Arc<Lines>,
     crosses: Arc<Lines>,
@@ -120,7 +111,7 @@ pub(super) struct Scene {
     still: Arc<Lines>,
     object: Object,
     chunks: Vec<Chunk>,
-    /// How many chunks were made in the last pass; for tests and for nothing else.
+    /// Chunks made in the last pass, for tests only.
     made: usize,
 }
 
@@ -129,13 +120,13 @@ impl Scene {
         let seen = look.seen();
         let other_look = self.seen.as_ref() != Some(&seen);
         let object = &document.info().object;
-        // The same memory, held meanwhile: the same points.
+        // The same allocation, held by us meanwhile, has the same points.
         let other_object = !ptr::eq::<[_]>(&**object, &*self.object);
         if other_look || other_object {
             self.object = object.clone();
             self.still = Arc::new(still(object, look));
         }
-        // Should memory run out below, everything is made again next time.
+        // Out of memory below, everything is made again next time.
         self.seen = None;
         self.made = 0;
         let path = document.path();
@@ -168,7 +159,6 @@ impl Scene {
         self.chunks.iter().for_each(|chunk| add(&chunk.crosses));
     }
 
-    /// Everything that was made, for comparison.
     #[cfg(test)]
     fn all(&self) -> Vec<Vec<crate::raster::Line>> {
         let chunks = self.chunks.iter();
@@ -197,7 +187,7 @@ fn segments(path: &CameraPath, index: usize) -> Range<usize> {
 fn knots(path: &CameraPath, index: usize) -> impl Iterator<Item = Option<Knot>> {
     let count = path.points.len();
     let Range { start: first, end } = segments(path, index);
-    // One earlier and one later than the points: shifted by one to stay ≥ 0.
+    // From one before to two after the points, shifted by one to stay ≥ 0.
     (first..end + 3).map(move |shifted| {
         let at = match shifted.checked_sub(1) {
             Some(at) if at < count => at,
@@ -276,8 +266,7 @@ impl Chunk {
     }
 }
 
-/// The straight pieces of a segment. One that leads far out of the movement
-/// space is drawn as exactly as its size allows.
+/// The straight pieces of a segment; one that leads far out of the space is drawn less exactly.
 fn pieces(curve: &Cubic, look: &Look<'_>, viewport: &mut Vec<(f64, DVec3)>) -> Result<()> {
     let from = curve.d - look.projection.space().centre;
     let size = [curve.a, curve.b, curve.c, from]
@@ -287,8 +276,7 @@ fn pieces(curve: &Cubic, look: &Look<'_>, viewport: &mut Vec<(f64, DVec3)>) -> R
     Ok(tessellate(curve, look.stray().max(size * 1e-6), viewport)?)
 }
 
-/// Points without those that are seen nearer than `merge` to the last one kept;
-/// first and last stay.
+/// Leaves out points seen nearer than `merge` to the last one kept, but not the first and the last.
 fn thinned(points: &[DVec3], projection: &Projection, merge: f64) -> impl Iterator<Item = DVec3> {
     let end = points.len().saturating_sub(1);
     let mut last = DVec2::INFINITY;
@@ -305,8 +293,7 @@ fn thinned(points: &[DVec3], projection: &Projection, merge: f64) -> impl Iterat
         })
 }
 
-/// A curve through points: inside the cube in its own colour, outside dashed in
-/// another one.
+/// A curve through points: inside the cube in one colour, outside dashed in another.
 fn stroke_curve(
     strokes: &mut Strokes<'_>,
     points: impl Iterator<Item = DVec3>,
@@ -317,7 +304,7 @@ fn stroke_curve(
     let space = strokes.space();
     let (low, high) = (space.low(), space.high());
     let within = |p: DVec3| p.cmpge(low).all() && p.cmple(high).all();
-    // Without a mark of its own it is one curve.
+    // Without a colour for the outside it is one curve.
     let outside = outside.or(inside);
     let marked = outside != inside;
     strokes.restart_dashes();
@@ -380,8 +367,7 @@ fn cross(
     );
 }
 
-/// The segment that begins at the current point and the point's own cross,
-/// above everything else.
+/// The current segment and the current point's cross, above everything else.
 pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
     let path = document.path();
     let at = document.selection().point;
@@ -424,18 +410,17 @@ fn still(object: &Object, look: &Look<'_>) -> Lines {
     strokes.finish()
 }
 
-/// Width and colour of a line, or of a point, of the object: its own colour, or that of
-/// all.
+/// Width and colour of a line or point of the object: its own colour, else `color`.
 pub(super) fn object_line(point: bool, own: Option<[u8; 3]>, color: Color32) -> (f32, Color32) {
     let width = if point { 2.0 } else { 1.2 };
     let own = own.map(|[red, green, blue]| Color32::from_rgb(red, green, blue));
     (width, own.unwrap_or(color))
 }
 
-/// Lines on the floor in each direction, so that one sees how it lies.
+/// Cells of the floor's grid in each direction.
 pub(super) const FLOOR: i32 = 8;
 
-/// Those lines, without the edges of the space.
+/// The lines of that grid, without the edges of the space.
 pub(super) fn floor(space: Space) -> impl Iterator<Item = [DVec3; 2]> {
     (1..FLOOR).flat_map(move |step| {
         let at = 2.0 * f64::from(step) / f64::from(FLOOR) - 1.0;
@@ -458,7 +443,7 @@ fn cube(strokes: &mut Strokes<'_>, look: &Look<'_>, color: Color32) {
     edges.sort_by_key(|&(axis, signs)| !look.projection.hides_edge(axis, signs));
     for (axis, signs) in edges {
         let mut ends = edge_ends(space, axis, signs).map(|end| look.projection.image(end));
-        // Upright edges are upright on the screen: there they fill whole pixels.
+        // Edges that are upright on the screen fill whole pixels.
         if ends[0].x == ends[1].x {
             let x = in_pixel(ends[0].x, look.pixels_per_point);
             ends = ends.map(|end| DVec2::new(x, end.y));

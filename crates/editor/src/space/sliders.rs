@@ -1,5 +1,4 @@
-//! The sliders around the movement window: size above, rotation below, tilt at
-//! the right, each with its number (thesis A.2).
+//! The sliders around the movement window, each with its number (thesis A.2).
 
 use egui::{Align, Layout, Rect, Slider, SliderOrientation, Ui, UiBuilder, pos2};
 
@@ -28,8 +27,7 @@ enum Part {
     Tilt,
 }
 
-/// Shows the sliders and gives back the viewport between them. `before`: the view as it
-/// was before a number is dragged.
+/// Shows the sliders; returns the viewport between them. `before` is the view before a drag.
 pub(super) fn show(
     editor: &Editor,
     before: &mut Option<View>,
@@ -81,7 +79,6 @@ pub(super) fn show(
 /// What the three share.
 struct Sliders<'a> {
     editor: &'a Editor,
-    /// As the hand changes it.
     view: &'a mut View,
     before: &'a mut Option<View>,
     viewport: Rect,
@@ -137,7 +134,6 @@ impl Sliders<'_> {
         response.on_hover_text(tip);
     }
 
-    /// The number beside it, to be dragged or typed.
     fn number(&mut self, ui: &mut Ui, part: Part) {
         let texts = &self.editor.texts().space;
         let (name, unit) = match part {
@@ -172,7 +168,7 @@ impl Sliders<'_> {
 }
 
 impl Part {
-    /// What stands in the window for it: the size in percent, degrees.
+    /// The value shown for it: the size in percent, the others in degrees.
     fn of(self, view: &View) -> f64 {
         match self {
             Self::Size => view.size * 100.0,

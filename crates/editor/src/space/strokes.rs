@@ -1,5 +1,4 @@
-//! Straight pieces on the screen: cut at the space that is seen, dashed, put
-//! on whole pixels where that makes them crisp.
+//! Lines on the screen: clipped, dashed, put on whole pixels where that makes them crisp.
 
 use egui::{Color32, Rect};
 use glam::{DVec2, DVec3};
@@ -11,8 +10,7 @@ use crate::raster::{Line, Lines};
 /// Lengths of a dash and of the gap after it, in points.
 const DASH: [f64; 2] = [5.0, 4.0];
 
-/// Collects lines; what lies outside the viewport is left out, so that what comes
-/// to the raster has coordinates of a reasonable size.
+/// Collects lines clipped to the viewport, so that the raster gets coordinates of reasonable size.
 #[derive(Debug)]
 pub(super) struct Strokes<'a> {
     projection: &'a Projection,
@@ -24,7 +22,6 @@ pub(super) struct Strokes<'a> {
 }
 
 impl<'a> Strokes<'a> {
-    /// None yet; `viewport` is what is seen.
     pub(super) fn new(projection: &'a Projection, viewport: Rect) -> Self {
         // Wide enough that no round end and no join shows at the border.
         let viewport = viewport.expand(24.0);
@@ -68,13 +65,12 @@ impl<'a> Strokes<'a> {
         self.flat(from, to, width, color);
     }
 
-    /// Begins a row of dashed pieces with a dash.
+    /// Makes the next dashed line begin with a dash.
     pub(super) fn restart_dashes(&mut self) {
         self.phase = 0.0;
     }
 
-    /// A dashed line between two images; it goes on with the pattern where the
-    /// last one ended.
+    /// A dashed line between two images, which continues the pattern of the last one.
     pub(super) fn flat_dashed(&mut self, from: DVec2, to: DVec2, width: f32, color: Color32) {
         let length = from.distance(to);
         let Some([first, last]) = cut(from, to, self.low, self.high) else {
@@ -110,8 +106,7 @@ impl<'a> Strokes<'a> {
     }
 }
 
-/// The part of a line that lies between two corners (Liang and Barsky 1984);
-/// none if it misses them or is not finite.
+/// Clips a line to a rectangle (Liang and Barsky 1984); none if it is outside or not finite.
 pub(super) fn cut(from: DVec2, to: DVec2, low: DVec2, high: DVec2) -> Option<[DVec2; 2]> {
     let inside = |p: DVec2| p.cmpge(low).all() && p.cmple(high).all();
     if inside(from) && inside(to) {
@@ -133,8 +128,7 @@ pub(super) fn cut(from: DVec2, to: DVec2, low: DVec2, high: DVec2) -> Option<[DV
     })
 }
 
-/// From where to where, in parts of its length, a line lies in a box; none if
-/// it misses it or is not finite.
+/// From where to where, in parts of its length, a line is in a box; none if outside or not finite.
 pub(super) fn part_between(from: DVec3, to: DVec3, low: DVec3, high: DVec3) -> Option<[f64; 2]> {
     let way = to - from;
     if !(way.is_finite() && from.is_finite()) {
@@ -155,8 +149,7 @@ pub(super) fn part_between(from: DVec3, to: DVec3, low: DVec3, high: DVec3) -> O
     (start <= end).then_some([start, end])
 }
 
-/// The middle of the pixel in which a coordinate lies: a line of one pixel's
-/// width there fills that pixel alone.
+/// The middle of a coordinate's pixel: a line there of one pixel's width fills that pixel alone.
 pub(super) fn in_pixel(coordinate: f64, pixels_per_point: f64) -> f64 {
     ((coordinate * pixels_per_point).floor() + 0.5) / pixels_per_point
 }

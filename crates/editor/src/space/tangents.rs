@@ -1,6 +1,5 @@
-//! The tangents that the current point owns: the handles at their ends, a third of a
-//! tangent away as the inner points of a Bézier curve are, and how the tangent on one side
-//! follows the one on the other.
+//! The tangents that the current point owns: their handles, a third of a tangent away as the inner
+//! points of a Bézier curve are, and how the tangent on one side follows the other.
 
 use glam::DVec3;
 
@@ -19,7 +18,6 @@ const STRAIGHT: f64 = 1e-6;
 const HANDLE: f64 = 3.5;
 const WIDTH: f32 = 1.2;
 
-/// On which side of its point a tangent is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
     Before,
@@ -45,7 +43,7 @@ pub(crate) enum Joint {
 impl Joint {
     pub(crate) const ALL: [Self; 3] = [Self::Smooth, Self::Mirrored, Self::Corner];
 
-    /// What becomes of a tangent when the other one is `led`.
+    /// The `other` tangent after one was dragged to `led`.
     fn follow(self, led: DVec3, other: DVec3) -> DVec3 {
         match self {
             Self::Smooth => {
@@ -57,12 +55,11 @@ impl Joint {
         }
     }
 
-    /// Two tangents as they must be for it: in the middle of both directions, with the
-    /// mean length if they are mirrored.
+    /// The tangents joined this way: along their mean direction, with the mean length if mirrored.
     fn of(self, tangents: Tangents) -> Tangents {
         let Tangents { before, after } = tangents;
         let sum = before.normalize_or_zero() + after.normalize_or_zero();
-        // Of opposite ones the curve goes on as it leaves.
+        // If they are opposite, the direction after the point counts.
         let way = sum.try_normalize().or_else(|| after.try_normalize());
         let (Some(way), false) = (way, self.holds(tangents)) else {
             return tangents;
@@ -92,7 +89,7 @@ impl Joint {
     }
 }
 
-/// The end of a tangent that the current point owns, if the curve has that side.
+/// The handle of a tangent that the current point owns, if the curve has that side.
 pub(super) fn tip(document: &Document, side: Side) -> Option<DVec3> {
     let path = document.path();
     let at = document.selection().point;
@@ -105,13 +102,12 @@ pub(super) fn tip(document: &Document, side: Side) -> Option<DVec3> {
     }
 }
 
-/// Those that there are.
 pub(super) fn tips(document: &Document) -> impl Iterator<Item = (Side, DVec3)> {
     let tips = Side::BOTH.map(|side| tip(document, side).map(|tip| (side, tip)));
     tips.into_iter().flatten()
 }
 
-/// The edit that brings the end of a tangent to a place.
+/// The edit that moves the handle of a tangent.
 pub(super) fn moved(document: &Document, side: Side, to: DVec3, joint: Joint) -> Option<Edit> {
     let at = document.selection().point;
     let point = document.path().points.get(at)?;
@@ -144,7 +140,6 @@ pub(super) fn moved(document: &Document, side: Side, to: DVec3, joint: Joint) ->
     Some(Edit::SetTangents { at, tangents })
 }
 
-/// The handles with the lines to them.
 pub(super) fn show(document: &Document, look: &Look<'_>) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     let color = look.colours.of(Element::Segment);
@@ -170,7 +165,7 @@ impl Editor {
         Some(holds.next().unwrap_or(Joint::Corner))
     }
 
-    /// Joins the tangents of all that are selected so from now on.
+    /// Joins the tangents of all selected points this way.
     pub(crate) fn join(&mut self, joint: Joint) {
         let path = self.document.path();
         let selected = self.all_selected().into_iter();
@@ -188,7 +183,7 @@ impl Editor {
         }
     }
 
-    /// Gives all that are selected the tangents that they have, or takes them away.
+    /// Makes all selected points own the tangents that they have, or takes these away.
     pub(crate) fn set_own_tangents(&mut self, own: bool) {
         let path = self.document.path();
         let selected = self.all_selected().into_iter();

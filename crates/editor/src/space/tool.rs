@@ -1,5 +1,5 @@
-//! Moving, turning and scaling what is selected by keys: M, R or S, then the mouse or a
-//! number, X, Y or Z for an axis, Enter or a click at the end.
+//! Moving, turning and scaling what is selected by keys: M, R or S, then the mouse or a number, X,
+//! Y or Z for an axis, Enter or a click at the end.
 
 use egui::{Event, Key, Modifiers, PointerButton};
 use glam::{DMat4, DVec2, DVec3};
@@ -21,17 +21,17 @@ use crate::setup::Element;
 use crate::state::Editor;
 use crate::texts::{Texts, fill};
 
-/// What a tool that goes by steps goes by: degrees, parts of the size.
+/// Snap steps: degrees, and parts of the size.
 const STEP_TURN: f64 = 15.0;
 const STEP_SCALE: f64 = 0.1;
 
-/// A pointer that begins nearer to the middle than this is taken to begin so far at its
-/// right, in points: else the least motion would be a large one.
+/// A pointer that begins nearer than this to the middle is taken to begin [`BESIDE`] to its right,
+/// in points: else the least motion would be a large one.
 const NEAR: f64 = 8.0;
 const BESIDE: f64 = 80.0;
 
-/// Around the middle of several points: radius of the ring that turns them, and half the
-/// side of the square on it that scales them, in points; how near the pointer must be.
+/// In points: radius of the ring that turns several points, half the side of the square on it that
+/// scales them, and how near the pointer must be.
 const RING: f64 = 56.0;
 const SQUARE: f64 = 6.0;
 const REACH: f64 = 5.0;
@@ -47,12 +47,12 @@ pub(super) enum Kind {
 #[derive(Clone, Debug)]
 pub(super) struct Tool {
     kind: Kind,
-    /// The button with which a handle is held.
+    /// The button that holds a handle.
     held: Option<PointerButton>,
-    /// What the pointer has passed so far, and where it was taken to be at first.
+    /// How far the pointer has gone, and where it is taken to have begun.
     way: DVec2,
     from: DVec2,
-    /// Where it was seen last.
+    /// Where the pointer was last.
     last: Option<DVec2>,
     snaps: bool,
     axis: Option<Axis>,
@@ -60,11 +60,10 @@ pub(super) struct Tool {
     points: Vec<usize>,
     /// The current point, and where it was.
     current: (usize, DVec3),
-    /// The middle of the points before.
+    /// The middle of the points at first.
     middle: DVec3,
 }
 
-/// How it goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Next {
     GoesOn,
@@ -72,7 +71,7 @@ pub(super) enum Next {
 }
 
 impl Tool {
-    /// The tool that a key stands for. One point alone can be moved only.
+    /// The tool that a key begins.
     pub(super) fn of_key(editor: &Editor, surface: &PointerContext<'_>, key: Key) -> Option<Self> {
         let kind = match key {
             Key::M => Kind::Move,
@@ -83,7 +82,7 @@ impl Tool {
         Self::new(editor, surface, kind, None)
     }
 
-    /// The tool of a handle around the middle that a button takes hold of.
+    /// The tool that a button on a handle begins.
     pub(super) fn of_handle(
         editor: &Editor,
         surface: &PointerContext<'_>,
@@ -123,17 +122,16 @@ impl Tool {
         })
     }
 
-    /// Needs more than one point.
+    /// Whether it needs more points than are selected.
     pub(super) fn needs_several(&self) -> bool {
         self.kind != Kind::Move && self.points.len() < 2
     }
 
-    /// The button with which a handle is held.
     pub(super) fn held(&self) -> Option<PointerButton> {
         self.held
     }
 
-    /// Takes what the hand does.
+    /// Handles an event.
     pub(super) fn take(
         &mut self,
         editor: &Editor,
@@ -235,7 +233,6 @@ impl Tool {
         self.axis.unwrap_or_else(|| projection.facing())
     }
 
-    /// How far it moves what is selected.
     fn moved(&self, projection: &Projection) -> DVec3 {
         if let Some(number) = self.typed.number() {
             return self.axis.unwrap_or(Axis::X).unit() * number;
@@ -254,7 +251,7 @@ impl Tool {
         by
     }
 
-    /// By how many degrees or how many times it turns or scales.
+    /// Degrees of turning, or the factor of scaling.
     fn amount(&self, projection: &Projection) -> f64 {
         if let Some(number) = self.typed.number() {
             return number;
@@ -268,13 +265,12 @@ impl Tool {
         if self.kind == Kind::Scale {
             return snapped(to.length() / from.length(), STEP_SCALE);
         }
-        // What is seen goes round the other way as y runs downwards.
+        // Negative, since y runs downwards on the screen.
         let seen = -from.perp_dot(to).atan2(from.dot(to)).to_degrees();
         let away = projection.toward()[self.about(projection).index()] < 0.0;
         snapped(if away { -seen } else { seen }, STEP_TURN)
     }
 
-    /// What it does at present.
     fn words(&self, editor: &Editor, projection: &Projection) -> String {
         let texts = &editor.texts().space;
         let language = editor.language();
@@ -337,13 +333,12 @@ fn middle_of(editor: &Editor, points: &[usize]) -> DVec3 {
     sum / count
 }
 
-/// Where the handles around several points are seen: the middle of the ring.
+/// The middle of the ring of handles, if several points are selected.
 pub(super) fn handles(editor: &Editor, projection: &Projection) -> Option<DVec2> {
     let points = editor.several()?;
     Some(projection.image(middle_of(editor, points)))
 }
 
-/// The handle that lies under the pointer.
 pub(super) fn handle_at(editor: &Editor, projection: &Projection, pointer: DVec2) -> Option<Kind> {
     let way = pointer - handles(editor, projection)?;
     if (way - square()).abs().max_element() <= SQUARE + 2.0 {
@@ -352,12 +347,12 @@ pub(super) fn handle_at(editor: &Editor, projection: &Projection, pointer: DVec2
     ((way.length() - RING).abs() <= REACH).then_some(Kind::Turn)
 }
 
-/// From the middle of the ring to the square on it.
+/// Offset of the square from the middle of the ring.
 fn square() -> DVec2 {
     DVec2::new(RING, -RING) * std::f64::consts::FRAC_1_SQRT_2
 }
 
-/// Shows the handles; `meant`: the one under the pointer.
+/// Draws the handles; `meant` is the one under the pointer.
 pub(super) fn show_handles(look: &Look<'_>, middle: DVec2, meant: Option<Kind>) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     let color = look.colours.of(Element::Segment);

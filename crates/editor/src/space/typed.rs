@@ -2,15 +2,14 @@
 
 use egui::{Event, Key};
 
-/// Signs that it takes; more are not needed.
+/// Most characters that it keeps.
 const MOST: usize = 24;
 
-/// What was typed so far.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Typed(String);
 
 impl Typed {
-    /// Takes a digit, a sign or Backspace; false: the event is none of these.
+    /// Handles a digit, a sign or Backspace; returns whether that changed anything.
     pub(super) fn take(&mut self, event: &Event) -> bool {
         match event {
             Event::Key {
