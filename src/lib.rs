@@ -86,7 +86,6 @@ use {
     vides_window::{self as instance, editor},
 };
 
-/// The door of the fuzzer in `fuzz/` to readers that are nobody else's business.
-/// There only when the compiler is told `--cfg fuzzing`.
+/// Readers for the fuzzer in `fuzz/`; exists only with `--cfg fuzzing`.
 #[cfg(all(fuzzing, feature = "window"))]
 pub use vides_window::editor::hostile;
