@@ -76,7 +76,7 @@ fn text(found: &[Finding]) -> String {
 
 fn json(found: &[Finding]) -> String {
     let objects = found.iter().map(|finding| {
-        // Names and finite numbers: nothing to be quoted.
+        // Names and finite numbers need no quoting.
         format!(
             "  {{\"kind\": \"{}\", \"first_frame\": {:?}, \"last_frame\": {:?}, \"point\": {}, \
              \"orientation\": {}, \"value\": {:?}, \"limit\": {:?}}}",
