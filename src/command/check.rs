@@ -11,8 +11,7 @@ use super::{Failure, input, print};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// The path, or a scene: the path of the camera that is shown; - is standard
-    /// input
+    /// The path, or a scene: the path of the camera that is shown; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
     /// Writes the findings as an array of objects

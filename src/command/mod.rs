@@ -1,5 +1,5 @@
-//! The command's arguments and what becomes of them. It only uses the library's public Rust
-//! interface.
+//! The command's arguments and what becomes of them. It stands on the library's public Rust
+//! interface, as any other program would.
 //!
 //! Exit statuses: 0 done, or the reader of our output closed it; 1 bad input, or a file cannot be
 //! read or written; 2 bad usage; 3 a check found something.
@@ -25,8 +25,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 use vides::error::{EngineError, reason};
 
-/// Plans camera paths: a few support points with views become every camera
-/// pose between them.
+/// Plans camera paths: a few support points with views become every camera pose between them.
 #[derive(Parser)]
 #[command(
     name = "vides",

@@ -32,8 +32,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "NAME")]
     node: Option<String>,
 
-    /// A function of the type V_INTERPOLATE for the interpolation "host:NAME" of a
-    /// scene's tracks
+    /// A function of the type V_INTERPOLATE for the interpolation "host:NAME" of a scene's tracks
     #[arg(long, value_name = "NAME=FILE.so:SYMBOL")]
     interpolation: Vec<String>,
 

@@ -181,8 +181,7 @@ pub(super) fn register(text: &str) -> Result<(), Failure> {
         .ok()
         .zip(CString::new(symbol).ok())
         .ok_or_else(wrong)?;
-    // SAFETY: both strings end in NUL. The library's constructors run, as the user asked for; it is
-    // never closed.
+    // SAFETY: both strings end in NUL; the user wants its constructors run; it is never closed.
     let function = unsafe {
         let library = libc::dlopen(file.as_ptr(), libc::RTLD_NOW | libc::RTLD_LOCAL);
         if library.is_null() {
@@ -196,8 +195,7 @@ pub(super) fn register(text: &str) -> Result<(), Failure> {
     // SAFETY: the user asserts that this symbol is such a function.
     let function: Interpolate = unsafe { std::mem::transmute(function) };
     let call = move |question: Question<'_>, value: &mut [f64]| {
-        // SAFETY: as the header specifies: `frames.len()` frames and rows of values, and room for
-        // one row.
+        // SAFETY: by the header: `frames.len()` frames and rows of values, and room for one row.
         let status = unsafe {
             function(
                 question.frames.as_ptr(),

@@ -59,8 +59,7 @@ impl Display for Table {
     }
 }
 
-/// Decimals that suit the largest of some numbers: four for everyday sizes, else enough for five
-/// digits.
+/// Decimals for some numbers: four if the largest is of everyday size, else for its five digits.
 pub(super) fn decimals(numbers: impl Iterator<Item = f64>) -> usize {
     let largest = numbers.map(f64::abs).fold(0.0, f64::max);
     if largest == 0.0 || (1e-2..1e5).contains(&largest) {

@@ -1,9 +1,7 @@
-//! The scene around the edited path.
+//! The scene around the edited path: everything but the path of the one node that is edited.
 //!
-//! A document edits the path of one node; everything else of the scene is kept here and saved with
-//! it. Where no node is edited, a stand-in path lasts as long as the scene and refuses edits.
-//!
-//! It knows nothing of undo: a record exchanges it as a whole ([`super::change`]).
+//! Where no node is edited, a stand-in path lasts as long as the scene and refuses edits. A record
+//! of the history exchanges all of it at once ([`super::change`]).
 
 use std::sync::Arc;
 
@@ -91,8 +89,7 @@ impl Around {
         self.node
     }
 
-    /// Unique to this scene within the process: equal numbers mean that all but the edited path is
-    /// equal.
+    /// Unique to this scene: equal numbers mean that all but the edited path is equal.
     #[must_use]
     pub const fn number(&self) -> u64 {
         self.number
@@ -132,7 +129,6 @@ impl Around {
         Ok(())
     }
 
-    /// The pinned points of the edited path, with the frames of their markers.
     pub(super) fn pins(&self, path: &CameraPath) -> Vec<(usize, f64)> {
         let there = self.pins.there();
         let there = there.filter(|(point, _)| *point < path.points.len());
@@ -177,7 +173,6 @@ impl Pins {
         Ok(Self(pins))
     }
 
-    /// Those that are there, in the order of the points.
     fn there(&self) -> impl Iterator<Item = (usize, String)> + '_ {
         let there = self.0.iter().filter(|pin| pin.parked == 0);
         there.map(|pin| (pin.point, pin.marker.clone()))
@@ -294,8 +289,8 @@ impl Document {
         Self::from_parts(path.try_clone()?, self.info().try_clone()?)
     }
 
-    /// Whether the shown camera sees exactly the edited path, with nothing added by others; none if
-    /// the edited path is not that camera's.
+    /// Whether the shown camera sees exactly the edited path; none if another path or none is
+    /// edited.
     #[must_use]
     pub fn shows_path(&self) -> Option<bool> {
         let Some(around) = self.around() else {
@@ -309,8 +304,8 @@ impl Document {
     /// All present poses of the shown camera.
     ///
     /// # Errors
-    /// `ErrorKind::Argument` without a camera; `ErrorKind::Memory`; `ErrorKind::Limit` for too many
-    /// frames.
+    /// `ErrorKind::Argument` without a camera; `ErrorKind::Limit` for too many frames;
+    /// `ErrorKind::Memory`.
     pub fn poses(&self) -> Result<Poses<'_>> {
         let Some(around) = self.around() else {
             return Ok(Poses::Path(self.sampler()?));
@@ -402,8 +397,7 @@ impl Poses<'_> {
                     #[allow(clippy::cast_precision_loss)]
                     let from = start + (first - 1 + block * BLOCK) as f64;
                     let states = &mut states[..poses.len()];
-                    // Where a host interpolation fails, its track steps and everything else moves
-                    // on.
+                    // A failing host interpolation steps; the rest moves on.
                     let troubles = &mut Troubles::default();
                     scene.sample(*camera, from, 1.0, states, troubles)?;
                     for (pose, state) in poses.iter_mut().zip(states) {

@@ -9,8 +9,7 @@ use super::save;
 use crate::error::Result;
 use crate::path::{Pose, Sampler};
 
-/// Writes every pose of a path as one line `VRP.x VRP.y VRP.z VPN.x VPN.y VPN.z VUP.x VUP.y VUP.z
-/// zoom`.
+/// Writes all poses, one per line, as VRP, VPN and VUP (x y z each) and zoom.
 ///
 /// # Errors
 /// `ErrorKind::Io` if `out` fails, `ErrorKind::Memory`.
@@ -45,7 +44,6 @@ pub(super) fn push_line(text: &mut Vec<u8>, pose: &Pose) {
     text.push(b'\n');
 }
 
-/// The four decimals, as a factor.
 const DECIMALS: u64 = 10_000;
 
 /// Below this a ten-thousandth is more than the rounding of 10⁴·x: 10⁴·10¹¹ < 2⁵².

@@ -13,8 +13,7 @@ pub struct Cage {
     pub nodes: Vec<DVec3>,
 }
 
-/// The box around some points. For a free form a flat side is widened, since it could not move
-/// points out of it.
+/// The box around some points, widened where it is flat if a free form is to move them out of it.
 pub(super) fn bounds(kind: &str, places: &[DVec3]) -> Bounds {
     let bounds = Bounds::of(places);
     let (low, high) = (bounds.min(), bounds.max());
@@ -36,8 +35,7 @@ impl Cage {
                 .collect(),
             None => Vec::new(),
         };
-        // A free form has a line through each row of nodes; the others have the edges and the
-        // middle of each side.
+        // A free form shows each row of nodes, the others the edges and middles of the sides.
         let (cells, steps) = if nodes.is_empty() { (2, 16) } else { (3, 3) };
         let mut lines = Vec::with_capacity(3 * (cells + 1) * (cells + 1));
         for axis in 0..3 {

@@ -1,6 +1,5 @@
-//! The records behind the edits. A record holds new values; applying it swaps them in and returns
-//! the record that undoes it. So undo and redo are one operation, cost what the edit cost, and
-//! restore every bit.
+//! The records behind the edits. Applying a record swaps its values in and returns the record that
+//! undoes it, so that undo and redo are one operation and restore every bit.
 
 use glam::DVec3;
 
@@ -87,8 +86,7 @@ pub(super) enum Change {
         /// The removal that took them away, see [`Comments`]; 0: they are new.
         removal: u64,
     },
-    /// `room` is empty with capacity for `count` points, so that undoing an insertion needs no
-    /// memory.
+    /// `room` has capacity for `count` points, so that undoing an insertion needs no memory.
     RemovePoints {
         at: usize,
         count: usize,
@@ -102,7 +100,6 @@ pub(super) enum Change {
         point: usize,
         at: usize,
         orientation: Orientation,
-        /// As for points.
         removal: u64,
     },
     RemoveOrientation {
@@ -364,8 +361,7 @@ impl Change {
         }
     }
 
-    /// Whether both exchange the value at the same place, so that within a step the older one
-    /// suffices.
+    /// Whether both exchange the same value, so that within a step the older one suffices.
     pub(super) fn is_at_place_of(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Position { at: a, .. }, Self::Position { at: b, .. })

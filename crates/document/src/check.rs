@@ -36,13 +36,11 @@ impl Info {
 }
 
 impl Document {
-    /// What the camera must not run into, in the path's coordinates: the wireframe object and, in a
-    /// scene, the objects visible at the path's first frame, as they are then. None if there is
-    /// nothing.
+    /// What the camera must not run into, in the path's coordinates: the wireframe object and the
+    /// scene's objects visible at the path's first frame. None if there is nothing.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`]; [`vides_engine::Error::Range`] for a scene that is too far
-    /// away.
+    /// [`vides_engine::Error::Memory`]; [`vides_engine::Error::Range`] for a scene too far away.
     pub fn obstacles(&self) -> Result<Option<Mesh>> {
         let mut all = self.info().mesh()?;
         if let Some(around) = self.around() {
@@ -78,8 +76,8 @@ impl Document {
         Ok((!all.points.is_empty()).then_some(all))
     }
 
-    /// What will look wrong in the film; see [`vides_engine::tools::check`]. Without `object` it
-    /// checks against [`Document::obstacles`].
+    /// What will look wrong in the film ([`vides_engine::tools::check`]), by default with the
+    /// obstacles.
     ///
     /// # Errors
     /// [`vides_engine::Error::Argument`] for an object without geometry,
@@ -108,10 +106,9 @@ impl Document {
         Ok(check(self.path(), &against)?)
     }
 
-    /// The edits, to be one step, that fix a finding; none where the choice is the user's. Too fast
-    /// a turn or zoom gets more frames, unless it needs more than eight times as many (then the
-    /// view should change); a corner gets a smooth tangent; a view that jumps along the tangent
-    /// looks at a place ahead; a redundant key is removed.
+    /// The edits, to be one step, that fix a finding; none where the choice is the user's. A turn
+    /// or zoom gets up to eight times the frames (beyond that the view should change), a corner a
+    /// smooth tangent, a view that jumps a place ahead to look at; a redundant key is removed.
     ///
     /// # Errors
     /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].

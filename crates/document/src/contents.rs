@@ -1,6 +1,5 @@
-//! A fingerprint of a file's contents when last read or written, so that changes made meanwhile are
-//! not overwritten unasked. Bytes, not dates: they are right on disks with coarse clocks, and a
-//! file that was only touched, or changed back, counts as unchanged.
+//! A fingerprint of a file as last read or written, so that changes made meanwhile are noticed. Of
+//! its bytes, since dates fail on coarse clocks and on files only touched or changed back.
 
 use std::fs::OpenOptions;
 use std::hash::{DefaultHasher, Hasher};

@@ -9,8 +9,7 @@ use crate::path::{CameraPath, Orientation, Pose};
 
 const DRAWN: usize = 400;
 
-/// A path along drawn positions. Its cameras look as the current one does and move at the base
-/// speed, whatever the speed of the hand.
+/// A path along drawn positions at the base speed; its cameras look as the current one does.
 pub(super) fn drawn(document: &Document, places: &[DVec3], tolerance: f64) -> Result<CameraPath> {
     let path = document.path();
     let poses: Vec<_> = spread(places, DRAWN)

@@ -10,21 +10,20 @@ use crate::path::{
     BaseSpeeds, CameraPath, CurveKind, Orientation, OrientationMode, Space, Tangents, Tcb, ZoomMode,
 };
 
-/// A change of a document, done by [`super::Document::apply`]. Points, orientations, segments and
-/// presets count from 0.
+/// A change of a document. Points, orientations, segments and presets count from 0.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Edit {
-    /// Inserts a support point before point `at`; `at` = the number of points appends. All but the
-    /// name is copied from the predecessor (at 0 from the successor); an absolute target at the new
-    /// position becomes relative, with the predecessor's direction. The new point becomes current.
+    /// Inserts a support point before point `at`, or after the last. All but the name is copied
+    /// from the predecessor (at 0 the successor); an absolute target at the new position becomes
+    /// relative, with the predecessor's direction. The new point becomes current.
     InsertPoint {
         /// Number the new point will have.
         at: usize,
         /// Where it lies.
         position: DVec3,
     },
-    /// Appends a point to an open path: along the curve's end tangent, as far as the last segment
-    /// is long, clamped to the movement space. It becomes current.
+    /// Appends a point to an open path along the curve's end tangent, as far as the last segment is
+    /// long, clamped to the movement space. It becomes current.
     AppendAfterLast,
     /// The same before the first point.
     PrependBeforeFirst,
@@ -52,8 +51,8 @@ pub enum Edit {
     /// How the curve interpolates the points.
     SetCurveKind(CurveKind),
     /// Fixes the frames of all moving sections from the first orientation of one point to the last
-    /// one of another, so that there are exactly `frames` from the first pose to the last. All
-    /// points of a closed path include the way back to the first.
+    /// of another, so that there are exactly `frames` poses from there to there. All points of a
+    /// closed path mean its whole way.
     FitFrames {
         /// The first point.
         first: usize,
@@ -62,22 +61,20 @@ pub enum Edit {
         /// The frames.
         frames: usize,
     },
-    /// Removes a point; its predecessor, or else the new first point, becomes current. Two always
-    /// remain.
+    /// Removes a point, not the last two; its predecessor, else the new first point, becomes
+    /// current.
     RemovePoint {
         /// The point.
         at: usize,
     },
-    /// Renumbers a point with its orientations; those between the two places shift by one. It
-    /// becomes current.
+    /// Renumbers a point; those between the two places shift by one. It becomes current.
     MovePoint {
         /// The point.
         from: usize,
         /// The number that it will have.
         to: usize,
     },
-    /// Moves a point: absolute targets stay, relative ones move along. Refused if one of its
-    /// absolute targets lies there.
+    /// Moves a point, with its relative targets. Refused if one of its absolute targets lies there.
     SetPosition {
         /// The point.
         at: usize,
@@ -112,19 +109,17 @@ pub enum Edit {
         /// The values, each in [−1, 1].
         tcb: Tcb,
     },
-    /// Inserts an orientation before orientation `at`; `at` = their number appends. It becomes
-    /// current.
+    /// Inserts an orientation before orientation `at`, or after the last. It becomes current.
     InsertOrientation {
         /// The point.
         point: usize,
         /// Number the new orientation will have.
         at: usize,
-        /// None copies the one before it (at 0 the first). Any finite roll is wrapped into (−180,
-        /// 180].
+        /// None copies the one before it, or else the first. Rolls are wrapped into (−180, 180].
         orientation: Option<Orientation>,
     },
-    /// Removes an orientation; its predecessor, or else the new first one, becomes current. One
-    /// always remains.
+    /// Removes an orientation, not the last; its predecessor, else the new first one, becomes
+    /// current.
     RemoveOrientation {
         /// The point.
         point: usize,
@@ -138,7 +133,7 @@ pub enum Edit {
         point: usize,
         /// The orientation.
         at: usize,
-        /// The values; any finite roll is wrapped into (−180, 180].
+        /// The values; the roll is wrapped into (−180, 180].
         orientation: Orientation,
     },
     /// Makes a target absolute or relative. The view stays, up to rounding.
@@ -156,14 +151,13 @@ pub enum Edit {
     SetClosed(bool),
     /// How the camera turns and how the zoom runs.
     SetModes(OrientationMode, ZoomMode),
-    /// Title, comment, frames per second, unit and object.
+    /// Replaces the info: title, frame rate, unit, object and so on.
     SetInfo(Box<Info>),
     /// Where the path lies in the world.
     SetSpace {
         /// The new space.
         space: Space,
-        /// Whether the path is mapped into the new space; if not, its coordinates stay. The
-        /// object's always stay.
+        /// Whether the path is mapped into the new space. The object never is.
         fit: bool,
     },
     /// Edits the path of another node of the scene, or of none. Files do not record this.
@@ -192,8 +186,8 @@ pub enum Edit {
         /// Whether their targets are deformed too.
         with_targets: bool,
     },
-    /// Inserts another path after a point; see [`vides_engine::tools::block::insert`]. Its first
-    /// new point becomes current.
+    /// Inserts a path after a point; its first new point becomes current. See
+    /// [`vides_engine::tools::block::insert`].
     InsertPath {
         /// The point.
         at: usize,

@@ -23,9 +23,9 @@ use glam::DVec3;
 /// The current point and its current orientation, counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Selection {
-    /// The current point.
+    /// The point.
     pub point: usize,
-    /// The current orientation of that point.
+    /// Its orientation.
     pub orientation: usize,
 }
 
@@ -37,9 +37,8 @@ impl Selection {
     }
 }
 
-/// A path being edited: the path, the file's other contents, the selection, the history and cached
-/// results. It can be saved, loaded and sampled after any edit (unless it has more than
-/// [`limits::MAX_FRAMES`] frames).
+/// A path being edited, with its info, selection and history. It can be saved, loaded and sampled
+/// after any edit (unless it has more than [`limits::MAX_FRAMES`] frames).
 ///
 /// Reading takes `&self` and may happen on several threads at once.
 #[derive(Debug)]
@@ -90,8 +89,7 @@ impl Document {
     /// A document of this path.
     ///
     /// # Errors
-    /// The first value that violates [`vides_engine::path::camera_path`] or [`Info`], with its
-    /// place.
+    /// The first value that violates [`vides_engine::path::camera_path`] or [`Info`].
     pub fn from_parts(mut path: CameraPath, mut info: Info) -> Result<Self> {
         prepare::normalise(&mut path)?;
         info.check(path.space)?;
@@ -187,15 +185,15 @@ impl Document {
         self.selection
     }
 
-    /// A number for the present contents, the selection excepted. Equal numbers mean equal
+    /// A number for the present contents, the selection excepted: equal numbers mean equal
     /// contents, also across documents of this process.
     #[must_use]
     pub fn revision(&self) -> u64 {
         self.revision
     }
 
-    /// Makes a point and one of its orientations current. This is not an edit: it cannot be undone
-    /// and leaves the document unmodified.
+    /// Selects a point and one of its orientations. Not an edit: it adds no step and modifies
+    /// nothing.
     ///
     /// # Errors
     /// `ErrorKind::Range` if there is no such point or orientation.
@@ -205,8 +203,7 @@ impl Document {
         Ok(())
     }
 
-    /// Does an edit: one step of the history, or part of the step that [`Document::begin_step`]
-    /// opened. An edit that changes nothing adds no step.
+    /// Does an edit: one step of the history, or part of the open one, unless it changes nothing.
     ///
     /// # Errors
     /// Why the edit is impossible; the document is unchanged then.
@@ -303,8 +300,7 @@ impl Document {
         done
     }
 
-    /// All edits from here to [`Document::end_step`] are one step, such as a drag. Ends an open
-    /// step.
+    /// Opens a step, such as a drag: all edits until [`Document::end_step`]. Ends an open one.
     pub fn begin_step(&mut self) {
         self.end_step();
         self.open = Some(Step::new(self.selection, self.state));
@@ -343,8 +339,7 @@ impl Document {
         }
     }
 
-    /// Undoes everything since [`Document::begin_step`], selection included, and ends the step. It
-    /// cannot be redone.
+    /// Undoes the open step, selection included, and drops it: it cannot be redone.
     pub fn cancel_step(&mut self) {
         if let Some(mut step) = self.open.take() {
             step.close();
@@ -362,7 +357,7 @@ impl Document {
         done
     }
 
-    /// Redoes the step undone last, selection included. False if there is none. Needs no memory.
+    /// Redoes the step undone last, likewise.
     pub fn redo(&mut self) -> bool {
         self.end_step();
         let mut history = std::mem::replace(&mut self.history, History::new(0));
@@ -383,7 +378,6 @@ impl Document {
         self.history.can_redo()
     }
 
-    /// Swaps to the other side of a step and makes the step lead back.
     fn exchange(&mut self, step: &mut Step) {
         step.exchange(|change| {
             change.announce(&mut self.plan);
@@ -424,8 +418,8 @@ impl Document {
         Ok(self.plan.timeline(&self.content.path, f)?)
     }
 
-    /// The camera's up vector at an orientation, its roll included: a unit vector in world
-    /// coordinates, perpendicular to the view.
+    /// The camera's up at an orientation, roll included: a unit vector in world coordinates,
+    /// perpendicular to the view.
     ///
     /// # Errors
     /// `ErrorKind::Range` if there is no such orientation; `ErrorKind::Memory`.
@@ -473,9 +467,8 @@ impl Document {
         })?
     }
 
-    /// Loads a path or scene from a `.vid` file, with warnings about the mesh files
-    /// ([`SceneDocument::warnings`]). In a scene the shown camera's path is edited, if it has one;
-    /// the rest is kept.
+    /// Loads a path or scene from a `.vid` file, with the warnings of [`SceneDocument::warnings`].
+    /// Of a scene the shown camera's path is edited, if it has one; the rest is kept.
     ///
     /// # Errors
     /// As [`Document::load`].
@@ -540,8 +533,7 @@ impl Document {
         mesh_file::read_object(&mut self.content.info, space, folder)
     }
 
-    /// As [`Document::load`], but of a scene it takes the shown camera's path. Saving that to the
-    /// same file would lose the rest.
+    /// As [`Document::load`], but of a scene it takes the shown camera's path and drops the rest.
     ///
     /// # Errors
     /// As [`Document::load`]; `ErrorKind::Argument` if the scene has no camera on a path.
@@ -573,7 +565,6 @@ impl Document {
         }
     }
 
-    /// Adds what its text has besides: a fingerprint and the comments.
     fn read_from(mut self, text: &str) -> Result<Self> {
         self.read = Some(Contents::of(text.as_bytes()));
         self.content.comments = Comments::of(text)?;
@@ -598,8 +589,8 @@ impl Document {
         Self::from_parts(path, info)?.read_from(text)
     }
 
-    /// The text of a `.vid` file, with the comments of the text it was read from; comments of
-    /// removed points are gone. Loading it gives the same document, bit by bit.
+    /// The text of a `.vid` file, with the comments of the text it was read from, except those of
+    /// removed points. Loading it gives the same document, bit by bit.
     ///
     /// # Errors
     /// `ErrorKind::Memory`.
@@ -628,8 +619,7 @@ impl Document {
         Ok(text)
     }
 
-    /// Saves as a `.vid` file, atomically and durably ([`super::save`]). Call
-    /// [`Document::mark_saved`] if it is the file being edited.
+    /// Saves atomically and durably ([`super::save`]); see [`Document::mark_saved`].
     ///
     /// # Errors
     /// `ErrorKind::Io` with the file and the system's reason; the old file is whole then.
@@ -638,7 +628,7 @@ impl Document {
     }
 }
 
-/// Absolute, so that mesh names stay valid if the process changes its working directory.
+/// Absolute, so that a change of the working directory does no harm.
 fn absolute_folder_of(file: &Path) -> PathBuf {
     let folder = folder_of(file);
     std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned())

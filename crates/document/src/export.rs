@@ -1,4 +1,4 @@
-//! Poses in the formats of the command `vides sample`: the thesis's ASCII lines, CSV and JSON.
+//! Poses in the formats of the command `vides sample`.
 
 use std::io::Write;
 use std::path::Path;

@@ -1,7 +1,5 @@
-//! A node of a scene, frame by frame, in the formats of the command `vides sample`.
-//!
-//! Cameras and lights are written as poses. Other nodes have a matrix from their coordinates to the
-//! world's, column by column as in OpenGL.
+//! A node of a scene, frame by frame, in the formats of the command `vides sample`: cameras and
+//! lights as poses, others as matrices to world coordinates, column by column as in OpenGL.
 
 use std::io::Write;
 

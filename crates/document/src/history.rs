@@ -1,7 +1,5 @@
-//! The undo history: steps of one or more records.
-//!
-//! Every step keeps "the other side": the selection and state number from before it or, once
-//! undone, from after it. Undo and redo exchange the two sides.
+//! The undo history. A step keeps "the other side": the selection and state number from before it
+//! or, once undone, from after it; undo and redo exchange the sides.
 
 use std::collections::VecDeque;
 
@@ -32,7 +30,6 @@ impl Step {
         }
     }
 
-    /// Reserves memory for one more record.
     pub(super) fn reserve(&mut self) -> Result<()> {
         if self.changes.is_empty() {
             self.changes.try_reserve_exact(1)?;
@@ -46,8 +43,8 @@ impl Step {
         Ok(self.changes.try_reserve(records)?)
     }
 
-    /// Adds the record that undoes the newest change, unless an older record already does. (Kept
-    /// newest last; [`Step::close`] reverses the order.)
+    /// Adds the record that undoes the newest change, unless an older one already does. The newest
+    /// is last until [`Step::close`] reverses the order.
     pub(super) fn push(&mut self, inverse: Change) {
         let known = self
             .changes
@@ -95,8 +92,7 @@ impl Step {
     }
 }
 
-/// How many records to search for one at the same place: a drag changes one or two places
-/// repeatedly.
+/// How many records to search for one at the same place: a drag changes one or two repeatedly.
 const FAR_BACK: usize = 64;
 
 #[derive(Debug)]
@@ -131,7 +127,6 @@ impl History {
         self.done < self.steps.len()
     }
 
-    /// Names of the next steps to undo and redo.
     pub(super) fn names(&self) -> [Option<&'static str>; 2] {
         let name = |at: usize| self.steps.get(at).and_then(|(step, _)| step.name);
         [self.done.checked_sub(1).and_then(name), name(self.done)]

@@ -40,9 +40,8 @@ pub struct ObjectPoint {
     pub draw: bool,
 }
 
-/// The points of a wireframe object, and the mesh file it comes from. Shared, since they may be
-/// many and rarely change. An empty one allocates nothing, so that a path without an object can be
-/// made and copied when memory runs out.
+/// The points of a wireframe object, shared since they may be many, and the mesh file it comes
+/// from. An empty one allocates nothing, so that it can be made and copied when memory runs out.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Object {
     points: Option<Arc<Vec<ObjectPoint>>>,
@@ -70,8 +69,7 @@ impl Object {
         }
     }
 
-    /// Sets an RGB colour for each point; any other number of colours sets none. Only kept in
-    /// documents with a mesh file.
+    /// Sets RGB colours, one per point or none; kept only in documents with a mesh file.
     pub(super) fn coloured(self, colours: Vec<[u8; 3]>) -> Self {
         Self {
             colours: (colours.len() == self.len()).then(|| Arc::new(colours)),
@@ -79,8 +77,7 @@ impl Object {
         }
     }
 
-    /// The lines to draw, each with the colour of its end, if any; isolated points are lines of
-    /// length zero.
+    /// The lines to draw with the colours of their ends; isolated points are lines of length zero.
     pub fn lines(&self) -> impl Iterator<Item = ([DVec3; 2], Option<[u8; 3]>)> + '_ {
         let colours = self.colours.as_ref().map(|colours| colours.as_slice());
         self.iter().enumerate().filter_map(move |(at, point)| {

@@ -1,11 +1,8 @@
-//! The path or scene being edited (thesis 7.3, A.4 to A.6), with undo, and the files for paths and
-//! poses.
+//! The path or scene being edited (thesis 7.3, A.4 to A.6) with undo; files of paths and poses.
 //!
 //! The window, the C interface and scripts all change a path through [`Edit`]. An edit is checked
 //! as a whole and turned into a record of the values it exchanges; applying a record returns the
-//! record that undoes it, exact to the last bit.
-//!
-//! It builds on [`vides_engine::path`] and knows nothing of windows or of C.
+//! one that undoes it, bit by bit. The crate knows nothing of windows or of C.
 
 #![forbid(unsafe_code)]
 

@@ -1,5 +1,4 @@
-//! Meshes in files of their own: a scene stores their names, lengths and checksums and reads them
-//! when it is loaded.
+//! Meshes in files of their own, of which a scene stores name, length and checksum.
 
 use std::cell::Cell;
 use std::path::{Component, Path, PathBuf, absolute};
@@ -13,16 +12,14 @@ use crate::error::{Cause, EngineError, Error, Place, Result};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::Space;
 
-/// Called while a mesh is read, with the share done, 1 at the end; returning false stops the
-/// reading.
+/// Called while a mesh is read with the share done, at last 1; returning false stops the reading.
 pub type Watcher = Box<dyn FnMut(f64) -> bool>;
 
 thread_local! {
     static WATCHER: Cell<Option<Watcher>> = const { Cell::new(None) };
 }
 
-/// Sets the watcher for mesh files read on this thread; none removes it. A stopped mesh is left
-/// empty and reported like a broken file.
+/// Sets or removes the watcher for mesh files read on this thread. A stopped mesh counts as broken.
 pub fn watch_meshes(watcher: Option<Watcher>) {
     WATCHER.set(watcher);
 }
@@ -61,8 +58,7 @@ fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
     Ok((source, mesh))
 }
 
-/// The features of the mesh in an OBJ, PLY, STL or glTF file, as a wireframe. A document with it
-/// stores the file's name.
+/// The wireframe ([`Object::features_of`]) of a mesh file, whose name a document stores.
 ///
 /// # Errors
 /// As [`load_mesh`] and [`Object::features_of`].
@@ -76,8 +72,8 @@ pub fn load_object(file: &Path) -> Result<Object> {
     }))
 }
 
-/// Reads the mesh that an object names, relative to `folder`; returns a warning. A missing or
-/// broken mesh leaves it empty; a changed one is taken.
+/// Reads an object's mesh, named relative to `folder`; returns a warning. A missing or broken mesh
+/// leaves it empty; a changed one is taken.
 pub(super) fn read_object(info: &mut Info, space: Space, folder: &Path) -> Result<Option<Error>> {
     let Some(known) = info.object.source().cloned() else {
         return Ok(None);
@@ -120,8 +116,7 @@ fn checksum(bytes: &[u8]) -> u64 {
     })
 }
 
-/// Reads the meshes that a scene names, relative to `folder`; returns the warnings. A missing or
-/// broken mesh leaves its object empty; a changed one is taken.
+/// As [`read_object`], for all objects of a scene.
 pub(super) fn read_meshes(scene: &mut Scene, folder: &Path) -> Result<Vec<Error>> {
     let mut warnings = Vec::new();
     for at in 0..scene.nodes().len() {

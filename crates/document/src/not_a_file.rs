@@ -4,8 +4,7 @@ use std::fmt;
 use std::fs::Metadata;
 use std::io;
 
-/// What a path leads to instead of a regular file. Within an [`io::Error`] it can be told from a
-/// system error.
+/// What a path leads to instead of a regular file; can be recognised within an [`io::Error`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotAFile {
     /// A directory.

@@ -38,8 +38,7 @@ pub(super) fn divide<'a>(
     Ok(&room[..count])
 }
 
-/// A position beyond an end: along the curve's tangent, as far as the end segment is long, clamped
-/// to the movement space.
+/// A position beyond an end along the tangent, as far as the end segment is long, within the space.
 pub(super) fn beyond(path: &CameraPath, end: End) -> Result<DVec3> {
     if path.closed {
         return Err(Refused::NoEnds.into());

@@ -1,5 +1,4 @@
-//! Recorded poses as text, as [`super::export`] writes them: ten numbers a line, or eleven with the
-//! frame number first.
+//! Recorded poses as text, as [`super::export`] writes them, with or without frame numbers.
 
 use std::path::Path;
 

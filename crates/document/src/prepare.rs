@@ -1,5 +1,4 @@
-//! From an edit to its record. Everything is checked here and nothing changed, so that an edit is
-//! done wholly or not at all.
+//! From an edit to its record. All checks are here, so that an edit is done wholly or not at all.
 
 use glam::DVec3;
 
@@ -254,7 +253,6 @@ fn other_node(content: &Content, node: Option<usize>) -> Result<(Change, Option<
     exchanged_scene(Some(around), path)
 }
 
-/// The record of another scene, or of a path alone.
 fn exchanged_scene(
     around: Option<Around>,
     mut path: CameraPath,
@@ -334,8 +332,7 @@ pub fn no_longer_ahead(path: &CameraPath, point: usize, at: usize) -> Result<Ori
     Ok(new)
 }
 
-/// Drops what an orientation owns to keep a motion when the values it belonged to change, unless it
-/// is set in the same edit.
+/// Drops what an orientation owned for values that change, unless it is set in the same edit.
 fn without_the_outdated(old: &Orientation, mut new: Orientation) -> Result<Orientation> {
     if new.own.is_empty() || new.own != old.own {
         return Ok(new);

@@ -10,8 +10,8 @@ use crate::error::{Error, Result, can_allocate};
 
 const BUFFER: usize = 32 << 10;
 
-/// The buffer, names and messages, whose allocation by the standard library cannot fail gracefully.
-/// Small enough that the allocator keeps it once freed.
+/// For the buffer, names and messages: the standard library aborts if it cannot allocate them.
+/// Small enough that the allocator keeps the room at hand when it is freed.
 const ROOM: usize = BUFFER + (32 << 10);
 
 /// Saves bytes as [`save_with`] does.
@@ -24,8 +24,8 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<()> {
     })
 }
 
-/// As [`save`], but only if the file is missing or its contents are still `known`, checked just
-/// before the replacement; otherwise does nothing and returns false.
+/// As [`save`], but does nothing and returns false if the file exists and is not as `known` just
+/// before it would be replaced.
 ///
 /// # Errors
 /// As [`save_with`].
@@ -42,8 +42,7 @@ pub fn save_unless_changed(file: &Path, bytes: &[u8], known: Option<Contents>) -
     )
 }
 
-/// Saves what `write` writes. A symbolic link stays and its target is replaced; permissions stay; a
-/// new file gets the process's default ones.
+/// Saves what `write` writes. Of a symbolic link the target is replaced; permissions stay.
 ///
 /// # Errors
 /// `ErrorKind::Io` naming the file, or the error of `write`. The old file is whole then, and
@@ -97,8 +96,7 @@ fn replace(
     }
     fs::rename(&temporary.path, &target).map_err(io)?;
     temporary.renamed = true;
-    // The new file is in place; without this, a power cut could bring the old one back. Some file
-    // systems cannot sync a folder.
+    // Else a power cut could bring the old file back. Some file systems cannot sync a folder.
     match File::open(folder).and_then(|folder| folder.sync_all()) {
         Err(error) if !unsupported(&error) => Err(io(error)),
         _ => Ok(true),
@@ -122,7 +120,7 @@ fn unsupported(error: &io::Error) -> bool {
 /// As many symbolic links as Linux itself follows.
 const MAX_LINKS: usize = 40;
 
-/// The file to replace: the end of the chain of symbolic links, even if it does not exist.
+/// The file to replace: the end of the chain of symbolic links, even if missing.
 fn destination(file: &Path) -> io::Result<PathBuf> {
     let mut file = file.to_path_buf();
     if file.as_os_str().is_empty() {

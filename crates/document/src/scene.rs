@@ -11,8 +11,7 @@ use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
 use vides_engine::scene::{FollowPath, Scene};
 
-/// A scene and its info. A file with just a path is a scene of one camera on it, and the other way
-/// round.
+/// A scene and its info. A file with just a path is a scene of one camera on it.
 #[derive(Debug)]
 pub struct SceneDocument {
     /// Everything that moves.
@@ -86,8 +85,8 @@ impl SceneDocument {
         Ok(self)
     }
 
-    /// What was wrong with mesh files on loading: their objects are empty, or the mesh has changed
-    /// since the scene was saved.
+    /// What was wrong with mesh files: their objects are empty, or the mesh has changed since
+    /// saving.
     #[must_use]
     pub fn warnings(&self) -> &[Error] {
         &self.warnings
@@ -132,8 +131,7 @@ impl SceneDocument {
     /// Saves as a `.vid` file, atomically and durably ([`super::save`]).
     ///
     /// # Errors
-    /// `ErrorKind::Io` with the file and the system's reason; the old file is whole then. As
-    /// [`SceneDocument::to_toml`].
+    /// `ErrorKind::Io`, the old file being whole; as [`SceneDocument::to_toml`].
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.text(Some(folder_of(file)))?.as_bytes())
     }

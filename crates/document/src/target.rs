@@ -23,8 +23,7 @@ pub(super) fn switched(
     match (target, absolute) {
         (Target::Absolute(_), false) => {
             let offset = target.offset_from(position);
-            // Opposite corners of the world are further apart than an offset may be long. Halving
-            // keeps the direction exact.
+            // Opposite corners are too far apart for an offset. Halving keeps the direction exact.
             let fits = space.check_offset(offset).is_ok();
             Ok(Target::Relative(if fits { offset } else { offset * 0.5 }))
         }

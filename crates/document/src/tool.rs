@@ -1,5 +1,5 @@
-//! The interactive tools: each with a table of its parameters and the edit it makes. Window and
-//! texts are built from these tables; the mathematics is in [`vides_engine::tools`].
+//! The interactive tools, each with a table of its parameters, from which window and texts are
+//! built, and the edit it makes; the mathematics is in [`vides_engine::tools`].
 
 use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, LATTICE, identity_lattice};
@@ -389,8 +389,7 @@ impl Tool {
         }
     }
 
-    /// Its default numbers: a move around the object, all points of the path, the present frame
-    /// count.
+    /// Its default numbers, fitted to the object, the path's points and the frame count.
     ///
     /// # Errors
     /// `ErrorKind::Memory`.
@@ -512,8 +511,8 @@ impl Tool {
         }))
     }
 
-    /// The box around the points, deformed with these numbers; none if the tool deforms no box or
-    /// the numbers are invalid.
+    /// The box around the points, deformed; none if the tool deforms none or its numbers are
+    /// invalid.
     #[must_use]
     pub fn cage(&self, document: &Document, numbers: &[f64]) -> Option<Cage> {
         let Kind::Deform(kind) = self.kind else {
@@ -580,7 +579,6 @@ impl Given<'_> {
         axis
     }
 
-    /// Indices from the first point to the last.
     fn points(&self) -> Result<Vec<usize>> {
         let [first, last] = [FIRST, LAST].map(|end| chosen(self.number(end.name)));
         if first > last {

@@ -20,8 +20,7 @@ impl Object {
     /// The lines of a mesh and the edges of its triangles, each once; its points if it has neither.
     ///
     /// # Errors
-    /// As [`Mesh::check`]; `ErrorKind::Limit` for more than [`limits::MAX_OBJECT_POINTS`];
-    /// `ErrorKind::Memory`.
+    /// As [`Mesh::check`]; `ErrorKind::Memory`; `Limit` for over [`limits::MAX_OBJECT_POINTS`].
     pub fn of_mesh(mesh: &Mesh) -> Result<Self> {
         mesh.check()?;
         let mut edges = vec_with_room(3 * mesh.triangles.len())?;

@@ -1,6 +1,5 @@
-//! glTF 2.0 (Khronos 2021), text and GLB: the primitives of all nodes of the scene, in place. Read
-//! by hand: readers of the whole format trust that accessors of a checked file lie within its
-//! buffers.
+//! glTF 2.0 (Khronos 2021), text and GLB: the primitives of all nodes of the scene, in place. By
+//! hand: readers of the whole format trust that a checked file's accessors lie within its buffers.
 
 use std::collections::HashMap;
 
@@ -18,8 +17,7 @@ const VALUE: usize = 160;
 /// Limit on the memory of the parsed JSON.
 const MOST_JSON: usize = 512 << 20;
 
-/// Nodes may place a mesh repeatedly: allow so many points, and corners, plus so many per byte of
-/// the file.
+/// Limits on placed points, and on corners: so many, and so many per byte of the file.
 const PLACED: usize = 50_000;
 const FOR_A_BYTE: usize = 4;
 
@@ -161,7 +159,6 @@ fn index(value: &Value) -> Option<usize> {
     usize::try_from(value.as_u64()?).ok()
 }
 
-/// Exactly `N` numbers, or none.
 fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
     let found = list(value);
     let mut numbers = [0.0; N];
@@ -230,7 +227,6 @@ struct Accessor<'a> {
 }
 
 impl Accessor<'_> {
-    /// One component of an element.
     fn number(&self, at: usize, part: usize) -> f64 {
         let size = size_of_component(self.component);
         let start = at * self.stride + part * size;

@@ -1,5 +1,4 @@
-//! Meshes and point clouds from Wavefront OBJ, PLY (ASCII and binary), STL (ASCII and binary), glTF
-//! and GLB.
+//! Meshes and point clouds from Wavefront OBJ, PLY, STL (both ASCII and binary) and glTF or GLB.
 //!
 //! Files are read from memory; nothing is allocated because a header claims a number. Only geometry
 //! is taken: points, their colours, lines, and polygons as fans of triangles. The crate opens no
@@ -30,8 +29,7 @@ pub enum Format {
     Ply,
     /// Stereolithography. Corners with equal coordinates are merged.
     Stl,
-    /// glTF 2.0, text or GLB: triangles, lines and points of all nodes of its scene, with their
-    /// colours.
+    /// glTF 2.0, text or GLB: coloured triangles, lines and points of all nodes of its scene.
     Gltf,
 }
 

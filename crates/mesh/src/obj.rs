@@ -1,5 +1,4 @@
-//! Wavefront OBJ. Read by hand: readers made for rendering drop points without faces and do not say
-//! which line is wrong.
+//! Wavefront OBJ, by hand: other readers drop points without faces and give no line numbers.
 
 use vides_engine::scene::Mesh;
 

@@ -31,8 +31,7 @@ pub(super) fn read(bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<M
         if !go_on(1.0 - left as f64 / bytes.len() as f64) {
             return Err(Error::Stopped);
         }
-        // A record takes at least one byte, which bounds the count; one without properties takes
-        // none.
+        // A record takes at least one byte, which bounds the count; one without properties none.
         if element.properties.is_empty() {
             continue;
         }

@@ -1,6 +1,5 @@
-//! `vides plot`: a path as a picture. Three views of the way, the view directions as a curve on the
-//! sphere with ticks for up (as the thesis asked for), and charts over the frames with findings
-//! marked.
+//! `vides plot`: a path as a picture: three views of the way, the view directions on the sphere
+//! with ticks for up (as the thesis asked for), and charts over the frames with findings marked.
 
 mod charts;
 mod png;
@@ -21,8 +20,7 @@ use svg::{Anchor, Svg};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// The path, or a scene: the path of the camera that is shown; - is standard
-    /// input
+    /// The path, or a scene: the path of the camera that is shown; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
     /// Where the picture goes, as .svg or .png; - is standard output, as SVG

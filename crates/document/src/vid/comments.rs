@@ -1,11 +1,10 @@
 //! The user's comments in a `.vid` file, kept when the path is saved.
 //!
-//! Only the comments are kept, each with the place it is attached to: a key, a table, the end of
-//! the file. They are put back into the written text at their places, so that reader and writer
-//! ignore them and a file without comments costs one search for `#`.
+//! Each comment is kept with the place it is attached to (a key, a table, the end of the file) and
+//! put back into the written text there, so that reader and writer need not know of comments.
 //!
-//! Places follow the points: a comment moves with its point and goes and returns with it. A removed
-//! comment stays in the list, parked under the number of the removal, so that undo needs no memory.
+//! A comment moves, goes and returns with its point. A removed one stays in the list, parked under
+//! the number of the removal, so that undo needs no memory.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -102,7 +101,6 @@ impl Comments {
         Ok(comments)
     }
 
-    /// A copy without the parked ones.
     pub(crate) fn try_clone(&self) -> Result<Self> {
         let mut copy = Self::default();
         copy.all.try_reserve_exact(self.all.len())?;
@@ -170,7 +168,6 @@ impl Comments {
         self.removals
     }
 
-    /// Puts the comments into a document's text.
     pub(super) fn put_into(&self, text: String) -> Result<String> {
         let there = || self.all.iter().filter(|comment| comment.parked == 0);
         let sizes = there().map(|comment| comment.before.len() + comment.behind.len() + 2);
@@ -255,7 +252,6 @@ struct Statement<'a> {
     place: Place<'a>,
     /// Empty at the end of the text.
     text: Range<usize>,
-    /// Comments and empty lines before it.
     before: &'a str,
     /// Comments within its value, one per line.
     within: String,
@@ -263,7 +259,6 @@ struct Statement<'a> {
     behind: &'a str,
 }
 
-/// Calls `each` for the statements of a TOML text.
 fn statements<'a>(text: &'a str, mut each: impl FnMut(Statement<'a>)) {
     let bytes = text.as_bytes();
     let line_end = |from: usize| {
@@ -338,8 +333,7 @@ fn table_of(header: &str, last: Table) -> (Table, &str) {
     (table, "")
 }
 
-/// The end of the statement at `at`, trailing blanks and comments excluded, and the comments within
-/// its brackets.
+/// The end of the statement at `at`, without trailing blanks and comments, and those within it.
 fn end_of_statement(text: &str, mut at: usize) -> (usize, String) {
     let bytes = text.as_bytes();
     let (mut end, mut depth, mut within) = (at, 0, String::new());

@@ -1,11 +1,8 @@
-//! `.vid` files: a whole document as TOML, meant to be read and written by
-//! people too.
+//! `.vid` files: a whole document as TOML, to be read and written by people too.
 //!
-//! Reading walks over the parsed tree by hand, so that every complaint names
-//! its line and speaks of cameras; an unknown key is refused, since a typo
-//! that vanishes costs more than one that is told. Values that are not given
-//! have the defaults of a new path. Numbers are written with as few digits as
-//! give the same bits back.
+//! The parsed tree is read by hand, so that every error names its line and speaks of cameras.
+//! Unknown keys are refused, since a typo must not vanish. Missing values have the defaults of a
+//! new path. Numbers are written with as few digits as give the same bits back.
 //!
 //! ```toml
 //! version = 1
@@ -59,7 +56,7 @@ pub(super) use write::to_toml;
 /// The format version that is written, and the newest that is read.
 const VERSION: i64 = 1;
 
-/// For names, messages and other allocations of the standard library that cannot fail gracefully.
+/// For names, messages and the like: the standard library aborts if it cannot allocate them.
 const ROOM: usize = 32 << 10;
 
 /// The text from a reader, to its end.
@@ -72,8 +69,7 @@ pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
 /// The text of a regular file of at most `most` bytes.
 ///
 /// # Errors
-/// `ErrorKind::Io`, `ErrorKind::Limit`, `ErrorKind::Memory`; `ErrorKind::Format` if it is not
-/// UTF-8. Each names the file.
+/// `ErrorKind::Io`, `Limit`, `Memory`, or `Format` if it is not UTF-8; each names the file.
 pub fn read_text(file: &Path, most: u64) -> Result<String> {
     read_bytes(file, most)
         .and_then(text_of)

@@ -147,7 +147,6 @@ pub(super) fn tangents(table: Field<'_>, space: Space) -> Result<Tangents> {
     Ok(tangents)
 }
 
-/// A table of two vectors, both required.
 fn two_vectors(table: Field<'_>, keys: [&'static str; 2]) -> Result<[DVec3; 2]> {
     let mut found = [None; 2];
     for field in table.fields()? {

@@ -16,8 +16,7 @@ use crate::limits::{MAX_COMMENT_BYTES, MAX_PARSE_BYTES};
 /// Minimum bytes of a piece; small for the fuzzer, so that its files are cut too.
 const PIECE: usize = if cfg!(fuzzing) { 256 } else { 128 << 10 };
 
-/// More than the longest comment takes with each byte written as six; no other value that may
-/// contain such a line is longer.
+/// More than the longest comment takes, each byte written as six; no other text here is longer.
 const LONGEST_TEXT: usize = 6 * MAX_COMMENT_BYTES + 100;
 
 const CUTS: [&[u8]; 2] = [b"\n[[point]]", b"\n[[node]]"];

@@ -26,8 +26,7 @@ pub(super) struct Drafts {
     markers: Vec<(usize, String, f64)>,
 }
 
-/// Byte offset and name. Lines are only counted for errors: counting for each node would be
-/// quadratic.
+/// Byte offset and name; counting lines for every node, not only for errors, would be quadratic.
 type Named = (usize, String);
 
 /// A node whose links are not resolved yet.

@@ -19,8 +19,8 @@ use vides_engine::scene::{
     Beyond, Camera, FollowPath, Kind, Light, Mesh, Node, Object, Pin, Scene, Shape, Track, Values,
 };
 
-/// The text of a scene. One that is just a camera on a path is written as that path; node values
-/// equal to the defaults are omitted. Mesh files are named relative to `folder`.
+/// The text of a scene, or of its path if it is just a camera on that. Node values equal to the
+/// defaults are omitted; mesh files are named relative to `folder`.
 pub(crate) fn scene_to_toml(
     scene: &Scene,
     info: &Info,
@@ -153,7 +153,6 @@ fn line(out: &mut Text, numbers: &[f64]) -> fmt::Result {
     writeln!(out)
 }
 
-/// An array with each row on a line of its own.
 fn rows<T: Copy>(
     out: &mut Text,
     key: &str,

@@ -16,8 +16,8 @@ use crate::path::{
     Target, Tcb, ZoomMode,
 };
 
-/// The text of a document. In points and orientations, values equal to the defaults are omitted.
-/// Mesh files are named relative to `folder`.
+/// The text of a document. Points and orientations omit defaults; mesh files are named relative to
+/// `folder`.
 pub(crate) fn to_toml(
     path: &CameraPath,
     info: &Info,
