@@ -181,7 +181,7 @@ pub(super) fn register(text: &str) -> Result<(), Failure> {
         .ok()
         .zip(CString::new(symbol).ok())
         .ok_or_else(wrong)?;
-    // SAFETY: both strings end in NUL; the user wants its constructors run; it is never closed.
+    // SAFETY: NUL-terminated strings; the user wants the library's constructors run; it stays open.
     let function = unsafe {
         let library = libc::dlopen(file.as_ptr(), libc::RTLD_NOW | libc::RTLD_LOCAL);
         if library.is_null() {

@@ -25,7 +25,7 @@ pub struct Around {
     node: Option<usize>,
     number: u64,
     pins: Pins,
-    /// Approximate bytes that it does not share with the previous scene.
+    /// Approximate bytes that a copy of the scene takes.
     weight: usize,
 }
 

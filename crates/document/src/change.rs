@@ -107,7 +107,7 @@ pub(super) enum Change {
         at: usize,
     },
     Info(Box<Info>),
-    /// With the removal of the old path's points.
+    /// A path, and the removal that took its points away.
     Path(Box<CameraPath>, u64),
     /// As `Path`, with the scene around it.
     Scene(Option<Box<Around>>, Box<CameraPath>, u64),
@@ -141,7 +141,7 @@ impl Change {
         }
     }
 
-    /// Reserves memory for applying. Undo and redo never need any: a path's vectors never shrink.
+    /// Reserves memory for applying. Undo and redo need none, since vectors of a path never shrink.
     pub(super) fn reserve(&self, content: &mut Content) -> Result<()> {
         let points = &mut content.path.points;
         match self {

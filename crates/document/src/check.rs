@@ -76,8 +76,8 @@ impl Document {
         Ok((!all.points.is_empty()).then_some(all))
     }
 
-    /// What will look wrong in the film ([`vides_engine::tools::check`]), by default with the
-    /// obstacles.
+    /// What will look wrong in the film ([`vides_engine::tools::check`]); `object` stands in for
+    /// the document's own obstacles.
     ///
     /// # Errors
     /// [`vides_engine::Error::Argument`] for an object without geometry,
@@ -107,8 +107,9 @@ impl Document {
     }
 
     /// The edits, to be one step, that fix a finding; none where the choice is the user's. A turn
-    /// or zoom gets up to eight times the frames (beyond that the view should change), a corner a
-    /// smooth tangent, a view that jumps a place ahead to look at; a redundant key is removed.
+    /// or zoom gets more frames (not over eight times as many: then the view should change), a
+    /// corner a smooth tangent, a view that jumps a place ahead to look at; a redundant key is
+    /// removed.
     ///
     /// # Errors
     /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].

@@ -51,8 +51,8 @@ pub enum Edit {
     /// How the curve interpolates the points.
     SetCurveKind(CurveKind),
     /// Fixes the frames of all moving sections from the first orientation of one point to the last
-    /// of another, so that there are exactly `frames` poses from there to there. All points of a
-    /// closed path mean its whole way.
+    /// of another, so that there are exactly `frames` poses from the one to the other. All points
+    /// of a closed path mean its whole way.
     FitFrames {
         /// The first point.
         first: usize,
@@ -126,8 +126,8 @@ pub enum Edit {
         /// The orientation.
         at: usize,
     },
-    /// Sets all values of an orientation. Where its view or zoom changes, the velocities and slopes
-    /// it owned are removed; where its ten speeds change, a part of another pace is.
+    /// Sets all values of an orientation. The velocities and slopes it owned are removed where its
+    /// view or zoom changes, its part of another pace where its ten speeds change.
     SetOrientation {
         /// The point.
         point: usize,

@@ -357,7 +357,7 @@ impl Document {
         done
     }
 
-    /// Redoes the step undone last, likewise.
+    /// Redoes the step undone last, selection included. False if there is none. Needs no memory.
     pub fn redo(&mut self) -> bool {
         self.end_step();
         let mut history = std::mem::replace(&mut self.history, History::new(0));

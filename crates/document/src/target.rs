@@ -13,7 +13,7 @@ const NEAR: f64 = 1.0 / 8192.0;
 ///
 /// Relative: the offset is the engine's own difference, so the view keeps every bit. Absolute: the
 /// view keeps about 12 digits; to that end a target too near is moved out along the view, and one
-/// beyond the largest coordinate is moved in. `ErrorKind::Range` if neither fits.
+/// beyond the largest coordinate is moved in. `ErrorKind::Range` if none is within it.
 pub(super) fn switched(
     target: Target,
     position: DVec3,

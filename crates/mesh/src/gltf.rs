@@ -10,7 +10,7 @@ use vides_engine::scene::Mesh;
 
 use super::{Error, Problem, Result};
 
-/// Bytes that serde_json takes for an object and its tree node, and for another value in it.
+/// Bytes that serde_json takes for an object and its tree node, and per value in it or in a list.
 const OBJECT: usize = 700;
 const VALUE: usize = 160;
 
