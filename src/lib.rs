@@ -1,9 +1,8 @@
-//! VIDES plans camera paths: a few support points in space, each with one or
-//! more camera orientations, become every in-between camera pose.
+//! VIDES plans camera paths: a few support points in space, each with one or more camera
+//! orientations, become every camera pose in between.
 //!
-//! [`path`] is the engine, [`document`] the path being edited and its files,
-//! [`math`] what both stand on. `docs/path.md` tells by which rules a path
-//! becomes poses.
+//! [`path`] is the engine, [`document`] the path being edited and its files, [`math`] the basis of
+//! both. `docs/path.md` has the rules by which a path becomes poses.
 //!
 //! | feature | brings |
 //! |---|---|
@@ -37,8 +36,8 @@
 //! # }
 //! ```
 //!
-//! With the feature `window` somebody plans it, and the program sees the flight
-//! meanwhile (`examples/watch.rs` gives its own camera, too):
+//! With the feature `window` the user plans it, and the program follows the flight
+//! (`examples/watch.rs` gives its own camera, too):
 //!
 #![cfg_attr(feature = "window", doc = "```no_run")]
 #![cfg_attr(not(feature = "window"), doc = "```ignore")]
@@ -86,7 +85,6 @@ use {
     vides_window::{self as instance, editor},
 };
 
-/// The door of the fuzzer in `fuzz/` to readers that are nobody else's business.
-/// There only when the compiler is told `--cfg fuzzing`.
+/// Readers for the fuzzer in `fuzz/`; exists only with `--cfg fuzzing`.
 #[cfg(all(fuzzing, feature = "window"))]
 pub use vides_window::editor::hostile;

@@ -11,8 +11,7 @@ use super::{Failure, input, print};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// The path, or a scene: the path of the camera that is shown; - is standard
-    /// input
+    /// The path, or a scene: the path of the camera that is shown; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
     /// Writes the findings as an array of objects
@@ -76,7 +75,7 @@ fn text(found: &[Finding]) -> String {
 
 fn json(found: &[Finding]) -> String {
     let objects = found.iter().map(|finding| {
-        // Names and finite numbers: nothing to be quoted.
+        // Names and finite numbers need no quoting.
         format!(
             "  {{\"kind\": \"{}\", \"first_frame\": {:?}, \"last_frame\": {:?}, \"point\": {}, \
              \"orientation\": {}, \"value\": {:?}, \"limit\": {:?}}}",

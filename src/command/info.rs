@@ -1,4 +1,4 @@
-//! `vides info`: what a path is made of, in tables.
+//! `vides info`: the contents of a path, in tables.
 
 use std::fmt::{Display, Write};
 use std::path::Path;
@@ -32,7 +32,6 @@ fn tables(file: &Path, path: &CameraPath, info: &Info) -> vides::Result<String> 
     ))
 }
 
-/// Title, comment, and the numbers that stand for the whole.
 fn summary(
     file: &Path,
     path: &CameraPath,
@@ -119,7 +118,6 @@ fn summary(
     text
 }
 
-/// The number of the last of some frames.
 fn last_of(first: i64, frames: usize) -> i64 {
     // Both are far below 2⁶³.
     first + frames as i64 - 1
@@ -157,7 +155,7 @@ fn points(path: &CameraPath) -> Table {
     table
 }
 
-/// Where a point's curve parameters come from, and those that are not 0.
+/// The source of a point's curve parameters, and those that are not 0.
 fn curve(path: &CameraPath, point: usize) -> String {
     let mut text = match path.points[point].curve {
         CurveParameters::Preset(preset) => format!("preset {preset}"),
@@ -191,7 +189,7 @@ fn sections(path: &CameraPath, info: &Info, timeline: &Timeline) -> Table {
     let lengths = all().filter(|section| section.change == Change::Position);
     let half_size = path.space.half_size;
     let places = decimals(lengths.map(|section| half_size * section.amount));
-    // The first pose of all belongs to no section.
+    // The very first pose belongs to no section.
     let mut next = i64::from(info.first_frame) + 1;
     let mut row = |number: String, from: String, to: String, change: [String; 3], frames: usize| {
         let mut cells = vec![number, from, to];
@@ -223,7 +221,7 @@ fn sections(path: &CameraPath, info: &Info, timeline: &Timeline) -> Table {
         let change = change(&section, half_size, places);
         row((index + 1).to_string(), from, to, change, section.frames);
     }
-    // On a closed path the first key has rested already.
+    // The hold of a closed path's first key is already listed.
     if let (false, Some(point)) = (path.closed, path.points.last()) {
         let orientation = point.orientations.len() - 1;
         let hold = point.orientations[orientation].hold as usize;
@@ -235,7 +233,7 @@ fn sections(path: &CameraPath, info: &Info, timeline: &Timeline) -> Table {
     table
 }
 
-/// A point by its number, with that of its orientation where it has several.
+/// A point's number, with its orientation's if it has several.
 fn place(path: &CameraPath, point: usize, orientation: usize) -> String {
     if path.points[point].orientations.len() > 1 {
         format!("{}.{}", point + 1, orientation + 1)
@@ -244,7 +242,7 @@ fn place(path: &CameraPath, point: usize, orientation: usize) -> String {
     }
 }
 
-/// What changes in a section, by how much, in which unit.
+/// What changes in a section, by how much and in which unit.
 fn change(section: &Section, half_size: f64, places: usize) -> [String; 3] {
     let amount = section.amount;
     let (name, by, unit) = match section.change {

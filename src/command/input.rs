@@ -1,5 +1,4 @@
-//! Where paths come from: a file, standard input, or whatever else the shell
-//! puts in a file's place.
+//! Input files: regular files, standard input, pipes and the like.
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read};
@@ -11,7 +10,6 @@ use vides::error::reason;
 
 use super::{Failure, complain, one_line};
 
-/// Loads a path; `-` is standard input.
 pub(super) fn load(file: &Path) -> Result<Document, Failure> {
     match stream(file)? {
         Some(mut stream) => Ok(Document::load_from(&mut stream, &name(file))?),
@@ -19,7 +17,7 @@ pub(super) fn load(file: &Path) -> Result<Document, Failure> {
     }
 }
 
-/// Loads a path, or a scene to look at the path of the camera that is shown.
+/// Loads a path, or of a scene the shown camera's path.
 pub(super) fn load_shown(file: &Path) -> Result<Document, Failure> {
     let name = name(file);
     let (document, warnings) = match stream(file)? {
@@ -44,7 +42,7 @@ pub(super) fn load_shown(file: &Path) -> Result<Document, Failure> {
     Ok(document)
 }
 
-/// Loads a scene, which a path alone is too.
+/// Loads a scene; a file with just a path is one, too.
 pub(super) fn load_scene(file: &Path) -> Result<SceneDocument, Failure> {
     let document = match stream(file)? {
         Some(mut stream) => SceneDocument::load_from(&mut stream, &name(file))?,
@@ -56,8 +54,8 @@ pub(super) fn load_scene(file: &Path) -> Result<SceneDocument, Failure> {
     Ok(document)
 }
 
-/// What is read from one end to the other. `vides info <(make-a-path)`: the library
-/// refuses a pipe, since a window must not wait for one; a command may.
+/// A stream in a file's place, as in `vides info <(make-a-path)`. The library refuses pipes, since
+/// a window must not block on one.
 fn stream(file: &Path) -> Result<Option<Box<dyn Read>>, Failure> {
     if is_standard_stream(file) {
         return Ok(Some(Box::new(io::stdin().lock())));
@@ -70,7 +68,7 @@ fn stream(file: &Path) -> Result<Option<Box<dyn Read>>, Failure> {
     Ok(None)
 }
 
-/// What the file is called in messages.
+/// The file's name in messages.
 pub(super) fn name(file: &Path) -> String {
     if is_standard_stream(file) {
         "standard input".to_owned()
@@ -79,18 +77,17 @@ pub(super) fn name(file: &Path) -> String {
     }
 }
 
-/// Whether the name means standard input or output; `./-` is a file.
+/// Whether the name is `-`, standard input or output; `./-` is a file.
 pub(super) fn is_standard_stream(file: &Path) -> bool {
     file.as_os_str() == "-"
 }
 
-/// Whether it is read and written from one end to the other: a pipe, a
-/// terminal, `/dev/null`.
+/// Whether it can only be read or written in sequence: a pipe, a terminal, `/dev/null`.
 pub(super) fn is_stream(metadata: &Metadata) -> bool {
     metadata.file_type().is_fifo() || metadata.file_type().is_char_device()
 }
 
-/// Whether both names lead to one and the same regular file.
+/// Whether both names lead to the same regular file.
 pub(super) fn is_same_file(a: &Path, b: &Path) -> bool {
     match (fs::metadata(a), fs::metadata(b)) {
         (Ok(a), Ok(b)) => a.is_file() && (a.dev(), a.ino()) == (b.dev(), b.ino()),

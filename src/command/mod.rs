@@ -1,10 +1,8 @@
-//! The command's words and what becomes of them. It stands on the library's
-//! public Rust interface, as any other program would, and knows nothing of how
-//! a path is computed or a file is read.
+//! The command's arguments and what becomes of them. It stands on the library's public Rust
+//! interface, as any other program would.
 //!
-//! Exit statuses: 0 all was done, or whoever read our output had enough of it;
-//! 1 bad input or a file that cannot be read or written; 2 bad usage; 3 a check
-//! has found something.
+//! Exit statuses: 0 done, or the reader of our output closed it; 1 bad input, or a file cannot be
+//! read or written; 2 bad usage; 3 a check found something.
 
 mod check;
 mod edit;
@@ -27,8 +25,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 use vides::error::{EngineError, reason};
 
-/// Plans camera paths: a few support points with views become every camera
-/// pose between them.
+/// Plans camera paths: a few support points with views become every camera pose between them.
 #[derive(Parser)]
 #[command(
     name = "vides",
@@ -77,15 +74,15 @@ enum Command {
     Tool(tools::Tool),
 }
 
-/// Why the command ends before its work is done.
+/// Why the command ends early or not with success.
 enum Failure {
     /// The arguments do not fit together.
     Usage(String),
-    /// A file says or is something wrong, or the system refused.
+    /// A file is invalid, or the system refused.
     Input(String),
-    /// All was done, and something is to be told of.
+    /// All was done, and a check found something.
     Findings,
-    /// Whoever read our standard output has closed it (`vides … | head`).
+    /// The reader of our standard output closed it (`vides … | head`).
     ReaderGone,
 }
 
@@ -107,7 +104,6 @@ impl From<vides::window::Error> for Failure {
     }
 }
 
-/// Does what the arguments say.
 pub(crate) fn run() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
@@ -139,7 +135,7 @@ fn conclude(result: Result<(), Failure>) -> ExitCode {
     ExitCode::from(status)
 }
 
-/// What clap found wrong, in its own words behind our name.
+/// Prints clap's message behind our name.
 fn complain_of_usage(error: &clap::Error) -> ExitCode {
     let text = error.render().to_string();
     if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
@@ -150,12 +146,11 @@ fn complain_of_usage(error: &clap::Error) -> ExitCode {
     ExitCode::from(2)
 }
 
-/// There is nobody left to tell when standard error fails.
+/// Nobody could be told of a failing standard error.
 fn complain(message: &str) {
     let _ = writeln!(io::stderr(), "vides: {message}");
 }
 
-/// Writes a text to standard output, wholly.
 fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes())
@@ -163,7 +158,6 @@ fn print(text: &str) -> Result<(), Failure> {
         .map_err(|error| output_failed(&error))
 }
 
-/// What it means that standard output cannot be written.
 fn output_failed(error: &io::Error) -> Failure {
     if error.kind() == io::ErrorKind::BrokenPipe {
         Failure::ReaderGone
@@ -172,8 +166,7 @@ fn output_failed(error: &io::Error) -> Failure {
     }
 }
 
-/// A text from a file, for one line of a terminal: whatever would move the
-/// cursor or begin a new line is shown as a replacement character.
+/// A text for one line of a terminal: control characters are replaced.
 fn one_line(text: &str) -> String {
     let show = |c: char| {
         if c.is_control() {

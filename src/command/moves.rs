@@ -15,14 +15,14 @@ use super::{Failure, input};
 
 pub(super) struct Arguments {
     chosen: &'static Move,
-    /// What was given, by parameter.
+    /// The numbers given, by parameter index.
     given: Vec<(usize, Vec<f64>)>,
     fps: f64,
     object: Option<PathBuf>,
     output: PathBuf,
 }
 
-/// One number, or three with commas between.
+/// Numbers separated by commas.
 pub(super) fn numbers(text: &str) -> Result<Vec<f64>, String> {
     text.split(',')
         .map(|number| match number.trim().parse::<f64>() {
@@ -154,7 +154,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let places: Vec<_> = info.object.iter().map(|point| point.position).collect();
         bounds = (!places.is_empty()).then(|| Bounds::of(&places));
     }
-    // Seconds count with it.
+    // Moves use the frame rate: check it first.
     info.check(space)?;
     let mut numbers = arguments.chosen.defaults(bounds.as_ref(), space)?;
     let parameters = arguments.chosen.parameters;

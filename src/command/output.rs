@@ -1,4 +1,4 @@
-//! Where the paths go that a tool makes.
+//! Where a tool's path is written.
 
 use std::path::{Path, PathBuf};
 
@@ -27,12 +27,11 @@ impl Output {
         Ok(document.save(&self.output)?)
     }
 
-    /// Does an edit of a file's path, and writes it.
+    /// Applies an edit to a file's path and writes the result.
     pub(super) fn edited(&self, file: &Path, edit: Edit) -> Result<(), Failure> {
         self.applied(input::load(file)?, file, edit)
     }
 
-    /// The same of a document that has been read.
     pub(super) fn applied(
         &self,
         document: Document,

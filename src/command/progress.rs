@@ -1,27 +1,24 @@
-//! A progress bar for a person who waits: nothing in the first second, then a
-//! line that is drawn over itself, and gone when the work is done.
+//! A progress bar: nothing in the first second, then a line drawn over itself, cleared at the end.
 
 use std::io::{self, IsTerminal, Write};
 use std::time::{Duration, Instant};
 
-/// Work that takes less than this shows nothing.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Time between two drawings: more would only flicker.
+/// Least time between two drawings.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// Signs of the bar itself; the whole line stays below 80.
+/// Characters of the bar itself; the whole line stays below 80.
 const WIDTH: usize = 24;
 
-/// Back to the start of the line, and the line cleared.
+/// To the start of the line, and clear it.
 const CLEAR: &str = "\r\x1b[K";
 
-/// A bar on a terminal. It is wiped away when it is dropped.
+/// A bar on a terminal, cleared when dropped.
 pub(super) struct Bar<W: Write> {
     out: W,
     start: Instant,
     drawn: Option<Instant>,
-    /// What is counted.
     what: &'static str,
 }
 
@@ -35,7 +32,6 @@ impl<W: Write> Bar<W> {
         }
     }
 
-    /// Tells how many of all are done.
     pub(super) fn update(&mut self, done: usize, all: usize) {
         self.update_at(Instant::now(), done, all);
     }
@@ -47,7 +43,7 @@ impl<W: Write> Bar<W> {
             Some(drawn) => now.saturating_duration_since(drawn) >= PAUSE,
         };
         if due && all > 0 {
-            // A bar that cannot be drawn is no reason to stop the work.
+            // Failing to draw must not stop the work.
             let _ = write!(
                 self.out,
                 "{CLEAR}{}",
@@ -68,7 +64,7 @@ impl<W: Write> Drop for Bar<W> {
     }
 }
 
-/// Shows on a terminal how far the reading of a mesh is.
+/// Shows the progress of reading meshes, if standard error is a terminal.
 pub(super) fn watch_meshes() {
     if !io::stderr().is_terminal() {
         return;

@@ -1,4 +1,4 @@
-//! `vides sample`: every pose of a path, written.
+//! `vides sample`: writes every pose of a path.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter, IsTerminal, Write};
@@ -32,8 +32,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "NAME")]
     node: Option<String>,
 
-    /// A function of the type V_INTERPOLATE for the interpolation "host:NAME" of a
-    /// scene's tracks
+    /// A function of the type V_INTERPOLATE for the interpolation "host:NAME" of a scene's tracks
     #[arg(long, value_name = "NAME=FILE.so:SYMBOL")]
     interpolation: Vec<String>,
 
@@ -144,7 +143,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             )));
         };
         let format = arguments.format.into();
-        // What cannot be evaluated is told before any file is touched.
+        // Report what cannot be evaluated before any file is touched.
         document
             .scene
             .prepare(document.scene.frame_range().0)
@@ -156,7 +155,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let mut document = input::load(file)?.without_history();
     arguments.speeds.apply(&mut document).map_err(place)?;
-    // Too many frames is a fault of the path: told before any file is touched.
+    // Report too many frames before any file is touched.
     document.sampler().map_err(place)?;
     let format = arguments.format.into();
     write_out(out, &mut |out, progress| {
@@ -164,13 +163,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     })
 }
 
-/// What writes poses, and how far it is.
 type Writer<'a> = &'a mut dyn FnMut(&mut dyn Write, Progress<'_>) -> vides::Result<()>;
 
-/// To standard output, into a pipe or a file, with a bar on a terminal.
+/// Writes to standard output, a pipe or a file, with a progress bar on a terminal.
 fn write_out(out: &Path, write: Writer<'_>) -> Result<(), Failure> {
     let to_standard_output = input::is_standard_stream(out);
-    // Lines of poses on a terminal are progress enough.
+    // Poses printed on a terminal are progress enough.
     let shown = io::stderr().is_terminal() && !(to_standard_output && io::stdout().is_terminal());
     let mut bar = shown.then(|| Bar::new(io::stderr(), "frames"));
     let mut progress = |done, all| {
@@ -187,11 +185,10 @@ fn write_out(out: &Path, write: Writer<'_>) -> Result<(), Failure> {
     }
 }
 
-/// Bytes that go to the system at once.
 const BUFFER: usize = 1 << 16;
 
 fn write_to_standard_output(write: Writer<'_>, progress: Progress<'_>) -> Result<(), Failure> {
-    // Locked once, and past the search for line ends that standard output does.
+    // Locked once, and without the line buffering of standard output.
     let mut out = BufWriter::with_capacity(BUFFER, io::stdout().lock());
     write(&mut out, progress).map_err(|error| match error {
         vides::Error::Io { source, .. } => output_failed(&source),
@@ -200,7 +197,7 @@ fn write_to_standard_output(write: Writer<'_>, progress: Progress<'_>) -> Result
     out.flush().map_err(|error| output_failed(&error))
 }
 
-/// Into a pipe or a device, which cannot be replaced as a file is.
+/// Writes to a pipe or a device, which cannot be replaced like a file.
 fn write_to_stream(write: Writer<'_>, file: &Path, progress: Progress<'_>) -> vides::Result<()> {
     let named = |source| vides::Error::Io {
         place: file.display().to_string(),

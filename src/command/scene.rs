@@ -1,5 +1,4 @@
-//! Scenes in the shell: `vides info` of one, and interpolations that a shared
-//! library brings along.
+//! Scenes: `vides info` of one, and interpolations from shared libraries.
 
 #![allow(unsafe_code)] // functions of a library that the user names
 
@@ -15,7 +14,6 @@ use vides::scene::{Beyond, Kind, Node};
 use super::table::{Align, Table};
 use super::{Failure, input, one_line};
 
-/// The tables of a scene: its nodes, its tracks, its markers.
 pub(super) fn tables(file: &Path, document: &SceneDocument) -> String {
     let scene = &document.scene;
     let info = &document.info;
@@ -156,14 +154,11 @@ fn tracks(nodes: &[Node]) -> Table {
     table
 }
 
-/// A function of the type `V_INTERPOLATE` in `libvides.h`; 0 if it succeeds.
+/// A function of the type `V_INTERPOLATE` in `libvides.h`; returns 0 on success.
 type Interpolate =
     unsafe extern "C" fn(*const f64, *const f64, usize, usize, f64, *mut f64, *mut c_void) -> c_int;
 
-/// Makes an interpolation known, as `NAME=file.so:symbol` says.
-///
-/// # Errors
-/// In one sentence, what is wrong with it.
+/// Registers an interpolation given as `NAME=file.so:symbol`.
 pub(super) fn register(text: &str) -> Result<(), Failure> {
     let wrong = || {
         Failure::Usage(format!(
@@ -176,7 +171,7 @@ pub(super) fn register(text: &str) -> Result<(), Failure> {
     if name.is_empty() || file.is_empty() || symbol.is_empty() {
         return Err(wrong());
     }
-    // Without a slash the system would look for it in its own folders.
+    // Without a slash dlopen would search the system's folders.
     let file = if file.contains('/') {
         file.to_owned()
     } else {
@@ -186,8 +181,7 @@ pub(super) fn register(text: &str) -> Result<(), Failure> {
         .ok()
         .zip(CString::new(symbol).ok())
         .ok_or_else(wrong)?;
-    // SAFETY: both are strings that end in NUL. The library's constructors run: the
-    // user asked for this library. It is never closed.
+    // SAFETY: NUL-terminated strings; the user wants the library's constructors run; it stays open.
     let function = unsafe {
         let library = libc::dlopen(file.as_ptr(), libc::RTLD_NOW | libc::RTLD_LOCAL);
         if library.is_null() {
@@ -198,11 +192,10 @@ pub(super) fn register(text: &str) -> Result<(), Failure> {
     if function.is_null() {
         return Err(loader_failed());
     }
-    // SAFETY: the user's word that this symbol is such a function.
+    // SAFETY: the user asserts that this symbol is such a function.
     let function: Interpolate = unsafe { std::mem::transmute(function) };
     let call = move |question: Question<'_>, value: &mut [f64]| {
-        // SAFETY: as the header says: so many frames, as many rows of values, and
-        // room for one row.
+        // SAFETY: by the header: `frames.len()` frames and rows of values, and room for one row.
         let status = unsafe {
             function(
                 question.frames.as_ptr(),
@@ -219,9 +212,9 @@ pub(super) fn register(text: &str) -> Result<(), Failure> {
     Ok(host::register(name, Some(Arc::new(call))).map_err(vides::Error::from)?)
 }
 
-/// What the dynamic loader says: it names the file.
+/// The dynamic loader's error message, which names the file.
 fn loader_failed() -> Failure {
-    // SAFETY: a string of the loader's, until its next call; no other thread is there.
+    // SAFETY: the loader's string is valid until its next call; there is no other thread.
     let said = unsafe {
         let said = libc::dlerror();
         (!said.is_null()).then(|| CStr::from_ptr(said).to_string_lossy().into_owned())

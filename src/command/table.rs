@@ -1,8 +1,7 @@
-//! Text in columns: numbers to the right, words to the left.
+//! Text in columns.
 
 use std::fmt::{self, Display};
 
-/// How a column is set.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Align {
     Left,
@@ -22,7 +21,7 @@ impl Table {
         }
     }
 
-    /// Adds a row with as many cells as there are columns.
+    /// Adds a row with one cell per column.
     pub(super) fn row(&mut self, cells: Vec<String>) {
         debug_assert_eq!(cells.len(), self.columns.len());
         self.rows.push(cells);
@@ -60,14 +59,12 @@ impl Display for Table {
     }
 }
 
-/// Decimals that show the largest of some numbers well: four as long as they
-/// are of an everyday size, else as many as give it five digits.
+/// Decimals for some numbers: four if the largest is of everyday size, else for its five digits.
 pub(super) fn decimals(numbers: impl Iterator<Item = f64>) -> usize {
     let largest = numbers.map(f64::abs).fold(0.0, f64::max);
     if largest == 0.0 || (1e-2..1e5).contains(&largest) {
         return 4;
     }
-    // Far within what a usize holds, and finite.
     (4.0 - largest.log10().floor()).clamp(0.0, 17.0) as usize
 }
 

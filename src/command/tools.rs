@@ -1,4 +1,4 @@
-//! Tools on paths: points moved and deformed, blocks, blends.
+//! Tools on paths: `transform`, `deform`, `blend` and others.
 
 use std::path::PathBuf;
 
@@ -69,7 +69,6 @@ pub(super) enum Tool {
     },
 }
 
-/// Numbers with commas between.
 #[derive(Clone)]
 pub(super) struct Numbers(pub(super) Vec<f64>);
 
@@ -84,7 +83,6 @@ fn vector(text: &str) -> Result<DVec3, String> {
     }
 }
 
-/// Points counted from 1, as `vides info` shows them.
 #[derive(Clone, Copy)]
 pub(super) struct Range {
     first: usize,
@@ -99,7 +97,7 @@ fn range(text: &str) -> Result<Range, String> {
     }
 }
 
-/// The points that are picked: all unless told.
+/// Indices of the points in `range`, by default all.
 fn picked(range: Option<Range>, path: &CameraPath) -> Result<Vec<usize>, Failure> {
     let count = path.points.len();
     let Range { first, last } = range.unwrap_or(Range {
@@ -235,7 +233,7 @@ enum FitName {
     Scale,
 }
 
-/// Points are counted from 1 here.
+/// Checks a point counted from 1.
 fn check_point(at: usize, count: usize) -> Result<(), Failure> {
     if at == 0 || at > count {
         return Err(Failure::Input(format!(

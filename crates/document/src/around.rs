@@ -1,11 +1,7 @@
-//! The scene around the path that is edited.
+//! The scene around the edited path: everything but the path of the one node that is edited.
 //!
-//! A document edits one path with all that there is for paths. In a scene that is the
-//! path of one of its nodes; everything else stands here as it is, and goes back into
-//! the file with it. Where no node is edited a path without points of its own stands in:
-//! it only lasts as long as the scene, and refuses edits.
-//!
-//! It knows nothing of undo: a record exchanges the whole of it ([`super::change`]).
+//! Where no node is edited, a stand-in path lasts as long as the scene and refuses edits. A record
+//! of the history exchanges all of it at once ([`super::change`]).
 
 use std::sync::Arc;
 
@@ -21,19 +17,19 @@ use crate::limits::MAX_FRAMES;
 use crate::path::fit_frames::frames_between;
 use crate::path::{CameraPath, Pose, Sampler};
 
-/// A scene, and whose path of it is edited.
+/// A scene, and the node whose path is edited.
 #[derive(Debug, Clone)]
 pub struct Around {
-    /// The path that is edited stands in it as it was when it was chosen.
+    /// Holds the edited path as it was when the node was chosen.
     scene: Arc<Scene>,
     node: Option<usize>,
     number: u64,
     pins: Pins,
-    /// About the bytes that it does not share with the one before it.
+    /// Approximate bytes that a copy of the scene takes.
     weight: usize,
 }
 
-/// A scene with the path of a node to be edited, and that path.
+/// A scene set up to edit the path of a node, and that path.
 pub(super) fn around(scene: Scene, node: Option<usize>) -> Result<(Around, CameraPath)> {
     let path = match node {
         Some(at) => {
@@ -56,14 +52,13 @@ pub(super) fn around(scene: Scene, node: Option<usize>) -> Result<(Around, Camer
     Ok((around, path))
 }
 
-/// A scene as it is first edited: the path of the camera that is shown, if it has one.
+/// A scene as first edited: the shown camera's path, if it has one.
 pub(super) fn as_shown(scene: Scene) -> Result<(Around, CameraPath)> {
     let shown = scene.shown_camera();
     let node = shown.filter(|&at| scene.nodes()[at].path().is_some());
     around(scene, node)
 }
 
-/// A path that lasts as long as the scene.
 fn stand_in(scene: &Scene) -> Result<CameraPath> {
     let (first, last) = scene.frame_range();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
@@ -82,26 +77,24 @@ fn stand_in(scene: &Scene) -> Result<CameraPath> {
 }
 
 impl Around {
-    /// The scene; the path that is edited is in it as it was when it was chosen.
+    /// The scene; the edited path in it is as it was when the node was chosen.
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// The number of the node whose path is edited; none: no path is.
+    /// The number of the node whose path is edited, if any.
     #[must_use]
     pub const fn node(&self) -> Option<usize> {
         self.node
     }
 
-    /// A number that no other scene has had: with the same one all is the same but for the
-    /// path that is edited.
+    /// Unique to this scene: equal numbers mean that all but the edited path is equal.
     #[must_use]
     pub const fn number(&self) -> u64 {
         self.number
     }
 
-    /// One camera on a path is all there is.
     pub(super) fn is_path_alone(&self) -> bool {
         vid::alone(&self.scene).is_some()
     }
@@ -110,18 +103,17 @@ impl Around {
         self.weight
     }
 
-    /// What it is that the node whose path is edited does with it.
     fn follow(&self) -> Option<&FollowPath> {
         self.scene.nodes()[self.node?].path()
     }
 
-    /// Where its path stands in the scene, if no pin says that.
+    /// The path's first frame in the scene, unless a pin determines it.
     fn start_frame(&self) -> f64 {
         let follow = self.follow().map(FollowPath::start_frame);
         follow.unwrap_or_else(|| self.scene.frame_range().0)
     }
 
-    /// Puts a path in place of the one that is edited in a copy of the scene.
+    /// Replaces the edited node's path in `scene`, a copy of this scene.
     ///
     /// # Errors
     /// As [`FollowPath::new`].
@@ -137,7 +129,6 @@ impl Around {
         Ok(())
     }
 
-    /// The pins of the path that is edited, with the frames of their markers.
     pub(super) fn pins(&self, path: &CameraPath) -> Vec<(usize, f64)> {
         let there = self.pins.there();
         let there = there.filter(|(point, _)| *point < path.points.len());
@@ -149,7 +140,6 @@ impl Around {
         &mut self.pins
     }
 
-    /// The scene with this path.
     pub(super) fn with(&self, path: &CameraPath) -> Result<Scene> {
         can_allocate(self.scene.weight())?;
         let mut scene = Scene::clone(&self.scene);
@@ -158,8 +148,8 @@ impl Around {
     }
 }
 
-/// Points of the path that is edited and the markers that they are reached at. Points that
-/// are put in and taken away take their pins along, and bring them back.
+/// Points of the edited path and the markers at which they are reached. Pins follow inserted and
+/// removed points; undoing a removal restores them.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Pins(Vec<Pinned>);
 
@@ -183,7 +173,6 @@ impl Pins {
         Ok(Self(pins))
     }
 
-    /// Those that are there, in the order of the points.
     fn there(&self) -> impl Iterator<Item = (usize, String)> + '_ {
         let there = self.0.iter().filter(|pin| pin.parked == 0);
         there.map(|pin| (pin.point, pin.marker.clone()))
@@ -221,19 +210,19 @@ impl Pins {
 }
 
 impl Document {
-    /// The scene around the path; none if one camera on it is all there is.
+    /// The scene around the path; none if it is nothing but one camera on this path.
     #[must_use]
     pub fn around(&self) -> Option<&Around> {
         self.content().around.as_deref()
     }
 
-    /// Whether the path is one that can be edited.
+    /// Whether the path can be edited.
     #[must_use]
     pub fn edits_path(&self) -> bool {
         self.around().is_none_or(|around| around.node.is_some())
     }
 
-    /// The scene as it is now; of a path alone that of a camera on it.
+    /// The present scene; of a path alone that of a camera on it.
     ///
     /// # Errors
     /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
@@ -244,7 +233,7 @@ impl Document {
         }
     }
 
-    /// The same with what its file says besides.
+    /// As [`Document::scene`], with the info.
     ///
     /// # Errors
     /// As [`Document::scene`].
@@ -252,13 +241,13 @@ impl Document {
         Ok(SceneDocument::of(self.scene()?, self.info().try_clone()?))
     }
 
-    /// The frame of the scene in which a frame of the path is shown.
+    /// The scene frame that shows a frame of the path.
     #[must_use]
     pub fn frame_of_scene(&self, frame: f64) -> f64 {
         self.start_frame() + (frame - 1.0)
     }
 
-    /// The scene's frame of the path's first pose; 1 without a scene.
+    /// The scene frame of the path's first pose; 1 without a scene.
     #[must_use]
     pub fn start_frame(&self) -> f64 {
         let Some(around) = self.around() else {
@@ -276,16 +265,16 @@ impl Document {
         pinned.unwrap_or_else(|| around.start_frame())
     }
 
-    /// The other way round.
+    /// The inverse of [`Document::frame_of_scene`].
     #[must_use]
     pub fn frame_of_path(&self, frame: f64) -> f64 {
         frame - self.start_frame() + 1.0
     }
 
-    /// A document of the path of the camera that is shown.
+    /// A document of the shown camera's path.
     ///
     /// # Errors
-    /// `ErrorKind::Argument` if no camera has a path; `ErrorKind::Memory`.
+    /// `ErrorKind::Argument` if there is no shown camera or it has no path; `ErrorKind::Memory`.
     pub fn shown_path(&self) -> Result<Self> {
         let Some(around) = self.around() else {
             return self.try_clone();
@@ -300,8 +289,8 @@ impl Document {
         Self::from_parts(path.try_clone()?, self.info().try_clone()?)
     }
 
-    /// Whether what the path that is edited gives is what the camera that is shown sees, and
-    /// nothing is added by others; none if no path of that camera is edited.
+    /// Whether the shown camera sees exactly the edited path; none if another path or none is
+    /// edited.
     #[must_use]
     pub fn shows_path(&self) -> Option<bool> {
         let Some(around) = self.around() else {
@@ -312,11 +301,11 @@ impl Document {
         Some(is_plain(&around.scene.nodes()[shown]))
     }
 
-    /// All poses of the camera that is shown, as they are now.
+    /// All present poses of the shown camera.
     ///
     /// # Errors
-    /// `ErrorKind::Argument` without a camera; `ErrorKind::Memory`; `ErrorKind::Limit`
-    /// for too many frames.
+    /// `ErrorKind::Argument` without a camera; `ErrorKind::Limit` for too many frames;
+    /// `ErrorKind::Memory`.
     pub fn poses(&self) -> Result<Poses<'_>> {
         let Some(around) = self.around() else {
             return Ok(Poses::Path(self.sampler()?));
@@ -361,18 +350,18 @@ fn is_plain(node: &Node) -> bool {
         && node.keys().tracks().is_empty()
 }
 
-/// The poses of the camera that is shown.
+/// The poses of the shown camera.
 #[derive(Debug)]
 pub enum Poses<'a> {
     /// Those of its path.
     Path(&'a Sampler),
-    /// What it does in a scene, at each whole step from its first frame on.
+    /// Those it has in a scene, at each whole step from its first frame on.
     Scene {
-        /// All that it depends on.
+        /// The scene.
         scene: Box<Scene>,
-        /// Its number.
+        /// Number of the camera's node.
         camera: usize,
-        /// The scene's frame of its first pose.
+        /// The scene frame of the first pose.
         first: f64,
         /// How many there are.
         count: usize,
@@ -389,7 +378,7 @@ impl Poses<'_> {
         }
     }
 
-    /// Some of them, from number `first` on, 1 to their count.
+    /// Samples poses from number `first` on, 1 to their count.
     ///
     /// # Errors
     /// As [`Sampler::sample`].
@@ -408,7 +397,7 @@ impl Poses<'_> {
                     #[allow(clippy::cast_precision_loss)]
                     let from = start + (first - 1 + block * BLOCK) as f64;
                     let states = &mut states[..poses.len()];
-                    // A function of the host's that fails steps, and the rest moves.
+                    // A failing host interpolation steps; the rest moves on.
                     let troubles = &mut Troubles::default();
                     scene.sample(*camera, from, 1.0, states, troubles)?;
                     for (pose, state) in poses.iter_mut().zip(states) {
@@ -421,7 +410,7 @@ impl Poses<'_> {
     }
 }
 
-/// States that are evaluated at once.
+/// States evaluated at once.
 const BLOCK: usize = 512;
 
 #[cfg(test)]

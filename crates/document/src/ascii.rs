@@ -1,8 +1,5 @@
-//! The ASCII output (thesis B.2.3): one line for each pose, ten numbers as C's
-//! `%3.4f` prints them, single spaces between.
-//!
-//! Two things differ from C: the decimal sign is a point whatever the locale,
-//! and what rounds to zero has no minus sign.
+//! The ASCII output (thesis B.2.3): one line per pose, ten numbers as C's `%3.4f`, separated by
+//! single spaces. Unlike C, the decimal sign is always a point, and zero never has a minus sign.
 
 use std::io::Write;
 use std::path::Path;
@@ -12,8 +9,7 @@ use super::save;
 use crate::error::Result;
 use crate::path::{Pose, Sampler};
 
-/// Writes every pose of a path as one line
-/// `VRP.x VRP.y VRP.z VPN.x VPN.y VPN.z VUP.x VUP.y VUP.z zoom`.
+/// Writes all poses, one per line, as VRP, VPN and VUP (x y z each) and zoom.
 ///
 /// # Errors
 /// `ErrorKind::Io` if `out` fails, `ErrorKind::Memory`.
@@ -21,8 +17,7 @@ pub fn write_ascii(sampler: &Sampler, out: &mut dyn Write) -> Result<()> {
     write_with_progress(sampler, out, &mut |_, _| {})
 }
 
-/// The same into a file, which is replaced only when all is written
-/// ([`save::save_with`]).
+/// As [`write_ascii`], into a file that is replaced only when all is written ([`save::save_with`]).
 ///
 /// # Errors
 /// `ErrorKind::Io` naming the file, `ErrorKind::Memory`.
@@ -49,22 +44,19 @@ pub(super) fn push_line(text: &mut Vec<u8>, pose: &Pose) {
     text.push(b'\n');
 }
 
-/// Decimals behind the point, as a factor.
 const DECIMALS: u64 = 10_000;
 
 /// Below this a ten-thousandth is more than the rounding of 10⁴·x: 10⁴·10¹¹ < 2⁵².
 const FAST: f64 = 1e11;
 
-/// Appends `x`, finite, as `%.4f` does: the exact value rounded to the nearest
-/// ten-thousandth, a tie to the even one.
+/// Appends `x`, finite, as `%.4f` does: the exact value rounded to four decimals, ties to even.
 ///
-/// `p`, the rounded product 10⁴·x, decides alone wherever it is not exactly
-/// half-way: half-way numbers are multiples of `p`'s last place here, so the
-/// product's own rounding cannot step over one. Half-way, its sign decides.
+/// `p`, the rounded product 10⁴·x, decides alone unless it is exactly half-way: half-way numbers
+/// are multiples of `p`'s last place here, so the product's rounding cannot step over one.
+/// Half-way, the sign of the rounding error decides.
 pub(super) fn push_number(text: &mut Vec<u8>, x: f64) {
     let magnitude = x.abs();
     if magnitude >= FAST {
-        // A world may be that large.
         let _ = write!(text, "{x:.4}");
         return;
     }
@@ -84,9 +76,8 @@ pub(super) fn push_number(text: &mut Vec<u8>, x: f64) {
     push_count(text, count);
 }
 
-/// Appends a number of ten-thousandths.
 fn push_count(text: &mut Vec<u8>, count: u64) {
-    // 10¹⁵ ten-thousandths at most: 12 digits, the point, 4 digits.
+    // At most 10¹⁵ ten-thousandths: 12 digits, the point, 4 digits.
     let mut digits = [0_u8; 17];
     let mut at = digits.len();
     let mut rest = count;

@@ -1,23 +1,20 @@
-//! Poses on their way out: sampled, turned into text and written block by
-//! block, so that a long film takes no more memory than a short one.
+//! Samples poses and writes them as text in blocks, so that memory does not grow with the film.
 
 use std::io::{self, Write};
 
 use crate::error::{Error, Result, vec_with_room};
 use crate::path::{Pose, Sampler};
 
-/// Called now and then with the number of poses written and that of all.
+/// Called now and then with the number of poses written and the total.
 pub type Progress<'a> = &'a mut dyn FnMut(usize, usize);
 
-/// Poses of a block: large enough that a write call costs nothing, small
-/// enough to stay in the processor's cache.
+/// Poses per block: large enough to amortise the write call, small enough for the cache.
 const BLOCK: usize = 512;
 
-/// Bytes that a pose is expected to take; more only costs a growth.
+/// Expected bytes per pose; more only costs a reallocation.
 const BYTES: usize = 256;
 
-/// Writes all poses in the order of their numbers: `push` appends one, given
-/// its index from 0.
+/// Writes all poses in order; `push` appends one, given its index from 0.
 pub(super) fn write(
     sampler: &Sampler,
     out: &mut dyn Write,

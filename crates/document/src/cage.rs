@@ -1,20 +1,19 @@
-//! The box round some points, as a deformation bends it: what a window shows of it.
+//! The box around some points under a deformation, for display.
 
 use glam::DVec3;
 use vides_engine::deform::{Bounds, Deformation};
 
-/// A box that is deformed, to be seen.
+/// A deformed box for display.
 #[derive(Debug, Clone)]
 pub struct Cage {
     bounds: Bounds,
-    /// The lines on it.
+    /// The polylines on it.
     pub lines: Vec<Vec<DVec3>>,
-    /// The control points of a free form; none for the rest.
+    /// The control points of a free form; empty otherwise.
     pub nodes: Vec<DVec3>,
 }
 
-/// The box round some points. A side that is flat is given room for a free form, which
-/// could not move them out of it.
+/// The box around some points, widened where it is flat if a free form is to move them out of it.
 pub(super) fn bounds(kind: &str, places: &[DVec3]) -> Bounds {
     let bounds = Bounds::of(places);
     let (low, high) = (bounds.min(), bounds.max());
@@ -36,8 +35,7 @@ impl Cage {
                 .collect(),
             None => Vec::new(),
         };
-        // A free form has a line through each row of nodes, the others have the edges
-        // and the middle of each side.
+        // A free form shows each row of nodes, the others the edges and middles of the sides.
         let (cells, steps) = if nodes.is_empty() { (2, 16) } else { (3, 3) };
         let mut lines = Vec::with_capacity(3 * (cells + 1) * (cells + 1));
         for axis in 0..3 {
@@ -75,7 +73,7 @@ impl Cage {
         }
     }
 
-    /// A place in the coordinates of the box, as a free form takes them.
+    /// A position in the coordinates of the box, as a free form takes them.
     #[must_use]
     pub fn coordinates(&self, place: DVec3) -> DVec3 {
         self.bounds.coordinates(place)

@@ -1,7 +1,5 @@
-//! The records behind the edits. A record holds the values that it puts in
-//! place; applying it hands back the record that takes it back, with the
-//! values that were there. So undo and redo are one operation, cost what the
-//! edit cost, and restore every bit.
+//! The records behind the edits. Applying a record swaps its values in and returns the record that
+//! undoes it, so that undo and redo are one operation and restore every bit.
 
 use glam::DVec3;
 
@@ -14,16 +12,14 @@ use crate::path::{
     Space, SupportPoint, Tangents, Target, Tcb, UpVector, ZoomMode,
 };
 
-/// What the records change.
+/// The state that records change.
 #[derive(Debug)]
 pub(super) struct Content {
     pub(super) path: CameraPath,
-    /// The scene that it belongs to.
     pub(super) around: Option<Box<Around>>,
     pub(super) info: Info,
-    /// Orientations of all points together.
+    /// Number of orientations of all points.
     pub(super) orientations: usize,
-    /// Those of its file.
     pub(super) comments: Comments,
 }
 
@@ -44,7 +40,7 @@ pub(super) fn count_orientations(points: &[SupportPoint]) -> usize {
     points.iter().map(|point| point.orientations.len()).sum()
 }
 
-/// One exchange of values. Its indices have been checked.
+/// An exchange of values; its indices have been checked.
 #[derive(Debug)]
 pub(super) enum Change {
     Position {
@@ -71,7 +67,7 @@ pub(super) enum Change {
     Speeds(BaseSpeeds),
     Closed(bool),
     CurveKind(CurveKind),
-    /// Everything at a point, orientations included.
+    /// A whole point, orientations included.
     Point {
         at: usize,
         point: SupportPoint,
@@ -80,24 +76,22 @@ pub(super) enum Change {
         at: usize,
         tangents: Option<Tangents>,
     },
-    /// One after the other, each on what those before it left.
+    /// One after the other, each on the result of those before it.
     Several(Vec<Change>),
     Modes(OrientationMode, ZoomMode),
     Space(Space),
     InsertPoints {
         at: usize,
         points: Vec<SupportPoint>,
-        /// The removal that took them away: see [`Comments`]. 0: they are new.
+        /// The removal that took them away, see [`Comments`]; 0: they are new.
         removal: u64,
     },
-    /// `room` is empty and has room for `count` points, so that taking an
-    /// insertion back needs no memory.
+    /// `room` has capacity for `count` points, so that undoing an insertion needs no memory.
     RemovePoints {
         at: usize,
         count: usize,
         room: Vec<SupportPoint>,
     },
-    /// The point at `from` comes to `to`.
     MovePoint {
         from: usize,
         to: usize,
@@ -106,7 +100,6 @@ pub(super) enum Change {
         point: usize,
         at: usize,
         orientation: Orientation,
-        /// As of points.
         removal: u64,
     },
     RemoveOrientation {
@@ -114,14 +107,13 @@ pub(super) enum Change {
         at: usize,
     },
     Info(Box<Info>),
-    /// The removal is that of the path's points.
+    /// A path, and the removal that took its points away.
     Path(Box<CameraPath>, u64),
-    /// The same with the scene around it.
+    /// As `Path`, with the scene around it.
     Scene(Option<Box<Around>>, Box<CameraPath>, u64),
 }
 
 impl Change {
-    /// A record that takes one point away.
     pub(super) fn remove_point(at: usize) -> Result<Self> {
         Ok(Self::RemovePoints {
             at,
@@ -130,7 +122,7 @@ impl Change {
         })
     }
 
-    /// Whether it may leave an orientation without its up, which is then refused.
+    /// Whether it may leave an orientation without a defined up vector, which must be refused.
     pub(super) fn may_undefine_ups(&self) -> bool {
         let demands = |o: &Orientation| matches!(o.own.up, UpVector::Frenet | UpVector::Path(_));
         let shapes = |point: &SupportPoint| {
@@ -149,8 +141,7 @@ impl Change {
         }
     }
 
-    /// Takes the memory that applying needs. Taking back and doing again never
-    /// need any: no vector of a path ever shrinks its room.
+    /// Reserves memory for applying. Undo and redo need none, since vectors of a path never shrink.
     pub(super) fn reserve(&self, content: &mut Content) -> Result<()> {
         let points = &mut content.path.points;
         match self {
@@ -158,7 +149,7 @@ impl Change {
             Self::InsertOrientation { point, .. } => {
                 points[*point].orientations.try_reserve_exact(1)?;
             }
-            // The first of them alone makes room; the others exchange values.
+            // Only the first one inserts; the others exchange values.
             Self::Several(changes) => {
                 if let Some(first) = changes.first() {
                     first.reserve(content)?;
@@ -169,7 +160,6 @@ impl Change {
         Ok(())
     }
 
-    /// Whether applying it would change no bit.
     pub(super) fn is_idle(&self, content: &Content) -> bool {
         let path = &content.path;
         match self {
@@ -186,7 +176,7 @@ impl Change {
                 orientation,
             } => same_orientation(&path.points[*point].orientations[*at], orientation),
             Self::Preset { preset, tcb } => same_tcb(path.presets[*preset], *tcb),
-            // Base speeds are > 0: none of them has two zeros to tell apart.
+            // Base speeds are > 0, so there is no −0.
             Self::Speeds(speeds) => path.speeds == *speeds,
             Self::Closed(closed) => path.closed == *closed,
             Self::CurveKind(curve) => path.curve == *curve,
@@ -213,7 +203,6 @@ impl Change {
         }
     }
 
-    /// Applies the record and returns the one that takes it back.
     pub(super) fn apply(self, content: &mut Content) -> Self {
         let path = &mut content.path;
         match self {
@@ -308,7 +297,7 @@ impl Change {
                 }
             }
             Self::MovePoint { from, to } => {
-                // The room of the one that is taken away is that of the one put in.
+                // The insertion reuses the room of the removed point.
                 let point = path.points.remove(from);
                 path.points.insert(to, point);
                 let removal = content.comments.remove_points(from, 1);
@@ -354,14 +343,13 @@ impl Change {
                 std::mem::swap(&mut content.around, &mut around);
                 match Self::Path(path, removal).apply(content) {
                     Self::Path(path, removal) => Self::Scene(around, path, removal),
-                    // A path gives a path.
                     other => other,
                 }
             }
         }
     }
 
-    /// Tells `plan` what applying it made out of date.
+    /// Tells `plan` what applying it makes out of date.
     pub(super) fn announce(&self, plan: &mut Plan) {
         match self {
             Self::Name { .. } | Self::Info(_) => {}
@@ -373,8 +361,7 @@ impl Change {
         }
     }
 
-    /// Whether both exchange the value at the same place, so that within one
-    /// step the older of two records is enough.
+    /// Whether both exchange the same value, so that within a step the older one suffices.
     pub(super) fn is_at_place_of(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Position { at: a, .. }, Self::Position { at: b, .. })
@@ -400,7 +387,7 @@ impl Change {
         }
     }
 
-    /// Whether it gives other places other numbers.
+    /// Whether it changes the numbers of other places.
     pub(super) fn renumbers(&self) -> bool {
         if let Self::Several(changes) = self {
             return changes.iter().any(Self::renumbers);
@@ -417,7 +404,7 @@ impl Change {
         )
     }
 
-    /// About the bytes of memory that keeping it takes.
+    /// Approximate bytes of memory.
     pub(super) fn weight(&self) -> usize {
         let beyond = match self {
             Self::Name { name, .. } => name.as_ref().map_or(0, String::len),
@@ -447,7 +434,7 @@ fn weigh(points: &[SupportPoint]) -> usize {
         + owned * size_of::<Own>()
 }
 
-/// Equal bit by bit: 0 and −0 differ.
+/// Bitwise equality: 0 and −0 differ.
 fn same_number(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits()
 }
@@ -477,7 +464,7 @@ fn same_orientation(a: &Orientation, b: &Orientation) -> bool {
         }
         _ => false,
     };
-    // Zoom and speeds are ≥ 1: there `==` is bit by bit.
+    // Zoom and speeds are ≥ 1, so `==` is bitwise there.
     same_target
         && same_number(a.roll, b.roll)
         && same_tcb(a.turning, b.turning)

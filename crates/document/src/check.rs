@@ -1,4 +1,4 @@
-//! A document checked: its path against its own space, object and limits.
+//! Checks a document's path against its own space, object and limits.
 
 use glam::{DAffine3, DVec3};
 use vides_engine::deform::Bounds;
@@ -23,7 +23,6 @@ impl Info {
         let mut lines = vec_with_room(self.object.len())?;
         for (at, point) in self.object.iter().enumerate() {
             points.push(point.position);
-            // An object has fewer points than 2³².
             if point.draw && at > 0 {
                 lines.push([at as u32 - 1, at as u32]);
             }
@@ -37,13 +36,11 @@ impl Info {
 }
 
 impl Document {
-    /// What the camera must not run into: the wireframe object, and of a scene the objects
-    /// that are to be seen where the path begins, as they stand then, in the coordinates of
-    /// the path. None if there is nothing.
+    /// What the camera must not run into, in the path's coordinates: the wireframe object and the
+    /// scene's objects visible at the path's first frame. None if there is nothing.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Memory`]; [`vides_engine::Error::Range`] for a scene that is
-    /// too far away.
+    /// [`vides_engine::Error::Memory`]; [`vides_engine::Error::Range`] for a scene too far away.
     pub fn obstacles(&self) -> Result<Option<Mesh>> {
         let mut all = self.info().mesh()?;
         if let Some(around) = self.around() {
@@ -55,7 +52,7 @@ impl Document {
             scene.evaluate(frame, &mut states, troubles)?;
             let parent = around.node().and_then(|at| scene.nodes()[at].parent);
             let into = parent.map_or(DAffine3::IDENTITY, |at| states[at].world().inverse());
-            // What lies flat shows the world as it is.
+            // A parent scaled to zero has no inverse; use world coordinates.
             let into = if into.is_finite() {
                 into
             } else {
@@ -79,8 +76,8 @@ impl Document {
         Ok((!all.points.is_empty()).then_some(all))
     }
 
-    /// What will look wrong in the film; see [`vides_engine::tools::check`]. Without
-    /// an object of the caller's that of [`Document::obstacles`] counts, if there is one.
+    /// What will look wrong in the film ([`vides_engine::tools::check`]); `object` stands in for
+    /// the document's own obstacles.
     ///
     /// # Errors
     /// [`vides_engine::Error::Argument`] for an object without geometry,
@@ -94,7 +91,7 @@ impl Document {
         self.check_against(clearance.as_ref())
     }
 
-    /// The same with an object that has been prepared, or none.
+    /// As [`Document::check`], against a prepared object or none.
     ///
     /// # Errors
     /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
@@ -109,11 +106,10 @@ impl Document {
         Ok(check(self.path(), &against)?)
     }
 
-    /// The edits that do what helps against a finding, to be one step; none where that is
-    /// for the user to choose. More frames where something turns or zooms too fast, if eight
-    /// times as many do: what turns faster is for another view, not for a flight of minutes; a
-    /// smooth tangent at a corner, a view of a place ahead instead of along the tangent
-    /// where it jumps, away with a key that stands for nothing.
+    /// The edits, to be one step, that fix a finding; none where the choice is the user's. A turn
+    /// or zoom gets more frames (not over eight times as many: then the view should change), a
+    /// corner a smooth tangent, a view that jumps a place ahead to look at; a redundant key is
+    /// removed.
     ///
     /// # Errors
     /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
@@ -200,15 +196,15 @@ impl Document {
     }
 }
 
-/// By so many times at most a section gets more frames.
+/// A section's frames grow by at most this factor.
 const MOST: f64 = 8.0;
 
-/// How far ahead a view looks that jumped, in half sizes.
+/// How far ahead a view that jumped shall look, in half sizes.
 const AHEAD: f64 = 0.1;
 
-/// Adds a mesh with its points where they are; points alone are lines without length.
+/// Appends a mesh with its points moved to `points`; a point cloud becomes lines of length zero.
 fn add(all: &mut Mesh, mesh: &Mesh, points: &[DVec3]) -> Result<()> {
-    // A mesh has fewer points than 2³².
+    // A mesh has fewer than 2³² points.
     let start = all.points.len() as u32;
     all.points.try_reserve(points.len())?;
     all.points.extend_from_slice(points);

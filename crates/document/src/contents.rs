@@ -1,8 +1,5 @@
-//! What a file contained when it was read or written last, so that nothing that came
-//! into it meanwhile is overwritten unasked.
-//!
-//! By its bytes, not by its dates: they tell the truth also on a disk with a coarse
-//! clock, and a file that was only touched, or changed and changed back, is as it was.
+//! A fingerprint of a file as last read or written, so that changes made meanwhile are noticed. Of
+//! its bytes, since dates fail on coarse clocks and on files only touched or changed back.
 
 use std::fs::OpenOptions;
 use std::hash::{DefaultHasher, Hasher};
@@ -10,7 +7,7 @@ use std::io::{self, Read};
 use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
-/// The bytes of a file, told apart from others by their number and a hash of 64 bits.
+/// Length and 64-bit hash of a file's contents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Contents {
     bytes: u64,
@@ -31,7 +28,7 @@ impl Contents {
     /// # Errors
     /// It cannot be read.
     pub fn now(file: &Path) -> io::Result<Option<Self>> {
-        // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
+        // Without O_NONBLOCK, opening a pipe without a writer would block forever.
         let opened = OpenOptions::new()
             .read(true)
             .custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY)
@@ -54,7 +51,7 @@ impl Contents {
     }
 }
 
-/// As a line of text, to be read by [`FromStr`](std::str::FromStr).
+/// A line of text that [`FromStr`](std::str::FromStr) reads.
 impl std::fmt::Display for Contents {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(out, "{} {:016x}", self.bytes, self.hash)

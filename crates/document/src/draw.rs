@@ -1,4 +1,4 @@
-//! A path along a line that was drawn by hand.
+//! A path along a line drawn by hand.
 
 use glam::DVec3;
 use vides_engine::tools::fit::{Tolerance, fit};
@@ -7,11 +7,9 @@ use super::editing::Document;
 use crate::error::Result;
 use crate::path::{CameraPath, Orientation, Pose};
 
-/// Poses along a line that was drawn.
 const DRAWN: usize = 400;
 
-/// A path along places that were drawn. Its cameras look as the current one does; it
-/// goes on at the base speed, whatever the speed of the hand.
+/// A path along drawn positions at the base speed; its cameras look as the current one does.
 pub(super) fn drawn(document: &Document, places: &[DVec3], tolerance: f64) -> Result<CameraPath> {
     let path = document.path();
     let poses: Vec<_> = spread(places, DRAWN)
@@ -42,7 +40,7 @@ pub(super) fn drawn(document: &Document, places: &[DVec3], tolerance: f64) -> Re
     Ok(made)
 }
 
-/// So many places, even along a line.
+/// `count` evenly spaced points along a polyline.
 fn spread(line: &[DVec3], count: usize) -> Vec<DVec3> {
     let lengths: Vec<_> = line
         .windows(2)

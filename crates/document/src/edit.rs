@@ -1,4 +1,4 @@
-//! The edits: what each one means.
+//! The edits.
 
 use glam::{DMat4, DVec3};
 use vides_engine::deform::{Bounds, Deformation};
@@ -10,55 +10,49 @@ use crate::path::{
     BaseSpeeds, CameraPath, CurveKind, Orientation, OrientationMode, Space, Tangents, Tcb, ZoomMode,
 };
 
-/// One change of a document. Points, orientations, segments and presets are
-/// counted from 0. [`super::Document::apply`] does it.
+/// A change of a document. Points, orientations, segments and presets count from 0.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Edit {
-    /// A new support point before the one that is number `at` now; `at` = their
-    /// number appends. Everything but its name is copied from the predecessor
-    /// (at 0 from the successor); an absolute target that would lie on the new
-    /// position becomes relative with the predecessor's direction. It becomes
-    /// current.
+    /// Inserts a support point before point `at`, or after the last. All but the name is copied
+    /// from the predecessor (at 0 the successor); an absolute target at the new position becomes
+    /// relative, with the predecessor's direction. The new point becomes current.
     InsertPoint {
-        /// Number that the new point will have.
+        /// Number the new point will have.
         at: usize,
         /// Where it lies.
         position: DVec3,
     },
-    /// A new point behind the last one of an open path: along the curve's end
-    /// tangent, as far as the last segment is long, kept in the movement
-    /// space. It becomes current.
+    /// Appends a point to an open path along the curve's end tangent, as far as the last segment is
+    /// long, clamped to the movement space. It becomes current.
     AppendAfterLast,
     /// The same before the first point.
     PrependBeforeFirst,
-    /// New points on the curve of a segment, at equal arc lengths (`Pos.+` is
-    /// one point). Everything but the name is copied from the point in which
-    /// the segment begins. The first new one becomes current.
+    /// Inserts points on the curve of a segment, at equal arc lengths ("Pos.+" is one point). All
+    /// but the name is copied from the segment's first point. The first new one becomes current.
     DivideSegment {
         /// The segment.
         segment: usize,
         /// 1…[`vides_engine::limits::MAX_DIVISION`] new points.
         points: usize,
     },
-    /// A new point on the curve where the camera is at a frame, at the nearest
-    /// whole one: curve, pace, views and zoom stay what they are. What it would
-    /// change around it its neighbours own from then on. It becomes current.
+    /// Inserts a point on the curve at the nearest whole frame. Curve, pace, views and zoom stay as
+    /// they are: its neighbours get values of their own where needed. It becomes current.
     InsertOnCurve {
         /// From 1 to the number of frames.
         frame: f64,
     },
-    /// Tangents of its own for a point, or none.
+    /// Gives a point tangents of its own, or removes them.
     SetTangents {
         /// The point.
         at: usize,
         /// The tangents.
         tangents: Option<Tangents>,
     },
-    /// How the curve leads through the points.
+    /// How the curve interpolates the points.
     SetCurveKind(CurveKind),
-    /// Fixed frames for all moving sections from the first orientation of one
-    /// point to the last one of another, so that there are exactly so many from
-    /// the first pose to the last. All points of a closed path are its whole way.
+    /// Fixes the frames of all moving sections from the first orientation of one point to the last
+    /// of another, so that there are exactly `frames` poses from the one to the other. All points
+    /// of a closed path mean its whole way.
     FitFrames {
         /// The first point.
         first: usize,
@@ -67,22 +61,20 @@ pub enum Edit {
         /// The frames.
         frames: usize,
     },
-    /// Takes a point away; its predecessor becomes current, for the first the
-    /// new first. Two always remain.
+    /// Removes a point, not the last two; its predecessor, else the new first point, becomes
+    /// current.
     RemovePoint {
         /// The point.
         at: usize,
     },
-    /// Gives a point another number: it keeps its orientations with their speed
-    /// curves, and those between the two places move up by one. It becomes current.
+    /// Renumbers a point; those between the two places shift by one. It becomes current.
     MovePoint {
         /// The point.
         from: usize,
         /// The number that it will have.
         to: usize,
     },
-    /// Moves a point: absolute targets stay, relative ones go along. Refused
-    /// where an absolute target of its own lies.
+    /// Moves a point, with its relative targets. Refused if one of its absolute targets lies there.
     SetPosition {
         /// The point.
         at: usize,
@@ -93,17 +85,17 @@ pub enum Edit {
     SetName {
         /// The point.
         at: usize,
-        /// Its name; none or empty takes it away.
+        /// Its name; none or empty removes it.
         name: Option<String>,
     },
-    /// Own tension, continuity and bias for a point ("Eigendef.").
+    /// Gives a point its own tension, continuity and bias ("Eigendef.").
     SetOwn {
         /// The point.
         at: usize,
         /// The values, each in [−1, 1].
         tcb: Tcb,
     },
-    /// A preset for a point ("Standard n").
+    /// Makes a point use a preset ("Standard n").
     UsePreset {
         /// The point.
         at: usize,
@@ -117,38 +109,34 @@ pub enum Edit {
         /// The values, each in [−1, 1].
         tcb: Tcb,
     },
-    /// A new orientation before the one that is number `at` now; `at` = their
-    /// number appends. It becomes current.
+    /// Inserts an orientation before orientation `at`, or after the last. It becomes current.
     InsertOrientation {
         /// The point.
         point: usize,
-        /// Number that the new orientation will have.
+        /// Number the new orientation will have.
         at: usize,
-        /// None copies the one before it (at 0 the first). Its roll may be any
-        /// finite number and is brought into (−180, 180].
+        /// None copies the one before it, or else the first. Rolls are wrapped into (−180, 180].
         orientation: Option<Orientation>,
     },
-    /// Takes an orientation away; its predecessor becomes current, else the
-    /// new first. One always remains.
+    /// Removes an orientation, not the last; its predecessor, else the new first one, becomes
+    /// current.
     RemoveOrientation {
         /// The point.
         point: usize,
         /// The orientation.
         at: usize,
     },
-    /// Changes every value of an orientation. Where its view or its zoom changes,
-    /// velocities and slopes that it owned before go; where its ten speeds change,
-    /// a part of another pace goes.
+    /// Sets all values of an orientation. The velocities and slopes it owned are removed where its
+    /// view or zoom changes, its part of another pace where its ten speeds change.
     SetOrientation {
         /// The point.
         point: usize,
         /// The orientation.
         at: usize,
-        /// The values; the roll may be any finite number and is brought into
-        /// (−180, 180].
+        /// The values; the roll is wrapped into (−180, 180].
         orientation: Orientation,
     },
-    /// Makes a target absolute or relative. The view stays, to rounding.
+    /// Makes a target absolute or relative. The view stays, up to rounding.
     SetAbsolute {
         /// The point.
         point: usize,
@@ -159,35 +147,32 @@ pub enum Edit {
     },
     /// The base speeds, each finite and > 0.
     SetSpeeds(BaseSpeeds),
-    /// Joins the last point to the first by one more segment, or opens it.
+    /// Closes the path by a segment from the last point to the first, or opens it.
     SetClosed(bool),
     /// How the camera turns and how the zoom runs.
     SetModes(OrientationMode, ZoomMode),
-    /// Title, comment, frames per second, unit and object.
+    /// Replaces the info: title, frame rate, unit, object and so on.
     SetInfo(Box<Info>),
     /// Where the path lies in the world.
     SetSpace {
         /// The new space.
         space: Space,
-        /// Whether the path goes along, so that it lies in the new space as it did in
-        /// the old one; else its numbers stay. The object's do always.
+        /// Whether the path is mapped into the new space. The object never is.
         fit: bool,
     },
-    /// The path of another node of the scene is edited from now on; none: of no node.
-    /// That changes nothing that a file would have.
+    /// Edits the path of another node of the scene, or of none. Files do not record this.
     EditNode(Option<usize>),
-    /// Another scene in place of what there is. The path of the camera that is shown is
-    /// edited, if it has one.
+    /// Replaces the scene. The shown camera's path is edited, if it has one.
     ReplaceScene(Box<Scene>),
-    /// Another path in place of this one; its first point becomes current.
+    /// Replaces the path; its first point becomes current.
     ReplacePath(Box<CameraPath>),
     /// Moves, turns, scales or mirrors points; see [`vides_engine::tools::transform`].
     TransformPoints {
         /// The points.
         points: Vec<usize>,
-        /// Without shear.
+        /// Must be free of shear.
         matrix: DMat4,
-        /// Whether what their cameras see goes along.
+        /// Whether their targets move along.
         with_targets: bool,
     },
     /// Deforms points; see [`vides_engine::tools::transform`].
@@ -196,13 +181,13 @@ pub enum Edit {
         points: Vec<usize>,
         /// The deformation.
         deformation: Deformation,
-        /// The box that it is relative to; none: that of the points.
+        /// The box it is relative to; none: the points' own.
         bounds: Option<Bounds>,
         /// Whether their targets are deformed too.
         with_targets: bool,
     },
-    /// Puts another path in behind a point; see [`vides_engine::tools::block::insert`].
-    /// Its first new point becomes current.
+    /// Inserts a path after a point; its first new point becomes current. See
+    /// [`vides_engine::tools::block::insert`].
     InsertPath {
         /// The point.
         at: usize,
@@ -210,11 +195,11 @@ pub enum Edit {
         block: Box<CameraPath>,
         /// How it is brought to its place.
         fit: Fit,
-        /// Whether its targets go along.
+        /// Whether its targets move along.
         with_targets: bool,
     },
-    /// Turns the way round; see [`vides_engine::tools::block::reverse`].
+    /// Reverses the path; see [`vides_engine::tools::block::reverse`].
     Reverse,
-    /// The way so many times; see [`vides_engine::tools::block::repeat`].
+    /// Repeats the path this many times; see [`vides_engine::tools::block::repeat`].
     Repeat(usize),
 }

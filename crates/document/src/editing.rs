@@ -1,4 +1,4 @@
-//! The document: a path with its edits, its history and what is computed of it.
+//! The document: a path with its edits, its history and cached results.
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -23,24 +23,22 @@ use glam::DVec3;
 /// The current point and its current orientation, counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Selection {
-    /// The current point.
+    /// The point.
     pub point: usize,
-    /// The current orientation of that point.
+    /// Its orientation.
     pub orientation: usize,
 }
 
 impl Selection {
-    /// This point, this orientation.
+    /// A selection of this point and orientation.
     #[must_use]
     pub const fn at(point: usize, orientation: usize) -> Self {
         Self { point, orientation }
     }
 }
 
-/// A path being edited: the path, what its file says besides, the current
-/// point, the history, and what has been computed. Whatever is done to it, it
-/// can be saved, loaded and sampled (more than [`limits::MAX_FRAMES`] frames
-/// excepted).
+/// A path being edited, with its info, selection and history. It can be saved, loaded and sampled
+/// after any edit (unless it has more than [`limits::MAX_FRAMES`] frames).
 ///
 /// Reading takes `&self` and may happen on several threads at once.
 #[derive(Debug)]
@@ -48,23 +46,20 @@ pub struct Document {
     content: Content,
     selection: Selection,
     history: History,
-    /// The step to which edits are added at present.
+    /// The open step, which collects edits.
     open: Option<Step>,
     /// Number of the present state; each edit makes a new one.
     state: u64,
-    /// The highest number given so far.
     newest: u64,
-    /// Number of the state that was saved.
     saved: u64,
-    /// A number that no other contents have had.
+    /// Unique to these contents within the process.
     revision: u64,
     plan: Plan,
-    /// What the text contained from which it was read.
+    /// Contents of the file it was read from.
     read: Option<Contents>,
 }
 
-/// The next number for [`Document::revision`]. Its order means nothing, so
-/// that nothing need be ordered by it.
+/// The next [`Document::revision`]: unique but unordered, so relaxed ordering is enough.
 pub(super) fn fresh_revision() -> u64 {
     static NEXT: AtomicU64 = AtomicU64::new(1);
     NEXT.fetch_add(1, Ordering::Relaxed)
@@ -77,13 +72,13 @@ impl Default for Document {
 }
 
 impl Document {
-    /// The path that a new window begins with.
+    /// The path a new window begins with.
     #[must_use]
     pub fn new() -> Self {
         Self::with(CameraPath::default(), Info::default())
     }
 
-    /// As [`Document::new`] where memory may run out.
+    /// As [`Document::new`], but reports running out of memory.
     ///
     /// # Errors
     /// `ErrorKind::Memory`.
@@ -94,8 +89,7 @@ impl Document {
     /// A document of this path.
     ///
     /// # Errors
-    /// The first value that is not as [`vides_engine::path::camera_path`] and
-    /// [`Info`] demand, with its place.
+    /// The first value that violates [`vides_engine::path::camera_path`] or [`Info`].
     pub fn from_parts(mut path: CameraPath, mut info: Info) -> Result<Self> {
         prepare::normalise(&mut path)?;
         info.check(path.space)?;
@@ -118,7 +112,7 @@ impl Document {
         }
     }
 
-    /// The same document as one that was just opened: unmodified, without a history.
+    /// The same document as if just opened: unmodified, without a history.
     #[must_use]
     pub fn as_opened(self) -> Self {
         let mut opened = Self::with(self.content.path, self.content.info);
@@ -128,14 +122,13 @@ impl Document {
         opened
     }
 
-    /// What the file contained from which the document was read, if it was.
+    /// Contents of the file the document was read from, if any.
     #[must_use]
     pub fn read_contents(&self) -> Option<Contents> {
         self.read
     }
 
-    /// The same document, keeping no history from now on: edits leave nothing
-    /// behind, and `undo` has nothing to take back.
+    /// The same document without a history from now on: `undo` has nothing to take back.
     #[must_use]
     pub fn without_history(mut self) -> Self {
         self.open = None;
@@ -168,7 +161,7 @@ impl Document {
         &self.content
     }
 
-    /// The path and what the file says besides, without the rest.
+    /// The path and the info, without the rest.
     #[must_use]
     pub fn into_parts(self) -> (CameraPath, Info) {
         (self.content.path, self.content.info)
@@ -180,7 +173,7 @@ impl Document {
         &self.content.path
     }
 
-    /// What the file says besides the path.
+    /// What the file holds besides the path.
     #[must_use]
     pub fn info(&self) -> &Info {
         &self.content.info
@@ -192,16 +185,15 @@ impl Document {
         self.selection
     }
 
-    /// A number for the present contents, path and all else, but not for the
-    /// selection: where it is the same, whatever was computed of them holds,
-    /// also if it was computed of another document of this process.
+    /// A number for the present contents, the selection excepted: equal numbers mean equal
+    /// contents, also across documents of this process.
     #[must_use]
     pub fn revision(&self) -> u64 {
         self.revision
     }
 
-    /// Makes a point and one of its orientations current. That is no edit: it
-    /// cannot be undone by itself and leaves the document unmodified.
+    /// Selects a point and one of its orientations. Not an edit: it adds no step and modifies
+    /// nothing.
     ///
     /// # Errors
     /// `ErrorKind::Range` if there is no such point or orientation.
@@ -211,11 +203,10 @@ impl Document {
         Ok(())
     }
 
-    /// Does an edit: one step of the history, or a part of the one that
-    /// [`Document::begin_step`] opened. An edit that changes nothing adds none.
+    /// Does an edit: one step of the history, or part of the open one, unless it changes nothing.
     ///
     /// # Errors
-    /// What makes the edit impossible; the document is unchanged then.
+    /// Why the edit is impossible; the document is unchanged then.
     pub fn apply(&mut self, edit: Edit) -> Result<()> {
         let same_for_a_file = matches!(edit, Edit::EditNode(_));
         let (change, selection) = prepare::prepare(&self.content, edit)?;
@@ -278,11 +269,10 @@ impl Document {
         Ok(())
     }
 
-    /// Does edits one after the other: one step of the history, or a part of the one
-    /// that is open.
+    /// Does several edits as one step of the history, or as part of the open step.
     ///
     /// # Errors
-    /// What makes one of them impossible; the document is unchanged then.
+    /// Why one of them is impossible; the document is unchanged then.
     pub fn apply_all(&mut self, edits: impl IntoIterator<Item = Edit>) -> Result<()> {
         let outer = self.open.take();
         self.begin_step();
@@ -310,28 +300,26 @@ impl Document {
         done
     }
 
-    /// From here to [`Document::end_step`] all edits are one step: a drag, the
-    /// `ok` of a window. A step that is open already is ended.
+    /// Opens a step, such as a drag: all edits until [`Document::end_step`]. Ends an open one.
     pub fn begin_step(&mut self) {
         self.end_step();
         self.open = Some(Step::new(self.selection, self.state));
     }
 
-    /// Whether a step is open: between [`Document::begin_step`] and its end.
+    /// Whether a step is open; see [`Document::begin_step`].
     #[must_use]
     pub fn in_step(&self) -> bool {
         self.open.is_some()
     }
 
-    /// Gives the step that is open a name, such as that of a tool.
+    /// Names the open step, for example after a tool.
     pub fn name_step(&mut self, name: &'static str) {
         if let Some(step) = &mut self.open {
             step.name = Some(name);
         }
     }
 
-    /// The names of the steps that [`Document::undo`] and [`Document::redo`] would go, if
-    /// they have some.
+    /// The names of the steps that [`Document::undo`] and [`Document::redo`] would take, if any.
     #[must_use]
     pub fn step_names(&self) -> [Option<&'static str>; 2] {
         match &self.open {
@@ -340,20 +328,18 @@ impl Document {
         }
     }
 
-    /// Ends the step that is open, if one is.
+    /// Ends the open step, if any.
     pub fn end_step(&mut self) {
         if let Some(mut step) = self.open.take() {
             step.close();
-            // Without memory for one more step it cannot be taken back; what
-            // was done stands.
+            // Out of memory: the edits stand but cannot be undone.
             if self.history.reserve().is_ok() {
                 self.history.push(step);
             }
         }
     }
 
-    /// Takes back what was done since [`Document::begin_step`], selection
-    /// included, and ends the step. Nothing of it can be done again.
+    /// Undoes the open step, selection included, and drops it: it cannot be redone.
     pub fn cancel_step(&mut self) {
         if let Some(mut step) = self.open.take() {
             step.close();
@@ -361,8 +347,8 @@ impl Document {
         }
     }
 
-    /// Takes the last step back, with the selection that was there; ends the
-    /// step that is open. False if there is none. Needs no memory.
+    /// Ends the open step and undoes the last one, selection included. False if there is none.
+    /// Needs no memory.
     pub fn undo(&mut self) -> bool {
         self.end_step();
         let mut history = std::mem::replace(&mut self.history, History::new(0));
@@ -371,8 +357,7 @@ impl Document {
         done
     }
 
-    /// Does again the step that was taken back last, with the selection that
-    /// was there. False if there is none. Needs no memory.
+    /// Redoes the step undone last, selection included. False if there is none. Needs no memory.
     pub fn redo(&mut self) -> bool {
         self.end_step();
         let mut history = std::mem::replace(&mut self.history, History::new(0));
@@ -381,19 +366,18 @@ impl Document {
         done
     }
 
-    /// Whether there is a step to take back.
+    /// Whether there is a step to undo.
     #[must_use]
     pub fn can_undo(&self) -> bool {
         self.history.can_undo() || self.open.as_ref().is_some_and(|step| !step.is_empty())
     }
 
-    /// Whether there is a step to do again.
+    /// Whether there is a step to redo.
     #[must_use]
     pub fn can_redo(&self) -> bool {
         self.history.can_redo()
     }
 
-    /// Goes to the other side of a step, and makes it lead back here.
     fn exchange(&mut self, step: &mut Step) {
         step.exchange(|change| {
             change.announce(&mut self.plan);
@@ -404,31 +388,29 @@ impl Document {
         self.revision = fresh_revision();
     }
 
-    /// Whether there is something that the file does not know. Undoing back to
-    /// the state that was saved makes it false again.
+    /// Whether there are unsaved changes. False again after undoing back to the saved state.
     #[must_use]
     pub fn is_modified(&self) -> bool {
         self.state != self.saved
     }
 
-    /// Number of the present state: another one after each edit, the old one
-    /// again when it is undone.
+    /// Number of the present state: new after each edit, the old one again after undo.
     #[must_use]
     pub fn state_number(&self) -> u64 {
         self.state
     }
 
-    /// No file knows the present state, nor any other.
+    /// Marks every state, past and present, as unsaved.
     pub fn mark_unsaved(&mut self) {
         self.saved = u64::MAX;
     }
 
-    /// The present state is that of the file.
+    /// Marks the present state as the saved one.
     pub fn mark_saved(&mut self) {
         self.saved = self.state;
     }
 
-    /// Lengths and frames, brought up to date.
+    /// Calls `f` with the current lengths and frame counts.
     ///
     /// # Errors
     /// `ErrorKind::Memory`.
@@ -436,8 +418,8 @@ impl Document {
         Ok(self.plan.timeline(&self.content.path, f)?)
     }
 
-    /// What is up for the camera at an orientation, its roll with it: a unit vector of the
-    /// world, perpendicular to its view.
+    /// The camera's up at an orientation, roll included: a unit vector in world coordinates,
+    /// perpendicular to the view.
     ///
     /// # Errors
     /// `ErrorKind::Range` if there is no such orientation; `ErrorKind::Memory`.
@@ -451,11 +433,10 @@ impl Document {
         self.timeline(|timeline| alignment::up(path, timeline, point, orientation))
     }
 
-    /// Everything prepared for sampling.
+    /// The path prepared for sampling.
     ///
     /// # Errors
-    /// `ErrorKind::Memory`, or `ErrorKind::Limit` if the path yields
-    /// more than [`limits::MAX_FRAMES`] frames.
+    /// `ErrorKind::Memory`; `ErrorKind::Limit` for more than [`limits::MAX_FRAMES`] frames.
     pub fn sampler(&self) -> Result<&Sampler> {
         Ok(self.plan.sampler(&self.content.path)?)
     }
@@ -478,7 +459,7 @@ impl Document {
     /// As [`Space::around`]; [`vides_engine::Error::Memory`].
     pub fn space_around_path(&self) -> Result<Space> {
         self.timeline(|timeline| {
-            // So near to one another that what lies between is spared for.
+            // Dense enough that the spare tenth covers the curve between samples.
             let along = (0..timeline.segment_count()).flat_map(|segment| {
                 (0..=16).map(move |k| timeline.curve(segment).point(f64::from(k) / 16.0))
             });
@@ -486,9 +467,8 @@ impl Document {
         })?
     }
 
-    /// The path or the scene in a `.vid` file, and what was wrong with the files of the
-    /// scene's meshes ([`SceneDocument::warnings`]). Of a scene the path of the camera that
-    /// is shown is edited, if it has one; the rest is kept.
+    /// Loads a path or scene from a `.vid` file, with the warnings of [`SceneDocument::warnings`].
+    /// Of a scene the shown camera's path is edited, if it has one; the rest is kept.
     ///
     /// # Errors
     /// As [`Document::load`].
@@ -498,8 +478,8 @@ impl Document {
             .map_err(|error| error.at(file.display()))
     }
 
-    /// The same of what `reader` gives; names of meshes lead from the working directory,
-    /// and `name` stands for it in messages.
+    /// As [`Document::load_scene`], from `reader`, which messages call `name`. Mesh names are
+    /// relative to the working directory.
     ///
     /// # Errors
     /// As [`Document::load`].
@@ -508,7 +488,7 @@ impl Document {
         Self::scene_from_toml(&text, Path::new(".")).map_err(|error| error.at(name))
     }
 
-    /// The same of a text; names of meshes lead from `folder`.
+    /// As [`Document::load_scene`], from a text. Mesh names are relative to `folder`.
     ///
     /// # Errors
     /// `ErrorKind::Format` with line and reason.
@@ -533,34 +513,30 @@ impl Document {
         Ok((document, warnings))
     }
 
-    /// The document in a `.vid` file.
+    /// Loads the path in a `.vid` file.
     ///
     /// # Errors
-    /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with
-    /// file, line and reason if its contents are not what they should be.
+    /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with file, line and reason.
     pub fn load(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
         let loaded = Self::from_toml(&text).and_then(|mut document| {
-            // What there is to say of it is said by `load_scene`.
+            // Warnings are reported by `load_scene` only.
             document.read_object(&absolute_folder_of(file))?;
             Ok(document)
         });
         loaded.map_err(|error| error.at(file.display()))
     }
 
-    /// Reads the mesh that the object comes from, if that is in a file; names lead from
-    /// `folder`. What there is to say of it comes back.
+    /// Reads the object's mesh file, if it has one; returns a warning.
     fn read_object(&mut self, folder: &Path) -> Result<Option<Error>> {
         let space = self.content.path.space;
         mesh_file::read_object(&mut self.content.info, space, folder)
     }
 
-    /// As [`Document::load`]; of a scene the path of the camera that is shown. To
-    /// save it to the same file would lose the rest.
+    /// As [`Document::load`], but of a scene it takes the shown camera's path and drops the rest.
     ///
     /// # Errors
-    /// As [`Document::load`]; `ErrorKind::Argument` if the scene has no
-    /// camera on a path.
+    /// As [`Document::load`]; `ErrorKind::Argument` if the scene has no camera on a path.
     pub fn load_shown(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
         let shown = Self::shown(&text).and_then(|mut document| {
@@ -570,8 +546,7 @@ impl Document {
         shown.map_err(|error| error.at(file.display()))
     }
 
-    /// As [`Document::load_shown`], of what `reader` gives; `name` stands for it in
-    /// messages.
+    /// As [`Document::load_shown`], from `reader`, which messages call `name`.
     ///
     /// # Errors
     /// As [`Document::load_shown`].
@@ -590,15 +565,13 @@ impl Document {
         }
     }
 
-    /// The document with what its text has besides: which one it was, and comments.
     fn read_from(mut self, text: &str) -> Result<Self> {
         self.read = Some(Contents::of(text.as_bytes()));
         self.content.comments = Comments::of(text)?;
         Ok(self)
     }
 
-    /// The document in what `reader` gives, to its end; `name` stands for it
-    /// in messages.
+    /// As [`Document::load`], from `reader`, which messages call `name`.
     ///
     /// # Errors
     /// As [`Document::load`].
@@ -616,9 +589,8 @@ impl Document {
         Self::from_parts(path, info)?.read_from(text)
     }
 
-    /// The text of a `.vid` file, with the comments of the text that the document was read
-    /// from, each at what it stood at; those of removed points have gone with them.
-    /// Loading it gives the same document, bit by bit.
+    /// The text of a `.vid` file, with the comments of the text it was read from, except those of
+    /// removed points. Loading it gives the same document, bit by bit.
     ///
     /// # Errors
     /// `ErrorKind::Memory`.
@@ -626,10 +598,10 @@ impl Document {
         self.text_in(None)
     }
 
-    /// The same for a file: meshes in or below its folder are named as from there.
+    /// As [`Document::to_toml`], with meshes in or below the file's folder named relative to it.
     ///
     /// # Errors
-    /// As [`Document::to_toml`]; `ErrorKind::Limit` if a scene is longer than what is read.
+    /// As [`Document::to_toml`]; `ErrorKind::Limit` if a scene is too long to be read again.
     pub fn to_toml_for(&self, file: &Path) -> Result<String> {
         self.text_in(Some(folder_of(file)))
     }
@@ -647,18 +619,16 @@ impl Document {
         Ok(text)
     }
 
-    /// Saves as a `.vid` file, atomically and durably ([`super::save`]). Call
-    /// [`Document::mark_saved`] when it is the file being edited.
+    /// Saves atomically and durably ([`super::save`]); see [`Document::mark_saved`].
     ///
     /// # Errors
-    /// `ErrorKind::Io` with the file and what the system said; the old
-    /// file is whole then.
+    /// `ErrorKind::Io` with the file and the system's reason; the old file is whole then.
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.to_toml_for(file)?.as_bytes())
     }
 }
 
-/// Wherever the process goes: the names of meshes must lead there then, too.
+/// Absolute, so that a change of the working directory does no harm.
 fn absolute_folder_of(file: &Path) -> PathBuf {
     let folder = folder_of(file);
     std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned())

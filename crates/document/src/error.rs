@@ -1,5 +1,4 @@
-//! What can go wrong with a document and its files. What the engine refuses
-//! stands in it as it is.
+//! Errors of documents and their files; the engine's errors pass through unchanged.
 
 use std::fmt;
 use std::io;
@@ -16,13 +15,13 @@ use crate::limits;
 /// What can go wrong with a document and its files.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// What the engine refuses, or that memory ran out.
+    /// An error of the engine, or out of memory.
     #[error(transparent)]
     Engine(#[from] EngineError),
     /// An edit that this path does not allow.
     #[error(transparent)]
     Refused(#[from] Refused),
-    /// The operating system refused to read or write a file.
+    /// The operating system failed to read or write a file.
     #[error("{place}: {}", reason(source))]
     Io {
         /// The file, as the caller named it.
@@ -30,41 +29,41 @@ pub enum Error {
         /// What the operating system said.
         source: io::Error,
     },
-    /// A file's contents are not what they should be.
+    /// The contents of a file are invalid.
     #[error("line {line}: {key}{cause}")]
     Format {
-        /// The line, counted from 1.
+        /// Counted from 1.
         line: usize,
-        /// The key there.
+        /// The key on that line.
         key: Key,
         /// What is wrong.
         cause: Malformed,
     },
-    /// A file is longer than what is read.
+    /// A file is longer than the MiB that are read.
     #[error("the file is larger than the {0} MiB that are read")]
     FileTooLarge(u64),
-    /// Reading could take too much memory.
+    /// Parsing from this line could take too much memory.
     #[error(
         "line {0}: what begins here could take more than {most} MiB of memory to be read",
         most = limits::MAX_PARSE_BYTES >> 20
     )]
     PieceTooLarge(usize),
-    /// A file is no mesh.
+    /// A mesh file is invalid.
     #[error(transparent)]
     Mesh(#[from] vides_mesh::Error),
-    /// One of these at a place of a scene.
+    /// An error at a place of a scene.
     #[error("{0}: {1}")]
     At(Place, Cause<Error>),
-    /// One of these in a file.
+    /// An error in a file.
     #[error("{0}: {1}")]
     In(Text, Cause<Error>),
 }
 
-/// The result of everything that can fail.
+/// The result of fallible operations.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 impl Error {
-    /// The same error with the name of the file before it, where it has none.
+    /// Prefixes the file's name where the error lacks one.
     #[must_use]
     pub fn at(self, file: impl fmt::Display) -> Self {
         if matches!(self, Self::Io { .. } | Self::Engine(EngineError::Memory)) {
@@ -74,7 +73,7 @@ impl Error {
         Cause::new(self).map_or_else(|same| same, |cause| Self::In(name, cause))
     }
 
-    /// What kind it is.
+    /// The kind of the error.
     #[must_use]
     pub fn kind(&self) -> ErrorKind {
         match self {
@@ -99,7 +98,7 @@ impl From<std::collections::TryReserveError> for Error {
     }
 }
 
-/// The key of a line, if it has one.
+/// The key of a line, if any.
 #[derive(Debug)]
 pub struct Key(pub Option<Text>);
 
@@ -198,7 +197,7 @@ impl fmt::Display for End {
     }
 }
 
-/// What is wrong with the contents of a file.
+/// What is invalid in a file.
 #[derive(Debug, thiserror::Error)]
 #[allow(missing_docs)]
 pub enum Malformed {
@@ -308,7 +307,7 @@ pub enum Malformed {
     Colour,
 }
 
-/// A cause of the engine's is an error here too.
+/// Converts a cause of the engine's directly.
 macro_rules! of_engine {
     ($($cause:ty => $error:ty),*) => {$(
         impl From<$cause> for $error {
@@ -328,7 +327,7 @@ pub fn one_of(names: &[&str], or: &str) -> String {
     format!("\"{}\" {or} \"{last}\"", others.join("\", \""))
 }
 
-/// What a value of a file is.
+/// The type of a value in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Value {

@@ -1,5 +1,4 @@
-//! Poses in the formats of the command `vides sample`: the thesis's ASCII
-//! lines, CSV and JSON, the latter two with every digit.
+//! Poses in the formats of the command `vides sample`.
 
 use std::io::Write;
 use std::path::Path;
@@ -13,25 +12,23 @@ use super::save;
 use crate::error::{Refused, Result};
 use crate::path::{Pose, Sampler, Space};
 
-/// How poses are written.
+/// A format of poses. All but ASCII write as many digits as give the same bits back.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Format {
     /// Ten numbers a line, four decimals ([`super::ascii`]).
     #[default]
     Ascii,
-    /// Comma-separated values: a header row, then the frame's number and ten
-    /// numbers, with as many digits as give the same bits back.
+    /// Comma-separated values: a header row, then frame number and ten numbers per row.
     Csv,
-    /// One object: what the document says about itself, then an array of
-    /// poses, with as many digits as give the same bits back.
+    /// One object: the document's info, then an array of poses.
     Json,
 }
 
 impl Format {
-    /// All of them, in the order in which they are offered.
+    /// All formats, in the order they are offered.
     pub const ALL: [Self; 3] = [Self::Ascii, Self::Csv, Self::Json];
 
-    /// How the names of its files end, without the dot.
+    /// The file name extension, without the dot.
     #[must_use]
     pub const fn ending(self) -> &'static str {
         match self {
@@ -41,8 +38,7 @@ impl Format {
         }
     }
 
-    /// What a file's name says: its ending, in letters of either case; lines of ten
-    /// numbers where it says nothing else.
+    /// The format by a file's extension, in either case; ASCII for any other.
     #[must_use]
     pub fn of_file(file: &Path) -> Self {
         let ending = file.extension().unwrap_or_default();
@@ -51,12 +47,10 @@ impl Format {
     }
 }
 
-/// Writes all poses of a document; of a scene those of the camera that is shown, from the
-/// scene's first frame to its last.
+/// Writes all poses of a document; of a scene those of the shown camera over the scene's frames.
 ///
 /// # Errors
-/// `ErrorKind::Io` if `out` fails, `ErrorKind::Limit` if the path
-/// yields too many frames, `ErrorKind::Memory`.
+/// `ErrorKind::Io` if `out` fails, `ErrorKind::Limit` for too many frames, `ErrorKind::Memory`.
 pub fn write(
     document: &Document,
     format: Format,
@@ -76,8 +70,7 @@ pub fn write(
     }
 }
 
-/// The same into a file, which is replaced only when all is written
-/// ([`save::save_with`]).
+/// As [`write()`], into a file that is replaced only when all is written ([`save::save_with`]).
 ///
 /// # Errors
 /// As [`write()`], naming the file.

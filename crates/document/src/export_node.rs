@@ -1,7 +1,5 @@
-//! A node of a scene, frame by frame, in the formats of the command `vides sample`.
-//!
-//! Cameras and lights are written as poses, as a path is. Other nodes have a matrix:
-//! from their coordinates into the world's, column by column, as OpenGL takes it.
+//! A node of a scene, frame by frame, in the formats of the command `vides sample`: cameras and
+//! lights as poses, others as matrices to world coordinates, column by column as in OpenGL.
 
 use std::io::Write;
 
@@ -13,20 +11,17 @@ use super::{SceneDocument, ascii};
 use crate::error::{Place, Result, TooMany, vec_with_room};
 use crate::limits::MAX_FRAMES;
 
-/// States that are evaluated and written at once.
 const BLOCK: usize = 512;
 
-/// Bytes that a state is expected to take; more only costs a growth.
+/// Expected bytes per state; more only costs a reallocation.
 const BYTES: usize = 512;
 
-/// Writes the states of a node at every whole step from the scene's first frame to
-/// its last. An interpolation of the host's own that is missing or fails is an error
-/// here: nobody looks at a file and sees that something stood still.
+/// Writes the states of a node at every whole step from the scene's first frame to its last. A host
+/// interpolation that is missing or fails is an error, since nobody would notice it in a file.
 ///
 /// # Errors
-/// `ErrorKind::Range` if there is no such node,
-/// `ErrorKind::Limit` for more frames than a path may have; `ErrorKind::Io` if `out` fails; as
-/// [`vides_engine::scene::Scene::sample`].
+/// `ErrorKind::Range` if there is no such node; `ErrorKind::Limit` for more frames than a path may
+/// have; `ErrorKind::Io` if `out` fails; as [`vides_engine::scene::Scene::sample`].
 pub fn write_node(
     document: &SceneDocument,
     node: usize,

@@ -1,8 +1,5 @@
-//! What was done and can be taken back: steps of one or more records.
-//!
-//! Every step keeps "the other side": what the selection and the state's
-//! number were before it, or, once it has been taken back, after it. Undo and
-//! redo exchange the two sides.
+//! The undo history. A step keeps "the other side": the selection and state number from before it
+//! or, once undone, from after it; undo and redo exchange the sides.
 
 use std::collections::VecDeque;
 
@@ -11,16 +8,15 @@ use super::editing::Selection;
 use crate::error::Result;
 use crate::limits;
 
-/// One step: what a single undo takes back.
+/// What a single undo takes back.
 #[derive(Debug)]
 pub(super) struct Step {
-    /// The records that lead to the other side, to be applied in this order.
+    /// The records that lead to the other side, in the order of application.
     changes: Vec<Change>,
     /// The selection on the other side.
     pub(super) selection: Selection,
     /// Number of the state on the other side.
     pub(super) state: u64,
-    /// What it is called, if it has a name.
     pub(super) name: Option<&'static str>,
 }
 
@@ -34,10 +30,8 @@ impl Step {
         }
     }
 
-    /// Takes the memory for one more record.
     pub(super) fn reserve(&mut self) -> Result<()> {
         if self.changes.is_empty() {
-            // Most steps are one record: no room for others.
             self.changes.try_reserve_exact(1)?;
         } else {
             self.changes.try_reserve(1)?;
@@ -45,13 +39,12 @@ impl Step {
         Ok(())
     }
 
-    /// The same for several.
     pub(super) fn reserve_more(&mut self, records: usize) -> Result<()> {
         Ok(self.changes.try_reserve(records)?)
     }
 
-    /// Adds the record that takes the newest change back, unless an older one
-    /// does. (Kept newest last; [`Step::close`] turns the order round.)
+    /// Adds the record that undoes the newest change, unless an older one already does. The newest
+    /// is last until [`Step::close`] reverses the order.
     pub(super) fn push(&mut self, inverse: Change) {
         let known = self
             .changes
@@ -65,19 +58,18 @@ impl Step {
         }
     }
 
-    /// Takes the memory for the records of a step that was done within this one.
     pub(super) fn reserve_for(&mut self, inner: &Self) -> Result<()> {
         self.reserve_more(inner.changes.len())
     }
 
-    /// Adds its records, to which none were added since that.
+    /// Appends the records of an inner step; the memory was reserved by [`Step::reserve_for`].
     pub(super) fn append(&mut self, inner: Self) {
         for record in inner.changes {
             self.push(record);
         }
     }
 
-    /// The step is complete: its records in the order they are to be applied.
+    /// Puts the records into their order of application.
     pub(super) fn close(&mut self) {
         self.changes.reverse();
     }
@@ -86,7 +78,7 @@ impl Step {
         self.changes.is_empty()
     }
 
-    /// Applies its records, each by `apply`, and keeps what takes them back.
+    /// Applies each record and keeps its inverse.
     pub(super) fn exchange(&mut self, mut apply: impl FnMut(Change) -> Change) {
         for change in &mut self.changes {
             let taken = std::mem::replace(change, Change::Closed(false));
@@ -100,17 +92,14 @@ impl Step {
     }
 }
 
-/// Records looked through for one at the same place: a drag changes one or
-/// two places over and over.
+/// How many records to search for one at the same place: a drag changes one or two repeatedly.
 const FAR_BACK: usize = 64;
 
-/// The steps done and those taken back.
 #[derive(Debug)]
 pub(super) struct History {
     steps: VecDeque<(Step, usize)>,
-    /// Steps that are done; those behind them have been taken back.
+    /// Number of steps done; those after them have been undone.
     done: usize,
-    /// Weight of all steps together.
     weight: usize,
     /// Steps kept; 0 keeps none.
     limit: usize,
@@ -138,18 +127,16 @@ impl History {
         self.done < self.steps.len()
     }
 
-    /// The names of the steps to be taken back and done again next.
     pub(super) fn names(&self) -> [Option<&'static str>; 2] {
         let name = |at: usize| self.steps.get(at).and_then(|(step, _)| step.name);
         [self.done.checked_sub(1).and_then(name), name(self.done)]
     }
 
-    /// Takes the memory for one more step.
     pub(super) fn reserve(&mut self) -> Result<()> {
         Ok(self.steps.try_reserve(1)?)
     }
 
-    /// A step has been done; those taken back before are gone.
+    /// Adds a step; steps undone before are dropped.
     pub(super) fn push(&mut self, step: Step) {
         if !self.keeps_any() || step.changes.is_empty() {
             return;
@@ -169,7 +156,7 @@ impl History {
         }
     }
 
-    /// Lets `exchange` take the newest step back. False if there is none.
+    /// Undoes the newest step by `exchange`. False if there is none.
     pub(super) fn back(&mut self, exchange: impl FnOnce(&mut Step)) -> bool {
         let Some(index) = self.done.checked_sub(1) else {
             return false;
@@ -178,8 +165,7 @@ impl History {
         self.exchange(index, exchange)
     }
 
-    /// Lets `exchange` do the step again that was taken back last. False if
-    /// there is none.
+    /// Redoes the step undone last by `exchange`. False if there is none.
     pub(super) fn forth(&mut self, exchange: impl FnOnce(&mut Step)) -> bool {
         let index = self.done;
         if index == self.steps.len() {
@@ -194,7 +180,7 @@ impl History {
             return false;
         };
         exchange(step);
-        // What it holds now are the other side's values.
+        // It now holds the other side's values.
         self.weight -= *weight;
         *weight = step.weight();
         self.weight += *weight;

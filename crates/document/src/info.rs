@@ -1,5 +1,4 @@
-//! What a file says besides the path itself: who it is for, how fast it is
-//! shown, what the world's unit is called, what stands in the world.
+//! What a file holds besides the path: title, frame rate, unit, object and limits.
 
 use std::ops::Deref;
 use std::sync::Arc;
@@ -13,14 +12,14 @@ use crate::limits;
 use crate::path::Space;
 use vides_engine::Result;
 
-/// Everything of a document that the engine does not read.
+/// The part of a document that the engine does not read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Info {
     /// One line, at most [`limits::MAX_NAME_BYTES`].
     pub title: String,
     /// Any lines, at most [`limits::MAX_COMMENT_BYTES`].
     pub comment: String,
-    /// Frames shown in a second; > 0, at most [`limits::MAX_FPS`].
+    /// Frames per second; > 0, at most [`limits::MAX_FPS`].
     pub fps: f64,
     /// Number of the first frame in the user's film.
     pub first_frame: i32,
@@ -28,27 +27,25 @@ pub struct Info {
     pub unit: String,
     /// Wireframe object, shown for orientation.
     pub object: Object,
-    /// Beyond which values a check tells.
+    /// Limits for checks.
     pub limits: Limits,
 }
 
-/// One point of a wireframe object (thesis B.2.2, `V_OBJEKT_LIST`).
+/// A point of a wireframe object (thesis B.2.2, `V_OBJEKT_LIST`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ObjectPoint {
-    /// In the world.
+    /// In world coordinates.
     pub position: DVec3,
-    /// Whether a line leads here from the point before; a document keeps
-    /// `false` for the first.
+    /// Whether a line from the previous point leads here; false for a document's first point.
     pub draw: bool,
 }
 
-/// The points of a wireframe object, and the file of the mesh whose wireframe it is;
-/// shared, since they may be many and hardly ever change. None take no memory, so that a
-/// path without an object can be made and copied where memory runs out.
+/// The points of a wireframe object, shared since they may be many, and the mesh file it comes
+/// from. An empty one allocates nothing, so that it can be made and copied when memory runs out.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Object {
     points: Option<Arc<Vec<ObjectPoint>>>,
-    /// One for each point, or none.
+    /// One per point, or none.
     colours: Option<Arc<Vec<[u8; 3]>>>,
     source: Option<Arc<MeshSource>>,
 }
@@ -64,8 +61,7 @@ impl From<Vec<ObjectPoint>> for Object {
 }
 
 impl Object {
-    /// The same, of the mesh in a file: a document keeps that one's name in place of the
-    /// points.
+    /// Sets the mesh file, which a document names instead of listing the points.
     pub(super) fn of_source(self, source: MeshSource) -> Self {
         Self {
             source: Some(Arc::new(source)),
@@ -73,8 +69,7 @@ impl Object {
         }
     }
 
-    /// The same with a colour for each point, or none: red, green, blue. A document without the
-    /// file of its mesh does not keep them.
+    /// Sets RGB colours, one per point or none; kept only in documents with a mesh file.
     pub(super) fn coloured(self, colours: Vec<[u8; 3]>) -> Self {
         Self {
             colours: (colours.len() == self.len()).then(|| Arc::new(colours)),
@@ -82,8 +77,7 @@ impl Object {
         }
     }
 
-    /// What is drawn of it: lines, with the colour of their end if there is one; points
-    /// that belong to none are lines without length.
+    /// The lines to draw with the colours of their ends; isolated points are lines of length zero.
     pub fn lines(&self) -> impl Iterator<Item = ([DVec3; 2], Option<[u8; 3]>)> + '_ {
         let colours = self.colours.as_ref().map(|colours| colours.as_slice());
         self.iter().enumerate().filter_map(move |(at, point)| {
@@ -99,7 +93,7 @@ impl Object {
         })
     }
 
-    /// The file of its mesh; none if the document keeps the points.
+    /// The mesh file; none if the document keeps the points.
     #[must_use]
     pub fn source(&self) -> Option<&MeshSource> {
         self.source.as_deref()
@@ -141,8 +135,7 @@ impl Info {
         })
     }
 
-    /// Brings it into the form that documents keep: no line leads to the first
-    /// point of an object.
+    /// Clears the first object point's `draw`.
     pub(super) fn normalise(&mut self) {
         if let Some(points) = &mut self.object.points
             && points.first().is_some_and(|first| first.draw)
@@ -151,10 +144,10 @@ impl Info {
         }
     }
 
-    /// Whether every field is in its range, beside a path in this space.
+    /// Checks all fields against their ranges and the space.
     ///
     /// # Errors
-    /// The first field that is not, with the reason.
+    /// The first invalid field, with the reason.
     pub fn check(&self, space: Space) -> Result<()> {
         check_line(&self.title, Place::Title)?;
         check_comment(&self.comment)?;
@@ -172,7 +165,6 @@ impl Info {
     }
 }
 
-/// Frames per second that a film can have.
 pub(super) fn check_fps(fps: f64) -> Result<()> {
     if !(fps > 0.0 && fps <= limits::MAX_FPS) {
         return Err(OutOfRange::Fps.into());
@@ -180,7 +172,6 @@ pub(super) fn check_fps(fps: f64) -> Result<()> {
     Ok(())
 }
 
-/// A comment: not too long.
 pub(super) fn check_comment(comment: &str) -> Result<()> {
     if comment.len() > limits::MAX_COMMENT_BYTES {
         return Err(TooMany::CommentBytes.into());
@@ -188,12 +179,11 @@ pub(super) fn check_comment(comment: &str) -> Result<()> {
     Ok(())
 }
 
-/// A text that stands on one line: no control characters, not too long.
+/// Checks a one-line text: no control characters, not too long.
 pub(super) fn check_line(text: &str, place: Place) -> Result<()> {
     crate::path::camera_path::check_name(text).map_err(|error| error.at(place))
 }
 
-/// A copy of a text, or `ErrorKind::Memory`.
 pub(super) fn copy_text(text: &str) -> Result<String> {
     let mut copy = String::new();
     copy.try_reserve_exact(text.len())?;

@@ -1,13 +1,8 @@
-//! The path being edited (thesis 7.3, A.4 to A.6): every edit as a command
-//! that can be taken back, and the files that paths and poses are kept in.
+//! The path or scene being edited (thesis 7.3, A.4 to A.6) with undo; files of paths and poses.
 //!
-//! Why commands: the window, the C interface and a script change a path in the
-//! same few ways, each must leave a path that can be saved and sampled, and
-//! each must be undone to the last bit. So there is one [`Edit`] per way. It
-//! is checked first, as a whole, and turned into a small record of the values
-//! that it exchanges; applying a record gives the record that takes it back.
-//!
-//! It stands on [`vides_engine::path`] and knows nothing of windows or of C.
+//! The window, the C interface and scripts all change a path through [`Edit`]. An edit is checked
+//! as a whole and turned into a record of the values it exchanges; applying a record returns the
+//! one that undoes it, bit by bit. The crate knows nothing of windows or of C.
 
 #![forbid(unsafe_code)]
 

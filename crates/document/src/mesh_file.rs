@@ -1,5 +1,4 @@
-//! Meshes that lie in files of their own, beside the scene's: a scene keeps their
-//! names, lengths and checksums, and reads them when it is loaded.
+//! Meshes in files of their own, of which a scene stores name, length and checksum.
 
 use std::cell::Cell;
 use std::path::{Component, Path, PathBuf, absolute};
@@ -13,21 +12,19 @@ use crate::error::{Cause, EngineError, Error, Place, Result};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::Space;
 
-/// Asked now and then while a mesh is read, with the share that is done, 1 at the end; false
-/// stops the reading.
+/// Called while a mesh is read with the share done, at last 1; returning false stops the reading.
 pub type Watcher = Box<dyn FnMut(f64) -> bool>;
 
 thread_local! {
     static WATCHER: Cell<Option<Watcher>> = const { Cell::new(None) };
 }
 
-/// Who is asked while the files of meshes are read on this thread; none: nobody. An object
-/// whose reading is stopped is empty, and that is told as of one whose file is broken.
+/// Sets or removes the watcher for mesh files read on this thread. A stopped mesh counts as broken.
 pub fn watch_meshes(watcher: Option<Watcher>) {
     WATCHER.set(watcher);
 }
 
-/// The mesh in an OBJ, PLY, STL or glTF file, by the ending of its name.
+/// The mesh in an OBJ, PLY, STL or glTF file, by the file's extension.
 ///
 /// # Errors
 /// [`Error::Io`], [`Error::FileTooLarge`], [`Error::Mesh`], each with the file.
@@ -39,12 +36,12 @@ pub fn load_mesh(file: &Path) -> Result<(MeshSource, Mesh)> {
 fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
     let format = Format::of(file).ok_or(vides_mesh::Error::UnknownFormat)?;
     let bytes = read_bytes(file, MAX_FILE_BYTES)?;
-    // Taken out meanwhile: it may do what it likes.
+    // Taken out meanwhile, so that it may itself read meshes or set a watcher.
     let mut watcher = WATCHER.take();
     let mut go_on = |share: f64| watcher.as_mut().is_none_or(|go_on| go_on(share));
     let folder = file.parent().unwrap_or(Path::new(""));
     let mut beside = |name: &str| {
-        // Within the folder of the file, and nowhere else.
+        // Only within the file's folder.
         let plain = |part| matches!(part, Component::Normal(_));
         let inside = Path::new(name).components().all(plain);
         inside.then(|| read_bytes(&folder.join(name), MAX_FILE_BYTES).ok())?
@@ -61,8 +58,7 @@ fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
     Ok((source, mesh))
 }
 
-/// The wireframe of the mesh in an OBJ, PLY, STL or glTF file: its features. A document with it
-/// keeps the file's name.
+/// The wireframe ([`Object::features_of`]) of a mesh file, whose name a document stores.
 ///
 /// # Errors
 /// As [`load_mesh`] and [`Object::features_of`].
@@ -76,9 +72,8 @@ pub fn load_object(file: &Path) -> Result<Object> {
     }))
 }
 
-/// Reads the mesh that an object from `folder` names. One that is gone or broken leaves
-/// it empty; one that is another than when it was saved is taken. What there is to say
-/// of it comes back.
+/// Reads an object's mesh, named relative to `folder`; returns a warning. A missing or broken mesh
+/// leaves it empty; a changed one is taken.
 pub(super) fn read_object(info: &mut Info, space: Space, folder: &Path) -> Result<Option<Error>> {
     let Some(known) = info.object.source().cloned() else {
         return Ok(None);
@@ -103,7 +98,7 @@ pub(super) fn read_object(info: &mut Info, space: Space, folder: &Path) -> Resul
         }
         Err(Error::Engine(EngineError::Memory)) => return Err(EngineError::Memory.into()),
         Err(error) => {
-            // It still knows where its mesh should be.
+            // Keep where its mesh should be.
             info.object = Object::default().of_source(MeshSource {
                 file: file.display().to_string(),
                 ..known
@@ -114,16 +109,14 @@ pub(super) fn read_object(info: &mut Info, space: Space, folder: &Path) -> Resul
     Ok(trouble)
 }
 
-/// FNV-1a of 64 bits: to see a change, not to prove that there is none.
+/// 64-bit FNV-1a: detects changes, not tampering.
 fn checksum(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
     })
 }
 
-/// Reads the meshes that a scene from `folder` names. One that is gone or broken leaves
-/// its object empty; one that is another than when the scene was saved is taken. What
-/// there is to say of them comes back.
+/// As [`read_object`], for all objects of a scene.
 pub(super) fn read_meshes(scene: &mut Scene, folder: &Path) -> Result<Vec<Error>> {
     let mut warnings = Vec::new();
     for at in 0..scene.nodes().len() {
@@ -155,13 +148,13 @@ pub(super) fn read_meshes(scene: &mut Scene, folder: &Path) -> Result<Vec<Error>
             warnings.try_reserve(1)?;
             warnings.push(Error::At(place, Cause::new(error)?));
         }
-        // An empty object still knows where its mesh should be.
+        // An empty object, too, keeps where its mesh should be.
         scene.name_mesh(at, file.display().to_string())?;
     }
     Ok(warnings)
 }
 
-/// How a file in `folder` names a mesh: relative to it where the mesh lies in it.
+/// A mesh's name for a file in `folder`: relative if the mesh lies in or below it.
 pub(super) fn name_from(folder: Option<&Path>, file: &str) -> String {
     let within = || -> Option<PathBuf> {
         let folder = absolute(folder?).ok()?;

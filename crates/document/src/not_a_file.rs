@@ -1,11 +1,10 @@
-//! What stands where a file was expected.
+//! Paths that lead to something other than a regular file.
 
 use std::fmt;
 use std::fs::Metadata;
 use std::io;
 
-/// A path leads to something that is no regular file. Within an [`io::Error`]
-/// it can be told from what the system says.
+/// What a path leads to instead of a regular file; can be recognised within an [`io::Error`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotAFile {
     /// A directory.
@@ -15,7 +14,6 @@ pub enum NotAFile {
 }
 
 impl NotAFile {
-    /// Fails if it is no regular file.
     pub(super) fn refuse(metadata: &Metadata) -> io::Result<()> {
         let what = if metadata.is_file() {
             return Ok(());
@@ -27,7 +25,7 @@ impl NotAFile {
         Err(io::Error::other(what))
     }
 
-    /// What an error says of it, if it comes from here.
+    /// The cause of an error, if it comes from here.
     pub fn of(error: &io::Error) -> Option<Self> {
         error.get_ref()?.downcast_ref().copied()
     }

@@ -1,4 +1,4 @@
-//! Where new points come to lie: on a segment of the curve, or beyond an end.
+//! Positions of new points: on a segment of the curve, or beyond an end.
 
 use glam::DVec3;
 
@@ -10,8 +10,7 @@ use crate::path::arc_length::ArcLength;
 use crate::path::curve;
 use crate::path::hermite::Cubic;
 
-/// The points that divide a segment into `count + 1` pieces of equal length,
-/// written into `room`.
+/// The points that divide a segment into `count + 1` pieces of equal length, written into `room`.
 pub(super) fn divide<'a>(
     path: &CameraPath,
     segment: usize,
@@ -39,8 +38,7 @@ pub(super) fn divide<'a>(
     Ok(&room[..count])
 }
 
-/// A place beyond an end: along the curve's tangent there, as far as the
-/// segment at that end is long, kept in the movement space.
+/// A position beyond an end along the tangent, as far as the end segment is long, within the space.
 pub(super) fn beyond(path: &CameraPath, end: End) -> Result<DVec3> {
     if path.closed {
         return Err(Refused::NoEnds.into());
@@ -67,13 +65,12 @@ pub(super) fn beyond(path: &CameraPath, end: End) -> Result<DVec3> {
     Ok(place)
 }
 
-/// Direction in which the curve sets out: its first derivative that is not zero.
+/// Direction at the start: the first derivative that is not zero.
 fn way_in_at_start(curve: &Cubic) -> Option<DVec3> {
     direction([curve.c, curve.b, curve.a])
 }
 
-/// Direction in which the curve arrives: every second derivative counts
-/// backwards there.
+/// Direction at the end, where the second derivative counts backwards.
 fn way_out_at_end(curve: &Cubic) -> Option<DVec3> {
     direction([
         curve.derivative(1.0),
@@ -82,7 +79,7 @@ fn way_out_at_end(curve: &Cubic) -> Option<DVec3> {
     ])
 }
 
-/// The first of some vectors that is more than the rounding of the others.
+/// The first vector that is not mere rounding error compared with the others.
 fn direction(derivatives: [DVec3; 3]) -> Option<DVec3> {
     let size = |v: &DVec3| v.abs().max_element();
     let largest = derivatives.iter().map(size).fold(0.0, f64::max);

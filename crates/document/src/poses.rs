@@ -1,5 +1,4 @@
-//! Recorded poses as text: ten numbers a line, or the frame's number before them, as
-//! [`super::export`] writes them.
+//! Recorded poses as text, as [`super::export`] writes them, with or without frame numbers.
 
 use std::path::Path;
 
@@ -8,10 +7,9 @@ use crate::error::{Error, Key, Malformed, Result, Value};
 use crate::limits::MAX_FILE_BYTES;
 use crate::path::Pose;
 
-/// Poses, and the numbers of their frames; none unless each has one.
+/// Poses, and their frame numbers if each has one.
 pub type Recorded = (Vec<Pose>, Option<Vec<f64>>);
 
-/// Numbers of a pose.
 const POSE: usize = 10;
 
 /// The poses in a file.
@@ -23,8 +21,7 @@ pub fn load_poses(file: &Path) -> Result<Recorded> {
     poses_of_text(&text).map_err(|error| error.at(file.display()))
 }
 
-/// The poses in a text, numbers with commas or blanks between; a first line of headings
-/// is passed over.
+/// The poses in a text, numbers separated by commas or blanks; a heading on line 1 is skipped.
 ///
 /// # Errors
 /// [`Error::Format`] with the line; `ErrorKind::Memory`.

@@ -1,5 +1,4 @@
-//! From an edit to its record: everything is checked here, and nothing is
-//! changed, so that an edit is done wholly or not at all.
+//! From an edit to its record. All checks are here, so that an edit is done wholly or not at all.
 
 use glam::DVec3;
 
@@ -25,7 +24,7 @@ use crate::path::{
 use crate::tools::{block, transform};
 use vides_engine::scene::pins::pinned;
 
-/// The record of an edit, and the selection after it if it sets one.
+/// The record of an edit, and the selection it sets, if any.
 pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<Selection>)> {
     let path = &content.path;
     if content
@@ -233,7 +232,6 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
     Ok((change, None))
 }
 
-/// The record of another path.
 fn replaced(content: &Content, mut path: CameraPath) -> Result<(Change, Option<Selection>)> {
     normalise(&mut path)?;
     content.info.check(path.space)?;
@@ -241,7 +239,6 @@ fn replaced(content: &Content, mut path: CameraPath) -> Result<(Change, Option<S
     Ok((Change::Path(Box::new(path), 0), Some(Selection::default())))
 }
 
-/// The record of another node whose path is edited.
 fn other_node(content: &Content, node: Option<usize>) -> Result<(Change, Option<Selection>)> {
     let Some(around) = &content.around else {
         return match node {
@@ -256,7 +253,6 @@ fn other_node(content: &Content, node: Option<usize>) -> Result<(Change, Option<
     exchanged_scene(Some(around), path)
 }
 
-/// The record of another scene, or of a path alone.
 fn exchanged_scene(
     around: Option<Around>,
     mut path: CameraPath,
@@ -267,7 +263,6 @@ fn exchanged_scene(
     Ok((change, Some(Selection::default())))
 }
 
-/// The records of points with other values.
 fn exchanged(points: transform::Changed) -> Result<Change> {
     let mut changes = vec_with_room(points.len())?;
     for (at, point) in points {
@@ -307,8 +302,7 @@ fn put_in(content: &Content, inserted: block::Inserted) -> Result<(Change, Optio
     ))
 }
 
-/// Checks a whole path and brings it into the form that documents keep: rolls
-/// in (−180, 180], no empty names.
+/// Checks a path and normalises it: rolls in (−180, 180], no empty names.
 pub(super) fn normalise(path: &mut CameraPath) -> Result<()> {
     path.check()?;
     check_all_orientations(count_orientations(&path.points))?;
@@ -323,8 +317,7 @@ fn bring_into_form(point: &mut SupportPoint) {
     }
 }
 
-/// An orientation that looks along the way, with the offset of that view in its
-/// place.
+/// The orientation with a view ahead along the path replaced by an equal relative target.
 ///
 /// # Errors
 /// `ErrorKind::Memory`.
@@ -339,8 +332,7 @@ pub fn no_longer_ahead(path: &CameraPath, point: usize, at: usize) -> Result<Ori
     Ok(new)
 }
 
-/// What an orientation owns to keep a motion goes with the values that it
-/// belonged to, unless it is set with them.
+/// Drops what an orientation owned for values that change, unless it is set in the same edit.
 fn without_the_outdated(old: &Orientation, mut new: Orientation) -> Result<Orientation> {
     if new.own.is_empty() || new.own != old.own {
         return Ok(new);
@@ -363,7 +355,7 @@ fn without_the_outdated(old: &Orientation, mut new: Orientation) -> Result<Orien
     Ok(new)
 }
 
-/// The records of a point that keeps the motion.
+/// The record of an inserted point that keeps the motion.
 fn on_curve(content: &Content, frame: f64) -> Result<(Change, Option<Selection>)> {
     check_room(content, 1, 1)?;
     let Insertion {
@@ -389,7 +381,7 @@ fn on_curve(content: &Content, frame: f64) -> Result<(Change, Option<Selection>)
     Ok((Change::Several(changes), Some(Selection::at(at, 0))))
 }
 
-/// The records of another space into which the path goes along.
+/// The record of mapping the path into another space.
 fn moved(path: &CameraPath, space: Space) -> Result<Change> {
     let to = Move::new(path.space, space);
     let mut changes = vec_with_room(1 + path.points.len())?;
@@ -403,13 +395,12 @@ fn moved(path: &CameraPath, space: Space) -> Result<Change> {
     Ok(Change::Several(changes))
 }
 
-/// The records of fixed frames.
 fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result<Change> {
     let timeline = Timeline::new(path)?;
     with_frames(path, fit_frames(path, &timeline, first, last, frames)?)
 }
 
-/// The record of what the pins of the path make of it; none if it holds them.
+/// The frame counts that the path's pins require; none if they already hold.
 pub(super) fn held_by_pins(content: &Content, plan: &Plan) -> Result<Option<Change>> {
     let path = &content.path;
     let pins = match &content.around {
@@ -440,7 +431,6 @@ fn with_frames(path: &CameraPath, fixed: Vec<Fixed>) -> Result<Change> {
     Ok(Change::Several(changes))
 }
 
-/// Refuses more points than there may be.
 fn check_room(content: &Content, points: usize, orientations: usize) -> Result<()> {
     if content.path.points.len() + points > limits::MAX_POINTS {
         return Err(TooMany::SupportPoints.into());
@@ -448,7 +438,7 @@ fn check_room(content: &Content, points: usize, orientations: usize) -> Result<(
     check_all_orientations(content.orientations + orientations)
 }
 
-/// New points become part of the path; the first of them is current.
+/// Inserts new points; the first becomes current.
 fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>) {
     (
         Change::InsertPoints {
@@ -460,7 +450,7 @@ fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>)
     )
 }
 
-/// A new point at each of `positions` with the properties of point `from`.
+/// New points at `positions` with the properties of point `from`.
 fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<SupportPoint>> {
     let source = &content.path.points[from];
     let orientations = positions.len() * source.orientations.len();
@@ -480,10 +470,10 @@ fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<Sup
         }
         points.push(SupportPoint {
             position,
-            // A name is for one point: two of the same would help nobody.
+            // Names identify a point and are not copied.
             name: None,
             curve: source.curve,
-            // They belong to the place.
+            // Tangents belong to their place.
             tangents: None,
             orientations,
         });
@@ -491,7 +481,6 @@ fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<Sup
     Ok(points)
 }
 
-/// The orientation that an insertion puts in.
 fn new_orientation(
     content: &Content,
     number: usize,
@@ -513,7 +502,7 @@ fn new_orientation(
     }
 }
 
-/// An orientation from outside, checked, its roll in (−180, 180].
+/// Checks an orientation and wraps its roll into (−180, 180].
 fn checked(mut orientation: Orientation, position: DVec3, space: Space) -> Result<Orientation> {
     orientation.check(position, space)?;
     orientation.roll = wrap_degrees(orientation.roll);

@@ -1,6 +1,4 @@
-//! Saving so that a file is wholly the old or wholly the new, whatever happens
-//! in between: written beside it, brought to the disk, renamed over it, and
-//! the folder brought to the disk too.
+//! Atomic, durable saving: write beside the file, sync, rename over it, sync the folder.
 
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, BufWriter, Write};
@@ -10,14 +8,13 @@ use std::path::{Path, PathBuf};
 use super::{Contents, NotAFile};
 use crate::error::{Error, Result, can_allocate};
 
-/// Bytes that are written at once.
 const BUFFER: usize = 32 << 10;
 
-/// The same, and names and messages, for which the standard library cannot be
-/// told to give up. Little enough that what is given back stays at hand.
+/// For the buffer, names and messages: the standard library aborts if it cannot allocate them.
+/// Small enough that the allocator keeps the room at hand when it is freed.
 const ROOM: usize = BUFFER + (32 << 10);
 
-/// Saves bytes. See [`save_with`].
+/// Saves bytes as [`save_with`] does.
 ///
 /// # Errors
 /// As [`save_with`].
@@ -27,15 +24,15 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<()> {
     })
 }
 
-/// The same if the file is as it is known, or if there is none; false, and nothing is
-/// done, if it has become another. Looked at last thing before it is replaced.
+/// As [`save`], but does nothing and returns false if the file exists and is not as `known` just
+/// before it would be replaced.
 ///
 /// # Errors
 /// As [`save_with`].
 pub fn save_unless_changed(file: &Path, bytes: &[u8], known: Option<Contents>) -> Result<bool> {
     let as_known = |target: &Path| match Contents::now(target) {
         Ok(now) => now.is_none() || now == known,
-        // What it is cannot be told; nor that it is what is known.
+        // An unreadable file cannot be known to be unchanged.
         Err(_) => false,
     };
     replace(
@@ -45,18 +42,16 @@ pub fn save_unless_changed(file: &Path, bytes: &[u8], known: Option<Contents>) -
     )
 }
 
-/// Saves what `write` writes. A symbolic link stays, and the file it leads to
-/// is replaced; permissions stay; a new file has those that the process gives
-/// to new files.
+/// Saves what `write` writes. Of a symbolic link the target is replaced; permissions stay.
 ///
 /// # Errors
-/// `ErrorKind::Io` naming the file, or the error of `write`. The old file is
-/// whole then, and nothing is left beside it.
+/// `ErrorKind::Io` naming the file, or the error of `write`. The old file is whole then, and
+/// nothing is left beside it.
 pub fn save_with(file: &Path, write: &mut dyn FnMut(&mut dyn Write) -> Result<()>) -> Result<()> {
     replace(file, write, &|_| true).map(drop)
 }
 
-/// [`save_with`], if at the end `may` agrees; whether it did.
+/// [`save_with`] if `may` agrees just before the rename; returns whether it did.
 fn replace(
     file: &Path,
     write: &mut dyn FnMut(&mut dyn Write) -> Result<()>,
@@ -73,7 +68,7 @@ fn replace(
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
         Err(error) => return Err(io(error)),
     };
-    // Renaming over a file asks the folder only; ask the file as well.
+    // Renaming needs only the folder to be writable; require the file to be, too.
     if old.is_some() {
         OpenOptions::new().write(true).open(&target).map_err(io)?;
     }
@@ -90,7 +85,7 @@ fn replace(
     out.flush().map_err(io)?;
     drop(out);
     if let Some(old) = old {
-        // The group first: changing it may take permissions away again.
+        // The group first: changing it may clear permission bits.
         let _ = std::os::unix::fs::fchown(&temporary.file, None, Some(old.gid()));
         let permissions = Permissions::from_mode(old.mode() & 0o7777);
         temporary.file.set_permissions(permissions).map_err(io)?;
@@ -101,8 +96,7 @@ fn replace(
     }
     fs::rename(&temporary.path, &target).map_err(io)?;
     temporary.renamed = true;
-    // The new file is in place; only a power cut could still bring the old one
-    // back. Some file systems cannot sync a folder and say so.
+    // Else a power cut could bring the old file back. Some file systems cannot sync a folder.
     match File::open(folder).and_then(|folder| folder.sync_all()) {
         Err(error) if !unsupported(&error) => Err(io(error)),
         _ => Ok(true),
@@ -123,11 +117,10 @@ fn unsupported(error: &io::Error) -> bool {
     )
 }
 
-/// Symbolic links that are followed: as many as Linux itself follows.
+/// As many symbolic links as Linux itself follows.
 const MAX_LINKS: usize = 40;
 
-/// The file that is to be replaced: the end of the chain if `file` is a
-/// symbolic link, also where nothing is there yet.
+/// The file to replace: the end of the chain of symbolic links, even if missing.
 fn destination(file: &Path) -> io::Result<PathBuf> {
     let mut file = file.to_path_buf();
     if file.as_os_str().is_empty() {
@@ -137,7 +130,7 @@ fn destination(file: &Path) -> io::Result<PathBuf> {
         match fs::symlink_metadata(&file) {
             Ok(metadata) if metadata.file_type().is_symlink() => {
                 let link = fs::read_link(&file)?;
-                // Absolute links replace the whole, relative ones the name.
+                // Absolute links replace the whole path, relative ones the name.
                 file.pop();
                 file.push(link);
             }
@@ -147,7 +140,7 @@ fn destination(file: &Path) -> io::Result<PathBuf> {
     Err(io::Error::from_raw_os_error(libc::ELOOP))
 }
 
-/// A new file beside another, removed again unless it was renamed.
+/// A new file beside another, removed when dropped unless renamed.
 struct Temporary {
     path: PathBuf,
     file: File,
@@ -159,10 +152,9 @@ impl Temporary {
         if target.file_name().is_none() {
             return Err(io::Error::from_raw_os_error(libc::EISDIR));
         }
-        // The name need not be secret, only free: create_new tells.
         for attempt in 0..1000 {
             let number = NEXT.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-            // Not made from the target's name, which may be as long as names can be.
+            // Not derived from the target's name, which may already have the maximum length.
             let path = folder.join(format!(
                 ".vides-{}-{number}-{attempt}.tmp",
                 std::process::id()
@@ -188,7 +180,6 @@ impl Temporary {
     }
 }
 
-/// Number of the next temporary file of this process.
 static NEXT: std::sync::atomic::AtomicU64 = std::sync::atomic::AtomicU64::new(0);
 
 impl Drop for Temporary {

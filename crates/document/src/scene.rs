@@ -1,4 +1,4 @@
-//! A scene with what its file says besides: made, loaded, saved.
+//! A scene with its info: made, loaded, saved.
 
 use std::io::Read;
 use std::path::Path;
@@ -11,26 +11,24 @@ use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
 use vides_engine::scene::{FollowPath, Scene};
 
-/// A scene and what its file says besides. A file with a path alone is the scene
-/// of one camera on it, and the other way round.
+/// A scene and its info. A file with just a path is a scene of one camera on it.
 #[derive(Debug)]
 pub struct SceneDocument {
     /// Everything that moves.
     pub scene: Scene,
-    /// What the file says besides.
+    /// What the file holds besides the scene.
     pub info: Info,
-    /// Those of the file, if it had a path alone.
+    /// Comments of the file, if it held just a path.
     comments: Comments,
-    /// What was wrong with the files of its meshes.
     warnings: Vec<Error>,
 }
 
-/// Names of meshes in a scene's file lead from here.
+/// The folder that mesh names in `file` are relative to.
 pub(super) fn folder_of(file: &Path) -> &Path {
     file.parent().unwrap_or(Path::new(""))
 }
 
-/// Comments and warnings make no difference.
+/// Ignores comments and warnings.
 impl PartialEq for SceneDocument {
     fn eq(&self, other: &Self) -> bool {
         self.scene == other.scene && self.info == other.info
@@ -38,7 +36,7 @@ impl PartialEq for SceneDocument {
 }
 
 impl SceneDocument {
-    /// One camera on the path that a new window begins with.
+    /// One camera on the path a new window begins with.
     ///
     /// # Errors
     /// `ErrorKind::Memory`.
@@ -51,7 +49,6 @@ impl SceneDocument {
         })
     }
 
-    /// Of these parts.
     pub(crate) fn of(scene: Scene, info: Info) -> Self {
         Self {
             scene,
@@ -61,11 +58,10 @@ impl SceneDocument {
         }
     }
 
-    /// The scene in a `.vid` file.
+    /// Loads the scene in a `.vid` file.
     ///
     /// # Errors
-    /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with file, line and
-    /// reason if its contents are not what they should be.
+    /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with file, line and reason.
     pub fn load(file: &Path) -> Result<Self> {
         let text = vid::read_text(file, MAX_FILE_BYTES)?;
         Self::from_toml(&text)
@@ -73,8 +69,7 @@ impl SceneDocument {
             .map_err(|error| error.at(file.display()))
     }
 
-    /// The scene in what `reader` gives, to its end; `name` stands for it in
-    /// messages.
+    /// As [`SceneDocument::load`], from `reader`, which messages call `name`.
     ///
     /// # Errors
     /// As [`SceneDocument::load`].
@@ -90,14 +85,14 @@ impl SceneDocument {
         Ok(self)
     }
 
-    /// What was wrong with meshes in files of their own when the scene was loaded: their
-    /// objects are empty, or have a mesh that has changed since.
+    /// What was wrong with mesh files: their objects are empty, or the mesh has changed since
+    /// saving.
     #[must_use]
     pub fn warnings(&self) -> &[Error] {
         &self.warnings
     }
 
-    /// The scene in the text of a `.vid` file. Files of meshes are not read.
+    /// The scene in the text of a `.vid` file; mesh files are not read.
     ///
     /// # Errors
     /// `ErrorKind::Format` with line and reason.
@@ -120,7 +115,7 @@ impl SceneDocument {
     /// The text of a `.vid` file. Loading it gives the same scene, bit by bit.
     ///
     /// # Errors
-    /// `ErrorKind::Memory`; `ErrorKind::Limit` if it is longer than what is read.
+    /// `ErrorKind::Memory`; `ErrorKind::Limit` if it is too long to be read again.
     pub fn to_toml(&self) -> Result<String> {
         self.text(None)
     }
@@ -136,19 +131,18 @@ impl SceneDocument {
     /// Saves as a `.vid` file, atomically and durably ([`super::save`]).
     ///
     /// # Errors
-    /// `ErrorKind::Io` with the file and what the system said; the old file is
-    /// whole then. As [`SceneDocument::to_toml`].
+    /// `ErrorKind::Io`, the old file being whole; as [`SceneDocument::to_toml`].
     pub fn save(&self, file: &Path) -> Result<()> {
         super::save::save(file, self.text(Some(folder_of(file)))?.as_bytes())
     }
 
-    /// The path, if one camera on it is all that there is.
+    /// The path, if the scene is nothing but one camera on it.
     #[must_use]
     pub fn path_alone(&self) -> Option<&CameraPath> {
         vid::alone(&self.scene).map(FollowPath::path)
     }
 
-    /// A copy.
+    /// A copy without warnings.
     ///
     /// # Errors
     /// `ErrorKind::Memory`.

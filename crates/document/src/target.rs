@@ -1,25 +1,19 @@
-//! Absolute and relative targets (thesis A.4.2): the same view either way.
+//! Conversion between absolute and relative targets (thesis A.4.2) that keeps the view.
 
 use glam::DVec3;
 
 use crate::error::{Refused, Result};
 use crate::path::{Space, Target};
 
-/// A target closer to the camera than this, measured in the camera's largest
-/// coordinate, would lose more than four of the sixteen digits of its
-/// direction when position and offset are added. 2⁻¹³.
+/// 2⁻¹³: a target closer than this times the camera's largest coordinate would lose more than four
+/// of its direction's sixteen digits when position and offset are added.
 const NEAR: f64 = 1.0 / 8192.0;
 
-/// The same target as seen from `position`, absolute or relative as wanted.
+/// The target as seen from `position`, made absolute or relative.
 ///
-/// Relative: the offset is the difference as the engine itself forms it, so
-/// the view keeps every bit. Absolute: the view keeps about 12 digits; for
-/// that, a target too near for its coordinates is moved out along the view,
-/// and one that would lie beyond the largest coordinate is moved in.
-///
-/// # Errors
-/// `ErrorKind::Range` if no target within the largest coordinate is seen in
-/// that direction.
+/// Relative: the offset is the engine's own difference, so the view keeps every bit. Absolute: the
+/// view keeps about 12 digits; to that end a target too near is moved out along the view, and one
+/// beyond the largest coordinate is moved in. `ErrorKind::Range` if none is within it.
 pub(super) fn switched(
     target: Target,
     position: DVec3,
@@ -29,8 +23,7 @@ pub(super) fn switched(
     match (target, absolute) {
         (Target::Absolute(_), false) => {
             let offset = target.offset_from(position);
-            // Two opposite corners of the world are further apart than an
-            // offset may be long. A power of two keeps its direction exactly.
+            // Opposite corners are too far apart for an offset. Halving keeps the direction exact.
             let fits = space.check_offset(offset).is_ok();
             Ok(Target::Relative(if fits { offset } else { offset * 0.5 }))
         }
@@ -41,8 +34,7 @@ pub(super) fn switched(
     }
 }
 
-/// A point of the world that is seen from `position` in the direction of
-/// `offset`, at its end if possible.
+/// A point within the world seen from `position` along `offset`, at its end if possible.
 fn seen_along(offset: DVec3, position: DVec3, space: Space) -> Result<DVec3> {
     let least = position.abs().max_element() * NEAR;
     let mut offset = offset;

@@ -1,6 +1,5 @@
-//! The tools as a hand asks for them: each with the table of what it asks for, and the
-//! edit that it is. Window and texts are made of these tables, so that a tool stands in
-//! one place; the mathematics is [`vides_engine::tools`].
+//! The interactive tools, each with a table of its parameters, from which window and texts are
+//! built, and the edit it makes; the mathematics is in [`vides_engine::tools`].
 
 use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, LATTICE, identity_lattice};
@@ -20,15 +19,14 @@ use crate::error::{OutOfRange, Result};
 use crate::limits::{MAX_COORDINATE, MAX_FRAMES, MAX_POINTS};
 use crate::path::{CameraPath, Pose, Space, Target, Up};
 
-/// A tool: what it is called, what it does, what it asks for.
+/// A tool: its name, description and parameters.
 #[derive(Debug, Clone, Copy)]
 pub struct Tool {
-    /// In small letters, words joined by `-`.
+    /// In lower case, words joined by `-`.
     pub name: &'static str,
-    /// What it does, in a few words.
     pub does: &'static str,
     kind: Kind,
-    /// What it asks for, and what several ask for.
+    /// Its own parameters, and shared ones.
     tables: [&'static [Parameter]; 2],
 }
 
@@ -38,17 +36,17 @@ impl PartialEq for Tool {
     }
 }
 
-/// What a tool is made of besides its numbers.
+/// A tool's input besides its numbers.
 #[derive(Debug, Clone, Default)]
 pub enum Material {
     /// Nothing.
     #[default]
     None,
-    /// A path that is put in.
+    /// A path to insert.
     Block(Box<CameraPath>),
-    /// Poses that were recorded, with their seconds if they have some.
+    /// Recorded poses, with their times in seconds, if any.
     Poses(Vec<Pose>, Option<Vec<f64>>),
-    /// The places of a line that was drawn by hand.
+    /// The positions of a line drawn by hand.
     Stroke(Vec<DVec3>),
 }
 
@@ -61,9 +59,9 @@ pub enum Needs {
     Block,
     /// A file with poses.
     Poses,
-    /// A line, drawn in the space.
+    /// A line drawn in the space.
     Stroke,
-    /// A file to be written: it changes nothing.
+    /// A file to write; it changes nothing.
     Output,
 }
 
@@ -337,7 +335,7 @@ const TOOLS: &[Tool] = &[
     },
 ];
 
-/// All of them, the moves first.
+/// All tools, the moves first.
 pub fn tools() -> impl Iterator<Item = Tool> {
     let moves = MOVES.iter().map(|known| Tool {
         name: known.name,
@@ -349,12 +347,12 @@ pub fn tools() -> impl Iterator<Item = Tool> {
 }
 
 impl Tool {
-    /// What it asks for.
+    /// Its parameters, the shared ones last.
     pub fn parameters(&self) -> impl Iterator<Item = &'static Parameter> + use<> {
         self.tables.into_iter().flatten()
     }
 
-    /// Where the first number of one of them stands among all.
+    /// Index of a parameter's first number among all its numbers.
     #[must_use]
     pub fn place_of(&self, name: &str) -> Option<usize> {
         let mut start = 0;
@@ -367,19 +365,19 @@ impl Tool {
         None
     }
 
-    /// A ready-made move.
+    /// Whether it is a ready-made move.
     #[must_use]
     pub const fn is_move(&self) -> bool {
         matches!(self.kind, Kind::Move(_))
     }
 
-    /// It asks for something.
+    /// Whether it has parameters.
     #[must_use]
     pub const fn has_numbers(&self) -> bool {
         !self.tables[0].is_empty() || !self.tables[1].is_empty()
     }
 
-    /// What it needs besides.
+    /// What it needs besides its numbers.
     #[must_use]
     pub const fn needs(&self) -> Needs {
         match self.kind {
@@ -391,8 +389,7 @@ impl Tool {
         }
     }
 
-    /// Its numbers unless told: a move around the object, all points of the path, as
-    /// many frames as there are.
+    /// Its default numbers, fitted to the object, the path's points and the frame count.
     ///
     /// # Errors
     /// `ErrorKind::Memory`.
@@ -420,11 +417,10 @@ impl Tool {
         Ok(numbers)
     }
 
-    /// The edit that it is with these numbers, and with what it needs besides; none if it
-    /// changes nothing.
+    /// The edit it makes of these numbers and its material; none if it changes nothing.
     ///
     /// # Errors
-    /// Those of the tool; the document refuses an edit for reasons of its own.
+    /// Those of the tool; the document may still refuse the edit.
     pub fn edit(
         &self,
         document: &Document,
@@ -504,7 +500,7 @@ impl Tool {
                 let (fps, seconds) = (document.info().fps, seconds.as_deref());
                 let mut made = fit(poses, seconds, fps, tolerance, &mut |_, _| true)?;
                 made.speeds = path.speeds;
-                // Rolls of recorded poses are found for an upright y.
+                // The fit computes rolls for an upright y.
                 made.space = Space {
                     up: Up::Y,
                     ..path.space
@@ -515,8 +511,8 @@ impl Tool {
         }))
     }
 
-    /// The box round the points, as it is deformed with these numbers; none if the tool
-    /// deforms no box, or not by such numbers.
+    /// The box around the points, deformed; none if the tool deforms none or its numbers are
+    /// invalid.
     #[must_use]
     pub fn cage(&self, document: &Document, numbers: &[f64]) -> Option<Cage> {
         let Kind::Deform(kind) = self.kind else {
@@ -533,7 +529,7 @@ impl Tool {
         Some(Cage::new(bounds, &deformation))
     }
 
-    /// The points as a path of their own, as a document with all else of this one.
+    /// The points as a path of their own, with this document's info.
     ///
     /// # Errors
     /// `ErrorKind::Range` if there are no such points; `ErrorKind::Memory`.
@@ -547,14 +543,14 @@ impl Tool {
     }
 }
 
-/// The numbers of a tool by their names.
+/// A tool's numbers by parameter name.
 struct Given<'a> {
     tool: &'a Tool,
     numbers: &'a [f64],
     document: &'a Document,
 }
 
-/// A number that was checked to be a small whole one.
+/// A number already checked to be a small whole one.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn chosen(number: f64) -> usize {
     number as usize
@@ -583,7 +579,6 @@ impl Given<'_> {
         axis
     }
 
-    /// From the first point to the last one.
     fn points(&self) -> Result<Vec<usize>> {
         let [first, last] = [FIRST, LAST].map(|end| chosen(self.number(end.name)));
         if first > last {
@@ -596,7 +591,6 @@ impl Given<'_> {
         Ok((first - 1..last).collect())
     }
 
-    /// Where they lie.
     fn places(&self) -> Result<Vec<DVec3>> {
         let all = &self.document.path().points;
         let points = self.points()?;
@@ -609,7 +603,7 @@ impl Given<'_> {
         Ok(block::extract(path, points[0], points[points.len() - 1])?)
     }
 
-    /// What stays where it is.
+    /// The point that stays fixed.
     fn about(&self, points: &[usize]) -> DVec3 {
         let path = self.document.path();
         let here = self.document.selection();

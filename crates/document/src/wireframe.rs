@@ -1,4 +1,4 @@
-//! A mesh as the wireframe that a path shows.
+//! Meshes as wireframes.
 
 use glam::DVec3;
 use vides_engine::scene::Mesh;
@@ -7,22 +7,20 @@ use crate::error::{Result, TooMany, vec_with_room};
 use crate::info::{Object, ObjectPoint};
 use crate::limits;
 
-/// The cosine of the angle from which on two triangles make an edge: 30°.
+/// The cosine of 30°: triangles that meet at a larger angle make an edge.
 const SHARP: f64 = 0.866;
 
-/// More lines than this are not told apart, and cost time.
+/// More lines cannot be told apart and cost time.
 const MOST_LINES: usize = 30_000;
 
-/// Of a mesh without edges, such as a ball, so many of all lines are shown.
+/// How many lines are shown of a mesh without edges, such as a ball.
 const OF_SMOOTH: usize = 3_000;
 
 impl Object {
-    /// The lines of a mesh and the edges of its triangles, each edge once; of a mesh
-    /// with neither its points.
+    /// The lines of a mesh and the edges of its triangles, each once; its points if it has neither.
     ///
     /// # Errors
-    /// As [`Mesh::check`]; `ErrorKind::Limit` for a wireframe of more than
-    /// [`limits::MAX_OBJECT_POINTS`]; `ErrorKind::Memory`.
+    /// As [`Mesh::check`]; `ErrorKind::Memory`; `Limit` for over [`limits::MAX_OBJECT_POINTS`].
     pub fn of_mesh(mesh: &Mesh) -> Result<Self> {
         mesh.check()?;
         let mut edges = vec_with_room(3 * mesh.triangles.len())?;
@@ -37,7 +35,7 @@ impl Object {
         of_lines(mesh, mesh.lines.iter().chain(&edges).copied())
     }
 
-    /// What is to be seen of a mesh: [`features`], few enough to be drawn at once.
+    /// The [`features`] of a mesh, few enough to be drawn at once.
     ///
     /// # Errors
     /// As [`Object::of_mesh`].
@@ -47,7 +45,6 @@ impl Object {
     }
 }
 
-/// Lines as points with and without a line to them.
 fn of_lines(mesh: &Mesh, lines: impl IntoIterator<Item = [u32; 2]>) -> Result<Object> {
     let lines = lines.into_iter();
     let mut points = vec_with_room(lines.size_hint().0.min(limits::MAX_OBJECT_POINTS))?;
@@ -76,10 +73,9 @@ fn of_lines(mesh: &Mesh, lines: impl IntoIterator<Item = [u32; 2]>) -> Result<Ob
     Ok(Object::from(points).coloured(colours))
 }
 
-/// The lines of a mesh at which one sees what it is: its own, and of its triangles where
-/// they end and where two meet at an angle. Of one without any of these some of all; of
-/// one without lines and triangles its points, as lines without length. Of more than some
-/// ten thousand evenly chosen ones. The indices of the mesh are its own points'.
+/// The lines that show a mesh's shape, as indices of its points: its own lines, and the borders and
+/// sharp edges of its triangles. Without any of these, some of all edges; of a point cloud, its
+/// points as lines of length zero. Thinned evenly to some ten thousand.
 ///
 /// # Errors
 /// `ErrorKind::Memory`.
@@ -122,7 +118,7 @@ fn edges(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
     let sharp = |group: &&[([u32; 2], usize)]| match group {
         [(_, a), (_, b)] => {
             let (a, b) = (normals[*a], normals[*b]);
-            // One without an area has no angle.
+            // A degenerate triangle has no angle.
             a != DVec3::ZERO && b != DVec3::ZERO && a.dot(b) < SHARP
         }
         _ => true,

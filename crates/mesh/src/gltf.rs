@@ -1,6 +1,5 @@
-//! glTF 2.0 (Khronos 2021), as text and as GLB: the primitives of all nodes of the scene,
-//! where they stand. Read by hand: readers of the whole format trust the accessors of a
-//! checked file to lie within its buffers.
+//! glTF 2.0 (Khronos 2021), text and GLB: the primitives of all nodes of the scene, in place. By
+//! hand: readers of the whole format trust that a checked file's accessors lie within its buffers.
 
 use std::collections::HashMap;
 
@@ -11,32 +10,29 @@ use vides_engine::scene::Mesh;
 
 use super::{Error, Problem, Result};
 
-/// Bytes that serde_json takes for an object, with the node of its tree, and for one more
-/// value in it or in a list.
+/// Bytes that serde_json takes for an object and its tree node, and per value in it or in a list.
 const OBJECT: usize = 700;
 const VALUE: usize = 160;
 
-/// What is made of the text may take so many.
+/// Limit on the memory of the parsed JSON.
 const MOST_JSON: usize = 512 << 20;
 
-/// A mesh that nodes place again and again may have so many points, and corners, besides as
-/// many for each byte of the file.
+/// Limits on placed points, and on corners: so many, and so many per byte of the file.
 const PLACED: usize = 50_000;
 const FOR_A_BYTE: usize = 4;
 
-/// So many primitives are placed.
 const MOST_PRIMITIVES: usize = 100_000;
 
-/// Levels of nodes below each other.
+/// Maximum depth of the node tree.
 const DEPTH: usize = 256;
 
-/// Of a component: its number in the format, bytes.
+/// Component types of the format.
 const BYTE: u64 = 5121;
 const SHORT: u64 = 5123;
 const INT: u64 = 5125;
 const FLOAT: u64 = 5126;
 
-/// Gives a buffer that lies beside the file, by the name that stands there.
+/// Gives an external buffer by the name in the file.
 pub type Beside<'a> = &'a mut dyn FnMut(&str) -> Option<Vec<u8>>;
 
 const FORMAT: Error = Error::File(Problem::Format);
@@ -88,7 +84,7 @@ pub(super) fn read(
     joined(reader.mesh)
 }
 
-/// About so many bytes takes what is made of a text.
+/// Approximate bytes of the parsed JSON.
 fn weight(json: &[u8]) -> usize {
     json.iter().fold(2 * json.len(), |weight, sign| {
         weight
@@ -100,8 +96,8 @@ fn weight(json: &[u8]) -> usize {
     })
 }
 
-/// Corners at one place and of one colour become one point: exporters part them where normals
-/// or textures differ, and each seam would be an edge.
+/// Merges points of equal position and colour: exporters split them where normals or textures
+/// differ, and each seam would be an edge.
 fn joined(mut mesh: Mesh) -> Result<Mesh> {
     if mesh.triangles.is_empty() && mesh.lines.is_empty() {
         return Ok(mesh);
@@ -112,7 +108,7 @@ fn joined(mut mesh: Mesh) -> Result<Mesh> {
     new.try_reserve_exact(mesh.points.len())?;
     let mut kept = 0;
     for at in 0..mesh.points.len() {
-        // Adding 0 makes one of both zeros.
+        // Adding 0 turns −0 into 0.
         let place = (mesh.points[at] + DVec3::ZERO).to_array().map(f64::to_bits);
         let colour = mesh.colours.get(at).copied().unwrap_or_default();
         let point = *known.entry((place, colour)).or_insert(kept as u32);
@@ -134,7 +130,7 @@ fn joined(mut mesh: Mesh) -> Result<Mesh> {
     Ok(mesh)
 }
 
-/// The JSON and the binary chunk, if it is a GLB with one.
+/// The JSON and the binary chunk, if any.
 fn parts(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>)> {
     if !bytes.starts_with(b"glTF") {
         return Ok((bytes, None));
@@ -163,7 +159,6 @@ fn index(value: &Value) -> Option<usize> {
     usize::try_from(value.as_u64()?).ok()
 }
 
-/// So many numbers; none if there are others.
 fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
     let found = list(value);
     let mut numbers = [0.0; N];
@@ -183,7 +178,7 @@ fn of_uri(uri: &str, beside: Beside<'_>) -> Result<Vec<u8>> {
     found.ok_or(Error::File(Problem::Buffer))
 }
 
-/// A name without the percent signs of RFC 3986.
+/// Decodes the percent encoding of RFC 3986.
 fn unescaped(uri: &str) -> Option<String> {
     let mut bytes = Vec::new();
     let mut rest = uri.as_bytes();
@@ -197,7 +192,7 @@ fn unescaped(uri: &str) -> Option<String> {
     String::from_utf8(bytes).ok()
 }
 
-/// RFC 4648; none for what is not.
+/// RFC 4648; none if invalid.
 fn base64(text: &str) -> Option<Vec<u8>> {
     const SIGNS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let signs = text.trim_end_matches('=').as_bytes();
@@ -219,12 +214,11 @@ struct Reader<'a> {
     document: &'a Value,
     buffers: &'a [Vec<u8>],
     mesh: Mesh,
-    /// So many points and corners it may have.
+    /// Limit on points and corners.
     room: usize,
     corners: usize,
 }
 
-/// Numbers in a buffer.
 struct Accessor<'a> {
     bytes: &'a [u8],
     count: usize,
@@ -233,7 +227,6 @@ struct Accessor<'a> {
 }
 
 impl Accessor<'_> {
-    /// One component of an element, as it stands there.
     fn number(&self, at: usize, part: usize) -> f64 {
         let size = size_of_component(self.component);
         let start = at * self.stride + part * size;
@@ -247,7 +240,7 @@ impl Accessor<'_> {
         }
     }
 
-    /// The same as a byte of sRGB (IEC 61966-2-1), for a colour: here they are linear.
+    /// A linear colour component as a byte of sRGB (IEC 61966-2-1).
     fn colour(&self, at: usize, part: usize) -> u8 {
         let most = match self.component {
             BYTE => 255.0,
@@ -273,7 +266,7 @@ const fn size_of_component(component: u64) -> usize {
 }
 
 impl<'a> Reader<'a> {
-    /// All nodes of the scene that is shown, or of the tree where there is none.
+    /// All nodes of the shown scene, or of the whole tree if there is none.
     fn scene(&mut self, go_on: &mut dyn FnMut(f64) -> bool) -> Result<()> {
         let document = self.document;
         let nodes = list(&document["nodes"]);
@@ -284,7 +277,7 @@ impl<'a> Reader<'a> {
         seen.resize(nodes.len(), false);
         let mut push = |waiting: &mut Vec<_>, node: &Value, place: DAffine3, depth: usize| {
             let at = index(node).ok_or(INDICES)?;
-            // Each has one parent at most: nothing goes round.
+            // Each node has at most one parent, so there are no cycles.
             if depth > DEPTH || std::mem::replace(seen.get_mut(at).ok_or(INDICES)?, true) {
                 return Err(INDICES);
             }
@@ -373,7 +366,7 @@ impl<'a> Reader<'a> {
             Some(indices) => Some(self.accessor(indices, 1, &[BYTE, SHORT, INT])?),
         };
         let count = corners.as_ref().map_or(positions.count, |c| c.count);
-        // A strip or a fan has three for each.
+        // A strip or fan makes up to three corners per index.
         self.corners = self.corners.saturating_add(3 * count);
         if self.corners > MAX_MESH_CORNERS.min(3 * self.room) {
             return Err(Error::File(Problem::Long));
@@ -382,12 +375,12 @@ impl<'a> Reader<'a> {
             let number = corners
                 .as_ref()
                 .map_or(at, |corners| corners.number(at, 0) as usize);
-            // The points are fewer than 2³².
+            // There are fewer than 2³² points.
             (number < positions.count)
                 .then_some((first + number) as u32)
                 .ok_or(INDICES)
         };
-        // What is mirrored has its triangles turned, or they would look inwards.
+        // Mirrored triangles are reversed, or they would face inwards.
         let turned = place.matrix3.determinant() < 0.0;
         let lines = &mut self.mesh.lines;
         let mut line = |from: usize, to: usize| -> Result<()> {
@@ -417,7 +410,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The elements of an accessor, so many numbers each (0: three or four).
+    /// The elements of an accessor, `width` numbers each (0: three or four).
     fn accessor(&self, number: &Value, width: usize, components: &[u64]) -> Result<Accessor<'a>> {
         let accessors = list(&self.document["accessors"]);
         let accessor = index(number)
@@ -470,7 +463,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Where a node stands in its parent.
+/// Transform of a node relative to its parent.
 fn own_place(node: &Value) -> Result<DAffine3> {
     if let Some(matrix) = node.get("matrix") {
         let matrix = numbers::<16>(matrix).ok_or(FORMAT)?;

@@ -1,11 +1,8 @@
-//! Meshes and point clouds from files: Wavefront OBJ, PLY (ASCII and both binary
-//! encodings), STL (ASCII and binary), glTF and GLB.
+//! Meshes and point clouds from Wavefront OBJ, PLY, STL (both ASCII and binary) and glTF or GLB.
 //!
-//! A file is read from memory, whose length bounds what reading it takes: nothing is
-//! allocated because a header claims a number. Only geometry is taken: points, their
-//! colours, lines, and polygons as fans of triangles.
-//!
-//! It opens no files and knows neither scenes nor windows.
+//! Files are read from memory; nothing is allocated because a header claims a number. Only geometry
+//! is taken: points, their colours, lines, and polygons as fans of triangles. The crate opens no
+//! files and knows neither scenes nor windows.
 
 #![forbid(unsafe_code)]
 
@@ -23,22 +20,21 @@ use std::path::Path;
 
 use vides_engine::scene::Mesh;
 
-/// A format of files with meshes.
+/// A mesh file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Wavefront OBJ: `v` (with colours, if it has six numbers), `f`, `l`.
     Obj,
     /// Polygon file format: the elements `vertex`, `face` and `edge`.
     Ply,
-    /// Stereolithography. Corners of the same coordinates become one point.
+    /// Stereolithography. Corners with equal coordinates are merged.
     Stl,
-    /// glTF 2.0, as text and as GLB: triangles, lines and points of all nodes of its scene,
-    /// with their colours.
+    /// glTF 2.0, text or GLB: coloured triangles, lines and points of all nodes of its scene.
     Gltf,
 }
 
 impl Format {
-    /// The format that the ending of a file's name stands for, in any case.
+    /// The format by the file name's extension, in either case.
     #[must_use]
     pub fn of(file: &Path) -> Option<Self> {
         let ending = file.extension().and_then(OsStr::to_str)?;
@@ -55,65 +51,65 @@ impl Format {
     }
 }
 
-/// Why a file is no mesh.
+/// Why a mesh cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// A line of a text file.
+    /// An error in a line of a text file.
     #[error("line {line}: {problem}")]
     Line {
-        /// Its number, from 1.
+        /// Counted from 1.
         line: usize,
         /// What is wrong with it.
         problem: Problem,
     },
-    /// The whole file.
+    /// An error of the whole file.
     #[error("{0}")]
     File(Problem),
-    /// What the PLY reader says.
+    /// An error of the PLY reader.
     #[error("{0}")]
     Ply(String),
-    /// There is not enough memory.
+    /// Out of memory.
     #[error("out of memory")]
     Memory,
-    /// The reader was told to stop.
+    /// `go_on` returned false.
     #[error("reading was stopped")]
     Stopped,
-    /// The ending of the file's name is none of [`Format`]'s.
+    /// The file's extension is none of [`Format`]'s.
     #[error("the names of files with meshes end in .obj, .ply, .stl, .gltf or .glb")]
     UnknownFormat,
-    /// A warning: the file is not the one that a scene was saved with.
+    /// A warning: the file has changed since the scene was saved.
     #[error("the mesh has changed since the scene was saved")]
     Changed,
-    /// What was read is no mesh of the engine's: too large, or not finite.
+    /// The engine rejects the mesh: too large, or not finite.
     #[error(transparent)]
     Mesh(#[from] vides_engine::Error),
 }
 
-/// What is wrong with a place of a file.
+/// What is wrong in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Problem {
-    /// A coordinate is no number.
+    /// Not three finite coordinates.
     #[error("expected three finite numbers")]
     Coordinates,
-    /// A line or polygon with too few points, or one that is not there.
+    /// A line or polygon with too few points, or with one that does not exist.
     #[error("expected numbers of points that are in the file")]
     Indices,
-    /// The file ends within something.
+    /// The file is truncated.
     #[error("the file ends too early")]
     End,
-    /// A line that does not belong there.
+    /// An unexpected line.
     #[error("expected \"{0}\"")]
     Expected(&'static str),
-    /// Nothing that can be shown.
+    /// No points.
     #[error("there are no points in this file")]
     Empty,
-    /// A buffer of a glTF file.
+    /// A glTF buffer is missing or unreadable.
     #[error("a buffer of this file is gone, or cannot be read")]
     Buffer,
-    /// More than is taken.
+    /// More than the limits allow.
     #[error("this file has more than is taken")]
     Long,
-    /// A file that must begin otherwise.
+    /// Not a file of this format.
     #[error("this is no file of this format")]
     Format,
 }
@@ -128,16 +124,15 @@ pub use gltf::Beside;
 
 type Result<T> = std::result::Result<T, Error>;
 
-/// Reads a mesh. `go_on` is asked now and then with the share that is done, in 0…1.
+/// Reads a mesh. `go_on` is called now and then with the share done, in 0…1.
 ///
 /// # Errors
-/// [`Error`]; [`Error::Stopped`] if `go_on` says no.
+/// [`Error`]; [`Error::Stopped`] if `go_on` returns false.
 pub fn read(format: Format, bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<Mesh> {
     read_with(format, bytes, &mut |_| None, go_on)
 }
 
-/// The same of a file with buffers that lie beside it: `beside` gives each by the name that
-/// stands in the file.
+/// As [`read`], for files with external buffers, which `beside` gives by name.
 ///
 /// # Errors
 /// As [`read`].
@@ -160,10 +155,10 @@ pub fn read_with(
     Ok(mesh)
 }
 
-/// So many lines or records lie between two questions whether to go on.
+/// Lines or records between two calls of `go_on`.
 const EVERY: usize = 1 << 14;
 
-/// The words of each line that has some, with the line's number; asks `go_on`.
+/// The words of each non-empty line, with the line's number; calls `go_on`.
 fn lines<'a>(
     bytes: &'a [u8],
     go_on: &'a mut dyn FnMut(f64) -> bool,
@@ -177,13 +172,12 @@ fn lines<'a>(
             if at % EVERY == 0 && !go_on(done as f64 / bytes.len().max(1) as f64) {
                 return Some(Err(Error::Stopped));
             }
-            // What is not UTF-8 is a name or a comment, or else no number.
+            // Anything but UTF-8 is a name or a comment, or no valid number.
             let text = str::from_utf8(line).unwrap_or("?").trim();
             (!text.is_empty()).then(|| Ok((at + 1, text.split_ascii_whitespace())))
         })
 }
 
-/// Three coordinates from the next words.
 fn coordinates<'a>(words: &mut impl Iterator<Item = &'a str>) -> Option<glam::DVec3> {
     let mut next = || {
         words

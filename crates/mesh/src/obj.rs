@@ -1,5 +1,4 @@
-//! Wavefront OBJ. Read by hand: readers for rendering leave out points without
-//! faces, and do not say which line is wrong.
+//! Wavefront OBJ, by hand: other readers drop points without faces and give no line numbers.
 
 use vides_engine::scene::Mesh;
 
@@ -8,7 +7,7 @@ use super::{Error, Problem, Result, coordinates, fan, lines};
 pub(super) fn read(bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<Mesh> {
     let mut mesh = Mesh::default();
     let mut corners: Vec<u32> = Vec::new();
-    // A statement may name a point that follows it.
+    // A statement may name a later point.
     let mut last_named = (0, 0);
     for statement in lines(bytes, go_on) {
         let (line, mut words) = statement?;
@@ -18,7 +17,7 @@ pub(super) fn read(bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<M
                 let point = coordinates(&mut words).ok_or(wrong(Problem::Coordinates))?;
                 mesh.points.try_reserve(1)?;
                 mesh.points.push(point);
-                // After a fourth number, a weight, there are no colours.
+                // A fourth number alone is a weight, not a colour.
                 if let Some(colour) = coordinates(&mut words) {
                     mesh.colours.try_reserve(1)?;
                     let byte = |share: f64| (share.clamp(0.0, 1.0) * 255.0).round() as u8;
@@ -52,15 +51,14 @@ pub(super) fn read(bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<M
         let problem = Problem::Indices;
         return Err(Error::Line { line, problem });
     }
-    // Some points with colours and some without: none.
+    // Colours must be given for all points or none.
     if mesh.colours.len() != mesh.points.len() {
         mesh.colours = Vec::new();
     }
     Ok(mesh)
 }
 
-/// The point that a corner as `7/1/3` means, counted from 0: from 1 in the file, or
-/// back from the last one so far.
+/// The point index of a corner such as `7/1/3`: 1-based in the file, negative from the last so far.
 fn index(corner: &str, points: usize) -> Option<u32> {
     let number: i64 = corner.split('/').next()?.parse().ok()?;
     let at = match number {

@@ -10,8 +10,7 @@ use super::{Error, Problem, Result, fan};
 
 impl From<ParseError> for Error {
     fn from(error: ParseError) -> Self {
-        // One line: the reader quotes what it has read on lines of its own, whatever
-        // letters that has.
+        // On one line: the reader quotes the file's contents, whatever they are, on separate lines.
         let words = error.to_string();
         let between = |letter: char| letter.is_whitespace() || letter.is_control();
         let words = words.split(between).filter(|word| !word.is_empty());
@@ -32,8 +31,7 @@ pub(super) fn read(bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<M
         if !go_on(1.0 - left as f64 / bytes.len() as f64) {
             return Err(Error::Stopped);
         }
-        // Each record takes a byte at least, which bounds what follows; one of
-        // nothing takes none.
+        // A record takes at least one byte, which bounds the count; one without properties none.
         if element.properties.is_empty() {
             continue;
         }
@@ -81,12 +79,10 @@ fn records<R: PropertyAccess>(
     element: &ElementDef,
     reader: &mut Reader<&[u8]>,
 ) -> Result<Vec<R>> {
-    // The vector grows by doubling.
     can_allocate(2 * element.count * size_of::<R>())?;
     Ok(Parser::new().read_payload_for_element(reader, element, header)?)
 }
 
-/// Any scalar.
 fn number(property: &Property) -> Option<f64> {
     match *property {
         Property::Char(value) => Some(value.into()),
@@ -101,7 +97,6 @@ fn number(property: &Property) -> Option<f64> {
     }
 }
 
-/// Which of red, green, blue a property is.
 fn colour(name: &str) -> Option<usize> {
     match name {
         "red" | "r" | "diffuse_red" => Some(0),
@@ -177,7 +172,7 @@ impl PropertyAccess for Edge {
     }
 }
 
-/// A record of which nothing is taken.
+/// A record that is skipped.
 struct Nothing;
 
 impl PropertyAccess for Nothing {

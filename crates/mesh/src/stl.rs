@@ -1,5 +1,5 @@
-//! STL. Read by hand: readers take every file that begins with `solid` for text,
-//! which many binary ones do, and keep only 32 bits of a number written as text.
+//! STL. Read by hand: readers take every file that begins with `solid` for text, as many binary
+//! ones do, and keep only 32 bits of numbers written as text.
 
 use std::collections::HashMap;
 
@@ -8,7 +8,7 @@ use vides_engine::scene::Mesh;
 
 use super::{EVERY, Error, Problem, Result, coordinates, lines};
 
-/// Bytes before the first triangle: a text that means nothing, and the number of them.
+/// Bytes before the first triangle: a comment and the number of triangles.
 const HEAD: usize = 84;
 
 /// Bytes of a triangle: its normal, three corners, two more.
@@ -21,7 +21,7 @@ pub(super) fn read(bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<M
     let records = bytes.get(HEAD..).unwrap_or_default();
     let is_text = bytes.trim_ascii_start().starts_with(b"solid");
     match count {
-        // Some writers leave bytes behind the last triangle.
+        // Some writers leave bytes after the last triangle.
         Some(count)
             if count <= records.len() / RECORD && (!is_text || is_whole(count, records)) =>
         {
@@ -37,7 +37,6 @@ fn is_whole(count: usize, records: &[u8]) -> bool {
     records.len() == count * RECORD
 }
 
-/// Points by their coordinates.
 #[derive(Default)]
 struct Corners {
     mesh: Mesh,
@@ -50,7 +49,7 @@ impl Corners {
         for (corner, point) in corners.iter_mut().zip(triangle) {
             self.known.try_reserve(1)?;
             self.mesh.points.try_reserve(1)?;
-            // Adding 0 makes one of both zeros.
+            // Adding 0 turns −0 into 0.
             let key = (point + DVec3::ZERO).to_array().map(f64::to_bits);
             *corner = *self.known.entry(key).or_insert_with(|| {
                 self.mesh.points.push(point);

@@ -1,4 +1,4 @@
-//! What changes over the frames, each in a chart of its own.
+//! Charts of what changes over the frames.
 
 use vides::tools::clearance::Clearance;
 use vides::tools::profile::{self, Quantity};
@@ -6,17 +6,16 @@ use vides::tools::profile::{self, Quantity};
 use super::svg::{Anchor, Spot, Svg};
 use super::{Film, MARGIN, POSES, WIDTH};
 
-/// Room for the numbers at the left, the name above and the frames below.
+/// Room for the numbers on the left, the name above and the frames below.
 const SCALE: f64 = 48.0;
 const NAME: f64 = 26.0;
 const FRAMES: f64 = 44.0;
 const HEIGHT: f64 = 84.0;
 
-/// Of a longer film so many frames at equal distances.
+/// A longer film is sampled at this many frames.
 const FRAMES_LOOKED_AT: usize = 500_000;
 
-/// One chart: its name, whether it has the colour of the way or of the view, its
-/// values over frames, and kinds of findings that are marked in it.
+/// A chart; `kinds` are the kinds of findings marked in it.
 pub(super) struct Chart {
     name: &'static str,
     of_way: bool,
@@ -30,7 +29,7 @@ pub(super) fn height(charts: usize) -> f64 {
 
 pub(super) fn of(film: &Film<'_>) -> vides::Result<Vec<Chart>> {
     let (info, space) = (film.document.info(), film.document.path().space);
-    // What happens within one frame is to be seen in a long film, too.
+    // Fine enough that events within a frame show up in a long film.
     let poses = profile::samples(film.document.sampler()?, FRAMES_LOOKED_AT)?;
     let object = film.obstacles.as_ref().map(Clearance::new).transpose()?;
     let plotted = profile::Film {
@@ -42,7 +41,7 @@ pub(super) fn of(film: &Film<'_>) -> vides::Result<Vec<Chart>> {
     let mut charts = Vec::new();
     for quantity in Quantity::ALL {
         let (name, of_way) = match quantity {
-            // It only rises, by what the speed tells.
+            // It only rises, at the rate the speed shows.
             Quantity::Distance => continue,
             Quantity::Speed => ("Speed, length per second", true),
             Quantity::Acceleration => ("Acceleration, length per second squared", true),
@@ -72,7 +71,6 @@ pub(super) fn draw(svg: &mut Svg, film: &Film<'_>, charts: &[Chart], top: f64) {
             one(svg, film, chart, &x, (left, y, width));
         });
     }
-    // Numbers of frames below all.
     let bottom = top + charts.len() as f64 * (HEIGHT + NAME);
     let quiet = format!("fill=\"{}\"", film.style.quiet);
     let first = f64::from(film.document.info().first_frame);
@@ -103,7 +101,7 @@ fn one(
     let colour = if chart.of_way { style.way } else { style.view };
     let name = format!("fill=\"{colour}\" font-weight=\"bold\"");
     svg.text((left, top - 7.0), Anchor::Start, chart.name, &name);
-    // Every other section on a band.
+    // A band behind every other section.
     let sections = film.document.timeline(|timeline| {
         let all = (0..timeline.section_count()).map(|k| (k, timeline.section(k)));
         all.filter(|(_, section)| section.frames > 0)
@@ -157,7 +155,7 @@ fn one(
     }
 }
 
-/// A round step of which two to four reach over a range, and its decimals.
+/// A round step, two to four of which span a range, and its decimals.
 fn scale(range: f64) -> (f64, usize) {
     if !(range > 1e-9 && range.is_finite()) {
         return (1.0, 0);

@@ -1,6 +1,5 @@
-//! `vides plot`: a path and its film as a picture. Three views of the way, the view
-//! directions as a curve on the sphere with ticks for up (the thesis's wish for a way to
-//! show orientation), and what changes over the frames, findings of a check marked.
+//! `vides plot`: a path as a picture: three views of the way, the view directions on the sphere
+//! with ticks for up (as the thesis asked for), and charts over the frames with findings marked.
 
 mod charts;
 mod png;
@@ -21,8 +20,7 @@ use svg::{Anchor, Svg};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// The path, or a scene: the path of the camera that is shown; - is standard
-    /// input
+    /// The path, or a scene: the path of the camera that is shown; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
     /// Where the picture goes, as .svg or .png; - is standard output, as SVG
@@ -33,21 +31,18 @@ pub(super) struct Arguments {
     dark: bool,
 }
 
-/// Colours of a picture.
 struct Style {
     ground: &'static str,
-    /// Headings and names.
     ink: &'static str,
-    /// Everything that explains.
+    /// Explanations.
     quiet: &'static str,
-    /// Thin lines that part and measure.
+    /// Thin separating and measuring lines.
     hair: &'static str,
     /// Bands behind every other section.
     band: &'static str,
     way: &'static str,
     view: &'static str,
     object: &'static str,
-    /// Findings.
     wrong: &'static str,
 }
 
@@ -75,21 +70,19 @@ const DARK: Style = Style {
     wrong: "#ff6b78",
 };
 
-/// Width of a picture, and its margin.
 const WIDTH: f64 = 960.0;
 const MARGIN: f64 = 28.0;
 
-/// Poses that are looked at: more than a chart has columns.
+/// Poses sampled: more than a chart has columns.
 const POSES: usize = 2_000;
 
-/// What the parts of a picture are drawn of.
+/// What the picture is drawn from.
 struct Film<'a> {
     document: &'a Document,
     style: &'a Style,
     /// Frames from 1, whole ones unless there are too many.
     samples: Vec<(f64, Pose)>,
     found: Vec<Finding>,
-    /// What stands around it.
     obstacles: Option<Mesh>,
     frames: usize,
 }

@@ -1,4 +1,4 @@
-//! A plot as pixels, painted by the window's own raster, twice as fine as its SVG.
+//! A plot as pixels, painted by the window's raster at twice the SVG's resolution.
 
 use std::sync::Arc;
 
@@ -8,16 +8,13 @@ use vides_raster::{Raster, Target, primitives};
 
 use super::svg::{Anchor, Form, Mark, Spot, Svg};
 
-/// Pixels for one of the SVG's.
+/// Pixels per pixel of the SVG.
 const FINE: f32 = 2.0;
 
-/// Size of a text that does not say.
+/// Default font size.
 const TEXT: f32 = 12.5;
 
 /// The PNG of a picture.
-///
-/// # Errors
-/// A sentence.
 pub(super) fn of(svg: &Svg) -> Result<Vec<u8>, String> {
     let size = vec2(svg.width as f32, svg.height as f32);
     let (width, height) = ((size.x * FINE).ceil() as u32, (size.y * FINE).ceil() as u32);
@@ -34,7 +31,7 @@ pub(super) fn of(svg: &Svg) -> Result<Vec<u8>, String> {
         root.native_pixels_per_point = Some(FINE);
         input
     };
-    // Fonts and scale are there from the second time on.
+    // Fonts and scale take effect from the second run on.
     let first = context.run_ui(input(), |_| {});
     raster.update_textures(first.textures_delta);
     let output = context.run_ui(input(), |ui| {
@@ -78,13 +75,12 @@ fn fonts() -> FontDefinitions {
     fonts
 }
 
-/// The value of an attribute.
 fn attribute<'a>(attributes: &'a str, name: &str) -> Option<&'a str> {
     let begin = format!("{name}=\"");
     let mut words = attributes.split(&begin[..]);
     let before = words.next()?;
     let value = words.next()?;
-    // Not the end of another name.
+    // Otherwise `name` is the end of a longer name.
     (before.is_empty() || before.ends_with(' ')).then_some(())?;
     value.split('"').next()
 }
@@ -94,7 +90,7 @@ fn number(attributes: &str, name: &str, usual: f32) -> f32 {
     value.unwrap_or(usual)
 }
 
-/// `#rrggbb`.
+/// Parses `#rrggbb`.
 fn colour(text: &str) -> Color32 {
     let number = u32::from_str_radix(text.trim_start_matches('#'), 16).unwrap_or(0);
     let [_, r, g, b] = number.to_be_bytes();
@@ -138,12 +134,12 @@ fn draw(painter: &egui::Painter, mark: &Mark) {
                 Anchor::Middle => Align2::CENTER_TOP,
                 Anchor::End => Align2::RIGHT_TOP,
             };
-            // SVG counts from the line on which letters stand.
+            // SVG places text by its baseline.
             let galley = painter.layout_no_wrap(text.clone(), font.clone(), fill);
             let line = galley.rows.first().and_then(|row| row.glyphs.first());
             let line = line.map_or(0.8 * size, |glyph| glyph.pos.y);
             let top = spot(*place) - vec2(0.0, line);
-            // There is one weight: bold is drawn twice, half a pixel apart.
+            // The font has one weight: bold is drawn twice, half a pixel apart.
             let bold = attribute(attributes, "font-weight") == Some("bold");
             for right in [0.0, 0.5].into_iter().take(1 + usize::from(bold)) {
                 painter.text(top + vec2(right, 0.0), align, text, font.clone(), fill);

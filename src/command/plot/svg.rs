@@ -1,8 +1,8 @@
-//! As much of SVG as a plot needs.
+//! The part of SVG that plots need.
 
 use std::fmt::Write;
 
-/// A place in the picture: pixels to the right and down.
+/// Pixels to the right and down.
 pub(super) type Spot = (f64, f64);
 
 pub(super) struct Svg {
@@ -10,26 +10,24 @@ pub(super) struct Svg {
     pub(super) width: f64,
     pub(super) height: f64,
     pub(super) ground: &'static str,
-    /// What has been drawn, for other kinds of pictures.
+    /// What has been drawn, for other picture formats.
     pub(super) marks: Vec<Mark>,
 }
 
-/// Something drawn, with its attributes.
 pub(super) struct Mark {
     pub(super) form: Form,
     pub(super) attributes: String,
 }
 
-/// The forms that there are.
 pub(super) enum Form {
     Line(Vec<Spot>),
-    /// A corner, width and height.
+    /// Corner, width and height.
     Rectangle(Spot, f64, f64),
     Circle(Spot, f64),
     Text(Spot, Anchor, String),
 }
 
-/// Where a text stands relative to its spot.
+/// Alignment of a text relative to its spot.
 #[derive(Clone, Copy)]
 pub(super) enum Anchor {
     Start,
@@ -38,7 +36,6 @@ pub(super) enum Anchor {
 }
 
 impl Svg {
-    /// An empty picture on a ground of this colour.
     pub(super) fn new(width: f64, height: f64, title: &str, ground: &'static str) -> Self {
         let mut svg = Self {
             text: String::new(),
@@ -66,7 +63,6 @@ impl Svg {
     }
 
     fn put(&mut self, line: std::fmt::Arguments<'_>) {
-        // Writing into a string cannot fail.
         let _ = writeln!(self.text, "{line}");
     }
 
@@ -75,7 +71,7 @@ impl Svg {
         self.marks.push(Mark { form, attributes });
     }
 
-    /// What `draw` draws, together, with attributes for all of it.
+    /// Groups what `draw` draws, with attributes for all of it.
     pub(super) fn group(&mut self, id: &str, attributes: &str, draw: impl FnOnce(&mut Self)) {
         self.put(format_args!("<g id=\"{id}\" {attributes}>"));
         draw(self);
@@ -132,7 +128,7 @@ fn listed(spots: &[Spot]) -> String {
     list
 }
 
-/// A text as XML takes it, without the few characters that it never takes.
+/// Escapes a text for XML and replaces the characters that XML does not allow.
 fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for character in text.chars() {
@@ -148,10 +144,10 @@ fn escaped(text: &str) -> String {
     escaped
 }
 
-/// Width of a letter as it usually is, in pixels.
+/// Usual width of a letter, in pixels.
 const LETTER: f64 = 6.4;
 
-/// A text cut to a width in pixels, by a letter's usual width.
+/// Cuts a text to a width in pixels, assuming letters of [`LETTER`].
 pub(super) fn cut(text: &str, width: f64) -> String {
     let room = (width / LETTER) as usize;
     if text.chars().count() <= room {

@@ -1,4 +1,4 @@
-//! The way from three sides, the views on a sphere, and what was found.
+//! Three views of the way, the view directions on a sphere, and the findings.
 
 use vides::glam::DVec3;
 use vides::path::Pose;
@@ -7,17 +7,16 @@ use vides::tools::check::{Finding, KINDS};
 use super::svg::{Anchor, Spot, Svg, cut};
 use super::{Film, MARGIN};
 
-/// Name, and the axes (in upright coordinates) to the right and up.
+/// Title, and the axes (in upright coordinates) to the right and up.
 const VIEWS: [(&str, DVec3, DVec3); 3] = [
     ("From the front", DVec3::X, DVec3::Y),
     ("From the right", DVec3::NEG_Z, DVec3::Y),
     ("From above", DVec3::X, DVec3::NEG_Z),
 ];
 
-/// Lines of the objects that are drawn.
+/// Limit on the objects' lines.
 const EDGES: usize = 6_000;
 
-/// Ticks for up on the sphere.
 const TICKS: usize = 40;
 
 fn name(svg: &mut Svg, film: &Film<'_>, (x, y): Spot, text: &str) {
@@ -25,13 +24,12 @@ fn name(svg: &mut Svg, film: &Film<'_>, (x, y): Spot, text: &str) {
     svg.text((x, y - 8.0), Anchor::Start, text, &bold);
 }
 
-/// Whether something was found at a frame.
 fn is_wrong(film: &Film<'_>, frame: f64) -> bool {
     let at = |finding: &Finding| finding.first_frame <= frame && frame <= finding.last_frame;
     film.found.iter().any(at)
 }
 
-/// Draws runs of spots, those where something was found in another colour.
+/// Draws the way as runs of spots, in another colour where something was found.
 fn way(svg: &mut Svg, film: &Film<'_>, colour: &str, width: f64, spot: &dyn Fn(&Pose) -> Spot) {
     let mut run: Vec<Spot> = Vec::new();
     let mut wrong = false;
@@ -57,7 +55,7 @@ fn way(svg: &mut Svg, film: &Film<'_>, colour: &str, width: f64, spot: &dyn Fn(&
     draw(&run, wrong);
 }
 
-/// Lines of what stands around the way, not more than a picture can show.
+/// Lines of the obstacles, thinned to [`EDGES`].
 fn edges(film: &Film<'_>) -> Vec<[DVec3; 2]> {
     let Some(mesh) = &film.obstacles else {
         return Vec::new();
@@ -100,7 +98,7 @@ pub(super) fn draw(svg: &mut Svg, film: &Film<'_>, top: f64, side: f64) {
             for [from, to] in edges(film) {
                 svg.line(spot(from), spot(to), &line);
             }
-            // Where the cameras look, from some of them.
+            // View directions of some poses.
             let look = format!(
                 "stroke=\"{}\" stroke-width=\"1\" opacity=\"0.7\"",
                 film.style.view
@@ -122,8 +120,7 @@ pub(super) fn draw(svg: &mut Svg, film: &Film<'_>, top: f64, side: f64) {
     }
 }
 
-/// The view directions as a curve on the unit sphere, seen a little from above; what is
-/// behind is faint.
+/// The view directions as a curve on the unit sphere, seen from slightly above; the back is faint.
 pub(super) fn sphere(svg: &mut Svg, film: &Film<'_>, (x, y): Spot, side: f64) {
     let up = film.document.path().space.up;
     name(svg, film, (x, y), "Views on the sphere, ticks: up");
@@ -200,7 +197,7 @@ pub(super) fn sphere(svg: &mut Svg, film: &Film<'_>, (x, y): Spot, side: f64) {
     });
 }
 
-/// A list of what was found, as far as there is room.
+/// A list of the findings, as far as there is room.
 pub(super) fn findings(svg: &mut Svg, film: &Film<'_>, (x, y): Spot, width: f64) {
     name(svg, film, (x, y), "Findings");
     const LINE: f64 = 19.0;

@@ -1,13 +1,10 @@
-//! The comments that a person wrote into a `.vid` file, kept when the path is saved.
+//! The user's comments in a `.vid` file, kept when the path is saved.
 //!
-//! The text is not kept, only its comments, each with the place it stands at: a key, a
-//! table, the end of the file. A document is written as ever, and the comments are put
-//! back where their places are now. So neither the reader nor the writer knows of them,
-//! and a file without any costs one look for a `#`.
+//! Each comment is kept with the place it is attached to (a key, a table, the end of the file) and
+//! put back into the written text there, so that reader and writer need not know of comments.
 //!
-//! Places follow the points: what stands at a point moves with it, goes when the point is
-//! removed, and comes back when that is undone. For that a removed comment stays in the
-//! list, parked under the number of the removal; so undoing needs no memory.
+//! A comment moves, goes and returns with its point. A removed one stays in the list, parked under
+//! the number of the removal, so that undo needs no memory.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -16,32 +13,31 @@ use std::sync::Arc;
 use crate::error::{Result, can_allocate};
 use crate::limits::MAX_FILE_BYTES;
 
-/// The comments that every file has; `#` stands nowhere else in what is written, but in
-/// texts.
+/// The comments we write ourselves; `#` otherwise only occurs within strings.
 pub(super) const OURS: [&str; 3] = [
     "# Frames at speed 50 for a way of half the space's size, a turn of 180 degrees,",
     "# a zoom from 1 to 100, a roll of 90 degrees.",
     "# A cube in the world; which axis stands upright.",
 ];
 
-/// What a comment stands at.
+/// What a comment is attached to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 struct Place<'a> {
     table: Table,
-    /// Of a table that is none of a point's.
+    /// For tables other than a point's.
     name: &'a str,
-    /// Empty: the table's header.
+    /// Empty for the table's header.
     key: &'a str,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Table {
-    /// What stands before all tables.
+    /// Before all tables.
     Root,
     Named,
-    /// Of a point or, if it has a number, of an orientation of that.
+    /// A point or, with a second number, one of its orientations.
     Point(usize, Option<usize>),
-    /// Behind all there is.
+    /// The end of the file.
     End,
 }
 
@@ -50,11 +46,11 @@ struct Comment {
     table: Table,
     name: Arc<str>,
     key: Arc<str>,
-    /// Whole lines before it; empty ones between them too.
+    /// Whole lines before the place, with the empty lines between them.
     before: Arc<str>,
-    /// At the end of its line.
+    /// At the end of the place's line.
     behind: Arc<str>,
-    /// The removal by which its place has gone, counted from 1; 0: it is there.
+    /// The removal that took its place away, counted from 1; 0: it is there.
     parked: u64,
 }
 
@@ -68,7 +64,7 @@ impl Comment {
     }
 }
 
-/// The comments of a file, in the order of their places.
+/// A file's comments, in the order of their places.
 #[derive(Debug, Default)]
 pub(crate) struct Comments {
     all: Vec<Comment>,
@@ -76,16 +72,16 @@ pub(crate) struct Comments {
 }
 
 impl Comments {
-    /// Those of a text that has been read without an error.
+    /// The comments of a text that parses without an error.
     pub(crate) fn of(text: &str) -> Result<Self> {
         let mut comments = Self::default();
-        // Elsewhere than in what we write there is nothing to be kept.
+        // If every `#` is in a comment of ours there is nothing to keep.
         let marks = text.bytes().filter(|&byte| byte == b'#').count();
         let ours = OURS.iter().filter(|line| text.contains(**line)).count();
         if marks <= ours {
             return Ok(comments);
         }
-        // At most so many, none longer than the text in all.
+        // An upper bound: so many comments, together no longer than the text.
         can_allocate(marks.saturating_mul(2 * size_of::<Comment>() + 128) + 2 * text.len())?;
         statements(text, |statement| {
             let before = kept(statement.before) + &kept(&statement.within);
@@ -105,7 +101,6 @@ impl Comments {
         Ok(comments)
     }
 
-    /// A copy without what was removed.
     pub(crate) fn try_clone(&self) -> Result<Self> {
         let mut copy = Self::default();
         copy.all.try_reserve_exact(self.all.len())?;
@@ -114,7 +109,7 @@ impl Comments {
         Ok(copy)
     }
 
-    /// Points were put in here, or put back: those of a removal have their comments again.
+    /// Shifts comments for inserted points and restores those of `removal`, unless 0.
     pub(crate) fn insert_points(&mut self, at: usize, count: usize, removal: u64) {
         for comment in &mut self.all {
             if let Table::Point(point, _) = &mut comment.table {
@@ -128,7 +123,7 @@ impl Comments {
         }
     }
 
-    /// Points are taken away; the number of this removal.
+    /// Parks the comments of removed points; returns the number of the removal.
     pub(crate) fn remove_points(&mut self, at: usize, count: usize) -> u64 {
         self.removals += 1;
         for comment in self.all.iter_mut().filter(|comment| comment.parked == 0) {
@@ -144,7 +139,6 @@ impl Comments {
         self.removals
     }
 
-    /// As [`Comments::insert_points`] for an orientation of a point.
     pub(crate) fn insert_orientation(&mut self, of: usize, at: usize, removal: u64) {
         for comment in &mut self.all {
             if let Table::Point(point, Some(number)) = &mut comment.table {
@@ -158,7 +152,6 @@ impl Comments {
         }
     }
 
-    /// As [`Comments::remove_points`] for an orientation of a point.
     pub(crate) fn remove_orientation(&mut self, of: usize, at: usize) -> u64 {
         self.removals += 1;
         for comment in self.all.iter_mut().filter(|comment| comment.parked == 0) {
@@ -175,16 +168,15 @@ impl Comments {
         self.removals
     }
 
-    /// The text of a document with the comments at their places.
     pub(super) fn put_into(&self, text: String) -> Result<String> {
         let there = || self.all.iter().filter(|comment| comment.parked == 0);
         let sizes = there().map(|comment| comment.before.len() + comment.behind.len() + 2);
         let size = sizes.sum::<usize>() + text.len();
-        // What would be too long to be read again is better saved without comments.
+        // Better to lose the comments than to write a file too long to be read.
         if there().next().is_none() || size as u64 > MAX_FILE_BYTES {
             return Ok(text);
         }
-        // A statement has ten letters at least.
+        // A statement has at least ten bytes.
         can_allocate(
             (text.len() / 10 + self.all.len()) * 2 * size_of::<(Place<'_>, Range<usize>)>(),
         )?;
@@ -194,8 +186,7 @@ impl Comments {
             places.insert(statement.place, ranges.len());
             ranges.push(statement.text);
         });
-        // Where its key is not written it goes to the header of its table, and without
-        // that to the end of the file.
+        // If its key is not written a comment goes to its table's header, else to the end.
         let home = |comment: &Comment| {
             let key = match comment.table {
                 Table::Root => "version",
@@ -243,8 +234,7 @@ fn push_line(out: &mut String, line: &str) {
     }
 }
 
-/// Comment lines that are not ours, as they are written again; empty lines only between
-/// comments and behind them, one at a time.
+/// The user's comment lines; empty lines only after comments, one at a time.
 fn kept(lines: &str) -> String {
     let mut kept = String::new();
     for line in lines.lines().map(str::trim) {
@@ -260,17 +250,15 @@ fn kept(lines: &str) -> String {
 /// A key with its value, a header, or the end of the text.
 struct Statement<'a> {
     place: Place<'a>,
-    /// From its first letter to its last, at the end of the text nothing.
+    /// Empty at the end of the text.
     text: Range<usize>,
-    /// Comments and empty lines before it.
     before: &'a str,
-    /// The comments within its value, a line each.
+    /// Comments within its value, one per line.
     within: String,
-    /// The comment behind it on its line.
+    /// The comment after it on its line.
     behind: &'a str,
 }
 
-/// Goes through the statements of a text that is TOML.
 fn statements<'a>(text: &'a str, mut each: impl FnMut(Statement<'a>)) {
     let bytes = text.as_bytes();
     let line_end = |from: usize| {
@@ -284,13 +272,12 @@ fn statements<'a>(text: &'a str, mut each: impl FnMut(Statement<'a>)) {
     let mut at = 0;
     loop {
         let begin = at;
-        // Comments and empty lines.
         loop {
             let rest = &text[at..];
             let line = rest.trim_start_matches([' ', '\t', '\r']);
             match line.as_bytes().first() {
                 Some(b'#' | b'\n') => at = (line_end(at) + 1).min(text.len()),
-                // The mark of an encoding, which may stand at the beginning.
+                // A byte order mark.
                 _ if at == 0 && rest.starts_with('\u{feff}') => at = '\u{feff}'.len_utf8(),
                 _ => break,
             }
@@ -323,7 +310,7 @@ fn statements<'a>(text: &'a str, mut each: impl FnMut(Statement<'a>)) {
     }
 }
 
-/// Keys of which a table has one only stand at the same place.
+/// Maps mutually exclusive keys of a table to one place.
 fn slot(key: &str) -> &str {
     match key {
         "own" => "preset",
@@ -332,7 +319,7 @@ fn slot(key: &str) -> &str {
     }
 }
 
-/// The table that a header without its first bracket begins.
+/// The table that a header, without its first bracket, begins.
 fn table_of(header: &str, last: Table) -> (Table, &str) {
     let name = header.trim_matches(['[', ']', ' ', '\t']);
     let table = match (name, last) {
@@ -346,8 +333,7 @@ fn table_of(header: &str, last: Table) -> (Table, &str) {
     (table, "")
 }
 
-/// Where the statement that begins at `at` ends, without blanks and comments behind it,
-/// and the comments within its brackets.
+/// The end of the statement at `at`, without trailing blanks and comments, and those within it.
 fn end_of_statement(text: &str, mut at: usize) -> (usize, String) {
     let bytes = text.as_bytes();
     let (mut end, mut depth, mut within) = (at, 0, String::new());
@@ -378,7 +364,7 @@ fn end_of_statement(text: &str, mut at: usize) -> (usize, String) {
     (end, within)
 }
 
-/// Behind the last quote of the text that begins at `at`.
+/// The end of the string literal that begins at `at`.
 fn end_of_text(bytes: &[u8], at: usize) -> usize {
     let quote = bytes[at];
     let rest = &bytes[at..];
@@ -396,7 +382,7 @@ fn end_of_text(bytes: &[u8], at: usize) -> usize {
         };
         if over {
             place += if long { 3 } else { 1 };
-            // Up to two more quotes before the last three are the text's own.
+            // Up to two quotes before the closing three belong to the string.
             while long && rest.get(place) == Some(&quote) {
                 place += 1;
             }

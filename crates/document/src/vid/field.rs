@@ -1,5 +1,4 @@
-//! One `key = value` of a file, with its line: typed access whose errors say
-//! where and why.
+//! Typed access to the `key = value` fields of a file, with errors that give line and reason.
 
 use glam::DVec3;
 use toml::Spanned;
@@ -8,7 +7,7 @@ use toml::de::{DeString, DeTable, DeValue, Error as ParseError};
 use crate::error::{EngineError, Error, Key, Malformed, Result, Value};
 use crate::path::Space;
 
-/// A piece of a file, and the whole for its line numbers.
+/// A piece of a file, with the whole text for line numbers.
 #[derive(Clone, Copy)]
 pub struct Source<'a> {
     /// The whole text.
@@ -18,13 +17,13 @@ pub struct Source<'a> {
 }
 
 impl Source<'_> {
-    /// What the parser stumbled over, in the parser's words.
+    /// A parser error, in the parser's words.
     pub fn not_toml(self, error: &ParseError) -> Error {
         let offset = error.span().map_or(0, |span| span.start);
         self.complain(offset, Malformed::Toml(error.message().into()))
     }
 
-    /// What is wrong at a byte offset of the piece.
+    /// An error at a byte offset of the piece.
     pub fn complain(self, offset: usize, cause: impl Into<Malformed>) -> Error {
         at_line(self.line(offset), cause)
     }
@@ -37,7 +36,7 @@ impl Source<'_> {
     }
 }
 
-/// What is wrong in a line.
+/// An error in a line.
 pub fn at_line(line: usize, cause: impl Into<Malformed>) -> Error {
     Error::Format {
         line,
@@ -46,13 +45,13 @@ pub fn at_line(line: usize, cause: impl Into<Malformed>) -> Error {
     }
 }
 
-/// A key (or a place in an array) and its value.
+/// A key, or an element of an array, and its value.
 #[derive(Clone, Copy)]
 pub struct Field<'a> {
     source: Source<'a>,
-    /// The key; in an array, that of the array.
+    /// The key; for an element, that of its array.
     pub key: &'a str,
-    /// Where the complaint is: byte offset of the value, or of its key.
+    /// Where errors are reported: byte offset of the key, or of the element.
     offset: usize,
     value: &'a DeValue<'a>,
 }
@@ -70,8 +69,7 @@ impl<'a> Field<'a> {
         key: &'a Spanned<DeString<'a>>,
         value: &'a Spanned<DeValue<'a>>,
     ) -> Self {
-        // A table begins at its header; of an array over several lines, the
-        // line of the key tells more than that of its bracket.
+        // The key's line says more than that of the bracket of an array over several lines.
         Self {
             source,
             key: key.get_ref(),
@@ -80,12 +78,12 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// Its line in the file. To find it takes time in proportion to the file.
+    /// Its line; takes time proportional to the file.
     pub fn line(&self) -> usize {
         self.source.line(self.offset)
     }
 
-    /// Its place in the file: a byte offset.
+    /// Its byte offset in the file.
     pub fn place(&self) -> usize {
         self.source.start + self.offset
     }
@@ -100,7 +98,7 @@ impl<'a> Field<'a> {
         Ok(self.fields()?.find(|field| field.key == key))
     }
 
-    /// An error at this place.
+    /// An error at this field.
     pub fn error(&self, cause: impl Into<Malformed>) -> Error {
         Error::Format {
             line: self.line(),
@@ -109,7 +107,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// The error of a check, at this place.
+    /// Reports the error of a check at this field.
     pub fn checked<T>(&self, result: Result<T, EngineError>) -> Result<T> {
         result.map_err(|error| match error {
             EngineError::Memory => error.into(),
@@ -117,7 +115,7 @@ impl<'a> Field<'a> {
         })
     }
 
-    /// The error of a key that does not belong here.
+    /// The error for an unknown key.
     pub fn unknown(&self, known: &[&str]) -> Error {
         self.source.complain(
             self.offset,
@@ -141,7 +139,7 @@ impl<'a> Field<'a> {
         self.error(Malformed::Expected { wanted, found })
     }
 
-    /// A finite number, written with or without a decimal point.
+    /// A finite number, with or without a decimal point.
     pub fn number(&self) -> Result<f64> {
         let number = match self.value {
             DeValue::Float(float) => float.as_str().parse().ok(),
@@ -157,7 +155,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// A whole number.
+    /// An integer.
     pub fn integer(&self) -> Result<i64> {
         match self.value {
             DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
@@ -166,7 +164,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// A whole number of some range.
+    /// An integer from `low` to `high`.
     pub fn integer_in(&self, low: i64, high: i64) -> Result<i64> {
         let integer = self.integer()?;
         if (low..=high).contains(&integer) {
@@ -184,7 +182,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// A text.
+    /// A string.
     pub fn text(&self) -> Result<&'a str> {
         match self.value {
             DeValue::String(text) => Ok(text),
@@ -214,7 +212,7 @@ impl<'a> Field<'a> {
         }))
     }
 
-    /// An array of so many numbers.
+    /// An array of exactly `N` numbers.
     pub fn numbers<const N: usize>(&self) -> Result<[f64; N]> {
         let elements = self.elements()?;
         if elements.len() != N {
@@ -230,7 +228,7 @@ impl<'a> Field<'a> {
         Ok(numbers)
     }
 
-    /// A place in a space.
+    /// A position within a space.
     pub fn place_in(&self, space: Space) -> Result<DVec3> {
         let place = DVec3::from_array(self.numbers()?);
         self.checked(space.check_place(place))?;

@@ -10,10 +10,8 @@ use super::write::{Quoted, Text};
 use crate::error::{Malformed, Result};
 use crate::mesh_file::name_from;
 
-/// The keys of a file's name.
 pub(super) const KEYS: [&str; 3] = ["file", "bytes", "checksum"];
 
-/// What of it was read.
 #[derive(Default)]
 pub(super) struct Reading<'a> {
     file: Option<&'a str>,
@@ -22,7 +20,7 @@ pub(super) struct Reading<'a> {
 }
 
 impl<'a> Reading<'a> {
-    /// Takes a field of the table that names it; false: it belongs to something else.
+    /// Takes a field; false if it is none of [`KEYS`].
     pub(super) fn take(&mut self, field: &Field<'a>) -> Result<bool> {
         match field.key {
             "file" => self.file = Some(field.text()?),
@@ -36,7 +34,7 @@ impl<'a> Reading<'a> {
         Ok(true)
     }
 
-    /// All of it, or nothing; `alone`: the mesh has no points of its own.
+    /// The source if all keys are given; `alone`: the mesh has no points of its own.
     pub(super) fn done(self, table: &Field<'_>, alone: bool) -> Result<Option<MeshSource>> {
         match (self.file, self.bytes, self.checksum) {
             (None, None, None) => Ok(None),
@@ -50,7 +48,7 @@ impl<'a> Reading<'a> {
     }
 }
 
-/// Writes it, relative to the folder of the file.
+/// Writes it, relative to `folder`.
 pub(super) fn write(out: &mut Text, source: &MeshSource, folder: Option<&Path>) -> fmt::Result {
     let file = name_from(folder, &source.file);
     writeln!(out, "file = {}", Quoted(&file))?;

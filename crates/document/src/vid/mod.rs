@@ -1,11 +1,8 @@
-//! `.vid` files: a whole document as TOML, meant to be read and written by
-//! people too.
+//! `.vid` files: a whole document as TOML, to be read and written by people too.
 //!
-//! Reading walks over the parsed tree by hand, so that every complaint names
-//! its line and speaks of cameras; an unknown key is refused, since a typo
-//! that vanishes costs more than one that is told. Values that are not given
-//! have the defaults of a new path. Numbers are written with as few digits as
-//! give the same bits back.
+//! The parsed tree is read by hand, so that every error names its line and speaks of cameras.
+//! Unknown keys are refused, since a typo must not vanish. Missing values have the defaults of a
+//! new path. Numbers are written with as few digits as give the same bits back.
 //!
 //! ```toml
 //! version = 1
@@ -56,14 +53,13 @@ pub(super) use read::{from_toml, scene_from_toml, shown_from_toml};
 pub(super) use scene_write::{alone, scene_to_toml};
 pub(super) use write::to_toml;
 
-/// The version of the format that is written, and the newest that is read.
+/// The format version that is written, and the newest that is read.
 const VERSION: i64 = 1;
 
-/// Bytes for names, messages and what else the standard library allocates by the
-/// way without being able to give up.
+/// For names, messages and the like: the standard library aborts if it cannot allocate them.
 const ROOM: usize = 32 << 10;
 
-/// The text that a reader gives, to its end.
+/// The text from a reader, to its end.
 pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
     read_all(reader, name, 0, MAX_FILE_BYTES)
         .and_then(text_of)
@@ -73,18 +69,14 @@ pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
 /// The text of a regular file of at most `most` bytes.
 ///
 /// # Errors
-/// `ErrorKind::Io`, `ErrorKind::Limit`, `ErrorKind::Memory`; `ErrorKind::Format` if it
-/// is no UTF-8. Each names the file.
+/// `ErrorKind::Io`, `Limit`, `Memory`, or `Format` if it is not UTF-8; each names the file.
 pub fn read_text(file: &Path, most: u64) -> Result<String> {
     read_bytes(file, most)
         .and_then(text_of)
         .map_err(|error| error.at(file.display()))
 }
 
-/// The bytes of a regular file of at most `most`.
-///
-/// # Errors
-/// `ErrorKind::Io`, which names the file, `ErrorKind::Limit`, `ErrorKind::Memory`.
+/// The bytes of a regular file of at most `most`; only `ErrorKind::Io` errors name the file.
 pub(crate) fn read_bytes(file: &Path, most: u64) -> Result<Vec<u8>> {
     can_allocate(ROOM)?;
     let place = file.display().to_string();
@@ -92,7 +84,7 @@ pub(crate) fn read_bytes(file: &Path, most: u64) -> Result<Vec<u8>> {
         place: file.display().to_string(),
         source,
     };
-    // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
+    // Without O_NONBLOCK, opening a pipe without a writer would block forever.
     let mut opened = OpenOptions::new()
         .read(true)
         .custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY)
@@ -103,14 +95,14 @@ pub(crate) fn read_bytes(file: &Path, most: u64) -> Result<Vec<u8>> {
     if metadata.len() > most {
         return Err(too_large(most));
     }
-    // One byte more, so that the end is seen without growing.
+    // One byte more, so that reading to the end does not grow it.
     let room = usize::try_from(metadata.len()).map_err(|_| EngineError::Memory)? + 1;
     read_all(&mut opened, &place, room, most)
 }
 
 fn read_all(reader: &mut dyn Read, place: &str, room: usize, most: u64) -> Result<Vec<u8>> {
     let mut bytes = vec_with_room(room)?;
-    // Both the file and the claim of its size may change while it is read.
+    // The file and its size may change while it is read.
     reader
         .take(most + 1)
         .read_to_end(&mut bytes)

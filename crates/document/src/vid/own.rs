@@ -1,4 +1,4 @@
-//! What points and orientations own, read and written.
+//! Reads and writes what points and orientations own.
 
 use std::fmt::{self, Write};
 use std::sync::Arc;
@@ -17,7 +17,6 @@ use crate::path::{
     UpVector, Velocities, Whole,
 };
 
-/// The keys of an orientation that are read here.
 pub(super) const KEYS: [&str; 13] = [
     "ahead",
     "up",
@@ -34,12 +33,11 @@ pub(super) const KEYS: [&str; 13] = [
     "zoom_slope_mm",
 ];
 
-/// What of a file has been read so far.
 #[derive(Default)]
 pub(super) struct SoFar {
     /// Orientations of all points.
     pub orientations: usize,
-    /// The up paths of the path, which others of it may have too.
+    /// The path's up paths, which other orientations may refer to.
     pub up_paths: [Option<Arc<UpPath>>; limits::MAX_UP_PATHS],
 }
 
@@ -47,7 +45,7 @@ pub(super) struct SoFar {
 pub(super) struct Reader(Option<Own>);
 
 impl Reader {
-    /// Reads a key; false if it is none of these.
+    /// Reads a field; false if its key is none of [`KEYS`].
     pub(super) fn read(
         &mut self,
         field: Field<'_>,
@@ -95,7 +93,6 @@ impl Reader {
         Ok(true)
     }
 
-    /// All of it.
     pub(super) fn owned(self) -> Result<MayOwn> {
         match self.0 {
             None => Ok(MayOwn::default()),
@@ -104,7 +101,6 @@ impl Reader {
     }
 }
 
-/// Which way is up.
 fn up(field: Field<'_>, so_far: &mut SoFar) -> Result<UpVector> {
     match field.key {
         "up_point" => Ok(UpVector::Point(DVec3::from_array(field.numbers()?))),
@@ -114,7 +110,7 @@ fn up(field: Field<'_>, so_far: &mut SoFar) -> Result<UpVector> {
             };
             let elements = field.elements()?;
             let mut points = vec_with_room(elements.len().min(limits::MAX_UP_PATH_POINTS + 1))?;
-            // One too many is enough to be told of.
+            // One too many is enough for the error.
             for element in elements.take(limits::MAX_UP_PATH_POINTS + 1) {
                 let numbers: [f64; 9] = element.numbers()?;
                 let vector = |at: usize| DVec3::from_slice(&numbers[at..]);
@@ -151,7 +147,6 @@ pub(super) fn tangents(table: Field<'_>, space: Space) -> Result<Tangents> {
     Ok(tangents)
 }
 
-/// A table of two vectors, both of which must be there.
 fn two_vectors(table: Field<'_>, keys: [&'static str; 2]) -> Result<[DVec3; 2]> {
     let mut found = [None; 2];
     for field in table.fields()? {
@@ -238,7 +233,7 @@ fn ease(table: Field<'_>) -> Result<Ease> {
 fn given_distance(array: Field<'_>) -> Result<Pace> {
     let elements = array.elements()?;
     let mut keys: Vec<[f64; 2]> = vec_with_room(elements.len().min(limits::MAX_DISTANCE_KEYS + 1))?;
-    // One too many is enough to be told of.
+    // One too many is enough for the error.
     for element in elements.take(limits::MAX_DISTANCE_KEYS + 1) {
         keys.push(element.numbers()?);
     }
@@ -313,10 +308,9 @@ pub(super) fn write_tangents(out: &mut impl Write, tangents: &Tangents) -> fmt::
     writeln!(out, "tangents = {{ before = {before}, after = {after} }}")
 }
 
-/// The up paths of a path that have been written, by their numbers.
+/// The up paths written so far, by number.
 pub(super) type UpPaths<'a> = [Option<&'a UpVector>; limits::MAX_UP_PATHS];
 
-/// Which way is up.
 fn write_up<'a>(out: &mut impl Write, up: &'a UpVector, written: &mut UpPaths<'a>) -> fmt::Result {
     match up {
         UpVector::Axis => Ok(()),

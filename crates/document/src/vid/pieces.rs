@@ -1,13 +1,10 @@
-//! Parsing piece by piece. A parsed tree takes some twenty times the memory
-//! of its text; cut before points, a file of any size needs only a small tree
-//! at a time, which stays in the processor's cache: that is twice as fast. A
-//! scene is cut before its nodes.
+//! Parsing piece by piece. A parsed tree takes some twenty times the memory of its text. With the
+//! text cut before points or nodes, each tree stays small and in the cache, which is twice as fast.
 //!
-//! Why cutting is sound: a piece ends just before a line that begins with
-//! `[[point]]` or `[[node]]`. Were that line within an array or a text over several lines,
-//! the piece before it would be unfinished, and parsing it fails. So a piece
-//! that parses ends where a new table begins, and what follows does not
-//! depend on it, but for keys given twice, which the reader watches.
+//! Cutting is sound: a piece ends just before a line that begins with `[[point]]` or `[[node]]`. If
+//! that line were within an array or a multi-line string, parsing the piece would fail as
+//! unfinished. So a piece that parses ends where a new table begins, and what follows does not
+//! depend on it, except for keys given twice, which the reader checks.
 
 use toml::de::{DeTable, Error as ParseError};
 
@@ -16,22 +13,20 @@ use super::weight;
 use crate::error::{Error, Result, can_allocate};
 use crate::limits::{MAX_COMMENT_BYTES, MAX_PARSE_BYTES};
 
-/// Bytes of a piece, at least. A fuzzer's files are small, and are to be cut too.
+/// Minimum bytes of a piece; small for the fuzzer, so that its files are cut too.
 const PIECE: usize = if cfg!(fuzzing) { 256 } else { 128 << 10 };
 
-/// More than the longest comment takes, even if each of its bytes is written
-/// as six; nothing else that may hold a line of this kind is longer.
+/// More than the longest comment takes, each byte written as six; no other text here is longer.
 const LONGEST_TEXT: usize = 6 * MAX_COMMENT_BYTES + 100;
 
 const CUTS: [&[u8]; 2] = [b"\n[[point]]", b"\n[[node]]"];
 
-/// The tree of the piece that begins where `source` does, and its end.
+/// Parses the piece that begins at `source.start`; returns its tree and end.
 pub(super) fn parse(source: Source<'_>) -> Result<(DeTable<'_>, usize)> {
     let end = cut(source, PIECE);
     match parse_to(source, end)? {
         Ok(root) => Ok((root, end)),
-        // Either an error, or such a line within a comment. The comment ends
-        // further on; an error stays.
+        // Either an error, or such a line within a `comment` value, which ends further on.
         Err(_) if end < source.text.len() => {
             let end = cut(source, end - source.start + LONGEST_TEXT);
             match parse_to(source, end)? {
@@ -43,11 +38,11 @@ pub(super) fn parse(source: Source<'_>) -> Result<(DeTable<'_>, usize)> {
     }
 }
 
-/// The end of a piece of at least so many bytes.
+/// The end of a piece of at least `least` bytes.
 fn cut(source: Source<'_>, least: usize) -> usize {
     let bytes = source.text.as_bytes();
     let from = source.start.saturating_add(least);
-    // Any byte may be looked at: only ASCII is looked for.
+    // Bytes, since only ASCII is searched for.
     bytes
         .get(from..)
         .and_then(|rest| {
@@ -57,15 +52,13 @@ fn cut(source: Source<'_>, least: usize) -> usize {
         .map_or(bytes.len(), |position| from + position + 1)
 }
 
-/// The tree of the text up to `end`, or why there is none.
 fn parse_to(source: Source<'_>, end: usize) -> Result<Result<DeTable<'_>, ParseError>> {
     let piece = &source.text[source.start..end];
     let memory = weight::memory(piece);
     if memory > MAX_PARSE_BYTES {
         return Err(Error::PieceTooLarge(source.line(0)));
     }
-    // The parser cannot give up when memory runs out: see that there is enough,
-    // for copies of its texts too.
+    // The parser cannot handle running out of memory: check first, copies of its strings included.
     can_allocate(memory + piece.len())?;
     Ok(DeTable::parse(piece).map(toml::Spanned::into_inner))
 }

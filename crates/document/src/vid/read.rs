@@ -42,10 +42,10 @@ const KEYS: [&str; 17] = [
     "node",
 ];
 
-/// Arrays of tables: each piece of a file may have more of them.
+/// Arrays of tables, which may recur in each piece of a file.
 const REPEATED: [&str; 3] = ["point", "marker", "node"];
 
-/// Those that belong to a path: in a scene its nodes have them.
+/// Keys of a path, which in a scene belong to its nodes.
 const OF_PATH: [&str; 7] = [
     "closed",
     "curve",
@@ -56,7 +56,6 @@ const OF_PATH: [&str; 7] = [
     "point",
 ];
 
-/// The path and what the file says besides.
 pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
     let (reader, end) = Reader::of(text)?;
     if reader.is_scene() {
@@ -66,8 +65,7 @@ pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
     reader.path(end)
 }
 
-/// The path that is shown of a scene, what the file says besides, and whether that is
-/// all there is.
+/// The shown camera's path, the info, and whether the file holds just a path.
 pub(crate) fn shown_from_toml(text: &str) -> Result<(CameraPath, Info, bool)> {
     let (reader, end) = Reader::of(text)?;
     if !reader.is_scene() {
@@ -82,7 +80,6 @@ pub(crate) fn shown_from_toml(text: &str) -> Result<(CameraPath, Info, bool)> {
     }
 }
 
-/// The scene and what the file says besides.
 pub(crate) fn scene_from_toml(text: &str) -> Result<(Scene, Info)> {
     let (reader, end) = Reader::of(text)?;
     reader.scene(end)
@@ -91,7 +88,6 @@ pub(crate) fn scene_from_toml(text: &str) -> Result<(Scene, Info)> {
 struct Reader {
     path: CameraPath,
     info: Info,
-    /// Orientations of all points so far.
     so_far: SoFar,
     /// Which of [`KEYS`] have been met.
     seen: [bool; KEYS.len()],
@@ -99,7 +95,7 @@ struct Reader {
 }
 
 impl Reader {
-    /// Everything in a text, and the place of its last piece.
+    /// Reads a text; returns the source of its last piece as well.
     fn of(text: &str) -> Result<(Self, Source<'_>)> {
         let mut reader = Self {
             path: CameraPath {
@@ -156,12 +152,11 @@ impl Reader {
         Ok((self.path, self.info))
     }
 
-    /// Reads the next piece of the file.
     fn read(&mut self, source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
         if source.start == 0 {
             check_version(source, root)?;
         }
-        // The space first: places are checked against it.
+        // The space first, since positions are checked against it.
         if let Some(field) = fields(source, root).find(|field| field.key == "space") {
             if !self.has("space") && (self.has("point") || self.has("node")) {
                 return Err(field.error(Malformed::BehindPoints));
@@ -173,7 +168,7 @@ impl Reader {
             let Some(key) = KEYS.iter().position(|&key| key == field.key) else {
                 return Err(field.unknown(&KEYS));
             };
-            // Within one piece the parser has seen to that.
+            // Within a piece the parser has checked that.
             if std::mem::replace(&mut self.seen[key], true) && !REPEATED.contains(&field.key) {
                 return Err(field.error(Malformed::Engine(Invalid::GivenTwice.into())));
             }
@@ -203,7 +198,7 @@ impl Reader {
                 "point" => points(field, &mut path.points, &mut self.so_far, path.space)?,
                 "marker" => self.scene.markers(field)?,
                 "node" => self.scene.nodes(field, &mut self.so_far, path.space)?,
-                // Version and space have been looked at.
+                // Version and space are already read.
                 _ => {}
             }
         }
@@ -211,8 +206,7 @@ impl Reader {
     }
 }
 
-/// A newer file may have keys that are unknown here: its version is looked at
-/// before anything else.
+/// Before anything else, since a newer version may have unknown keys.
 fn check_version(source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
     let Some(field) = fields(source, root).find(|field| field.key == "version") else {
         return Err(source.complain(0, Malformed::NoVersion));
@@ -287,7 +281,7 @@ pub(super) fn base_speeds(table: Field<'_>) -> Result<BaseSpeeds> {
 
 pub(super) fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) -> Result<()> {
     for field in table.fields()? {
-        // Exactly one digit: neither 01 nor +1 is a second name of 1.
+        // Exactly one digit: 01 and +1 are not other names of 1.
         let preset = match field.key.as_bytes() {
             [digit @ b'0'..=b'9'] => &mut presets[usize::from(digit - b'0')],
             _ => return Err(field.error(Malformed::PresetNumber)),
@@ -312,7 +306,7 @@ fn tcb(table: Field<'_>) -> Result<Tcb> {
     Ok(tcb)
 }
 
-/// A space; that of a whole file names its unit too.
+/// A space; only that of a whole file has a unit.
 pub(super) fn space(
     table: Field<'_>,
     space: &mut Space,
@@ -408,7 +402,7 @@ pub(super) fn points(
 }
 
 fn point(table: Field<'_>, space: Space, so_far: &mut SoFar) -> Result<SupportPoint> {
-    // The position first: targets are checked against it.
+    // The position first, since targets are checked against it.
     let Some(position) = table.fields()?.find(|field| field.key == "position") else {
         return Err(table.error(Malformed::NoPosition));
     };

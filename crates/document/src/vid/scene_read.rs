@@ -1,4 +1,4 @@
-//! The nodes and markers of a scene, from the parsed pieces of its file.
+//! Reads the nodes and markers of a scene from the parsed pieces of its file.
 
 use glam::{DQuat, DVec3};
 
@@ -19,18 +19,17 @@ use vides_engine::scene::{
     Object, Scene, Shape, Track,
 };
 
-/// What has been read of a scene: nodes name each other, also those further down.
+/// What has been read of a scene; nodes may name nodes further down.
 #[derive(Default)]
 pub(super) struct Drafts {
     nodes: Vec<Draft>,
     markers: Vec<(usize, String, f64)>,
 }
 
-/// A name and its place in the file. (Lines are counted where one is complained
-/// of: to count them for each node would take the square of the file.)
+/// Byte offset and name; counting lines for every node, not only for errors, would be quadratic.
 type Named = (usize, String);
 
-/// A node that does not know its parent yet.
+/// A node whose links are not resolved yet.
 struct Draft {
     place: usize,
     node: Node,
@@ -42,7 +41,6 @@ struct Draft {
     pins: Vec<(usize, usize, String)>,
 }
 
-/// An error of the engine, with its line.
 fn placed(line: usize, error: EngineError) -> Error {
     match error {
         EngineError::Memory => error.into(),
@@ -429,7 +427,7 @@ fn colours(array: Field<'_>) -> Result<Vec<[u8; 3]>> {
     Ok(all)
 }
 
-/// A mesh: its points, or the file that has them.
+/// A mesh: its own points, or the file that has them.
 fn mesh(table: Field<'_>) -> Result<(Option<MeshSource>, Mesh)> {
     let mut mesh = Mesh::default();
     let mut source = mesh_source::Reading::default();

@@ -19,9 +19,8 @@ use vides_engine::scene::{
     Beyond, Camera, FollowPath, Kind, Light, Mesh, Node, Object, Pin, Scene, Shape, Track, Values,
 };
 
-/// The text of a scene. One that is nothing but a camera on a path is written as
-/// that path; of nodes, values with the default of a new one are left out.
-/// Meshes of files are named as from `folder`.
+/// The text of a scene, or of its path if it is just a camera on that. Node values equal to the
+/// defaults are omitted; mesh files are named relative to `folder`.
 pub(crate) fn scene_to_toml(
     scene: &Scene,
     info: &Info,
@@ -32,12 +31,12 @@ pub(crate) fn scene_to_toml(
         return to_toml(path.path(), info, comments, folder);
     }
     let mut out = Text(String::new());
-    // Nothing here fails but for want of memory.
+    // Only running out of memory fails here.
     document(&mut out, scene, info, folder).map_err(|_| EngineError::Memory)?;
     Ok(out.0)
 }
 
-/// The path of a scene that has nothing else.
+/// The path of a scene that is nothing but a camera on it.
 pub(crate) fn alone(scene: &Scene) -> Option<&FollowPath> {
     let [node] = scene.nodes() else {
         return None;
@@ -60,12 +59,12 @@ pub(crate) fn alone(scene: &Scene) -> Option<&FollowPath> {
     plain.then_some(path)
 }
 
-/// Whether both are the same to the last bit: −0 must come back as −0.
+/// Bitwise equality: −0 must come back as −0.
 fn same(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
 }
 
-/// What is written of a node's rest values, by its key.
+/// The written rest values of a node, by key.
 fn rest(values: &Values) -> [(&'static str, Vec<f64>); 9] {
     let q = values.rotation;
     [
@@ -154,7 +153,6 @@ fn line(out: &mut Text, numbers: &[f64]) -> fmt::Result {
     writeln!(out)
 }
 
-/// Rows of an array, each on a line of its own.
 fn rows<T: Copy>(
     out: &mut Text,
     key: &str,
@@ -293,7 +291,7 @@ fn track(out: &mut Text, track: &Track) -> fmt::Result {
     keys(out, "shape", track.shape(), track.frames().len())
 }
 
-/// The numbers of all keys: single ones on one line, else a row for each key.
+/// A track's numbers: on one line if there is one per key, else a row per key.
 fn keys(out: &mut Text, key: &str, numbers: &[f64], count: usize) -> fmt::Result {
     let width = numbers.len() / count;
     if width == 1 {

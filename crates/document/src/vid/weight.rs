@@ -1,29 +1,26 @@
-//! How much memory parsing a text takes, at most, told from the text alone.
+//! An upper bound on the memory that parsing a text takes, from the text alone.
 //!
-//! The parser makes a list of all tokens first, and then a tree in which each
-//! table takes more than a kilobyte, however short its name in the file. A text
-//! made for the purpose (`a.a.a.a = 1`, or nothing but line ends) takes fifty to
-//! six hundred times its size. So every byte is looked at: what may begin a
-//! token, a value, a table. Texts and comments are counted as if they were
-//! values, so it may be too much by far; `tests/parsing_memory.rs` holds it
-//! against what is really taken. (The events of `toml_parser` come too late: they are
-//! made of a list of all tokens, which is the first thing that has to be bounded.)
+//! The parser first lists all tokens and then builds a tree in which each table takes over a
+//! kilobyte, however short its name. A malicious text (`a.a.a.a = 1`, or only line ends) takes
+//! fifty to six hundred times its size. So every byte that may begin a token, a value or a table
+//! counts, strings and comments included, which may overestimate by far; `tests/parsing_memory.rs`
+//! compares it with the real use. (The events of `toml_parser` come too late: they are made from
+//! the token list, which must be bounded first.)
 
-/// Bytes for a token, the list's doubling included.
+/// Bytes for a token, including the list's doubling.
 const TOKEN: usize = 60;
 
-/// Bytes for a value in an array or a table, the same included.
+/// Bytes for a value in an array or a table, including doubling.
 const VALUE: usize = 220;
 
 /// Bytes for a table with one entry.
 const TABLE: usize = 1600;
 
-/// Bytes that parsing this takes at most.
 pub(super) fn memory(text: &str) -> usize {
     let bytes = text.as_bytes();
     let mut sum = 4096;
     let mut before = b'\n';
-    // Dots since the last byte that is no part of a number.
+    // Dots since the last byte that is not part of a number.
     let mut dots = 0;
     for (at, &byte) in bytes.iter().enumerate() {
         let more = match byte {
@@ -35,7 +32,7 @@ pub(super) fn memory(text: &str) -> usize {
             }
             b' ' | b'\t' if before == byte => 0,
             b' ' | b'\t' => TOKEN,
-            // A point, or a way from table to table.
+            // A decimal point, or a dotted key that makes a table.
             b'.' => {
                 dots += 1;
                 let next = bytes.get(at + 1).is_some_and(u8::is_ascii_digit);
@@ -48,7 +45,7 @@ pub(super) fn memory(text: &str) -> usize {
                 sum += TOKEN + TABLE;
                 continue;
             }
-            // Each name may be a number with a point, and so a table more.
+            // The key may be a dotted number, which makes another table.
             b'=' => TOKEN + VALUE + TABLE,
             b'{' => TOKEN + VALUE + TABLE,
             b'[' | b',' => TOKEN + VALUE,
@@ -62,7 +59,7 @@ pub(super) fn memory(text: &str) -> usize {
     sum
 }
 
-/// Whether nothing but a comment follows on the line, as after a header.
+/// Whether only a comment may follow on the line, as after a header.
 fn ends_line(rest: &[u8]) -> bool {
     let next = rest.iter().find(|byte| !matches!(byte, b' ' | b'\t'));
     matches!(next, None | Some(b'\n' | b'\r' | b'#'))

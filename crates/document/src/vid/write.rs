@@ -16,9 +16,8 @@ use crate::path::{
     Target, Tcb, ZoomMode,
 };
 
-/// The text of a document. Values with the default of a new path are left
-/// out where a file has many of them: in points and orientations. A mesh in a file is
-/// named relative to the `folder`.
+/// The text of a document. Points and orientations omit defaults; mesh files are named relative to
+/// `folder`.
 pub(crate) fn to_toml(
     path: &CameraPath,
     info: &Info,
@@ -26,12 +25,12 @@ pub(crate) fn to_toml(
     folder: Option<&Path>,
 ) -> Result<String> {
     let mut out = Text(String::new());
-    // Nothing here fails but for want of memory.
+    // Only running out of memory fails here.
     document(&mut out, path, info, folder).map_err(|_| EngineError::Memory)?;
     comments.put_into(out.0)
 }
 
-/// A text that grows without aborting when memory runs out.
+/// A string that reports running out of memory.
 pub(super) struct Text(pub(super) String);
 
 impl Write for Text {
@@ -68,7 +67,7 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info, folder: Option<&Path
         .try_for_each(|point| self::point(out, "point", point, &mut up_paths))
 }
 
-/// The kind of the curve, if it is not that of a new path.
+/// The curve kind, unless it is the default.
 pub(super) fn curve(out: &mut Text, path: &CameraPath) -> fmt::Result {
     match path.curve {
         CurveKind::Tcb => Ok(()),
@@ -77,7 +76,6 @@ pub(super) fn curve(out: &mut Text, path: &CameraPath) -> fmt::Result {
     }
 }
 
-/// What stands before all else.
 pub(super) fn head(out: &mut Text, info: &Info) -> fmt::Result {
     writeln!(out, "version = {VERSION}")?;
     if !info.title.is_empty() {
@@ -91,7 +89,7 @@ pub(super) fn head(out: &mut Text, info: &Info) -> fmt::Result {
     Ok(())
 }
 
-/// Where the space lies, and what is shown in it.
+/// The space, the check limits and the object.
 pub(super) fn space(
     out: &mut Text,
     space: Space,
@@ -142,7 +140,7 @@ fn object(out: &mut Text, points: &Object, folder: Option<&Path>) -> fmt::Result
     }
     writeln!(out, "\n[object]\npolylines = [")?;
     for (index, point) in points.iter().enumerate() {
-        // The first point of all begins a line, whatever its flag says.
+        // The first point begins a line, whatever its flag.
         if index == 0 {
             write!(out, "  [")?;
         } else if point.draw {
@@ -155,8 +153,7 @@ fn object(out: &mut Text, points: &Object, folder: Option<&Path>) -> fmt::Result
     writeln!(out, "],\n]")
 }
 
-/// A support point; `header` is the name of the array of tables that it is in, `up_paths`
-/// those of its path that have been written.
+/// A support point; `header` is the name of its array of tables, `up_paths` those written so far.
 pub(super) fn point<'a>(
     out: &mut Text,
     header: &str,
@@ -199,7 +196,7 @@ fn orientation<'a>(
         continuity,
         bias,
     } = orientation.turning;
-    // Bits, not `==`: −0 must come back as −0.
+    // Bitwise, since −0 must come back as −0.
     if [tension, continuity, bias]
         .iter()
         .any(|value| value.to_bits() != 0)
@@ -220,7 +217,7 @@ fn orientation<'a>(
 pub(super) fn list(out: &mut impl Write, numbers: &[f64]) -> fmt::Result {
     let mut separator = "[";
     for number in numbers {
-        // `{:?}` gives the fewest digits that lead back to the same bits.
+        // `{:?}` gives the fewest digits that parse to the same bits.
         write!(out, "{separator}{number:?}")?;
         separator = ", ";
     }
@@ -247,26 +244,26 @@ impl fmt::Display for Shape {
     }
 }
 
-/// A text as TOML writes it: over several lines where it has several.
+/// A TOML string; multi-line if the text has several lines.
 pub(super) struct Quoted<'a>(pub(super) &'a str);
 
 impl fmt::Display for Quoted<'_> {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let lines = self.0.contains('\n');
-        // The line break after the opening quotes does not belong to the text.
+        // The line break after the opening quotes is not part of the string.
         out.write_str(if lines { "\"\"\"\n" } else { "\"" })?;
         let mut characters = self.0.chars().peekable();
         while let Some(character) = characters.next() {
             match character {
                 '\\' => out.write_str("\\\\")?,
-                // Between several lines a single quote can stand as it is.
+                // A single quote may stand unescaped in a multi-line string.
                 '"' if lines && characters.peek().is_some_and(|&next| next != '"') => {
                     out.write_char('"')?;
                 }
                 '"' => out.write_str("\\\"")?,
                 '\n' => out.write_char('\n')?,
                 '\t' => out.write_char('\t')?,
-                // An editor may change the ends of lines: this one is meant.
+                // Escaped, since editors may change line ends.
                 '\r' => out.write_str("\\r")?,
                 control if control.is_control() => {
                     write!(out, "\\u{:04X}", u32::from(control))?;
