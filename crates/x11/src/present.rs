@@ -60,7 +60,7 @@ pub(super) struct Surface {
 /// Where the pixels are.
 #[derive(Default)]
 enum Store {
-    /// Allocation failed.
+    /// No buffer, as at first or when memory runs out.
     #[default]
     None,
     /// In our memory; sent as images.
