@@ -4,16 +4,12 @@
 
 use super::tile::{SIDE, Tile};
 
-/// One layer in a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Step {
-    /// The tile's hash up to this layer.
     pub(super) hash: u64,
-    /// The layer's index, from below.
     pub(super) layer: u32,
 }
 
-/// What is saved of one tile.
 #[derive(Default)]
 pub(super) struct Backdrop {
     /// The hash after each layer, as last painted.
@@ -66,7 +62,6 @@ impl Backdrop {
         self.pixels = None;
     }
 
-    /// Frees the pixels.
     pub(super) fn rest(&mut self) {
         self.pixels = None;
     }

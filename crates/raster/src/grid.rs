@@ -43,7 +43,6 @@ impl Tiles {
     }
 }
 
-/// The pixel rectangle of a tile.
 #[inline]
 pub(super) fn pixels_of(x: usize, y: usize) -> PixelRect {
     let side = SIDE as i32;
@@ -62,13 +61,11 @@ pub(super) struct Areas {
     whole: Vec<Area>,
     /// Where in `whole` the current row of tiles begins.
     row: usize,
-    /// The areas in the row before, which may grow.
     before: Vec<usize>,
     now: Vec<usize>,
 }
 
 impl Areas {
-    /// Adds a changed tile; tiles come row by row.
     pub(super) fn add(&mut self, cut: PixelRect) {
         let area = Area {
             x: cut.x0 as u32,

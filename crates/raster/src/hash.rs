@@ -21,7 +21,6 @@ pub(super) fn mix_two(state: u64, a: u64, b: u64) -> u64 {
     (product as u64) ^ ((product >> 64) as u64)
 }
 
-/// Packs the bits of two numbers into one word.
 #[inline(always)]
 pub(super) fn pair(a: f32, b: f32) -> u64 {
     u64::from(a.to_bits()) << 32 | u64::from(b.to_bits())

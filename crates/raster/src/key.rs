@@ -28,7 +28,6 @@ enum Content {
     Ours(Arc<dyn Any + Send + Sync>),
 }
 
-/// Whether both are equal lines or equal rounded rectangles.
 fn same(a: &Arc<dyn Any + Send + Sync>, b: &Arc<dyn Any + Send + Sync>) -> bool {
     if let (Some(a), Some(b)) = (
         a.downcast_ref::<RoundedRect>(),
@@ -81,7 +80,6 @@ impl Key {
         }
     }
 
-    /// The clip rectangle in pixels.
     #[inline]
     pub(super) fn clip(&self) -> PixelRect {
         self.clip
@@ -95,8 +93,7 @@ impl Key {
         }
     }
 
-    /// Marks the key as changed, so that it equals no stored one, if the primitive's texture has
-    /// changed.
+    /// Makes the key unequal to all stored ones if the primitive's texture has changed.
     pub(super) fn with_changes_of(self, primitive: &ClippedPrimitive, textures: &Textures) -> Self {
         let changed = match &primitive.primitive {
             Primitive::Mesh(mesh) => textures
@@ -144,7 +141,6 @@ fn fingerprint(mesh: &Mesh) -> u64 {
     state.into_iter().fold(counts, mix)
 }
 
-/// Converts a rectangle in points to whole pixels, clipped to the target.
 pub(super) fn cut(rect: Rect, pixels_per_point: f32, target: PixelRect) -> PixelRect {
     let pixel = |at: f32| (at * pixels_per_point).round();
     let within = |at: f32, end: i32| at.clamp(0.0, end as f32) as i32;

@@ -30,10 +30,8 @@ const END: u32 = u32::MAX;
 /// A primitive's contribution to one tile.
 #[derive(Clone, Copy)]
 struct Cell {
-    /// Its first and last item in `links`.
     first: u32,
     last: u32,
-    /// The hash of all items.
     hash: u64,
     /// This colour covers the whole tile below the items.
     ground: Option<u32>,
@@ -48,14 +46,12 @@ impl Cell {
     };
 }
 
-/// An item in a tile's linked list.
 #[derive(Clone, Copy)]
 struct Link {
     item: u32,
     next: u32,
 }
 
-/// Packs two integers into one word.
 #[inline(always)]
 fn word(a: i32, b: i32) -> u64 {
     u64::from(a as u32) << 32 | u64::from(b as u32)
@@ -78,7 +74,6 @@ pub(super) struct Part {
     pub(super) items: bool,
 }
 
-/// The kinds of primitives.
 pub(super) enum Kind<'a> {
     Mesh(&'a Mesh),
     Lines(&'a Lines),
@@ -97,7 +92,6 @@ impl<'a> Kind<'a> {
     }
 }
 
-/// Adds a corner to a hash.
 #[inline(always)]
 fn hash_of(hash: u64, corner: &Corner) -> u64 {
     let place = mix(hash, word(corner.x, corner.y));
@@ -273,7 +267,6 @@ impl Layer {
         }
     }
 
-    /// Covers a tile with one colour.
     fn hide(&mut self, x: usize, y: usize, color: u32) {
         if let Some(index) = self.tiles.index(x, y) {
             self.cells[index] = Cell {
@@ -361,18 +354,15 @@ impl Layer {
         }
     }
 
-    /// Frees spare memory.
     pub(super) fn rest(&mut self) {
         self.cells.shrink_to_fit();
         self.links.shrink_to_fit();
     }
 
-    /// Whether it may contribute to a row of tiles.
     pub(super) fn reaches(&self, y: usize) -> bool {
         (self.tiles.y0..self.tiles.y1).contains(&y)
     }
 
-    /// Its contribution to a tile.
     #[inline]
     pub(super) fn part(&self, (x, y): (usize, usize)) -> Option<Part> {
         let cell = self.cells.get(self.tiles.index(x, y)?)?;

@@ -94,13 +94,11 @@ pub struct Raster {
     shown_for: Option<(u32, u32, f32)>,
     /// The same parameters of `layers`.
     sorted_for: Option<(u32, u32, f32)>,
-    /// The last call's primitives, sorted into tiles.
     layers: Vec<Layer>,
     /// Textures changed since the last call, so any primitive may look different.
     other_textures: bool,
     /// Tiles that may have changed. This and the scratch buffers below are kept for their memory.
     touched: Vec<bool>,
-    /// Saved pixels of each tile, indexed as `shown`.
     backdrop: Vec<Backdrop>,
     /// The layers that reach the current row of tiles, and those in the current tile.
     row: Vec<u32>,
@@ -341,7 +339,6 @@ fn steps(
 }
 
 impl Target<'_> {
-    /// The target's rows, limited to `cut`.
     fn rows(&mut self, cut: PixelRect) -> impl Iterator<Item = &mut [u32]> {
         let rows = self.pixels.chunks_mut(self.stride).skip(cut.y0 as usize);
         let rows = rows.take((cut.y1 - cut.y0) as usize);

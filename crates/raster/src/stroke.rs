@@ -30,8 +30,7 @@ const THICKEST: f32 = 1e6;
 /// Up to this many pixels from the tile, 32-bit floats are exact enough.
 const NEAR: f32 = 2048.0;
 
-/// The greatest change of slope at a joint: how far the border may be off, in pixels, at the end of
-/// the joint's pixel.
+/// The greatest change of slope at a joint; the border is off by as many pixels at its end.
 const BEND: f32 = 0.2;
 
 /// Only lines up to this size, in pixels, are joined: the outside of a thick joint is round, and
@@ -39,7 +38,6 @@ const BEND: f32 = 0.2;
 const JOINED_WIDTH: f32 = 4.0;
 const JOINED_LENGTH: f32 = 1000.0;
 
-/// A line in the target.
 #[derive(Clone, Copy)]
 pub(super) struct Stroke {
     /// The coordinates of both ends, in pixels.
@@ -47,7 +45,6 @@ pub(super) struct Stroke {
     y: [f32; 2],
     radius: f32,
     color: Color32,
-    /// Whether another line continues at each end.
     joined: [bool; 2],
 }
 
@@ -101,7 +98,6 @@ impl Stroke {
         })
     }
 
-    /// A pixel rectangle that contains the line.
     #[inline]
     pub(super) fn bounds(&self) -> PixelRect {
         // Rounded outwards by up to one extra pixel. `far` keeps the sums within i32.
@@ -118,10 +114,8 @@ impl Stroke {
         }
     }
 
-    /// Whether the line may touch a rectangle.
     pub(super) fn touches(&self, cut: PixelRect) -> bool {
-        // Compares the rectangle's corners with the infinite line, in f64 so that rounding loses no
-        // pixel.
+        // Compares the corners with the infinite line, in f64 so that rounding loses no pixel.
         let [x, y] = [self.x, self.y].map(|v| v.map(f64::from));
         let (dx, dy) = (x[1] - x[0], y[1] - y[0]);
         let middle = [cut.x0 + cut.x1, cut.y0 + cut.y1].map(|v| f64::from(v) * 0.5);
@@ -132,7 +126,6 @@ impl Stroke {
         beside.abs() <= reach + radius * (dx * dx + dy * dy).sqrt()
     }
 
-    /// Paints the pixels within `cut`, which lies in the tile.
     pub(super) fn paint(&self, tile: &mut Tile, cut: PixelRect) {
         let cut = cut.and(self.bounds());
         if cut.is_empty() {
@@ -174,8 +167,7 @@ impl Stroke {
         }
     }
 
-    /// The ends relative to the tile; a line that extends far beyond is cut to the part near the
-    /// tile.
+    /// The ends relative to the tile; a line that extends far beyond is shortened.
     fn seen_from(&self, tile: &Tile) -> [[f32; 2]; 2] {
         let (left, top) = (tile.x as f32, tile.y as f32);
         let x = self.x.map(|x| x - left);
@@ -208,8 +200,7 @@ struct Along {
     q: usize,
 }
 
-/// A line along its major axis `p`: from (p0, q0) to (p1, q1), p0 ≤ p1, no steeper than the
-/// diagonal.
+/// A line along its major axis `p`, from (p0, q0) to (p1, q1) with p0 ≤ p1.
 struct Band {
     p0: f32,
     q0: f32,
@@ -263,8 +254,7 @@ impl Band {
         (upper - up, lower + down)
     }
 
-    /// Paints the band; `cut` has p as x and q as y. `over` blends the colour over a pixel with a
-    /// weight.
+    /// `cut` has p as x and q as y; `over` blends the colour over a pixel with a weight.
     #[inline(always)]
     fn paint(
         &self,
@@ -306,7 +296,6 @@ impl Band {
         self.paint(pixels, cut, along, |a, b| ink.over_glowing(a, b));
     }
 
-    /// Paints the pixels of one step in a cap, with twice as many slices.
     #[inline(always)]
     fn end(
         &self,
@@ -362,7 +351,6 @@ fn lay<const N: usize>(
     }
 }
 
-/// Rounds up, within bounds.
 #[inline(always)]
 fn up(v: f32, low: i32, high: i32) -> i32 {
     let v = v.max(low as f32).min(high as f32);

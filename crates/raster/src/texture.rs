@@ -7,7 +7,6 @@ use egui::epaint::ImageDelta;
 use egui::epaint::textures::{TextureFilter, TextureOptions, TextureWrapMode};
 use egui::{Color32, ImageData, Mesh, Pos2, Rect, TextureId, TexturesDelta, pos2};
 
-/// A texture's texels, row by row.
 pub(super) enum Texels {
     /// White with premultiplied alpha: only the alpha.
     Coverage(Vec<u8>),
@@ -153,7 +152,6 @@ impl Texture {
         }
     }
 
-    /// Replaces a part, clipped to the texture.
     fn patch(&mut self, delta: &ImageDelta, [left, top]: [usize; 2], generation: u64) {
         let ImageData::Color(image) = &delta.image;
         let [width, height] = image.size;
@@ -216,7 +214,7 @@ impl Texture {
         self.sample(u, v, self.filter(0.0))
     }
 
-    /// The colour at (u, v), where the texture spans 0…1; channels 0…255.
+    /// Texture coordinates are 0…1, channels 0…255.
     pub(super) fn sample(&self, u: f32, v: f32, filter: TextureFilter) -> [f32; 4] {
         let mode = self.options.wrap_mode;
         let (x, y) = (u * self.width as f32, v * self.height as f32);
@@ -249,7 +247,6 @@ impl Texture {
     }
 }
 
-/// Replaces a value and returns whether it changed.
 fn replaced<T: PartialEq>(old: &mut T, new: T) -> bool {
     let other = *old != new;
     *old = new;

@@ -5,7 +5,7 @@
 
 use egui::Color32;
 
-/// The side of a tile, in pixels.
+/// In pixels.
 pub(super) const SIDE: usize = 32;
 
 /// A rectangle of whole pixels in the target; x1 and y1 are exclusive.
@@ -31,7 +31,6 @@ impl PixelRect {
         self.x0 >= self.x1 || self.y0 >= self.y1
     }
 
-    /// Whether `other` lies within.
     pub(super) fn holds(self, other: Self) -> bool {
         self.x0 <= other.x0 && self.y0 <= other.y0 && self.x1 >= other.x1 && self.y1 >= other.y1
     }
@@ -62,7 +61,6 @@ impl Tile {
         &mut self.pixels[row + from..row + to]
     }
 
-    /// A row, numbered within the tile.
     pub(super) fn row(&self, y: usize) -> &[u32; SIDE] {
         let (rows, _) = self.pixels.as_chunks();
         &rows[y]
@@ -102,14 +100,11 @@ pub(super) struct Ink {
     opaque: Option<u32>,
 }
 
-/// How a colour blends.
 #[derive(Clone, Copy)]
 pub(super) enum Kind {
-    /// Replaces what is below.
     Opaque,
     /// Ordinary alpha blending.
     Clear,
-    /// Adds light.
     Glowing,
 }
 
@@ -141,7 +136,6 @@ impl Ink {
         }
     }
 
-    /// The resulting pixel, if the colour is opaque.
     pub(super) fn opaque(&self) -> Option<u32> {
         self.opaque
     }
@@ -157,16 +151,14 @@ impl Ink {
         }
     }
 
-    /// Blends over a pixel with a weight up to [`FULL`]; only for [`Kind::Opaque`]. The error is at
-    /// most one.
+    /// Blends over a pixel, weight up to [`FULL`]; only for [`Kind::Opaque`]. Off by at most one.
     #[inline(always)]
     pub(super) fn over_opaque(&self, below: u32, weight: u32) -> u32 {
         let mixed = spread(below) * u64::from(FULL - weight) + self.color * u64::from(weight);
         gathered((mixed + HALVES) >> 8)
     }
 
-    /// Blends over a pixel with a weight up to [`FULL`]; not for [`Kind::Glowing`]. The error is
-    /// below two.
+    /// Blends over a pixel, weight up to [`FULL`]; not for [`Kind::Glowing`]. Off by less than two.
     #[inline(always)]
     pub(super) fn over_clear(&self, below: u32, weight: u32) -> u32 {
         // Channels do not exceed alpha, so no sum overflows 16 bits: 255·(256 − hidden) +
@@ -189,7 +181,6 @@ impl Ink {
         gathered(mixed[0] | mixed[1] | mixed[2])
     }
 
-    /// Blends over pixels at full weight.
     #[inline]
     pub(super) fn fill(&self, pixels: &mut [u32]) {
         if let Some(color) = self.opaque {
@@ -199,7 +190,6 @@ impl Ink {
         }
     }
 
-    /// Blends over pixels with one weight up to [`FULL`].
     #[inline]
     pub(super) fn lay_evenly(&self, pixels: &mut [u32], weight: u32) {
         if self.color == 0 && self.alpha == 0 {

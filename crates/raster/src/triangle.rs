@@ -60,7 +60,6 @@ pub(super) fn corners(mesh: &Mesh, triangle: usize, pixels_per_point: f32) -> Op
     Some([corner(a)?, corner(b)?, corner(c)?])
 }
 
-/// A pixel rectangle that contains the triangle.
 #[inline]
 pub(super) fn bounds(corners: &[Corner; 3]) -> PixelRect {
     let [a, b, c] = corners;
@@ -72,8 +71,7 @@ pub(super) fn bounds(corners: &[Corner; 3]) -> PixelRect {
     }
 }
 
-/// The line through two corners: `x * dx + y * dy + rest` is non-negative for pixels whose centres
-/// are inside.
+/// `x * dx + y * dy + rest` is non-negative for pixels whose centres are inside.
 #[derive(Clone, Copy)]
 pub(super) struct Edge {
     dx: i64,
@@ -129,7 +127,6 @@ pub(super) fn twice_area([a, b, c]: &[Corner; 3]) -> i64 {
     x(b) * y(c) - x(c) * y(b)
 }
 
-/// How a triangle is painted.
 enum Paint {
     Plain(Ink),
     /// One colour fading from corner to corner: egui's feathered edges.
@@ -167,7 +164,6 @@ impl Paint {
     }
 }
 
-/// Paints the triangle's pixels within `cut`, which lies in the tile.
 pub(super) fn paint(tile: &mut Tile, corners: &[Corner; 3], texture: &Texture, cut: PixelRect) {
     let cut = cut.and(bounds(corners));
     let area = twice_area(corners);

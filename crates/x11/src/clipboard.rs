@@ -29,20 +29,17 @@ use crate::error::Result;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Selection {
-    /// Copied text.
     Clipboard,
-    /// Selected text.
     Primary,
 }
 
-/// Concurrent transfers to us, from repeated presses of Ctrl-V.
+/// Concurrent transfers to us.
 const MOST_INCOMING: usize = 8;
 
 /// Concurrent transfers in pieces to others.
 const MOST_OUTGOING: usize = 16;
 
-/// Beyond this many bytes of unsent output, requests are refused, so that a client cannot fill the
-/// memory by asking.
+/// Requests are refused while more unsent bytes wait, lest a client fill the memory.
 const MOST_WAITING: usize = 4 << 20;
 
 /// Pairs read from a MULTIPLE request.
@@ -136,14 +133,12 @@ impl Clipboard {
         Ok(())
     }
 
-    /// When to call [`Clipboard::tick`].
     pub(super) fn deadline(&self) -> Option<Instant> {
         let incoming = self.incoming.iter().map(Incoming::deadline);
         let outgoing = self.outgoing.iter().map(Outgoing::deadline);
         incoming.chain(outgoing).min()
     }
 
-    /// Gives up transfers that have timed out.
     pub(super) fn tick(&mut self, connection: &Connection, now: Instant) -> Result<()> {
         while let Some(late) = self.incoming.iter().position(|one| one.deadline() <= now) {
             self.incoming.remove(late).finish(connection)?;
@@ -324,8 +319,7 @@ impl Clipboard {
         incoming.finish(connection)
     }
 
-    /// Drops a transfer. If the requestor still exists (`there`) and receives no other transfer,
-    /// its events are deselected.
+    /// Drops a transfer; deselects the requestor's events if it exists (`there`) and gets no other.
     fn stop_sending(&mut self, connection: &Connection, place: usize, there: bool) -> Result<()> {
         let outgoing = self.outgoing.swap_remove(place);
         let window = outgoing.requestor();
@@ -335,7 +329,6 @@ impl Clipboard {
         Ok(())
     }
 
-    /// Answers another program's request for our text.
     fn asked(
         &mut self,
         connection: &Connection,
@@ -499,7 +492,6 @@ impl Clipboard {
 }
 
 impl Owned {
-    /// The text in Latin-1, with '?' for other characters.
     fn latin(&self) -> Rc<[u8]> {
         let make = || {
             let text = String::from_utf8_lossy(&self.text);

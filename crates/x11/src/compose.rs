@@ -11,7 +11,6 @@ use kbvm::xkb::compose::{ComposeTable, FeedResult, State};
 use kbvm::xkb::diagnostic::Diagnostic;
 use kbvm::{Keysym, syms};
 
-/// The effect of a key press.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Fed {
     /// Part of no sequence: handle it as usual.
@@ -22,7 +21,6 @@ pub(super) enum Fed {
     Text(String),
 }
 
-/// A keyboard's state within a sequence.
 #[derive(Default)]
 pub(super) struct Compose {
     table: Option<Arc<ComposeTable>>,
@@ -65,7 +63,6 @@ impl Compose {
         }
     }
 
-    /// Cancels an unfinished sequence.
     pub(super) fn reset(&mut self) {
         self.state = None;
     }
@@ -81,7 +78,6 @@ fn text(string: Option<&str>, keysym: Option<Keysym>) -> Option<String> {
         .or_else(|| string.map(str::to_owned))
 }
 
-/// The process's table.
 fn shared() -> Option<Arc<ComposeTable>> {
     static TABLE: OnceLock<Option<Arc<ComposeTable>>> = OnceLock::new();
     TABLE.get_or_init(|| load(&Context::default())).clone()

@@ -27,14 +27,12 @@ pub(super) struct Peer {
 /// The highest display whose port exists: ports start at 6000.
 const LAST_DISPLAY: u16 = u16::MAX - 6000;
 
-/// Parses a display name.
 pub(super) fn parse(name: &str) -> Option<ParsedDisplay> {
     let parsed = parse_display::parse_display(Some(name)).ok()?;
     (parsed.display <= LAST_DISPLAY).then_some(parsed)
 }
 
-/// Connects to the first address that answers; the error is that of the first address, which is the
-/// one meant.
+/// Connects to the first address that answers; an error is that of the first, which is meant.
 pub(super) fn connect(display: &ParsedDisplay, deadline: Instant) -> Result<Peer> {
     let mut first = None;
     let path = (display.host.starts_with('/') && display.protocol.as_deref() == Some("unix"))
@@ -64,8 +62,7 @@ fn unix(path: &str, deadline: Instant) -> Result<Peer> {
     let flags = SocketFlags::CLOEXEC | SocketFlags::NONBLOCK;
     let (family, kind) = (AddressFamily::UNIX, SocketType::STREAM);
     let socket = rustix::net::socket_with(family, kind, flags, None)?;
-    // A local connection succeeds at once, unless the server's backlog is full, for which there is
-    // nothing to poll.
+    // A local connection succeeds at once unless the backlog is full, which cannot be polled for.
     loop {
         match rustix::net::connect(&socket, &address) {
             Ok(()) => break,

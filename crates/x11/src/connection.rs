@@ -27,7 +27,6 @@ pub(super) type Raw = RustConnection<Stream>;
 /// The smallest event, in bytes.
 const EVENT: usize = 32;
 
-/// How long opening a window may take in all.
 const OPENING: Duration = Duration::from_secs(2);
 
 pub(super) struct Connection {
@@ -125,8 +124,7 @@ impl Connection {
         }
     }
 
-    /// Waits for a reply. `None` if the server answers with an error or not in time; neither ends
-    /// the window.
+    /// Waits for a reply. `None` if it is an error or late; neither ends the window.
     pub(super) fn answer<R: TryParse>(
         &self,
         question: Result<Cookie<'_, Raw, R>, ConnectionError>,
@@ -189,7 +187,6 @@ impl Connection {
 }
 
 impl AsFd for Connection {
-    /// Readable when there is input, or room for output that waits.
     fn as_fd(&self) -> BorrowedFd<'_> {
         self.raw.stream().watch()
     }

@@ -18,11 +18,8 @@ pub(super) struct CoreKeymap {
     first: u8,
     width: usize,
     keysyms: Vec<u32>,
-    /// The modifiers each keycode sets.
     sets: Box<[u8; 256]>,
-    /// The bits for Alt or Meta.
     pub(super) alt: u16,
-    /// The bits for Super or Hyper.
     pub(super) logo: u16,
     num_lock: u16,
     second_group: u16,
@@ -85,7 +82,6 @@ impl CoreKeymap {
         }
     }
 
-    /// The keysyms of a key; empty if the server gave none.
     fn list(&self, keycode: u8) -> &[u32] {
         let place = keycode.checked_sub(self.first).map(usize::from);
         let start = place.and_then(|place| place.checked_mul(self.width));
@@ -96,7 +92,6 @@ impl CoreKeymap {
         }
     }
 
-    /// The modifiers this key sets while held.
     pub(super) fn sets(&self, keycode: u8) -> u16 {
         self.sets
             .get(usize::from(keycode))
@@ -131,7 +126,6 @@ impl CoreKeymap {
         (if caps { keysym.to_uppercase() } else { keysym }, left)
     }
 
-    /// Whether these modifiers select the second level.
     fn shift(&self, state: u16, shifted: Keysym) -> bool {
         let shift = state & SHIFT != 0 || (state & LOCK != 0 && self.shift_lock);
         // Num Lock inverts Shift on the keypad.

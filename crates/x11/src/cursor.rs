@@ -1,5 +1,4 @@
-//! Cursor shapes: from the user's theme, or the X server's cursor font without one. Each is loaded
-//! when first used.
+//! Cursor shapes: from the user's theme, or else the X server's cursor font; loaded at first use.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -140,7 +139,6 @@ fn from_font(connection: &Connection, glyph: u16) -> Result<Cursor> {
     Ok(if made { cursor } else { NONE })
 }
 
-/// An empty shape.
 fn invisible(connection: &Connection) -> Result<Cursor> {
     let (Some(pixmap), Some(cursor)) = (
         connection.excuse(connection.generate_id())?,

@@ -17,7 +17,6 @@ use crate::error::{Error, Result};
 /// How long after taking the focus to check it: a toolkit may take it back (GTK 3 does).
 const LOOK_AGAIN: Duration = Duration::from_millis(60);
 
-/// How many times to check.
 const LOOKS: u32 = 4;
 
 /// The most ancestors searched for the host's top-level window.
@@ -105,7 +104,6 @@ impl Window {
         self.take_keyboard(self.time)
     }
 
-    /// Stops claiming the focus: the pointer has left.
     pub(super) fn leave_keyboard(&mut self) {
         if let Some(home) = &mut self.home {
             home.look = None;
@@ -140,8 +138,7 @@ impl Window {
         self.take_keyboard(x11rb::CURRENT_TIME)
     }
 
-    /// Whether the focus is in the host's top-level window (perhaps in a toolkit's own focus
-    /// window) or nowhere.
+    /// Whether the focus is somewhere in the host's top-level window, or nowhere.
     fn host_has_keyboard(&self) -> Result<bool> {
         let connection = &self.connection;
         let focus = connection
@@ -165,7 +162,6 @@ impl Window {
         }
     }
 
-    /// The top-level window around `window`.
     fn above(&self, mut window: u32) -> Result<u32> {
         let connection = &self.connection;
         for _ in 0..MOST_ANCESTORS {

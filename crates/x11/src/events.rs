@@ -19,8 +19,7 @@ use crate::raster::Area;
 pub(super) const SENT: u8 = 0x80;
 
 impl Window {
-    /// Handles one event; those of other windows are ignored. Other clients can send events, so
-    /// nothing in one is trusted unchecked.
+    /// Handles one event, ignoring other windows'. Any client can send events: trust nothing.
     pub(super) fn handle(&mut self, event: &Event) -> Result<()> {
         inject::point(inject::Place::Event);
         if let Event::KeyPress(event) | Event::KeyRelease(event) = event {
@@ -93,7 +92,6 @@ impl Window {
         Ok(())
     }
 
-    /// Records a pointer position in pixels and returns it in points.
     fn moved(&mut self, x: i16, y: i16) -> Pos2 {
         self.pos = pos2(f32::from(x) / self.scale, f32::from(y) / self.scale);
         self.pos

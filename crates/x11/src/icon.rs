@@ -29,14 +29,13 @@ pub(super) fn icon() -> Vec<u32> {
     data
 }
 
-/// Half the curve's width.
 const CURVE_RADIUS: f32 = 0.035;
 
 struct Parts {
     /// The curve as line segments, from left to right.
     curve: [[f32; 2]; PIECES + 1],
-    /// The triangle seen by a camera at the second point: each side's outward normal and its
-    /// distance from the origin.
+    /// The triangle a camera at the second point sees: outward normals and distances from the
+    /// origin.
     view: [([f32; 2], f32); 3],
     points: [[f32; 2]; 3],
 }
@@ -54,7 +53,6 @@ impl Parts {
         }
     }
 
-    /// One pixel of an icon `size` pixels wide.
     fn pixel(&self, place: [f32; 2], size: f32) -> u32 {
         let cover = |distance: f32| (0.5 - distance * size).clamp(0.0, 1.0);
         let mut colour = GROUND;
@@ -99,7 +97,6 @@ fn length(way: [f32; 2]) -> f32 {
     dot(way, way).sqrt()
 }
 
-/// The squared distance of `p` from the segment from `a` to `b`.
 fn square_distance(p: [f32; 2], a: [f32; 2], b: [f32; 2]) -> f32 {
     let (along, from) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
     let t = (dot(along, from) / dot(along, along)).clamp(0.0, 1.0);
@@ -111,8 +108,7 @@ fn dot(a: [f32; 2], b: [f32; 2]) -> f32 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// The outward normal of the line through `a` and `b`, and the line's distance from the origin
-/// along it.
+/// The outward normal of the line through `a` and `b`, and the line's distance along it.
 fn side(a: [f32; 2], b: [f32; 2]) -> ([f32; 2], f32) {
     let along = [b[0] - a[0], b[1] - a[1]];
     let way = [-along[1], along[0]].map(|part| part / length(along));

@@ -53,7 +53,6 @@ pub(super) enum Step {
 }
 
 enum Read {
-    /// The property does not exist.
     Missing,
     /// An INCR transfer begins; a lower bound of its size.
     Pieces(u32),
@@ -101,7 +100,6 @@ impl Incoming {
         self.patience.min(self.end)
     }
 
-    /// Handles the owner's SelectionNotify.
     pub(super) fn answered(
         &mut self,
         connection: &Connection,
@@ -156,7 +154,7 @@ impl Incoming {
         }
     }
 
-    /// Destroys the window, so that whatever is still sent goes nowhere.
+    /// Destroys the window; whatever is still sent goes nowhere.
     pub(super) fn finish(self, connection: &Connection) -> Result<()> {
         let destroyed = connection.destroy_window(self.window);
         destroyed
@@ -177,7 +175,6 @@ impl Incoming {
         Ok(())
     }
 
-    /// Reads the property, appends it to the bytes, and deletes it.
     fn read(&mut self, connection: &Connection) -> Result<Read> {
         let property = connection.atoms()._VIDES_SELECTION;
         let end = Instant::now() + READING;
@@ -217,7 +214,6 @@ impl Incoming {
         }
     }
 
-    /// Decodes the bytes by the type the owner gave.
     fn text(&mut self, connection: &Connection) -> Option<String> {
         let atoms = connection.atoms();
         let bytes = std::mem::take(&mut self.bytes);
@@ -262,7 +258,6 @@ fn clean(text: &str) -> String {
     clean
 }
 
-/// Creates an invisible window for selections.
 pub(super) fn create(connection: &Connection, window: Window, events: EventMask) -> Result<()> {
     let root = connection.screen().root;
     let aux = CreateWindowAux::new().event_mask(events);

@@ -38,15 +38,12 @@ pub(super) struct Keyboard {
     held: Vec<(u8, Told)>,
     /// A release that may turn out to be part of key repeat.
     waiting: Option<Release>,
-    /// Text is being edited, so dead keys compose.
     editing: bool,
     compose: Compose,
-    /// The time of the user's request to paste.
     paste: Option<u32>,
 }
 
-/// The logical and physical key reported to egui as pressed; `None` if the press was part of a
-/// compose sequence or a shortcut.
+/// The logical and physical key egui was told of; `None` within a compose sequence or shortcut.
 type Told = Option<(Key, Option<Key>)>;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,7 +99,7 @@ impl Keyboard {
         }
     }
 
-    /// Sets whether text is being edited: only then do dead keys compose.
+    /// Dead keys compose only while text is being edited.
     pub(super) fn set_editing(&mut self, editing: bool) {
         if !editing {
             self.compose.reset();
@@ -171,7 +168,6 @@ impl Keyboard {
         Ok(())
     }
 
-    /// Releases all keys, as when the window loses the focus.
     pub(super) fn release_all(&mut self, out: &mut Vec<Input>) {
         self.waiting = None;
         self.compose.reset();
@@ -197,7 +193,6 @@ impl Keyboard {
         Ok(())
     }
 
-    /// Handles a press or a repeated press.
     fn key(&mut self, keycode: u8, state: u16, time: u32, out: &mut Vec<Input>) {
         let half = Release { keycode, time };
         if self.waiting == Some(half) {
@@ -332,7 +327,6 @@ impl Keyboard {
         }
     }
 
-    /// Loads the keymap, and at first also selects events about its changes.
     fn load(&mut self, connection: &Connection) -> Result<()> {
         self.stale = false;
         if self.extension && self.keymap.is_none() {
@@ -365,7 +359,6 @@ impl Keyboard {
         Ok(())
     }
 
-    /// Selects or deselects XKB state events.
     fn watch(&mut self, connection: &Connection, watch: bool) -> Result<()> {
         if !self.extension || self.watching == watch {
             return Ok(());

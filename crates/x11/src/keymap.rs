@@ -17,7 +17,6 @@ use crate::error::Result;
 /// XkbUseCoreKbd: whichever device is the core keyboard.
 pub(super) const KEYBOARD: u16 = 0x100;
 
-/// The meaning of a pressed key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Meaning {
     /// Depends on the modifiers held.
@@ -76,17 +75,14 @@ impl Keymap {
         map
     }
 
-    /// The modifier bits that egui calls Alt.
     pub(super) fn alt(&self) -> u16 {
         self.alt
     }
 
-    /// The modifier bits this key sets while held.
     pub(super) fn sets(&self, keycode: u8) -> u16 {
         self.core.sets(keycode)
     }
 
-    /// A key's meaning under an event's state (modifiers and group).
     pub(super) fn meaning(&self, keycode: u8, state: u16) -> Meaning {
         let (keysym, left) = self.keysym(keycode, state);
         let physical = keys::physical(keycode).filter(|_| self.places);
@@ -114,8 +110,7 @@ impl Keymap {
         }
     }
 
-    /// The key in another group with Latin letters, so that shortcuts work for users who type
-    /// Cyrillic or Greek.
+    /// The key in another group with Latin letters, for shortcuts on Cyrillic or Greek layouts.
     fn latin(&self, keycode: u8, state: u16) -> Option<Key> {
         let table = self.table.as_ref()?;
         let (own, _) = look(table, keycode, state, group(state));

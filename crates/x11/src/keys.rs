@@ -116,8 +116,7 @@ const LATER_FUNCTION_KEYS: [Key; 31] = [
     Key::F35,
 ];
 
-/// The US key at the position of this keycode. Linux servers use the kernel's input event codes
-/// plus 8.
+/// The US key at the position of a Linux keycode (the kernel's input event code plus 8).
 pub(super) fn physical(keycode: u8) -> Option<Key> {
     if let Some(place) = keycode.checked_sub(FIRST_PLACE)
         && let Some(&key) = PLACES.get(usize::from(place))

@@ -139,7 +139,6 @@ pub struct Window {
     /// The XSETTINGS manager's settings.
     settings: Settings,
     home: Option<Home>,
-    /// The host's child window.
     pane: Option<Pane>,
     /// Time and place of a middle click, until egui says whether it was over editable text.
     middle: Option<(u32, Pos2)>,
@@ -157,7 +156,6 @@ pub struct Window {
     covered: bool,
     /// The server time of the last user action, in milliseconds.
     time: u32,
-    /// Events egui has not taken yet.
     events: Vec<egui::Event>,
     news: News,
     opened: Instant,
@@ -443,7 +441,6 @@ impl Window {
         }
     }
 
-    /// Records the error if the window is gone.
     fn noted<R>(&mut self, result: Result<R>) -> Result<R> {
         if let Err(error) = &result {
             self.lost = Some(error.clone());

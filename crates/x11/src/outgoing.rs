@@ -13,7 +13,6 @@ use x11rb::wrapper::ConnectionExt as _;
 use super::connection::Connection;
 use crate::error::Result;
 
-/// How long to wait for the other program's next step.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// The largest piece, in bytes; small enough not to delay other traffic.
@@ -31,14 +30,12 @@ pub(super) struct Outgoing {
     patience: Instant,
 }
 
-/// The most bytes to write at once.
 pub(super) fn piece(connection: &Connection) -> usize {
     let most = connection.maximum_request_bytes();
     most.saturating_sub(REQUEST_HEAD).clamp(1, PIECE)
 }
 
 impl Outgoing {
-    /// Announces an INCR transfer.
     pub(super) fn start(
         connection: &Connection,
         (requestor, property): (Window, Atom),

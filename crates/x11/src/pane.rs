@@ -46,8 +46,7 @@ pub(super) struct Pane {
 }
 
 impl Window {
-    /// Shows the pane at `place`, or hides it. `false` if the server cannot support panes, now or
-    /// later.
+    /// Shows the pane at `place`, or hides it. `false` if the server cannot support panes at all.
     ///
     /// # Errors
     /// [`crate::Error::Display`] if the server or the window is gone.
@@ -202,7 +201,7 @@ impl Pane {
         self.fill(connection, child)
     }
 
-    /// Makes a child fill the pane. One that is gone only causes an error event, which is ignored.
+    /// Makes a child fill the pane; one that is gone causes an error event, which is ignored.
     fn fill(&self, connection: &Connection, child: u32) -> Result<()> {
         let Area { width, height, .. } = self.place.area;
         let size = ConfigureWindowAux::new().x(0).y(0);
@@ -216,7 +215,6 @@ fn corner(area: Area) -> [i16; 2] {
     [area.x, area.y].map(|at| i16::try_from(at).unwrap_or(i16::MAX))
 }
 
-/// The parts of the pane with nothing above them, relative to its corner.
 fn visible(place: &PanePlace) -> Vec<Rectangle> {
     let mut parts = vec![place.area];
     for &above in &place.above {

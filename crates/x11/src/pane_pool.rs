@@ -21,7 +21,6 @@ const AWAY: i16 = -2000;
 struct Pool {
     display: String,
     connection: Connection,
-    /// The parked panes.
     free: Vec<u32>,
 }
 
@@ -38,8 +37,7 @@ fn pools() -> MutexGuard<'static, (u32, Vec<Pool>)> {
     pools
 }
 
-/// Calls `f` with a display's pool. If its connection fails, the pool is dropped, and its panes are
-/// lost.
+/// Calls `f` with a display's pool, which is dropped with its panes if its connection fails.
 fn with<R>(display: &str, f: impl FnOnce(&mut Pool) -> Result<R>) -> Option<Result<R>> {
     let mut pools = pools();
     let place = (pools.1.iter()).position(|pool| pool.display == display)?;

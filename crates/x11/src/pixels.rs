@@ -9,7 +9,6 @@ use super::visual::Visual;
 /// Dithering thresholds, in sixteenths (Bayer 1973).
 const PATTERN: [u32; 16] = [0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5];
 
-/// The screen's pixel format.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     /// Bytes per pixel: 1 to 4.
@@ -53,17 +52,14 @@ impl Layout {
         }
     }
 
-    /// The painter's pixels need no conversion.
     pub(super) fn is_ours(&self) -> bool {
         self.tables.is_empty()
     }
 
-    /// Bytes in a row of `width` pixels.
     pub(super) fn row(&self, width: usize) -> usize {
         (width * self.bytes).next_multiple_of(self.pad)
     }
 
-    /// The byte offset of pixel `x` in a row.
     pub(super) fn offset(&self, x: usize) -> usize {
         x * self.bytes
     }

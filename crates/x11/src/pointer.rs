@@ -7,11 +7,9 @@ use egui::{
     Event, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Vec2,
 };
 
-/// The pointer's state.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Pointer {
     inside: bool,
-    /// One bit per egui button.
     held: u8,
     /// egui knows a position.
     known: bool,

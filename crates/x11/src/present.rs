@@ -26,7 +26,6 @@ use crate::raster::{Area, Target};
 /// The largest piece of an image, in bytes.
 const PIECE: usize = 256 << 10;
 
-/// How many pieces are in flight at a time.
 const PIECES: u32 = 3;
 
 /// The most spare shared memory, in bytes, kept for a window that may grow.
@@ -46,7 +45,6 @@ pub(super) struct Surface {
     /// The buffer's size: the window's when the buffer was made.
     size: (u32, u32),
     store: Store,
-    /// The server can attach our shared memory.
     shares: bool,
     painted: bool,
     /// Areas to show after the frame in flight.
@@ -57,7 +55,6 @@ pub(super) struct Surface {
     scratch: Vec<u8>,
 }
 
-/// Where the pixels are.
 #[derive(Default)]
 enum Store {
     /// No buffer, as at first or when memory runs out.
@@ -65,7 +62,6 @@ enum Store {
     None,
     /// In our memory; sent as images.
     Private(Vec<u32>),
-    /// In shared memory.
     Shared(Segment),
     /// In our memory, and converted into shared memory.
     Both(Vec<u32>, Segment),
@@ -77,7 +73,6 @@ struct Segment {
     memory: Memory,
 }
 
-/// The frame in flight.
 enum Flight {
     None,
     /// The server reads the shared memory.
@@ -107,7 +102,6 @@ impl Surface {
         }
     }
 
-    /// Finds out by trying whether the server can attach shared memory.
     pub(super) fn try_sharing(&mut self, connection: &Connection) -> Result<()> {
         if !connection.is_local() {
             return Ok(());
@@ -143,7 +137,6 @@ impl Surface {
         self.size
     }
 
-    /// The buffer size for a window of this size.
     pub(super) fn fitting(width: u32, height: u32) -> (u32, u32) {
         let width = width.clamp(1, LONGEST);
         (width, height.clamp(1, LONGEST).min(MOST_PIXELS / width))
@@ -203,7 +196,6 @@ impl Surface {
         Ok(Some(Segment { id, memory }))
     }
 
-    /// The pixels, unless a frame is in flight.
     pub(super) fn target(&mut self) -> Option<Target<'_>> {
         if !self.is_free() {
             return None;
@@ -231,7 +223,6 @@ impl Surface {
         self.go_on(connection)
     }
 
-    /// Sends what can be sent now.
     pub(super) fn go_on(&mut self, connection: &Connection) -> Result<()> {
         if self.is_free() && self.painted && !self.waiting.is_empty() {
             let areas = std::mem::take(&mut self.waiting);
@@ -383,7 +374,6 @@ impl Surface {
         Ok(false)
     }
 
-    /// Switches to images for good.
     fn unshare(&mut self, connection: &Connection) -> Result<()> {
         self.shares = false;
         let (width, height) = self.size;

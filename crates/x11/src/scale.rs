@@ -37,8 +37,7 @@ pub(super) fn of(resources: &Database) -> f32 {
     dots.map_or(1.0, from_dots)
 }
 
-/// Pixels per point for a resolution in dots per inch: 1 to 4 in quarters, so that lines stay
-/// sharp.
+/// Scales are quarters from 1 to 4, so that lines stay sharp.
 fn from_dots(dots: f32) -> f32 {
     let scale = (dots / 96.0 * 4.0).round() / 4.0;
     if scale.is_finite() {

@@ -26,7 +26,6 @@ pub(super) struct Settings {
     stale: bool,
     /// A new manager was announced.
     replaced: bool,
-    /// Whether the desktop is dark, if known.
     dark: Option<bool>,
 }
 
@@ -91,7 +90,7 @@ impl Settings {
         Ok(self.dark != before)
     }
 
-    /// Reads the settings; true if the property exists.
+    /// Returns whether the property exists.
     fn read(&mut self, connection: &Connection) -> Result<bool> {
         let property = connection.atoms()._XSETTINGS_SETTINGS;
         let answer = connection.answer(connection.get_property(
@@ -113,7 +112,6 @@ impl Settings {
     }
 }
 
-/// Whether the theme named in the settings is dark.
 fn is_dark(settings: &[u8]) -> Option<bool> {
     let name = theme(settings)?.to_ascii_lowercase();
     let words = name.split(|byte| !byte.is_ascii_alphanumeric());

@@ -43,19 +43,16 @@ impl Memory {
         Ok((Self { start, length }, file))
     }
 
-    /// In bytes.
     pub(super) fn length(&self) -> usize {
         self.length
     }
 
-    /// The memory as pixels.
     pub(super) fn pixels(&mut self) -> &mut [u32] {
         // SAFETY: the mapping is `length` bytes long, page-aligned and lives as long as `self`, and
         // any bits are a valid `u32`. Nobody else writes: the server was told to map it read-only.
         unsafe { std::slice::from_raw_parts_mut(self.start.as_ptr().cast(), self.length / 4) }
     }
 
-    /// The memory as bytes.
     pub(super) fn bytes(&mut self) -> &mut [u8] {
         // SAFETY: as in `pixels`.
         unsafe { std::slice::from_raw_parts_mut(self.start.as_ptr(), self.length) }

@@ -38,7 +38,6 @@ const MOST_WAITING: usize = 16 << 20;
 /// Bytes read before events are handled. A faster sender waits, and takes no memory here.
 const MOST_AT_ONCE: usize = 64 << 10;
 
-/// How many file descriptors go with one message.
 const MOST_DESCRIPTORS: usize = 4;
 
 #[derive(Debug)]
@@ -63,9 +62,7 @@ pub(super) struct Stream {
 /// The wait for a reply, from the first poll for it until the next request.
 #[derive(Clone, Copy, Debug)]
 struct Awaited {
-    /// When to give up.
     end: Instant,
-    /// Bytes received meanwhile.
     taken: usize,
 }
 
@@ -79,8 +76,7 @@ struct Waiting {
 }
 
 impl Stream {
-    /// Takes a connected socket. Until [`Stream::settle`], `deadline` holds for all replies
-    /// together.
+    /// `deadline` holds for all replies together, until [`Stream::settle`].
     pub(super) fn new(socket: OwnedFd, deadline: Instant) -> Result<Self> {
         let watch = epoll::create(epoll::CreateFlags::CLOEXEC)?;
         epoll::add(&watch, &socket, EventData::new_u64(0), EventFlags::IN)?;
@@ -101,7 +97,6 @@ impl Stream {
         self.deadline.set(None);
     }
 
-    /// Readable when there is input, or room for output that waits.
     pub(super) fn watch(&self) -> BorrowedFd<'_> {
         self.watch.as_fd()
     }
@@ -110,7 +105,6 @@ impl Stream {
         self.socket.as_fd()
     }
 
-    /// Marks this many of the bytes read as handled.
     pub(super) fn looked_at(&self, bytes: usize) {
         self.ahead.set(self.ahead.get().saturating_sub(bytes));
     }
@@ -182,7 +176,6 @@ impl Stream {
         Ok(length)
     }
 
-    /// How long to wait for a reply now.
     fn patience(&self) -> Duration {
         match self.deadline.get() {
             Some(deadline) => deadline.saturating_duration_since(Instant::now()),
@@ -209,8 +202,7 @@ impl Stream {
 }
 
 impl x11rb::rust_connection::Stream for Stream {
-    /// Always writable. For reading, waits until the reply's deadline, which further events do not
-    /// extend.
+    /// Always writable. For reading, waits until the reply's deadline, whatever else arrives.
     fn poll(&self, mode: PollMode) -> Result<()> {
         if mode.writable() {
             return Ok(());

@@ -19,7 +19,7 @@ pub(super) struct Visual {
     pub(super) foreign: bool,
 }
 
-/// The depths to look for, best first.
+/// Best first.
 const DEPTHS: [u8; 5] = [24, 30, 32, 16, 15];
 
 /// The root's visual if usable, else the best that is; `None` if there is no TrueColor visual.

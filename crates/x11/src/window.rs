@@ -30,7 +30,7 @@ pub(super) fn events() -> EventMask {
         | EventMask::PROPERTY_CHANGE
 }
 
-/// The longest title sent to the window manager, in characters.
+/// In characters.
 const LONGEST_TITLE: usize = 1000;
 
 /// The window's identifiers on the server.
@@ -52,7 +52,6 @@ pub(super) fn watch_desktop(connection: &Connection) -> Result<()> {
     asked.map(drop).map_err(|error| connection.lost(error))
 }
 
-/// Creates the window and maps it.
 pub(super) fn create(
     connection: &Connection,
     visual: &Visual,
@@ -118,8 +117,7 @@ fn make(
     } else {
         screen.default_colormap
     };
-    // No background, to avoid flicker; X requires a border pixel where the depth is not the
-    // parent's.
+    // No background, to avoid flicker; a border pixel is needed if the depth is not the parent's.
     let attributes = CreateWindowAux::new()
         .border_pixel(0)
         .bit_gravity(Gravity::NORTH_WEST)
@@ -156,7 +154,6 @@ fn make(
     })
 }
 
-/// Converts points to pixels, clamped to the screen.
 fn in_pixels(size: [f32; 2], scale: f32, most: (u16, u16)) -> (u16, u16) {
     let pixels = |points: f32, most: u16| (points * scale).round().clamp(1.0, most.max(1).into());
     // NaN becomes 0 here, which X does not allow as a size.
@@ -257,7 +254,6 @@ fn describe(
     set_sizes(connection, window, options.smallest, scale, frame.size)
 }
 
-/// Sets the size hints, with the minimum given in points.
 pub(super) fn set_sizes(
     connection: &Connection,
     window: u32,
@@ -278,7 +274,6 @@ pub(super) fn set_sizes(
     sizes.set_normal_hints(&**connection, window).map(drop)
 }
 
-/// Sets the title for new and old window managers, and for icons.
 pub(super) fn set_title(connection: &Connection, window: u32, title: &str) -> Result<()> {
     let title = title.chars().filter(|c| !c.is_control());
     let title: String = title.take(LONGEST_TITLE).collect();
@@ -314,7 +309,6 @@ fn class(application: &str) -> Vec<u8> {
     class
 }
 
-/// Converts text for window managers without Unicode.
 fn latin1(text: &str) -> Vec<u8> {
     let letter = |c: char| match c {
         '\u{2010}'..='\u{2015}' => b'-',
