@@ -107,6 +107,7 @@ pub struct Raster {
 }
 
 impl Raster {
+    /// A raster that has painted nothing yet.
     pub fn new(background: Color32) -> Self {
         Self {
             background,

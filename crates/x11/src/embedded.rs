@@ -104,6 +104,7 @@ impl Window {
         self.take_keyboard(self.time)
     }
 
+    /// Stops claiming the focus once the user has gone elsewhere.
     pub(super) fn leave_keyboard(&mut self) {
         if let Some(home) = &mut self.home {
             home.look = None;
