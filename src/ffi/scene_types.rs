@@ -143,7 +143,7 @@ pub type V_MESH = v_mesh;
 // SAFETY: `repr(C)` with `size` first; numbers only.
 unsafe impl Growing for V_NODE {
     const FIRST: usize = size_of::<V_NODE>();
-    /// Not used: all fields exist since version 1.0. See v_node_init() for defaults.
+    /// Overwritten whole, since all fields exist since version 1.0; see v_node_init().
     const DEFAULTS: Self = Self {
         size: size_of::<V_NODE>(),
         kind: 0,
