@@ -1,4 +1,4 @@
-//! The one way across the border: what every export's body stands in.
+//! The wrapper around every export's body.
 
 use std::ffi::c_int;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -7,9 +7,9 @@ use super::status::{Answer, clear_last_error, set_last_error};
 use crate::error::panic_said;
 use crate::inject;
 
-/// What an export returns: how a failure looks in it.
+/// An export's return type.
 pub(super) trait Returned {
-    /// The value that tells C of a failure with this status.
+    /// The value that reports a failure with this status.
     fn failed(status: c_int) -> Self;
 }
 
@@ -20,16 +20,13 @@ impl Returned for c_int {
 }
 
 impl Returned for () {
-    /// Only [`super::status::v_last_error`] tells.
+    /// Only [`super::status::v_last_error`] reports the failure.
     fn failed(_: c_int) -> Self {}
 }
 
-/// Runs the body of an export. The last error is cleared before and set after
-/// a failure; a panic ends here, since to unwind into C would end the host,
-/// and `on_panic` is returned instead.
-///
-/// A body holds nothing that a panic could leave half done but the document
-/// of a path, and that one's lock is poisoned by it.
+/// Runs the body of an export: clears the last error, and sets it on failure. A panic must not
+/// unwind into C, so it is caught and `on_panic` returned. Unwind safety: only a path or a scene
+/// could be left half changed, and its lock is poisoned then.
 pub(super) fn border<T: Returned>(on_panic: T, body: impl FnOnce() -> Answer<T>) -> T {
     clear_last_error();
     let body = || {

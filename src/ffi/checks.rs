@@ -1,4 +1,4 @@
-//! Recorded poses fitted, and paths checked.
+//! Fitting recorded poses, and checking paths.
 
 use std::ffi::{CStr, c_char, c_int};
 

@@ -1,8 +1,5 @@
-//! A counted pointer whose making can be refused.
-//!
-//! `Arc::new` ends the process when memory has run out, and the header
-//! promises a status. This is the little of `Arc` that handles need: made,
-//! copied, looked through, and dropped with the last copy.
+//! An `Arc` whose allocation can fail: `Arc::new` aborts when memory runs out, but the header
+//! promises a status. Has only what handles need.
 
 use std::alloc::{Layout, alloc};
 use std::marker::PhantomData;
@@ -13,7 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::error::{EngineError, Result};
 
-/// One of the owners of a value on the heap.
+/// An owner of a shared value on the heap.
 #[derive(Debug)]
 pub(super) struct Counted<T> {
     block: NonNull<Block<T>>,
@@ -26,23 +23,20 @@ struct Block<T> {
     value: T,
 }
 
-// SAFETY: owners on several threads share the value (so `Sync`), and the last
-// one drops it wherever it is (so `Send`); the count is atomic.
+// SAFETY: owners on several threads share the value (hence `Sync`), and the last one drops it on
+// whatever thread it is (hence `Send`); the count is atomic.
 unsafe impl<T: Send + Sync> Send for Counted<T> {}
 // SAFETY: as above; a shared owner can be cloned into one of another thread.
 unsafe impl<T: Send + Sync> Sync for Counted<T> {}
 
 impl<T> Counted<T> {
-    /// The first owner of a value.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`.
+    /// Allocates the value with its first owner. Fails with `ErrorKind::Memory`.
     pub(super) fn try_new(value: T) -> Result<Self> {
         // SAFETY: a block is never of size zero: it holds the count.
         let room = unsafe { alloc(Layout::new::<Block<T>>()) }.cast::<Block<T>>();
         let block = NonNull::new(room).ok_or(EngineError::Memory)?;
         let owners = AtomicUsize::new(1);
-        // SAFETY: room for one block, aligned for it, and nobody else's.
+        // SAFETY: freshly allocated with the block's size and alignment, and unshared.
         unsafe { block.write(Block { owners, value }) };
         Ok(Self {
             block,
@@ -51,17 +45,17 @@ impl<T> Counted<T> {
     }
 
     fn block(&self) -> &Block<T> {
-        // SAFETY: an owner keeps the block alive, and only shared references
-        // to it are given out until the last owner drops it.
+        // SAFETY: an owner keeps the block alive, and until the last one drops it only shared
+        // references exist.
         unsafe { self.block.as_ref() }
     }
 }
 
 impl<T> Clone for Counted<T> {
     fn clone(&self) -> Self {
-        // Whoever has an owner has seen the value: nothing to wait for.
+        // An existing owner has already synchronized with the value.
         let before = self.block().owners.fetch_add(1, Ordering::Relaxed);
-        // Owners that were leaked by the billion: no count is right any more.
+        // As in `Arc`: owners leaked by the billion could overflow the count.
         if before > usize::MAX / 2 {
             abort();
         }
@@ -82,14 +76,14 @@ impl<T> Deref for Counted<T> {
 
 impl<T> Drop for Counted<T> {
     fn drop(&mut self) {
-        // What other owners did with the value comes before it is dropped.
+        // Other owners' accesses happen before the drop.
         if self.block().owners.fetch_sub(1, Ordering::Release) != 1 {
             return;
         }
-        // A load and no fence, since ThreadSanitizer does not know fences.
+        // A load instead of a fence, which ThreadSanitizer does not support.
         self.block().owners.load(Ordering::Acquire);
-        // SAFETY: made by the global allocator with the layout of a block, as
-        // a box is; this was the last owner.
+        // SAFETY: allocated by the global allocator with a block's layout, like a box; this was the
+        // last owner.
         drop(unsafe { Box::from_raw(self.block.as_ptr()) });
     }
 }

@@ -11,7 +11,7 @@ use crate::document::Document;
 use crate::path::arc_length::ArcLength;
 use crate::path::hermite::Cubic;
 
-/// A segment by C's number of it.
+/// The index of a segment given by C.
 fn segment(document: &Document, number: c_int) -> Answer<usize> {
     let segments = document.path().segment_count();
     match index(number)? {
@@ -23,7 +23,7 @@ fn segment(document: &Document, number: c_int) -> Answer<usize> {
     }
 }
 
-/// The cubic of a segment by C's number of it.
+/// The cubic of a segment given by C.
 fn cubic(document: &Document, number: c_int) -> Answer<Cubic> {
     let segment = segment(document, number)?;
     Ok(document.timeline(|timeline| *timeline.curve(segment))?)
@@ -119,8 +119,8 @@ pub unsafe extern "C" fn v_path_point_at_length(
                 (*timeline.curve(segment), timeline.segment_length(segment))
             })?)
         })?;
-        // The end is where v_path_segment_length() says; what is measured for
-        // the inverse may differ from it in the last bit.
+        // The end is as v_path_segment_length() says; the inverse's own measure of the length may
+        // differ in the last bit.
         let t = match between(s, length, "s")? {
             s if s == length => 1.0,
             s => ArcLength::new(&curve)?.parameter_at(s),

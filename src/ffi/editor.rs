@@ -1,4 +1,4 @@
-//! Editor windows by handles: the new interface to what `v_haupt` opens.
+//! Editor windows by handles.
 
 use std::cell::{Cell, RefCell};
 use std::ffi::{c_char, c_int, c_ulong, c_void};
@@ -33,20 +33,19 @@ use crate::path::{BaseSpeeds, Pose, Space};
 /// All windows that C holds.
 static EDITORS: Handles<Opened, V_EDITOR> = Handles::new(KIND_EDITOR);
 
-/// What a handle names.
+/// What a handle stands for.
 pub(super) struct Opened {
     pub(super) window: Id,
-    /// Its number: [`instance::own_thread`].
+    /// The opening thread, by [`instance::own_thread`].
     thread: usize,
-    /// The host's base speeds stand.
+    /// The host has set the base speeds.
     pub(super) fixed_speeds: bool,
-    /// Why it is gone, if the host has not closed it.
+    /// Why the window is gone, unless the host has closed it.
     gone: OnceLock<Gone>,
 }
 
 pub(super) const CLOSED: Failure = Failure::Border(V_ERR_CLOSED, "the window has been closed");
 
-/// What a handle says of a window that is gone.
 fn gone(why: Gone) -> Failure {
     let sentence = match why {
         Gone::ByUser => "the user has closed the window",
@@ -60,7 +59,7 @@ fn gone(why: Gone) -> Failure {
 const OTHER_THREAD: Failure =
     Failure::Border(V_ERR_HANDLE, "this window belongs to another thread");
 
-/// The window of a handle, if it is open and the calling thread's.
+/// The window of a handle, if it is open and belongs to the calling thread.
 pub(super) fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
     if editor.is_null() {
         check(editor)?;
@@ -103,8 +102,8 @@ pub unsafe extern "C" fn v_editor_options_init_sized(options: *mut V_EDITOR_OPTI
     });
 }
 
-// SAFETY: of C's layout, `size` first; the host's pointers and functions are its
-// word in any version.
+// SAFETY: `repr(C)` with `size` first; the host is responsible for its pointers and functions in
+// every version.
 unsafe impl Growing for V_EDITOR_OPTIONS {
     const FIRST: usize = offset_of!(V_EDITOR_OPTIONS, space_centre);
     const DEFAULTS: Self = Self {
@@ -178,17 +177,16 @@ pub unsafe extern "C" fn v_editor_open(
 }
 
 /// # Safety
-/// A pointer that is not NULL points to a size, and if that is right to the
-/// options.
+/// `options` is NULL or points to a size and, if that is valid, to the options.
 unsafe fn options_of(options: *const V_EDITOR_OPTIONS) -> Answer<V_EDITOR_OPTIONS> {
     if options.is_null() {
         return Ok(V_EDITOR_OPTIONS::DEFAULTS);
     }
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     unsafe { read_growing(options) }
 }
 
-/// What a window begins with.
+/// Everything needed to open a window.
 struct Beginning {
     editor: editor::Options,
     warnings: editor::Warnings,
@@ -198,10 +196,10 @@ struct Beginning {
     transient_for: Option<u32>,
 }
 
-/// What the options say, in our own types; copies only.
+/// Converts the options, copying everything.
 ///
 /// # Safety
-/// Every pointer of the options is NULL or as the header says.
+/// Every pointer in the options is NULL or as the header says.
 unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
     let mut file = None;
     let mut warnings = editor::Warnings::default();
@@ -215,7 +213,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
         (true, true) => Document::try_new()?,
         (true, false) => read(options.path, |document| Ok(document.try_clone()?))?,
         (false, true) => {
-            // SAFETY: the caller's word.
+            // SAFETY: as required of the caller.
             let name = unsafe { file_name(options.file) }?;
             file = Some(PathBuf::from(name));
             let (document, meshes) = instance::document_of(name)?;
@@ -223,18 +221,19 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             document
         }
     };
-    // A scene of which no path is edited has its own space and speeds.
+    // A scene that edits no path keeps its own space and speeds.
     if options.space_half_size != 0.0 && document.edits_path() {
         let space = Space {
             centre: options.space_centre.into(),
             half_size: options.space_half_size,
             up: up_from_c(options.space_up)?,
         };
-        // A new path lies in the space as it does in its own; others have numbers.
+        // A new path is moved to the same place in the given space; others have coordinates of
+        // their own.
         let fit = options.path.is_null() && document.read_contents().is_none();
         document.apply(Edit::SetSpace { space, fit })?;
     }
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     let object = unsafe { wireframe(options.object) }?;
     if !object.is_empty() {
         let mut info = document.info().clone();
@@ -251,7 +250,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
     if !unset && document.edits_path() {
         document.apply(Edit::SetSpeeds(speeds))?;
     }
-    // SAFETY: the caller's word for the texts.
+    // SAFETY: as required of the caller, for all texts.
     let (title, display, language, application, host_name) = unsafe {
         (
             text(options.title, "the title is not UTF-8")?,
@@ -277,7 +276,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
     };
     Ok(Beginning {
         editor: editor::Options {
-            // The window's own history begins here.
+            // The window's own undo history begins here.
             document: document.as_opened(),
             file,
             title,
@@ -300,7 +299,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
     })
 }
 
-/// An X window of the host's, by its number; 0 is none.
+/// An X window of the host's; 0 is none.
 fn x_window(id: c_ulong) -> Answer<Option<u32>> {
     let id = u32::try_from(id).map_err(|_| {
         Failure::Border(V_ERR_RANGE, "the number of an X window has at most 32 bits")
@@ -308,7 +307,7 @@ fn x_window(id: c_ulong) -> Answer<Option<u32>> {
     Ok((id != 0).then_some(id))
 }
 
-/// The host, by what it calls itself.
+/// The host's name, and whether its windows may save.
 fn program(options: &V_EDITOR_OPTIONS, application: Option<&str>) -> editor::Program {
     let saves = options.file.is_null() || options.hand_over_saves != 0;
     let mut program = instance::host_program(saves);
@@ -318,19 +317,19 @@ fn program(options: &V_EDITOR_OPTIONS, application: Option<&str>) -> editor::Pro
     program
 }
 
-/// A text of the host's, copied; NULL is none.
+/// Copies a text of the host's; NULL is none.
 ///
 /// # Safety
-/// A pointer that is not NULL points to a text ended by zero.
+/// `text` is NULL or points to a zero-terminated text.
 pub(super) unsafe fn text(text: *const c_char, not_utf8: &'static str) -> Answer<Option<String>> {
     if text.is_null() {
         return Ok(None);
     }
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     unsafe { pointers::text(text, not_utf8) }.map(|text| Some(text.to_owned()))
 }
 
-/// Opens the window and gives it its handle.
+/// Opens the window and creates its handle.
 fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
     let host = Rc::new(host);
     let fixed_speeds = editor.editor.fixed_speeds;
@@ -373,7 +372,7 @@ pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
             Ok(found) => {
                 EDITORS.remove(editor)?;
                 instance::close(found.window);
-                // What the host's on_pane called may have failed: that is not ours.
+                // Failed calls within the host's on_pane are no failure of this one.
                 clear_last_error();
             }
             Err(Failure::Border(V_ERR_CLOSED, _)) => {
@@ -428,7 +427,7 @@ pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V
     })
 }
 
-/// Puts another path in place of the one there is, in one step.
+/// Replaces the path in one undo step.
 fn replace(document: &mut Document, by: Document, fixed_speeds: bool) -> Result<()> {
     let (mut path, mut info) = by.into_parts();
     if fixed_speeds {
@@ -448,7 +447,7 @@ fn replace(document: &mut Document, by: Document, fixed_speeds: bool) -> Result<
     done
 }
 
-/// Sees that the path of the camera that is shown is the one that is edited.
+/// Makes the shown camera's path the one being edited.
 fn edit_shown(document: &mut Document) -> Result<()> {
     let Some(around) = document.around() else {
         return Ok(());
@@ -467,12 +466,12 @@ fn reason_for_c(reason: Reason) -> c_int {
     }
 }
 
-/// The host's functions.
+/// The host's callbacks.
 struct Callbacks {
     handle: Cell<*mut V_EDITOR>,
-    /// Ready to be handed over.
+    /// The poses prepared for the hand-over.
     poses: RefCell<Vec<Pose>>,
-    /// Its callbacks and what is handed on to them; nothing else of it is looked at.
+    /// Only its callbacks and their `user` are used.
     on: V_EDITOR_OPTIONS,
 }
 
@@ -488,8 +487,8 @@ impl Host for Callbacks {
     fn hand_over(&self, _: Id) {
         if let Some(on_poses) = self.on.on_poses {
             let (handle, poses) = (self.handle.get(), self.poses.take());
-            // SAFETY: the host's function; the poses live until it returns, and
-            // both kinds of pose are laid out alike.
+            // SAFETY: the host's function; the poses live until it returns, and both pose types
+            // have one layout.
             unsafe {
                 enter!("on_poses", on_poses(
                     handle => *mut V_EDITOR,
@@ -510,8 +509,7 @@ impl Host for Callbacks {
         let Some(on_view) = self.on.on_view else {
             return;
         };
-        // SAFETY: the host's function; the pose lives until it returns, and both kinds
-        // are laid out alike.
+        // SAFETY: as for `on_poses`.
         unsafe {
             enter!("on_view", on_view(
                 self.handle.get() => *mut V_EDITOR,
@@ -552,8 +550,8 @@ impl Host for Callbacks {
     fn capture(&self, _: Id) -> Option<Pose> {
         let on_capture = self.on.on_capture?;
         let mut pose = Pose::default();
-        // SAFETY: the host's function; the pose may be written until it returns, any
-        // bits make one, and both kinds are laid out alike.
+        // SAFETY: the host's function may write the pose until it returns; any bits are valid, and
+        // both pose types have one layout.
         let given = unsafe {
             enter!("on_capture", on_capture(
                 self.handle.get() => *mut V_EDITOR,

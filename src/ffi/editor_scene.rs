@@ -53,7 +53,7 @@ pub unsafe extern "C" fn v_editor_set_scene(editor: *mut V_EDITOR, scene: *const
     })
 }
 
-/// Puts a scene in place of what there is, in one step.
+/// Replaces the contents by a scene in one undo step.
 fn replace(document: &mut Document, by: SceneDocument, fixed_speeds: bool) -> Result<()> {
     let SceneDocument {
         scene, mut info, ..

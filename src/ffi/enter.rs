@@ -1,17 +1,13 @@
-//! The way into a callback of the host's: through a frame that no exception
-//! passes.
+//! Calling the host's callbacks through a frame that no exception passes.
 //!
-//! A C++ exception that leaves a callback would unwind frames of Rust, which
-//! cannot have it: Rust's runtime ends the program with a word about Rust, or, in
-//! the shared library, whose unwinder is its own, without any. So every callback
-//! is called from one frame whose personality routine, which the unwinder asks
-//! first, says what happened and refuses. The stack still stands then, and the
-//! C++ runtime ends the program as at a `noexcept` function: by
-//! `std::terminate`, with its own words about the exception. The routine asks
-//! nothing of the unwinder, since that may be another one than ours.
+//! A C++ exception must not unwind Rust frames: Rust's runtime would end the program with a message
+//! about Rust, or, in the shared library with its own unwinder, with none. So callbacks are called
+//! from one frame whose personality routine reports what happened and refuses. As this is in the
+//! search phase, the stack is intact, and the C++ runtime calls `std::terminate` with its own
+//! message, as at a `noexcept` function. The routine calls nothing in the unwinder, which may not
+//! be ours.
 //!
-//! The frame is written for x86-64. Elsewhere callbacks are called plainly, and
-//! Rust's runtime has the last word.
+//! The frame exists for x86-64 only; elsewhere callbacks are called directly.
 
 use std::cell::Cell;
 
@@ -19,15 +15,15 @@ use std::cell::Cell;
 pub(super) use frame::vides_enter;
 
 thread_local! {
-    /// The callback that runs.
+    /// The callback that is running.
     static NAME: Cell<&'static str> = const { Cell::new("") };
 }
 
-/// Calls a function of the host's: its name in the header, the function with its
-/// arguments and their types, the type that it returns.
+/// Calls a function of the host's. Takes its name in the header, the function with its arguments
+/// and their types, and the result type.
 ///
 /// # Safety
-/// The function is of these types and may be called with these arguments.
+/// The function has these types and may be called with these arguments.
 macro_rules! enter {
     ($name:literal, $function:ident($($argument:expr => $kind:ty),* $(,)?) -> $result:ty) => {{
         type Function = unsafe extern "C" fn($($kind),*) -> $result;
@@ -35,8 +31,8 @@ macro_rules! enter {
             #[cfg(all(target_arch = "x86_64", not(miri)))]
             {
                 type Enter = unsafe extern "C" fn(Function $(, $kind)*) -> $result;
-                // The frame takes the function and up to six arguments that are no
-                // floating-point numbers; those pass by.
+                // The frame passes on the function and up to six integer or pointer arguments;
+                // floating-point arguments stay in their registers.
                 let enter = std::mem::transmute::<unsafe extern "C" fn(), Enter>(
                     $crate::ffi::enter::vides_enter,
                 );
@@ -51,7 +47,7 @@ macro_rules! enter {
     }};
 }
 
-/// Runs `call` under a callback's name.
+/// Runs `call`, with `name` as the running callback.
 pub(super) fn named<T>(name: &'static str, call: impl FnOnce() -> T) -> T {
     let outer = NAME.replace(name);
     let result = call();
@@ -66,9 +62,8 @@ mod frame {
     use super::NAME;
     use crate::error::complain;
 
-    // What each line means to an unwinder: "DWARF Debugging Information Format", 6.4,
-    // and the C++ ABI for Itanium, "Exception Handling". 0x1b: the routine's address
-    // is given relative to the place where it stands, in four bytes.
+    // The directives: DWARF Debugging Information Format, 6.4, and the Itanium C++ ABI, Exception
+    // Handling. 0x1b: the routine's address, PC-relative in four bytes.
     std::arch::global_asm!(
         ".pushsection .text.vides_enter,\"ax\",@progbits",
         ".balign 16",
@@ -87,7 +82,7 @@ mod frame {
         "mov rdx, rcx",
         "mov rcx, r8",
         "mov r8, r9",
-        // The sixth is the first on the stack; where there is none, nobody looks.
+        // The sixth argument is the first on the stack; garbage if there is none.
         "mov r9, [rsp + 16]",
         "call rax",
         "add rsp, 8",
@@ -100,17 +95,17 @@ mod frame {
     );
 
     unsafe extern "C" {
-        /// Calls the function that is its first argument with the others.
+        /// Calls its first argument with the others.
         pub(in crate::ffi) fn vides_enter();
     }
 
-    /// Looking for a handler, and nothing is unwound yet (`_UA_SEARCH_PHASE`).
+    /// `_UA_SEARCH_PHASE`: nothing is unwound yet.
     const SEARCH: c_int = 1;
     /// `_URC_FATAL_PHASE1_ERROR`, `_URC_FATAL_PHASE2_ERROR`.
     const NO_HANDLER: c_int = 3;
     const NO_WAY_ON: c_int = 2;
 
-    /// The frame's personality routine: whoever unwinds the stack asks it how to go on.
+    /// The frame's personality routine, which unwinders ask how to go on.
     extern "C" fn refuse(
         _version: c_int,
         actions: c_int,
@@ -125,7 +120,7 @@ mod frame {
             ));
             return NO_HANDLER;
         }
-        // Without a search before it: the thread is to end, or is cancelled.
+        // Forced unwinding skips the search phase: the thread exits or is cancelled.
         complain(format_args!(
             "the thread is to end within the callback {name}(), where it may not: the program ends"
         ));

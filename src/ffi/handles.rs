@@ -1,11 +1,9 @@
 //! Handles: tokens that name an object without being its address.
 //!
-//! A token holds the number of a slot in a table and the slot's generation,
-//! which counts up with every object that the slot has held. So a handle that
-//! is stale, freed twice, of another kind or made up is found out by one look
-//! into the table, and nothing is ever read through it. Its lowest bit is set
-//! and, where there is room, its highest too: no allocator returns such an
-//! address, and to follow one faults at once.
+//! A token holds a slot's index and generation, which increases with each object in the slot. So a
+//! handle that is stale, freed twice, of another kind or made up is recognized by a table lookup
+//! and never dereferenced. The lowest bit is set and, on 64 bits, the highest too: no allocator
+//! returns such an address, and dereferencing it faults.
 
 use std::marker::PhantomData;
 use std::sync::{PoisonError, RwLock};
@@ -40,11 +38,11 @@ const INVALID: Failure = Failure::Border(
     "the handle is not valid: freed, of another kind, or never made",
 );
 
-/// The kind of the handles `V_PATH *`.
+/// The kind of `V_PATH *`.
 pub(super) const KIND_PATH: usize = 1;
-/// The kind of the handles `V_EDITOR *`.
+/// The kind of `V_EDITOR *`.
 pub(super) const KIND_EDITOR: usize = 2;
-/// The kind of the handles `V_SCENE *`.
+/// The kind of `V_SCENE *`.
 pub(super) const KIND_SCENE: usize = 3;
 
 /// All objects of one kind that C holds. `C` is the opaque type in the header.
@@ -56,8 +54,8 @@ pub(super) struct Handles<T, C> {
 
 struct Table<T> {
     slots: Vec<Slot<T>>,
-    /// The first of the empty slots, chained through `next_empty`: freeing a
-    /// handle needs no memory.
+    /// The first empty slot; the others are chained through `next_empty`, so that freeing a handle
+    /// needs no memory.
     empty: Option<usize>,
 }
 
@@ -68,7 +66,6 @@ struct Slot<T> {
 }
 
 impl<T, C> Handles<T, C> {
-    /// No objects yet.
     pub(super) const fn new(kind: usize) -> Self {
         Self {
             kind,
@@ -80,7 +77,7 @@ impl<T, C> Handles<T, C> {
         }
     }
 
-    /// Gives an object a handle.
+    /// Creates a handle for an object.
     pub(super) fn insert(&self, object: T) -> Answer<*mut C> {
         let object = Counted::try_new(object)?;
         let mut table = self.table.write().unwrap_or_else(PoisonError::into_inner);
@@ -95,22 +92,22 @@ impl<T, C> Handles<T, C> {
         Ok(self.token(number, generation))
     }
 
-    /// The object of a handle. It lives as long as the answer is held, even
-    /// if another thread frees the handle meanwhile.
+    /// The object of a handle. Stays alive while the result is held, even if another thread frees
+    /// the handle.
     pub(super) fn get(&self, handle: *const C) -> Answer<Counted<T>> {
         let table = self.table.read().unwrap_or_else(PoisonError::into_inner);
         let number = self.slot_of(handle, &table)?;
         table.slots[number].object.clone().ok_or(INVALID)
     }
 
-    /// Takes the object away from its handle, which is invalid from then on.
+    /// Removes the object and invalidates its handle.
     pub(super) fn remove(&self, handle: *const C) -> Answer<Counted<T>> {
         let mut table = self.table.write().unwrap_or_else(PoisonError::into_inner);
         let number = self.slot_of(handle, &table)?;
         let empty = table.empty;
         let slot = &mut table.slots[number];
         let object = slot.object.take().ok_or(INVALID)?;
-        // A slot whose generations are used up stays empty for good.
+        // A slot that has used up its generations stays empty.
         if slot.generation < LAST_GENERATION {
             slot.generation += 1;
             slot.next_empty = empty;
@@ -124,7 +121,7 @@ impl<T, C> Handles<T, C> {
         std::ptr::without_provenance_mut(bits)
     }
 
-    /// The slot that a handle names, if the handle is as it was given out.
+    /// The slot of a handle, checked against its generation.
     fn slot_of(&self, handle: *const C, table: &Table<T>) -> Answer<usize> {
         let number = (handle.addr() >> SLOT_SHIFT) & (MAX_SLOTS - 1);
         match table.slots.get(number) {
@@ -135,7 +132,7 @@ impl<T, C> Handles<T, C> {
 }
 
 impl<T> Table<T> {
-    /// One more empty slot; it is not in the chain of the empty ones.
+    /// Adds an empty slot, which is not yet in the chain.
     fn grow(&mut self) -> Answer<usize> {
         let number = self.slots.len();
         if number == MAX_SLOTS {

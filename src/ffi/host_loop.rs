@@ -1,4 +1,4 @@
-//! How the host's event loop serves the windows.
+//! Serving the windows from the host's event loop.
 
 use std::ffi::{c_int, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -12,8 +12,8 @@ use super::status::{
 use crate::error::panic_said;
 use crate::instance::{self, Lost, Refusal};
 
-/// What an Xt host's loop does when the descriptor is readable. The last
-/// message stays, unless there is something to say: the host has called nothing.
+/// Serves the windows when an Xt host's loop finds the descriptor readable. Sets the last error
+/// only on failure, since the host has called nothing.
 pub(super) fn serve() {
     match catch_unwind(AssertUnwindSafe(instance::dispatch)) {
         Ok(served) => tell(served.lost.as_ref()),
@@ -65,7 +65,7 @@ pub extern "C" fn v_timeout() -> c_int {
         let Some(wait) = instance::wait() else {
             return Ok(-1);
         };
-        // Rounded up: who comes too early has come for nothing.
+        // Rounded up, so as not to wake too early.
         let wait = wait.as_nanos().div_ceil(1_000_000);
         Ok(c_int::try_from(wait).unwrap_or(c_int::MAX))
     })

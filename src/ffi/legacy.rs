@@ -89,7 +89,7 @@ pub unsafe extern "C" fn v_haupt(
     report(&warnings);
 }
 
-/// Opens the window. An object that cannot be shown is no reason not to.
+/// Opens the window, even if the object cannot be shown.
 fn open(
     speeds: BaseSpeeds,
     object: Answer<Object>,
@@ -135,11 +135,10 @@ fn open(
     Ok(())
 }
 
-/// What the host was promised, and what it promised.
+/// The arguments of `v_haupt`.
 struct Contract {
     list: *mut V_KAMERAPAR,
-    /// The list in place of one of the host's, and the count of either, ready to
-    /// be handed over.
+    /// The list used where the host gave none, and the count of either, prepared for the hand-over.
     own: RefCell<Option<OwnList>>,
     count: Cell<c_int>,
     rueck: Option<Rueck>,
@@ -166,8 +165,7 @@ impl Host for Contract {
         };
         let mut own = self.own.take();
         let list = own.as_mut().map_or(self.list, OwnList::head);
-        // SAFETY: the host's function, and the host's list or one that lives
-        // until the function has returned.
+        // SAFETY: the host's function; the list is the host's or lives until it returns.
         unsafe {
             enter!("rueck", rueck(
                 list => *mut V_KAMERAPAR,
@@ -224,8 +222,8 @@ impl OwnList {
 impl Drop for OwnList {
     fn drop(&mut self) {
         let head = self.head();
-        // SAFETY: our element. If the host has changed the list, its elements
-        // are the host's, and only the head is to be forgotten.
+        // SAFETY: our element. If the host has changed the list, its other elements are the host's,
+        // and only the head is forgotten.
         unsafe {
             if !list::free(head) {
                 (*head).number = -1;
@@ -235,8 +233,8 @@ impl Drop for OwnList {
     }
 }
 
-/// Says on standard error why there is no window and what else was wrong, a
-/// line each; v_last_error() tells both.
+/// Reports on standard error why there is no window and all warnings, a line each; the last error
+/// has both.
 fn report(warnings: &Warnings) {
     with_last_error(|message| match std::str::from_utf8(message) {
         Ok("") | Err(_) => {}
@@ -261,8 +259,7 @@ pub unsafe extern "C" fn v_free_liste(first: *mut V_KAMERAPAR) {
             return Ok(());
         }
         check(first)?;
-        // SAFETY: not NULL, aligned; the header tells what the host must
-        // hold to.
+        // SAFETY: not NULL, aligned; for the rest see the header.
         if unsafe { list::free(first) } {
             return Ok(());
         }

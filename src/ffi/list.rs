@@ -1,14 +1,11 @@
 //! The list of poses in its form of 1994 (thesis B.2.2, B.2.3).
 //!
-//! The first element is the host's, the others are made one by one with the
-//! host's `malloc`. A list is built whole before anything of an old one is
-//! touched; nothing here asks for memory in a way that cannot be refused.
+//! The first element is the host's; the others are allocated one by one with the host's `malloc`. A
+//! list is built whole before an old one is touched, and no allocation may abort.
 //!
-//! An old list is freed only if this library made it. A pointer cannot tell
-//! that, and a host may have freed, relinked or never initialised what it
-//! hands over; so the library remembers of each list its head, its second and
-//! last element and its count ([`MADE`]), and follows pointers only where they
-//! agree with that.
+//! An old list is freed only if this library made it. A host may have freed, relinked or never
+//! initialised what it passes; so the library records each list's head, second and last element and
+//! count ([`MADE`]), and follows pointers only where they agree.
 
 use std::ffi::c_int;
 use std::mem::ManuallyDrop;
@@ -21,12 +18,10 @@ use crate::limits::MAX_FRAMES;
 use crate::path::Pose;
 use vides_engine::Result;
 
-/// Poses taken from the engine at a time: 20 KB, which stay in the
-/// processor's first cache between being computed and being spread.
+/// Poses taken from the engine at a time: 20 KB, which stay in the L1 cache.
 const BLOCK: usize = 256;
 
-/// What is remembered of a list. Addresses are compared, never followed from
-/// here.
+/// What is recorded of a list. The addresses are only compared.
 #[derive(Clone, Copy, PartialEq)]
 struct Made {
     head: usize,
@@ -35,8 +30,7 @@ struct Made {
     count: c_int,
 }
 
-/// The lists that this library made and has not freed, in the order of their
-/// heads' addresses.
+/// The lists this library made and has not freed, sorted by head.
 struct Registry(Vec<Made>);
 
 static MADE: Mutex<Registry> = Mutex::new(Registry(Vec::new()));
@@ -46,7 +40,7 @@ fn made() -> MutexGuard<'static, Registry> {
 }
 
 impl Registry {
-    /// Where the list of a head is, or would be.
+    /// The index of a head's list, or where to insert it.
     fn place(&self, head: usize) -> std::result::Result<usize, usize> {
         self.0.binary_search_by_key(&head, |list| list.head)
     }
@@ -55,8 +49,7 @@ impl Registry {
         self.place(head).ok().map(|place| &self.0[place])
     }
 
-    /// Remembers a list in place of what its head had before. There must be
-    /// room for one more.
+    /// Records a list in place of its head's previous one. The capacity must suffice.
     fn insert(&mut self, list: Made) {
         match self.place(list.head) {
             Ok(place) => self.0[place] = list,
@@ -64,7 +57,7 @@ impl Registry {
         }
     }
 
-    /// Forgets a list; with the last one the memory is given back, too.
+    /// Forgets a list; with the last one, frees the memory.
     fn remove(&mut self, head: usize) {
         if let Ok(place) = self.place(head) {
             self.0.remove(place);
@@ -75,13 +68,12 @@ impl Registry {
     }
 }
 
-/// Elements of a list while it is built, from the second on: linked among
-/// themselves, not yet to the head. Dropped before [`publish`] took it over, it
-/// frees them.
+/// A list under construction, from the second element on, not yet linked to the head. Frees its
+/// elements when dropped before [`publish`] takes them over.
 struct Chain {
     second: *mut V_KAMERAPAR,
     last: *mut V_KAMERAPAR,
-    /// Elements, and one for the head.
+    /// The number of elements, plus one for the head.
     count: c_int,
 }
 
@@ -94,7 +86,6 @@ impl Chain {
         }
     }
 
-    /// Appends one element.
     #[inline]
     fn push(&mut self, pose: &Pose) -> Result<()> {
         // SAFETY: malloc takes any size.
@@ -111,7 +102,7 @@ impl Chain {
         if self.last.is_null() {
             self.second = element;
         } else {
-            // SAFETY: `last` is the element that was written before this one.
+            // SAFETY: `last` is the element written before this one.
             unsafe { (*self.last).next = element };
         }
         self.last = element;
@@ -129,8 +120,7 @@ impl Drop for Chain {
     fn drop(&mut self) {
         let mut element = self.second;
         for _ in 1..self.count {
-            // SAFETY: `count` - 1 elements of malloc's hang together by `next`;
-            // nobody else has seen them.
+            // SAFETY: `count` - 1 elements from malloc are linked by `next`, and unshared.
             unsafe {
                 let next = (*element).next;
                 libc::free(element.cast());
@@ -140,7 +130,7 @@ impl Drop for Chain {
     }
 }
 
-/// A pose in the form of 1994, without links and number.
+/// Converts a pose to the form of 1994, without links and number.
 #[inline]
 fn converted(pose: &Pose) -> V_KAMERAPAR {
     V_KAMERAPAR {
@@ -163,31 +153,25 @@ fn narrowed([x, y, z]: [f64; 3]) -> V_POS {
     }
 }
 
-/// Rounds half away from zero. A zoom lies between 1 and 100, where to add a
-/// half and to cut off is exact and takes no call of the mathematics library.
+/// Rounds half up, without a call of libm; exact for a zoom, which is from 1 to 100.
 #[inline]
 fn rounded(zoom: f64) -> c_int {
     (zoom + 0.5) as c_int
 }
 
-/// Builds a list of `frames` poses on the host's element `first`. A list that was
-/// there, if this library made it, gives its elements to the new one as far as that
-/// goes, and the others are freed. `fill(n, poses)` computes
-/// the poses number n, n + 1, … (counted from 1).
-///
-/// # Errors
-/// Those of `fill`, `ErrorKind::Memory`; the old list is then as it was.
-///
+/// Builds a list of `frames` poses on the host's element `first`; `fill(n, poses)` computes the
+/// poses from number n on (counted from 1). The elements of an old list made by this library are
+/// reused as far as needed, and the others freed. On failure (of `fill`, or `ErrorKind::Memory`)
+/// the old list is unchanged.
 /// # Safety
-/// `first` points to an element of the host's. If its number is not negative,
-/// then a list that this library made there either still exists as it was
-/// made, or its first element's links have changed.
+/// `first` points to an element of the host's. If its number is not negative, a list made there by
+/// this library is either unchanged, or its first element's links have changed.
 pub(super) unsafe fn build(
     frames: usize,
     first: *mut V_KAMERAPAR,
     mut fill: impl FnMut(usize, &mut [Pose]) -> Result<()>,
 ) -> Result<()> {
-    // `count` below numbers them all.
+    // Elements are numbered by a `c_int`.
     const { assert!(MAX_FRAMES <= c_int::MAX as usize) };
     let mut scratch = [Pose::default(); BLOCK];
     let mut chain = Chain::new();
@@ -208,22 +192,22 @@ pub(super) unsafe fn build(
     let Some(head) = head else {
         return Err(OutOfRange::NoPose.into());
     };
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     unsafe { publish(chain, head, first) }
 }
 
-/// Puts a complete list in the place of whatever the head held.
+/// Replaces whatever the head held by a complete list.
 ///
 /// # Safety
 /// As for [`build`].
 unsafe fn publish(chain: Chain, head: V_KAMERAPAR, first: *mut V_KAMERAPAR) -> Result<()> {
     let mut made = made();
-    // The last thing that can fail. Dropping the chain frees it.
+    // The last step that can fail; the chain is then freed by its drop.
     made.0.try_reserve(1)?;
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     let old = unsafe { known(&made, first) };
     let (chain, spare) = match old {
-        // SAFETY: found whole.
+        // SAFETY: `known` found it whole.
         Some(old) => unsafe { reuse(chain, old) },
         None => (chain, Spare::default()),
     };
@@ -238,8 +222,8 @@ unsafe fn publish(chain: Chain, head: V_KAMERAPAR, first: *mut V_KAMERAPAR) -> R
         count: chain.count,
     });
     drop(made);
-    // SAFETY: `first` is the host's element, `second` and `last` are complete
-    // elements of the chain, or `first` itself.
+    // SAFETY: `first` is the host's element; `second` and `last` are elements of the chain or
+    // `first` itself.
     unsafe {
         first.write(V_KAMERAPAR { number: 1, ..head });
         (*first).next = second;
@@ -251,11 +235,11 @@ unsafe fn publish(chain: Chain, head: V_KAMERAPAR, first: *mut V_KAMERAPAR) -> R
     Ok(())
 }
 
-/// Elements of which a new list has no need.
+/// Elements left over from a reuse, to be freed.
 type Spare = [Chain; 2];
 
-/// Puts poses into the elements of an old list as far as both go, so that a host that
-/// kept one of them has it still; behind them the list goes on with its own elements.
+/// Copies poses into the elements of an old list as far as both go, so that pointers a host kept
+/// stay valid; beyond, the new elements are linked.
 ///
 /// # Safety
 /// The old list was found whole by [`known`].
@@ -265,7 +249,7 @@ unsafe fn reuse(chain: Chain, old: Known) -> (Chain, Spare) {
     let (mut from, mut into) = (chain.second, old.second);
     let mut last = ptr::null_mut();
     for _ in 1..both {
-        // SAFETY: both have so many elements.
+        // SAFETY: both lists have that many elements.
         unsafe {
             let pose = from.read();
             into.write(V_KAMERAPAR {
@@ -299,9 +283,9 @@ unsafe fn reuse(chain: Chain, old: Known) -> (Chain, Spare) {
     (piece(old.second, last, chain.count), [used, rest])
 }
 
-/// Frees all elements but the first of a list that this library made, and sets
-/// the first one's number to −1. Nothing happens to a list that is none
-/// (number < 0), nor to any other; `false` for that.
+/// Frees all elements but the first of a list made by this library, and sets the first one's number
+/// to −1. Does nothing if that is negative already; `false`, and nothing changed, for any other
+/// list.
 ///
 /// # Safety
 /// As for [`build`].
@@ -313,13 +297,13 @@ pub(super) unsafe fn free(first: *mut V_KAMERAPAR) -> bool {
         made.remove(first.addr());
         return true;
     }
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     let Some(old) = (unsafe { known(&made, first) }) else {
         return false;
     };
     made.remove(first.addr());
     drop(made);
-    // SAFETY: found whole, and nobody can find it any more.
+    // SAFETY: found whole, and no longer recorded.
     unsafe {
         (*first).number = -1;
         release(old);
@@ -327,20 +311,20 @@ pub(super) unsafe fn free(first: *mut V_KAMERAPAR) -> bool {
     true
 }
 
-/// Elements that may be freed: the second one and the count of the list.
+/// Elements that may be freed: the second one and the list's count.
 struct Known {
     second: *mut V_KAMERAPAR,
     count: c_int,
 }
 
-/// The list at a head, if it is one that this library made, whole and as it
-/// was made. What the host has changed is the host's.
+/// The list at a head, if this library made it and every link and number is unchanged; anything the
+/// host has changed belongs to the host.
 ///
 /// # Safety
 /// As for [`build`].
 unsafe fn known(made: &Registry, first: *mut V_KAMERAPAR) -> Option<Known> {
     let entry = made.get(first.addr())?;
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     let head = unsafe { first.read() };
     let named = Made {
         second: head.next.addr(),
@@ -350,12 +334,11 @@ unsafe fn known(made: &Registry, first: *mut V_KAMERAPAR) -> Option<Known> {
     if head.number < 0 || named != *entry {
         return None;
     }
-    // The host says that there are data, and the links are those that were
-    // made. Every element must hang where it was hung.
+    // Follow the links, each of which must be as made.
     let (mut before, mut element) = (first, head.next);
     for number in 2..=entry.count {
-        // SAFETY: `element` is the second element as it was made, or what the
-        // element before it, found in order, points to.
+        // SAFETY: `element` is the recorded second element, or the successor of an element found
+        // unchanged.
         let found = unsafe { element.read() };
         if found.number != number || found.prev != before {
             return None;

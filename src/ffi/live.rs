@@ -1,5 +1,5 @@
-//! What the host tells a window while the flight is planned: frame, current
-//! orientation, its own camera, object and title; and its own Quit.
+//! Calls on an open window: frame, current orientation, the host's camera, object and title, and
+//! its own Quit.
 
 use std::ffi::{c_char, c_double, c_int};
 
@@ -25,7 +25,6 @@ impl From<V_POSE> for Pose {
     }
 }
 
-/// Tells a window something.
 fn command(
     editor: *const V_EDITOR,
     command: impl FnOnce(&mut Editor) -> crate::error::Result<()>,

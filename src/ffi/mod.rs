@@ -1,31 +1,28 @@
-//! The border to C: every function of `include/libvides.h`, and nothing else.
+//! The C interface: the functions of `include/libvides.h`.
 //!
-//! The host is C: it hands over null and dangling pointers, stale handles,
-//! numbers that are none; it may run out of memory or call from several
-//! threads. All of that ends here. An export checks what it was given,
-//! converts it, calls safe code and converts the answer; the oddities of the
-//! 1994 interface (lists, `number < 0`) stay in [`legacy`] and [`list`].
+//! A C host may pass null or dangling pointers, stale handles and NaN, run out of memory, or call
+//! from several threads. An export checks and converts its arguments, calls safe code and converts
+//! the result; the oddities of the 1994 interface (lists, `number < 0`) stay in [`legacy`] and
+//! [`list`].
 //!
-//! Handles are tokens and not addresses ([`handles`]), so that a wrong one is
-//! a status and not a crash. Every export's body stands inside
-//! [`border::border`], which stops panics and keeps the last error. It is a
-//! function and not a macro around the exports, since cbindgen reads the
-//! source as it is written.
+//! Every export's body runs inside [`border::border`], which stops panics and keeps the last error.
+//! That is a function and not a macro around the exports because cbindgen reads the source as
+//! written.
 //!
-//! Nothing else in the library may use this module, and only here may
-//! unsafe code deal with the host's memory.
+//! Nothing else in the library may use this module, and only here may unsafe code touch the host's
+//! memory.
 
-// The names are C's.
+// C's naming conventions.
 #![allow(non_camel_case_types, non_snake_case, unreachable_pub)]
 #![allow(unsafe_code)]
-// What a caller must hold to is said once, in the header's preamble.
+// The header's preamble states what callers must uphold.
 #![allow(clippy::missing_safety_doc)]
 
 mod border;
 mod checks;
 mod counted;
 mod curve;
-// Its macro is for those below.
+// Defines `enter!` for the modules below.
 #[macro_use]
 mod enter;
 mod editor;

@@ -1,5 +1,4 @@
-//! What a host hands over when it opens a window: the object to be shown and
-//! the base speeds, looked at and converted.
+//! What a host passes when it opens a window: the object to show and the base speeds.
 
 use std::ffi::c_int;
 
@@ -15,15 +14,14 @@ use crate::error::{TooMany, vec_with_room};
 use crate::limits;
 use crate::path::BaseSpeeds;
 
-/// The speed in the place of one that makes no sense: that of the thesis's own
-/// example.
+/// Replaces an invalid speed; from the thesis's example.
 const USUAL_SPEED: f64 = 100.0;
 
-/// A copy of the host's object. No object is one without points. If the
-/// numbers are not 1, 2, 3 …, `warn` is told; the order of the array counts.
+/// Copies the host's object, empty without points. Warns if the numbers are not 1, 2, 3 …; the
+/// order of the array counts.
 ///
 /// # Safety
-/// A pointer that is not NULL points to `count` elements that can be read.
+/// `points` is NULL or points to `count` readable elements.
 pub(super) unsafe fn object(
     points: *const V_OBJEKT_LIST,
     count: c_int,
@@ -56,10 +54,10 @@ pub(super) unsafe fn object(
     Ok(copied.into())
 }
 
-/// A copy of the host's object as a wireframe; NULL is none.
+/// Copies the host's object as a wireframe; NULL is an empty one.
 ///
 /// # Safety
-/// A pointer that is not NULL points to a mesh whose arrays are as long as it says.
+/// `mesh` is NULL or points to a mesh whose arrays are as long as it says.
 pub(super) unsafe fn wireframe(mesh: *const V_MESH) -> Answer<Object> {
     if mesh.is_null() {
         return Ok(Object::default());
@@ -69,8 +67,8 @@ pub(super) unsafe fn wireframe(mesh: *const V_MESH) -> Answer<Object> {
     Ok(Object::of_mesh(&mesh)?)
 }
 
-/// The host's base speeds: move, orient, zoom, winkel. In the place of one
-/// that makes no sense comes the usual one, and `warn` is told.
+/// The host's base speeds: move, orient, zoom, winkel (roll). Invalid ones are replaced, with a
+/// warning.
 pub(super) fn speeds(given: [f64; 4], warn: &mut Warnings) -> BaseSpeeds {
     let names = ["move_speed", "orient_speed", "zoom_speed", "winkel_speed"];
     let mut sound = given;

@@ -16,7 +16,6 @@ use crate::document::{Document, Edit, no_longer_ahead};
 use crate::error::{Invalid, OutOfRange};
 use crate::path::{MayOwn, Orientation, Target, Tcb, UpPath, UpVector};
 
-/// The struct of C for an orientation.
 fn to_c(orientation: &Orientation) -> V_ORIENTATION {
     let (absolute, target) = match orientation.target {
         Target::Absolute(target) => (1, target),
@@ -32,12 +31,12 @@ fn to_c(orientation: &Orientation) -> V_ORIENTATION {
         continuity: orientation.turning.continuity,
         bias: orientation.turning.bias,
         speed: orientation.speeds,
-        // At most MAX_HOLD, which an int holds.
+        // At most MAX_HOLD, which fits.
         hold: c_int::try_from(orientation.hold).unwrap_or(c_int::MAX),
     }
 }
 
-// SAFETY: of C's layout, `size` first, numbers only.
+// SAFETY: `repr(C)` with `size` first; numbers only.
 unsafe impl Growing for V_ORIENTATION {
     const FIRST: usize = size_of::<V_ORIENTATION>();
     const DEFAULTS: Self = Self {
@@ -54,7 +53,7 @@ unsafe impl Growing for V_ORIENTATION {
     };
 }
 
-/// The orientation that C describes; its values are not yet checked.
+/// Converts an orientation from C without checking its values.
 fn from_c(o: &V_ORIENTATION) -> Answer<Orientation> {
     let target = DVec3::from_array(o.target);
     Ok(Orientation {
@@ -72,7 +71,7 @@ fn from_c(o: &V_ORIENTATION) -> Answer<Orientation> {
     })
 }
 
-/// Changes an orientation by C's numbers.
+/// Changes an orientation named by C's indices.
 pub(super) fn change(
     path: *mut V_PATH,
     point: c_int,
@@ -90,7 +89,7 @@ pub(super) fn change(
     })
 }
 
-/// An orientation by C's numbers of it.
+/// An orientation named by C's indices.
 pub(super) fn orientation(document: &Document, point: c_int, at: c_int) -> Answer<&Orientation> {
     let orientations = &self::point(document, point)?.1.orientations;
     orientations
@@ -98,12 +97,11 @@ pub(super) fn orientation(document: &Document, point: c_int, at: c_int) -> Answe
         .ok_or(Failure::NoOrientation { point, at })
 }
 
-/// Reads a struct of the host's.
 ///
 /// # Safety
 /// `o` is NULL or points to a struct as its `size` says.
 unsafe fn read_orientation(o: *const V_ORIENTATION) -> Answer<Orientation> {
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     from_c(&unsafe { read_growing(o) }?)
 }
 
@@ -205,7 +203,7 @@ pub unsafe extern "C" fn v_path_set_orientation(
         // SAFETY: a struct as its size says, as the header demands.
         let mut values = unsafe { read_orientation(o) }?;
         change(path, point, at, |old| {
-            // What the struct has no place for stays.
+            // What C's struct lacks stays.
             values.own = std::mem::take(&mut old.own);
             *old = values;
             Ok(())

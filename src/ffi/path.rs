@@ -1,5 +1,4 @@
-//! Paths as handles: made, copied, freed, loaded and saved; and the way from
-//! a handle to its document.
+//! Paths as handles: made, copied, freed, loaded and saved.
 
 use std::ffi::{c_char, c_int};
 use std::sync::RwLock;
@@ -20,12 +19,10 @@ const SPOILED: Failure = Failure::Border(
     "this path is unusable since a fault inside the library",
 );
 
-/// Gives a document a handle.
 pub(super) fn keep(document: Document) -> Answer<*mut V_PATH> {
     PATHS.insert(RwLock::new(document))
 }
 
-/// Reads a path. Several threads may at once.
 pub(super) fn read<R>(path: *const V_PATH, look: impl FnOnce(&Document) -> Answer<R>) -> Answer<R> {
     if path.is_null() {
         check(path)?;
@@ -36,7 +33,7 @@ pub(super) fn read<R>(path: *const V_PATH, look: impl FnOnce(&Document) -> Answe
     look(&document)
 }
 
-/// Works on a path that nobody else reads or changes meanwhile.
+/// Works on a path with exclusive access.
 fn change<R>(path: *mut V_PATH, work: impl FnOnce(&mut Document) -> Answer<R>) -> Answer<R> {
     if path.is_null() {
         check(path)?;
@@ -47,12 +44,12 @@ fn change<R>(path: *mut V_PATH, work: impl FnOnce(&mut Document) -> Answer<R>) -
     work(&mut document)
 }
 
-/// Changes a path: all of the edit or nothing.
+/// Applies an edit, wholly or not at all.
 pub(super) fn edit(path: *mut V_PATH, edit: Edit) -> Answer<c_int> {
     edit_by(path, |_| Ok(edit))
 }
 
-/// As [`edit`], with an edit that depends on what the path is.
+/// As [`edit`], with an edit that depends on the path.
 pub(super) fn edit_by(
     path: *mut V_PATH,
     edit: impl FnOnce(&Document) -> Answer<Edit>,
@@ -64,7 +61,7 @@ pub(super) fn edit_by(
     })
 }
 
-/// As [`edit`], and then looks at the path.
+/// As [`edit`], and then reads the path.
 pub(super) fn edit_and<R>(
     path: *mut V_PATH,
     edit: Edit,
@@ -76,7 +73,7 @@ pub(super) fn edit_and<R>(
     })
 }
 
-/// Changes what a path says besides its poses.
+/// Changes the information stored beside the poses.
 pub(super) fn edit_info(path: *mut V_PATH, change: impl FnOnce(&mut Info)) -> Answer<c_int> {
     edit_by(path, |document| {
         let mut info = document.info().clone();

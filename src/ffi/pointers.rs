@@ -1,9 +1,5 @@
-//! The host's pointers: looked at before they are followed.
-//!
-//! What can be seen of a bad pointer is seen here: NULL, and an address that
-//! is not aligned for its type. That the rest of what it promises holds (it
-//! points to as much memory as the header says, and nobody else writes there
-//! meanwhile) is the host's part, and the header says so.
+//! Checks of the host's pointers before use: NULL and alignment. For what cannot be checked (the
+//! size of the memory, no concurrent writes) the header makes the host responsible.
 
 use std::ffi::{CStr, OsStr, c_char, c_int};
 use std::os::unix::ffi::OsStrExt;
@@ -20,7 +16,6 @@ const UNALIGNED: Failure = Failure::Border(
     "a pointer is not aligned for what it points to",
 );
 
-/// Refuses NULL and unaligned addresses.
 pub(super) fn check<T>(pointer: *const T) -> Answer<()> {
     if pointer.is_null() {
         return Err(NULL);
@@ -31,65 +26,62 @@ pub(super) fn check<T>(pointer: *const T) -> Answer<()> {
     Ok(())
 }
 
-/// A copy of what the host points to: inputs and outputs may overlap.
+/// Copies what the host points to, since inputs and outputs may overlap.
 ///
 /// # Safety
-/// A pointer that is not NULL points to a `T` that can be read.
+/// `pointer` is NULL or points to a readable `T`.
 pub(super) unsafe fn read<T: Copy>(pointer: *const T) -> Answer<T> {
     check(pointer)?;
-    // SAFETY: not NULL, aligned, and the caller's word for the rest.
+    // SAFETY: not NULL, aligned, and else as required of the caller.
     Ok(unsafe { pointer.read() })
 }
 
-/// As [`read`] for an array given by its first element, as C does.
+/// As [`read`], for an array given by its first element.
 ///
 /// # Safety
-/// A pointer that is not NULL points to `N` elements that can be read.
+/// `pointer` is NULL or points to `N` readable elements.
 pub(super) unsafe fn read_array<T: Copy, const N: usize>(pointer: *const T) -> Answer<[T; N]> {
-    // SAFETY: the caller's word; an array is aligned as its elements are.
+    // SAFETY: as required of the caller; an array has its elements' alignment.
     unsafe { read(pointer.cast::<[T; N]>()) }
 }
 
 /// Three coordinates.
 ///
 /// # Safety
-/// A pointer that is not NULL points to three doubles that can be read.
+/// `xyz` is NULL or points to three readable doubles.
 pub(super) unsafe fn read_vector(xyz: *const f64) -> Answer<DVec3> {
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     Ok(DVec3::from_array(unsafe { read_array(xyz) }?))
 }
 
-/// As [`read`], with NULL for nothing.
+/// As [`read`], with `None` for NULL.
 ///
 /// # Safety
-/// A pointer that is not NULL points to a `T` that can be read.
+/// `pointer` is NULL or points to a readable `T`.
 pub(super) unsafe fn read_optional<T: Copy>(pointer: *const T) -> Answer<Option<T>> {
     if pointer.is_null() {
         return Ok(None);
     }
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     unsafe { read(pointer) }.map(Some)
 }
 
-/// `count` elements, seen as a slice while the call lasts.
+/// Borrows `count` elements during the call.
 ///
 /// # Safety
-/// A pointer that is not NULL points to `count` elements that can be read and
-/// are not written while `'a` lasts.
+/// `pointer` is NULL or points to `count` readable elements, not written during `'a`.
 pub(super) unsafe fn slice<'a, T>(pointer: *const T, count: usize) -> Answer<&'a [T]> {
     check(pointer)?;
     check_extent::<T>(count)?;
-    // SAFETY: not NULL, aligned, no larger than memory can be, and the
-    // caller's word for the rest.
+    // SAFETY: not NULL, aligned, not larger than an object can be, and else as required.
     Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
 }
 
-/// `count` elements to be written.
+/// Borrows `count` elements for writing.
 ///
 /// # Safety
-/// A pointer that is not NULL points to `count` elements that can be written
-/// and are used by nobody else while `'a` lasts. Every bit pattern that may
-/// stand there now is a valid `T`.
+/// `pointer` is NULL or points to `count` writable elements, not used by others during `'a`. Any
+/// bit pattern is a valid `T`.
 pub(super) unsafe fn slice_mut<'a, T>(pointer: *mut T, count: usize) -> Answer<&'a mut [T]> {
     check(pointer)?;
     check_extent::<T>(count)?;
@@ -97,7 +89,7 @@ pub(super) unsafe fn slice_mut<'a, T>(pointer: *mut T, count: usize) -> Answer<&
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
-/// No object is larger than half of the address space.
+/// No object is larger than `isize::MAX` bytes.
 fn check_extent<T>(count: usize) -> Answer<()> {
     match count.checked_mul(size_of::<T>()) {
         Some(bytes) if isize::try_from(bytes).is_ok() => Ok(()),
@@ -105,19 +97,19 @@ fn check_extent<T>(count: usize) -> Answer<()> {
     }
 }
 
-/// Where a result goes. Made before the work, written after it: a call that
-/// fails has written nothing but the size that an array needs.
+/// The destination of a result: checked before the work, written after it, so that a failed call
+/// writes nothing.
 #[derive(Clone, Copy)]
 pub(super) struct Out<T>(*mut T);
 
 impl<T: Copy> Out<T> {
-    /// A result that must be wanted.
+    /// A required result.
     pub(super) fn new(pointer: *mut T) -> Answer<Self> {
         check(pointer)?;
         Ok(Self(pointer))
     }
 
-    /// A result that may be unwanted (NULL).
+    /// An optional result; NULL if unwanted.
     pub(super) fn optional(pointer: *mut T) -> Answer<Self> {
         if pointer.is_null() {
             return Ok(Self(pointer));
@@ -128,28 +120,28 @@ impl<T: Copy> Out<T> {
     /// Writes the result, if it is wanted.
     ///
     /// # Safety
-    /// A pointer that is not NULL points to memory for a `T`.
+    /// The pointer is NULL or points to memory for a `T`.
     pub(super) unsafe fn write(self, value: T) {
         if !self.0.is_null() {
-            // SAFETY: not NULL, aligned, and the caller's word for the rest.
+            // SAFETY: not NULL, aligned, and else as required of the caller.
             unsafe { self.0.write(value) };
         }
     }
 }
 
 impl<T: Copy, const N: usize> Out<[T; N]> {
-    /// A result array given by its first element, as C does.
+    /// A required array, given by its first element.
     pub(super) fn array(pointer: *mut T) -> Answer<Self> {
         Self::new(pointer.cast())
     }
 
-    /// The same, that may be unwanted (NULL).
+    /// An optional array; NULL if unwanted.
     pub(super) fn optional_array(pointer: *mut T) -> Answer<Self> {
         Self::optional(pointer.cast())
     }
 }
 
-/// Where a text goes: an array of the caller's, and how long the text is.
+/// The destination of a text: the host's buffer, and the text's length.
 pub(super) struct TextOut {
     buffer: *mut c_char,
     capacity: usize,
@@ -157,7 +149,7 @@ pub(super) struct TextOut {
 }
 
 impl TextOut {
-    /// A buffer that is NULL with a capacity of 0 only asks for the length.
+    /// A NULL buffer with capacity 0 only asks for the length.
     pub(super) fn new(buffer: *mut c_char, capacity: usize, length: *mut usize) -> Answer<Self> {
         let length = Out::new(length)?;
         if !buffer.is_null() || capacity != 0 {
@@ -170,13 +162,13 @@ impl TextOut {
         })
     }
 
-    /// Writes the text, ended by zero, and its length without the zero.
+    /// Writes the text with a terminating zero, and its length without it.
     ///
     /// # Safety
     /// The buffer is NULL or has `capacity` bytes; there is room for the length.
     pub(super) unsafe fn write(self, text: &[u8]) -> Answer<c_int> {
         let fits = text.len() < self.capacity;
-        // SAFETY: the caller's word; text and zero fit.
+        // SAFETY: as required of the caller; text and zero fit.
         unsafe {
             if fits {
                 let buffer = self.buffer.cast::<u8>();
@@ -195,54 +187,51 @@ impl TextOut {
     }
 }
 
-/// A text of the host's.
+/// A host's UTF-8 text.
 ///
 /// # Safety
-/// A pointer that is not NULL points to a text ended by a zero byte that
-/// stays as it is while `'a` lasts.
+/// `text` is NULL or points to a zero-terminated text, unchanged during `'a`.
 pub(super) unsafe fn text<'a>(text: *const c_char, not_utf8: &'static str) -> Answer<&'a str> {
     check(text)?;
-    // SAFETY: not NULL, and the caller's word for the rest.
+    // SAFETY: not NULL, and else as required of the caller.
     let text = unsafe { CStr::from_ptr(text) };
     text.to_str()
         .map_err(|_| Failure::Border(V_ERR_ARGUMENT, not_utf8))
 }
 
-/// A file's name: the bytes as they are, whatever their encoding.
+/// A file name, whose bytes may have any encoding.
 ///
 /// # Safety
-/// A pointer that is not NULL points to a text ended by a zero byte that
-/// stays as it is while `'a` lasts.
+/// `file` is NULL or points to a zero-terminated text, unchanged during `'a`.
 pub(super) unsafe fn file_name<'a>(file: *const c_char) -> Answer<&'a Path> {
     check(file)?;
-    // SAFETY: not NULL, and the caller's word for the rest.
+    // SAFETY: not NULL, and else as required of the caller.
     let text = unsafe { CStr::from_ptr(file) };
     Ok(Path::new(OsStr::from_bytes(text.to_bytes())))
 }
 
-/// A short text of C's: a name among some.
+/// The bytes of a short text, such as a keyword.
 ///
 /// # Safety
-/// A pointer that is not NULL points to a text ended by a zero byte that
-/// stays as it is while `'a` lasts.
+/// `text` is NULL or points to a zero-terminated text, unchanged during `'a`.
 pub(super) unsafe fn name<'a>(text: *const c_char) -> Answer<&'a [u8]> {
     check(text)?;
-    // SAFETY: not NULL, and the caller's word for the rest.
+    // SAFETY: not NULL, and else as required of the caller.
     Ok(unsafe { CStr::from_ptr(text) }.to_bytes())
 }
 
-/// An index or a number from C, where negative is never right.
+/// Converts an index, which must not be negative.
 pub(super) fn index(value: c_int) -> Answer<usize> {
     usize::try_from(value)
         .map_err(|_| Failure::Border(V_ERR_RANGE, "an index must not be negative"))
 }
 
-/// How many of something, where negative is never right.
+/// Converts a count, which must not be negative.
 pub(super) fn how_many(value: c_int) -> Answer<usize> {
     usize::try_from(value).map_err(|_| Failure::Border(V_ERR_RANGE, "a count must not be negative"))
 }
 
-/// A number for C. The limits of a path keep every count below `INT_MAX`.
+/// Converts a count for C. The limits of a path keep every count below `INT_MAX`.
 pub(super) fn count(value: usize) -> Answer<c_int> {
     c_int::try_from(value)
         .map_err(|_| Failure::Border(V_ERR_RANGE, "a count is too large for an int"))
@@ -251,19 +240,17 @@ pub(super) fn count(value: usize) -> Answer<c_int> {
 /// A struct that begins with its size and may grow at its end within version 1.
 ///
 /// # Safety
-/// The type is `repr(C)`, its first field is `size: usize`, and any bits are valid
-/// for the fields up to `FIRST`.
+/// The type is `repr(C)`, its first field is `size: usize`, and any bits are valid for the fields
+/// up to `FIRST`.
 pub(super) unsafe trait Growing: Copy {
-    /// The `sizeof` of version 1.0.
+    /// Its `sizeof` in version 1.0.
     const FIRST: usize;
-    /// What a host means that does not know a field.
+    /// Values for fields the host does not know.
     const DEFAULTS: Self;
 }
 
-/// The `size` with which a host's struct begins: its `sizeof`, which tells which
-/// fields it knows. A smaller one than that of version 1.0 was never set, a larger
-/// one belongs to a newer header than the library, or is what happened to stand in
-/// memory; either way reading on would be wrong.
+/// The size in a host's struct, which tells the fields the host knows. One below that of version
+/// 1.0 was never set; a larger one is from a newer header, or garbage. Both are refused.
 ///
 /// # Safety
 /// `pointer` is NULL or points to a struct that begins with its size.
@@ -280,26 +267,25 @@ unsafe fn size_of_host<T: Growing>(pointer: *const T) -> Answer<usize> {
     ))
 }
 
-/// Fills in a struct of the host's that is `size` long: as far as both know it. The
-/// functions of version 1.0 that take no size write what a host of 1.0 has.
+/// Fills in a host's struct of `size` bytes, as far as both sides know it. Callers without a size,
+/// from version 1.0, pass 1.0's size.
 ///
 /// # Safety
 /// `pointer` is NULL or points to `size` bytes for a struct of that version.
 pub(super) unsafe fn init<T: Growing>(pointer: *mut T, value: T, size: usize) -> Answer<()> {
     check(pointer)?;
     let size = size.clamp(T::FIRST, size_of::<T>());
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     unsafe { GrowingOut { pointer, size }.write(value) };
     Ok(())
 }
 
-/// A struct of a host that may have been compiled with an earlier 1.x: the fields
-/// that it does not know have their defaults.
+/// Reads a struct of a host perhaps compiled with an earlier 1.x; unknown fields get defaults.
 ///
 /// # Safety
 /// `pointer` is NULL or points to a struct as its `size` says.
 pub(super) unsafe fn read_growing<T: Growing>(pointer: *const T) -> Answer<T> {
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     let size = unsafe { size_of_host(pointer) }?;
     let mut value = T::DEFAULTS;
     // SAFETY: `size` bytes are there, and fit into a `T`, whose fields take them.
@@ -307,7 +293,7 @@ pub(super) unsafe fn read_growing<T: Growing>(pointer: *const T) -> Answer<T> {
     Ok(value)
 }
 
-/// Where a struct goes of which the host may know the first fields only.
+/// The destination of a struct of which the host may know only the first fields.
 pub(super) struct GrowingOut<T> {
     pointer: *mut T,
     size: usize,
@@ -317,12 +303,12 @@ impl<T: Growing> GrowingOut<T> {
     /// # Safety
     /// `pointer` is NULL or points to a struct as its `size` says.
     pub(super) unsafe fn new(pointer: *mut T) -> Answer<Self> {
-        // SAFETY: the caller's word.
+        // SAFETY: as required of the caller.
         let size = unsafe { size_of_host(pointer) }?;
         Ok(Self { pointer, size })
     }
 
-    /// Writes the fields that the host knows; its size stays.
+    /// Writes the fields the host knows; its size stays.
     ///
     /// # Safety
     /// As for [`Self::new`], still.

@@ -11,7 +11,7 @@ use crate::document::{Document, Edit};
 use crate::error::{OutOfRange, Quantity};
 use crate::path::{CurveParameters, SupportPoint, Tcb};
 
-/// A support point by C's number of it.
+/// A support point named by C's index.
 pub(super) fn point(document: &Document, at: c_int) -> Answer<(usize, &SupportPoint)> {
     let number = index(at)?;
     let points = &document.path().points;

@@ -109,8 +109,8 @@ pub unsafe extern "C" fn v_path_sample(
         read(path, |document| {
             let sampler = document.sampler()?;
             let needed = sampler.frame_count();
-            // SAFETY: room for a size_t and for `capacity` poses, as the header
-            // says; any bits make a pose.
+            // SAFETY: room for a size_t and `capacity` poses, as the header says; any bits are
+            // valid.
             unsafe {
                 if !poses.is_null() && capacity >= needed {
                     sampler.sample(1, slice_mut(poses.cast::<Pose>(), needed)?)?;
@@ -243,7 +243,7 @@ pub unsafe extern "C" fn v_path_write_ascii_to_memory(
     })
 }
 
-/// Text in memory, if there is memory for it.
+/// Text in memory; running out of memory is an error.
 struct Lines(Vec<u8>);
 
 impl Write for Lines {

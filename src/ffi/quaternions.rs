@@ -12,20 +12,20 @@ use crate::math::orientation::{quaternion_from_view, unit, view_from_quaternion}
 use crate::math::quaternion::slerp_shortest;
 use crate::path::quaternion_spline::normalized;
 
-/// Below this sine of the angle between them two directions count as parallel.
+/// Directions with a smaller sine of the angle between them count as parallel.
 const PARALLEL: f64 = 1e-12;
 
-/// C's order, w x y z, to the engine's.
+/// Converts from C's order w x y z.
 pub(super) fn from_c([w, x, y, z]: [f64; 4]) -> DQuat {
     DQuat::from_xyzw(x, y, z, w)
 }
 
-/// And back.
+/// Converts to C's order w x y z.
 pub(super) fn to_c(q: DQuat) -> [f64; 4] {
     [q.w, q.x, q.y, q.z]
 }
 
-/// A direction as C gives it, with length 1.
+/// Normalizes a direction from C.
 fn direction(v: DVec3) -> Answer<DVec3> {
     if !v.is_finite() || v == DVec3::ZERO {
         return Err(Failure::Border(
@@ -36,7 +36,7 @@ fn direction(v: DVec3) -> Answer<DVec3> {
     Ok(unit(v))
 }
 
-/// View direction and up as C gives them: with length 1, and perpendicular.
+/// Normalizes the view direction and up vector from C, and makes them perpendicular.
 pub(super) fn view(vpn: DVec3, vup: DVec3) -> Answer<(DVec3, DVec3)> {
     let (view, up) = (direction(vpn)?, direction(vup)?);
     let side = up.cross(view);

@@ -38,12 +38,11 @@ const BUSY: Failure = Failure::Border(
 );
 
 thread_local! {
-    /// How many of the host's interpolations run on this thread: a scene is read
-    /// meanwhile, and its lock would wait for itself.
+    /// How many of the host's interpolations run on this thread. Each runs while the scene is
+    /// read-locked, so using a scene in it could deadlock.
     static ASKED: Cell<u32> = const { Cell::new(0) };
 }
 
-/// Runs a host's interpolation.
 pub(super) fn asked<R>(run: impl FnOnce() -> R) -> R {
     struct Out;
     impl Drop for Out {
@@ -67,7 +66,6 @@ fn found(scene: *const V_SCENE) -> Answer<super::counted::Counted<RwLock<SceneDo
     Ok(found)
 }
 
-/// Reads a scene. Several threads may at once.
 pub(super) fn read<R>(
     scene: *const V_SCENE,
     look: impl FnOnce(&SceneDocument) -> Answer<R>,
@@ -78,7 +76,6 @@ pub(super) fn read<R>(
     look(&scene)
 }
 
-/// Changes a scene.
 pub(super) fn edit<R>(
     scene: *mut V_SCENE,
     change: impl FnOnce(&mut SceneDocument) -> Answer<R>,
@@ -93,23 +90,21 @@ pub(super) fn keep(scene: SceneDocument) -> Answer<*mut V_SCENE> {
     SCENES.insert(RwLock::new(scene))
 }
 
-/// A text from C.
 ///
 /// # Safety
-/// A pointer that is not NULL points to a text ended by a zero byte that stays
-/// as it is while `'a` lasts.
+/// `text` is NULL or points to a zero-terminated text, unchanged during `'a`.
 pub(super) unsafe fn text<'a>(text: *const c_char) -> Answer<&'a str> {
     check(text)?;
-    // SAFETY: not NULL, and the caller's word for the rest.
+    // SAFETY: not NULL, and else as required of the caller.
     let text = unsafe { CStr::from_ptr(text) };
     text.to_str()
         .map_err(|_| Failure::Border(V_ERR_ARGUMENT, "a text is not UTF-8"))
 }
 
-/// Room for a name or the name of an interpolation, ended by zero.
+/// Room for the name of a node or an interpolation, zero-terminated.
 const LENT_BYTES: usize = MAX_NAME_BYTES + 16;
 
-/// A text for C: of the library, until the thread's next one. No allocation.
+/// Copies a text into a thread's buffer for C, valid until the next call. No allocation.
 pub(super) fn lend(text: &str) -> *const c_char {
     thread_local! {
         static LENT: UnsafeCell<[u8; LENT_BYTES]> = const { UnsafeCell::new([0; LENT_BYTES]) };
@@ -124,7 +119,7 @@ pub(super) fn lend(text: &str) -> *const c_char {
     })
 }
 
-/// A node's link from C: −1 is none.
+/// Converts a link to a node from C; −1 is none.
 fn link(value: c_int) -> Answer<Option<usize>> {
     if value == -1 {
         Ok(None)
@@ -137,7 +132,7 @@ fn unlink(value: Option<usize>) -> Answer<c_int> {
     value.map_or(Ok(-1), pointers::count)
 }
 
-/// What stands behind a motion's end, by C's number of it.
+/// How a motion continues beyond its end.
 pub(super) fn beyond(after: c_int) -> Answer<Beyond> {
     match after {
         V_AFTER_HOLD => Ok(Beyond::Hold),
@@ -163,7 +158,7 @@ fn light(light: c_int) -> Answer<Light> {
     }
 }
 
-/// A node from C; what its kind does not have is as in a new one.
+/// Converts a node from C, with defaults for what its kind lacks.
 fn node(given: &V_NODE) -> Answer<Node> {
     let kind = match given.kind {
         V_NODE_GROUP => Kind::Group,
@@ -209,7 +204,6 @@ fn node(given: &V_NODE) -> Answer<Node> {
     Ok(node)
 }
 
-/// A node for C.
 fn node_for_c(node: &Node) -> Answer<V_NODE> {
     let (rest, q) = (&node.rest, node.rest.rotation);
     let camera = match node.kind {
@@ -388,7 +382,7 @@ pub unsafe extern "C" fn v_scene_add_node(
     })
 }
 
-/// A text, or `ErrorKind::Memory`; one that is too long is refused before.
+/// Checks a name and copies it; may fail with `ErrorKind::Memory`.
 pub(super) fn copy(text: &str) -> Result<String> {
     crate::path::camera_path::check_name(text)?;
     let mut copy = String::new();

@@ -21,8 +21,8 @@ const SMALL: Failure = Failure::Border(
     "the array is too small; the count tells how many there are",
 );
 
-/// After a success: what a host's interpolation did wrong; and nothing of what its
-/// own calls left as their last error.
+/// After a success: reports what a host's interpolation did wrong, in place of any error its own
+/// calls have left.
 fn tell(document: &SceneDocument, troubles: &Troubles) {
     clear_last_error();
     if let Some((node, message)) = troubles.first() {
@@ -35,13 +35,13 @@ fn tell(document: &SceneDocument, troubles: &Troubles) {
     }
 }
 
-/// The engine's states in the host's memory.
+/// The host's memory as the engine's states.
 ///
 /// # Safety
-/// A pointer that is not NULL points to room for so many states.
+/// `states` is NULL or points to room for `count` states.
 unsafe fn states<'a>(states: *mut V_NODE_STATE, count: usize) -> Answer<&'a mut [NodeState]> {
-    // SAFETY: the same memory (`scene_types` holds that), any bits of which are
-    // numbers; the caller's word for the rest.
+    // SAFETY: the same layout (checked in `scene_types`), any bits of which are valid; else as
+    // required.
     unsafe { slice_mut(states.cast::<NodeState>(), count) }
 }
 
@@ -102,7 +102,7 @@ pub unsafe extern "C" fn v_scene_evaluate(
             }
             document.scene.prepare(frame)?;
             if document.scene.is_plain() {
-                // Nothing comes between: in place.
+                // No host function is called: evaluate in place.
                 // SAFETY: room for so many states, as the header says.
                 let room = unsafe { self::states(states, nodes) }?;
                 let mut troubles = Troubles::default();
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn v_scene_evaluate(
                 tell(document, &troubles);
                 return Ok(nodes);
             }
-            // Not in place: a host's function may fail half way, and looks at no array.
+            // Not in place: a host's function may fail half way or read the array.
             let mut made = vec_with_room(nodes)?;
             made.resize(nodes, NodeState::default());
             let mut troubles = Troubles::default();
@@ -236,8 +236,8 @@ pub unsafe extern "C" fn v_scene_vertices(
             let form = document.scene.form(node, frame, &mut troubles)?;
             if !xyz.is_null() && count > 0 {
                 const { assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == 8) };
-                // SAFETY: room for so many points, as the header says; three doubles are
-                // one, and no function of the host's runs meanwhile.
+                // SAFETY: room for so many points, as the header says; a point is three doubles,
+                // and no host function runs meanwhile.
                 form.points(unsafe { slice_mut(xyz.cast::<DVec3>(), count) }?);
             }
             tell(document, &troubles);

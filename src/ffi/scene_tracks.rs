@@ -17,28 +17,28 @@ use crate::limits::{MAX_KEYS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SCENE_NUMBE
 use crate::scene::host::{self, Function};
 use crate::scene::{Beyond, Channel, Interpolation, Kind, Mesh, Shape, Track};
 
-/// Numbers from C, copied.
+/// Copies numbers from C.
 ///
 /// # Safety
-/// A pointer that is not NULL points to so many numbers.
+/// `from` is NULL or points to `count` numbers.
 unsafe fn numbers(from: *const f64, count: usize) -> Answer<Vec<f64>> {
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     let from = unsafe { slice(from, count) }?;
     let mut copy = vec_with_room(count)?;
     copy.extend_from_slice(from);
     Ok(copy)
 }
 
-/// Points from C, copied.
+/// Copies points from C.
 ///
 /// # Safety
-/// A pointer that is not NULL points to three numbers for each.
+/// `xyz` is NULL or points to three numbers for each.
 unsafe fn points(xyz: *const f64, count: usize) -> Answer<Vec<DVec3>> {
     if count == 0 {
         return Ok(Vec::new());
     }
     most(count, MAX_MESH_POINTS, "points")?;
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     let from = unsafe { slice(xyz, 3 * count) }?;
     let mut points = vec_with_room(count)?;
     points.extend(from.chunks_exact(3).map(DVec3::from_slice));
@@ -52,7 +52,7 @@ fn most(count: usize, limit: usize, what: &'static str) -> Answer<()> {
     Ok(())
 }
 
-/// Numbers of a key from C, which tells the channel and the interpolation.
+/// How many numbers a key of the channel has.
 fn width(scene: *const V_SCENE, node: usize, channel: &Channel, euler: bool) -> Answer<usize> {
     read(scene, |document| {
         let width = channel.width(document.scene.node(node)?)?;
@@ -137,7 +137,7 @@ pub unsafe extern "C" fn v_scene_set_track(
     })
 }
 
-/// What goes before and after, from C's one number.
+/// The continuation before and after the keys, from C's one number.
 fn both(after: c_int) -> Answer<(Beyond, Beyond)> {
     if !(0..64).contains(&after) {
         return Err(Failure::Border(
@@ -247,7 +247,6 @@ pub type V_INTERPOLATE = Option<
     ) -> c_int,
 >;
 
-/// A function of the host's.
 struct Host {
     function: unsafe extern "C" fn(
         *const f64,
@@ -261,8 +260,8 @@ struct Host {
     user: *mut c_void,
 }
 
-// SAFETY: the header tells the host that any thread which evaluates a scene
-// calls the function with this pointer, which nobody here follows.
+// SAFETY: the header says that any thread evaluating a scene calls the function with this pointer,
+// which is not dereferenced here.
 unsafe impl Send for Host {}
 // SAFETY: as above.
 unsafe impl Sync for Host {}
@@ -371,14 +370,14 @@ pub unsafe extern "C" fn v_scene_load_geometry(
     })
 }
 
-/// A mesh from C, copied.
+/// Copies a mesh from C.
 ///
 /// # Safety
-/// A pointer that is not NULL points to a mesh whose arrays are as long as it says.
+/// `mesh` is NULL or points to a mesh whose arrays are as long as it says.
 pub(super) unsafe fn mesh(mesh: *const V_MESH) -> Answer<Mesh> {
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     let given = unsafe { read_growing(mesh) }?;
-    // SAFETY: the caller's word, for each of the arrays.
+    // SAFETY: as required of the caller, for each of the arrays.
     unsafe {
         let points = points(given.xyz, given.points)?;
         let mut colours = Vec::new();
@@ -396,16 +395,16 @@ pub(super) unsafe fn mesh(mesh: *const V_MESH) -> Answer<Mesh> {
     }
 }
 
-/// Indices from C in groups.
+/// Copies indices from C in groups.
 ///
 /// # Safety
-/// A pointer that is not NULL points to so many indices.
+/// `from` is NULL or points to `count` indices.
 unsafe fn indices<const N: usize>(from: *const u32, count: usize) -> Answer<Vec<[u32; N]>> {
     if count == 0 {
         return Ok(Vec::new());
     }
     most(count, MAX_MESH_CORNERS, "indices")?;
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     let (groups, rest) = unsafe { slice(from, count) }?.as_chunks::<N>();
     if !rest.is_empty() {
         return Err(Failure::Border(
@@ -449,7 +448,7 @@ pub unsafe extern "C" fn v_scene_add_shape(
     })
 }
 
-/// A deformation from C and its box.
+/// A deformation from C.
 ///
 /// # Safety
 /// As the header says of v_deform().
@@ -459,7 +458,7 @@ pub(super) unsafe fn deformation(
     count: usize,
 ) -> Answer<Deformation> {
     most(count, 3 * crate::deform::LATTICE, "parameters")?;
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     let (kind, parameters) = unsafe { (text(kind)?, slice(parameters, count)?) };
     Ok(Deformation::new(kind, parameters)?)
 }
@@ -572,7 +571,7 @@ pub unsafe extern "C" fn v_deform(
     })
 }
 
-/// Points of an object's mesh.
+/// The number of points in an object's mesh.
 pub(super) fn mesh_points(kind: &Kind) -> usize {
     match kind {
         Kind::Object(object) => object.mesh().points.len(),

@@ -140,10 +140,10 @@ pub struct v_mesh {
 
 pub type V_MESH = v_mesh;
 
-// SAFETY: of C's layout, `size` first, numbers only.
+// SAFETY: `repr(C)` with `size` first; numbers only.
 unsafe impl Growing for V_NODE {
     const FIRST: usize = size_of::<V_NODE>();
-    /// Every field is known since version 1.0; v_node_init() tells what is meant.
+    /// Overwritten whole, since all fields exist since version 1.0; see v_node_init().
     const DEFAULTS: Self = Self {
         size: size_of::<V_NODE>(),
         kind: 0,
@@ -165,7 +165,7 @@ unsafe impl Growing for V_NODE {
     };
 }
 
-// SAFETY: of C's layout, `size` first, pointers and numbers only.
+// SAFETY: `repr(C)` with `size` first; pointers and numbers only.
 unsafe impl Growing for V_MESH {
     const FIRST: usize = size_of::<V_MESH>();
     const DEFAULTS: Self = Self {

@@ -1,5 +1,4 @@
-//! Where a path lies in the host's world, and the host's own camera as an
-//! orientation.
+//! The space of a path in the host's world, and the host's camera as an orientation.
 
 use std::ffi::c_int;
 

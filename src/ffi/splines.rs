@@ -14,10 +14,10 @@ use crate::path::Tcb;
 use crate::path::quaternion_spline;
 use crate::path::speed_curve::SpeedCurve;
 
-/// Keys and their times as C gives them.
+/// Keys and their times from C.
 ///
 /// # Safety
-/// What is not NULL points to `count`×4 and `count` doubles.
+/// `keys` and `times` are NULL or point to `count`×4 and `count` doubles.
 unsafe fn keys_and_times<'a>(
     keys: *const f64,
     times: *const f64,
@@ -32,7 +32,7 @@ unsafe fn keys_and_times<'a>(
             "a spline has at most 1000000 keys",
         ));
     }
-    // SAFETY: the caller's word.
+    // SAFETY: as required of the caller.
     let (keys, times) = unsafe { (slice(keys.cast::<[f64; 4]>(), count)?, slice(times, count)?) };
     let mut converted = vec_with_room(count)?;
     converted.extend(keys.iter().map(|&key| from_c(key)));

@@ -1,4 +1,4 @@
-//! Statuses, versions and the calling thread's last message.
+//! Statuses, versions and the calling thread's last error message.
 
 use std::cell::UnsafeCell;
 use std::collections::TryReserveError;
@@ -64,10 +64,10 @@ pub const V_ERR_REFUSED: c_int = 14;
 /// Why a call from C failed.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum Failure {
-    /// A fault that only the border knows: its status and its sentence.
+    /// An error detected in the interface itself: its status and sentence.
     #[error("{1}")]
     Border(c_int, &'static str),
-    /// What the safe code said.
+    /// An error from the library.
     #[error(transparent)]
     Library(#[from] Error),
     #[error("there is no point {at} among {count}, counted from 0")]
@@ -94,11 +94,9 @@ pub(super) enum Failure {
     TooMany { limit: usize, what: &'static str },
 }
 
-/// The result of everything at the border.
 pub(super) type Answer<T> = Result<T, Failure>;
 
 impl Failure {
-    /// The status that C is told.
     pub(super) fn status(&self) -> c_int {
         match self {
             Self::Border(status, _) => *status,
@@ -137,17 +135,16 @@ library!(
     TryReserveError
 );
 
-/// Room for a sentence with a long file name in it. Every thread that calls the
-/// library has one, so it is not made for the longest path that Linux knows: of
-/// a longer sentence the middle is left out, since the file's beginning, its
-/// name and the reason behind it tell more.
+/// Room for a sentence with a long file name. Kept small, since every thread has one; longer
+/// sentences lose their middle, because a path's beginning and end and the reason behind it tell
+/// more.
 const MESSAGE_BYTES: usize = 1024;
 
-/// What stands in the place of what was left out.
+/// Replaces what was left out.
 const LEFT_OUT: &str = "…";
 
-/// One thread's last message, always ended by a zero byte. No destructor and
-/// no allocation: it works in a thread that ends and when memory has run out.
+/// A thread's last message, zero-terminated. Needs no destructor and no allocation, so it works
+/// while a thread ends and when memory has run out.
 struct Message {
     used: usize,
     text: [u8; MESSAGE_BYTES],
@@ -166,14 +163,13 @@ impl Message {
         self.text[0] = 0;
     }
 
-    /// Keeps a sentence, its middle left out if it is too long.
+    /// Replaces the message.
     fn set(&mut self, sentence: fmt::Arguments<'_>) {
         self.clear();
         self.add(sentence);
     }
 
-    /// Keeps a sentence behind what is there, its middle left out if it is too
-    /// long for the room that is left.
+    /// Appends a sentence, shortened in the middle to the room left.
     fn add(&mut self, sentence: fmt::Arguments<'_>) {
         let room = MESSAGE_BYTES - 1 - self.used;
         let mut whole = Length(0);
@@ -187,11 +183,11 @@ impl Message {
             let side = room.saturating_sub(LEFT_OUT.len()) / 2;
             part.gap = side..whole.0 - side;
         }
-        // The only error is that a value gave a longer text the second time.
+        // Fails only if a value formats longer the second time.
         let _ = part.write_fmt(sentence);
     }
 
-    /// Appends a text if there is room for all of it.
+    /// Appends a text if it fits whole.
     fn push(&mut self, text: &str) -> fmt::Result {
         let end = self.used + text.len();
         if end >= MESSAGE_BYTES {
@@ -207,7 +203,7 @@ impl Message {
     }
 }
 
-/// Counts bytes.
+/// Counts the bytes written.
 struct Length(usize);
 
 impl fmt::Write for Length {
@@ -217,7 +213,7 @@ impl fmt::Write for Length {
     }
 }
 
-/// Appends what does not touch a gap in the text.
+/// Appends what lies outside a gap in the text.
 struct Part<'a> {
     message: &'a mut Message,
     seen: usize,
@@ -245,28 +241,25 @@ thread_local! {
     static LAST: UnsafeCell<Message> = const { UnsafeCell::new(Message::new()) };
 }
 
-/// Gives access to the calling thread's message.
 fn with_message<R>(change: impl FnOnce(&mut Message) -> R) -> R {
     LAST.with(|message| {
-        // SAFETY: the cell belongs to this thread; the closures in this file
-        // neither keep the reference nor come back here.
+        // SAFETY: the cell belongs to this thread, and no closure in this file keeps the reference
+        // or comes back here.
         change(unsafe { &mut *message.get() })
     })
 }
 
-/// Success so far: the last message is "".
 pub(super) fn clear_last_error() {
     with_message(Message::clear);
 }
 
-/// Keeps a sentence as the last message.
 pub(super) fn set_last_error(sentence: fmt::Arguments<'_>) {
-    // Formatted before the cell is borrowed would need memory; the values
-    // formatted here (errors, texts) do not come back to this module.
+    // Formatting before the borrow would need memory; the values formatted here do not re-enter
+    // this module.
     with_message(|message| message.set(sentence));
 }
 
-/// Keeps a sentence behind the last message, if there is one.
+/// Appends to the last message, or sets it.
 pub(super) fn add_last_error(sentence: fmt::Arguments<'_>) {
     with_message(|message| {
         if message.used > 0 {
@@ -277,7 +270,7 @@ pub(super) fn add_last_error(sentence: fmt::Arguments<'_>) {
     });
 }
 
-/// Hands the last message on as bytes, for standard error.
+/// Passes the last message on as bytes, for standard error.
 pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
     with_message(|message| show(&message.text[..message.used]));
 }

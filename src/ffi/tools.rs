@@ -30,17 +30,17 @@ pub const V_FIT_SCALE: c_int = 3;
 
 const NO_NAME: &str = "a name is not UTF-8";
 
-/// A new path, with frames per second and all else as in a new one.
+/// A handle for a new path with default information.
 fn new_path(path: CameraPath) -> Answer<*mut V_PATH> {
     keep(Document::from_parts(path, Info::default())?.without_history())
 }
 
-/// The path behind a handle, to be looked at while others are locked.
+/// A copy of a handle's path, to use while others are locked.
 fn copy(path: *const V_PATH) -> Answer<CameraPath> {
     read(path, |document| Ok(document.path().try_clone()?))
 }
 
-/// The points from one to another.
+/// The points from `first` to `last`.
 fn range(first: c_int, last: c_int) -> Answer<Vec<usize>> {
     let (first, last) = (index(first)?, index(last)?);
     if first > last {
@@ -320,7 +320,7 @@ pub unsafe extern "C" fn v_path_blend(
     })
 }
 
-/// More than anybody mixes.
+/// The most paths to blend, more than anybody needs.
 const MOST_PATHS: usize = 1_000;
 
 #[cfg(test)]

@@ -1,10 +1,8 @@
-//! The structs that C sees. Their layout is a promise; the C tests hold those
-//! of 1994 against the thesis's declarations.
-//!
-//! cbindgen shows a type where a function first needs it, so the order in the
-//! header is that of the functions.
+//! The structs that C sees. Their layout is a promise; the C tests compare those of 1994 with the
+//! thesis's declarations. cbindgen emits a type where a function first needs it, so the functions
+//! determine the order in the header.
 
-// The header needs all names, the library does not.
+// Some names are used by the header only.
 #![allow(dead_code)]
 
 use std::ffi::{c_char, c_int, c_ulong, c_ushort, c_void};
@@ -326,5 +324,4 @@ const _: () = {
     assert!(offset_of!(v_pose, zoom) == offset_of!(Pose, zoom));
 };
 
-// The speed curve of the header has the engine's length.
 const _: () = assert!(crate::limits::SPEEDS == 10);

@@ -39,10 +39,10 @@ fn to_c(view: &View) -> V_VIEW {
     }
 }
 
-// SAFETY: of C's layout, `size` first, numbers only.
+// SAFETY: `repr(C)` with `size` first; numbers only.
 unsafe impl Growing for V_VIEW {
     const FIRST: usize = size_of::<V_VIEW>();
-    /// No view: every field is known since version 1.0.
+    /// Overwritten whole, since all fields exist since version 1.0.
     const DEFAULTS: Self = Self {
         size: size_of::<V_VIEW>(),
         vrp: [0.0; 3],

@@ -1,33 +1,26 @@
-//! What lies behind the things that move, kept as pixels.
-//!
-//! While something is dragged, few layers change, in the same tiles again and
-//! again, and most of what such a tile shows lies below them and stays. So a
-//! tile that is painted a second time keeps its pixels as they were below the
-//! lowest layer that changed, and its next painting begins there.
+//! Pixels saved below moving things. During a drag the same few layers change in the same tiles,
+//! and most of such a tile lies below them. So a tile painted a second time saves its pixels below
+//! the lowest changed layer, and the next painting starts there.
 
 use super::tile::{SIDE, Tile};
 
-/// One layer in a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Step {
-    /// Fingerprint of the tile up to this layer.
     pub(super) hash: u64,
-    /// The layer's number, from below.
     pub(super) layer: u32,
 }
 
-/// What is kept of one tile.
 #[derive(Default)]
 pub(super) struct Backdrop {
-    /// The fingerprints layer by layer, as it was painted last.
+    /// The hash after each layer, as last painted.
     hashes: Vec<u64>,
-    /// Pixels, and the fingerprint of what they show.
+    /// Saved pixels and the hash of what they show.
     pixels: Option<(u64, Box<[u32; SIDE * SIDE]>)>,
 }
 
 impl Backdrop {
-    /// Begins a tile, whose ground is one colour: how many layers are in it
-    /// then, and after how many its pixels should be kept, if they should.
+    /// Starts a tile from its saved pixels or from `ground`. Returns how many layers it then
+    /// contains, and after how many to save it, if at all.
     pub(super) fn begin(
         &mut self,
         steps: &[Step],
@@ -58,18 +51,17 @@ impl Backdrop {
         pixels.copy_from_slice(tile.pixels());
     }
 
-    /// Nothing but its ground is in the tile.
+    /// The tile shows nothing but its ground.
     pub(super) fn pass_over(&mut self) {
         self.hashes.clear();
     }
 
-    /// Nothing that was painted is there any more.
+    /// The tile's pixels are lost.
     pub(super) fn forget(&mut self) {
         self.hashes.clear();
         self.pixels = None;
     }
 
-    /// Gives the pixels' memory back.
     pub(super) fn rest(&mut self) {
         self.pixels = None;
     }

@@ -1,9 +1,9 @@
-//! The tiles of a target: how many there are, and which changed.
+//! The grid of tiles, and the areas that changed.
 
 use super::Area;
 use super::tile::{PixelRect, SIDE};
 
-/// A rectangle of tiles, the last ones without.
+/// A rectangle of tiles; x1 and y1 are exclusive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Tiles {
     pub(super) x0: usize,
@@ -13,8 +13,7 @@ pub(super) struct Tiles {
 }
 
 impl Tiles {
-    /// The tiles that pixels lie in; none if there are no pixels. The pixels
-    /// are in the target.
+    /// The tiles that contain these pixels of the target; none if `cut` is empty.
     pub(super) fn of(cut: PixelRect) -> Self {
         if cut.is_empty() {
             return Self::default();
@@ -36,7 +35,7 @@ impl Tiles {
         self.width() * (self.y1 - self.y0)
     }
 
-    /// The number of a tile among these, row by row.
+    /// A tile's index among these, row by row.
     #[inline]
     pub(super) fn index(self, x: usize, y: usize) -> Option<usize> {
         (x >= self.x0 && x < self.x1 && y >= self.y0 && y < self.y1)
@@ -44,7 +43,6 @@ impl Tiles {
     }
 }
 
-/// The pixels of a tile.
 #[inline]
 pub(super) fn pixels_of(x: usize, y: usize) -> PixelRect {
     let side = SIDE as i32;
@@ -57,19 +55,17 @@ pub(super) fn pixels_of(x: usize, y: usize) -> PixelRect {
     }
 }
 
-/// Puts changed tiles together: neighbours in a row, and equal rows.
+/// Merges changed tiles: neighbours in a row, then equal rows.
 #[derive(Default)]
 pub(super) struct Areas {
     whole: Vec<Area>,
-    /// Where in `whole` the last row of tiles begins.
+    /// Where in `whole` the current row of tiles begins.
     row: usize,
-    /// Those of the row before, to be lengthened.
     before: Vec<usize>,
     now: Vec<usize>,
 }
 
 impl Areas {
-    /// A tile that changed; they come row by row.
     pub(super) fn add(&mut self, cut: PixelRect) {
         let area = Area {
             x: cut.x0 as u32,
@@ -83,7 +79,6 @@ impl Areas {
         }
     }
 
-    /// All tiles of a row were seen.
     pub(super) fn end_row(&mut self) {
         let row = self.whole.split_off(self.row);
         self.now.clear();

@@ -1,4 +1,4 @@
-//! How a primitive is known again in the next frame.
+//! Recognizing a primitive in the next frame.
 
 use std::any::Any;
 use std::sync::Arc;
@@ -12,23 +12,22 @@ use super::rounded_rect::RoundedRect;
 use super::texture::Textures;
 use super::tile::PixelRect;
 
-/// What a primitive is known by.
+/// A primitive's identity.
 pub(super) struct Key {
     clip: PixelRect,
     content: Content,
-    /// What its texture shows there has changed.
+    /// Its texture has changed where it shows it.
     changed: bool,
 }
 
 enum Content {
     Nothing,
-    /// The fingerprint of a mesh, and which texture it shows.
+    /// The hash of a mesh and its texture's identifier.
     Mesh(u64),
-    /// Lines or a rounded rectangle, themselves.
+    /// [`Lines`] or a [`RoundedRect`].
     Ours(Arc<dyn Any + Send + Sync>),
 }
 
-/// Whether two contents show the same rounded rectangle, or the same lines.
 fn same(a: &Arc<dyn Any + Send + Sync>, b: &Arc<dyn Any + Send + Sync>) -> bool {
     if let (Some(a), Some(b)) = (
         a.downcast_ref::<RoundedRect>(),
@@ -49,7 +48,7 @@ impl PartialEq for Key {
             && match (&self.content, &other.content) {
                 (Content::Nothing, Content::Nothing) => true,
                 (Content::Mesh(a), Content::Mesh(b)) => a == b,
-                // Made again, they may still be the same.
+                // Rebuilt callbacks may still be equal.
                 (Content::Ours(a), Content::Ours(b)) => Arc::ptr_eq(a, b) || same(a, b),
                 _ => false,
             }
@@ -81,13 +80,12 @@ impl Key {
         }
     }
 
-    /// Where the primitive is cut, in pixels.
     #[inline]
     pub(super) fn clip(&self) -> PixelRect {
         self.clip
     }
 
-    /// The same for a layer that shows what there is now.
+    /// The key to store with a layer, which shows the current texture.
     pub(super) fn settled(self) -> Self {
         Self {
             changed: false,
@@ -95,7 +93,7 @@ impl Key {
         }
     }
 
-    /// A key that no layer has, if what the primitive's texture shows has changed.
+    /// Makes the key unequal to all stored ones if the primitive's texture has changed.
     pub(super) fn with_changes_of(self, primitive: &ClippedPrimitive, textures: &Textures) -> Self {
         let changed = match &primitive.primitive {
             Primitive::Mesh(mesh) => textures
@@ -108,7 +106,7 @@ impl Key {
 }
 
 fn fingerprint(mesh: &Mesh) -> u64 {
-    // Side by side, since each waits for its last result.
+    // Independent states, since each step waits for the one before.
     let texture = match mesh.texture_id {
         TextureId::Managed(number) => mix(0, number),
         TextureId::User(number) => mix(1, number),
@@ -143,7 +141,6 @@ fn fingerprint(mesh: &Mesh) -> u64 {
     state.into_iter().fold(counts, mix)
 }
 
-/// A rectangle in points as whole pixels of the target.
 pub(super) fn cut(rect: Rect, pixels_per_point: f32, target: PixelRect) -> PixelRect {
     let pixel = |at: f32| (at * pixels_per_point).round();
     let within = |at: f32, end: i32| at.clamp(0.0, end as f32) as i32;

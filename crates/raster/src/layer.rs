@@ -1,4 +1,4 @@
-//! One primitive, sorted into the tiles that it touches.
+//! One primitive, sorted into the tiles it touches.
 
 use egui::epaint::Primitive;
 use egui::{ClippedPrimitive, Color32, Mesh, Rect};
@@ -15,27 +15,25 @@ use super::texture::{Texture, Textures};
 use super::tile::{Ink, PixelRect, Tile};
 use super::triangle::{self, Corner};
 
-/// Begins the fingerprint of a tile that one colour hides.
+/// Seeds the hash of a tile covered by one colour.
 const GROUND: u64 = 1;
 
-/// In an item: this triangle and the next one make a [`Quad`].
+/// Flag in an item: this triangle and the next make a [`Quad`].
 const QUAD: u32 = 1 << 31;
 
-/// In an item that is a line: it goes on at its beginning, at its end.
+/// Flags in an item that is a line: joined at its start, at its end.
 const JOINED: [u32; 2] = [1 << 31, 1 << 30];
 
-/// No further item.
+/// Ends the list of items.
 const END: u32 = u32::MAX;
 
-/// What a primitive puts into one tile.
+/// A primitive's contribution to one tile.
 #[derive(Clone, Copy)]
 struct Cell {
-    /// The first and the last of its items in `links`.
     first: u32,
     last: u32,
-    /// The fingerprint of all of it.
     hash: u64,
-    /// All of the tile is hidden by this colour, the items come above.
+    /// This colour covers the whole tile below the items.
     ground: Option<u32>,
 }
 
@@ -48,20 +46,17 @@ impl Cell {
     };
 }
 
-/// An item of a tile, and the next one.
 #[derive(Clone, Copy)]
 struct Link {
     item: u32,
     next: u32,
 }
 
-/// Two whole numbers as one word.
 #[inline(always)]
 fn word(a: i32, b: i32) -> u64 {
     u64::from(a as u32) << 32 | u64::from(b as u32)
 }
 
-/// A primitive's items by tile.
 pub(super) struct Layer {
     pub(super) key: Key,
     tiles: Tiles,
@@ -69,18 +64,16 @@ pub(super) struct Layer {
     links: Vec<Link>,
 }
 
-/// What a primitive puts into a tile.
+/// A primitive's contribution to a tile, as [`Layer::part`] reports it.
 #[derive(Clone, Copy)]
 pub(super) struct Part {
-    /// The fingerprint of it.
     pub(super) hash: u64,
-    /// The colour by which it hides all further below.
+    /// The colour that covers everything below.
     pub(super) ground: Option<u32>,
-    /// There is something on top of that.
+    /// Whether there are items above that.
     pub(super) items: bool,
 }
 
-/// What a primitive is for us.
 pub(super) enum Kind<'a> {
     Mesh(&'a Mesh),
     Lines(&'a Lines),
@@ -99,7 +92,6 @@ impl<'a> Kind<'a> {
     }
 }
 
-/// Continues a fingerprint by a corner.
 #[inline(always)]
 fn hash_of(hash: u64, corner: &Corner) -> u64 {
     let place = mix(hash, word(corner.x, corner.y));
@@ -109,7 +101,7 @@ fn hash_of(hash: u64, corner: &Corner) -> u64 {
     )
 }
 
-/// Whole pixels of the target among which all of a primitive's are.
+/// A pixel rectangle that contains the whole primitive.
 fn extent(primitive: &ClippedPrimitive, pixels_per_point: f32, target: PixelRect) -> PixelRect {
     let mut extent = Rect::NOTHING;
     match Kind::of(primitive) {
@@ -130,7 +122,7 @@ fn extent(primitive: &ClippedPrimitive, pixels_per_point: f32, target: PixelRect
         }
         Some(Kind::RoundedRect(rounded_rect)) => extent = rounded_rect.rect,
     }
-    // A line is a pixel wide at least, and its bounds are rounded outwards.
+    // A line is at least a pixel wide, and its bounds are rounded outwards.
     cut(
         extent.expand(4.0 / pixels_per_point),
         pixels_per_point,
@@ -139,7 +131,7 @@ fn extent(primitive: &ClippedPrimitive, pixels_per_point: f32, target: PixelRect
 }
 
 impl Layer {
-    /// Sorts a primitive. `memory` is a layer that is no longer needed.
+    /// Sorts a primitive into tiles, reusing the buffers of `memory`.
     pub(super) fn new(
         key: Key,
         primitive: &ClippedPrimitive,
@@ -151,8 +143,7 @@ impl Layer {
         let (mut cells, mut links) = memory.map_or_else(Default::default, |l| (l.cells, l.links));
         links.clear();
         cells.clear();
-        // Cells are kept where the primitive is, not wherever it might be: most
-        // layers fill a small part of their clip.
+        // Cells cover only the primitive's extent: most layers fill a small part of their clip.
         let tiles = Tiles::of(key.clip().and(extent(primitive, pixels_per_point, target)));
         cells.resize(tiles.count(), Cell::EMPTY);
         let mut layer = Self {
@@ -185,7 +176,7 @@ impl Layer {
     ) {
         let count = mesh.indices.len() / 3;
         let corners = |item: usize| triangle::corners(mesh, item, pixels_per_point);
-        // The corners of the next triangle, if they are known already.
+        // The next triangle's corners, if already computed.
         let mut known = None;
         let mut item = 0;
         while item < count {
@@ -276,7 +267,6 @@ impl Layer {
         }
     }
 
-    /// All of a tile is of one colour, whatever was there.
     fn hide(&mut self, x: usize, y: usize, color: u32) {
         if let Some(index) = self.tiles.index(x, y) {
             self.cells[index] = Cell {
@@ -306,7 +296,7 @@ impl Layer {
                 mix(pair(line.from.x, line.from.y), pair(line.to.x, line.to.y)),
                 u64::from(line.width.to_bits()) << 32 | u64::from(bits(line.color)),
             );
-            // Its ends are painted otherwise where it is joined.
+            // Joints change how the ends are painted.
             let hash = match joints {
                 [false, false] => hash,
                 [a, b] => mix(hash, u64::from(a) << 1 | u64::from(b)),
@@ -337,7 +327,7 @@ impl Layer {
         self.links.push(Link { item, next: END });
         let cell = &mut self.cells[index];
         if cell.first == END {
-            // How the clip cuts this tile is part of what is seen.
+            // How the clip cuts this tile is part of its look.
             let within = self.key.clip().and(pixels_of(x, y));
             cell.hash = mix(cell.hash, word(within.x0, within.y0));
             cell.hash = mix(cell.hash, word(within.x1, within.y1));
@@ -349,7 +339,7 @@ impl Layer {
         cell.hash = mix(cell.hash, hash);
     }
 
-    /// Notes the target's tiles into which it puts something.
+    /// Marks the target's tiles that this layer contributes to.
     pub(super) fn note(&self, all: Tiles, touched: &mut [bool]) {
         let mut cells = self.cells.iter();
         for y in self.tiles.y0..self.tiles.y1 {
@@ -364,18 +354,15 @@ impl Layer {
         }
     }
 
-    /// Gives memory back that it does not need.
     pub(super) fn rest(&mut self) {
         self.cells.shrink_to_fit();
         self.links.shrink_to_fit();
     }
 
-    /// Whether it may put something into a row of tiles.
     pub(super) fn reaches(&self, y: usize) -> bool {
         (self.tiles.y0..self.tiles.y1).contains(&y)
     }
 
-    /// What it puts into a tile, if it does.
     #[inline]
     pub(super) fn part(&self, (x, y): (usize, usize)) -> Option<Part> {
         let cell = self.cells.get(self.tiles.index(x, y)?)?;

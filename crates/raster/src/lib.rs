@@ -1,10 +1,10 @@
-//! What egui asks to be painted, and anti-aliased lines, become pixels.
+//! A software rasterizer for egui's output and for anti-aliased lines.
 //!
-//! Why our own: the window must come up on any X server, also over a network
-//! and without OpenGL, and a second copy of a graphics stack has no place in a
-//! library that a 1994 program links. Only what changed is painted again.
+//! The window must come up on any X server, even over a network and without OpenGL, and a program
+//! from 1994 that links the library must not get a second graphics stack. Only what changed is
+//! painted again.
 //!
-//! It knows no X and no camera: triangles, lines and a buffer of pixels.
+//! This crate knows triangles, lines and a pixel buffer, but no X and no camera.
 
 #![forbid(unsafe_code)]
 
@@ -47,27 +47,26 @@ pub struct Area {
     pub x: u32,
     /// Upper edge.
     pub y: u32,
-    /// Pixels across.
+    /// Width in pixels.
     pub width: u32,
-    /// Pixels down.
+    /// Height in pixels.
     pub height: u32,
 }
 
-/// Where the pixels go: rows from the top, each pixel `0x00RRGGBB`.
+/// The pixels to paint into: rows from the top, each pixel `0x00RRGGBB`.
 pub struct Target<'a> {
-    /// At least `stride * height` pixels.
+    /// At least `stride * (height - 1) + width` pixels.
     pub pixels: &'a mut [u32],
     /// Pixels from one row to the next, at least `width`.
     pub stride: usize,
-    /// Pixels across.
+    /// Width in pixels.
     pub width: u32,
-    /// Pixels down.
+    /// Height in pixels.
     pub height: u32,
 }
 
-/// What is to be painted where egui shows some shapes: many small meshes, and beside
-/// them what the raster paints by itself. (As [`Context::tessellate`], which makes
-/// triangles of everything, and counts them.)
+/// Turns egui's shapes into what [`Raster::paint`] takes: many small meshes, and callbacks for what
+/// the raster paints itself. Replaces [`Context::tessellate`], which makes triangles of everything.
 pub fn primitives(
     context: &Context,
     mut shapes: Vec<ClippedShape>,
@@ -77,41 +76,38 @@ pub fn primitives(
     pieces::in_pieces(&mut shapes);
     let options = context.options(|options| options.tessellation_options);
     let letters = context.fonts(|fonts| fonts.font_image_size());
-    // Discs that are drawn beforehand are for circles, which are rounded rectangles here.
+    // No prerendered discs: circles are painted as rounded rectangles.
     Tessellator::new(pixels_per_point, options, letters, Vec::new()).tessellate_shapes(shapes)
 }
 
-/// Among so many layers of the last call one is looked for.
+/// How many of the last call's layers to search for an equal one.
 const LOOK_AHEAD: usize = 32;
 
-/// Paints one window. It remembers what stands in each tile of the target, so
-/// the same target must come again, untouched, until [`Raster::forget`].
+/// Paints one window. Remembers what each tile of the target shows, so pass the same target again,
+/// unmodified, until [`Raster::forget`].
 pub struct Raster {
     background: Color32,
     textures: Textures,
-    /// The fingerprints of the tiles as they stand in the target, row by row.
+    /// The hash of each tile as shown in the target, row by row.
     shown: Vec<u64>,
-    /// What `shown` holds for: width, height, pixels per point.
+    /// The parameters of `shown`: width, height, pixels per point.
     shown_for: Option<(u32, u32, f32)>,
-    /// What `layers` holds for.
+    /// The same parameters of `layers`.
     sorted_for: Option<(u32, u32, f32)>,
-    /// The primitives of the last call, sorted into tiles.
     layers: Vec<Layer>,
-    /// The textures have changed since: any primitive may show something else.
+    /// Textures changed since the last call, so any primitive may look different.
     other_textures: bool,
-    /// Whether a tile may have changed; kept for its memory.
+    /// Tiles that may have changed. This and the scratch buffers below are kept for their memory.
     touched: Vec<bool>,
-    /// What is kept of each tile; as `shown`.
     backdrop: Vec<Backdrop>,
-    /// The layers in the row of tiles that is painted, and those in the tile;
-    /// kept for their memory.
+    /// The layers that reach the current row of tiles, and those in the current tile.
     row: Vec<u32>,
     steps: Vec<Step>,
     tile: Tile,
 }
 
 impl Raster {
-    /// Nothing painted yet.
+    /// A raster that has painted nothing yet.
     pub fn new(background: Color32) -> Self {
         Self {
             background,
@@ -129,8 +125,7 @@ impl Raster {
         }
     }
 
-    /// What shows where nothing is painted. Everything is painted anew after
-    /// a change.
+    /// Sets the colour where nothing is painted. A change repaints everything.
     pub fn set_background(&mut self, background: Color32) {
         if self.background != background {
             self.background = background;
@@ -138,35 +133,33 @@ impl Raster {
         }
     }
 
-    /// The target's pixels are lost or another target comes: all is painted anew.
+    /// Repaints everything next time: the target's pixels were lost, or the target was replaced.
     pub fn forget(&mut self) {
         self.shown_for = None;
     }
 
-    /// Nothing moves any more: gives memory back that made it fast.
+    /// Frees caches that speed up animation; call when nothing moves any more.
     pub fn rest(&mut self) {
         self.backdrop.iter_mut().for_each(Backdrop::rest);
         self.layers.iter_mut().for_each(Layer::rest);
     }
 
-    /// Takes over new and changed textures, and drops those that egui frees.
-    /// To be called with every output of egui, before [`Raster::paint`].
+    /// Applies egui's texture changes. Call with every output of egui, before [`Raster::paint`].
     pub fn update_textures(&mut self, delta: TexturesDelta) {
         self.other_textures |= !delta.is_empty();
         self.textures.update(delta);
     }
 
-    /// Paints what changed since the last call, and says which areas that were.
-    /// A paint callback must be one of ours, as [`primitives`] and [`Lines::shape`] make
-    /// them; any other is left out. A target that is smaller than it says is left
-    /// alone.
+    /// Paints what changed since the last call and returns the areas painted. Only paint callbacks
+    /// made by [`primitives`] and [`Lines::shape`] are painted. A target smaller than it claims is
+    /// left alone.
     pub fn paint(
         &mut self,
         primitives: &[ClippedPrimitive],
         pixels_per_point: f32,
         target: &mut Target<'_>,
     ) -> Vec<Area> {
-        // Should nothing be painted, it is not known any more what the target shows.
+        // On an early return, what the target shows is no longer known.
         let shown_for = self.shown_for.take();
         let (Ok(x1), Ok(y1)) = (i32::try_from(target.width), i32::try_from(target.height)) else {
             return Vec::new();
@@ -256,8 +249,8 @@ impl Raster {
         areas.into_areas()
     }
 
-    /// Makes `layers` those of the primitives, and says whether one is another than
-    /// before. The tiles that those have touched and touch are noted.
+    /// Updates `layers` from the primitives and returns whether any changed. Marks the tiles that
+    /// changed layers touch, or touched before.
     fn sort(
         &mut self,
         primitives: &[ClippedPrimitive],
@@ -285,7 +278,7 @@ impl Raster {
             return false;
         }
         let tiles = Tiles::of(target);
-        // A layer that was there before, if it is found near its old place.
+        // Reuse a layer from before if it is near its old place.
         let mut old: Vec<Option<Layer>> = self.layers.drain(..).map(Some).collect();
         let mut start = 0;
         let found: Vec<Option<Layer>> = keys
@@ -317,9 +310,8 @@ impl Raster {
     }
 }
 
-/// What lies in a tile, layer by layer, from the one that hides all below; the
-/// colour that it does that with, and whether nothing else is there. The row is of
-/// the layers that reach the tile's.
+/// Collects a tile's layers, from the topmost that covers it wholly; returns the colour it does so
+/// with, and whether nothing lies above it. `row` lists the layers that reach this row of tiles.
 fn steps(
     layers: &[Layer],
     row: &[u32],
@@ -348,7 +340,6 @@ fn steps(
 }
 
 impl Target<'_> {
-    /// Its rows within a rectangle.
     fn rows(&mut self, cut: PixelRect) -> impl Iterator<Item = &mut [u32]> {
         let rows = self.pixels.chunks_mut(self.stride).skip(cut.y0 as usize);
         let rows = rows.take((cut.y1 - cut.y0) as usize);
@@ -361,11 +352,10 @@ impl Target<'_> {
         }
     }
 
-    /// Puts a tile where it belongs.
     fn put(&mut self, cut: PixelRect, tile: &Tile) {
         for (y, row) in self.rows(cut).enumerate() {
             match <&mut [u32; SIDE]>::try_from(&mut *row) {
-                // A copy of known length needs no call.
+                // A copy of constant length needs no call.
                 Ok(row) => *row = *tile.row(y),
                 Err(_) => row.copy_from_slice(&tile.row(y)[..row.len()]),
             }

@@ -1,36 +1,33 @@
-//! Straight lines in great number, as a scene is drawn of.
+//! Lines in large numbers, such as scenes are drawn with.
 
 use std::sync::Arc;
 
 use egui::{Color32, PaintCallback, Pos2, Rect, Shape};
 
-/// One straight piece with round ends, in points as egui counts them.
+/// A line segment with round caps, in egui's points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// One end.
     pub from: Pos2,
     /// The other end.
     pub to: Pos2,
-    /// Width in points; at least one pixel is painted, the thinner the paler.
+    /// Width in points; below one pixel the line is painted fainter instead of thinner.
     pub width: f32,
     /// Its colour.
     pub color: Color32,
 }
 
-/// Lines that are painted together, the first one lowest.
-///
-/// egui's own lines become eight triangles each; these go to the raster as
-/// they are, and a part of a scene that did not change can be shown again
-/// without being made again.
+/// Lines painted together, first one lowest. egui would make eight triangles of each; these go to
+/// the raster as they are, and an unchanged part of a scene can be shown again without being
+/// rebuilt.
 #[derive(Clone, Debug, Default)]
 pub struct Lines {
-    /// The lines, in the order in which they are painted.
+    /// The lines in painting order.
     pub lines: Vec<Line>,
 }
 
 impl Lines {
-    /// The shape to be handed to egui's painter. `clip` is the rectangle that
-    /// the lines are cut at, in points.
+    /// A shape for egui's painter; `clip` is the clip rectangle in points.
     pub fn shape(lines: &Arc<Self>, clip: Rect) -> Shape {
         Shape::Callback(PaintCallback {
             rect: clip,
@@ -38,9 +35,9 @@ impl Lines {
         })
     }
 
-    /// Whether others are the same to the last bit.
+    /// Bitwise equality.
     pub(super) fn are(&self, others: &Self) -> bool {
-        // egui does not compare NaN.
+        // egui's comparison rejects NaN.
         let bits_of = |line: &Line| {
             let Line { from, to, .. } = line;
             let numbers = [from.x, from.y, to.x, to.y, line.width].map(f32::to_bits);
@@ -50,7 +47,7 @@ impl Lines {
         ours.map(bits_of).eq(theirs.map(bits_of))
     }
 
-    /// The lines that a paint callback carries, if it carries any.
+    /// The lines in a paint callback, if it is ours.
     pub(super) fn of(callback: &PaintCallback) -> Option<&Self> {
         callback.callback.downcast_ref()
     }

@@ -1,4 +1,4 @@
-//! What is given at the corners of a triangle, at every pixel between them.
+//! Linear interpolation over a triangle.
 
 use egui::Color32;
 use egui::epaint::textures::TextureFilter;
@@ -6,16 +6,16 @@ use egui::epaint::textures::TextureFilter;
 use super::texture::Texture;
 use super::triangle::{Corner, STEPS};
 
-/// A quantity that is given at three corners, over the plane.
+/// A linear function over the plane, given by its values at three corners.
 pub(super) struct Plane {
     at: f64,
-    /// How much it grows from one pixel to the next.
+    /// The increment per pixel along x.
     pub(super) x: f64,
     y: f64,
 }
 
 impl Plane {
-    /// `area` is [`super::triangle::twice_area`], which is not zero.
+    /// `area` is [`super::triangle::twice_area`], not zero.
     pub(super) fn new(corners: &[Corner; 3], area: f64, values: [f64; 3]) -> Self {
         let [a, b, c] = corners;
         let x = |corner: &Corner| f64::from(corner.x) - f64::from(a.x);
@@ -32,14 +32,14 @@ impl Plane {
         }
     }
 
-    /// At the middle of a pixel.
+    /// The value at a pixel's centre.
     #[inline]
     pub(super) fn value(&self, x: i32, y: i32) -> f64 {
         self.at + self.x * f64::from(x) + self.y * f64::from(y)
     }
 }
 
-/// A colour and a texel, whose channels go up to 255, multiplied.
+/// Multiplies a colour by a texel with channels 0…255.
 #[inline]
 pub(super) fn tinted(color: Color32, texel: [f32; 4]) -> Color32 {
     if texel == [255.0; 4] {
@@ -53,7 +53,7 @@ pub(super) fn tinted(color: Color32, texel: [f32; 4]) -> Color32 {
     Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
-/// Colours and texture of a triangle.
+/// A triangle's interpolated colours and texture.
 pub(super) struct Surface<'a> {
     texture: &'a Texture,
     filter: TextureFilter,

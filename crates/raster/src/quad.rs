@@ -1,7 +1,6 @@
-//! Two triangles that make an upright rectangle: filled areas, letters, images.
-//!
-//! The result is that of the two triangles; here it comes faster. Letters are
-//! shown texel by pixel, so that nothing has to be mixed between texels.
+//! Two triangles that form an axis-aligned rectangle: filled areas, glyphs, images. The result is
+//! that of the triangles, only faster: glyphs map texels to pixels one to one and need no
+//! filtering.
 
 use egui::{Color32, Mesh};
 
@@ -10,19 +9,18 @@ use super::texture::{Texels, Texture};
 use super::tile::{self, FULL, Ink, PixelRect, Tile};
 use super::triangle::{self, Corner, STEPS};
 
-/// Texels that lie this close to the pixels count as lying on them.
+/// Texels this close to pixel positions count as aligned.
 const NEAR: f32 = 1.0 / 64.0;
 
-/// An upright rectangle of one colour.
+/// An axis-aligned rectangle of one vertex colour.
 pub(super) struct Quad {
     pub(super) low: Corner,
     pub(super) high: Corner,
 }
 
 impl Quad {
-    /// The rectangle that begins with this triangle of a mesh, if it is one as
-    /// egui makes them: letters, images, plain areas. What is none may still be
-    /// one for [`Quad::new`], which looks at everything and takes longer.
+    /// The rectangle that starts with this triangle, if its vertices are in egui's usual order.
+    /// Others may still be found by [`Quad::new`], which checks everything and is slower.
     #[inline]
     pub(super) fn of_egui(mesh: &Mesh, triangle: usize, pixels_per_point: f32) -> Option<Self> {
         let indices = mesh.indices.get(triangle * 3..triangle * 3 + 6)?;
@@ -31,7 +29,7 @@ impl Quad {
         let &[a, b, c, d] = mesh.vertices.get(first..end)? else {
             return None;
         };
-        // The vertices are there, so that these numbers do not overflow.
+        // The vertices exist, so these indices do not overflow.
         let i = indices[0];
         if *indices != [i, i + 1, i + 2, i + 2, i + 1, i + 3] {
             return None;
@@ -52,7 +50,7 @@ impl Quad {
         (low.x < high.x && low.y < high.y).then_some(Self { low, high })
     }
 
-    /// The rectangle that a triangle and the next one of a mesh make, if they do.
+    /// The rectangle formed by two consecutive triangles, if they form one.
     pub(super) fn new(first: &[Corner; 3], next: &[Corner; 3]) -> Option<Self> {
         let all = || first.iter().chain(next);
         let mut low = first[0];
@@ -61,8 +59,7 @@ impl Quad {
             (low.x, low.y) = (low.x.min(corner.x), low.y.min(corner.y));
             (high.x, high.y) = (high.x.max(corner.x), high.y.max(corner.y));
         }
-        // Which of the four corners each is; together all four, and each
-        // triangle lacks the one opposite to the other's.
+        // The corners that each triangle lacks: one each, opposite to each other.
         let mut lacking = [0b1111_u8; 2];
         for (lacking, triangle) in lacking.iter_mut().zip([first, next]) {
             for corner in triangle {
@@ -86,7 +83,6 @@ impl Quad {
         fits.then_some(Self { low, high })
     }
 
-    /// Its pixels.
     pub(super) fn bounds(&self) -> PixelRect {
         PixelRect {
             x0: triangle::first_pixel(self.low.x),
@@ -96,7 +92,7 @@ impl Quad {
         }
     }
 
-    /// Its colour, if it has only one.
+    /// Its colour, if uniform.
     pub(super) fn ink(&self, texture: &Texture) -> Option<Ink> {
         let (u, v) = (self.low.u, self.low.v);
         if (u, v) != (self.high.u, self.high.v) {
@@ -106,8 +102,7 @@ impl Quad {
         Some(Ink::new(plane::tinted(self.low.color, texel)))
     }
 
-    /// Where in the texture pixel (0, 0) would be, if each pixel shows exactly
-    /// one texel.
+    /// The texel at pixel (0, 0), if texels map to pixels one to one.
     fn texels(&self, texture: &Texture) -> Option<[i32; 2]> {
         let along = |low: i32, high: i32, from: f32, to: f32, count: usize| {
             let count = count as f32;
@@ -125,7 +120,7 @@ impl Quad {
         ])
     }
 
-    /// Paints its pixels within a rectangle that lies in the tile.
+    /// Paints its pixels within `cut`, which lies in the tile.
     pub(super) fn paint(&self, tile: &mut Tile, texture: &Texture, cut: PixelRect) {
         let cut = cut.and(self.bounds());
         if cut.is_empty() {
@@ -173,16 +168,16 @@ impl Quad {
     }
 }
 
-/// A part of a texture that lies on pixels.
+/// A part of a texture aligned with the pixels.
 struct Rows<'a> {
     texture: &'a Texture,
-    /// The texel of the first pixel.
+    /// The first pixel's texel.
     left: usize,
     top: usize,
 }
 
 impl<'a> Rows<'a> {
-    /// `None` if it is not all within the texture.
+    /// `None` if it is not wholly within the texture.
     fn new(texture: &'a Texture, [x, y]: [i32; 2], cut: PixelRect) -> Option<Self> {
         let start = |at: i32, from: i32, to: i32, count: usize| {
             let end = usize::try_from(at.checked_add(to)?).ok()?;

@@ -1,9 +1,6 @@
-//! Rectangles with round corners, with a border inside, circles, and upright and level
-//! lines.
-//!
-//! egui makes dozens of triangles of each, most of them for rims that are a pixel
-//! wide. Here each is one thing, and every pixel of it is known by how much is
-//! covered.
+//! Rectangles with rounded corners and an inner border, circles, and vertical and horizontal lines.
+//! egui tessellates each into dozens of triangles, mostly for the feathered rims; here each is one
+//! primitive, painted by coverage.
 
 use std::sync::Arc;
 
@@ -13,26 +10,25 @@ use egui::{Color32, PaintCallback, Pos2, Rect, Shape, Stroke, Vec2};
 
 use super::lines::{Line, Lines};
 
-/// A rectangle, maybe with round corners, of one colour, and a border of another.
+/// A rectangle with optionally rounded corners and a border.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RoundedRect {
-    /// Outer edges, in points.
+    /// The outer edges, in points.
     pub(super) rect: Rect,
-    /// Radii of the outer edge's corners, in points: left and right above, left
-    /// and right below.
+    /// The radii of the outer corners, in points: top left, top right, bottom left, bottom right.
     pub(super) radii: [f32; 4],
-    /// Within the border.
+    /// The colour within the border.
     pub(super) fill: Color32,
-    /// How wide the border is, in points.
+    /// The width of the border, in points.
     pub(super) border: f32,
     pub(super) border_color: Color32,
 }
 
-/// Puts rounded rectangles in the place of rectangles and circles, and [`Lines`] in that of other
-/// lines, as far as they can show the same. The number of shapes stays.
+/// Replaces rectangles and circles by rounded rectangles, and other lines by [`Lines`], where the
+/// result looks the same. Their number stays.
 pub(super) fn replace_shapes(shapes: &mut [ClippedShape], pixels_per_point: f32) {
     for shape in shapes {
-        // What is moved after it has become triangles is not at pixels here.
+        // Shapes transformed later are not aligned with pixels here.
         if shape.transform_after_tessellation == egui::emath::TSTransform::IDENTITY {
             replace_shape(&mut shape.shape, pixels_per_point);
         }
@@ -76,7 +72,7 @@ fn replace_shape(shape: &mut Shape, pixels_per_point: f32) {
     }
 }
 
-/// Straight lines from place to place.
+/// A polyline.
 fn lines(points: &[Pos2], width: f32, color: Color32) -> Lines {
     let lines = points.windows(2).map(|ends| Line {
         from: ends[0],
@@ -89,7 +85,7 @@ fn lines(points: &[Pos2], width: f32, color: Color32) -> Lines {
     }
 }
 
-/// What is seen of a stroke: one without a colour has no width either.
+/// Normalizes an invisible stroke to [`Stroke::NONE`].
 fn seen(stroke: Stroke) -> Stroke {
     if stroke.is_empty() {
         Stroke::NONE
@@ -99,9 +95,9 @@ fn seen(stroke: Stroke) -> Stroke {
 }
 
 impl RoundedRect {
-    /// Whether another one is the same to the last bit.
+    /// Bitwise equality.
     pub(super) fn is(&self, other: &Self) -> bool {
-        // egui does not compare NaN.
+        // egui's comparison rejects NaN.
         let bits = |rounded_rect: &Self| {
             let Rect { min, max } = rounded_rect.rect;
             let [a, b, c, d] = rounded_rect.radii;
@@ -111,8 +107,7 @@ impl RoundedRect {
         bits(self) == bits(other) && colors(self) == colors(other)
     }
 
-    /// `None` for what egui shows in another way: images, shadows, what is turned
-    /// or so thin that it is a line.
+    /// `None` for what egui must paint: images, shadows, rotated or very thin rectangles.
     fn of_rect(shape: &RectShape, pixels_per_point: f32) -> Option<Self> {
         let stroke = seen(shape.stroke);
         let plain = shape.brush.is_none() && shape.blur_width <= 0.0 && shape.angle == 0.0;
@@ -140,7 +135,7 @@ impl RoundedRect {
             }
         }
         let rect = rect.expand(outside);
-        // Thinner ones egui moves to where they look best.
+        // egui aligns thinner ones in its own way.
         let thin = 2.0 * stroke.width.max(1.0 / pixels_per_point);
         let size = rect.size().min_elem();
         if !rect.is_finite() || !(size > thin + 0.5 / pixels_per_point) {
@@ -160,15 +155,15 @@ impl RoundedRect {
         })
     }
 
-    /// An upright or level line, moved to where it looks best.
+    /// A vertical or horizontal line, aligned with the pixels.
     fn of_line([a, b]: [Pos2; 2], stroke: Stroke, pixels_per_point: f32) -> Option<Self> {
         if (a.x != b.x && a.y != b.y) || stroke.is_empty() {
             return None;
         }
         let pixel = 1.0 / pixels_per_point;
         let mut rect = Rect::from_two_pos(a, b);
-        // A little less than from end to end, so that an end between two pixels is
-        // not rounded outward on either side; then whole pixels.
+        // Shortened a little, so that an end between two pixels does not round outwards on both
+        // sides; then to whole pixels.
         let along = |low: &mut f32, high: &mut f32| {
             *low = (*low + 0.25 * pixel).round_to_pixel_center(pixels_per_point) - 0.5 * pixel;
             *high = (*high - 0.25 * pixel).round_to_pixel_center(pixels_per_point) + 0.5 * pixel;

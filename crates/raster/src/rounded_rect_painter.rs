@@ -1,10 +1,8 @@
-//! Rounded rectangles as pixels: how much of each lies within the border and within the fill.
+//! Rounded rectangles as pixels, by their coverage within the border and within the fill.
 //!
-//! In thin slices from above to below, the edges of a rectangle with round corners
-//! are known exactly, and with them the covered part of each pixel in the slice; a
-//! pixel's coverage is the mean of its slices. Only columns at the left and at the
-//! right, where the corners are, are looked at in this way. Between them all pixels
-//! of a row are covered alike.
+//! In thin vertical slices the edges are known exactly, and so is the covered part of each pixel; a
+//! pixel's coverage is the mean of its slices. Only the columns at the left and right, where the
+//! corners are, need this: between them, all pixels of a row are covered alike.
 
 use egui::Color32;
 use glam::Vec4;
@@ -13,43 +11,41 @@ use super::hash::{bits, mix, pair};
 use super::rounded_rect::RoundedRect;
 use super::tile::{self, FULL, Ink, PixelRect, SIDE, Tile};
 
-/// Farther out than this, in pixels, nothing is looked at exactly.
+/// Coordinates are clamped to this many pixels.
 const FAR: f32 = 1e6;
 
-/// Slices in half a pixel.
+/// The middles of the slices in half a pixel.
 const MIDDLES: Vec4 = Vec4::new(0.125, 0.375, 0.625, 0.875);
 
-/// A rectangle with round corners, in pixels.
+/// A rounded rectangle in pixels.
 #[derive(Clone, Copy)]
 struct PixelRoundedRect {
     x: [f32; 2],
     y: [f32; 2],
-    /// Left and right above, left and right below.
+    /// Top left, top right, bottom left, bottom right.
     radii: [f32; 4],
 }
 
-/// Pixels from the first up to, without, the last.
+/// A first pixel and an exclusive end.
 type Range = (i32, i32);
 
-/// A rounded rectangle on its way into tiles.
+/// A rounded rectangle ready to be painted into tiles.
 pub(super) struct RoundedRectPainter {
     outer: PixelRoundedRect,
-    /// What lies within the border.
+    /// The area within the border.
     inner: PixelRoundedRect,
     fill: Color32,
     border: Color32,
-    /// The columns of pixels between the corners and the upright parts of the border.
+    /// The columns of pixels between the corners and the vertical border parts.
     across: Range,
-    /// The rows between the corners and its level parts.
+    /// The rows between the corners and the horizontal border parts.
     down: Range,
 }
 
-/// The least whole number that is not less.
 fn up(v: f32) -> i32 {
     v.ceil() as i32
 }
 
-/// The greatest whole number that is not more.
 fn down(v: f32) -> i32 {
     v.floor() as i32
 }
@@ -67,19 +63,19 @@ impl PixelRoundedRect {
         }
     }
 
-    /// How much of a pixel lies between its left and right edge.
+    /// The part of a pixel between the left and right edge.
     fn beside(&self, x: i32) -> f32 {
         overlap(self.x, x)
     }
 
-    /// How much of a pixel lies between its upper and lower edge.
+    /// The part of a pixel between the top and bottom edge.
     fn below(&self, y: i32) -> f32 {
         overlap(self.y, y)
     }
 
     /// One column of pixels in slices.
     fn column(&self, x: i32) -> Column {
-        // The slices lie in the part that is covered.
+        // The slices divide the covered part.
         let start = self.x[0].max(x as f32);
         let width = (self.x[1].min(x as f32 + 1.0) - start).max(0.0);
         let near = MIDDLES * (0.5 * width) + start;
@@ -93,16 +89,16 @@ impl PixelRoundedRect {
     }
 }
 
-/// How much of a pixel lies between two places.
+/// The part of a pixel between two positions.
 fn overlap([low, high]: [f32; 2], at: i32) -> f32 {
     let at = at as f32;
     (high.min(at + 1.0) - low.max(at)).max(0.0)
 }
 
-/// How far the edge is in from the straight one, in slices.
+/// How far a rounded edge is inset from the straight one, in slices.
 fn inset(x: [f32; 2], at: Vec4, left: f32, right: f32) -> Vec4 {
     let within = |radius: f32, way: Vec4| {
-        // The way into the corner.
+        // The distance into the corner.
         let beside = (Vec4::splat(radius) - way).clamp(Vec4::ZERO, Vec4::splat(radius));
         let square = Vec4::splat(radius * radius) - beside * beside;
         Vec4::splat(radius) - square.max(Vec4::ZERO).sqrt()
@@ -110,16 +106,15 @@ fn inset(x: [f32; 2], at: Vec4, left: f32, right: f32) -> Vec4 {
     within(left, at - x[0]).max(within(right, Vec4::splat(x[1]) - at))
 }
 
-/// One column of pixels, in slices.
 struct Column {
-    /// Upper and lower edge in each.
+    /// Top and bottom edges in each slice.
     slices: [(Vec4, Vec4); 2],
-    /// The part of a pixel that they stand for.
+    /// The part of the pixel's width that they cover.
     width: f32,
 }
 
 impl Column {
-    /// How much of a pixel is covered.
+    /// The covered part of a pixel.
     #[inline]
     fn covered(&self, y: i32) -> f32 {
         let (top, bottom) = (Vec4::splat(y as f32), Vec4::splat(y as f32 + 1.0));
@@ -131,7 +126,7 @@ impl Column {
 }
 
 impl RoundedRectPainter {
-    /// `None` if there is nothing to be seen.
+    /// `None` if there is nothing to see.
     pub(super) fn new(rounded_rect: &RoundedRect, pixels_per_point: f32) -> Option<Self> {
         let scaled = |at: f32| (at * pixels_per_point).clamp(-FAR, FAR);
         let (min, max) = (rounded_rect.rect.min, rounded_rect.rect.max);
@@ -140,7 +135,7 @@ impl RoundedRectPainter {
             y: [scaled(min.y), scaled(max.y)],
             radii: rounded_rect.radii.map(|radius| scaled(radius).max(0.0)),
         };
-        // What is not a number is not seen either.
+        // NaN is rejected here, too.
         let real = outer.x[0] < outer.x[1] && outer.y[0] < outer.y[1];
         if !real || !outer.radii.iter().all(|radius| radius.is_finite()) {
             return None;
@@ -163,7 +158,7 @@ impl RoundedRectPainter {
         })
     }
 
-    /// Pixels among which its own are.
+    /// A pixel rectangle that contains it.
     pub(super) fn bounds(&self) -> PixelRect {
         let PixelRoundedRect { x, y, .. } = self.outer;
         PixelRect {
@@ -174,7 +169,7 @@ impl RoundedRectPainter {
         }
     }
 
-    /// What it is known by, in each tile.
+    /// Its hash, the same for each tile.
     pub(super) fn hash(&self) -> u64 {
         let PixelRoundedRect { x, y, radii } = self.outer;
         let place = mix(mix(0, pair(x[0], y[0])), pair(x[1], y[1]));
@@ -187,7 +182,7 @@ impl RoundedRectPainter {
         mix(mix(round, word), u64::from(self.inner.x[0].to_bits()))
     }
 
-    /// Whether nothing but the fill, and that wholly, lies on some pixels.
+    /// Whether these pixels are wholly covered by the fill alone.
     pub(super) fn fills(&self, cut: PixelRect) -> bool {
         let within = |(low, high): Range, from: i32, to: i32| low <= from && to <= high;
         let whole = |[low, high]: [f32; 2]| (up(low), down(high));
@@ -200,7 +195,7 @@ impl RoundedRectPainter {
         self.fill
     }
 
-    /// Paints its pixels within a rectangle that lies in the tile.
+    /// Paints its pixels within `cut`, which lies in the tile.
     pub(super) fn paint(&self, tile: &mut Tile, cut: PixelRect) {
         let cut = cut.and(self.bounds());
         if cut.is_empty() {
@@ -215,7 +210,7 @@ impl RoundedRectPainter {
         if start == end {
             return;
         }
-        // Between the border's upper and lower part all is fill.
+        // Between the top and bottom border all is fill.
         let from = up(self.inner.y[0]).clamp(cut.y0, cut.y1);
         let to = down(self.inner.y[1]).clamp(from, cut.y1);
         for y in (cut.y0..from).chain(to..cut.y1) {
@@ -248,11 +243,10 @@ impl RoundedRectPainter {
     }
 }
 
-/// The two colours of a rounded rectangle.
 struct Inks {
     fill: Ink,
     border: Ink,
-    /// Their channels.
+    /// Their channels as floats.
     exact: [Vec4; 2],
 }
 
@@ -267,11 +261,9 @@ impl Inks {
         }
     }
 
-    /// Lays them over pixels of which these parts lie within the outer edge of the
-    /// border, and within the inner one.
+    /// Blends both colours over pixels covered by these parts of the outer and inner rectangle.
     #[inline]
     fn lay(&self, pixels: &mut [u32], (outer, inner): (f32, f32)) {
-        // The part of the border itself.
         let border = outer - inner;
         let part = |part: f32| (part * FULL as f32 + 0.5) as u32;
         if border <= 0.0 {

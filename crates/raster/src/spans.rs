@@ -1,10 +1,8 @@
-//! Which pixels lie within a convex outline, row by row.
+//! Scan conversion of convex outlines.
 //!
-//! A row of pixels is crossed by two of the outline's edges, and the pixels
-//! between them are inside. Where an edge crosses is known in whole numbers, and
-//! depends on the edge alone: along an edge that two outlines share every pixel
-//! belongs to exactly one of them. A pixel belongs to an outline if its middle
-//! does; a middle on an edge, if the edge is a left or an upper one.
+//! The pixels of a row between the crossings of two edges are inside. A crossing is computed in
+//! integers from its edge alone, so along a shared edge every pixel belongs to exactly one outline:
+//! the one that contains its centre or, for a centre on the edge, has it as a left or top edge.
 
 use super::tile::{PixelRect, SIDE};
 use super::triangle::{STEPS, first_pixel};
@@ -17,7 +15,7 @@ pub(super) struct Spans {
 }
 
 impl Spans {
-    /// Those within `cut`, which lies in a tile; the outline is empty yet.
+    /// An empty outline; `cut` lies within one tile.
     #[inline]
     pub(super) fn new(cut: PixelRect) -> Self {
         Self {
@@ -27,12 +25,12 @@ impl Spans {
         }
     }
 
-    /// Adds the edge between two corners, in either direction. Between a row's
-    /// first and last crossing all is inside, so that edges within do no harm.
+    /// Adds an edge in either direction. Everything between a row's first and last crossing is
+    /// inside, so inner edges do no harm.
     #[inline]
     pub(super) fn add(&mut self, a: (i32, i32), b: (i32, i32)) {
         let (a, b) = if a.1 <= b.1 { (a, b) } else { (b, a) };
-        // A row is crossed if its middle is: below the end above, or on it.
+        // An edge crosses a row if it crosses its centre line, or begins on it.
         let first = first_pixel(a.1).max(self.cut.y0);
         let end = first_pixel(b.1).min(self.cut.y1);
         if first >= end {
@@ -49,7 +47,7 @@ impl Spans {
         }
     }
 
-    /// Each row with its pixels inside: from, up to without.
+    /// Yields each row as (y, first x, end x).
     #[inline]
     pub(super) fn rows(&self) -> impl Iterator<Item = (i32, i32, i32)> {
         let each = self.from.iter().zip(&self.to);
@@ -58,19 +56,19 @@ impl Spans {
     }
 }
 
-/// The first pixels whose middles are not left of an edge, row by row.
+/// The first pixels whose centres are not left of an edge, row by row.
 struct Crossings {
-    /// The pixel is `whole`, and `part` of `parts` to the next one.
+    /// The pixel is `whole`, and the crossing lies `part` of `parts` further.
     whole: i64,
     part: i64,
     parts: i64,
-    /// From one row to the next.
+    /// Increments per row.
     whole_step: i64,
     part_step: i64,
 }
 
 impl Crossings {
-    /// Of the edge from `a` down to `b`, from row `y` on.
+    /// For the edge from `a` down to `b`, starting at row `y`.
     #[inline]
     fn new(a: (i32, i32), b: (i32, i32), y: i32) -> Self {
         let wide = |(x, y): (i32, i32)| (i64::from(x), i64::from(y));
@@ -80,8 +78,8 @@ impl Crossings {
         let half = steps / 2;
         let parts = dy * steps;
         let inverse = 1.0 / parts as f64;
-        // Coordinates have 29 bits, so that their products fit. Rounded up: a
-        // middle on the edge is not left of it.
+        // Coordinates have 29 bits, so the products fit. Rounded up, since a centre on the edge is
+        // not left of it.
         let middle = i64::from(y) * steps + half;
         let (whole, part) = divided(
             (ax - half) * dy + (middle - ay) * dx + parts - 1,
@@ -110,8 +108,8 @@ impl Crossings {
     }
 }
 
-/// Quotient and rest, which is not negative. Numbers of 64 bits are divided
-/// slowly; by the inverse the quotient is off by little.
+/// Quotient and non-negative remainder. 64-bit division is slow; with the inverse the quotient is
+/// nearly right and then corrected.
 #[inline]
 fn divided(number: i64, by: i64, inverse: f64) -> (i64, i64) {
     let mut whole = (number as f64 * inverse) as i64;

@@ -1,15 +1,13 @@
-//! Straight lines with round ends, each pixel by how much of it is covered.
+//! Straight lines with round caps, anti-aliased by coverage.
 //!
-//! A line is walked along the axis that it runs more along, pixel by pixel. In
-//! thin slices across, its two borders are known exactly, and with them the
-//! covered part of every pixel in the slice; a pixel's coverage is the mean of
-//! its slices. A border climbs by at most one pixel for a pixel along, so that
-//! four slices are off by at most 1/128 where it enters another pixel. The
-//! round ends climb more and take eight.
+//! A line is traversed pixel by pixel along its major axis. In thin slices across, both borders are
+//! known exactly, and so is the covered part of each pixel; a pixel's coverage is the mean of its
+//! slices. A border climbs at most one pixel per pixel, so with four slices the error is at most
+//! 1/128 where it enters another pixel. The caps climb faster and take eight.
 //!
-//! Where a curve's piece goes on in the next one, neither has an end: the pixel
-//! of the joint is the one's, with its borders as straight as before. Two round
-//! ends would cost more than all between them, and lie twice over their rims.
+//! Where a polyline goes on, neither piece has a cap: the joint's pixel belongs to one of them,
+//! whose borders stay straight. Two caps would cost more than everything between them, and blend
+//! twice at their rims.
 
 use egui::Color32;
 use glam::Vec4;
@@ -17,52 +15,48 @@ use glam::Vec4;
 use super::lines::Line;
 use super::tile::{FULL, Ink, Kind, PixelRect, SIDE, Tile};
 
-/// Slices for each pixel.
+/// Slices per pixel.
 const SLICES: usize = 4;
 
-/// Where a pixel's slices are.
+/// The middles of a pixel's slices.
 const MIDDLES: Vec4 = Vec4::new(0.125, 0.375, 0.625, 0.875);
 
-/// Pixels whose coverage is computed together.
+/// Pixels computed at a time.
 const RUN: usize = 4;
 
-/// Lines are not thicker than this, in pixels.
+/// The greatest width, in pixels.
 const THICKEST: f32 = 1e6;
 
-/// Up to so many pixels from the tile, numbers of 32 bits are exact enough.
+/// Up to this many pixels from the tile, 32-bit floats are exact enough.
 const NEAR: f32 = 2048.0;
 
-/// Two lines are joined if from one to the other the slope differs by no more:
-/// so far the border may be off, in pixels, at the end of the joint's pixel.
+/// The greatest change of slope at a joint; the border is off by as many pixels at its end.
 const BEND: f32 = 0.2;
 
-/// What is joined is not thicker and not longer, in pixels: the outer side of a
-/// thick joint is round, and of a long line only a part may be looked at.
+/// Only lines up to this size, in pixels, are joined: the outside of a thick joint is round, and
+/// long lines are clipped near a tile.
 const JOINED_WIDTH: f32 = 4.0;
 const JOINED_LENGTH: f32 = 1000.0;
 
-/// A line in the target.
 #[derive(Clone, Copy)]
 pub(super) struct Stroke {
-    /// Both ends, in pixels.
+    /// The coordinates of both ends, in pixels.
     x: [f32; 2],
     y: [f32; 2],
     radius: f32,
     color: Color32,
-    /// Whether another line goes on there.
     joined: [bool; 2],
 }
 
-/// Whether the second line goes on where the first one ends, so little bent
-/// that both are one.
+/// Whether the second line continues the first with so small a bend that both are painted as one.
 pub(super) fn joined(first: &Line, second: &Line, pixels_per_point: f32) -> bool {
-    // Numbers, since egui does not compare NaN.
+    // Plain floats, since egui's comparison rejects NaN.
     let [end, start] = [first.to, second.from].map(|at| (at.x, at.y));
     if end != start || first.width != second.width || first.color != second.color {
         return false;
     }
     let [a, b] = [first, second].map(|line| (line.to - line.from) * pixels_per_point);
-    // Along the axis and across.
+    // Along the major axis and across.
     let flat = a.y.abs() <= a.x.abs();
     if flat != (b.y.abs() <= b.x.abs()) {
         return false;
@@ -75,21 +69,19 @@ pub(super) fn joined(first: &Line, second: &Line, pixels_per_point: f32) -> bool
 }
 
 impl Stroke {
-    /// One that goes on before its beginning or behind its end; `None` if nothing is to
-    /// be seen.
+    /// `joined` tells where another line continues. `None` if there is nothing to see.
     #[inline]
     pub(super) fn new(line: &Line, joined: [bool; 2], pixels_per_point: f32) -> Option<Self> {
         let scale = pixels_per_point;
         let (x0, y0) = (line.from.x * scale, line.from.y * scale);
         let (x1, y1) = (line.to.x * scale, line.to.y * scale);
         let width = line.width * scale;
-        // A sum of squares: NaN and infinities show in it, and
-        // such as are beyond all sense.
+        // The sum of squares reveals NaN, infinities and absurdly large values.
         let size = x0 * x0 + y0 * y0 + x1 * x1 + y1 * y1;
         if !size.is_finite() || !(width > 0.0) {
             return None;
         }
-        // What is thinner than a pixel becomes as much paler.
+        // Below one pixel, lower the opacity instead of the width.
         let color = if width < 1.0 {
             let paler = |c: u8| (f32::from(c) * width + 0.5) as u8;
             let [r, g, b, a] = line.color.to_array().map(paler);
@@ -106,13 +98,11 @@ impl Stroke {
         })
     }
 
-    /// The pixels among which the line's are.
     #[inline]
     pub(super) fn bounds(&self) -> PixelRect {
-        // Toward the outside, by up to one pixel more than needed. The sums
-        // stay far inside of the numbers.
+        // Rounded outwards by up to one extra pixel. `far` keeps the sums within i32.
         let far = (1 << 30) as f32;
-        // To the end of a joint's pixel it goes on by less than one.
+        // Joined ends extend to the end of the joint's pixel, by less than one.
         let reach = self.radius + f32::from(u8::from(self.joined != [false; 2]));
         let low = |a: f32, b: f32| ((a.min(b) - reach).max(-far) as i32) - 1;
         let high = |a: f32, b: f32| ((a.max(b) + reach).min(far) as i32) + 1;
@@ -124,10 +114,8 @@ impl Stroke {
         }
     }
 
-    /// Whether the line may come into a rectangle.
     pub(super) fn touches(&self, cut: PixelRect) -> bool {
-        // The rectangle's corners beside the line that goes on for ever. In
-        // 64 bits, so that a rounding does not lose a pixel.
+        // Compares the corners with the infinite line, in f64 so that rounding loses no pixel.
         let [x, y] = [self.x, self.y].map(|v| v.map(f64::from));
         let (dx, dy) = (x[1] - x[0], y[1] - y[0]);
         let middle = [cut.x0 + cut.x1, cut.y0 + cut.y1].map(|v| f64::from(v) * 0.5);
@@ -138,7 +126,6 @@ impl Stroke {
         beside.abs() <= reach + radius * (dx * dx + dy * dy).sqrt()
     }
 
-    /// Paints the pixels within a rectangle that lies in the tile.
     pub(super) fn paint(&self, tile: &mut Tile, cut: PixelRect) {
         let cut = cut.and(self.bounds());
         if cut.is_empty() {
@@ -180,8 +167,7 @@ impl Stroke {
         }
     }
 
-    /// The ends, from the tile's corner. Of a line that goes far beyond it
-    /// only the part near the tile.
+    /// The ends relative to the tile; a line that extends far beyond is shortened.
     fn seen_from(&self, tile: &Tile) -> [[f32; 2]; 2] {
         let (left, top) = (tile.x as f32, tile.y as f32);
         let x = self.x.map(|x| x - left);
@@ -192,7 +178,7 @@ impl Stroke {
         let from = |v: [f32; 2], start: i32| v.map(|v| f64::from(v) - f64::from(start));
         let (x, y) = (from(self.x, tile.x), from(self.y, tile.y));
         let reach = 2.0 * (f64::from(self.radius) + SIDE as f64);
-        // The part of the line, 0…1, that lies within reach of the tile.
+        // The part of the line, 0…1, within reach of the tile.
         let (mut start, mut end) = (0.0_f64, 1.0_f64);
         for v in [x, y] {
             let along = v[1] - v[0];
@@ -207,25 +193,23 @@ impl Stroke {
     }
 }
 
-/// From one pixel to the next along the axes of a [`Band`].
+/// Index steps along the axes of a [`Band`].
 #[derive(Clone, Copy)]
 struct Along {
     p: usize,
     q: usize,
 }
 
-/// A line along an axis `p`, flatter than the diagonal: from (p0, q0) to
-/// (p1, q1), p0 ≤ p1.
+/// A line along its major axis `p`, from (p0, q0) to (p1, q1) with p0 ≤ p1.
 struct Band {
     p0: f32,
     q0: f32,
     p1: f32,
     radius: f32,
     slope: f32,
-    /// How far along the axis the place where a disc touches the upper border
-    /// is from the disc's middle.
+    /// The offset along `p` from a disc's centre to where it touches the upper border.
     lean: f32,
-    /// Whether it goes on before p0 and behind p1.
+    /// Whether it continues before p0 and after p1.
     joined: [bool; 2],
 }
 
@@ -250,9 +234,8 @@ impl Band {
         }
     }
 
-    /// The line is what a disc passes over. This is the middle of the disc
-    /// that goes farthest in each slice: to the upper border if `lean` is so,
-    /// to the lower if it is reversed; and how far it goes.
+    /// The line is the area swept by a disc. For each slice, returns the centre of the disc that
+    /// reaches farthest, and how far: towards the upper border for `lean`, the lower for `-lean`.
     #[inline(always)]
     fn farthest(&self, p: Vec4, lean: f32) -> (Vec4, Vec4) {
         let (p0, p1) = (Vec4::splat(self.p0), Vec4::splat(self.p1));
@@ -263,8 +246,7 @@ impl Band {
         (q, square.max(Vec4::ZERO).sqrt())
     }
 
-    /// The borders in slices anywhere; where the line is not, nothing is
-    /// between them.
+    /// The borders in slices anywhere; outside the line they enclose nothing.
     #[inline(always)]
     fn borders(&self, p: Vec4) -> (Vec4, Vec4) {
         let (upper, up) = self.farthest(p, self.lean);
@@ -272,8 +254,7 @@ impl Band {
         (upper - up, lower + down)
     }
 
-    /// Paints; `cut` has p as x and q as y. `over` lays the colour over a pixel by a
-    /// weight.
+    /// `cut` has p as x and q as y; `over` blends the colour over a pixel with a weight.
     #[inline(always)]
     fn paint(
         &self,
@@ -282,8 +263,8 @@ impl Band {
         along: Along,
         over: impl Fn(u32, u32) -> u32,
     ) {
-        // From here to there both borders are straight. A joint's pixel is the
-        // line's that ends there.
+        // Both borders are straight from `first` to `last`. A joint's pixel belongs to the line
+        // that ends there.
         let bend = self.lean.abs();
         let first = self.p0 + if self.joined[0] { 0.0 } else { bend };
         let last = self.p1 - if self.joined[1] { 0.0 } else { bend + 1.0 };
@@ -303,7 +284,7 @@ impl Band {
         }
     }
 
-    /// Light is rarely added: one function for both directions.
+    /// Not inlined, because colours that add light are rare.
     #[inline(never)]
     fn paint_glowing(
         &self,
@@ -315,8 +296,6 @@ impl Band {
         self.paint(pixels, cut, along, |a, b| ink.over_glowing(a, b));
     }
 
-    /// Paints the pixels of one step where the line is round, in twice as
-    /// many slices.
     #[inline(always)]
     fn end(
         &self,
@@ -326,10 +305,10 @@ impl Band {
         along: Along,
         over: &impl Fn(u32, u32) -> u32,
     ) {
-        // The slices lie in the part of the pixel that the line is in.
+        // The slices divide the part of the pixel that the line reaches.
         let start = (step as f32).max(self.p0 - self.radius);
         let width = (step as f32 + 1.0).min(self.p1 + self.radius) - start;
-        // The bounds are a little wide.
+        // The bounds are slightly too wide.
         if width <= 0.0 {
             return;
         }
@@ -339,8 +318,7 @@ impl Band {
     }
 }
 
-/// Paints the pixels of one step. `share` is the part of the step that the
-/// slices stand for.
+/// Paints the pixels of one step; `share` is the part of the step that the slices cover.
 #[inline(always)]
 fn lay<const N: usize>(
     pixels: &mut [u32; SIDE * SIDE],
@@ -362,9 +340,8 @@ fn lay<const N: usize>(
     let mut at = step as usize * along.p + below(lowest) as usize * along.q;
     let mut q = below(lowest) as f32;
     while q < highest {
-        // Without a look whether there is anything to do: a guess that fails
-        // costs more. No weight leaves a pixel as it is, also one that is met
-        // by going beyond the tile's end.
+        // No check for zero weights: mispredicted branches cost more. A zero weight changes no
+        // pixel, not even one wrapped around the tile's end.
         for weight in weights(&borders, q, share) {
             let pixel = &mut pixels[at % (SIDE * SIDE)];
             *pixel = over(*pixel, weight);
@@ -374,7 +351,6 @@ fn lay<const N: usize>(
     }
 }
 
-/// The next higher whole number, within bounds.
 #[inline(always)]
 fn up(v: f32, low: i32, high: i32) -> i32 {
     let v = v.max(low as f32).min(high as f32);
@@ -382,19 +358,16 @@ fn up(v: f32, low: i32, high: i32) -> i32 {
     whole + i32::from((whole as f32) < v)
 }
 
-/// A number that keeps no fractions when a small one is added: in the lowest
-/// bits of the sum stands the small one, rounded to a whole number.
+/// Adding this to a small number rounds it to an integer in the sum's lowest bits.
 const WHOLE: f32 = (3 << 22) as f32;
 
-/// The next lower whole number, or one less if the number is itself whole.
-/// For 0 ≤ v ≤ 4096.
+/// The largest integer below `v`, or `v` itself or one less if it is whole. For 0 ≤ v ≤ 4096.
 #[inline(always)]
 fn below(v: f32) -> u32 {
     (v - 0.5 + WHOLE).to_bits() - WHOLE.to_bits()
 }
 
-/// How much of each of some pixels lies between the borders, of which each
-/// slice counts `share` parts.
+/// The coverage of [`RUN`] pixels from `q`, where full coverage in one slice counts `share`.
 #[inline(always)]
 fn weights(borders: &[(Vec4, Vec4)], q: f32, share: f32) -> [u32; RUN] {
     let near = Vec4::new(0.0, 1.0, 2.0, 3.0) + q;

@@ -1,7 +1,5 @@
-//! Our copies of egui's textures.
-//!
-//! The font atlas is white with varying opacity: of such a texture one byte
-//! for each texel is kept, a quarter of what egui holds.
+//! Our copies of egui's textures. The font atlas is white with varying alpha; such textures are
+//! kept as one byte per texel, a quarter of egui's size.
 
 use std::collections::{HashMap, HashSet};
 
@@ -9,7 +7,6 @@ use egui::epaint::ImageDelta;
 use egui::epaint::textures::{TextureFilter, TextureOptions, TextureWrapMode};
 use egui::{Color32, ImageData, Mesh, Pos2, Rect, TextureId, TexturesDelta, pos2};
 
-/// The texels of a texture, row by row.
 pub(super) enum Texels {
     /// White with premultiplied alpha: only the alpha.
     Coverage(Vec<u8>),
@@ -21,27 +18,27 @@ pub(super) struct Texture {
     pub(super) width: usize,
     pub(super) height: usize,
     options: TextureOptions,
-    /// Another number for every other content.
+    /// A new number for each new content.
     pub(super) generation: u64,
     changed: Changed,
 }
 
-/// Which texels are others since [`Textures::all_seen`].
+/// Texels changed since [`Textures::all_seen`].
 #[derive(PartialEq)]
 enum Changed {
     None,
-    /// Those in some of the blocks, row by row.
+    /// Those in the marked blocks, row by row.
     In(Vec<bool>),
     All,
 }
 
-/// Texels along a side of a block.
+/// The side of a block, in texels.
 const BLOCK: usize = 8;
 
 #[derive(Default)]
 pub(super) struct Textures {
     textures: HashMap<TextureId, Texture>,
-    /// Still used by the frame that came with their release.
+    /// Freed by egui, but still used by the frame that came with it.
     released: HashSet<TextureId>,
     generation: u64,
 }
@@ -51,8 +48,8 @@ impl Textures {
         self.textures.get(&id)
     }
 
-    /// Takes over what changed. Textures are dropped one call later than egui
-    /// says, since the frame that comes with the news may still show them.
+    /// Applies egui's changes. Textures are dropped one call late, since the frame that comes with
+    /// the news may still show them.
     pub(super) fn update(&mut self, mut delta: TexturesDelta) {
         for id in self.released.drain() {
             self.textures.remove(&id);
@@ -76,7 +73,7 @@ impl Textures {
         self.released.extend(delta.free.drain());
     }
 
-    /// All that shows texels that have changed is known by now.
+    /// Call once everything that shows changed texels is known.
     pub(super) fn all_seen(&mut self) {
         for texture in self.textures.values_mut() {
             texture.changed = Changed::None;
@@ -84,7 +81,7 @@ impl Textures {
     }
 }
 
-/// Its alpha, if the colour is white with an alpha.
+/// The alpha, if the colour is white times alpha.
 fn coverage(color: Color32) -> Option<u8> {
     let [r, g, b, a] = color.to_array();
     (r == a && g == a && b == a).then_some(a)
@@ -111,13 +108,13 @@ impl Texture {
         })
     }
 
-    /// Whether a mesh that shows this texture shows texels that have changed. A new
-    /// letter in egui's picture of all letters changes none that is shown already.
+    /// Whether a mesh shows changed texels of this texture. A new glyph in the font atlas changes
+    /// no text already shown.
     pub(super) fn is_changed_for(&self, mesh: &Mesh) -> bool {
         let marks = match &self.changed {
             Changed::None => return false,
             Changed::In(marks) if self.options.wrap_mode == TextureWrapMode::ClampToEdge => marks,
-            // Where it is repeated, one edge is mixed with the other.
+            // Wrapping blends opposite edges.
             _ => return true,
         };
         let across = self.width.div_ceil(BLOCK);
@@ -129,13 +126,13 @@ impl Texture {
             for corner in corners {
                 bounds.extend_with(corner.uv);
             }
-            // Up to the next ones beside, since neighbours are mixed.
+            // Include adjacent texels, because of filtering.
             let blocks = |low: f32, high: f32, count: usize| {
                 let at = |v: f32| (v * count as f32) as usize / BLOCK;
                 let beside = 1.0 / count as f32;
                 at(low - beside)..=at(high + beside).min((count - 1) / BLOCK)
             };
-            // Anything else is repeated, or is no place.
+            // UVs outside wrap, or are not finite.
             let within = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
             !within.contains_rect(bounds)
                 || blocks(bounds.min.y, bounds.max.y, self.height).any(|y| {
@@ -144,7 +141,6 @@ impl Texture {
         })
     }
 
-    /// Notes a texel that is another one now.
     fn note_change(&mut self, x: usize, y: usize) {
         let across = self.width.div_ceil(BLOCK);
         if self.changed == Changed::None {
@@ -156,7 +152,6 @@ impl Texture {
         }
     }
 
-    /// Replaces a part; what would lie outside is left out.
     fn patch(&mut self, delta: &ImageDelta, [left, top]: [usize; 2], generation: u64) {
         let ImageData::Color(image) = &delta.image;
         let [width, height] = image.size;
@@ -200,8 +195,7 @@ impl Texture {
         }
     }
 
-    /// Whether neighbouring texels are mixed where one pixel steps over so
-    /// many texels.
+    /// The filter for a scale of this many texels per pixel.
     pub(super) fn filter(&self, texels_per_pixel: f32) -> TextureFilter {
         if texels_per_pixel > 1.0 {
             self.options.minification
@@ -210,17 +204,17 @@ impl Texture {
         }
     }
 
-    /// The colour of an area that shows one place of the texture.
+    /// The colour of an area that shows a single point of the texture.
     #[inline]
     pub(super) fn plain(&self, u: f32, v: f32) -> [f32; 4] {
-        // egui's place for what has no texture: there is nothing to mix.
+        // egui's white texel for untextured shapes; not filtered.
         if (u, v) == (0.0, 0.0) && self.options.wrap_mode == TextureWrapMode::ClampToEdge {
             return self.texel(0, 0);
         }
         self.sample(u, v, self.filter(0.0))
     }
 
-    /// The colour at (u, v), where the texture spans 0…1, each channel 0…255.
+    /// Texture coordinates are 0…1, channels 0…255.
     pub(super) fn sample(&self, u: f32, v: f32, filter: TextureFilter) -> [f32; 4] {
         let mode = self.options.wrap_mode;
         let (x, y) = (u * self.width as f32, v * self.height as f32);
@@ -253,15 +247,14 @@ impl Texture {
     }
 }
 
-/// Puts a value in the place of another one, and says whether it is not the same.
 fn replaced<T: PartialEq>(old: &mut T, new: T) -> bool {
     let other = *old != new;
     *old = new;
     other
 }
 
-/// The next lower whole number. (The processor's own is not in every x86-64,
-/// and a call of the C library's is slow. What is huge has no fraction.)
+/// Rounds down. (Not every x86-64 has an instruction for it, and a call to the C library is slow.
+/// Huge values have no fraction.)
 #[inline]
 fn floor(x: f32) -> f32 {
     let whole = x as i32 as f32;
@@ -274,7 +267,7 @@ fn floor(x: f32) -> f32 {
     }
 }
 
-/// The texel that stands at a whole number of texels, also outside.
+/// The texel index for an integral position, also outside the texture.
 fn wrap(at: f32, count: usize, mode: TextureWrapMode) -> usize {
     let n = count as f32;
     let at = match mode {

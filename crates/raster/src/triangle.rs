@@ -1,7 +1,5 @@
-//! Triangles of a mesh.
-//!
-//! Corners are brought to 1/256 of a pixel, and from there on all decisions
-//! about which pixel is inside are made in whole numbers ([`super::spans`]).
+//! Triangles of a mesh. Corners are rounded to 1/256 pixel; from then on all inside tests use
+//! integers ([`super::spans`]).
 
 use egui::epaint::Vertex;
 use egui::{Color32, Mesh};
@@ -11,18 +9,17 @@ use super::spans::Spans;
 use super::texture::Texture;
 use super::tile::{self, FULL, Ink, PixelRect, Tile};
 
-/// Steps of a corner within a pixel.
+/// Subpixel steps per pixel.
 pub(super) const STEPS: i32 = 256;
 
-/// Corners farther out than this many steps are brought back to it, so that
-/// products of coordinates fit: a million pixels.
+/// Coordinates are clamped to this many steps, a million pixels, so that their products fit.
 const FARTHEST: f32 = (1_u32 << 28) as f32;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
-    /// Steps of 1/256 pixel from the left.
+    /// In subpixel steps from the left.
     pub(super) x: i32,
-    /// Steps from the top.
+    /// In subpixel steps from the top.
     pub(super) y: i32,
     pub(super) u: f32,
     pub(super) v: f32,
@@ -30,7 +27,7 @@ pub(super) struct Corner {
 }
 
 impl Corner {
-    /// `None` if the place is not finite.
+    /// `None` if the position is not finite.
     #[inline]
     pub(super) fn new(vertex: &Vertex, pixels_per_point: f32) -> Option<Self> {
         let step = |at: f32| {
@@ -48,7 +45,7 @@ impl Corner {
     }
 }
 
-/// The first pixel whose middle is not left of a place.
+/// The first pixel whose centre is not left of a position.
 #[inline]
 pub(super) fn first_pixel(at: i32) -> i32 {
     (at + STEPS / 2 - 1) >> 8
@@ -63,7 +60,6 @@ pub(super) fn corners(mesh: &Mesh, triangle: usize, pixels_per_point: f32) -> Op
     Some([corner(a)?, corner(b)?, corner(c)?])
 }
 
-/// The pixels among which a triangle's are.
 #[inline]
 pub(super) fn bounds(corners: &[Corner; 3]) -> PixelRect {
     let [a, b, c] = corners;
@@ -75,8 +71,7 @@ pub(super) fn bounds(corners: &[Corner; 3]) -> PixelRect {
     }
 }
 
-/// The line through two corners: `x * dx + y * dy + rest` is not negative on
-/// the middles of pixels that are inside.
+/// `x * dx + y * dy + rest` is non-negative for pixels whose centres are inside.
 #[derive(Clone, Copy)]
 pub(super) struct Edge {
     dx: i64,
@@ -85,12 +80,11 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    /// The inside is to the right of the way from `a` to `b`, seen with y
-    /// downwards and turning clockwise.
+    /// The inside is to the right when going from `a` to `b`, with y down (clockwise).
     fn new(a: &Corner, b: &Corner) -> Self {
         let (ax, ay) = (i64::from(a.x), i64::from(a.y));
         let (along_x, along_y) = (i64::from(b.x) - ax, i64::from(b.y) - ay);
-        // Upper: to the right; left: upwards. Others lose their middles.
+        // Top edges run right, left edges up. Other edges exclude centres on them.
         let own = (along_y == 0 && along_x > 0) || along_y < 0;
         let (dx, dy) = (-along_y, along_x);
         let half = i64::from(STEPS) / 2;
@@ -107,7 +101,7 @@ impl Edge {
         i64::from(x) * self.dx + i64::from(y) * self.dy + self.rest
     }
 
-    /// Whether a pixel of the rectangle, which is not empty, is inside.
+    /// Whether a pixel of the non-empty rectangle is inside.
     #[inline]
     pub(super) fn touches(&self, cut: PixelRect) -> bool {
         let x = if self.dx > 0 { cut.x1 - 1 } else { cut.x0 };
@@ -116,7 +110,7 @@ impl Edge {
     }
 }
 
-/// The three edges; `None` if the triangle has no area.
+/// The three edges; `None` if the area is zero.
 pub(super) fn edges(corners: &[Corner; 3]) -> Option<[Edge; 3]> {
     let [a, b, c] = corners;
     match twice_area(corners) {
@@ -126,25 +120,23 @@ pub(super) fn edges(corners: &[Corner; 3]) -> Option<[Edge; 3]> {
     }
 }
 
-/// Positive if the corners turn clockwise, y being downwards.
+/// Positive if the corners turn clockwise, with y down.
 pub(super) fn twice_area([a, b, c]: &[Corner; 3]) -> i64 {
     let x = |corner: &Corner| i64::from(corner.x) - i64::from(a.x);
     let y = |corner: &Corner| i64::from(corner.y) - i64::from(a.y);
     x(b) * y(c) - x(c) * y(b)
 }
 
-/// What a triangle's pixels get.
 enum Paint {
-    /// One colour.
     Plain(Ink),
-    /// One colour, from corner to corner more or less of it: egui's soft edges.
+    /// One colour fading from corner to corner: egui's feathered edges.
     Faded(Ink, [f64; 3]),
-    /// Any colours, and one place in the texture.
+    /// Any colours, at one point of the texture.
     Shaded([Color32; 3]),
     Textured,
 }
 
-/// Whether all corners show one place of the texture.
+/// Whether all corners have the same texture coordinates.
 pub(super) fn is_plain(corners: &[Corner]) -> bool {
     corners
         .iter()
@@ -172,7 +164,6 @@ impl Paint {
     }
 }
 
-/// Paints the pixels of a triangle within a rectangle that lies in the tile.
 pub(super) fn paint(tile: &mut Tile, corners: &[Corner; 3], texture: &Texture, cut: PixelRect) {
     let cut = cut.and(bounds(corners));
     let area = twice_area(corners);

@@ -1,19 +1,19 @@
-//! Lists of rectangles: few and large are shown faster than many and small.
+//! Lists of rectangles: few large ones are shown faster than many small ones.
 
 use crate::raster::Area;
 
-/// More than this many are shown as one.
+/// A longer list is merged into one rectangle.
 const MOST: usize = 32;
 
-/// Pixels that may be shown for nothing to save a rectangle.
+/// Extra pixels worth showing to save a rectangle.
 const SLACK: u64 = 64 * 64;
 
-/// Adds `area` to a list, cut to a buffer of `size`, joined with what lies near.
+/// Adds `area`, clipped to a buffer of `size` and merged with nearby rectangles.
 pub(super) fn add(list: &mut Vec<Area>, area: Area, size: (u32, u32)) {
     let Some(mut area) = cut(area, size) else {
         return;
     };
-    // What was joined may now reach others.
+    // A merged rectangle may now reach others.
     while let Some(near) = list.iter().position(|other| worth_joining(*other, area)) {
         area = joined(list.swap_remove(near), area);
     }
@@ -24,7 +24,6 @@ pub(super) fn add(list: &mut Vec<Area>, area: Area, size: (u32, u32)) {
     }
 }
 
-/// The part of `area` inside a buffer of `size`; `None` if there is none.
 fn cut(area: Area, (width, height): (u32, u32)) -> Option<Area> {
     let inside = area.x < width && area.y < height && area.width > 0 && area.height > 0;
     inside.then(|| Area {
@@ -42,7 +41,6 @@ fn pixels(area: Area) -> u64 {
     u64::from(area.width) * u64::from(area.height)
 }
 
-/// The smallest rectangle around both.
 fn joined(a: Area, b: Area) -> Area {
     let (x, y) = (a.x.min(b.x), a.y.min(b.y));
     Area {
@@ -53,8 +51,8 @@ fn joined(a: Area, b: Area) -> Area {
     }
 }
 
-/// Cuts `area` into pieces of at most `most` bytes each, where a row of so many
-/// pixels takes so many bytes. At least a pixel goes into each.
+/// Cuts `area` into pieces of at most `most` bytes, but at least one pixel each. `row` gives the
+/// bytes in a row of so many pixels.
 pub(super) fn pieces(
     area: Area,
     most: usize,

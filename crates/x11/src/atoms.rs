@@ -1,11 +1,11 @@
-//! The names that are numbers: atoms, asked for once when the connection opens.
+//! Atoms, interned once when the connection opens.
 
 use x11rb::atom_manager;
 
 atom_manager! {
-    /// Every atom that a window uses.
+    /// All atoms in use.
     pub Atoms:
-    /// The questions on their way.
+    /// The pending requests for them.
     AtomsCookie {
         // Window manager.
         WM_PROTOCOLS,

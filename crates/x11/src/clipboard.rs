@@ -1,9 +1,8 @@
-//! Texts to and from other programs: the clipboard (copy and paste), and the
-//! primary selection (what is marked, pasted with the middle button).
+//! Text to and from other programs: the clipboard, and the primary selection (selected text, pasted
+//! with the middle button).
 //!
-//! Everything waits for events and for nothing else; [`Clipboard::deadline`]
-//! says when a transfer has waited long enough. Other programs are not trusted:
-//! what they ask for and what they send is bounded in size, number and time.
+//! Transfers are driven by events; [`Clipboard::deadline`] tells when one times out. Other programs
+//! are not trusted: their requests and data are bounded in size, number and time.
 
 use rustix::event::PollFlags;
 use std::cell::OnceCell;
@@ -28,32 +27,27 @@ use super::outgoing::{self, Outgoing};
 use super::stream::wait;
 use crate::error::Result;
 
-/// Which of the two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Selection {
-    /// What is copied and pasted.
     Clipboard,
-    /// What is marked.
     Primary,
 }
 
-/// Transfers to us that may wait at once: impatient presses of Ctrl-V.
+/// Concurrent transfers to us.
 const MOST_INCOMING: usize = 8;
 
-/// Transfers in pieces to others at once.
+/// Concurrent transfers in pieces to others.
 const MOST_OUTGOING: usize = 16;
 
-/// Bytes that may wait to be sent before others are refused more: who asks and
-/// asks must not fill the memory.
+/// Requests are refused while more unsent bytes wait, lest a client fill the memory.
 const MOST_WAITING: usize = 4 << 20;
 
-/// Pairs of one MULTIPLE request that are looked at.
+/// Pairs read from a MULTIPLE request.
 const MOST_PAIRS: u32 = 64;
 
-/// See the module.
 #[derive(Default)]
 pub(super) struct Clipboard {
-    /// The window that owns our selections, once there was one.
+    /// The window that owns our selections, created on first use.
     owner: Option<Window>,
     clipboard: Option<Owned>,
     primary: Option<Owned>,
@@ -61,16 +55,15 @@ pub(super) struct Clipboard {
     outgoing: Vec<Outgoing>,
 }
 
-/// A text that others may ask for.
+/// Text that others may request.
 struct Owned {
     text: Rc<[u8]>,
-    /// The same in Latin-1, once somebody asked for that.
+    /// The text in Latin-1, once requested.
     latin: OnceCell<Rc<[u8]>>,
-    /// Since when, on the server's clock.
+    /// The server time since which it is owned.
     time: u32,
 }
 
-/// What one target is converted to.
 enum Value {
     Atoms(Vec<Atom>),
     Time(u32),
@@ -79,14 +72,12 @@ enum Value {
 }
 
 impl Clipboard {
-    /// Owns nothing and waits for nothing; costs the server nothing.
     pub(super) fn new() -> Self {
         Self::default()
     }
 
-    /// Offers a text to other programs. `time` is that of the user's action, on
-    /// the server's clock. Another program that took the selection later than
-    /// that keeps it.
+    /// Offers text to other programs. `time` is the server time of the user's action; a program
+    /// that took the selection later keeps it.
     pub(super) fn own(
         &mut self,
         connection: &Connection,
@@ -116,10 +107,9 @@ impl Clipboard {
         Ok(())
     }
 
-    /// Asks for a selection's text. It comes as an [`Input::Paste`], or, if a
-    /// place is given, as an [`Input::MiddleClickPaste`] there: now if it is our
-    /// own, else later, or never. If nobody offers a text the former comes
-    /// empty: the key was pressed, and may paste what is no text.
+    /// Requests a selection's text, which arrives as an [`Input::Paste`] or, with a place, as an
+    /// [`Input::MiddleClickPaste`]: at once if it is ours, else later or never. If nobody offers
+    /// text, `Paste` arrives empty, because the key may paste something other than text.
     pub(super) fn request(
         &mut self,
         connection: &Connection,
@@ -143,14 +133,12 @@ impl Clipboard {
         Ok(())
     }
 
-    /// When to call [`Clipboard::tick`], if something is under way.
     pub(super) fn deadline(&self) -> Option<Instant> {
         let incoming = self.incoming.iter().map(Incoming::deadline);
         let outgoing = self.outgoing.iter().map(Outgoing::deadline);
         incoming.chain(outgoing).min()
     }
 
-    /// Gives up what has taken too long.
     pub(super) fn tick(&mut self, connection: &Connection, now: Instant) -> Result<()> {
         while let Some(late) = self.incoming.iter().position(|one| one.deadline() <= now) {
             self.incoming.remove(late).finish(connection)?;
@@ -161,7 +149,7 @@ impl Clipboard {
         Ok(())
     }
 
-    /// Takes what concerns selections; true if the event did.
+    /// Handles an event about selections; false if it is about something else.
     pub(super) fn handle(
         &mut self,
         connection: &Connection,
@@ -218,7 +206,7 @@ impl Clipboard {
             }
             Event::SelectionClear(event) if Some(event.owner) == self.owner => {
                 if let Some(which) = which(connection, event.selection) {
-                    // It may be long ago, and ours once more since then.
+                    // A late event: the selection may be ours again.
                     let asked = connection.get_selection_owner(event.selection);
                     let now = connection.answer(asked)?;
                     if now.is_none_or(|now| Some(now.owner) != self.owner) {
@@ -231,9 +219,8 @@ impl Clipboard {
         Ok(true)
     }
 
-    /// Hands the clipboard's text over to the clipboard manager, if there is
-    /// one, so that it outlives the window. Waits for that, but not longer than
-    /// said; other events are lost meanwhile.
+    /// Hands the clipboard's text to the clipboard manager, if there is one, so that it outlives
+    /// the window. Waits at most `limit`; other events are lost.
     pub(super) fn hand_over(&mut self, connection: &Connection, limit: Duration) -> Result<()> {
         let end = Instant::now() + limit;
         let (Some(owner), Some(owned)) = (self.owner, &self.clipboard) else {
@@ -332,8 +319,7 @@ impl Clipboard {
         incoming.finish(connection)
     }
 
-    /// Forgets a transfer; if the other window is still there and no other
-    /// transfer goes to it, it is listened to no more.
+    /// Drops a transfer; deselects the requestor's events if it exists (`there`) and gets no other.
     fn stop_sending(&mut self, connection: &Connection, place: usize, there: bool) -> Result<()> {
         let outgoing = self.outgoing.swap_remove(place);
         let window = outgoing.requestor();
@@ -343,14 +329,13 @@ impl Clipboard {
         Ok(())
     }
 
-    /// Another program asks for one of our texts.
     fn asked(
         &mut self,
         connection: &Connection,
         event: &SelectionRequestEvent,
         now: Instant,
     ) -> Result<()> {
-        // Programs of before ICCCM name no property.
+        // Clients older than ICCCM name no property.
         let property = match event.property {
             NONE => event.target,
             property => property,
@@ -361,7 +346,7 @@ impl Clipboard {
             let owned = self.place(which).as_ref();
             owned.is_some_and(|owned| !is_before(event.time, owned.time))
         });
-        // Listening to a window of our own would make it deaf to its user.
+        // Selecting events on a window of ours would replace the mask it has.
         let ours = is_ours(connection, event.requestor);
         let done = match which {
             Some(which) if known && !ours => {
@@ -389,7 +374,7 @@ impl Clipboard {
         Ok(())
     }
 
-    /// Several targets at once; those that cannot be converted are crossed out.
+    /// Converts the targets of a MULTIPLE request, replacing those that fail by None.
     fn convert_all(
         &mut self,
         connection: &Connection,
@@ -426,8 +411,7 @@ impl Clipboard {
         Ok(true)
     }
 
-    /// Writes one target into a property of the other's window, at once or in
-    /// pieces. False if it cannot be had.
+    /// Writes one target into a property of the requestor, at once or in pieces. False if refused.
     fn convert(
         &mut self,
         connection: &Connection,
@@ -494,7 +478,7 @@ impl Clipboard {
         } else if target == string {
             Value::Text(string, owned.latin())
         } else if target == atoms.TEXT {
-            // The owner chooses: the plainest that holds the whole text.
+            // The owner chooses; take the simplest encoding that holds the whole text.
             match owned.text.is_ascii() {
                 true => Value::Text(string, Rc::clone(&owned.text)),
                 false => Value::Text(atoms.UTF8_STRING, Rc::clone(&owned.text)),
@@ -508,7 +492,6 @@ impl Clipboard {
 }
 
 impl Owned {
-    /// In Latin-1; a question mark for what that has not.
     fn latin(&self) -> Rc<[u8]> {
         let make = || {
             let text = String::from_utf8_lossy(&self.text);
@@ -526,7 +509,7 @@ fn pasted(text: String, place: Option<Pos2>) -> Input {
     }
 }
 
-/// The targets that are the text itself.
+/// The targets that deliver the text itself.
 fn texts(connection: &Connection) -> [Atom; 4] {
     let atoms = connection.atoms();
     [
@@ -555,8 +538,7 @@ fn is_ours(connection: &Connection, window: Window) -> bool {
     window & !setup.resource_id_mask == setup.resource_id_base
 }
 
-/// Whether one time of the server's clock, which begins anew every 50 days, is
-/// before another. "Now" is before nothing.
+/// Compares server times, which wrap after 50 days. CurrentTime is before nothing.
 fn is_before(time: u32, other: u32) -> bool {
     let behind = other.wrapping_sub(time);
     time != CURRENT_TIME && other != CURRENT_TIME && behind != 0 && behind < u32::MAX / 2

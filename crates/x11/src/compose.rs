@@ -1,8 +1,7 @@
-//! Dead keys and compose sequences: several keys that make one sign.
+//! Dead keys and compose sequences.
 //!
-//! The table is the system's or the user's own Compose file for the locale. It
-//! is read once for the whole process, and only when the first sign is typed
-//! into a text: it costs some milliseconds and some hundred kilobytes.
+//! The Compose file of the locale is read once per process, when the first character is typed: it
+//! costs milliseconds and some hundred kilobytes.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, OnceLock};
@@ -12,18 +11,16 @@ use kbvm::xkb::compose::{ComposeTable, FeedResult, State};
 use kbvm::xkb::diagnostic::Diagnostic;
 use kbvm::{Keysym, syms};
 
-/// What becomes of a key that is pressed.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Fed {
-    /// It belongs to no sequence and counts by itself.
+    /// Part of no sequence: handle it as usual.
     Plain,
-    /// It belongs to a sequence that goes on, or has just been given up.
+    /// Part of a sequence that is unfinished, or has just been cancelled.
     Taken,
-    /// It ends a sequence that makes this text.
+    /// Completes a sequence with this text.
     Text(String),
 }
 
-/// Where in a sequence a keyboard is.
 #[derive(Default)]
 pub(super) struct Compose {
     table: Option<Arc<ComposeTable>>,
@@ -45,7 +42,7 @@ impl Compose {
             if matches!(keysym, syms::BackSpace | syms::Escape) {
                 return Fed::Taken;
             }
-            // Whatever does not fit ends the sequence, and counts by itself.
+            // A key that does not fit ends the sequence and counts by itself.
             result = table.feed(&mut state, keysym);
         }
         match result {
@@ -59,21 +56,19 @@ impl Compose {
             },
             Some(FeedResult::Aborted) => Fed::Plain,
             None => {
-                // A modifier leaves a sequence as it is.
+                // A modifier does not disturb a sequence.
                 self.state = underway.then_some(state).filter(|_| keysym.is_modifier());
                 Fed::Plain
             }
         }
     }
 
-    /// Gives up a sequence that is not finished.
     pub(super) fn reset(&mut self) {
         self.state = None;
     }
 }
 
-/// What a finished sequence makes. The file's own text comes first, but not
-/// where it is written in another encoding than UTF-8.
+/// A sequence's text: the file's own string, or the keysym's where the string is not valid UTF-8.
 fn text(string: Option<&str>, keysym: Option<Keysym>) -> Option<String> {
     let sound = |text: &&str| !text.is_empty() && !text.contains('\u{FFFD}');
     string
@@ -83,15 +78,13 @@ fn text(string: Option<&str>, keysym: Option<Keysym>) -> Option<String> {
         .or_else(|| string.map(str::to_owned))
 }
 
-/// The table of this process's locale.
 fn shared() -> Option<Arc<ComposeTable>> {
     static TABLE: OnceLock<Option<Arc<ComposeTable>>> = OnceLock::new();
     TABLE.get_or_init(|| load(&Context::default())).clone()
 }
 
-/// Reads the table that the environment names, or that of English where the
-/// locale has none. The files are read as they are: what does not make sense
-/// in them is passed over, and a fault of the reader is no fault of ours.
+/// Reads the table of the environment's locale, or the English one without it. Errors in the files
+/// are skipped, and a panic of the parser counts as no table.
 fn load(context: &Context) -> Option<Arc<ComposeTable>> {
     let read = |locale: Option<&str>| {
         let build = AssertUnwindSafe(|| {
@@ -99,7 +92,7 @@ fn load(context: &Context) -> Option<Arc<ComposeTable>> {
             if let Some(locale) = locale {
                 builder.locale(locale);
             }
-            // Nobody reads the diagnostics: they are refused before they are made.
+            // Rejects all diagnostics before they are built.
             builder.build((Vec::<Diagnostic>::new(), |_, _| false))
         });
         catch_unwind(build).ok().flatten()

@@ -1,7 +1,4 @@
-//! From a display's name to a connected socket and its cookie.
-//!
-//! Every step has the same deadline. Whatever goes wrong becomes one sentence
-//! that names the display and the reason.
+//! From a display's name to a connected socket and its cookie, all under one deadline.
 #![allow(unsafe_code)] // the mask of signals
 
 use std::io::{Error, ErrorKind, Result};
@@ -19,7 +16,7 @@ use x11rb::reexports::x11rb_protocol::xauth::{Family, get_auth};
 
 use super::stream::wait;
 
-/// A socket, and how its peer is called in an authority file.
+/// A connected socket, and the peer's name in an authority file.
 pub(super) struct Peer {
     pub(super) socket: OwnedFd,
     pub(super) local: bool,
@@ -27,19 +24,15 @@ pub(super) struct Peer {
     address: Vec<u8>,
 }
 
-/// The highest display whose port exists: ports are counted from 6000.
+/// The highest display whose port exists: ports start at 6000.
 const LAST_DISPLAY: u16 = u16::MAX - 6000;
 
-/// Takes a display's name apart; `None` if it is none.
 pub(super) fn parse(name: &str) -> Option<ParsedDisplay> {
     let parsed = parse_display::parse_display(Some(name)).ok()?;
     (parsed.display <= LAST_DISPLAY).then_some(parsed)
 }
 
-/// Connects to the first address that answers.
-///
-/// # Errors
-/// Of the first address: it is the one that is meant, the others are a try.
+/// Connects to the first address that answers; an error is that of the first, which is meant.
 pub(super) fn connect(display: &ParsedDisplay, deadline: Instant) -> Result<Peer> {
     let mut first = None;
     let path = (display.host.starts_with('/') && display.protocol.as_deref() == Some("unix"))
@@ -58,8 +51,7 @@ pub(super) fn connect(display: &ParsedDisplay, deadline: Instant) -> Result<Peer
     Err(first.unwrap_or_else(|| ErrorKind::Unsupported.into()))
 }
 
-/// The name and the data by which the server lets us in; empty if the
-/// authority file has none for this display.
+/// The authorization name and data for this display; empty if the authority file has none.
 pub(super) fn authority(peer: &Peer, display: u16) -> (Vec<u8>, Vec<u8>) {
     let found = get_auth(peer.family, &peer.address, display);
     found.ok().flatten().unwrap_or_default()
@@ -70,8 +62,7 @@ fn unix(path: &str, deadline: Instant) -> Result<Peer> {
     let flags = SocketFlags::CLOEXEC | SocketFlags::NONBLOCK;
     let (family, kind) = (AddressFamily::UNIX, SocketType::STREAM);
     let socket = rustix::net::socket_with(family, kind, flags, None)?;
-    // A local connection is made at once, or there are too many waiting already:
-    // for that there is nothing to poll.
+    // A local connection succeeds at once unless the backlog is full, which cannot be polled for.
     loop {
         match rustix::net::connect(&socket, &address) {
             Ok(()) => break,
@@ -120,9 +111,8 @@ fn tcp(host: &str, port: u16, deadline: Instant) -> Result<Peer> {
     Err(last)
 }
 
-/// The addresses of a host. Asking a name server can take much longer than any
-/// host program wants to stand still, and cannot be broken off; so a thread
-/// of its own asks, and is left to itself when the time is over.
+/// The addresses of a host. Name resolution can take long and cannot be cancelled, so it runs on a
+/// thread of its own, which is abandoned at the deadline.
 fn addresses(host: &str, port: u16, deadline: Instant) -> Result<Vec<SocketAddr>> {
     if host == "localhost" {
         let local = [Ipv4Addr::LOCALHOST.into(), Ipv6Addr::LOCALHOST.into()];
@@ -148,8 +138,8 @@ fn addresses(host: &str, port: u16, deadline: Instant) -> Result<Vec<SocketAddr>
         .map_err(|_| ErrorKind::TimedOut)?
 }
 
-/// Runs `start` with all signals blocked, so that a thread that it starts takes
-/// none that the host waits for.
+/// Runs `start` with all signals blocked, so that a thread it starts inherits that mask and takes
+/// no signal meant for the host.
 pub fn without_signals<T>(start: impl FnOnce() -> T) -> T {
     let (mut all, mut before) = (MaybeUninit::uninit(), MaybeUninit::uninit());
     // SAFETY: `sigfillset` fills `all`, and only then it is read; `before` is
@@ -165,8 +155,7 @@ pub fn without_signals<T>(start: impl FnOnce() -> T) -> T {
     }
 }
 
-/// What an authority file calls a peer. For one on this machine it is the
-/// machine's name, whatever way the connection took.
+/// The peer's name in an authority file: for a loopback connection the machine's own name.
 fn peer_name(ip: IpAddr) -> (Family, Vec<u8>) {
     match ip.to_canonical() {
         ip if ip.is_loopback() => (Family::LOCAL, host_name()),
@@ -175,7 +164,6 @@ fn peer_name(ip: IpAddr) -> (Family, Vec<u8>) {
     }
 }
 
-/// This machine's name, as the window manager and the authority file know it.
 pub(super) fn host_name() -> Vec<u8> {
     rustix::system::uname().nodename().to_bytes().to_vec()
 }

@@ -1,11 +1,8 @@
-//! A connection of our own to an X server: opened, atoms known, extensions
-//! asked for.
+//! A connection of our own to an X server, with atoms and extensions.
 //!
-//! It can be used as x11rb's connection is (it dereferences to it). Two things
-//! are to be kept in mind: a request that is waited for lets events pile up in
-//! x11rb's queue while the descriptor is quiet, so events are drained after it;
-//! and an answer may fail to come, so questions are asked by
-//! [`Connection::answer`], which tells a lost server from a slow one.
+//! It dereferences to x11rb's connection, with two traps. Waiting for a reply lets events pile up
+//! in x11rb's queue while the descriptor is quiet, so drain events after it. A reply may fail to
+//! come, so ask with [`Connection::answer`], which tells a lost server from a slow one.
 
 use std::io::ErrorKind;
 use std::ops::Deref;
@@ -25,18 +22,16 @@ use super::stream::Stream;
 use crate::error::{Cause, Error, Result};
 use vides_engine::error::reason;
 
-/// What x11rb makes of our stream.
 pub(super) type Raw = RustConnection<Stream>;
 
-/// The least that an event takes, bytes.
+/// The smallest event, in bytes.
 const EVENT: usize = 32;
 
-/// How long opening a window may take in all.
 const OPENING: Duration = Duration::from_secs(2);
 
 pub(super) struct Connection {
     raw: Raw,
-    /// Which of the setup's screens is ours; it exists.
+    /// An index into the setup's screens, checked when connecting.
     screen: usize,
     atoms: Atoms,
     display: String,
@@ -44,12 +39,8 @@ pub(super) struct Connection {
 }
 
 impl Connection {
-    /// Connects to a display, the environment's `DISPLAY` if none is named, and
-    /// fetches the atoms. Until [`Connection::settle`] everything together
-    /// waits no longer than two seconds.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display` with a sentence that names the display and the reason.
+    /// Connects to `display`, or to the environment's `DISPLAY`, and fetches the atoms. Until
+    /// [`Connection::settle`] all waiting together takes at most [`OPENING`].
     pub(super) fn open(display: Option<&str>) -> Result<Self> {
         let display = match display {
             Some(name) => name.to_owned(),
@@ -70,7 +61,7 @@ impl Connection {
         let raw = Raw::connect_to_stream_with_auth_info(stream, screen, name, data)
             .map_err(|error| fail(refusal(error, screen)))?;
         let lost = |error: ReplyError| fail(lost_because(error.into()));
-        // All questions first, then the answers: one way there and back.
+        // Send all requests before reading replies: one round trip.
         for name in [shm::X11_EXTENSION_NAME, xkb::X11_EXTENSION_NAME] {
             raw.prefetch_extension_information(name)
                 .map_err(|error| lost(error.into()))?;
@@ -87,14 +78,12 @@ impl Connection {
         })
     }
 
-    /// The window stands: from now on each answer is waited for on its own, for
-    /// a second at most, and not at all once one did not come in time, until the
-    /// server speaks again.
+    /// Ends the opening phase: from now on each reply is waited for by itself, for a second at
+    /// most, and after a timeout not at all until the server speaks again.
     pub(super) fn settle(&self) {
         self.raw.stream().settle();
     }
 
-    /// The name that it was opened by.
     pub(super) fn display(&self) -> &str {
         &self.display
     }
@@ -111,7 +100,7 @@ impl Connection {
         &self.atoms
     }
 
-    /// The server runs on this machine and shares its memory and its files.
+    /// The server runs on this machine, so memory and files can be shared.
     pub(super) fn is_local(&self) -> bool {
         self.local
     }
@@ -120,8 +109,7 @@ impl Connection {
         self.raw.stream()
     }
 
-    /// The next event that is there, without waiting. One that cannot be read is
-    /// left out.
+    /// The next queued event, without waiting. Events that cannot be parsed are skipped.
     pub(super) fn next(&self) -> Result<Option<Event>> {
         loop {
             match self.raw.poll_for_event() {
@@ -136,8 +124,7 @@ impl Connection {
         }
     }
 
-    /// Waits for the answer to a question. `None` if the server answers with an
-    /// error or not in time: neither ends the window.
+    /// Waits for a reply. `None` if it is an error or late; neither ends the window.
     pub(super) fn answer<R: TryParse>(
         &self,
         question: Result<Cookie<'_, Raw, R>, ConnectionError>,
@@ -150,14 +137,13 @@ impl Connection {
         self.excuse(answer.map_err(ReplyOrIdError::from))
     }
 
-    /// Waits until the server has done what was asked. `false` if it refused or
-    /// did not say so in time.
+    /// Waits until the server has carried out a request. `false` if it refused or timed out.
     pub(super) fn done(&self, asked: Result<VoidCookie<'_, Raw>, ConnectionError>) -> Result<bool> {
         let result = asked.map_err(ReplyError::from).and_then(VoidCookie::check);
         Ok(self.excuse(result.map_err(ReplyOrIdError::from))?.is_some())
     }
 
-    /// A result without those failures that do not end the window.
+    /// Turns failures that do not end the window into `None`.
     pub(super) fn excuse<T>(&self, result: Result<T, ReplyOrIdError>) -> Result<Option<T>> {
         match result {
             Ok(value) => Ok(Some(value)),
@@ -174,7 +160,6 @@ impl Connection {
         }
     }
 
-    /// Why there can be no window on this display.
     pub(super) fn unfit(&self, cause: Cause) -> Error {
         Error::Display {
             display: (&self.display).into(),
@@ -182,7 +167,6 @@ impl Connection {
         }
     }
 
-    /// What ended the connection.
     pub(super) fn lost(&self, error: impl Into<ReplyOrIdError>) -> Error {
         self.unfit(lost_because(error.into()))
     }
@@ -197,21 +181,17 @@ impl Deref for Connection {
 }
 
 impl Connection {
-    /// The connection itself, for questions about it.
     pub(super) fn socket(&self) -> BorrowedFd<'_> {
         self.raw.stream().socket()
     }
 }
 
 impl AsFd for Connection {
-    /// Readable when there is something to read, or room for what waits to be
-    /// sent.
     fn as_fd(&self) -> BorrowedFd<'_> {
         self.raw.stream().watch()
     }
 }
 
-/// `DISPLAY`.
 fn environment() -> Result<String> {
     let name = std::env::var_os("DISPLAY").ok_or(Error::NoDisplay)?;
     match name.into_string() {
@@ -221,7 +201,6 @@ fn environment() -> Result<String> {
     }
 }
 
-/// Why no server was reached.
 fn no_server(error: &std::io::Error) -> Cause {
     match error.kind() {
         ErrorKind::TimedOut => Cause::Silent,
@@ -229,7 +208,6 @@ fn no_server(error: &std::io::Error) -> Cause {
     }
 }
 
-/// Why the server did not let us in.
 fn refusal(error: ConnectError, screen: usize) -> Cause {
     let said = |words: &[u8]| {
         let words = String::from_utf8_lossy(words);
@@ -249,7 +227,6 @@ fn refusal(error: ConnectError, screen: usize) -> Cause {
     }
 }
 
-/// Why a connection ended.
 fn lost_because(error: ReplyOrIdError) -> Cause {
     match error {
         ReplyOrIdError::IdsExhausted => Cause::NoIdentifiers,

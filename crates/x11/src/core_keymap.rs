@@ -1,31 +1,25 @@
-//! The keyboard as the core protocol tells it, for servers that do not offer
-//! their keyboard extension (that is so for untrusted clients, `ssh -X`).
+//! The keyboard by the core protocol, for connections without XKB (untrusted clients, `ssh -X`).
 //!
-//! The rules are those of the X protocol, chapter 5, with one addition: where
-//! the lists are long enough, the fifth and sixth entries are the third and
-//! fourth level of the first group, as servers with the extension fill them.
+//! Follows chapter 5 of the X protocol, except that the fifth and sixth keysym, if given, are
+//! levels three and four of the first group, as servers with XKB fill them.
 
 use kbvm::{Keysym, syms};
 use x11rb::protocol::xproto::{GetKeyboardMappingReply, GetModifierMappingReply};
 
-/// Bits of the modifiers in an event's state.
+/// Modifier bits of an event's state.
 pub(super) const SHIFT: u16 = 1;
 pub(super) const LOCK: u16 = 1 << 1;
 pub(super) const CONTROL: u16 = 1 << 2;
-/// The first of the modifiers without a fixed meaning.
+/// The first modifier without a fixed meaning.
 pub(super) const MOD1: u16 = 1 << 3;
 
-/// The keysyms of all keys, and what the modifiers mean.
 #[derive(Debug)]
 pub(super) struct CoreKeymap {
     first: u8,
     width: usize,
     keysyms: Vec<u32>,
-    /// The modifiers that each key sets, by its keycode.
     sets: Box<[u8; 256]>,
-    /// Which modifiers are Alt or Meta.
     pub(super) alt: u16,
-    /// Which are Super or Hyper.
     pub(super) logo: u16,
     num_lock: u16,
     second_group: u16,
@@ -34,8 +28,7 @@ pub(super) struct CoreKeymap {
 }
 
 impl CoreKeymap {
-    /// From the server's answers, of which nothing is taken for granted.
-    /// `first` is the first keycode that was asked for.
+    /// Takes the server's replies, which are not trusted; `first` is the first keycode in `keys`.
     pub(super) fn new(
         first: u8,
         keys: GetKeyboardMappingReply,
@@ -62,7 +55,7 @@ impl CoreKeymap {
         map
     }
 
-    /// Notes that a key sets this modifier, and what the modifier is thereby.
+    /// Records that a key sets this modifier, and what that tells of the modifier.
     fn modifier(&mut self, bit: u8, keycode: u8) {
         if let Some(sets) = self.sets.get_mut(usize::from(keycode)) {
             *sets |= bit;
@@ -79,7 +72,7 @@ impl CoreKeymap {
         if bit == LOCK {
             self.shift_lock |= shift_lock;
         }
-        // Shift, lock and control keep their meaning whatever key sets them.
+        // Shift, Lock and Control keep their meaning whatever keys set them.
         if bit >= MOD1 {
             self.alt |= if alt { bit } else { 0 };
             self.logo |= if logo { bit } else { 0 };
@@ -89,7 +82,6 @@ impl CoreKeymap {
         }
     }
 
-    /// The keysyms of a key; none if the server did not tell.
     fn list(&self, keycode: u8) -> &[u32] {
         let place = keycode.checked_sub(self.first).map(usize::from);
         let start = place.and_then(|place| place.checked_mul(self.width));
@@ -100,15 +92,13 @@ impl CoreKeymap {
         }
     }
 
-    /// The modifiers that are set while this key is held.
     pub(super) fn sets(&self, keycode: u8) -> u16 {
         self.sets
             .get(usize::from(keycode))
             .map_or(0, |&sets| sets.into())
     }
 
-    /// What a key means with these modifiers, and which of them its meaning
-    /// did not use up.
+    /// The keysym under these modifiers, and the modifiers not consumed.
     pub(super) fn lookup(&self, keycode: u8, state: u16) -> (Keysym, u16) {
         let list = self.list(keycode);
         let at = |place: usize| Keysym(list.get(place).copied().unwrap_or(0));
@@ -126,7 +116,7 @@ impl CoreKeymap {
         } else {
             (at(0), at(1))
         };
-        // A letter may stand there alone; its capital is understood.
+        // A letter given alone implies its capital.
         let shifted = match shifted {
             syms::NoSymbol => plain.to_uppercase(),
             shifted => shifted,
@@ -136,10 +126,9 @@ impl CoreKeymap {
         (if caps { keysym.to_uppercase() } else { keysym }, left)
     }
 
-    /// Whether these modifiers choose the second of two levels.
     fn shift(&self, state: u16, shifted: Keysym) -> bool {
         let shift = state & SHIFT != 0 || (state & LOCK != 0 && self.shift_lock);
-        // On the keypad num lock turns round what shift does.
+        // Num Lock inverts Shift on the keypad.
         let turned = state & self.num_lock != 0 && is_keypad(shifted);
         shift != turned
     }
@@ -151,7 +140,7 @@ impl CoreKeymap {
 
 const NOTHING: (Keysym, Keysym) = (syms::NoSymbol, syms::NoSymbol);
 
-/// The keysyms that num lock acts upon: the keypad's and some vendors' own.
+/// The keysyms Num Lock affects: the keypad's and a vendor range.
 fn is_keypad(keysym: Keysym) -> bool {
     keysym.is_keypad() || (0x1100_0000..=0x1100_FFFF).contains(&keysym.0)
 }

@@ -1,8 +1,4 @@
-//! The pointer's shapes: from the user's cursor theme, or the X server's own
-//! cursor font where there is no theme.
-//!
-//! A shape is loaded when it is wanted for the first time. It is only set when
-//! it changes.
+//! Cursor shapes: from the user's theme, or else the X server's cursor font; loaded at first use.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -20,7 +16,7 @@ use crate::error::Result;
 
 #[derive(Default)]
 pub(super) struct Cursors {
-    /// What the theme is loaded by; outer none if not yet asked for.
+    /// The theme's loader; outer `None` if not requested yet, inner if unavailable.
     theme: Option<Option<Handle>>,
     loaded: Vec<(CursorIcon, Cursor)>,
     shown: Option<CursorIcon>,
@@ -31,8 +27,7 @@ impl Cursors {
         Self::default()
     }
 
-    /// Gives a window this shape. The database is the user's X resources: the
-    /// theme's name and size stand there.
+    /// Sets a window's shape; the X resources name the theme and its size.
     pub(super) fn apply(
         &mut self,
         connection: &Connection,
@@ -73,7 +68,7 @@ impl Cursors {
         Ok(cursor)
     }
 
-    /// The theme's shape; [`NONE`] if it has none.
+    /// The theme's shape; [`NONE`] if it lacks it.
     fn themed(
         &mut self,
         connection: &Connection,
@@ -106,13 +101,12 @@ impl Cursors {
     }
 }
 
-/// What comes of it; nothing if it panics: a theme's files are anybody's, and
-/// x11rb takes some things for granted that a server need not have.
+/// Catches panics: theme files can be malformed, and x11rb takes some server features for granted.
 fn sound<T>(work: impl FnOnce() -> T) -> Option<T> {
     catch_unwind(AssertUnwindSafe(work)).ok()
 }
 
-/// A shape of the server's cursor font, which every server has.
+/// A shape of the cursor font, which every server has.
 fn from_font(connection: &Connection, glyph: u16) -> Result<Cursor> {
     let (Some(font), Some(cursor)) = (
         connection.excuse(connection.generate_id())?,
@@ -124,7 +118,7 @@ fn from_font(connection: &Connection, glyph: u16) -> Result<Cursor> {
     let lost = |error| connection.lost(error);
     let opened = connection.open_font(font, b"cursor").map_err(lost)?;
     opened.ignore_error();
-    // Each shape's mask is the glyph behind it.
+    // A glyph's mask is the next glyph.
     let made = connection
         .create_glyph_cursor(
             cursor,
@@ -145,7 +139,6 @@ fn from_font(connection: &Connection, glyph: u16) -> Result<Cursor> {
     Ok(if made { cursor } else { NONE })
 }
 
-/// A shape without a single pixel.
 fn invisible(connection: &Connection) -> Result<Cursor> {
     let (Some(pixmap), Some(cursor)) = (
         connection.excuse(connection.generate_id())?,
@@ -185,8 +178,7 @@ fn invisible(connection: &Connection) -> Result<Cursor> {
     Ok(if made { cursor } else { NONE })
 }
 
-/// Names of a shape in themes: today's first, then those of the X Toolkit's
-/// time.
+/// A shape's names in themes: CSS names first, then those of the cursor font.
 fn names(icon: CursorIcon) -> &'static [&'static str] {
     match icon {
         CursorIcon::Default | CursorIcon::None => &["default", "left_ptr"],

@@ -1,5 +1,5 @@
-//! A window that lives in one of the host's: it fills that, and takes the keyboard
-//! when it is clicked, for no window manager gives it to a child.
+//! Embedding in a host's window: ours fills it, and takes the focus when clicked, because window
+//! managers give it to no child window.
 
 use std::time::{Duration, Instant};
 
@@ -14,28 +14,24 @@ use super::connection::Connection;
 use super::events::SENT;
 use crate::error::{Error, Result};
 
-/// A toolkit that finds the keyboard gone may take it back (GTK 3 does): after so long
-/// we look again …
+/// How long after taking the focus to check it: a toolkit may take it back (GTK 3 does).
 const LOOK_AGAIN: Duration = Duration::from_millis(60);
 
-/// … and so often.
 const LOOKS: u32 = 4;
 
-/// Windows between a child and the host's top-level one.
+/// The most ancestors searched for the host's top-level window.
 const MOST_ANCESTORS: usize = 64;
 
-/// Where a window lives.
+/// The host's window around ours.
 pub(super) struct Home {
     parent: u32,
-    /// When to look who has the keyboard, and how often yet.
+    /// When to check the focus, and how many checks are left.
     look: Option<(Instant, u32)>,
 }
 
 impl Home {
-    /// Looks at a window of the host's and listens to its size, which is given back.
-    ///
-    /// # Errors
-    /// `ErrorKind::Argument`: there is no such window, or nothing can live in it.
+    /// Checks the host's window and selects its size changes. Returns its size, too.
+    /// `ErrorKind::Argument` if it does not exist or cannot hold ours.
     pub(super) fn enter(connection: &Connection, parent: u32) -> Result<(Self, (u32, u32))> {
         let unfit = |why| Error::Parent {
             parent,
@@ -51,7 +47,7 @@ impl Home {
         if parent == root {
             return Err(unfit("is the root window"));
         }
-        // Listened to first, so that no size is missed.
+        // Select events before reading the size, so that no change is missed.
         let listen = ChangeWindowAttributesAux::new().event_mask(EventMask::STRUCTURE_NOTIFY);
         let asked = connection.change_window_attributes(parent, &listen);
         asked.map_err(|error| connection.lost(error))?;
@@ -64,14 +60,13 @@ impl Home {
         Ok((home, (geometry.width.into(), geometry.height.into())))
     }
 
-    /// The window in which ours is a child.
     pub(super) fn parent(&self) -> u32 {
         self.parent
     }
 }
 
 impl Window {
-    /// Follows the host's window.
+    /// Follows the host's window in size, and ours when it is reparented.
     pub(super) fn home_event(&mut self, event: &Event) -> Result<()> {
         let (connection, ours) = (&self.connection, self.frame.window);
         let Some(home) = &mut self.home else {
@@ -100,7 +95,7 @@ impl Window {
         asked.map(drop).map_err(|error| connection.lost(error))
     }
 
-    /// The window was clicked: the keyboard is to be its own.
+    /// Takes the focus after a click, and checks it for a while.
     pub(super) fn claim_keyboard(&mut self) -> Result<()> {
         let Some(home) = &mut self.home else {
             return Ok(());
@@ -109,19 +104,18 @@ impl Window {
         self.take_keyboard(self.time)
     }
 
-    /// The user has gone elsewhere: whoever has the keyboard keeps it.
+    /// Stops claiming the focus once the user has gone elsewhere.
     pub(super) fn leave_keyboard(&mut self) {
         if let Some(home) = &mut self.home {
             home.look = None;
         }
     }
 
-    /// When [`Window::look_for_keyboard`] has something to do.
     pub(super) fn keyboard_look(&self) -> Option<Instant> {
         Some(self.home.as_ref()?.look?.0)
     }
 
-    /// Takes the keyboard again if somebody took it back just after the click.
+    /// Takes the focus again if it was taken back just after the click.
     pub(super) fn look_for_keyboard(&mut self, now: Instant) -> Result<()> {
         let Some((due, left)) = self.home.as_ref().and_then(|home| home.look) else {
             return Ok(());
@@ -131,7 +125,7 @@ impl Window {
         }
         let lost = !self.focus.own;
         if lost && !self.host_has_keyboard()? {
-            // A dialog that the host has opened since, or another program: they keep it.
+            // A dialog of the host's or another program has it, and keeps it.
             self.leave_keyboard();
             return Ok(());
         }
@@ -141,12 +135,11 @@ impl Window {
         if !lost {
             return Ok(());
         }
-        // Later than whatever took it.
+        // CurrentTime, to be later than whatever took it.
         self.take_keyboard(x11rb::CURRENT_TIME)
     }
 
-    /// Whether the keyboard is with the host's top-level window, or something in it (a
-    /// toolkit's own window for the keyboard), or with nobody.
+    /// Whether the focus is somewhere in the host's top-level window, or nowhere.
     fn host_has_keyboard(&self) -> Result<bool> {
         let connection = &self.connection;
         let focus = connection
@@ -162,7 +155,7 @@ impl Window {
         asked.map(drop).map_err(|error| connection.lost(error))
     }
 
-    /// The window that window managers know: ours, or the host's around it.
+    /// The top-level window that window managers know: ours, or the host's around it.
     pub(super) fn top_level(&self) -> Result<u32> {
         match &self.home {
             Some(home) => self.above(home.parent),
@@ -170,7 +163,6 @@ impl Window {
         }
     }
 
-    /// The top-level window around one.
     fn above(&self, mut window: u32) -> Result<u32> {
         let connection = &self.connection;
         for _ in 0..MOST_ANCESTORS {

@@ -1,24 +1,24 @@
-//! Why there is no window, or no more.
+//! Why a window could not be opened, or was lost.
 
 pub(crate) use vides_engine::error::vec_with_room;
 use vides_engine::error::{Error as EngineError, ErrorKind, Text};
 
-/// Why there is no window, or no more.
+/// Why a window could not be opened, or was lost.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum Error {
     /// Memory ran out.
     #[error(transparent)]
     Engine(#[from] EngineError),
-    /// The environment names no display.
+    /// `DISPLAY` is not set.
     #[error("DISPLAY is not set: there is no X server for a window")]
     NoDisplay,
-    /// The environment's display is no text.
+    /// `DISPLAY` is not UTF-8.
     #[error("DISPLAY is not the name of a display")]
     NotUtf8,
-    /// This is no display's name.
+    /// The text is not a display name.
     #[error("\"{0}\" is not the name of a display; those look like \":0\" or \"host:0\"")]
     NotADisplay(Text),
-    /// Something is wrong with this display.
+    /// The display cannot be used, or no longer.
     #[error("display \"{display}\": {cause}")]
     Display {
         /// Its name.
@@ -26,7 +26,7 @@ pub enum Error {
         /// What is wrong.
         cause: Cause,
     },
-    /// The host's window for this one to live in is unfit.
+    /// The host's parent window is unfit.
     #[error("the parent, window {parent:#x} of display \"{display}\", {why}")]
     Parent {
         /// Its number.
@@ -36,7 +36,7 @@ pub enum Error {
         /// Why it is unfit.
         why: &'static str,
     },
-    /// The host's window that this one should belong to is none.
+    /// The window to be transient for does not exist.
     #[error("the window {window:#x} to belong to does not exist on display \"{display}\"")]
     NoOwner {
         /// Its number.
@@ -44,10 +44,10 @@ pub enum Error {
         /// The display's name.
         display: Text,
     },
-    /// The host took the window out of the one that it lived in.
+    /// The host reparented the window out of its parent.
     #[error("the host has put the window out of its own")]
     PutOut,
-    /// The server made no window of what was asked.
+    /// The server refused to create the window.
     #[error("the X server makes no window")]
     NoWindow,
     /// Another program has destroyed the window.
@@ -87,11 +87,11 @@ pub enum Cause {
     Senseless,
 }
 
-/// The result of everything that can fail.
+/// The result type of this crate.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 impl Error {
-    /// What kind it is.
+    /// The kind of this error.
     #[must_use]
     pub fn kind(&self) -> ErrorKind {
         match self {

@@ -1,4 +1,4 @@
-//! What the server tells, and what becomes of it.
+//! Dispatch of the server's events.
 
 use egui::{Pos2, pos2};
 use x11rb::protocol::ErrorKind;
@@ -15,12 +15,11 @@ use crate::error::{Error, Result};
 use crate::inject;
 use crate::raster::Area;
 
-/// Set in an event's kind when another client sent it.
+/// The bit in an event's type that marks it as sent by another client.
 pub(super) const SENT: u8 = 0x80;
 
 impl Window {
-    /// Does what `event` asks for. Events of other windows are left alone, and
-    /// nothing that stands in one is believed without a look.
+    /// Handles one event, ignoring other windows'. Any client can send events: trust nothing.
     pub(super) fn handle(&mut self, event: &Event) -> Result<()> {
         inject::point(inject::Place::Event);
         if let Event::KeyPress(event) | Event::KeyRelease(event) = event {
@@ -93,7 +92,6 @@ impl Window {
         Ok(())
     }
 
-    /// A place in the window, in points.
     fn moved(&mut self, x: i16, y: i16) -> Pos2 {
         self.pos = pos2(f32::from(x) / self.scale, f32::from(y) / self.scale);
         self.pos
@@ -124,8 +122,7 @@ impl Window {
             self.leave_keyboard();
             self.pointer.left(&mut self.events);
         }
-        // Where nobody gives windows the keyboard, it belongs to the one under
-        // the pointer.
+        // Without a focused window, the keyboard goes to the one under the pointer.
         const HAS_KEYBOARD: u8 = 1;
         let keyboard = event.same_screen_focus & HAS_KEYBOARD != 0;
         self.focus.by_pointer = enters && keyboard;
@@ -133,7 +130,7 @@ impl Window {
     }
 
     fn focus(&mut self, event: &FocusInEvent, gained: bool) {
-        // For a short time somebody else has the keyboard: nothing has changed.
+        // A grab takes the keyboard only for a short time.
         if matches!(event.mode, NotifyMode::GRAB | NotifyMode::UNGRAB) {
             return;
         }
@@ -167,8 +164,7 @@ impl Window {
     }
 
     fn configured(&mut self, event: &ConfigureNotifyEvent) {
-        // What a window manager sends tells the place; the server itself tells
-        // every size.
+        // Events sent by a window manager only tell the position; the server reports every size.
         if event.response_type & SENT == 0 {
             let size = Surface::fitting(event.width.into(), event.height.into());
             self.news.input |= size != self.size;
@@ -176,7 +172,7 @@ impl Window {
         }
     }
 
-    /// The desktop's resources have changed: the resolution, too?
+    /// The X resources changed, and with them perhaps the resolution.
     fn rescale(&mut self) -> Result<()> {
         let Some(resources) = scale::ask(&self.connection)? else {
             return Ok(());
@@ -218,8 +214,7 @@ impl Window {
         Ok(())
     }
 
-    /// The server could not do something that was asked for. That ends the
-    /// window only if it was about a window that is no more.
+    /// An error from the server. It ends the window only if our window no longer exists.
     fn complaint(&mut self, error: &X11Error) -> Result<()> {
         let ours = error.bad_value == self.frame.window;
         if ours && matches!(error.error_kind, ErrorKind::Window | ErrorKind::Drawable) {

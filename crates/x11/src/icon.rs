@@ -1,7 +1,7 @@
-//! The window's icon: three points, the curve through them and a camera's view,
-//! drawn here, so that there is no file to be found.
+//! The window icon: three points, a curve through them and a camera's view, drawn here so that no
+//! file is needed.
 
-/// The sizes that window managers ask for.
+/// The sizes window managers commonly use.
 const SIZES: [u32; 4] = [16, 32, 48, 64];
 
 /// Colours as red, green, blue.
@@ -10,11 +10,10 @@ const CURVE: [f32; 3] = [96.0, 190.0, 255.0];
 const VIEW: [f32; 3] = [255.0, 184.0, 76.0];
 const POINT: [f32; 3] = [255.0, 255.0, 255.0];
 
-/// The curve in the unit square, y down: a cubic Bézier curve.
+/// A cubic Bézier curve in the unit square, y down.
 const PATH: [[f32; 2]; 4] = [[0.14, 0.76], [0.30, 0.05], [0.62, 1.02], [0.84, 0.24]];
 
-/// As the property `_NET_WM_ICON` wants it: width, height and rows of ARGB for
-/// each size.
+/// The data of `_NET_WM_ICON`: width, height and ARGB rows for each size.
 pub(super) fn icon() -> Vec<u32> {
     let mut data = Vec::new();
     let parts = Parts::new();
@@ -30,15 +29,13 @@ pub(super) fn icon() -> Vec<u32> {
     data
 }
 
-/// Half the curve's width.
 const CURVE_RADIUS: f32 = 0.035;
 
-/// What is seen on the icon.
 struct Parts {
-    /// Straight pieces of the curve, from left to right.
+    /// The curve as line segments, from left to right.
     curve: [[f32; 2]; PIECES + 1],
-    /// The border of what a camera at the second point sees: the way outward from
-    /// each side, and how far along it the side lies.
+    /// The triangle a camera at the second point sees: outward normals and distances from the
+    /// origin.
     view: [([f32; 2], f32); 3],
     points: [[f32; 2]; 3],
 }
@@ -56,7 +53,6 @@ impl Parts {
         }
     }
 
-    /// One pixel of so many in a row.
     fn pixel(&self, place: [f32; 2], size: f32) -> u32 {
         let cover = |distance: f32| (0.5 - distance * size).clamp(0.0, 1.0);
         let mut colour = GROUND;
@@ -65,7 +61,7 @@ impl Parts {
                 *colour += (paint - *colour) * share;
             }
         };
-        // A square with round corners.
+        // A square with rounded corners.
         let corner = place.map(|c| ((c - 0.5).abs() - 0.28).max(0.0));
         let ground = cover(length(corner) - 0.22);
         let outside = self.view.map(|(way, at)| dot(way, place) - at);
@@ -73,8 +69,7 @@ impl Parts {
             VIEW,
             cover(outside.into_iter().fold(f32::MIN, f32::max)) * 0.85,
         );
-        // Every window of every program waits for its icon: only pieces that are
-        // near are looked at.
+        // The icon delays every window opened, so only nearby segments are measured.
         let near = CURVE_RADIUS + 1.0 / size;
         let first = self.curve[1..].partition_point(|end| end[0] + near < place[0]);
         let pieces = self.curve[first..].windows(2);
@@ -98,12 +93,10 @@ fn on_path(t: f32) -> [f32; 2] {
     std::array::from_fn(|axis| (0..4).map(|i| weights[i] * PATH[i][axis]).sum())
 }
 
-/// Of a way that is neither very long nor very short.
 fn length(way: [f32; 2]) -> f32 {
     dot(way, way).sqrt()
 }
 
-/// How far `p` is from the line from `a` to `b`, squared.
 fn square_distance(p: [f32; 2], a: [f32; 2], b: [f32; 2]) -> f32 {
     let (along, from) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
     let t = (dot(along, from) / dot(along, along)).clamp(0.0, 1.0);
@@ -115,8 +108,7 @@ fn dot(a: [f32; 2], b: [f32; 2]) -> f32 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// The way to the outer side of the straight line through `a` and `b`, and how far
-/// along it the line lies.
+/// The outward normal of the line through `a` and `b`, and the line's distance along it.
 fn side(a: [f32; 2], b: [f32; 2]) -> ([f32; 2], f32) {
     let along = [b[0] - a[0], b[1] - a[1]];
     let way = [-along[1], along[0]].map(|part| part / length(along));

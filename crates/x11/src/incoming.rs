@@ -1,8 +1,7 @@
-//! A text on its way to us from another program's selection.
+//! Receiving text from another program's selection, possibly in pieces (ICCCM 2.7.2, INCR).
 //!
-//! The other program decides when it answers, what it answers and whether it
-//! ever stops: so each transfer has a window of its own, gone with it, a limit
-//! of size, and limits of time. Large texts come in pieces (ICCCM 2.7.2).
+//! The other program is not trusted to answer sensibly or ever to stop, so each transfer has its
+//! own window, a size limit, and time limits.
 
 use std::time::{Duration, Instant};
 
@@ -18,27 +17,26 @@ use super::connection::Connection;
 use crate::error::Result;
 use crate::limits::MAX_CLIPBOARD_BYTES;
 
-/// How long the other program may let us wait for its next step.
+/// How long to wait for the other program's next step.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// How long it may take in all.
+/// How long a transfer may take in all.
 const WHOLE: Duration = Duration::from_secs(60);
 
-/// How long the server may take to hand over one piece that is there.
+/// How long the server may take to deliver one available piece.
 const READING: Duration = Duration::from_secs(2);
 
-/// Words of a property that are asked for at once: 256 KB.
+/// The length of one property read, in 32-bit words (256 KB).
 const PIECE: u32 = 1 << 16;
 
-/// A transfer under way.
 pub(super) struct Incoming {
     window: Window,
     selection: Atom,
-    /// When the user asked for it, on the server's clock.
+    /// The server time of the user's request.
     time: u32,
-    /// Where in the window it goes; where the keyboard is if nowhere.
+    /// Where in the window to paste; `None` for the keyboard focus.
     pub(super) place: Option<Pos2>,
-    /// Which of [`targets`] was asked for.
+    /// Index into [`targets`] of the target requested last.
     target: usize,
     pieces: bool,
     kind: Atom,
@@ -47,28 +45,25 @@ pub(super) struct Incoming {
     end: Instant,
 }
 
-/// What a transfer has come to.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Step {
     Underway,
-    /// The text, empty if nobody offers one; none if what came is useless.
+    /// The text, empty if nobody offers one; `None` if the data is unusable.
     Over(Option<String>),
 }
 
 enum Read {
-    /// There is none.
     Missing,
-    /// It announces pieces; about so many bytes in all.
+    /// An INCR transfer begins; a lower bound of its size.
     Pieces(u32),
-    /// Its kind; what it holds was added to the bytes.
+    /// The property's type and the number of bytes appended.
     Bytes(Atom, usize),
-    /// It is too large, or no text.
+    /// Too large, or not text.
     Useless,
 }
 
 impl Incoming {
-    /// Asks the owner of a selection for its text. Nothing if the server gives
-    /// no more windows.
+    /// Requests a selection's text from its owner. `None` if the server has no identifiers left.
     pub(super) fn start(
         connection: &Connection,
         selection: Atom,
@@ -101,12 +96,10 @@ impl Incoming {
         self.window
     }
 
-    /// When it has taken too long.
     pub(super) fn deadline(&self) -> Instant {
         self.patience.min(self.end)
     }
 
-    /// The owner has answered.
     pub(super) fn answered(
         &mut self,
         connection: &Connection,
@@ -139,8 +132,7 @@ impl Incoming {
         }
     }
 
-    /// A property of the window has a new value: the next piece, if pieces are
-    /// what we wait for.
+    /// Handles a new property value, which is the next piece of an INCR transfer.
     pub(super) fn written(
         &mut self,
         connection: &Connection,
@@ -162,8 +154,7 @@ impl Incoming {
         }
     }
 
-    /// Leaves nothing of it on the server; what is still sent, is sent to
-    /// nobody.
+    /// Destroys the window; whatever is still sent goes nowhere.
     pub(super) fn finish(self, connection: &Connection) -> Result<()> {
         let destroyed = connection.destroy_window(self.window);
         destroyed
@@ -184,14 +175,13 @@ impl Incoming {
         Ok(())
     }
 
-    /// Reads the property, adds it to the bytes, and deletes it.
     fn read(&mut self, connection: &Connection) -> Result<Read> {
         let property = connection.atoms()._VIDES_SELECTION;
         let end = Instant::now() + READING;
         let mut words = 0;
         let mut read = 0;
         loop {
-            // It is deleted together with the reading of its last bytes.
+            // The server deletes the property when its last bytes are read.
             let asked =
                 connection.get_property(true, self.window, property, AtomEnum::ANY, words, PIECE);
             let Some(piece) = connection.answer(asked)? else {
@@ -224,7 +214,6 @@ impl Incoming {
         }
     }
 
-    /// The bytes as text, by the kind that the owner says they are.
     fn text(&mut self, connection: &Connection) -> Option<String> {
         let atoms = connection.atoms();
         let bytes = std::mem::take(&mut self.bytes);
@@ -243,7 +232,7 @@ impl Incoming {
     }
 }
 
-/// What a text is asked for as, the best first.
+/// Targets to request, best first.
 fn targets(connection: &Connection) -> [Atom; 3] {
     let atoms = connection.atoms();
     [
@@ -253,7 +242,7 @@ fn targets(connection: &Connection) -> [Atom; 3] {
     ]
 }
 
-/// A text with ends of lines as we write them, and no control characters.
+/// Normalizes line endings and drops control characters.
 fn clean(text: &str) -> String {
     let mut clean = String::with_capacity(text.len());
     let mut signs = text.chars().peekable();
@@ -269,7 +258,6 @@ fn clean(text: &str) -> String {
     clean
 }
 
-/// Makes a window that is never seen, for selections.
 pub(super) fn create(connection: &Connection, window: Window, events: EventMask) -> Result<()> {
     let root = connection.screen().root;
     let aux = CreateWindowAux::new().event_mask(events);

@@ -1,11 +1,9 @@
-//! From keys pressed on an X server to egui's events: which key, which text,
-//! which modifiers; key repeat, dead keys, the clipboard's shortcuts.
+//! From X key events to egui's: keys, text, modifiers, key repeat, dead keys, and the clipboard
+//! shortcuts.
 //!
-//! The keymap is asked for when the first key comes, so that a window opens
-//! without it, and again after it was changed. Modifiers are those of the
-//! events themselves; between events the keyboard extension tells of changes,
-//! but only while we have the focus: otherwise each shift key pressed in any
-//! other program would wake us.
+//! The keymap is loaded at the first key press, so that windows open without it, and again after it
+//! changed. Each event carries the modifiers; between events XKB reports changes, but only while we
+//! have the focus: otherwise each Shift pressed in another program would wake us.
 
 use egui::{Event as Input, Key, Modifiers};
 use kbvm::Keysym;
@@ -26,29 +24,26 @@ use crate::error::Result;
 pub(super) struct Keyboard {
     extension: bool,
     keymap: Option<Keymap>,
-    /// The keymap is to be asked for before it is used again.
+    /// The keymap must be loaded again before use.
     stale: bool,
-    /// The extension tells us of modifiers.
+    /// XKB state events are selected.
     watching: bool,
-    /// A held key sends presses only, no releases between them.
+    /// The server suppresses the releases between repeated presses.
     detectable: bool,
-    /// Modifiers and group, as an event's state has them.
+    /// Modifiers and group, in the layout of an event's state.
     state: u16,
-    /// The modifiers that egui knows of.
+    /// The modifiers last reported to egui.
     told: Modifiers,
-    /// The keys that are held, by keycode, and what egui was told of them.
+    /// Held keys by keycode, with what egui was told of them.
     held: Vec<(u8, Told)>,
-    /// A release that may be half of a repetition.
+    /// A release that may turn out to be part of key repeat.
     waiting: Option<Release>,
-    /// A text is being edited, so that signs are composed.
     editing: bool,
     compose: Compose,
-    /// When the user asked for the clipboard's contents.
     paste: Option<u32>,
 }
 
-/// The key that egui was told to be pressed, and the one at its place; none if
-/// it was told nothing, since the key belonged to a sequence or a shortcut.
+/// The logical and physical key egui was told of; `None` within a compose sequence or shortcut.
 type Told = Option<(Key, Option<Key>)>;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,20 +53,18 @@ struct Release {
 }
 
 impl Keyboard {
-    /// A keyboard of which nothing is known yet.
     pub(super) fn new(connection: &Connection) -> Result<Self> {
         let found = connection
             .extension_information(xkb::X11_EXTENSION_NAME)
             .map_err(|error| connection.lost(error))?;
         if found.is_some() {
-            // From here on the states of events say the keyboard's group too.
-            // The answer tells nothing that the next one would not.
+            // Enables XKB, after which event states include the group. The reply is of no use.
             drop(connection.xkb_use_extension(1, 0));
         }
         Ok(Self::with(found.is_some()))
     }
 
-    /// One that does not use the server's keyboard extension.
+    /// Uses the core protocol only.
     #[cfg(test)]
     pub(super) fn without_extension() -> Self {
         Self::with(false)
@@ -106,7 +99,7 @@ impl Keyboard {
         }
     }
 
-    /// Whether a text is being edited: only then are signs composed.
+    /// Dead keys compose only while text is being edited.
     pub(super) fn set_editing(&mut self, editing: bool) {
         if !editing {
             self.compose.reset();
@@ -114,15 +107,13 @@ impl Keyboard {
         self.editing = editing;
     }
 
-    /// The time at which the user asked for the clipboard's contents, if so
-    /// since the last call.
+    /// The time of a paste shortcut since the last call.
     pub(super) fn take_paste(&mut self) -> Option<u32> {
         self.paste.take()
     }
 
-    /// Takes what concerns the keyboard: keys, its keymap, its modifiers. Looks
-    /// at the focus and at the modifiers in the pointer's events too, but leaves
-    /// those to others. True if the event was the keyboard's.
+    /// Handles keyboard events, for which it returns true. Also follows the focus and the modifiers
+    /// in pointer events, but leaves those events to others.
     pub(super) fn handle(
         &mut self,
         connection: &Connection,
@@ -167,17 +158,16 @@ impl Keyboard {
         Ok(true)
     }
 
-    /// To be called when there are no more events for now.
+    /// To be called when no more events are queued.
     pub(super) fn settle(&mut self, connection: &Connection, out: &mut Vec<Input>) -> Result<()> {
         self.release_waiting(out);
-        // Who changes the keymap to type what it lacks changes it back soon.
+        // Programs that remap keys to type missing characters soon restore them: load only once.
         if self.stale && self.keymap.is_some() {
             self.load(connection)?;
         }
         Ok(())
     }
 
-    /// The window has lost the keyboard: no key is held any more.
     pub(super) fn release_all(&mut self, out: &mut Vec<Input>) {
         self.waiting = None;
         self.compose.reset();
@@ -203,7 +193,6 @@ impl Keyboard {
         Ok(())
     }
 
-    /// A key is pressed, or pressed still.
     fn key(&mut self, keycode: u8, state: u16, time: u32, out: &mut Vec<Input>) {
         let half = Release { keycode, time };
         if self.waiting == Some(half) {
@@ -225,9 +214,8 @@ impl Keyboard {
         self.hold(keycode, true, out);
     }
 
-    /// Tells egui what a pressed key means; gives back which key it was told.
-    /// `before` is what it was told when the same key was pressed before, if it
-    /// has not been released since.
+    /// Reports a press to egui and returns which key it reported; `before` is what was reported for
+    /// an earlier press that is not yet released.
     fn tell(
         &mut self,
         meaning: Meaning,
@@ -256,7 +244,7 @@ impl Keyboard {
                 Fed::Taken => return known,
             },
         };
-        // What was told at first stays: the key that goes up must be that one.
+        // Keep the key reported first: the same key must be released.
         let told = known.or(meaning.key.map(|key| (key, meaning.physical)));
         if let Some((key, physical_key)) = told {
             out.push(Input::Key {
@@ -305,8 +293,8 @@ impl Keyboard {
         self.hold(keycode, false, out);
     }
 
-    /// A modifier's own key changes the modifiers only after its event. The
-    /// extension tells; without it this does.
+    /// Updates the modifiers for a modifier key itself, whose event carries the state before it.
+    /// Only without XKB, which reports them.
     fn hold(&mut self, keycode: u8, down: bool, out: &mut Vec<Input>) {
         let Some(map) = self.keymap.as_ref().filter(|_| !self.extension) else {
             return;
@@ -324,8 +312,7 @@ impl Keyboard {
         self.tell_modifiers(out);
     }
 
-    /// The modifiers in an event of the pointer's: they are told even when
-    /// another window has the keyboard.
+    /// Takes the modifiers from a pointer event: those are current even without the focus.
     fn pointer(&mut self, state: u16, out: &mut Vec<Input>) -> bool {
         self.state = state;
         self.tell_modifiers(out);
@@ -340,7 +327,6 @@ impl Keyboard {
         }
     }
 
-    /// Asks for the keymap, and for the first time to be told when it changes.
     fn load(&mut self, connection: &Connection) -> Result<()> {
         self.stale = false;
         if self.extension && self.keymap.is_none() {
@@ -355,7 +341,7 @@ impl Keyboard {
             };
             let details = SelectEventsAux::new().new_keyboard_notify(keyboard);
             let none = EventType::default();
-            // Without "all" of this kind, `map` itself would not be looked at.
+            // Without this flag in "all", the server ignores `map`.
             let all = EventType::MAP_NOTIFY;
             let asked = connection.xkb_select_events(KEYBOARD, none, all, map, map, &details);
             if let Ok(asked) = asked {
@@ -373,7 +359,6 @@ impl Keyboard {
         Ok(())
     }
 
-    /// Has the extension tell us of modifiers, or not.
     fn watch(&mut self, connection: &Connection, watch: bool) -> Result<()> {
         if !self.extension || self.watching == watch {
             return Ok(());
@@ -400,11 +385,11 @@ impl Keyboard {
     }
 }
 
-/// Keys that can be held at once: more than a keyboard sends.
+/// The most keys tracked as held, more than a keyboard sends.
 const MOST_HELD: usize = 256;
 
-/// Focus events that do not concern this window: the pointer's window follows
-/// the focus, or a child of ours has it.
+/// Focus events that do not concern this window: focus follows the pointer, or goes to or from a
+/// child of ours.
 fn is_passing(detail: NotifyDetail) -> bool {
     matches!(
         detail,
@@ -419,8 +404,8 @@ enum Shortcut {
     Paste,
 }
 
-/// What a key means for the clipboard: Ctrl-C, Ctrl-X and Ctrl-V, the older
-/// Ctrl-Insert, Shift-Delete and Shift-Insert, and the keys of their own.
+/// The clipboard shortcuts: Ctrl-C, Ctrl-X, Ctrl-V, the older Ctrl-Insert, Shift-Delete,
+/// Shift-Insert, and dedicated keys.
 fn shortcut(key: Key, held: Modifiers) -> Option<Shortcut> {
     let ctrl = held.ctrl && !held.alt;
     let shift = held.shift && !held.ctrl && !held.alt;
@@ -449,7 +434,7 @@ fn up(key: Told, modifiers: Modifiers, out: &mut Vec<Input>) {
     }
 }
 
-/// Text without control characters: those are keys, not signs.
+/// Reports text, except control characters, which are keys.
 fn tell_text(text: Option<String>, out: &mut Vec<Input>) {
     if let Some(text) = text.filter(|text| !text.is_empty() && !text.chars().any(char::is_control))
     {

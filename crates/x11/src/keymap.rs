@@ -1,5 +1,4 @@
-//! What the keys of a server's keyboard mean: by its keyboard extension (read
-//! by kbvm), or by the core protocol where there is none.
+//! The meaning of the server's keys: from XKB (read by kbvm), or from the core protocol without it.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -15,36 +14,34 @@ use super::core_keymap::{CONTROL, CoreKeymap, MOD1};
 use super::keys;
 use crate::error::Result;
 
-/// The core keyboard of the extension, whichever it is at the time.
+/// XkbUseCoreKbd: whichever device is the core keyboard.
 pub(super) const KEYBOARD: u16 = 0x100;
 
-/// What a pressed key means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Meaning {
-    /// With the modifiers that are held.
+    /// Depends on the modifiers held.
     pub(super) keysym: Keysym,
-    /// Egui's key, where it has one.
+    /// egui's logical key, if it has one.
     pub(super) key: Option<Key>,
-    /// Egui's key at this place of the keyboard, where that is known.
+    /// egui's key at this position, if the keycodes are known.
     pub(super) physical: Option<Key>,
-    /// A modifier is held that makes it a command and no text.
+    /// A modifier makes it a command instead of text.
     pub(super) command: bool,
 }
 
-/// The keyboard's keys.
 pub(super) struct Keymap {
-    /// By the extension; if none, the core protocol's must do for all keys.
+    /// From XKB; without it `core` serves all keys.
     table: Option<LookupTable>,
     core: CoreKeymap,
     alt: u16,
     logo: u16,
-    /// Keycodes are those of a Linux server, so places are known.
+    /// Keycodes are Linux's, so positions are known.
     places: bool,
 }
 
 impl Keymap {
-    /// Asks the server. With `extension` its keyboard extension is asked first;
-    /// it must have been set up. `None` if the server does not answer sensibly.
+    /// Loads the keymap from the server, with `extension` from XKB, which must be in use. `None` if
+    /// the server does not answer sensibly.
     pub(super) fn load(connection: &Connection, extension: bool) -> Result<Option<Self>> {
         let setup = connection.setup();
         let first = setup.min_keycode;
@@ -73,22 +70,19 @@ impl Keymap {
             logo,
             places: false,
         };
-        // Two keys that no layout moves.
+        // Two keys that no layout moves: Escape and Return.
         map.places = map.keysym(9, 0).0 == syms::Escape && map.keysym(36, 0).0 == syms::Return;
         map
     }
 
-    /// The modifiers' bits that egui knows as Alt.
     pub(super) fn alt(&self) -> u16 {
         self.alt
     }
 
-    /// The modifiers that are set while this key is held.
     pub(super) fn sets(&self, keycode: u8) -> u16 {
         self.core.sets(keycode)
     }
 
-    /// What a key means, with the modifiers and the group of an event's state.
     pub(super) fn meaning(&self, keycode: u8, state: u16) -> Meaning {
         let (keysym, left) = self.keysym(keycode, state);
         let physical = keys::physical(keycode).filter(|_| self.places);
@@ -102,7 +96,7 @@ impl Keymap {
         }
     }
 
-    /// The keysym, and the modifiers that it did not use up.
+    /// The keysym, and the modifiers not consumed in finding it.
     fn keysym(&self, keycode: u8, state: u16) -> (Keysym, u16) {
         match self.table.as_ref() {
             Some(table) => {
@@ -116,8 +110,7 @@ impl Keymap {
         }
     }
 
-    /// The key's meaning in a group with Latin letters, for the shortcuts of
-    /// users who write Cyrillic or Greek and have such a group beside.
+    /// The key in another group with Latin letters, for shortcuts on Cyrillic or Greek layouts.
     fn latin(&self, keycode: u8, state: u16) -> Option<Key> {
         let table = self.table.as_ref()?;
         let (own, _) = look(table, keycode, state, group(state));
@@ -133,10 +126,10 @@ impl Keymap {
     }
 }
 
-/// Groups that a keyboard can have.
+/// The most groups XKB allows.
 const GROUPS: u32 = 4;
 
-/// The end of Latin Extended-B: what follows are other alphabets.
+/// The end of Latin Extended-B; other alphabets follow.
 const LAST_LATIN: char = '\u{250}';
 
 fn group(state: u16) -> u32 {
@@ -158,15 +151,13 @@ fn look(table: &LookupTable, keycode: u8, state: u16, group: u32) -> (Keysym, u1
     (keysym.unwrap_or(syms::NoSymbol), left)
 }
 
-/// What the extension tells.
 struct Xkb {
     table: LookupTable,
     alt: u16,
     logo: u16,
 }
 
-/// Reads the extension's keymap. The server is not trusted to make sense, nor
-/// kbvm to bear that: a panic there is an answer that makes no sense.
+/// Reads the XKB keymap. A server's nonsense may make kbvm panic, which counts as no answer.
 fn read(connection: &impl RequestConnection) -> Option<Xkb> {
     let read = AssertUnwindSafe(|| {
         let keymap = connection.get_xkb_keymap(KEYBOARD).ok()?;

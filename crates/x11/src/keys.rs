@@ -1,10 +1,9 @@
-//! Which of egui's keys a key is: by its meaning (the keysym) and by its place.
+//! Mapping to egui's keys, by keysym and by keycode.
 
 use egui::Key;
 use kbvm::{Keysym, syms};
 
-/// The key that a keysym means, whatever the keyboard looks like. `None` for
-/// letters and signs that egui has no key for.
+/// The key for a keysym; `None` if egui has none for it.
 pub(super) fn logical(keysym: Keysym) -> Option<Key> {
     if let Some(key) = named(keysym) {
         return Some(key);
@@ -13,7 +12,7 @@ pub(super) fn logical(keysym: Keysym) -> Option<Key> {
     Key::from_name(sign.encode_utf8(&mut [0; 4]))
 }
 
-/// The keys that are known by a name and not by a sign.
+/// Keys with a name instead of a character.
 fn named(keysym: Keysym) -> Option<Key> {
     Some(match keysym {
         syms::Down | syms::KP_Down => Key::ArrowDown,
@@ -117,8 +116,7 @@ const LATER_FUNCTION_KEYS: [Key; 31] = [
     Key::F35,
 ];
 
-/// The key of a US keyboard at the place of this keycode, by the numbers that
-/// Linux servers use: those of the kernel's input events, plus 8.
+/// The US key at the position of a Linux keycode (the kernel's input event code plus 8).
 pub(super) fn physical(keycode: u8) -> Option<Key> {
     if let Some(place) = keycode.checked_sub(FIRST_PLACE)
         && let Some(&key) = PLACES.get(usize::from(place))
@@ -155,7 +153,7 @@ pub(super) fn physical(keycode: u8) -> Option<Key> {
 
 const FIRST_PLACE: u8 = 9;
 
-/// From Escape to the full stop of the keypad, without a gap.
+/// Keycodes from Escape to the keypad's decimal point, without a gap.
 const PLACES: [Option<Key>; 83] = [
     Some(Key::Escape),
     Some(Key::Num1),

@@ -1,14 +1,11 @@
-//! One window on an X server: its connection, its input as egui wants it, its
-//! pixels on the screen, the clipboard.
+//! One window on an X server: its connection, input for egui, pixels, and clipboard.
 //!
-//! Why not Xlib: it ends the process when the server goes away, and a host may
-//! have an Xlib of its own with an error handler of its own. This speaks the
-//! protocol itself (x11rb). Each window has its own connection, so that what
-//! happens to one concerns no other. Nothing here blocks for longer than a
-//! stated time, raises a signal, or ends the process; if the server goes away
-//! every call says `ErrorKind::Display`.
+//! Xlib is not used because it ends the process when the server goes away, and the host may use
+//! Xlib with an error handler of its own. Each window has its own connection, so windows cannot
+//! disturb each other. No call blocks beyond a stated time, raises a signal, or ends the process;
+//! once the server is gone every call returns `ErrorKind::Display`.
 //!
-//! It knows nothing of what the window shows, and nothing of C.
+//! This crate knows nothing of what the window shows, and nothing of C.
 
 mod areas;
 mod atoms;
@@ -83,51 +80,48 @@ use present::Surface;
 use settings::Settings;
 use window::Frame;
 
-/// The largest texture that the painter is given, pixels a side.
+/// The largest texture the painter accepts, in pixels per side.
 const TEXTURE_SIDE: usize = 2048;
 
-/// Events that are handled in one look. A client that sends without an end
-/// shall keep neither the host nor the other windows.
+/// Events handled per poll, so that a flood starves neither the host nor other windows.
 const MOST_EVENTS: usize = 256;
 
-/// How long a clipboard manager is waited for when the window closes.
+/// How long to wait for a clipboard manager when the window closes.
 const HAND_OVER: Duration = Duration::from_millis(300);
 
-/// How a window is to be opened.
+/// How to open a window.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The display's name; the environment's `DISPLAY` if none.
+    /// The display's name; `None` uses the environment variable `DISPLAY`.
     pub display: Option<String>,
-    /// The title; UTF-8.
+    /// The title.
     pub title: String,
-    /// The program's name, for WM_CLASS; "vides" if it is empty.
+    /// The program's name, for WM_CLASS; "vides" if empty.
     pub application: String,
-    /// Wanted inner size in points (pixels at 96 dots per inch).
+    /// Initial inner size in points (pixels at 96 dots per inch).
     pub size: [f32; 2],
-    /// Smallest useful inner size in points.
+    /// Minimum inner size in points.
     pub smallest: [f32; 2],
-    /// A window of the host's to live in, which it fills then; none: a top-level window.
+    /// The host's window to embed this one in, which it then fills; `None` for a top-level window.
     pub parent: Option<u32>,
-    /// The host's window that it belongs to.
+    /// The host's window that this one is transient for.
     pub transient_for: Option<u32>,
 }
 
-/// What happened since the last look, beside input for egui.
+/// What happened since the last poll, besides input events for egui.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct News {
-    /// There is input, or the size or the scale changed: egui should run.
+    /// There is input, or the size or scale changed: run egui.
     pub input: bool,
-    /// The pointer moved, and nothing else: egui may run a little later, and take
-    /// several motions at once.
+    /// Only the pointer moved: egui may run later and take several motions at once.
     pub motion: bool,
-    /// The user or the window manager wants the window to be closed.
+    /// The user or the window manager asked to close the window.
     pub close: bool,
-    /// The frame that was in flight has arrived: another may be shown.
+    /// The frame in flight has arrived: another may be shown.
     pub shown: bool,
-    /// The buffer of pixels is another one (size): paint it whole.
+    /// The pixel buffer was replaced: paint it whole.
     pub new_buffer: bool,
-    /// Not all that has arrived was looked at: look again soon, whatever the
-    /// descriptor says.
+    /// Events are left over: poll again soon, even if the descriptor is not readable.
     pub more: bool,
 }
 
@@ -140,57 +134,50 @@ pub struct Window {
     keyboard: Keyboard,
     clipboard: Clipboard,
     cursors: Cursors,
-    /// The desktop's settings: the server's resources.
+    /// The X resources.
     resources: Database,
-    /// Those of its settings manager.
+    /// The XSETTINGS manager's settings.
     settings: Settings,
-    /// Where it lives, if that is in another window.
     home: Option<Home>,
-    /// What the host draws in.
     pane: Option<Pane>,
-    /// When and where the middle button was pressed, until egui has said whether
-    /// there is a text.
+    /// Time and place of a middle click, until egui says whether it was over editable text.
     middle: Option<(u32, Pos2)>,
-    /// Where the pointer was last, in points.
+    /// The last pointer position, in points.
     pos: Pos2,
-    /// Pixels for a point.
+    /// Pixels per point.
     scale: f32,
-    /// The smallest useful size in points.
+    /// The minimum size in points.
     smallest: [f32; 2],
-    /// The window's size in pixels; the buffer follows when it can.
+    /// The window's size in pixels; the buffer follows when no frame is in flight.
     size: (u32, u32),
     focus: Focus,
-    /// It is on the screen, or was iconified.
     mapped: bool,
-    /// Nothing of it is to be seen.
+    /// Fully obscured by other windows.
     covered: bool,
-    /// When the user last did something, by the server's clock, milliseconds.
+    /// The server time of the last user action, in milliseconds.
     time: u32,
-    /// What egui has not taken yet.
     events: Vec<egui::Event>,
     news: News,
     opened: Instant,
-    /// Why there is no window any more.
+    /// Why the window is gone.
     lost: Option<Error>,
 }
 
-/// Who gives the window the keyboard.
 #[derive(Clone, Copy, Debug, Default)]
 struct Focus {
-    /// It was given to the window.
+    /// The window itself has the keyboard focus.
     own: bool,
-    /// It belongs to the window under the pointer, and this is it.
+    /// The focus follows the pointer, which is in this window.
     by_pointer: bool,
     told: bool,
 }
 
 impl Window {
-    /// Connects and opens a window. Waits for the server's answers, but at
-    /// most a few seconds in all.
+    /// Connects and opens a window, which takes a few seconds at most.
     ///
     /// # Errors
-    /// `ErrorKind::Display` with a sentence that names the display and the reason;
-    /// `ErrorKind::Argument` if one of the windows that are named is none.
+    /// `ErrorKind::Display`, naming the display and the reason; `ErrorKind::Argument` if a window
+    /// given in `options` does not exist.
     pub fn open(options: &Options) -> Result<Self> {
         let connection = Connection::open(options.display.as_deref())?;
         let setup = connection.setup();
@@ -245,9 +232,8 @@ impl Window {
         Ok(window)
     }
 
-    /// Reads and handles what has arrived, a fair share of it at once; never
-    /// blocks. Answers the server's questions (ping, selections, exposures)
-    /// itself.
+    /// Reads and handles a fair share of what has arrived, without blocking. Pings, selection
+    /// requests and exposures are answered here.
     ///
     /// # Errors
     /// `ErrorKind::Display` if the server or the window is gone.
@@ -261,7 +247,7 @@ impl Window {
         let is_motion = |event: &egui::Event| matches!(event, egui::Event::PointerMoved(_));
         news.motion |= added.iter().any(is_motion);
         news.input |= !added.iter().all(is_motion);
-        // What was covered meanwhile may be on its way once more.
+        // An expose may have started another frame.
         news.shown &= self.surface.is_free();
         Ok(news)
     }
@@ -275,8 +261,8 @@ impl Window {
             self.connection
                 .lost(x11rb::errors::ConnectionError::from(error))
         })?;
-        // Handling an event may wait for an answer, and that may bring further
-        // events whose arrival the descriptor does not show any more.
+        // Handling an event may wait for a reply, which can bring further events into x11rb's queue
+        // that the descriptor does not show.
         let mut left = MOST_EVENTS;
         loop {
             let mut any = false;
@@ -306,9 +292,8 @@ impl Window {
         }
     }
 
-    /// The input for one pass: time, screen, scale, focus, events. After a
-    /// window was not served for a while that may not be all of it; the rest is
-    /// new input then.
+    /// The input for one pass: time, screen, scale, focus, events. Events may be left for another
+    /// pass; they then count as new input.
     pub fn take_input(&mut self) -> egui::RawInput {
         let events = first_deed(&mut self.events);
         self.news.input |= !self.events.is_empty();
@@ -338,15 +323,15 @@ impl Window {
         }
     }
 
-    /// When to [`Window::poll`] even if the connection stays quiet: a transfer
-    /// of the clipboard is to be given up then, or the keyboard to be looked for.
+    /// When to call [`Window::poll`] even if the connection stays quiet: a clipboard transfer times
+    /// out, or the keyboard is to be checked.
     pub fn deadline(&self) -> Option<Instant> {
         let due = [self.clipboard.deadline(), self.keyboard_look()];
         due.into_iter().flatten().min()
     }
 
-    /// The pixels to paint into; `None` while a frame is in flight, or when
-    /// the window is not visible. [`News::shown`] tells when to ask again.
+    /// The pixels to paint into; `None` while a frame is in flight or the window is not visible.
+    /// [`News::shown`] tells when to ask again.
     pub fn target(&mut self) -> Option<Target<'_>> {
         let fits = self.surface.size() == self.size;
         if !self.visible() || !fits || self.lost.is_some() {
@@ -355,7 +340,7 @@ impl Window {
         self.surface.target()
     }
 
-    /// Shows these areas of the pixels.
+    /// Shows these areas of the pixel buffer.
     ///
     /// # Errors
     /// `ErrorKind::Display` if the server or the window is gone.
@@ -366,7 +351,7 @@ impl Window {
         self.flush()
     }
 
-    /// Does what egui wants done outside: cursor, clipboard, primary selection.
+    /// Carries out egui's requests: cursor, clipboard, primary selection.
     ///
     /// # Errors
     /// `ErrorKind::Display` if the server or the window is gone.
@@ -389,7 +374,7 @@ impl Window {
             };
             self.clipboard.own(connection, which, &text, self.time)?;
         }
-        // The button also drags; only over a text does it paste.
+        // The middle button also drags; it pastes only over text.
         if let Some((time, place)) = self.middle.take()
             && output.mutable_text_under_cursor
         {
@@ -398,7 +383,7 @@ impl Window {
         Ok(())
     }
 
-    /// Another title.
+    /// Sets the title.
     ///
     /// # Errors
     /// `ErrorKind::Display` if the server or the window is gone.
@@ -409,7 +394,7 @@ impl Window {
         self.flush()
     }
 
-    /// To the front, with the keyboard.
+    /// Raises the window and asks for the keyboard focus.
     ///
     /// # Errors
     /// `ErrorKind::Display` if the server or the window is gone.
@@ -422,8 +407,8 @@ impl Window {
         self.flush()
     }
 
-    /// Sends what is still waiting to be sent, as far as it goes now; the
-    /// descriptor becomes readable when more goes.
+    /// Sends as much queued output as the socket takes; the descriptor becomes readable when it
+    /// takes more.
     ///
     /// # Errors
     /// `ErrorKind::Display` if the server or the window is gone.
@@ -438,7 +423,7 @@ impl Window {
         sent.map_err(|error| self.connection.lost(error))
     }
 
-    /// Asks for a text that another program, or this one, offers.
+    /// Requests the text of a selection, which may be our own.
     fn paste(&mut self, which: Selection, time: u32, place: Option<Pos2>) -> Result<()> {
         let out = &mut self.events;
         self.clipboard
@@ -449,7 +434,6 @@ impl Window {
         self.mapped && !self.covered
     }
 
-    /// Nothing is asked of a server that is gone.
     fn alive(&self) -> Result<()> {
         match &self.lost {
             Some(error) => Err(error.clone()),
@@ -457,7 +441,6 @@ impl Window {
         }
     }
 
-    /// Keeps in mind that the window is gone.
     fn noted<R>(&mut self, result: Result<R>) -> Result<R> {
         if let Err(error) = &result {
             self.lost = Some(error.clone());
@@ -466,11 +449,10 @@ impl Window {
     }
 }
 
-/// Takes the events up to the first thing that the user has done with them, a
-/// key or a click: a pass sees one of each only, and of two that come together
-/// after a rest the first would be lost. What is written before goes into a pass
-/// of its own: a Tab or a click gives the keyboard to another field, and that
-/// would get the text too. Takes all where there are very many.
+/// Takes the events up to the first completed key press or click: egui sees at most one of each per
+/// pass and would lose the first of two. Text before it gets a pass of its own, because a Tab or
+/// click moves the focus and the next field would receive the text too. Takes everything if very
+/// many events are queued.
 fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
     use egui::Event::{Copy, Cut, Key, Paste, PointerButton, Text};
     if events.len() > MOST_EVENTS {
@@ -484,7 +466,7 @@ fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
                 written = true;
                 (false, false)
             }
-            // A key that writes is one of many, and every one is written.
+            // A key press that produces text need not end the pass.
             Key {
                 pressed, repeat, ..
             } => {
@@ -510,8 +492,7 @@ fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
 }
 
 impl Drop for Window {
-    /// What was copied here is left with whoever keeps it when programs end.
-    /// All else ends with the connection.
+    /// Hands copied text to the clipboard manager; closing the connection frees the rest.
     fn drop(&mut self) {
         if self.lost.is_none() {
             self.clipboard.hand_over(&self.connection, HAND_OVER).ok();
@@ -521,7 +502,7 @@ impl Drop for Window {
 }
 
 impl Window {
-    /// The connection itself, for questions about it; nobody else reads from it.
+    /// The connection's socket, for questions about it; do not read from it.
     pub fn socket(&self) -> BorrowedFd<'_> {
         self.connection.socket()
     }

@@ -1,5 +1,5 @@
-//! A text on its way from us to another program, in pieces (ICCCM 2.7.2): the
-//! next one is written when the other has deleted the one before.
+//! Sending text to another program in pieces (ICCCM 2.7.2, INCR): each piece is written when the
+//! requestor has deleted the one before.
 
 use std::rc::Rc;
 use std::time::{Duration, Instant};
@@ -13,16 +13,14 @@ use x11rb::wrapper::ConnectionExt as _;
 use super::connection::Connection;
 use crate::error::Result;
 
-/// How long the other program may let us wait for its next step.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// The largest piece. Small enough that no other traffic waits for it.
+/// The largest piece, in bytes; small enough not to delay other traffic.
 const PIECE: usize = 256 << 10;
 
-/// What a request needs beside its data, generously.
+/// Room for a request's header, generously.
 const REQUEST_HEAD: usize = 64;
 
-/// A transfer under way.
 pub(super) struct Outgoing {
     requestor: Window,
     property: Atom,
@@ -32,14 +30,12 @@ pub(super) struct Outgoing {
     patience: Instant,
 }
 
-/// The most that is written at once.
 pub(super) fn piece(connection: &Connection) -> usize {
     let most = connection.maximum_request_bytes();
     most.saturating_sub(REQUEST_HEAD).clamp(1, PIECE)
 }
 
 impl Outgoing {
-    /// Announces the pieces.
     pub(super) fn start(
         connection: &Connection,
         (requestor, property): (Window, Atom),
@@ -68,18 +64,15 @@ impl Outgoing {
         self.requestor
     }
 
-    /// In which property.
     pub(super) fn property(&self) -> Atom {
         self.property
     }
 
-    /// When it has taken too long.
     pub(super) fn deadline(&self) -> Instant {
         self.patience
     }
 
-    /// The other has taken what was written: writes the next piece, an empty
-    /// one at the end. True if that was the end.
+    /// The requestor took a piece: writes the next one, an empty one at the end. True when done.
     pub(super) fn taken(&mut self, connection: &Connection, now: Instant) -> Result<bool> {
         self.patience = now + PATIENCE;
         let rest = self.bytes.get(self.sent..).unwrap_or_default();
@@ -99,7 +92,7 @@ impl Outgoing {
     }
 }
 
-/// Has the server tell us what becomes of a foreign window, or not.
+/// Selects or deselects property and structure events of a foreign window.
 pub(super) fn listen(connection: &Connection, window: Window, listen: bool) -> Result<()> {
     let events = match listen {
         true => EventMask::PROPERTY_CHANGE | EventMask::STRUCTURE_NOTIFY,

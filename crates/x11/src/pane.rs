@@ -1,10 +1,8 @@
-//! A part of the window that the host draws in: a child window, in which it makes
-//! one of its own, of any kind, or draws directly.
+//! A child window for the host, which draws in it or embeds a window of its own.
 //!
-//! Of the pane's events we ask only for those of its children: who may press buttons in
-//! it, or redirect what is made in it, can be one client alone, and that is the host.
-//! What the editor shows above it is cut out of its shape, since a child window
-//! covers its parent.
+//! We select only events about the pane's children: ButtonPress and SubstructureRedirect can be
+//! selected by one client alone, which is the host. Editor widgets above the pane are cut out of
+//! its shape, since a child window covers its parent.
 
 use x11rb::protocol::Event;
 use x11rb::protocol::shape::{ConnectionExt as _, SK, SO};
@@ -20,36 +18,35 @@ use super::{Window, pane_pool, window};
 use crate::error::Result;
 use crate::raster::Area;
 
-/// Where a pane is to be, in pixels of the window.
+/// The place of a pane, in pixels of the window.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct PanePlace {
-    /// The pane.
+    /// The pane's rectangle.
     pub area: Area,
-    /// What lies above it.
+    /// Areas in front of the pane, which are cut out of it.
     pub above: Vec<Area>,
 }
 
-/// A pane as the host is to know it.
+/// A pane as the host sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PaneWindow {
     /// The X window.
     pub window: u32,
-    /// Its inner size, pixels.
+    /// Its width in pixels.
     pub width: u32,
-    /// See above.
+    /// Its height in pixels.
     pub height: u32,
 }
 
 pub(super) struct Pane {
     window: u32,
     place: PanePlace,
-    /// What the host has made in it.
+    /// Windows the host has created in it.
     children: Vec<u32>,
 }
 
 impl Window {
-    /// Shows the pane there, or none. `false` if the server cannot have one: another
-    /// try is of no use.
+    /// Shows the pane at `place`, or hides it. `false` if the server cannot support panes at all.
     ///
     /// # Errors
     /// [`crate::Error::Display`] if the server or the window is gone.
@@ -63,7 +60,7 @@ impl Window {
         self.noted(result)
     }
 
-    /// The pane that is shown now.
+    /// The pane shown now.
     pub fn pane(&self) -> Option<PaneWindow> {
         self.pane.as_ref().map(|pane| PaneWindow {
             window: pane.window,
@@ -80,7 +77,7 @@ impl Window {
         let Ok(Some(pane)) = pane_pool::take(connection.display()) else {
             return Ok(false);
         };
-        // Of its end we hear as its parent.
+        // As its parent we hear when it is destroyed.
         let lost = |error| connection.lost(error);
         let ours = self.frame.window;
         for (window, mask) in [
@@ -109,7 +106,7 @@ impl Window {
         Ok(shown)
     }
 
-    /// Parks the pane: the host may still draw in it, and nobody sees that.
+    /// Parks the pane: the host may go on drawing in it, unseen.
     pub(super) fn close_pane(&mut self) -> Result<()> {
         let Some(pane) = self.pane.take() else {
             return Ok(());
@@ -119,14 +116,13 @@ impl Window {
         let asked = connection.change_window_attributes(pane.window, &deaf);
         asked.map_err(|error| connection.lost(error))?;
         let forgotten = pane_pool::save_in(connection, pane.window, SaveSetMode::DELETE);
-        // All that was asked for the pane is done before it goes.
+        // Wait until the server has handled all requests for the pane.
         let done = forgotten.and_then(|()| connection.answer(connection.get_input_focus()));
         pane_pool::park(connection.display(), pane.window);
         done.map(drop)
     }
 
-    /// Takes note of what the host does in the pane. Events that other clients have
-    /// sent are none.
+    /// Follows what the host does in the pane, ignoring events sent by other clients.
     pub(super) fn pane_event(&mut self, event: &Event) -> Result<()> {
         let Some(pane) = &mut self.pane else {
             return Ok(());
@@ -161,8 +157,8 @@ impl Window {
 }
 
 impl Pane {
-    /// Moves it, and gives it and what is in it the size. The host, who is told then,
-    /// finds it done.
+    /// Moves and resizes the pane and its children. Waits until a new size has taken effect, since
+    /// the host is told of it next.
     fn put(&mut self, connection: &Connection, place: &PanePlace) -> Result<()> {
         if self.place == *place {
             return Ok(());
@@ -205,7 +201,7 @@ impl Pane {
         self.fill(connection, child)
     }
 
-    /// A child fills the pane. If it is gone meanwhile, nothing happens.
+    /// Makes a child fill the pane; one that is gone causes an error event, which is ignored.
     fn fill(&self, connection: &Connection, child: u32) -> Result<()> {
         let Area { width, height, .. } = self.place.area;
         let size = ConfigureWindowAux::new().x(0).y(0);
@@ -214,12 +210,11 @@ impl Pane {
     }
 }
 
-/// Where an area begins; the server knows no larger windows.
+/// An area's corner, clamped to X's coordinates.
 fn corner(area: Area) -> [i16; 2] {
     [area.x, area.y].map(|at| i16::try_from(at).unwrap_or(i16::MAX))
 }
 
-/// The parts of the pane that nothing lies above, from its corner.
 fn visible(place: &PanePlace) -> Vec<Rectangle> {
     let mut parts = vec![place.area];
     for &above in &place.above {
@@ -239,7 +234,7 @@ fn visible(place: &PanePlace) -> Vec<Rectangle> {
     parts.into_iter().map(rectangle).collect()
 }
 
-/// What is left of an area without another: above, left, right, below.
+/// The area minus another: the strips above, left, right and below.
 fn without(area: Area, hole: Area) -> impl Iterator<Item = Area> {
     let (right, bottom) = (area.x + area.width, area.y + area.height);
     let end = |at: u32, length: u32| at.saturating_add(length);

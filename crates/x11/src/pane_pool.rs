@@ -1,10 +1,7 @@
-//! Panes for other programs to draw in: windows that outlive ours.
-//!
-//! A host that draws in a window of ours must not find it gone: Xlib ends the
-//! program then, and OpenGL writes into memory that it has freed. So panes belong
-//! to a connection of their own, one for each display, which lives as long as
-//! the process; a pane that is closed is parked on the root window, and used again
-//! for the next. It is never destroyed.
+//! Panes outlive the windows that show them: if a window that a host draws in vanishes, Xlib ends
+//! the program and OpenGL writes to freed memory. So panes belong to a separate connection per
+//! display, which lives as long as the process; a closed pane is parked on the root window for
+//! reuse and never destroyed.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -17,18 +14,17 @@ use x11rb::protocol::xproto::{ConnectionExt as _, CreateWindowAux, WindowClass};
 use super::connection::Connection;
 use crate::error::Result;
 
-/// Where nobody sees a pane, should anybody map it.
+/// A coordinate outside the screen, in case a parked pane is mapped.
 const AWAY: i16 = -2000;
 
-/// The connection of a display's panes.
+/// The connection that owns a display's panes.
 struct Pool {
     display: String,
     connection: Connection,
-    /// Panes that are parked.
     free: Vec<u32>,
 }
 
-/// All pools, and the process that made them: a child by `fork` has none.
+/// All pools, and the process that made them: after `fork` the child has none.
 static POOLS: Mutex<(u32, Vec<Pool>)> = Mutex::new((0, Vec::new()));
 
 fn pools() -> MutexGuard<'static, (u32, Vec<Pool>)> {
@@ -41,8 +37,7 @@ fn pools() -> MutexGuard<'static, (u32, Vec<Pool>)> {
     pools
 }
 
-/// Calls `f` with the pool of a display; that is forgotten if its connection fails,
-/// and its panes are gone with it.
+/// Calls `f` with a display's pool, which is dropped with its panes if its connection fails.
 fn with<R>(display: &str, f: impl FnOnce(&mut Pool) -> Result<R>) -> Option<Result<R>> {
     let mut pools = pools();
     let place = (pools.1.iter()).position(|pool| pool.display == display)?;
@@ -54,10 +49,9 @@ fn with<R>(display: &str, f: impl FnOnce(&mut Pool) -> Result<R>) -> Option<Resu
     Some(done)
 }
 
-/// A pane, parked until the caller shows it: of the screen's own visual, without a
-/// background. `None` if the server cannot keep one safe.
+/// A parked pane of the root visual, without a background. `None` if the server cannot create one.
 pub(super) fn take(display: &str) -> Result<Option<u32>> {
-    // One may have lost its connection meanwhile: then a new one does it.
+    // A pool whose connection is lost is dropped at the first try and replaced.
     for _ in 0..2 {
         if let Some(Ok(pane)) = with(display, Pool::take) {
             return Ok(pane);
@@ -68,13 +62,13 @@ pub(super) fn take(display: &str) -> Result<Option<u32>> {
     Ok(None)
 }
 
-/// Takes a pane away from wherever it is: it and what is in it come unmapped to the
-/// root window. Before that the caller's own requests for it must be done.
+/// Moves a pane and its children, unmapped, to the root window. Requests for it on the caller's
+/// connection must be done before.
 pub(super) fn park(display: &str, pane: u32) {
     with(display, |pool| pool.park(pane));
 }
 
-/// Keeps a window in a pane alive should the pane's connection end; or not any more.
+/// Adds a window in a pane to the save-set of the pool's connection, or removes it.
 pub(super) fn save(display: &str, window: u32, mode: SaveSetMode) {
     with(display, |pool| {
         save_in(&pool.connection, window, mode)?;
@@ -82,16 +76,16 @@ pub(super) fn save(display: &str, window: u32, mode: SaveSetMode) {
     });
 }
 
-/// Asks the server to put a window out to the root, unmapped, when the connection ends;
-/// or not to do so any more.
+/// Adds a window to a connection's save-set, or removes it: when the connection ends, the server
+/// moves the window to the root, unmapped.
 pub(super) fn save_in(connection: &Connection, window: u32, mode: SaveSetMode) -> Result<()> {
     let (target, map) = (SaveSetTarget::ROOT, SaveSetMapping::UNMAP);
     let asked = connection.xfixes_change_save_set(mode, target, map, window);
     asked.map(drop).map_err(|error| connection.lost(error))
 }
 
-/// Whether the server has what panes need: save-sets that lead to the root, and
-/// windows that are not rectangles. Must be asked before either is used.
+/// Whether the server has what panes need: XFIXES save-sets with a target, and SHAPE. Query before
+/// using either.
 pub(super) fn can(connection: &Connection) -> Result<bool> {
     let shape = x11rb::protocol::shape::X11_EXTENSION_NAME;
     for name in [xfixes::X11_EXTENSION_NAME, shape] {
@@ -120,7 +114,7 @@ impl Pool {
         })
     }
 
-    /// Nothing that comes here is of interest, but it must not pile up.
+    /// Discards what has arrived, so that it does not pile up.
     fn read(&self) -> Result<()> {
         while self.connection.next()?.is_some() {}
         Ok(())
@@ -132,7 +126,7 @@ impl Pool {
     }
 
     fn take(&mut self) -> Result<Option<u32>> {
-        // What was parked may have been destroyed by somebody else meanwhile.
+        // A parked pane may have been destroyed by another client.
         while let Some(pane) = self.free.pop() {
             let asked = self.connection.get_window_attributes(pane);
             if self.connection.answer(asked)?.is_some() {
@@ -147,7 +141,7 @@ impl Pool {
         let pane = connection.generate_id();
         let pane = pane.map_err(|error| connection.lost(error))?;
         let screen = connection.screen();
-        // Window managers leave it alone while it is on the root.
+        // Window managers ignore override-redirect windows while on the root.
         let attributes = CreateWindowAux::new()
             .border_pixel(0)
             .colormap(screen.default_colormap)

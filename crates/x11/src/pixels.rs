@@ -1,33 +1,29 @@
-//! From the painter's pixels to the screen's: any arrangement of red, green
-//! and blue in 8 to 32 bits, in either order of bytes.
+//! Pixel conversion to the screen's format: any arrangement of red, green and blue in 8 to 32 bits,
+//! in either byte order.
 //!
-//! Colours with fewer than eight bits are dithered by a fixed pattern of 4×4
-//! thresholds, so that slow gradients do not fall into bands; the pattern hangs
-//! on the place in the window, so that parts painted at different times fit
-//! together. Black and white stay what they are.
+//! Channels below eight bits use ordered dithering with a 4×4 pattern against banding. It is
+//! anchored to the window, so parts painted at different times match; black and white stay pure.
 
 use super::visual::Visual;
 
-/// The thresholds, in sixteenths: neighbours lie far apart (Bayer 1973).
+/// Dithering thresholds, in sixteenths (Bayer 1973).
 const PATTERN: [u32; 16] = [0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5];
 
-/// How the screen wants its pixels.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
-    /// Bytes for a pixel: 1 to 4.
+    /// Bytes per pixel: 1 to 4.
     bytes: usize,
-    /// A row is filled up to a multiple of this many bytes.
+    /// Rows are padded to a multiple of this many bytes.
     pad: usize,
     big_endian: bool,
-    /// Bits that are always set: opaque.
+    /// Bits that are always set: alpha.
     always: u32,
-    /// For each threshold of the pattern, or one for all, each channel's bits
-    /// for each of its 256 values; empty if nothing is to be done.
+    /// The bits for each value of each channel, one table per threshold of the pattern, or one for
+    /// all. Empty if pixels need no conversion.
     tables: Vec<[[u32; 256]; 3]>,
 }
 
 impl Layout {
-    /// How `visual` wants its pixels, on a server with this order of bytes.
     pub(super) fn new(visual: &Visual, big_endian: bool) -> Self {
         let masks = [visual.red, visual.green, visual.blue];
         let meant = u32::MAX
@@ -56,23 +52,20 @@ impl Layout {
         }
     }
 
-    /// The painter's pixels are the screen's.
     pub(super) fn is_ours(&self) -> bool {
         self.tables.is_empty()
     }
 
-    /// Bytes for a row of `width` pixels.
     pub(super) fn row(&self, width: usize) -> usize {
         (width * self.bytes).next_multiple_of(self.pad)
     }
 
-    /// Bytes from the start of a row to its pixel `x`.
     pub(super) fn offset(&self, x: usize) -> usize {
         x * self.bytes
     }
 
-    /// Converts a run of pixels that begins at (`x`, `y`) of the window.
-    /// `out` takes them without padding; what has no room is left out.
+    /// Converts pixels starting at (`x`, `y`) of the window into `out`, without padding; those it
+    /// has no room for are left out.
     pub(super) fn convert(&self, pixels: &[u32], x: usize, y: usize, out: &mut [u8]) {
         let last = self.tables.len().saturating_sub(1);
         let line = (y & 3) * 4;
@@ -111,8 +104,7 @@ impl Layout {
     }
 }
 
-/// The bits under `mask` for each of 256 values; `threshold` of 255 decides
-/// what becomes of the rest.
+/// The bits under `mask` for each of 256 values; `threshold`, of 255, sets the rounding.
 fn table(mask: u32, threshold: u32) -> [u32; 256] {
     let shift = mask.trailing_zeros();
     let most = mask.checked_shr(shift).unwrap_or(0);

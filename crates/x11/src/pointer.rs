@@ -1,25 +1,22 @@
-//! The mouse: X's buttons, motions and crossings become egui's events.
+//! X's buttons, motions and crossings become egui's events.
 //!
-//! Of several motions between two looks only the last counts, except that one
-//! before a button says where the button was pressed. While a button is held
-//! the pointer belongs to the window, also outside of it.
+//! Consecutive motions are merged; one before a button event says where it happened. While a button
+//! is held the pointer belongs to the window, even outside it.
 
 use egui::{
     Event, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Vec2,
 };
 
-/// Where the mouse is and what it holds.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Pointer {
     inside: bool,
-    /// A bit for each of egui's buttons.
     held: u8,
-    /// egui knows of a position.
+    /// egui knows a position.
     known: bool,
 }
 
 impl Pointer {
-    /// A motion or an entering, in points.
+    /// A motion, in points.
     pub(super) fn moved(&mut self, pos: Pos2, out: &mut Vec<Event>) {
         self.known = true;
         match out.last_mut() {
@@ -33,13 +30,13 @@ impl Pointer {
         self.moved(pos, out);
     }
 
-    /// It left; egui is told when no button is held any more.
+    /// The pointer left; egui hears of it once no button is held.
     pub(super) fn left(&mut self, out: &mut Vec<Event>) {
         self.inside = false;
         self.forget(out);
     }
 
-    /// A button by X's number, from 1. 4 to 7 are the wheel.
+    /// A press or release by X's button number, from 1; 4 to 7 are the wheel.
     pub(super) fn button(
         &mut self,
         number: u8,
@@ -78,7 +75,7 @@ impl Pointer {
         self.forget(out);
     }
 
-    /// The window is gone from under the pointer: lets go of everything.
+    /// Releases everything when the window vanishes under the pointer.
     pub(super) fn lost(&mut self, pos: Pos2, modifiers: Modifiers, out: &mut Vec<Event>) {
         for button in [1, 2, 3, 8, 9] {
             self.button(button, false, pos, modifiers, out);
@@ -94,7 +91,6 @@ impl Pointer {
     }
 }
 
-/// A notch of the wheel: up, down, left, right.
 fn wheel(number: u8, modifiers: Modifiers) -> Event {
     let delta = match number {
         4 => Vec2::new(0.0, 1.0),

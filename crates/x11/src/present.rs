@@ -1,12 +1,10 @@
-//! From the buffer of pixels to the screen.
+//! From the pixel buffer to the screen.
 //!
-//! By shared memory where the server is on this machine and proves that it
-//! reads it, else as images in pieces. One frame is on its way at a time, and
-//! the next is taken only when the server has told that it arrived: a slow
-//! link or a server that stands still makes fewer frames and never a queue.
+//! Uses shared memory if the server is on this machine and can attach it, else images in pieces.
+//! One frame is in flight at a time, so a slow link or a stalled server lowers the frame rate and
+//! never builds a queue.
 //!
-//! The painter's pixels stay in the buffer, so that what another window has
-//! covered is shown again without being painted again.
+//! The buffer keeps its pixels, so exposed areas are shown again without painting.
 
 use std::collections::VecDeque;
 
@@ -25,69 +23,61 @@ use super::shared::Memory;
 use crate::error::{Result, vec_with_room};
 use crate::raster::{Area, Target};
 
-/// The longest piece of an image, bytes.
+/// The largest piece of an image, in bytes.
 const PIECE: usize = 256 << 10;
 
-/// How many pieces are on their way at a time.
 const PIECES: u32 = 3;
 
-/// More room than this is not kept for a window that might grow, bytes.
+/// The most spare shared memory, in bytes, kept for a window that may grow.
 const MOST_SLACK: usize = 8 << 20;
 
-/// A buffer has at most so many pixels, whatever the window's size: as many as
-/// four of today's largest screens.
+/// The most pixels in a buffer, as on four of today's largest screens.
 const MOST_PIXELS: u32 = 1 << 26;
 
-/// The longest side of a buffer, pixels.
+/// The longest side of a buffer, in pixels.
 const LONGEST: u32 = 16_384;
 
-/// Where pixels are shown.
 pub(super) struct Surface {
     window: u32,
     context: u32,
     depth: u8,
     layout: Layout,
-    /// The size of the buffer, which is the window's as it was when the buffer
-    /// was made.
+    /// The buffer's size: the window's when the buffer was made.
     size: (u32, u32),
     store: Store,
-    /// The server takes shared memory.
     shares: bool,
     painted: bool,
-    /// What is to be shown when the frame on its way has arrived.
+    /// Areas to show after the frame in flight.
     waiting: Vec<Area>,
     flight: Flight,
-    /// The number of the last piece.
+    /// The serial number of the last piece.
     serial: u32,
     scratch: Vec<u8>,
 }
 
-/// Where the pixels stand.
 #[derive(Default)]
 enum Store {
-    /// There is no memory for them.
+    /// No buffer, as at first or when memory runs out.
     #[default]
     None,
-    /// Here; sent as images.
+    /// In our memory; sent as images.
     Private(Vec<u32>),
-    /// Where the server reads them.
     Shared(Segment),
-    /// Here, and converted where the server reads them.
+    /// In our memory, and converted into shared memory.
     Both(Vec<u32>, Segment),
 }
 
-/// Shared memory that the server knows.
+/// Shared memory attached by the server.
 struct Segment {
     id: u32,
     memory: Memory,
 }
 
-/// What is on its way.
 enum Flight {
     None,
     /// The server reads the shared memory.
     Shared,
-    /// So many pieces of an image, and those that are still to be sent.
+    /// Pieces of an image in flight, and those still to be sent.
     Pieces {
         under_way: u32,
         rest: VecDeque<Area>,
@@ -95,7 +85,6 @@ enum Flight {
 }
 
 impl Surface {
-    /// For a window with this depth; `layout` is that of its visual.
     pub(super) fn new(window: u32, context: u32, depth: u8, layout: Layout) -> Self {
         Self {
             window,
@@ -113,7 +102,6 @@ impl Surface {
         }
     }
 
-    /// Finds out whether the server takes shared memory, by a try.
     pub(super) fn try_sharing(&mut self, connection: &Connection) -> Result<()> {
         if !connection.is_local() {
             return Ok(());
@@ -125,7 +113,7 @@ impl Surface {
             return Ok(());
         }
         let version = connection.answer(connection.shm_query_version())?;
-        // Memory by descriptor came with 1.2.
+        // Attaching by file descriptor came with version 1.2.
         let Some(version) = version else {
             return Ok(());
         };
@@ -149,7 +137,6 @@ impl Surface {
         self.size
     }
 
-    /// The size that the buffer of a window of this size has.
     pub(super) fn fitting(width: u32, height: u32) -> (u32, u32) {
         let width = width.clamp(1, LONGEST);
         (width, height.clamp(1, LONGEST).min(MOST_PIXELS / width))
@@ -159,11 +146,8 @@ impl Surface {
         matches!(self.flight, Flight::None)
     }
 
-    /// Another size. What was painted is lost. Only when nothing is on its way.
-    ///
-    /// # Errors
-    /// The server is gone. Without memory there is no buffer, and nothing is
-    /// shown until the window is smaller.
+    /// Resizes the buffer and discards its contents; call only while no frame is in flight. If
+    /// memory runs out, nothing is shown until the next size.
     pub(super) fn resize(&mut self, connection: &Connection, size: (u32, u32)) -> Result<()> {
         self.size = size;
         self.painted = false;
@@ -198,8 +182,8 @@ impl Surface {
         Ok(())
     }
 
-    /// New shared memory; none if there is none left. Whether the server takes
-    /// it is not waited for: if it does not, [`Surface::failed`] hears of it.
+    /// Allocates shared memory; `None` if there is none. Does not wait for the server to attach it:
+    /// if that fails, [`Surface::failed`] gets the error.
     fn attach(&mut self, connection: &Connection, bytes: usize) -> Result<Option<Segment>> {
         let Ok((memory, file)) = Memory::new(bytes) else {
             return Ok(None);
@@ -212,7 +196,6 @@ impl Surface {
         Ok(Some(Segment { id, memory }))
     }
 
-    /// The pixels, unless a frame is on its way.
     pub(super) fn target(&mut self) -> Option<Target<'_>> {
         if !self.is_free() {
             return None;
@@ -232,8 +215,7 @@ impl Surface {
         })
     }
 
-    /// These parts of the window are to be shown: now, or after the frame that
-    /// is on its way.
+    /// Shows these areas now, or after the frame in flight.
     pub(super) fn show(&mut self, connection: &Connection, areas: &[Area]) -> Result<()> {
         for &area in areas {
             areas::add(&mut self.waiting, area, self.size);
@@ -241,7 +223,6 @@ impl Surface {
         self.go_on(connection)
     }
 
-    /// Sends what can be sent.
     pub(super) fn go_on(&mut self, connection: &Connection) -> Result<()> {
         if self.is_free() && self.painted && !self.waiting.is_empty() {
             let areas = std::mem::take(&mut self.waiting);
@@ -333,7 +314,7 @@ impl Surface {
                 &self.scratch,
             );
             asked.map_err(lost)?;
-            // A message to ourselves comes back when the image has arrived.
+            // A message to ourselves comes back when the image has been drawn.
             self.serial = self.serial.wrapping_add(1);
             let kind = connection.atoms()._VIDES_SHOWN;
             let message = ClientMessageEvent::new(32, self.window, kind, [self.serial, 0, 0, 0, 0]);
@@ -347,7 +328,7 @@ impl Surface {
         Ok(())
     }
 
-    /// The server has read the shared memory. True if a frame has arrived.
+    /// The server has read the shared memory. True if that completes our frame.
     pub(super) fn completed(&mut self, event: &shm::CompletionEvent) -> bool {
         let ours = match &self.store {
             Store::Shared(segment) | Store::Both(_, segment) => segment.id == event.shmseg,
@@ -361,10 +342,10 @@ impl Surface {
         arrived
     }
 
-    /// A piece has arrived, by its message. True if that was the frame's last.
+    /// Our message behind a piece came back. True if that completes the frame.
     pub(super) fn arrived(&mut self, connection: &Connection, serial: u32) -> Result<bool> {
         if let Flight::Pieces { under_way, .. } = &mut self.flight {
-            // Only of those that are under way: anybody can send messages.
+            // Check the serial: any client can send such messages.
             if self.serial.wrapping_sub(serial) < *under_way {
                 *under_way -= 1;
                 self.send_pieces(connection)?;
@@ -374,9 +355,8 @@ impl Surface {
         Ok(false)
     }
 
-    /// Looks at an error that the server sent: was it about something of ours
-    /// here? Then the frame is given up; what shared memory did not bring is sent
-    /// as an image. True if a frame was on its way.
+    /// Handles an error that concerns images: the frame is given up, and after one from shared
+    /// memory everything is sent again as images. True if a frame was in flight.
     pub(super) fn failed(&mut self, connection: &Connection, error: &X11Error) -> Result<bool> {
         let known = connection
             .extension_information(shm::X11_EXTENSION_NAME)
@@ -394,7 +374,6 @@ impl Surface {
         Ok(false)
     }
 
-    /// Goes on with images, for good.
     fn unshare(&mut self, connection: &Connection) -> Result<()> {
         self.shares = false;
         let (width, height) = self.size;
@@ -427,8 +406,7 @@ impl Surface {
     }
 }
 
-/// Converts an area. `out` begins with its first pixel, and has so many bytes
-/// from one row to the next.
+/// Converts an area's pixels. `out` begins at the area's first pixel; `row` is its stride in bytes.
 fn convert(
     layout: &Layout,
     pixels: &[u32],
@@ -447,7 +425,7 @@ fn convert(
     }
 }
 
-/// Memory of `length` bytes is neither too small nor much too large.
+/// Whether memory of `length` bytes suffices and is not far too large.
 fn fits(length: usize, needed: usize) -> bool {
     length >= needed && (length <= MOST_SLACK || length / 4 <= needed)
 }

@@ -1,4 +1,4 @@
-//! How many pixels a point has: what the desktop says of the screen's dots.
+//! Pixels per point, from the desktop's resolution.
 
 use x11rb::protocol::xproto::ConnectionExt as _;
 use x11rb::resource_manager::Database;
@@ -6,8 +6,7 @@ use x11rb::resource_manager::Database;
 use super::connection::Connection;
 use crate::error::Result;
 
-/// Asks for the desktop's settings, the resources of the root window; `None` if
-/// nobody answers.
+/// Reads the X resources from the root window; `None` without a reply.
 pub(super) fn ask(connection: &Connection) -> Result<Option<Database>> {
     let mut question = Database::GET_RESOURCE_DATABASE;
     question.window = root(connection);
@@ -22,7 +21,7 @@ pub(super) fn ask(connection: &Connection) -> Result<Option<Database>> {
     Ok(answer.map(|answer| Database::new_from_get_property_reply(&answer).unwrap_or_default()))
 }
 
-/// The window with the resources: the first screen's root, also for others.
+/// The window that holds the resources: the first screen's root, whatever the screen.
 pub(super) fn root(connection: &Connection) -> u32 {
     use x11rb::connection::Connection as _;
     connection
@@ -32,15 +31,13 @@ pub(super) fn root(connection: &Connection) -> u32 {
         .map_or(0, |screen| screen.root)
 }
 
-/// Pixels for a point by the screen's resolution, `Xft.dpi`. 1 if nobody says
-/// otherwise.
+/// Pixels per point by the resource `Xft.dpi`; 1 without it.
 pub(super) fn of(resources: &Database) -> f32 {
     let dots = resources.get_value("Xft.dpi", "").ok().flatten();
     dots.map_or(1.0, from_dots)
 }
 
-/// Pixels for a point on a screen with so many dots per inch: in quarters, so
-/// that lines stay sharp; from 1 to 4.
+/// Scales are quarters from 1 to 4, so that lines stay sharp.
 fn from_dots(dots: f32) -> f32 {
     let scale = (dots / 96.0 * 4.0).round() / 4.0;
     if scale.is_finite() {

@@ -1,10 +1,8 @@
-//! Whether the desktop is dark: what its settings manager says (XSETTINGS of
-//! freedesktop.org, the setting `Net/ThemeName`), which the desktops of today
-//! run under X11 for all toolkits. The themes' names tell it: "Adwaita-dark",
-//! "Mint-Y-Dark-Aqua".
+//! Whether the desktop is dark, by the name in `Net/ThemeName` of freedesktop.org's XSETTINGS, for
+//! example "Adwaita-dark" or "Mint-Y-Dark-Aqua".
 //!
-//! Any client may own the selection and write anything there: nothing is taken
-//! for granted, and what is not understood says nothing.
+//! Any client may own the selection and write anything there, so the data is parsed defensively and
+//! ignored where it makes no sense.
 
 use x11rb::protocol::xproto::{
     ChangeWindowAttributesAux, ClientMessageEvent, ConnectionExt as _, EventMask,
@@ -15,36 +13,32 @@ use super::connection::Connection;
 use super::scale;
 use crate::error::Result;
 
-/// Words of four bytes of the settings that are read. Real ones take a few
-/// hundred.
+/// The most settings read, in 32-bit words; real ones take a few hundred.
 const MOST_WORDS: u32 = 16 << 10;
 
 const THEME: &[u8] = b"Net/ThemeName";
 
-/// What the desktop wants.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Settings {
     /// The manager's window, 0 if there is none.
     manager: u32,
-    /// Something in it has changed.
+    /// The manager's property has changed.
     stale: bool,
-    /// Another one has begun.
+    /// A new manager was announced.
     replaced: bool,
-    /// Whether the desktop is dark, if it says so.
     dark: Option<bool>,
 }
 
 impl Settings {
-    /// Asks the settings manager, if there is one; hears of changes from now on.
-    /// The one of the first screen, as the resources are.
+    /// Reads the settings of the first screen's manager, if there is one, and selects its changes.
     pub(super) fn ask(connection: &Connection) -> Result<Self> {
         let mut settings = Self::default();
         settings.find(connection)?;
         Ok(settings)
     }
 
-    /// Turns to the manager that there is now. One that has not written anything
-    /// yet changes nothing: it will, and tells then.
+    /// Finds the current manager. A new one that has written nothing yet leaves the value alone;
+    /// its first write will be an event.
     fn find(&mut self, connection: &Connection) -> Result<()> {
         let selection = connection.atoms()._XSETTINGS_S0;
         let owner = connection.answer(connection.get_selection_owner(selection))?;
@@ -62,12 +56,11 @@ impl Settings {
         Ok(())
     }
 
-    /// Whether the desktop is dark, if it says so.
     pub(super) fn dark(&self) -> Option<bool> {
         self.dark
     }
 
-    /// Notes a change; true if it was the manager's.
+    /// Notes a property change; true if it was the manager's.
     pub(super) fn note(&mut self, connection: &Connection, event: &PropertyNotifyEvent) -> bool {
         let ours =
             event.window == self.manager && event.atom == connection.atoms()._XSETTINGS_SETTINGS;
@@ -75,7 +68,7 @@ impl Settings {
         ours
     }
 
-    /// Notes a manager that begins, which tells the root window so.
+    /// Notes a MANAGER message on the root window about a new manager.
     pub(super) fn announced(&mut self, connection: &Connection, event: &ClientMessageEvent) {
         let atoms = connection.atoms();
         self.replaced |= event.window == scale::root(connection)
@@ -84,8 +77,8 @@ impl Settings {
             && event.data.as_data32()[1] == atoms._XSETTINGS_S0;
     }
 
-    /// Reads what has changed; true if that makes a difference. Once for all
-    /// changes that were noted, so that a flood of them costs little.
+    /// Reads the settings once for all changes noted, so that a flood of them costs little. True if
+    /// the value changed.
     pub(super) fn renew(&mut self, connection: &Connection) -> Result<bool> {
         let before = self.dark;
         let stale = std::mem::take(&mut self.stale);
@@ -97,7 +90,7 @@ impl Settings {
         Ok(self.dark != before)
     }
 
-    /// Reads the settings; whether there are any.
+    /// Returns whether the property exists.
     fn read(&mut self, connection: &Connection) -> Result<bool> {
         let property = connection.atoms()._XSETTINGS_SETTINGS;
         let answer = connection.answer(connection.get_property(
@@ -108,7 +101,7 @@ impl Settings {
             0,
             MOST_WORDS,
         ))?;
-        // Without an answer it stays as it was.
+        // Without a reply the value stays as it was.
         let Some(answer) = answer else {
             return Ok(false);
         };
@@ -119,7 +112,6 @@ impl Settings {
     }
 }
 
-/// Whether the theme of these settings is a dark one, if they name one.
 fn is_dark(settings: &[u8]) -> Option<bool> {
     let name = theme(settings)?.to_ascii_lowercase();
     let words = name.split(|byte| !byte.is_ascii_alphanumeric());
@@ -171,7 +163,7 @@ impl<'a> Reader<'a> {
         Some(taken)
     }
 
-    /// So many bytes, and those that fill up four.
+    /// Takes `count` bytes and their padding to a multiple of four.
     fn padded(&mut self, count: usize) -> Option<&'a [u8]> {
         let taken = self.take(count)?;
         self.take(count.wrapping_neg() % 4)?;

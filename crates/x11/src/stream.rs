@@ -1,12 +1,9 @@
-//! The bytes to and from the X server, under x11rb's connection.
+//! The byte stream to and from the X server, below x11rb's connection.
 //!
-//! Why our own: a write to a server that went away must not raise SIGPIPE in
-//! the host's process, and a server that does not answer must not hold the host
-//! up. So nothing is ever written by waiting: what the socket does not take is
-//! kept and sent later, and [`Stream::watch`] becomes ready when it can be. Only
-//! an answer is waited for, and no longer than [`PATIENCE`] allows.
-//!
-//! It knows nothing of what the bytes mean.
+//! x11rb's own stream will not do: writing to a server that is gone must not raise SIGPIPE in the
+//! host, and a server that does not answer must not block it. Writes never wait: what the socket
+//! does not take is queued, and [`Stream::watch`] becomes readable when it can be sent. Only
+//! replies are waited for, at most for [`PATIENCE`].
 
 use std::cell::{Cell, RefCell};
 use std::collections::VecDeque;
@@ -22,76 +19,64 @@ use rustix::net::{RecvFlags, SendAncillaryBuffer, SendAncillaryMessage, SendFlag
 use x11rb::rust_connection::PollMode;
 use x11rb::utils::RawFdContainer;
 
-/// How long an answer of the server is waited for when the window stands, whatever
-/// else comes meanwhile. Once this was too short, nothing is waited for until the
-/// server speaks again.
+/// How long to wait for a reply once the window is open, whatever else arrives. After a timeout
+/// there is no waiting until the server speaks again.
 pub(super) const PATIENCE: Duration = Duration::from_secs(1);
 
-/// How long nothing is waited for after the server spoke, but did not answer. Another
-/// client may have it for itself, while the mouse still moves. So the host is held for
-/// a second of six at most.
+/// How long not to wait after a server that sent events did not reply, perhaps because it is
+/// grabbed by another client. This blocks the host for at most one second in six.
 const REST: Duration = Duration::from_secs(5);
 
-/// How much is taken on the way to answers before what came instead is looked at,
-/// bytes. Of events, each of which is kept, that is 130,000, and in memory six times as
-/// much; answers are far smaller.
+/// Bytes read while waiting for replies before events must be handled: about 130,000 events, six
+/// times the bytes once in x11rb's queue. Replies are far smaller.
 const MOST_BEFORE_ANSWER: usize = 4 << 20;
 
-/// How much may wait to be sent, bytes. Images are sent in pieces, each after
-/// the one before it has arrived, so that this much means that something is
-/// wrong.
+/// The limit for unsent output, in bytes. Images go in pieces, each after the one before has
+/// arrived, so reaching it means that something is wrong.
 const MOST_WAITING: usize = 16 << 20;
 
-/// How much is read before what has come is looked at, bytes. Who sends faster than
-/// that goes waits with the server, and costs no memory here.
+/// Bytes read before events are handled. A faster sender waits, and takes no memory here.
 const MOST_AT_ONCE: usize = 64 << 10;
 
-/// How many descriptors go with one message.
 const MOST_DESCRIPTORS: usize = 4;
 
-/// A connected socket that never blocks.
 #[derive(Debug)]
 pub(super) struct Stream {
     socket: OwnedFd,
-    /// An epoll descriptor with the socket in it.
+    /// An epoll descriptor that watches the socket.
     watch: OwnedFd,
     waiting: RefCell<Waiting>,
-    /// Until when answers are waited for; [`PATIENCE`] for each if none.
+    /// The deadline for all replies; `None` allows [`PATIENCE`] for each.
     deadline: Cell<Option<Instant>>,
-    /// The answer that is waited for.
     awaited: Cell<Option<Awaited>>,
-    /// An answer did not come in time, and nothing has come since.
+    /// A reply timed out, and nothing was received since.
     silent: Cell<bool>,
-    /// Until when nothing is waited for, since something came but no answer.
+    /// No waiting until then, because input came but no reply.
     rest: Cell<Option<Instant>>,
-    /// Read since there was last said to be nothing more.
+    /// Bytes read since x11rb was last told that there is no more.
     taken: Cell<usize>,
-    /// Read, and not looked at yet, bytes.
+    /// Bytes read but not yet handled.
     ahead: Cell<usize>,
 }
 
-/// An answer that was asked for: from the first look for it until something else
-/// is asked.
+/// The wait for a reply, from the first poll for it until the next request.
 #[derive(Clone, Copy, Debug)]
 struct Awaited {
-    /// It is given up then.
     end: Instant,
-    /// What came instead, bytes.
     taken: usize,
 }
 
-/// What the socket did not take yet.
+/// Output the socket did not take yet.
 #[derive(Debug, Default)]
 struct Waiting {
     bytes: VecDeque<u8>,
     descriptors: Vec<OwnedFd>,
-    /// The watch looks for room to send, too.
+    /// The epoll descriptor also watches for room to send.
     watched: bool,
 }
 
 impl Stream {
-    /// Takes a connected socket. Answers are waited for until `deadline`, or
-    /// until [`Stream::settle`].
+    /// `deadline` holds for all replies together, until [`Stream::settle`].
     pub(super) fn new(socket: OwnedFd, deadline: Instant) -> Result<Self> {
         let watch = epoll::create(epoll::CreateFlags::CLOEXEC)?;
         epoll::add(&watch, &socket, EventData::new_u64(0), EventFlags::IN)?;
@@ -108,13 +93,10 @@ impl Stream {
         })
     }
 
-    /// The window stands: from now on each answer is waited for on its own.
     pub(super) fn settle(&self) {
         self.deadline.set(None);
     }
 
-    /// Readable when there is something to read, or room for what waits to be
-    /// sent.
     pub(super) fn watch(&self) -> BorrowedFd<'_> {
         self.watch.as_fd()
     }
@@ -123,12 +105,11 @@ impl Stream {
         self.socket.as_fd()
     }
 
-    /// So much of what was read has been looked at, bytes.
     pub(super) fn looked_at(&self, bytes: usize) {
         self.ahead.set(self.ahead.get().saturating_sub(bytes));
     }
 
-    /// Sends what waits, as far as it goes now.
+    /// Sends as much queued output as the socket takes.
     pub(super) fn push(&self) -> Result<()> {
         let mut waiting = self.waiting.borrow_mut();
         let Waiting {
@@ -149,7 +130,6 @@ impl Stream {
         self.look_for_room(&mut waiting)
     }
 
-    /// Bytes that the socket did not take yet.
     pub(super) fn waiting(&self) -> usize {
         self.waiting.borrow().bytes.len()
     }
@@ -165,7 +145,7 @@ impl Stream {
         Ok(())
     }
 
-    /// Takes all of `slices`: sends it, and keeps what the socket does not take.
+    /// Sends `slices`, and queues what the socket does not take.
     fn take(&self, slices: &[IoSlice<'_>], fds: &mut Vec<RawFdContainer>) -> Result<usize> {
         let length = slices.iter().map(|slice| slice.len()).sum::<usize>();
         self.awaited.set(None);
@@ -196,7 +176,6 @@ impl Stream {
         Ok(length)
     }
 
-    /// Time left for an answer.
     fn patience(&self) -> Duration {
         match self.deadline.get() {
             Some(deadline) => deadline.saturating_duration_since(Instant::now()),
@@ -209,11 +188,10 @@ impl Stream {
         (self.rest.get()).is_some_and(|end| Instant::now() < end)
     }
 
-    /// The answer does not come.
     fn give_up(&self, awaited: Awaited) -> Error {
         self.awaited.set(None);
         if self.rests() {
-            // It was not waited for: that says nothing.
+            // There was no waiting, so this says nothing about the server.
         } else if awaited.taken == 0 {
             self.silent.set(true);
         } else {
@@ -224,8 +202,7 @@ impl Stream {
 }
 
 impl x11rb::rust_connection::Stream for Stream {
-    /// There is always room to write. To read is waited for as long as patience
-    /// lasts: until the answer has come, not for each of the events before it.
+    /// Always writable. For reading, waits until the reply's deadline, whatever else arrives.
     fn poll(&self, mode: PollMode) -> Result<()> {
         if mode.writable() {
             return Ok(());
@@ -237,7 +214,7 @@ impl x11rb::rust_connection::Stream for Stream {
         self.awaited.set(Some(awaited));
         let late = || Instant::now() >= awaited.end;
         let much = self.ahead.get() >= MOST_BEFORE_ANSWER;
-        // What lies there already is looked at once, however late it is.
+        // Input that is there already is read once, even after the deadline.
         if awaited.taken > 0 && (much || late()) {
             return Err(self.give_up(awaited));
         }
@@ -259,16 +236,15 @@ impl x11rb::rust_connection::Stream for Stream {
         }
     }
 
-    /// x11rb reads until there is nothing more, so at times that is what it is
-    /// told, though there is.
+    /// x11rb reads until `WouldBlock`, so this returns it now and then although there is more.
     fn read(&self, buf: &mut [u8], _: &mut Vec<RawFdContainer>) -> Result<usize> {
         let taken = self.taken.take();
         if taken >= MOST_AT_ONCE {
             return Err(ErrorKind::WouldBlock.into());
         }
-        // Descriptors are never asked for; the system closes what comes anyway.
+        // Descriptors are never requested; the kernel closes any that come.
         let (count, _) = retry_on_intr(|| recv(&self.socket, &mut *buf, RecvFlags::DONTWAIT))?;
-        // What speaks after a silence is waited for again, from now on.
+        // A silent server has spoken: waiting for it starts afresh.
         let spoken = self.silent.replace(false);
         let awaited = self.awaited.get().filter(|_| !spoken);
         self.awaited.set(awaited.map(|awaited| Awaited {
@@ -289,7 +265,7 @@ impl x11rb::rust_connection::Stream for Stream {
     }
 }
 
-/// Waits for `events` at `socket`; which of them came, none if the time is over.
+/// Waits for `events` on `socket`. Empty if the time is over.
 pub(super) fn wait(socket: BorrowedFd<'_>, events: PollFlags, time: Duration) -> Result<PollFlags> {
     let mut entry = [PollFd::from_borrowed_fd(socket, events)];
     let time = Timespec::try_from(time).ok();
@@ -299,8 +275,7 @@ pub(super) fn wait(socket: BorrowedFd<'_>, events: PollFlags, time: Duration) ->
     }
 }
 
-/// Sends what the socket takes now, with the first of `descriptors`, which are
-/// closed here once sent.
+/// Sends what the socket takes now, with the first few `descriptors`, which are then closed.
 fn send(
     socket: BorrowedFd<'_>,
     slices: &[IoSlice<'_>],

@@ -1,29 +1,28 @@
-//! Which of the screen's kinds of pixels a window gets.
+//! The choice of the window's visual.
 
 use x11rb::protocol::xproto::{Screen, Setup, VisualClass, Visualtype};
 
-/// A kind of pixel: colours stand in it as they are, without a table.
+/// A TrueColor visual and its image format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Visual {
     pub(super) id: u32,
     /// Bits that mean something.
     pub(super) depth: u8,
-    /// Bits that a pixel takes in an image: 8, 16, 24 or 32.
+    /// Bits per pixel in an image: 8, 16, 24 or 32.
     pub(super) bits: u8,
-    /// A row of an image is filled up to a multiple of this many bits.
+    /// Image rows are padded to a multiple of this many bits.
     pub(super) pad: u8,
     pub(super) red: u32,
     pub(super) green: u32,
     pub(super) blue: u32,
-    /// It is not the screen's own, and needs a colour map of its own.
+    /// Not the root's visual, so it needs its own colormap.
     pub(super) foreign: bool,
 }
 
-/// The depths that are looked for, best first.
+/// Best first.
 const DEPTHS: [u8; 5] = [24, 30, 32, 16, 15];
 
-/// The screen's own visual if it will do, else the best that will; `None` on a
-/// screen that knows only palettes and greys.
+/// The root's visual if usable, else the best that is; `None` if there is no TrueColor visual.
 pub(super) fn choose(setup: &Setup, screen: &Screen) -> Option<Visual> {
     let all = || {
         screen.allowed_depths.iter().flat_map(|depth| {
@@ -63,7 +62,7 @@ fn usable(setup: &Setup, depth: u8, visual: &Visualtype, own: u32) -> Option<Vis
     })
 }
 
-/// One run of set bits, at most 16 of them.
+/// Whether the mask is one run of at most 16 set bits.
 fn contiguous(mask: u32) -> bool {
     let run = mask.checked_shr(mask.trailing_zeros()).unwrap_or(0);
     run != 0 && run <= 0xffff && run & (run + 1) == 0

@@ -1,4 +1,4 @@
-//! The window on the server: made, named and described for window managers.
+//! Creating the window on the server, and describing it to window managers.
 
 use x11rb::connection::Connection as _;
 use x11rb::properties::{WmHints, WmHintsState, WmSizeHints, WmSizeHintsSpecification};
@@ -14,7 +14,7 @@ use super::visual::Visual;
 use super::{Options, connect, icon, scale};
 use crate::error::{Error, Result};
 
-/// What is asked of the server to be told.
+/// The events selected on our window.
 pub(super) fn events() -> EventMask {
     EventMask::KEY_PRESS
         | EventMask::KEY_RELEASE
@@ -30,21 +30,21 @@ pub(super) fn events() -> EventMask {
         | EventMask::PROPERTY_CHANGE
 }
 
-/// Of a title no more is told to the window manager, letters.
+/// In characters.
 const LONGEST_TITLE: usize = 1000;
 
-/// The window's names on the server.
+/// The window's identifiers on the server.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
     pub(super) window: u32,
-    /// The graphics context that images are sent with.
+    /// The graphics context for images.
     pub(super) context: u32,
-    /// The inner size, pixels.
+    /// The inner size in pixels.
     pub(super) size: (u32, u32),
 }
 
-/// Asks to be told of another resolution, and of a manager of settings that begins.
-/// Before they are looked at, so that nothing is missed in between.
+/// Selects changes of the X resources and the start of a settings manager; call before reading
+/// either, so that no change is missed.
 pub(super) fn watch_desktop(connection: &Connection) -> Result<()> {
     let mask = EventMask::PROPERTY_CHANGE | EventMask::STRUCTURE_NOTIFY;
     let watch = ChangeWindowAttributesAux::new().event_mask(mask);
@@ -52,10 +52,6 @@ pub(super) fn watch_desktop(connection: &Connection) -> Result<()> {
     asked.map(drop).map_err(|error| connection.lost(error))
 }
 
-/// Makes a window and shows it.
-///
-/// # Errors
-/// `ErrorKind::Display`; `ErrorKind::Argument` if the window that it belongs to is none.
 pub(super) fn create(
     connection: &Connection,
     visual: &Visual,
@@ -75,7 +71,7 @@ pub(super) fn create(
     Ok(frame)
 }
 
-/// The group of windows that a window of the host's is in: it may lead one itself.
+/// The window group of a host's window, which may be its own leader.
 fn group_of(connection: &Connection, window: u32) -> Result<u32> {
     let exists = connection.answer(connection.get_window_attributes(window))?;
     if exists.is_none() {
@@ -121,8 +117,7 @@ fn make(
     } else {
         screen.default_colormap
     };
-    // Without a background nothing flickers before it is painted; the border
-    // must be named where the depth is not the parent's.
+    // No background, to avoid flicker; a border pixel is needed if the depth is not the parent's.
     let attributes = CreateWindowAux::new()
         .border_pixel(0)
         .bit_gravity(Gravity::NORTH_WEST)
@@ -159,10 +154,9 @@ fn make(
     })
 }
 
-/// A size in points as one in pixels that the screen has room for.
 fn in_pixels(size: [f32; 2], scale: f32, most: (u16, u16)) -> (u16, u16) {
     let pixels = |points: f32, most: u16| (points * scale).round().clamp(1.0, most.max(1).into());
-    // A number that is none becomes 0 here, which no window may have.
+    // NaN becomes 0 here, which X does not allow as a size.
     let whole = |pixels: f32| (pixels as u16).max(1);
     (
         whole(pixels(size[0], most.0)),
@@ -241,7 +235,7 @@ fn describe(
             &[owner],
         )?;
     }
-    // It leads a group of its own where the host's windows are not known.
+    // Without a window of the host's, it leads a group of its own.
     let leader = [window];
     connection.change_property32(
         replace,
@@ -260,7 +254,6 @@ fn describe(
     set_sizes(connection, window, options.smallest, scale, frame.size)
 }
 
-/// Tells the window manager the smallest size, given in points.
 pub(super) fn set_sizes(
     connection: &Connection,
     window: u32,
@@ -281,7 +274,6 @@ pub(super) fn set_sizes(
     sizes.set_normal_hints(&**connection, window).map(drop)
 }
 
-/// Another title, for new and for old window managers.
 pub(super) fn set_title(connection: &Connection, window: u32, title: &str) -> Result<()> {
     let title = title.chars().filter(|c| !c.is_control());
     let title: String = title.take(LONGEST_TITLE).collect();
@@ -305,8 +297,8 @@ pub(super) fn set_title(connection: &Connection, window: u32, title: &str) -> Re
     set().map_err(|error: x11rb::errors::ConnectionError| connection.lost(error))
 }
 
-/// What WM_CLASS holds: the instance is the program, so that a desktop sees whose
-/// window it is; the class is the same everywhere (ICCCM 4.1.2.5).
+/// WM_CLASS: the instance is the program, so that a desktop sees whose window it is; the class is
+/// always "Vides" (ICCCM 4.1.2.5).
 fn class(application: &str) -> Vec<u8> {
     let mut class = latin1(application);
     class.retain(|letter| *letter != 0);
@@ -317,7 +309,6 @@ fn class(application: &str) -> Vec<u8> {
     class
 }
 
-/// Text for those who know no Unicode.
 fn latin1(text: &str) -> Vec<u8> {
     let letter = |c: char| match c {
         '\u{2010}'..='\u{2015}' => b'-',
@@ -328,7 +319,7 @@ fn latin1(text: &str) -> Vec<u8> {
     text.chars().map(letter).collect()
 }
 
-/// The locale of the texts, as C programs look it up.
+/// The locale, found as C programs do.
 fn locale() -> String {
     let set = |name| std::env::var(name).ok().filter(|value| !value.is_empty());
     let found = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().find_map(set);
@@ -337,15 +328,15 @@ fn locale() -> String {
         .unwrap_or_else(|| "C".to_owned())
 }
 
-/// To the front, with the keyboard; `top` is the top-level window around it. `time` is that of the user's last action.
+/// Raises the window and asks for the focus. `top` is the top-level window around it, `time` that
+/// of the last user action.
 pub(super) fn raise(connection: &Connection, window: u32, top: u32, time: u32) -> Result<()> {
     let lost = |error| connection.lost(error);
     connection.map_window(window).map_err(lost)?;
     let above = ConfigureWindowAux::new().stack_mode(StackMode::ABOVE);
     connection.configure_window(window, &above).map_err(lost)?;
-    // Window managers do it when they are asked so; where there is none, the
-    // keyboard is taken. A window that is not yet to be seen cannot have it:
-    // the server's complaint of that is of no use to anyone.
+    // Window managers act on the message; without one, the focus is set here. A window not yet
+    // viewable cannot have it; the server's error about that is ignored.
     let data = [1, time, 0, 0, 0];
     let kind = connection.atoms()._NET_ACTIVE_WINDOW;
     let message = ClientMessageEvent::new(32, top, kind, data);
@@ -358,7 +349,6 @@ pub(super) fn raise(connection: &Connection, window: u32, top: u32, time: u32) -
     focus.map(drop).map_err(lost)
 }
 
-/// Answers a window manager that asks whether we are alive.
 pub(super) fn answer_ping(connection: &Connection, question: &ClientMessageEvent) -> Result<()> {
     let root = connection.screen().root;
     let answer = ClientMessageEvent {
