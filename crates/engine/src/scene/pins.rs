@@ -18,9 +18,8 @@ pub struct Pinned {
 /// What pins make of a path: points with the frames of their markers, in the order of the points.
 ///
 /// # Errors
-/// [`crate::Error::Range`] if the sections between two pins cannot have so few or so many frames,
-/// [`crate::Error::Argument`] if a marker comes before that of the pin before,
-/// [`crate::Error::Memory`].
+/// [`crate::Error::Range`] if the sections between two pins cannot have so many frames,
+/// [`crate::Error::Argument`] if markers lie in another order, [`crate::Error::Memory`].
 pub fn pinned(path: &CameraPath, timeline: &Timeline, pins: &[(usize, f64)]) -> Result<Pinned> {
     let mut fixed = Vec::new();
     let Some(&(first, start)) = pins.first() else {

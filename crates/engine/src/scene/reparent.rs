@@ -13,8 +13,7 @@ use crate::error::{Error, Invalid, Result, vec_with_room};
 const KEPT: f64 = 1e-9;
 
 impl Scene {
-    /// Changes the rest values of `new`, node `at` in another parent, so that its world matrix
-    /// stays.
+    /// Changes the rest values of `new`, node `at` in another parent, to keep its world matrix.
     pub(super) fn keep_world(&self, at: usize, new: &mut Node) -> Result<()> {
         if let Some(parent) = new.parent {
             self.node(parent)?;
