@@ -1,8 +1,5 @@
-//! Faults on demand, for the tests: places where the library can be told to panic, or to report
-//! that they are passed.
-//!
-//! Only the feature `inject` (see `tests/calls`) has them, with three functions that C finds by
-//! name; without it [`point`] does nothing.
+//! Faults on demand for tests (feature `inject`, see `tests/calls`): places where the library can
+//! be told to panic, or to report that they are passed. Otherwise [`point`] does nothing.
 
 /// Where a panic can be injected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,8 +45,8 @@ mod on_demand {
     use super::Place;
 
     thread_local! {
-        /// The place that is watched, how often it is still passed before it panics (negative:
-        /// never), and how often it was passed.
+        /// The watched place, how often it is passed before a panic (negative: never), and was
+        /// passed.
         static WATCHED: Cell<(c_int, c_int, c_int)> = const { Cell::new((-1, -1, 0)) };
         /// Called at every place that is passed.
         static TOLD: Cell<Option<extern "C" fn(c_int)>> = const { Cell::new(None) };
@@ -79,7 +76,6 @@ mod on_demand {
         TOLD.set(tell);
     }
 
-    /// How often the watched place was passed.
     #[unsafe(no_mangle)]
     pub(super) extern "C" fn v_test_passed() -> c_int {
         WATCHED.get().2

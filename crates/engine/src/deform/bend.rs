@@ -4,8 +4,7 @@ use glam::DVec3;
 
 use super::Bounds;
 
-/// Bends the middle line, which keeps its length, into an arc of `angle` (radians) about `axis`;
-/// beyond the ends it goes on straight.
+/// Bends the middle line, keeping its length, by `angle` (radians) about `axis`; straight beyond.
 pub(super) fn by_angle(bounds: &Bounds, axis: usize, angle: f64, points: &mut [DVec3]) {
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
     for point in points {
@@ -22,7 +21,6 @@ pub(super) fn by_angle(bounds: &Bounds, axis: usize, angle: f64, points: &mut [D
     }
 }
 
-/// sin x / x.
 fn sinc(x: f64) -> f64 {
     // The next term of the series is below half a unit in the last place.
     if x.abs() < 1e-4 {

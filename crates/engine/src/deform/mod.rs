@@ -94,12 +94,10 @@ impl Form {
 }
 
 impl Deformation {
-    /// A deformation by its kind (`taper`, `twist`, `bend`, `free-form`) and parameters; angles in
-    /// degrees, axes 0, 1, 2.
+    /// By its kind, `taper`, `twist`, `bend` or `free-form`; angles in degrees, axes 0, 1, 2.
     ///
     /// # Errors
-    /// [`Error::Argument`] if there is no such kind, [`Error::Range`] or
-    /// [`Error::Argument`] for the parameters, [`Error::Memory`].
+    /// [`Error::Argument`] for the kind; that, [`Error::Range`] for parameters; [`Error::Memory`].
     pub fn new(kind: &str, parameters: &[f64]) -> Result<Self> {
         if !FORMS.iter().any(|form| form.kind() == kind) {
             return Err(Invalid::NoDeformation(kind.into()).into());

@@ -1,6 +1,5 @@
 //! The causes of errors, one enum for each [`ErrorKind`](super::ErrorKind) of the engine. The
-//! sentence above a variant is its documentation and its text in English; the editor's
-//! `texts/german.rs` has it in German.
+//! sentence above a variant is its documentation, too; the German one is in `texts/german.rs`.
 
 use std::fmt;
 

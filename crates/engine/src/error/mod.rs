@@ -1,5 +1,4 @@
-//! What can go wrong in the engine, and where. The text of an error is one English sentence, fit to
-//! be shown to a person as it stands.
+//! Errors of the engine: each is one English sentence, fit to be shown to a person as it stands.
 
 mod causes;
 
@@ -155,8 +154,7 @@ impl<E: fmt::Display> fmt::Display for Cause<E> {
     }
 }
 
-/// A name or another text from elsewhere; empty where there is no memory for a copy: an error
-/// message must not abort a program that has run out of it.
+/// A name or another text from elsewhere; empty where there is no memory left for a copy.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Text(String);
 
@@ -212,8 +210,7 @@ pub fn reason(error: &std::io::Error) -> String {
 /// Room for the longest message of the C border.
 const LINE_BYTES: usize = 2048;
 
-/// Writes a sentence to standard error as one line, in one piece so that nobody else's text comes
-/// between, and cut where it is too long.
+/// Writes one line to standard error, cut to fit, in one piece so that no other text comes between.
 #[doc(hidden)]
 pub fn complain(sentence: impl fmt::Display) {
     use std::io::Write as _;
@@ -260,8 +257,7 @@ pub fn vec_with_room<T>(capacity: usize) -> Result<Vec<T>> {
     Ok(vec)
 }
 
-/// Checks that so many bytes can be allocated just now, for what follows and would abort, as parts
-/// of the standard library do.
+/// Checks that so many bytes can be had now, for what would abort without them, as parts of std do.
 #[doc(hidden)]
 pub fn can_allocate(bytes: usize) -> Result<()> {
     // The compiler would leave out an allocation that is not used.

@@ -23,8 +23,7 @@ pub(super) fn steep(view: DVec3, up: Up) -> bool {
     view.x.hypot(view.z) < POLE
 }
 
-/// The orientation that looks along `view` with the space's up, turned by `roll` (radians); at a
-/// pole it has the yaw of `last`, a view that has one.
+/// Looks along `view` with the space's up, turned by `roll` (radians); at a pole with `last`'s yaw.
 pub(super) fn aimed(view: DVec3, last: Option<DVec3>, roll: f64, axes: Up) -> DQuat {
     let upright = axes.upright(view);
     let up = match last.map(|last| axes.upright(last)) {

@@ -67,7 +67,7 @@ impl Scene {
         self.run(&self.order, frame, states, troubles, Search::Back)
     }
 
-    /// Whether evaluating it once prepared asks no host's function and needs no memory (no aims).
+    /// Whether evaluating it, once prepared, asks no host's function and needs no memory for aims.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         self.nodes.iter().all(|node| {
@@ -266,7 +266,6 @@ impl Scene {
         Ok(scratch)
     }
 
-    /// Evaluates some nodes; in `order` each comes after what it needs.
     fn run(
         &self,
         order: &[usize],
@@ -321,7 +320,6 @@ impl Scene {
         Ok(())
     }
 
-    /// The orientation of a node that aims, blended with its own.
     #[expect(clippy::too_many_arguments)]
     fn aimed(
         &self,
@@ -365,8 +363,7 @@ impl Scene {
         })
     }
 
-    /// The last direction in which a node saw its target before a frame where it has none (or,
-    /// `with_yaw`, none but a steep one); else the next one.
+    /// The last direction, not steep if `with_yaw`, in which a node saw its target; else the next.
     fn last_view(
         &self,
         at: usize,

@@ -25,8 +25,7 @@ pub(super) fn local(node: &Node, values: &Values) -> DAffine3 {
     }
 }
 
-/// The orientation of a matrix whose view is its z axis and whose up its y axis: made perpendicular
-/// in this order, mirroring dropped, axes of length 0 replaced.
+/// The rotation whose view is a matrix's z axis and whose up its y axis; zero axes are replaced.
 pub(super) fn orthonormal(matrix: DMat3) -> DQuat {
     let usable = |v: DVec3| v.try_normalize().filter(|v| v.is_finite());
     let view = usable(matrix.z_axis)

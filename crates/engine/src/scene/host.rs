@@ -24,8 +24,7 @@ pub type Function = dyn Fn(Question<'_>, &mut [f64]) -> bool + Send + Sync;
 
 static FUNCTIONS: RwLock<Vec<(String, Arc<Function>)>> = RwLock::new(Vec::new());
 
-/// Makes a function known as `host:NAME`, in place of an older one; `None` takes it away. An
-/// evaluation under way may still call the older one.
+/// Registers a function as `host:NAME`, or removes it. An evaluation may still call the old one.
 ///
 /// # Errors
 /// [`crate::Error::Argument`] for the name, [`crate::Error::Limit`], [`crate::Error::Memory`].
@@ -59,7 +58,6 @@ pub(super) fn function(name: &str) -> Option<Arc<Function>> {
     Some(Arc::clone(function))
 }
 
-/// A name for a function: one line, not empty.
 pub(super) fn check_function_name(name: &str) -> Result<()> {
     check_name(name)?;
     if name.is_empty() {

@@ -36,8 +36,7 @@ impl Scene {
     /// Sets a marker, or moves the one of this name and with it the points pinned to it.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`], [`crate::Error::Range`], [`crate::Error::Limit`],
-    /// [`crate::Error::Memory`]; as [`super::pins::pinned`]. Nothing has changed then.
+    /// What is wrong with name or frame, or as [`super::pins::pinned`]; nothing has changed then.
     pub fn set_marker(&mut self, name: &str, frame: f64) -> Result<()> {
         check_node_name(name).map_err(|error| error.at(Place::Marker))?;
         check_frame(frame)?;
@@ -67,7 +66,7 @@ impl Scene {
         self.pins.retain(|pin| pin.marker != name);
     }
 
-    /// Fits all paths with pins to a marker.
+    /// Fits every path that is pinned to a marker.
     fn hold_at(&mut self, marker: &str) -> Result<()> {
         let mut held: Vec<(usize, FollowPath)> = Vec::new();
         for pin in self.pins.iter().filter(|pin| pin.marker == marker) {
@@ -110,9 +109,8 @@ impl Scene {
     /// Pins a point of a node's path to a marker, or frees it ([`super::pins`]).
     ///
     /// # Errors
-    /// [`crate::Error::Range`] if there is no such point, [`crate::Error::Argument`] if there is no
-    /// such marker, [`crate::Error::Limit`], [`crate::Error::Memory`]; as [`super::pins::pinned`].
-    /// Nothing has changed then.
+    /// [`crate::Error::Range`] for the point, [`crate::Error::Argument`] for the marker,
+    /// [`crate::Error::Limit`], or as [`super::pins::pinned`]; nothing has changed then.
     pub fn pin(&mut self, at: usize, point: usize, marker: Option<&str>) -> Result<()> {
         let node = self.node(at)?;
         let count = node.path().map_or(0, |path| path.path().points.len());

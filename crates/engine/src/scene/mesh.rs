@@ -99,7 +99,6 @@ pub struct Object {
     deformations: Vec<(Deformation, Option<Bounds>)>,
 }
 
-/// What an object without geometry has.
 static EMPTY: Mesh = Mesh {
     points: Vec::new(),
     colours: Vec::new(),
@@ -217,7 +216,8 @@ impl Object {
         &self.deformations
     }
 
-    /// Adds a deformation behind the others and gives its number; without a box it has the mesh's.
+    /// Adds a deformation behind the others and returns its number. Without a box it has the
+    /// mesh's.
     ///
     /// # Errors
     /// [`crate::Error::Limit`], [`crate::Error::Memory`].

@@ -33,7 +33,7 @@ pub struct FollowPath {
 }
 
 impl FollowPath {
-    /// A path whose pose n is shown at the frame `start_frame` + n − 1; `beyond` is for the others.
+    /// A path whose pose n is shown at the frame `start_frame` + n − 1, and `beyond` outside of it.
     ///
     /// # Errors
     /// What is wrong with the path; [`crate::Error::Argument`] for the start or [`Beyond::Offset`];

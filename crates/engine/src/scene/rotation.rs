@@ -38,7 +38,6 @@ struct Arc {
     scale: f64,
 }
 
-/// What lies between the keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Between {
     /// Nothing of its own.

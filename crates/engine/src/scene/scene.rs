@@ -157,7 +157,7 @@ impl Scene {
         moving.or_else(|| cameras().next()).map(|(at, _)| at)
     }
 
-    /// Adds a node behind the others and gives its number.
+    /// Adds a node behind the others and returns its number.
     ///
     /// # Errors
     /// What is wrong with it; nothing has changed then.
@@ -188,7 +188,6 @@ impl Scene {
         Ok(at)
     }
 
-    /// Whether one more level fits below a node.
     fn check_below(&self, parent: usize, name: &str) -> Result<()> {
         let place = |error: Error| error.at(Place::Node(name.into()));
         self.node(parent).map_err(place)?;
@@ -199,7 +198,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Removes a node with all that is in it. The numbers behind move up, aims at what goes end.
+    /// Removes a node with all that is in it. Later ones move up; aims at what is removed end.
     ///
     /// # Errors
     /// [`Error::Range`] if there is none, [`Error::Memory`].
@@ -313,7 +312,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Sets the path of a node. Pins of points that are gone go, the others hold ([`super::pins`]).
+    /// Sets the path of a node. Pins of points that it lacks go, the others hold ([`super::pins`]).
     ///
     /// # Errors
     /// [`Error::Range`] for the node; as [`Node::set_path`] and [`super::pins::pinned`].
@@ -449,7 +448,7 @@ impl Scene {
         self.object_mut(at)?.set_weights(weights)
     }
 
-    /// Adds a deformation to an object, behind the others, and gives its number.
+    /// Adds a deformation to an object, behind the others, and returns its number.
     ///
     /// # Errors
     /// [`Error::Range`], [`Error::Argument`], [`Error::Limit`], [`Error::Memory`].
@@ -497,7 +496,7 @@ impl Scene {
             .unwrap_or((1.0, 1.0))
     }
 
-    /// About how many bytes a copy takes: asked for before one is made, which cannot give up.
+    /// About how many bytes a copy takes: to be checked before making one, which would abort.
     #[must_use]
     pub fn weight(&self) -> usize {
         let nodes = self.nodes.iter().map(|node| {
@@ -552,7 +551,6 @@ fn taken(name: &str) -> Error {
     Error::Argument(Invalid::NodeTwice(name.into()))
 }
 
-/// A copy, or [`Error::Memory`].
 pub(super) fn copy(text: &str) -> Result<String> {
     let mut copy = String::new();
     copy.try_reserve_exact(text.len())?;

@@ -39,7 +39,6 @@ impl NodeState {
 /// What went wrong while the rest went on; the first of it is kept.
 #[derive(Debug, Default)]
 pub struct Troubles {
-    /// The node that is being evaluated.
     pub(super) node: usize,
     first: Option<(usize, Invalid)>,
 }

@@ -6,7 +6,7 @@ pub enum Beyond {
     /// The first or the last value stays.
     #[default]
     Hold,
-    /// All over again; the period is last − first frame, and at the seam the last value counts.
+    /// Starts over; the period is the last frame less the first, the last value counts at the seam.
     Repeat,
     /// Back and forth.
     PingPong,

@@ -103,7 +103,6 @@ pub struct Track {
     shape: Vec<f64>,
     before: Beyond,
     after: Beyond,
-    /// Numbers of a key.
     width: usize,
     prepared: Prepared,
 }
@@ -230,7 +229,6 @@ impl Track {
         self.frames.len() + self.values.len() + self.shape.len()
     }
 
-    /// Moves it to another channel of the same width.
     pub(super) fn set_channel(&mut self, channel: Channel) {
         self.channel = channel;
     }
@@ -520,7 +518,6 @@ impl Track {
         }
     }
 
-    /// Asks the host; false if it has no answer.
     fn ask(&self, name: &str, frame: f64, out: &mut [f64], troubles: &mut Troubles) -> bool {
         let Some(function) = host::function(name) else {
             troubles.add(|| Invalid::NotRegistered {

@@ -50,8 +50,7 @@ impl<'a> Form<'a> {
         Ok(form)
     }
 
-    /// The points, Σ αⱼ Pʲ with Σ αⱼ = 1, the mesh taking what is left, then deformed; others of
-    /// `out` than the mesh has stay.
+    /// Σ αⱼ Pʲ with Σ αⱼ = 1, the mesh taking what is left, then deformed; the rest of `out` stays.
     pub fn points(&self, out: &mut [DVec3]) {
         let base = &self.object.mesh().points;
         let left = 1.0 - self.weights.iter().sum::<f64>();
@@ -100,7 +99,6 @@ impl<'a> Form<'a> {
         Ok(colours)
     }
 
-    /// The shapes whose weight is not 0.
     fn active(&self) -> impl Iterator<Item = (f64, &Shape)> {
         let weights = self.weights.iter().copied();
         let shapes = self.object.shapes().iter().map(|shape| &**shape);

@@ -1,5 +1,4 @@
-//! A blend of paths: Σ αⱼ Pathⱼ with Σ αⱼ = 1 (lecture 9.3.2), point by point; exact for the curve,
-//! which is linear in the points.
+//! A blend of paths, Σ αⱼ Pathⱼ with Σ αⱼ = 1 (lecture 9.3.2), point by point: exact for the curve.
 
 use glam::DVec3;
 

@@ -112,7 +112,6 @@ fn level_turn(axis: Up, from: DVec3, to: DVec3) -> DQuat {
     DQuat::from_xyzw(v.x, v.y, v.z, turn.w)
 }
 
-/// The same where y stands upright.
 fn upright_turn(from: DVec3, to: DVec3) -> DQuat {
     let heading = |v: DVec3| (v.x.hypot(v.z) > 1e-9).then(|| v.x.atan2(v.z));
     let (Some(a), Some(b)) = (heading(from), heading(to)) else {
@@ -184,9 +183,7 @@ fn placing(path: &CameraPath, at: usize, block: &CameraPath, fit: Fit) -> Result
     })
 }
 
-/// A block put in behind a point. But for [`Fit::None`] its first point becomes one with that
-/// point, whose name and views stay; for [`Fit::Scale`] so does its last one with the next point.
-/// With `with_targets` its targets go along.
+/// A block put in behind a point (`docs/tools.md`, blocks); `with_targets` moves its targets, too.
 ///
 /// # Errors
 /// [`Error::Range`], [`Error::Argument`], [`Error::Limit`] or [`Error::Memory`].

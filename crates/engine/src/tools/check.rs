@@ -1,8 +1,7 @@
 //! What will look wrong in a film. Lengths count in half sizes of the space.
 //!
-//! Frames are compared by differences of the first and second order. Between frames a view that
-//! jumps is found by halving the interval, a cusp by the least tangent of the curve, a jump of the
-//! speed by differences on both sides of a key.
+//! Between frames a view that jumps is found by halving the interval, a cusp by the least tangent
+//! of the curve, a jump of the speed by differences on both sides of a key.
 
 use glam::{DQuat, DVec3};
 
@@ -450,7 +449,7 @@ impl Scan<'_> {
         let places = |k: i32| 0.05 + 0.9 * f64::from(k) / 256.0;
         for u in (0..=256).map(places) {
             let speed = timing.speed(u) / BASE_SPEED;
-            // A thousandth of the fastest speed is no slow film.
+            // Half the least speed: a section all at that speed is slow, but has no cusp.
             if speed < least.0.min(0.5 / BASE_SPEED) {
                 least = (speed, Some(u));
             }

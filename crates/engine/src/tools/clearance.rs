@@ -197,7 +197,6 @@ fn build(primitives: &mut [Primitive], first: usize, nodes: &mut Vec<Node>) {
 }
 
 impl Primitive {
-    /// Its point nearest to `p`.
     fn nearest(&self, p: DVec3) -> DVec3 {
         let [a, b, c] = self.0;
         let (ab, ac) = (b - a, c - a);

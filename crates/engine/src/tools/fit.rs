@@ -1,10 +1,8 @@
 //! Recorded poses become a path of few points.
 //!
-//! Noise is taken out first (`smooth.rs`). Then pieces, each as long as it may be, are fitted one
-//! after the other: a cubic by least squares with its parameters projected anew (Schneider 1990)
-//! that goes on in the direction of the one before; the way over the time as given distances; the
-//! turning as a spherical Bézier curve and the zoom as a cubic. If the path then misses a pose, all
-//! is done again with the noise left in.
+//! Noise is taken out first (`smooth.rs`); then pieces, each as long as it may be, are fitted one
+//! after the other (Schneider 1990; `docs/tools.md`, fit). If the path misses a pose after all, it
+//! is made again with the noise left in.
 
 mod piece;
 
@@ -115,7 +113,6 @@ pub fn fit(
 }
 
 impl Data {
-    /// Pieces from the first pose to the last, and the path of them.
     fn fitted(&self, progress: Progress<'_>) -> Result<CameraPath> {
         let (data, last) = (self, self.raw.len() - 1);
         let mut pieces: Vec<Piece> = Vec::new();
@@ -260,7 +257,6 @@ impl Data {
         Ok(smooth)
     }
 
-    /// Whole frames from one pose to another.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     fn frames(&self, first: usize, last: usize) -> u32 {
         (self.times[last].round() - self.times[first].round()) as u32

@@ -281,7 +281,6 @@ const RISE: Parameter = Parameter {
     ..degrees("rise", "how steeply the camera is above the target", 15.0)
 };
 
-/// The numbers of a move by their names.
 struct Given<'a> {
     parameters: &'static [Parameter],
     numbers: &'a [f64],
@@ -421,7 +420,6 @@ fn keep_zoom_linear(path: &mut CameraPath) -> Result<()> {
     Ok(())
 }
 
-/// A point of a move with its one view.
 fn point(given: &Given<'_>, offset: DVec3, tangent: Option<DVec3>) -> Result<SupportPoint> {
     let around = given.place("around");
     let mut point = SupportPoint::try_new(around + given.space.up.world(offset))?;
@@ -447,7 +445,6 @@ fn straight(given: &Given<'_>, [from, to]: [DVec3; 2]) -> Result<Vec<SupportPoin
     Ok(points)
 }
 
-/// Straight towards the target.
 fn towards(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
     let [from, to, angle, rise] = given.numbers(["distance", "end-distance", "from", "rise"]);
     let (sin, cos) = rise.to_radians().sin_cos();
@@ -492,7 +489,6 @@ fn around(
     Ok(points)
 }
 
-/// On the spot: points at one place, each with a view.
 #[allow(
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,

@@ -71,8 +71,7 @@ impl Quantity {
         }
     }
 
-    /// Its values over a film: pairs of frame and value. Differences lie between two frames;
-    /// without an object there is no clearance.
+    /// Pairs of frame and value over a film; differences lie between two frames.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].

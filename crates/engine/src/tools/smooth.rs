@@ -1,8 +1,6 @@
 //! Noise taken out of recorded channels: a cubic spline with continuous slope by least squares,
-//! whose pieces are halved where it misses by more than it may.
-//!
-//! The normal equations of a Hermite spline are block tridiagonal with 2×2 blocks (value and
-//! slope), so that a solution takes linear time; halving needs logarithmically many.
+//! whose pieces are halved where it misses too much. Its normal equations are block tridiagonal
+//! with 2×2 blocks (value and slope), so that a solution takes linear time.
 
 use glam::{DMat2, DVec2};
 

@@ -120,7 +120,6 @@ fn slope(place: &impl Fn(DVec3) -> DVec3, bounds: &Bounds, at: DVec3, axis: usiz
         step = step.min(size[axis] / 8.0);
     }
     let (low, high) = (at[axis] - bounds.min()[axis], bounds.max()[axis] - at[axis]);
-    // Whether a side is too near, inside or outside.
     let near = |away: f64| size[axis] > 0.0 && away.abs() < step;
     let way = match (near(low), near(high)) {
         (true, _) => step.copysign(if low < 0.0 { -1.0 } else { 1.0 }),

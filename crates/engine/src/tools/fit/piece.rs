@@ -301,9 +301,8 @@ impl Data {
         Ok(best.map(|(_, curve, places)| (curve, places)))
     }
 
-    /// Control quaternions that turn from the first to the last of some poses by least squares
-    /// (Gauss and Newton; a small turn of a control quaternion acts with its Bernstein polynomial),
-    /// as far as a key may own such velocities.
+    /// Control quaternions from the first to the last of some poses by Gauss–Newton (a small turn
+    /// of one acts with its Bernstein polynomial), as far as a key may own such velocities.
     fn turning(&self, chosen: &[usize], ways: &[f64]) -> Option<[DQuat; 4]> {
         let (a, b) = (
             self.smooth[chosen[0]].turn,
@@ -373,7 +372,6 @@ fn timing(pace: &Pace) -> Result<Timing> {
     Timing::new(&orientation, None, None)
 }
 
-/// A cubic from its ends and its slopes there.
 fn hermite(t: f64, [from, to]: [f64; 2], [leave, reach]: [f64; 2]) -> f64 {
     let (a, b) = (t * t * (3.0 - 2.0 * t), t * (1.0 - t));
     from * (1.0 - a) + to * a + leave * b * (1.0 - t) - reach * b * t
