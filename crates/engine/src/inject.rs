@@ -45,8 +45,8 @@ mod on_demand {
     use super::Place;
 
     thread_local! {
-        /// The watched place, how often it is passed before a panic (negative: never), and was
-        /// passed.
+        /// The watched place, its passes left before a panic (negative: never), and its passes so
+        /// far.
         static WATCHED: Cell<(c_int, c_int, c_int)> = const { Cell::new((-1, -1, 0)) };
         /// Called at every place that is passed.
         static TOLD: Cell<Option<extern "C" fn(c_int)>> = const { Cell::new(None) };

@@ -216,8 +216,7 @@ impl Object {
         &self.deformations
     }
 
-    /// Adds a deformation behind the others and returns its number. Without a box it has the
-    /// mesh's.
+    /// Adds a deformation behind the others and returns its number; no box: that of the mesh.
     ///
     /// # Errors
     /// [`crate::Error::Limit`], [`crate::Error::Memory`].

@@ -373,7 +373,7 @@ impl Names {
     }
 }
 
-/// The path backwards: the same poses in reverse order; views along the way look along the new one.
+/// The path backwards: the same poses in reverse order, but views along the way look along the new.
 ///
 /// # Errors
 /// [`Error::Memory`].
