@@ -217,7 +217,6 @@ pub fn complain(sentence: impl fmt::Display) {
     let mut line = [0; LINE_BYTES];
     let length = {
         let mut rest = &mut line[..LINE_BYTES - 1];
-        // Cuts what does not fit, without allocating.
         let _ = write!(rest, "vides: {sentence}");
         LINE_BYTES - 1 - rest.len()
     };

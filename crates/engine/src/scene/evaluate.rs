@@ -67,7 +67,7 @@ impl Scene {
         self.run(&self.order, frame, states, troubles, Search::Back)
     }
 
-    /// Whether evaluating it, once prepared, asks no function of the host's and nobody aims.
+    /// Whether no host's function interpolates and nobody aims: once prepared, it needs no memory.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         self.nodes.iter().all(|node| {

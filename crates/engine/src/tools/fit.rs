@@ -38,7 +38,6 @@ pub struct Tolerance {
 /// Called now and then with the poses done and all of them; false ends the work.
 pub type Progress<'a> = &'a mut dyn FnMut(usize, usize) -> bool;
 
-/// All poses, as they came and without noise.
 struct Data {
     /// In frames from the first.
     times: Vec<f64>,
