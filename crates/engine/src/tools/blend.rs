@@ -106,7 +106,7 @@ fn blended(
     for (n, speed) in new.speeds.iter_mut().enumerate() {
         *speed = sum(&|k| of(k).1.speeds[n]);
     }
-    // Where not all fix the frames, the leader's hold; what else not all own is not set.
+    // Frames not fixed by all are the leader's; slopes and velocities not owned by all are not set.
     let owned = |value: &dyn Fn(&Own) -> Option<f64>| -> Option<f64> {
         let parts = (0..all.len()).map(|k| Some(all[k].1 * value(&of(k).1.own)?));
         parts.sum()

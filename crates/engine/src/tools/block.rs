@@ -350,7 +350,7 @@ impl Names {
     fn of(path: &CameraPath) -> Result<Self> {
         let named = || path.points.iter().filter_map(|point| point.name.as_ref());
         let bytes: usize = named().map(String::len).sum();
-        // A set without memory would abort.
+        // Without memory the set would abort.
         can_allocate(bytes + 64 * path.points.len())?;
         Ok(Self(named().cloned().collect()))
     }
@@ -373,7 +373,7 @@ impl Names {
     }
 }
 
-/// The path backwards: the same poses in reverse order, but views along the way look along the new.
+/// The path backwards: its poses in reverse order, but views along the way look along the new one.
 ///
 /// # Errors
 /// [`Error::Memory`].

@@ -449,7 +449,7 @@ impl Scan<'_> {
         let places = |k: i32| 0.05 + 0.9 * f64::from(k) / 256.0;
         for u in (0..=256).map(places) {
             let speed = timing.speed(u) / BASE_SPEED;
-            // Half the least speed: a section all at that speed is slow, but has no cusp.
+            // Half of the least speed: a section all at the least one is slow, but has no cusp.
             if speed < least.0.min(0.5 / BASE_SPEED) {
                 least = (speed, Some(u));
             }

@@ -364,7 +364,7 @@ impl Move {
         self.path_at(given, space, fps, BaseSpeeds::default())
     }
 
-    /// The same with base speeds, which count where it takes 0 seconds: as long as its way.
+    /// The same with base speeds, which count where `seconds` is 0: as long as its way.
     ///
     /// # Errors
     /// As [`Move::path`].
