@@ -1,11 +1,7 @@
-//! Faults on demand, for the tests: places where the library can be told to
-//! panic, or that tell when they are passed.
-//!
-//! Only a library that is built for it has them (feature `inject`, see
-//! `tests/calls`), and with them three functions that C finds by name. In any
-//! other, [`point`] is nothing.
+//! Faults on demand for tests (feature `inject`, see `tests/calls`): places where the library can
+//! be told to panic, or to report that they are passed. Otherwise [`point`] does nothing.
 
-/// Where a panic can be had.
+/// Where a panic can be injected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(not(feature = "inject"), allow(dead_code))]
 pub enum Place {
@@ -25,7 +21,7 @@ pub enum Place {
     Paint,
     /// Before poses are made ready for the host.
     HandOver,
-    /// When they are, or could not be.
+    /// When the poses are ready, or could not be made.
     Prepared,
     /// Before host code is called.
     Callback,
@@ -49,10 +45,10 @@ mod on_demand {
     use super::Place;
 
     thread_local! {
-        /// The place that is watched, how often it is still passed before it
-        /// panics (never, if negative), and how often it was.
+        /// The watched place, its passes left before a panic (negative: never), and its passes so
+        /// far.
         static WATCHED: Cell<(c_int, c_int, c_int)> = const { Cell::new((-1, -1, 0)) };
-        /// Is told of every place that is passed.
+        /// Called at every place that is passed.
         static TOLD: Cell<Option<extern "C" fn(c_int)>> = const { Cell::new(None) };
     }
 
@@ -68,20 +64,18 @@ mod on_demand {
         assert!(left != 0, "wanted by a test");
     }
 
-    /// Watches a place from now on: it panics once, after it was passed so many
-    /// times; never, if `after` is negative.
+    /// Watches a place: it panics once, after it was passed `after` times; never if negative.
     #[unsafe(no_mangle)]
     pub(super) extern "C" fn v_test_panic(place: c_int, after: c_int) {
         WATCHED.set((place, after.max(-1), 0));
     }
 
-    /// Has a function called at every place that is passed; NULL: no more.
+    /// Sets the function that is called at every place that is passed; NULL: none.
     #[unsafe(no_mangle)]
     pub(super) extern "C" fn v_test_tell(tell: Option<extern "C" fn(c_int)>) {
         TOLD.set(tell);
     }
 
-    /// How often the place that is watched was passed.
     #[unsafe(no_mangle)]
     pub(super) extern "C" fn v_test_passed() -> c_int {
         WATCHED.get().2

@@ -1,7 +1,6 @@
 //! Every limit of the library in one place, each with its reason.
 
-/// Support points of one path. Far more than a person places; a path of this
-/// size is prepared in well under a second.
+/// Support points of one path: far more than a person places, prepared in well under a second.
 pub const MAX_POINTS: usize = 100_000;
 
 /// Points of an up path: far more than a person places, and files stay small.
@@ -10,7 +9,7 @@ pub const MAX_UP_PATH_POINTS: usize = 1000;
 /// Different up paths in one path.
 pub const MAX_UP_PATHS: usize = 10;
 
-/// Support points of one path: a curve needs a start and an end.
+/// Fewest support points of one path: a curve needs a start and an end.
 pub const MIN_POINTS: usize = 2;
 
 /// Orientations at one support point (thesis A.4.2).
@@ -25,17 +24,14 @@ pub const SPEEDS: usize = 10;
 /// Points that one division of a segment inserts (`Pos.++`, thesis A.4.1).
 pub const MAX_DIVISION: usize = 10;
 
-/// The largest magnitude of a coordinate, for a path counted in half sizes of its
-/// space: squares and cubes of differences stay far from overflow, and 1e-7 is
-/// still told apart at the far end.
+/// The largest magnitude of a coordinate, in half sizes of the space: cubes of differences stay far
+/// from overflow, and 1e-7 is still resolved at the far end.
 pub const MAX_COORDINATE: f64 = 1e9;
 
-/// The smallest half size of a space: cubes of what matters in it, down to 1e-9 of
-/// the half size, stay far from underflow.
+/// The smallest half size of a space: cubes of lengths down to 1e-9 of it stay far from underflow.
 pub const MIN_HALF_SIZE: f64 = 1e-30;
 
-/// The largest half size of a space: cubes of the largest coordinates there stay
-/// far from overflow.
+/// The largest half size of a space: cubes of the largest coordinates stay far from overflow.
 pub const MAX_HALF_SIZE: f64 = 1e30;
 
 /// The slowest speed of a speed curve (thesis A.4.3).
@@ -53,45 +49,39 @@ pub const MIN_ZOOM: f64 = 1.0;
 /// The largest zoom (thesis A.4.4).
 pub const MAX_ZOOM: f64 = 100.0;
 
-/// Frames that one path may yield: over an hour of film at 25,000 frames a
-/// second, 8 GB of poses, and it fits the `int` that numbers a list in C.
+/// Frames of one path: an hour at 25,000 frames a second, 8 GB of poses; the count fits C's `int`.
 pub const MAX_FRAMES: usize = 100_000_000;
 
 /// Frames that one key may rest.
 pub const MAX_HOLD: u32 = 1_000_000;
 
-/// Bytes of a `.vid` file: every document within the limits here fits in, even
-/// if each number takes its 24 characters; more would only exhaust the memory
-/// of a small machine while it is parsed.
+/// Bytes of a `.vid` file: any document within the limits here at 24 characters a number; more
+/// would only exhaust the memory of a small machine while it is parsed.
 pub const MAX_FILE_BYTES: u64 = 805 << 20;
 
-/// Bytes that parsing a part of a file may take, told beforehand and by far too
-/// many for most: the largest object, written as it is saved, and a little more.
+/// Bytes of memory that parsing a piece of a file may take by an estimate, for most far too high:
+/// the largest object, written as it is saved, and a little more.
 pub const MAX_PARSE_BYTES: usize = 2 << 30;
 
-/// Keys of one section's given distance: more than a person places, and few
-/// enough that slopes need no memory of their own.
+/// Keys of one section's given distance: few enough that slopes need no memory of their own.
 pub const MAX_DISTANCE_KEYS: usize = 32;
 
-/// The largest velocity or slope that a key may own, in degrees or mm for a
-/// frame: far beyond what any curve can follow.
+/// The largest velocity or slope of a key, in degrees or mm a frame: no curve can follow more.
 pub const MAX_RATE: f64 = 1e6;
 
-/// Steps that can be taken back: more than a day's work by hand.
+/// Undo steps: more than a day's work by hand.
 pub const MAX_HISTORY_STEPS: usize = 10_000;
 
-/// Bytes, about, that the steps to be taken back may hold: some large paths
-/// that replaced one another. The newest step is kept whatever its size.
+/// Bytes, about, that the undo steps may hold; the newest is kept whatever its size.
 pub const MAX_HISTORY_BYTES: usize = 256 << 20;
 
 /// Points of the wireframe object that a host or a file hands over.
 pub const MAX_OBJECT_POINTS: usize = 1_000_000;
 
-/// Orientations of all points of one path together: what `MAX_FILE_BYTES` can
-/// hold even if every number takes its 24 characters.
+/// Orientations of all points of one path: what [`MAX_FILE_BYTES`] holds at 24 characters a number.
 pub const MAX_ALL_ORIENTATIONS: usize = 200_000;
 
-/// Frames that a film shows in a second: the fastest cameras there are.
+/// Frames per second of a film: the fastest cameras there are.
 pub const MAX_FPS: f64 = 100_000.0;
 
 /// Bytes of a name, a title or a unit: one line on a screen.
@@ -100,23 +90,19 @@ pub const MAX_NAME_BYTES: usize = 256;
 /// Bytes of a comment.
 pub const MAX_COMMENT_BYTES: usize = 65_536;
 
-/// Control points of one Bézier curve of any degree: de Casteljau costs the
-/// square of it.
+/// Control points of one Bézier curve of any degree: de Casteljau costs the square of it.
 pub const MAX_BEZIER_POINTS: usize = 1_024;
 
 /// Keys of one quaternion spline handed over in a call.
 pub const MAX_KEYS: usize = 1_000_000;
 
-/// Bytes of a text that is pasted from another program: a text field never
-/// needs as much, and a program that sends without an end must not take the
-/// memory.
+/// Bytes of a text pasted from another program, which might send without end.
 pub const MAX_CLIPBOARD_BYTES: usize = 16 << 20;
 
 /// Nodes of one scene: all of them are evaluated for each frame.
 pub const MAX_NODES: usize = 100_000;
 
-/// Levels of a scene's tree: far more than a skeleton has; their scales are
-/// multiplied.
+/// Levels of a scene's tree: far more than a skeleton has; their scales are multiplied.
 pub const MAX_LEVELS: usize = 256;
 
 /// Tracks of one node: every channel, and some hundred numbers of the host.
@@ -128,8 +114,7 @@ pub const MAX_SCENE_NUMBERS: usize = 8_000_000;
 /// Numbers of one of the host's own channels.
 pub const MAX_CHANNEL_WIDTH: usize = 16;
 
-/// The largest tangent of a key, per frame: the largest coordinate within a
-/// millionth of a frame.
+/// The largest tangent of a key, per frame: the largest coordinate within a millionth of a frame.
 pub const MAX_TANGENT: f64 = 1e15;
 
 /// Points of an object's mesh.

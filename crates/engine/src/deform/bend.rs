@@ -4,8 +4,7 @@ use glam::DVec3;
 
 use super::Bounds;
 
-/// Bends the middle line, which keeps its length, into an arc of `angle`
-/// (radians) about `axis`; 0 is the identity. Beyond the ends it goes on straight.
+/// Bends the middle line, keeping its length, by `angle` (radians) about `axis`; straight beyond.
 pub(super) fn by_angle(bounds: &Bounds, axis: usize, angle: f64, points: &mut [DVec3]) {
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
     for point in points {
@@ -22,7 +21,6 @@ pub(super) fn by_angle(bounds: &Bounds, axis: usize, angle: f64, points: &mut [D
     }
 }
 
-/// sin x / x.
 fn sinc(x: f64) -> f64 {
     // The next term of the series is below half a unit in the last place.
     if x.abs() < 1e-4 {
@@ -32,8 +30,7 @@ fn sinc(x: f64) -> f64 {
     }
 }
 
-/// The lecture's bend: u becomes an angle from φ_min to φ_max (radians) about
-/// `centre`, v − v0 the distance from it.
+/// The lecture's bend: u becomes an angle (radians, φ_min…φ_max) about `centre`, v − v0 the radius.
 pub(super) fn polar(
     bounds: &Bounds,
     [a, b]: [usize; 2],

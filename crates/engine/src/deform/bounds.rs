@@ -26,7 +26,7 @@ impl Bounds {
         Ok(Self { min, max })
     }
 
-    /// The smallest box round some points; that of the origin if there are none.
+    /// The smallest box round some points; the origin if there are none.
     #[must_use]
     pub fn of(points: &[DVec3]) -> Self {
         let Some(&first) = points.first() else {
@@ -69,7 +69,6 @@ impl Bounds {
         point
     }
 
-    /// −1…1 from side to side; 0 where the box is flat.
     pub(super) fn coordinate(&self, point: DVec3, axis: usize) -> f64 {
         let (min, max) = (self.min[axis], self.max[axis]);
         if max > min {
@@ -87,7 +86,7 @@ impl Bounds {
         }
     }
 
-    /// Whether a point is in the box, flat sides not looked at.
+    /// Whether a point is in the box; its flat sides are ignored.
     pub(super) fn contains(&self, point: DVec3) -> bool {
         (0..3).all(|axis| self.coordinate(point, axis).abs() <= 1.0)
     }

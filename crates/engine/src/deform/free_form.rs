@@ -7,8 +7,7 @@ use super::Bounds;
 /// Control points of the lattice, 4×4×4.
 pub const LATTICE: usize = 64;
 
-/// The lattice that leaves every point where it is: x, y, z of each control
-/// point in the coordinates of the box, first index fastest.
+/// The identity: x, y, z of each control point in the box's coordinates, first index fastest.
 #[must_use]
 pub fn identity_lattice() -> [f64; 3 * LATTICE] {
     let thirds = [-1.0, -1.0 / 3.0, 1.0 / 3.0, 1.0];

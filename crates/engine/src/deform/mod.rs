@@ -1,10 +1,8 @@
 //! Deformations of space (lecture 9.3.1): taper, twist, bend and free form.
 //!
-//! Each acts on points in the coordinates u, v, w of a box, −1…1 from side to
-//! side. What a flat side of the box has no coordinate for stays where it is.
-//! Axes run cyclically, right-handed: beside axis k lie k + 1 and k + 2. It
-//! knows nothing of who asks: objects of a scene and the points of a path are
-//! deformed by the same lines.
+//! Each acts on points in the coordinates u, v, w of a box, −1…1 from side to side; the coordinate
+//! across a flat side stays. Axes run cyclically, right-handed: beside axis k lie k + 1 and k + 2.
+//! It knows nothing of who asks: objects of a scene and points of a path are deformed alike.
 
 mod bend;
 mod bounds;
@@ -21,16 +19,14 @@ pub use free_form::{LATTICE, identity_lattice};
 /// The largest angle in degrees: a thousand turns.
 const MAX_ANGLE: f64 = 360_000.0;
 
-/// A deformation: its kind and its numbers, in the order in which a caller
-/// gives them.
+/// A deformation: its kind and its numbers, in the order in which a caller gives them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Deformation {
     form: Form,
     parameters: Vec<f64>,
 }
 
-/// The kinds by what they compute; two of them have one name and tell
-/// themselves apart by how many numbers they take.
+/// What is computed; two pairs share a kind's name and differ in how many numbers they take.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Form {
     /// `axis a`: r(u) = 1 + (a−1)(1−u²); a = 2 is the lecture's 2−u².
@@ -66,7 +62,7 @@ impl Form {
         }
     }
 
-    /// Axes that the parameters begin with.
+    /// How many of the parameters are axes; they come first.
     const fn axes(self) -> usize {
         match self {
             Self::Lattice => 0,
@@ -75,8 +71,7 @@ impl Form {
         }
     }
 
-    /// The parameters behind the axes that can change in time: name, place and
-    /// how many numbers.
+    /// The parameters behind the axes, which can change in time: name, index, width.
     const fn channels(self) -> &'static [(&'static str, usize, usize)] {
         match self {
             Self::Bulge => &[("a", 1, 1)],
@@ -99,12 +94,10 @@ impl Form {
 }
 
 impl Deformation {
-    /// A deformation by the name of its kind (`taper`, `twist`, `bend`,
-    /// `free-form`) and its parameters; angles in degrees, axes 0, 1, 2.
+    /// By its kind, `taper`, `twist`, `bend` or `free-form`; angles in degrees, axes 0, 1, 2.
     ///
     /// # Errors
-    /// [`Error::Argument`] if there is no such kind, [`Error::Range`] or
-    /// [`Error::Argument`] for the parameters, [`Error::Memory`].
+    /// [`Error::Argument`] for the kind; that, [`Error::Range`] for parameters; [`Error::Memory`].
     pub fn new(kind: &str, parameters: &[f64]) -> Result<Self> {
         if !FORMS.iter().any(|form| form.kind() == kind) {
             return Err(Invalid::NoDeformation(kind.into()).into());
@@ -151,8 +144,7 @@ impl Deformation {
         &self.parameters
     }
 
-    /// The names of the parameters that may change in time, and how many
-    /// numbers each has.
+    /// The names of the parameters that may change in time, with their widths.
     pub fn channels(&self) -> impl Iterator<Item = (&'static str, usize)> + use<> {
         let channels = self.form.channels().iter();
         channels.map(|&(name, _, width)| (name, width))
@@ -166,17 +158,15 @@ impl Deformation {
         Some(&self.parameters[at..at + width])
     }
 
-    /// The same, to be changed. What is no finite number there leaves points
-    /// where no number is, so callers look first.
+    /// The same, to be changed. Numbers that are not finite make points that are not: check before.
     pub fn channel_mut(&mut self, name: &str) -> Option<&mut [f64]> {
         let mut all = self.form.channels().iter();
         let &(_, at, width) = all.find(|channel| channel.0 == name)?;
         Some(&mut self.parameters[at..at + width])
     }
 
-    /// Deforms points. Those outside the box: taper, twist and the lecture's
-    /// bend take the coordinate that they depend on as the nearest one of the
-    /// box, the bend by an angle goes on straight, free form leaves them.
+    /// Deforms points. Outside the box taper, twist and the lecture's bend clamp the coordinate
+    /// that they depend on, the bend by an angle goes on straight, free form leaves points alone.
     pub fn apply(&self, bounds: &Bounds, points: &mut [DVec3]) {
         let p = &self.parameters[..];
         let axis = |at: usize| p[at] as usize;
@@ -212,7 +202,7 @@ pub fn check_number(number: f64) -> Result<()> {
     Ok(())
 }
 
-/// Scales across an axis by a function of the place along it.
+/// Scales across an axis by a function of the coordinate along it.
 fn taper(bounds: &Bounds, axis: usize, points: &mut [DVec3], scale: impl Fn(f64) -> f64) {
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
     for point in points {
@@ -230,8 +220,7 @@ fn twist(bounds: &Bounds, axis: usize, angle: f64, points: &mut [DVec3]) {
     let (low, high) = (bounds.min(), bounds.max());
     let middle = low / 2.0 + high / 2.0;
     let size = high - low;
-    // Of u for each of v in the points' own units, and the other way round: a flat side
-    // has coordinate 0.
+    // Of one side in the other, since u and v turn into each other; a flat side has coordinate 0.
     let ratio = |of: usize, by: usize| {
         if size[by] > 0.0 {
             size[of] / size[by]
@@ -240,7 +229,6 @@ fn twist(bounds: &Bounds, axis: usize, angle: f64, points: &mut [DVec3]) {
         }
     };
     let (uv, vu) = (ratio(a, b), ratio(b, a));
-    // Within a flat box everything is in the middle.
     let (begin, step) = if size[axis] > 0.0 {
         (0.0, angle / size[axis])
     } else {

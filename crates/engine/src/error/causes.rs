@@ -1,8 +1,5 @@
-//! Every cause of an error of the engine, one enum for each [`ErrorKind`](super::ErrorKind).
-//! The text above a variant is its documentation and what is said in English.
-//!
-//! A new cause: a variant here with its sentence, and its line in German in
-//! the editor's `texts/german.rs`, which the compiler asks for.
+//! The causes of errors, one enum for each [`ErrorKind`](super::ErrorKind) of the engine. The
+//! sentence above a variant is its documentation, too; the German one is in `texts/german.rs`.
 
 use std::fmt;
 
@@ -52,7 +49,7 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// A bound of a range: large ones in powers of ten.
+/// A bound of a range, written with an exponent from 1e9 on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound(pub f64);
 

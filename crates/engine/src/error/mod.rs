@@ -1,6 +1,4 @@
-//! What can go wrong in the engine: an enum with data for each cause, and the
-//! place where it happened. Its text is one English sentence that names place
-//! and reason, fit to be shown to a person as it stands.
+//! Errors of the engine: each is one English sentence, fit to be shown to a person as it stands.
 
 mod causes;
 
@@ -11,8 +9,7 @@ pub use causes::{Bound, Invalid, OutOfRange, Quantity, TooMany};
 /// What can go wrong in the engine.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
-    /// An argument that makes no sense whatever its size: not finite, a
-    /// target on its own point, a view without direction.
+    /// An argument that makes no sense whatever its size: not finite, a target on its own point.
     #[error(transparent)]
     Argument(#[from] Invalid),
     /// An index or a value outside its range.
@@ -32,7 +29,7 @@ pub enum Error {
 /// The result of everything that can fail.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// What kind an error is. The statuses of the C interface are these.
+/// The kind of an error. The statuses of the C interface are these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ErrorKind {
     /// An argument that makes no sense whatever its size.
@@ -103,7 +100,7 @@ impl Error {
         Cause::new(self).map_or_else(|same| same, |cause| Self::At(place, cause))
     }
 
-    /// What kind it is.
+    /// The kind of its cause.
     #[must_use]
     pub fn kind(&self) -> ErrorKind {
         match self {
@@ -130,7 +127,7 @@ impl Error {
 pub struct Cause<E>(Box<[E]>);
 
 impl<E> Cause<E> {
-    /// The error itself again, where there is no memory to keep it.
+    /// Gives the error back where there is no memory to keep it.
     #[doc(hidden)]
     pub fn new(error: E) -> Result<Self, E> {
         match vec_with_room(1) {
@@ -157,8 +154,7 @@ impl<E: fmt::Display> fmt::Display for Cause<E> {
     }
 }
 
-/// A name or another text from elsewhere. Where there is no memory left for a
-/// copy it is empty: a wrong name must not end a program that has run out of it.
+/// A name or another text from elsewhere; empty where there is no memory left for a copy.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Text(String);
 
@@ -168,7 +164,7 @@ impl<T: fmt::Display + ?Sized> From<&T> for Text {
         impl fmt::Write for Copy {
             fn write_str(&mut self, s: &str) -> fmt::Result {
                 for sign in s.chars() {
-                    // A name of a file's may have any: a sentence is one line.
+                    // A name from a file may hold control characters; the sentence is one line.
                     let sign = if sign.is_control() {
                         char::REPLACEMENT_CHARACTER
                     } else {
@@ -199,8 +195,7 @@ impl fmt::Display for Text {
     }
 }
 
-/// What the operating system said, without Rust's number behind it
-/// ("(os error 2)"), which tells a person nothing.
+/// What the operating system said, without Rust's "(os error 2)", which tells a person nothing.
 #[must_use]
 pub fn reason(error: &std::io::Error) -> String {
     let mut words = error.to_string();
@@ -212,18 +207,16 @@ pub fn reason(error: &std::io::Error) -> String {
     words
 }
 
-/// Room for the longest message of the border with what stands around it.
+/// Room for the longest message of the C border.
 const LINE_BYTES: usize = 2048;
 
-/// Says a sentence on standard error: one line, in one piece, so that nobody
-/// else's text comes between. What is too long is cut.
+/// Writes one line to standard error, cut to fit, in one piece so that no other text comes between.
 #[doc(hidden)]
 pub fn complain(sentence: impl fmt::Display) {
     use std::io::Write as _;
     let mut line = [0; LINE_BYTES];
     let length = {
         let mut rest = &mut line[..LINE_BYTES - 1];
-        // Cut where it does not fit; no allocation.
         let _ = write!(rest, "vides: {sentence}");
         LINE_BYTES - 1 - rest.len()
     };
@@ -233,11 +226,11 @@ pub fn complain(sentence: impl fmt::Display) {
         }
     }
     line[length] = b'\n';
-    // Nothing is left to be done where standard error is closed.
+    // Standard error may be closed.
     let _ = std::io::stderr().write_all(&line[..=length]);
 }
 
-/// What a panic said.
+/// The message of a panic.
 #[doc(hidden)]
 #[must_use]
 pub fn panic_said(panic: &(dyn std::any::Any + Send)) -> &str {
@@ -254,9 +247,8 @@ impl From<std::collections::TryReserveError> for Error {
     }
 }
 
-/// An empty vector with room for `capacity` elements, or [`Error::Memory`].
-/// Everything between a host's call and its list of poses allocates through
-/// this, so that running out of memory is a status and not an abort.
+/// An empty vector with room for `capacity` elements, or [`Error::Memory`]. All between a host's
+/// call and its poses is allocated through this, so that running out of memory does not abort.
 #[doc(hidden)]
 pub fn vec_with_room<T>(capacity: usize) -> Result<Vec<T>> {
     let mut vec = Vec::new();
@@ -264,17 +256,15 @@ pub fn vec_with_room<T>(capacity: usize) -> Result<Vec<T>> {
     Ok(vec)
 }
 
-/// Sees that so many bytes can be had just now: asks for them and gives them
-/// back. For what follows and cannot be told to give up, as parts of the standard
-/// library; nobody but another thread comes in between.
+/// Checks that so many bytes can be had now, for what would abort without them, as parts of std do.
 #[doc(hidden)]
 pub fn can_allocate(bytes: usize) -> Result<()> {
-    // Shown to the compiler as used: else it leaves the question out.
+    // The compiler would leave out an allocation that is not used.
     std::hint::black_box(vec_with_room::<u8>(bytes)?);
     Ok(())
 }
 
-/// `value` on the heap, or [`Error::Memory`].
+/// `value` on the heap as a slice of one, or [`Error::Memory`].
 #[doc(hidden)]
 pub fn try_box<T>(value: T) -> Result<Box<[T]>> {
     let mut vec = vec_with_room(1)?;

@@ -8,10 +8,9 @@ use crate::math::orientation::{
 use crate::math::quaternion::slerp_shortest;
 use crate::path::{Space, Up};
 
-/// Nearer than so many half sizes of the space there is no direction (`docs/path.md`, tracked sections).
+/// Within so many half sizes of the space there is no direction (`docs/path.md`, tracked sections).
 const NEAR: f64 = 1e-9;
 
-/// The direction from `eye` to `target`, if there is one.
 pub(super) fn direction(eye: DVec3, target: DVec3, space: Space) -> Option<DVec3> {
     let offset = target - eye;
     (offset.abs().max_element() > NEAR * space.half_size && offset.is_finite())
@@ -24,8 +23,7 @@ pub(super) fn steep(view: DVec3, up: Up) -> bool {
     view.x.hypot(view.z) < POLE
 }
 
-/// The orientation that looks along `view` with the space's up, turned by
-/// `roll` (radians). At a pole the yaw of `last` holds, a view that has one.
+/// Looks along `view` with the space's up, turned by `roll` (radians); at a pole with `last`'s yaw.
 pub(super) fn aimed(view: DVec3, last: Option<DVec3>, roll: f64, axes: Up) -> DQuat {
     let upright = axes.upright(view);
     let up = match last.map(|last| axes.upright(last)) {
@@ -41,7 +39,6 @@ pub(super) fn aimed(view: DVec3, last: Option<DVec3>, roll: f64, axes: Up) -> DQ
     quaternion_from_view(view, axes.world(up))
 }
 
-/// From the motion's own orientation to the aimed one.
 pub(super) fn blend(own: DQuat, aimed: DQuat, weight: f64) -> DQuat {
     if weight <= 0.0 {
         own

@@ -1,4 +1,4 @@
-//! What of a node can move, by name.
+//! The channels of a node: what of it can move, by name.
 
 use std::fmt;
 
@@ -12,8 +12,7 @@ use crate::path::camera_path::check_name;
 pub enum Channel {
     /// Three coordinates.
     Position,
-    /// A quaternion w x y z; for the Euler interpolations yaw, pitch and roll in
-    /// degrees.
+    /// A quaternion w x y z; for the Euler interpolations yaw, pitch and roll in degrees.
     Rotation,
     /// Three factors.
     Scale,
@@ -64,8 +63,7 @@ const PLAIN: [(&str, Channel); 11] = [
 ];
 
 impl Channel {
-    /// A channel by its name: `position`, `deformation.2.angle`, `value:radius`,
-    /// `value:wind:3` (with three numbers).
+    /// By its name: `position`, `deformation.2.angle`, `value:radius`, `value:wind:3` (width 3).
     ///
     /// # Errors
     /// [`crate::Error::Argument`], [`crate::Error::Range`] or [`crate::Error::Limit`].
@@ -108,7 +106,7 @@ impl Channel {
         }
     }
 
-    /// Whether both are the same thing of a node: the host's own by name alone.
+    /// Whether both are the same channel of a node: the host's own by name, whatever their width.
     #[must_use]
     pub fn is(&self, other: &Self) -> bool {
         match (self, other) {
@@ -171,7 +169,7 @@ impl Channel {
     }
 }
 
-/// A whole number in one spelling: digits, no zero before others.
+/// A whole number in its one spelling: digits without leading zeros.
 fn whole(digits: &str) -> Option<usize> {
     let plain = digits.bytes().all(|byte| byte.is_ascii_digit());
     let number = digits.parse().ok()?;

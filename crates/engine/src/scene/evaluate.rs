@@ -16,12 +16,11 @@ use crate::error::{Invalid, OutOfRange, Place, Result, vec_with_room};
 use crate::math::orientation::view_from_quaternion;
 use crate::path::Pose;
 
-/// Frames that are looked back for the last direction: from 2^-20 on, doubled.
+/// How far away in frames a last direction is looked for: from 2⁻²⁰ on, doubled.
 const FIRST_STEP: f64 = 1.0 / (1 << 20) as f64;
 const STEPS: usize = 33;
 
-/// Halvings between a frame with a direction and one without: to the last bit
-/// of what a frame can be told apart from.
+/// Halvings between a frame with a direction and one without: to the last bit of a frame.
 const HALVINGS: usize = 40;
 
 /// Whether a camera without a direction looks for its last one.
@@ -32,7 +31,6 @@ enum Search {
 }
 
 impl Node {
-    /// Its values at a frame.
     fn values(&self, frame: f64, troubles: &mut Troubles) -> Result<Values> {
         let mut values = self.rest;
         if let Some(path) = &self.path {
@@ -47,13 +45,11 @@ impl Node {
 }
 
 impl Scene {
-    /// The states of all nodes at a frame, by their numbers. What goes wrong
-    /// with a host's function goes to `troubles`; its channel then steps from
-    /// key to key, the rest of the scene plays.
+    /// The states of all nodes at a frame, by their numbers. Where a host's function fails,
+    /// `troubles` tells, its channel steps from key to key, and the rest plays.
     ///
-    /// # Errors
-    /// [`crate::Error::Argument`] or [`crate::Error::Range`] for the frame, the latter if
-    /// `states` are not as many as the nodes, [`crate::Error::Memory`].
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`] for the frame, the latter also if
+    /// `states` are not as many as the nodes; [`crate::Error::Memory`].
     pub fn evaluate(
         &self,
         frame: f64,
@@ -71,8 +67,7 @@ impl Scene {
         self.run(&self.order, frame, states, troubles, Search::Back)
     }
 
-    /// Whether its states follow from what it is and nothing else can come between: no
-    /// function of the host's is asked, nobody aims, so that no memory is needed.
+    /// Whether no host's function interpolates and nobody aims: once prepared, it needs no memory.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         self.nodes.iter().all(|node| {
@@ -81,12 +76,10 @@ impl Scene {
         })
     }
 
-    /// Sees that all paths are ready to be sampled: nothing but memory could be
-    /// missing, and then nothing has been written yet.
+    /// Prepares all paths for sampling, so that a lack of memory shows before anything is written.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`] or [`crate::Error::Range`] for the frame,
-    /// [`crate::Error::Memory`].
+    /// [`crate::Error::Argument`], [`crate::Error::Range`] for the frame; [`crate::Error::Memory`].
     pub fn prepare(&self, frame: f64) -> Result<()> {
         check_frame(frame)?;
         let mut paths = self.nodes.iter().filter_map(Node::path);
@@ -122,8 +115,7 @@ impl Scene {
     /// The numbers of a channel of a node at a frame, with or without a track.
     ///
     /// # Errors
-    /// [`crate::Error::Range`] or [`crate::Error::Argument`] if there is no such channel,
-    /// [`crate::Error::Memory`].
+    /// As [`Scene::evaluate`]; the same for the node and the channel.
     pub fn value(
         &self,
         node: usize,
@@ -192,12 +184,10 @@ impl Scene {
         Ok(out)
     }
 
-    /// The points of an object at a frame, morphed and deformed, in its own
-    /// coordinates: as many as its mesh has.
+    /// The points of an object's mesh at a frame, morphed and deformed, in its own coordinates.
     ///
     /// # Errors
-    /// [`crate::Error::Range`], [`crate::Error::Argument`] if it is no object or `out` does not
-    /// fit, [`crate::Error::Memory`].
+    /// As [`Scene::evaluate`]; the same for the node and the length of `out`.
     pub fn vertices(
         &self,
         node: usize,
@@ -231,8 +221,7 @@ impl Scene {
         self.form(node, frame, troubles)?.colours()
     }
 
-    /// What changes of an object at a frame, to make its points of. Only this asks
-    /// functions of the host's.
+    /// An object's weights and deformations at a frame. Only this asks functions of the host's.
     ///
     /// # Errors
     /// As [`Scene::vertices`].
@@ -277,7 +266,6 @@ impl Scene {
         Ok(scratch)
     }
 
-    /// Evaluates some nodes, each after what it needs.
     fn run(
         &self,
         order: &[usize],
@@ -332,7 +320,6 @@ impl Scene {
         Ok(())
     }
 
-    /// The orientation of a node that aims, blended with its own.
     #[expect(clippy::too_many_arguments)]
     fn aimed(
         &self,
@@ -367,7 +354,7 @@ impl Scene {
     /// Where in the world a node's pivot is; its parent has been evaluated.
     fn pivot(&self, at: usize, frame: f64, states: &[NodeState]) -> Result<DVec3> {
         let node = &self.nodes[at];
-        // What goes wrong is told when the node itself is evaluated.
+        // Troubles are told when the node itself is evaluated.
         let values = node.values(frame, &mut Troubles::default())?;
         let place = values.position + node.pivot;
         Ok(match node.parent {
@@ -376,8 +363,7 @@ impl Scene {
         })
     }
 
-    /// The last direction in which a node saw its target before a frame at which
-    /// it has none (or, `with_yaw`, none but a steep one); else the next one.
+    /// The last direction, not steep if `with_yaw`, in which a node saw its target; else the next.
     fn last_view(
         &self,
         at: usize,

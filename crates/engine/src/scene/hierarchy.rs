@@ -1,4 +1,4 @@
-//! The tree multiplied out, and the order in which that can be done.
+//! The transform of a node, and the order in which the tree is evaluated.
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
@@ -25,9 +25,7 @@ pub(super) fn local(node: &Node, values: &Values) -> DAffine3 {
     }
 }
 
-/// The orientation of a matrix whose view is its z axis and whose up its y
-/// axis: made perpendicular in this order, mirroring dropped. Axes of length 0
-/// are made up for.
+/// The rotation whose view is a matrix's z axis and whose up its y axis; zero axes are replaced.
 pub(super) fn orthonormal(matrix: DMat3) -> DQuat {
     let usable = |v: DVec3| v.try_normalize().filter(|v| v.is_finite());
     let view = usable(matrix.z_axis)
@@ -44,18 +42,13 @@ pub(super) fn orthonormal(matrix: DMat3) -> DQuat {
     crate::math::orientation::quaternion_from_view(view, up)
 }
 
-/// What must be multiplied out before a node: its parent, and the parent of what
-/// it aims at.
+/// What must be evaluated before a node: its parent, and the parent of what it aims at.
 fn needs(nodes: &[Node], node: usize) -> [Option<usize>; 2] {
     let aim = nodes[node].aim.and_then(|aim| nodes[aim].parent);
     [nodes[node].parent, aim]
 }
 
-/// The nodes in an order in which each comes after what it needs.
-///
-/// # Errors
-/// A node and [`Error::Range`] for a parent or an aim that is none, [`Error::Argument`] for
-/// a cycle, [`Error::Limit`] for too many levels, [`Error::Memory`].
+/// The nodes in an order in which each comes after what it needs; an error with its node.
 pub(super) fn order(nodes: &[Node]) -> Result<Vec<usize>, (usize, Error)> {
     let memory = |error| (0, error);
     let count = nodes.len();

@@ -1,5 +1,4 @@
-//! Interpolations that the host brings along (the article's exchangeable
-//! library): `host:NAME`, known to every scene of the process.
+//! Interpolations of the host's (the article's exchangeable library), for every scene: `host:NAME`.
 
 use std::sync::{Arc, PoisonError, RwLock};
 
@@ -25,18 +24,16 @@ pub type Function = dyn Fn(Question<'_>, &mut [f64]) -> bool + Send + Sync;
 
 static FUNCTIONS: RwLock<Vec<(String, Arc<Function>)>> = RwLock::new(Vec::new());
 
-/// Makes a function known as `host:NAME`, in place of an older one; `None` takes
-/// it away. What is being evaluated meanwhile may still call the older one.
+/// Registers a function as `host:NAME`, or removes it. An evaluation may still call the old one.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] or [`crate::Error::Limit`] for the name, [`crate::Error::Limit`],
-/// [`crate::Error::Memory`].
+/// [`crate::Error::Argument`] for the name, [`crate::Error::Limit`], [`crate::Error::Memory`].
 pub fn register(name: &str, function: Option<Arc<Function>>) -> Result<()> {
     check_function_name(name)?;
     can_allocate(name.len())?;
     let mut all = FUNCTIONS.write().unwrap_or_else(PoisonError::into_inner);
     let known = all.iter().position(|(known, _)| known == name);
-    // Dropped when the lock is free again: what it owns may come back here.
+    // Dropped after the lock is released: what it owns may call this again.
     let old = match (known, function) {
         (Some(at), Some(function)) => Some(std::mem::replace(&mut all[at].1, function)),
         (Some(at), None) => Some(all.remove(at).1),
@@ -55,17 +52,12 @@ pub fn register(name: &str, function: Option<Arc<Function>>) -> Result<()> {
     Ok(())
 }
 
-/// The function of this name.
 pub(super) fn function(name: &str) -> Option<Arc<Function>> {
     let all = FUNCTIONS.read().unwrap_or_else(PoisonError::into_inner);
     let (_, function) = all.iter().find(|(known, _)| known == name)?;
     Some(Arc::clone(function))
 }
 
-/// A name for a function: one line, not empty.
-///
-/// # Errors
-/// [`crate::Error::Argument`] or [`crate::Error::Limit`].
 pub(super) fn check_function_name(name: &str) -> Result<()> {
     check_name(name)?;
     if name.is_empty() {

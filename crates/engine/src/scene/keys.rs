@@ -17,13 +17,13 @@ pub struct Keys {
 }
 
 impl Keys {
-    /// All of them.
+    /// All tracks.
     #[must_use]
     pub fn tracks(&self) -> &[Track] {
         &self.tracks
     }
 
-    /// That of a channel.
+    /// The track of a channel.
     #[must_use]
     pub fn track(&self, channel: &Channel) -> Option<&Track> {
         self.tracks.iter().find(|track| track.channel().is(channel))
@@ -51,13 +51,12 @@ impl Keys {
         self.tracks.len() < before
     }
 
-    /// Changes the tracks and drops those for which nothing is given back.
+    /// Changes the tracks and drops those for which `change` gives false.
     pub(super) fn keep(&mut self, mut change: impl FnMut(&mut Track) -> bool) {
         self.tracks.retain_mut(&mut change);
         self.tracks.sort_by(|a, b| a.channel().cmp(b.channel()));
     }
 
-    /// All numbers of all keys.
     pub(super) fn numbers(&self) -> usize {
         self.tracks.iter().map(Track::numbers_kept).sum()
     }
@@ -108,7 +107,7 @@ impl Motion for Keys {
                     track.numbers(frame, &mut one, troubles);
                     values.aim_weight = one[0].clamp(0.0, 1.0);
                 }
-                // Asked for one by one.
+                // Not among the values: evaluated where they are asked for.
                 Channel::Weights | Channel::Deformation { .. } | Channel::Value { .. } => {}
             }
         }
@@ -121,12 +120,10 @@ impl Motion for Keys {
     }
 }
 
-/// A quaternion from its four numbers, w first.
 pub(super) fn quaternion(wxyz: &[f64]) -> DQuat {
     DQuat::from_xyzw(wxyz[1], wxyz[2], wxyz[3], wxyz[0])
 }
 
-/// Its four numbers, w first.
 pub(super) fn wxyz(q: DQuat) -> [f64; 4] {
     [q.w, q.x, q.y, q.z]
 }

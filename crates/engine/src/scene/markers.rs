@@ -33,12 +33,10 @@ impl Scene {
         &self.markers
     }
 
-    /// Sets a marker, or moves the one of this name, and with it the points that are pinned
-    /// to it.
+    /// Sets a marker, or moves the one of this name and with it the points pinned to it.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`], [`crate::Error::Range`], [`crate::Error::Limit`], [`crate::Error::Memory`]; as
-    /// [`super::pins::pinned`]. Nothing has changed then.
+    /// What is wrong with name or frame, or as [`super::pins::pinned`]; nothing has changed then.
     pub fn set_marker(&mut self, name: &str, frame: f64) -> Result<()> {
         check_node_name(name).map_err(|error| error.at(Place::Marker))?;
         check_frame(frame)?;
@@ -62,13 +60,13 @@ impl Scene {
         Ok(())
     }
 
-    /// Takes a marker away with the pins to it; none is no error.
+    /// Removes a marker and the pins to it; it need not exist.
     pub fn remove_marker(&mut self, name: &str) {
         self.markers.retain(|marker| marker.name != name);
         self.pins.retain(|pin| pin.marker != name);
     }
 
-    /// Sees that all paths with pins to a marker hold them.
+    /// Fits every path that is pinned to a marker.
     fn hold_at(&mut self, marker: &str) -> Result<()> {
         let mut held: Vec<(usize, FollowPath)> = Vec::new();
         for pin in self.pins.iter().filter(|pin| pin.marker == marker) {
@@ -85,7 +83,7 @@ impl Scene {
                 held.push((pin.node, path));
             }
         }
-        // They move what paths move already.
+        // Their nodes follow paths already, so none of these fails.
         held.into_iter()
             .try_for_each(|(at, path)| self.nodes[at].set_path(Some(path)))
     }
@@ -108,13 +106,11 @@ impl Scene {
         &self.pins
     }
 
-    /// Pins a point of a node's path to a marker, or frees it: it is reached there from
-    /// then on ([`super::pins`]).
+    /// Pins a point of a node's path to a marker, or frees it ([`super::pins`]).
     ///
     /// # Errors
-    /// [`crate::Error::Range`] if there is no such point, [`crate::Error::Argument`] if there
-    /// is no such marker, [`crate::Error::Limit`], [`crate::Error::Memory`]; as
-    /// [`super::pins::pinned`]. Nothing has changed then.
+    /// [`crate::Error::Range`] for the point, [`crate::Error::Argument`] for the marker,
+    /// [`crate::Error::Limit`], or as [`super::pins::pinned`]; nothing has changed then.
     pub fn pin(&mut self, at: usize, point: usize, marker: Option<&str>) -> Result<()> {
         let node = self.node(at)?;
         let count = node.path().map_or(0, |path| path.path().points.len());

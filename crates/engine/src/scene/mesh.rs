@@ -1,5 +1,4 @@
-//! What an object is made of: points, lines and triangles, other shapes of the
-//! same points, and what deforms them.
+//! What an object is made of: points, lines and triangles, other shapes, deformations.
 
 use std::sync::Arc;
 
@@ -26,11 +25,10 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Everything finite, every index that of a point.
+    /// Checks that everything is finite and every index that of a point.
     ///
     /// # Errors
-    /// The first thing that is not; [`crate::Error::Limit`] for more than
-    /// [`crate::limits`] allow.
+    /// The first thing that is not; [`crate::Error::Limit`] for more than [`crate::limits`] allow.
     pub fn check(&self) -> Result<()> {
         let count = self.points.len();
         if count > MAX_MESH_POINTS {
@@ -79,8 +77,7 @@ pub struct Shape {
     pub colours: Vec<[u8; 3]>,
 }
 
-/// The file that a mesh came from, which stands in its place where a scene is saved.
-/// Nothing here opens it.
+/// The file that a mesh came from, saved in its place. Nothing here opens it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MeshSource {
     /// Its name.
@@ -91,8 +88,7 @@ pub struct MeshSource {
     pub checksum: u64,
 }
 
-/// An object: its mesh, shapes with their weights, and deformations, each with
-/// its box (none: the bounds of the mesh at rest).
+/// An object: its mesh, shapes with weights, and deformations with their boxes (none: the mesh's).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Object {
     mesh: Option<Arc<Mesh>>,
@@ -103,7 +99,6 @@ pub struct Object {
     deformations: Vec<(Deformation, Option<Bounds>)>,
 }
 
-/// What an object without geometry has.
 static EMPTY: Mesh = Mesh {
     points: Vec::new(),
     colours: Vec::new(),
@@ -118,11 +113,10 @@ impl Object {
         self.mesh.as_deref().unwrap_or(&EMPTY)
     }
 
-    /// Sets the mesh.
+    /// Sets the mesh; it comes from no file then.
     ///
     /// # Errors
-    /// As [`Mesh::check`]; [`crate::Error::Argument`] if the shapes that are there do
-    /// not fit its points.
+    /// As [`Mesh::check`]; [`crate::Error::Argument`] if it has other points than the shapes.
     pub fn set_mesh(&mut self, mesh: Mesh) -> Result<()> {
         mesh.check()?;
         if let Some(shape) = self.shapes.first()
@@ -140,15 +134,13 @@ impl Object {
         Ok(())
     }
 
-    /// The file that the mesh came from, if that is kept in its place. The mesh is empty
-    /// where the file could not be read.
+    /// The file that is saved in place of the mesh, which is empty where that could not be read.
     #[must_use]
     pub fn source(&self) -> Option<&MeshSource> {
         self.source.as_deref()
     }
 
-    /// Says which file the mesh came from, or will come from where it is empty; none: it
-    /// is the object's own.
+    /// Sets the file that the mesh came from, or will come from where it is empty; none: its own.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
@@ -189,7 +181,7 @@ impl Object {
         Ok(())
     }
 
-    /// Adds a shape, with weight 0. (Tracks of the weights are the scene's part.)
+    /// Adds a shape with weight 0; tracks of the weights are the scene's part.
     pub(super) fn add_shape(&mut self, shape: Shape) -> Result<()> {
         check_name(&shape.name).map_err(|error| error.at(Place::Name))?;
         if self.shapes.len() >= MAX_SHAPES {
@@ -224,8 +216,7 @@ impl Object {
         &self.deformations
     }
 
-    /// Adds a deformation behind the others. Without a box it is relative to the
-    /// bounds of the mesh at rest.
+    /// Adds a deformation behind the others and returns its number; no box: that of the mesh.
     ///
     /// # Errors
     /// [`crate::Error::Limit`], [`crate::Error::Memory`].
@@ -254,7 +245,6 @@ impl Object {
         Ok(())
     }
 
-    /// The box of the mesh at rest.
     pub(super) fn bounds(&self) -> Bounds {
         self.bounds.unwrap_or_else(|| Bounds::of(&[]))
     }

@@ -1,12 +1,7 @@
-//! The scene: everything that moves, on one timeline in frames, by the rules of
-//! `docs/scene.md`.
+//! The scene: everything that moves, on one timeline in frames (`docs/scene.md`).
 //!
-//! [`Scene`] is the tree of [`Node`]s with markers and pins. A node's rest
-//! values are [`Values`]; what moves it is a [`Motion`], of which there are two:
-//! [`FollowPath`] with all that a camera path has, and [`Keys`], a [`Track`] for
-//! each [`Channel`] that changes. `hierarchy` multiplies the tree out, `aim`
-//! turns cameras and lights to what they look at, [`mesh`] is what an object
-//! is made of.
+//! [`Scene`] is the tree of [`Node`]s with markers and pins. What changes a node's [`Values`] is a
+//! [`Motion`]: [`FollowPath`] or [`Keys`], a [`Track`] for each [`Channel`] that changes.
 //!
 //! It knows nothing of files, of undo or of C. A path knows nothing of it.
 

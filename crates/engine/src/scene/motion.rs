@@ -15,8 +15,7 @@ pub trait Motion {
     /// Sets what moves to what it is at `frame`, any finite number.
     ///
     /// # Errors
-    /// [`crate::Error::Memory`]. What goes wrong with a host's function is put among
-    /// the troubles, and the rest moves.
+    /// [`crate::Error::Memory`]. A host's function that fails is put among the troubles.
     fn at(&self, frame: f64, values: &mut Values, troubles: &mut Troubles) -> Result<()>;
 
     /// The first and the last frame of its own; none if nothing moves.
@@ -34,13 +33,11 @@ pub struct FollowPath {
 }
 
 impl FollowPath {
-    /// A path whose pose n is shown at the frame `start_frame` + n − 1; `beyond`
-    /// holds before it and after it.
+    /// A path whose pose n is shown at the frame `start_frame` + n − 1, and `beyond` outside of it.
     ///
     /// # Errors
-    /// What is wrong with the path; [`crate::Error::Argument`] for the start or for
-    /// [`Beyond::Offset`]; [`crate::Error::Limit`] if it has too many frames;
-    /// [`crate::Error::Memory`].
+    /// What is wrong with the path; [`crate::Error::Argument`] for the start or [`Beyond::Offset`];
+    /// [`crate::Error::Limit`] if it has too many frames; [`crate::Error::Memory`].
     pub fn new(path: CameraPath, start_frame: f64, beyond: Beyond) -> Result<Self> {
         path.check()?;
         check_frame(start_frame)?;
@@ -76,7 +73,7 @@ impl FollowPath {
         self.beyond
     }
 
-    /// Its poses.
+    /// How many poses it has.
     #[must_use]
     pub const fn count(&self) -> usize {
         self.count
@@ -88,7 +85,6 @@ impl FollowPath {
         (self.start_frame, self.start_frame + (self.count - 1) as f64)
     }
 
-    /// Looks at lengths and frames of the path.
     pub(super) fn timeline<R>(&self, look: impl FnOnce(&Timeline) -> R) -> Result<R> {
         self.plan.timeline(&self.path, look)
     }

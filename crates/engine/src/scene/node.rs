@@ -170,14 +170,11 @@ pub struct Node {
     pub parent: Option<usize>,
     /// The number of the node that a camera or light looks at.
     pub aim: Option<usize>,
-    /// The point that stays where it is when the node turns and scales; 0 for
-    /// lights and cameras.
+    /// The point that stays in place when the node turns and scales; 0 for lights and cameras.
     pub pivot: DVec3,
     /// What holds where nothing moves.
     pub rest: Values,
-    /// The path that it follows.
     pub(super) path: Option<Box<FollowPath>>,
-    /// What moves by keys.
     pub(super) keys: Keys,
 }
 
@@ -228,9 +225,8 @@ impl Node {
     /// Sets a track in place of the one of the same channel.
     ///
     /// # Errors
-    /// [`Error::Argument`] if the node has no such channel or a path moves it,
-    /// [`Error::Range`] if the width does not fit, [`Error::Limit`],
-    /// [`Error::Memory`].
+    /// [`Error::Argument`] if the node has no such channel or a path moves it, [`Error::Range`] if
+    /// the width does not fit, [`Error::Limit`], [`Error::Memory`].
     pub fn set_track(&mut self, track: super::Track) -> Result<()> {
         let width = track.channel().width(self)?;
         if track.channel_width() != width {
@@ -251,12 +247,11 @@ impl Node {
         self.keys.set(track)
     }
 
-    /// Takes the track of a channel away, if there is one.
+    /// Removes the track of a channel; false if there is none.
     pub fn remove_track(&mut self, channel: &Channel) -> bool {
         self.keys.remove(channel)
     }
 
-    /// Whether a path moves this.
     fn path_moves(&self, channel: &Channel) -> bool {
         matches!(
             channel,
@@ -264,7 +259,7 @@ impl Node {
         )
     }
 
-    /// The name, the values and the kind, but for what the scene must see to.
+    /// Checks name, kind and values; what depends on other nodes is the scene's part.
     ///
     /// # Errors
     /// The first thing that is not as it must be.

@@ -1,9 +1,4 @@
-//! Points of paths that are reached at markers, so that flights meet.
-//!
-//! The first pin says when the path begins; the sections between one pin and the next
-//! share the frames between their markers, in their own proportions ([`fit_between`]).
-//! Markers need not be whole frames apart: each is reached at the nearest frame, counted
-//! from the first.
+//! Points of paths that are reached at markers, so that flights meet (`docs/scene.md`, markers).
 
 use super::motion::{FollowPath, check_frame};
 use super::scene::Scene;
@@ -20,13 +15,11 @@ pub struct Pinned {
     pub start_frame: f64,
 }
 
-/// What pins make of a path: each a point and the frame of its marker, in the order of
-/// the points.
+/// What pins make of a path: points with the frames of their markers, in the order of the points.
 ///
 /// # Errors
-/// [`crate::Error::Range`] if the sections between two of them need more frames, or can
-/// have no more; [`crate::Error::Argument`] if a marker comes before that of the pin
-/// before; [`crate::Error::Memory`].
+/// [`crate::Error::Range`] if the sections between two pins cannot have so many frames,
+/// [`crate::Error::Argument`] if markers lie in another order, [`crate::Error::Memory`].
 pub fn pinned(path: &CameraPath, timeline: &Timeline, pins: &[(usize, f64)]) -> Result<Pinned> {
     let mut fixed = Vec::new();
     let Some(&(first, start)) = pins.first() else {
@@ -58,7 +51,7 @@ pub fn pinned(path: &CameraPath, timeline: &Timeline, pins: &[(usize, f64)]) -> 
 }
 
 impl Scene {
-    /// The pins of a node with the frames of their markers, those of points that it has.
+    /// The pins of a node at its first `points` points, with the frames of their markers.
     fn pins_of(&self, at: usize, points: usize) -> Result<Vec<(usize, f64)>> {
         let mine = || self.pins().iter().filter(|pin| pin.node == at);
         let mut pins = vec_with_room(mine().count())?;
@@ -67,7 +60,7 @@ impl Scene {
         Ok(pins)
     }
 
-    /// What a node's path is by its pins; none if it stays as it is.
+    /// A node's path with its pins held; none if it stays as it is.
     pub(super) fn held_by_pins(
         &self,
         at: usize,

@@ -1,13 +1,10 @@
-//! Velocities at the keys of numbers, so that every smooth interpolation is the
-//! same cubic between two keys: Catmull and Rom, Kochanek and Bartels, C².
-//!
-//! They are laid out as the tangents of `hermite`: for each key those with which
-//! it is reached, then those with which it is left.
+//! Velocities at the keys of numbers, so that every smooth interpolation is the same cubic between
+//! two keys: Catmull and Rom, Kochanek and Bartels, C². They are laid out as the tangents of
+//! `hermite`: for each key those before it, then those after it.
 
 use crate::error::{OutOfRange, Result, vec_with_room};
 use crate::path::Tcb;
 
-/// The keys of a track.
 #[derive(Clone, Copy)]
 pub(super) struct NumberKeys<'a> {
     pub frames: &'a [f64],
@@ -31,9 +28,8 @@ impl NumberKeys<'_> {
     }
 }
 
-/// Velocities of Kochanek and Bartels, weighted for unequal times, with
-/// quadratic ends (`docs/path.md`, orientation curve; the same for numbers).
-/// Without `tcb` those of Catmull and Rom.
+/// Velocities of Kochanek and Bartels, weighted for unequal times, with quadratic ends
+/// (`docs/path.md`, orientation curve; the same for numbers); with zeros those of Catmull and Rom.
 pub(super) fn tcb(keys: NumberKeys<'_>, tcb: impl Fn(usize) -> Tcb) -> Result<Vec<f64>> {
     let (count, width) = (keys.count(), keys.width);
     let mut slopes = zeros(2 * width * count)?;
@@ -77,8 +73,8 @@ pub(super) fn tcb(keys: NumberKeys<'_>, tcb: impl Fn(usize) -> Tcb) -> Result<Ve
     finite(slopes)
 }
 
-/// Velocities of the C² spline: natural ends, or periodic, where the last values
-/// are the first. (Elimination without pivots: the rows are dominant.)
+/// Velocities of the C² spline with natural ends, or periodic where the last values are the first.
+/// Elimination needs no pivots: the rows are diagonally dominant.
 pub(super) fn cubic(keys: NumberKeys<'_>, periodic: bool) -> Result<Vec<f64>> {
     let (count, width) = (keys.count(), keys.width);
     let mut slopes = zeros(2 * width * count)?;
@@ -113,8 +109,7 @@ pub(super) fn cubic(keys: NumberKeys<'_>, periodic: bool) -> Result<Vec<f64>> {
                 slopes[2 * width * k + at] = row.right;
             }
         } else if last > 1 {
-            // The joint is neighbour to both ends of the chain of the others:
-            // those first, but for its share in them, then the joint.
+            // The joint is beside both ends of the others: first these, but for its share, then it.
             rows.extend((1..last).map(|k| inner(k, k - 1)));
             let chain = rows.len();
             rows[0].share -= rows[0].lower;
@@ -148,7 +143,7 @@ struct Row {
     share: f64,
 }
 
-/// The unknowns take the places of the right sides.
+/// Puts the unknowns in the places of the right sides.
 fn solve(rows: &mut [Row]) {
     for k in 1..rows.len() {
         let (done, rest) = rows.split_at_mut(k);

@@ -13,12 +13,7 @@ use crate::error::{Error, Invalid, Result, vec_with_room};
 const KEPT: f64 = 1e-9;
 
 impl Scene {
-    /// Changes the rest values of `new`, which takes the place of the node `at`
-    /// with another parent, so that its world matrix stays.
-    ///
-    /// # Errors
-    /// [`Error::Argument`] if the node moves and the parents lie apart, or if a
-    /// shear would be needed; [`Error::Range`] for the parent.
+    /// Changes the rest values of `new`, node `at` in another parent, to keep its world matrix.
     pub(super) fn keep_world(&self, at: usize, new: &mut Node) -> Result<()> {
         if let Some(parent) = new.parent {
             self.node(parent)?;
@@ -58,8 +53,7 @@ impl Scene {
             wanted.matrix3.z_axis,
         ];
         let mut scale = columns.map(|column| column.length());
-        // A mirrored node stays mirrored along the axes along which it was; one
-        // that the parents mirror is mirrored along x.
+        // A mirrored node stays so along its axes; one that the parents mirror is mirrored along x.
         let signs = new.rest.scale.to_array().map(f64::signum);
         for (scale, sign) in scale.iter_mut().zip(signs) {
             *scale *= sign;

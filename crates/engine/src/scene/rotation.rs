@@ -16,7 +16,7 @@ const STRAIGHT: f64 = 1e-12;
 /// The keys of a rotation track, and what lies between them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Turns {
-    /// With length 1; those that had it stand as they were given.
+    /// Of length 1; those that had it are kept as they were given.
     keys: Vec<DQuat>,
     sections: Sections,
 }
@@ -38,12 +38,10 @@ struct Arc {
     scale: f64,
 }
 
-/// What lies between the keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Between {
     /// Nothing of its own.
     Keys,
-    /// Great arcs.
     Arcs,
     /// The tcb curve.
     Smooth,
@@ -73,7 +71,6 @@ impl Turns {
         Ok(Self { keys, sections })
     }
 
-    /// A key.
     pub(super) fn key(&self, at: usize) -> DQuat {
         self.keys[at]
     }
@@ -113,7 +110,7 @@ impl Arc {
         }
     }
 
-    /// Never more than a quarter of the great circle: no weights that cancel.
+    /// An arc is at most a quarter of the great circle, so that the weights do not cancel.
     fn at(&self, u: f64) -> DQuat {
         if self.scale == 0.0 {
             return self.from * (1.0 - u) + self.to * u;
@@ -124,7 +121,7 @@ impl Arc {
     }
 }
 
-/// `q` with length 1; as it is where it has that to 1e-12.
+/// `q` with length 1; unchanged where it has that to 1e-12.
 pub(super) fn unit(q: DQuat) -> Result<DQuat> {
     if (q.length_squared() - 1.0).abs() <= 1e-12 {
         return Ok(q);

@@ -12,14 +12,13 @@ use crate::error::{Error, Invalid, OutOfRange, Place, Result, TooMany, vec_with_
 use crate::limits::{MAX_NODES, MAX_SCENE_NUMBERS};
 use crate::path::{CameraPath, Space};
 
-/// A tree of nodes on one timeline. Whatever is done to it, it can be evaluated
-/// and saved. Nodes are numbered from 0.
+/// A tree of nodes, numbered from 0, on one timeline. Whatever is done to it, it stays valid.
 #[derive(Debug, Clone, Default)]
 pub struct Scene {
     pub(super) nodes: Vec<Node>,
-    /// In which they are evaluated.
+    /// Nodes in the order of evaluation.
     pub(super) order: Vec<usize>,
-    /// By name.
+    /// Nodes by name.
     names: Vec<usize>,
     pub(super) markers: Vec<Marker>,
     pub(super) pins: Vec<Pin>,
@@ -60,8 +59,7 @@ impl Scene {
         Ok(scene)
     }
 
-    /// Where it lies in the world: what is upright for those who aim. A path in it
-    /// has its own.
+    /// Where it lies in the world, and what is upright for those who aim. A path in it has its own.
     #[must_use]
     pub const fn space(&self) -> Space {
         self.space
@@ -147,8 +145,7 @@ impl Scene {
             .binary_search_by(|&node| self.nodes[node].name.as_str().cmp(name))
     }
 
-    /// The number of the camera that is shown: the first one on a path, else the
-    /// first one.
+    /// The number of the camera that is shown: the first one on a path, else the first one.
     #[must_use]
     pub fn shown_camera(&self) -> Option<usize> {
         let nodes = &self.nodes;
@@ -160,7 +157,7 @@ impl Scene {
         moving.or_else(|| cameras().next()).map(|(at, _)| at)
     }
 
-    /// Adds a node behind the others.
+    /// Adds a node behind the others and returns its number.
     ///
     /// # Errors
     /// What is wrong with it; nothing has changed then.
@@ -191,7 +188,6 @@ impl Scene {
         Ok(at)
     }
 
-    /// Whether one more level fits below a node.
     fn check_below(&self, parent: usize, name: &str) -> Result<()> {
         let place = |error: Error| error.at(Place::Node(name.into()));
         self.node(parent).map_err(place)?;
@@ -202,8 +198,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Removes a node with all that is in it. The numbers behind move up; who
-    /// aimed at one of them aims at none.
+    /// Removes a node with all that is in it. Later ones move up; aims at what is removed end.
     ///
     /// # Errors
     /// [`Error::Range`] if there is none, [`Error::Memory`].
@@ -250,8 +245,7 @@ impl Scene {
     /// Gives a node another name.
     ///
     /// # Errors
-    /// [`Error::Argument`] if the name is taken or none, [`Error::Range`],
-    /// [`Error::Limit`], [`Error::Memory`].
+    /// [`Error::Argument`] for the name, [`Error::Range`], [`Error::Limit`], [`Error::Memory`].
     pub fn set_name(&mut self, at: usize, name: &str) -> Result<()> {
         self.node(at)?;
         check_node_name(name)?;
@@ -268,10 +262,9 @@ impl Scene {
         Ok(())
     }
 
-    /// Gives a node other values: parent, aim, pivot, rest values, and what a
-    /// light or a camera has. Name, motion and geometry stay. The values are
-    /// taken as of the old parent: in another one the node stays where it is in
-    /// the world at the scene's first frame.
+    /// Gives a node other values: parent, aim, pivot, rest values, and what a light or a camera
+    /// has. Name, motion and geometry stay. The values are taken as of the old parent: in another
+    /// one the node stays where it is in the world at the scene's first frame.
     ///
     /// # Errors
     /// What is wrong with them; nothing has changed then.
@@ -319,12 +312,10 @@ impl Scene {
         Ok(())
     }
 
-    /// Gives a node a path to follow, or none. Pins of points that it does not
-    /// have go, the others hold ([`super::pins`]).
+    /// Sets the path of a node. Pins of points that it lacks go, the others hold ([`super::pins`]).
     ///
     /// # Errors
-    /// [`Error::Range`] for the node, [`Error::Argument`] if keys move it; as
-    /// [`super::pins::pinned`].
+    /// [`Error::Range`] for the node; as [`Node::set_path`] and [`super::pins::pinned`].
     pub fn set_path(&mut self, at: usize, path: Option<FollowPath>) -> Result<()> {
         self.node(at)?;
         let path = match path {
@@ -338,8 +329,7 @@ impl Scene {
         Ok(())
     }
 
-    /// The same with other pins: points of the path and names of markers, in the order of
-    /// the points.
+    /// The same with other pins: points and names of markers, in the order of the points.
     ///
     /// # Errors
     /// As [`Scene::set_path`]; nothing has changed then.
@@ -382,7 +372,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Takes the track of a channel away; none is no error.
+    /// Removes the track of a channel, if there is one.
     ///
     /// # Errors
     /// [`Error::Range`] for the node.
@@ -421,7 +411,7 @@ impl Scene {
         object.set_source(Some(source))
     }
 
-    /// Gives the file that an object's mesh comes from another name.
+    /// Renames the file that an object's mesh comes from.
     ///
     /// # Errors
     /// [`Error::Argument`] if it is no object, [`Error::Memory`].
@@ -458,7 +448,7 @@ impl Scene {
         self.object_mut(at)?.set_weights(weights)
     }
 
-    /// Adds a deformation to an object, behind the others; its number.
+    /// Adds a deformation to an object, behind the others, and returns its number.
     ///
     /// # Errors
     /// [`Error::Range`], [`Error::Argument`], [`Error::Limit`], [`Error::Memory`].
@@ -471,8 +461,7 @@ impl Scene {
         self.object_mut(at)?.add_deformation(deformation, bounds)
     }
 
-    /// Removes an object's deformation with its tracks; the numbers behind move
-    /// up, in the channels too.
+    /// Removes an object's deformation with its tracks; later ones move up, in channels too.
     ///
     /// # Errors
     /// [`Error::Range`] or [`Error::Argument`].
@@ -507,8 +496,7 @@ impl Scene {
             .unwrap_or((1.0, 1.0))
     }
 
-    /// About how many bytes a copy takes: asked for before one is made, since a
-    /// copy cannot give up.
+    /// About how many bytes a copy takes: to be checked before making one, which would abort.
     #[must_use]
     pub fn weight(&self) -> usize {
         let nodes = self.nodes.iter().map(|node| {
@@ -563,7 +551,6 @@ fn taken(name: &str) -> Error {
     Error::Argument(Invalid::NodeTwice(name.into()))
 }
 
-/// A text, or [`Error::Memory`].
 pub(super) fn copy(text: &str) -> Result<String> {
     let mut copy = String::new();
     copy.try_reserve_exact(text.len())?;

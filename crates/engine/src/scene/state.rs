@@ -1,11 +1,11 @@
-//! What is told of a node at a frame.
+//! The state of a node at a frame.
 
 use glam::{DAffine3, DMat4};
 
 use crate::error::{Error, Invalid};
 use crate::path::Pose;
 
-/// A node at a frame. The memory is that of C's `V_NODE_STATE`.
+/// A node at a frame, laid out as C's `V_NODE_STATE`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub struct NodeState {
@@ -19,7 +19,7 @@ pub struct NodeState {
     pub intensity: f64,
     /// Of lights: half angles in degrees, inner and outer.
     pub cone: [f64; 2],
-    /// 1 if it and all that it is in is to be seen, else 0: an `int` of C.
+    /// 1 if it and all that it is in are visible, else 0: C's `int`.
     pub visible: i32,
 }
 
@@ -28,7 +28,7 @@ impl NodeState {
         self.matrix = DMat4::from(world).to_cols_array();
     }
 
-    /// The same as one that maps points and vectors.
+    /// [`NodeState::matrix`] as an affine map.
     #[must_use]
     pub fn world(&self) -> DAffine3 {
         let [m0, m1, m2, _, m4, m5, m6, _, m8, m9, m10, _, x, y, z, _] = self.matrix;
@@ -36,10 +36,9 @@ impl NodeState {
     }
 }
 
-/// What went wrong while the rest went on: the first of it is kept.
+/// What went wrong while the rest went on; the first of it is kept.
 #[derive(Debug, Default)]
 pub struct Troubles {
-    /// The node that is being evaluated.
     pub(super) node: usize,
     first: Option<(usize, Invalid)>,
 }
@@ -57,7 +56,7 @@ impl Troubles {
         self.first.as_ref().map(|(node, what)| (*node, what))
     }
 
-    /// The same as an error, with the place that the caller knows.
+    /// The same as an error; the caller knows the place.
     #[must_use]
     pub fn into_error(self) -> Option<Error> {
         self.first.map(|(_, what)| what.into())

@@ -6,8 +6,7 @@ pub enum Beyond {
     /// The first or the last value stays.
     #[default]
     Hold,
-    /// All over again; the period is the last frame less the first, at the seam
-    /// the last value counts.
+    /// Starts over; the period is the last frame less the first, the last value counts at the seam.
     Repeat,
     /// Back and forth.
     PingPong,
@@ -35,8 +34,7 @@ impl Beyond {
     }
 }
 
-/// The frame between `first` and `last` that is shown at `frame`, and how many
-/// rounds were gone before, where rounds count ([`Beyond::Offset`]).
+/// The frame in `first`…`last` shown at `frame`, and for [`Beyond::Offset`] the rounds before it.
 #[must_use]
 pub fn within(frame: f64, first: f64, last: f64, before: Beyond, after: Beyond) -> (f64, f64) {
     if frame >= first && frame <= last {

@@ -1,5 +1,4 @@
-//! Tracks: the keys of one channel, and the ways from one to the next
-//! (`docs/scene.md`, tracks).
+//! Tracks: the keys of one channel, and the ways between them (`docs/scene.md`, tracks).
 
 use std::fmt;
 
@@ -104,12 +103,10 @@ pub struct Track {
     shape: Vec<f64>,
     before: Beyond,
     after: Beyond,
-    /// Numbers of a key.
     width: usize,
     prepared: Prepared,
 }
 
-/// What is computed once.
 #[derive(Debug, Clone, PartialEq)]
 enum Prepared {
     Nothing,
@@ -121,13 +118,11 @@ enum Prepared {
 impl Track {
     /// A track of at least one key, holding before and after.
     ///
-    /// `values` are the keys' numbers, key by key; `shape` is for `hermite` the
-    /// tangents before and after each key, per frame; for `tcb` tension,
-    /// continuity and bias of each key; else empty.
+    /// `values` are the keys' numbers, key by key; `shape` is for `hermite` the tangents before and
+    /// after each key, per frame; for `tcb` tension, continuity and bias of each key; else empty.
     ///
     /// # Errors
-    /// [`Error::Argument`], [`Error::Range`] or [`Error::Limit`] with channel and
-    /// key (counted from 1); [`Error::Memory`].
+    /// [`Error::Argument`], [`Error::Range`], [`Error::Limit`] with their place; [`Error::Memory`].
     pub fn new(
         channel: Channel,
         interpolation: Interpolation,
@@ -156,7 +151,7 @@ impl Track {
     /// The same track with what is shown before its first and after its last key.
     ///
     /// # Errors
-    /// [`Error::Argument`] where it cannot be, [`Error::Memory`].
+    /// [`Error::Argument`] for [`Channel::Visible`] with [`Beyond::Offset`], [`Error::Memory`].
     pub fn with_beyond(mut self, before: Beyond, after: Beyond) -> Result<Self> {
         if self.channel == Channel::Visible && [before, after].contains(&Beyond::Offset) {
             let error = Error::Argument(Invalid::SwitchWithOffset);
@@ -221,7 +216,7 @@ impl Track {
         self.width
     }
 
-    /// Numbers of the channel.
+    /// Numbers of the channel: 4 for a rotation, also by Euler angles.
     pub(super) const fn channel_width(&self) -> usize {
         if self.interpolation.euler() {
             4
@@ -230,12 +225,10 @@ impl Track {
         }
     }
 
-    /// All numbers that it keeps.
     pub(super) fn numbers_kept(&self) -> usize {
         self.frames.len() + self.values.len() + self.shape.len()
     }
 
-    /// Moves it to another channel of the same width.
     pub(super) fn set_channel(&mut self, channel: Channel) {
         self.channel = channel;
     }
@@ -302,7 +295,7 @@ impl Track {
         Ok(())
     }
 
-    /// The combinations that the table of `docs/scene.md` does not have.
+    /// Refuses the combinations that the table of `docs/scene.md` does not have.
     fn check_combination(&self) -> Result<()> {
         let rotation = self.channel == Channel::Rotation;
         let fits = match self.interpolation {
@@ -435,8 +428,7 @@ impl Track {
         Ok(())
     }
 
-    /// The section that holds a frame between the first and the last one, and the
-    /// share of it that is gone: 0 exactly at a key.
+    /// The section that holds a frame, and the share of it that is gone, exactly 0 at a key.
     fn locate(&self, frame: f64) -> (usize, f64) {
         let behind = self.frames.partition_point(|&key| key <= frame);
         let section = behind.max(1) - 1;
@@ -447,13 +439,12 @@ impl Track {
         (section, (frame - from) / (next - from))
     }
 
-    /// Whether a function of the host's interpolates it.
     pub(super) const fn asks_host(&self) -> bool {
         matches!(self.interpolation, Interpolation::Host(_))
     }
 
-    /// The numbers at any finite frame; `out` has the width of a key. (Inlined, so that
-    /// the loops over three numbers are none.)
+    /// The numbers at any finite frame; `out` has the width of a key.
+    // Inlined, so that loops over three numbers are unrolled.
     #[inline]
     pub fn numbers(&self, frame: f64, out: &mut [f64], troubles: &mut Troubles) {
         let (first, last) = self.ends();
@@ -527,7 +518,6 @@ impl Track {
         }
     }
 
-    /// Asks the host; false if it has no answer.
     fn ask(&self, name: &str, frame: f64, out: &mut [f64], troubles: &mut Troubles) -> bool {
         let Some(function) = host::function(name) else {
             troubles.add(|| Invalid::NotRegistered {

@@ -9,10 +9,10 @@ use super::state::Troubles;
 use crate::deform::Deformation;
 use crate::error::{Invalid, Result, vec_with_room};
 
-/// So many points are morphed and deformed at once: they stay in the processor's cache.
+/// Points morphed and deformed at once: they stay in the processor's cache.
 const BLOCK: usize = 512;
 
-/// What of an object changes, at one frame.
+/// An object's weights and deformations at one frame.
 #[derive(Debug)]
 pub struct Form<'a> {
     object: &'a Object,
@@ -50,9 +50,7 @@ impl<'a> Form<'a> {
         Ok(form)
     }
 
-    /// Σ αⱼ Pʲ with Σ αⱼ = 1, the mesh taking what is left, then each
-    /// deformation. As many points as the mesh has, into as many places; others of
-    /// `out` stay.
+    /// Σ αⱼ Pʲ with Σ αⱼ = 1, the mesh taking what is left, then deformed; the rest of `out` stays.
     pub fn points(&self, out: &mut [DVec3]) {
         let base = &self.object.mesh().points;
         let left = 1.0 - self.weights.iter().sum::<f64>();
@@ -101,7 +99,6 @@ impl<'a> Form<'a> {
         Ok(colours)
     }
 
-    /// The shapes that count.
     fn active(&self) -> impl Iterator<Item = (f64, &Shape)> {
         let weights = self.weights.iter().copied();
         let shapes = self.object.shapes().iter().map(|shape| &**shape);

@@ -1,5 +1,4 @@
-//! A blend of paths: Σ αⱼ Pathⱼ with Σ αⱼ = 1 (lecture 9.3.2), point by point.
-//! What is linear in the points, the curve with it, is blended exactly.
+//! A blend of paths, Σ αⱼ Pathⱼ with Σ αⱼ = 1 (lecture 9.3.2), point by point: exact for the curve.
 
 use glam::DVec3;
 
@@ -13,15 +12,12 @@ use crate::path::{CameraPath, Orientation, Own, Tangents, Target, Velocities, cu
 /// How far from 1 the weights' sum may be.
 const SUM: f64 = 1e-9;
 
-/// Positions, tangents, targets, roll, zoom and speeds of some paths, weighted; fixed frames
-/// (rounded), angular velocities and slopes, too, where each of them has its own. Paths with
-/// different numbers of points are first resampled to the largest of them.
-/// All else is that of the path with the greatest weight.
+/// The weighted sum of some paths (`docs/tools.md`, blend), resampled first where their numbers of
+/// points differ. All that is not summed is that of the path with the greatest weight.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] or [`crate::Error::Range`] for weights that are not finite, not one
-/// for each path or do not sum to 1, for closed paths among open ones, and where a
-/// blended value is out of its range; [`crate::Error::Memory`].
+/// [`crate::Error::Argument`] or [`crate::Error::Range`] for weights that are too few or do not sum
+/// to 1, closed paths among open ones, results out of range; [`crate::Error::Memory`].
 pub fn blend(paths: &[&CameraPath], weights: &[f64]) -> Result<CameraPath> {
     if paths.is_empty() || paths.len() != weights.len() {
         return Err(Invalid::PathWeights.into());
@@ -110,7 +106,7 @@ fn blended(
     for (n, speed) in new.speeds.iter_mut().enumerate() {
         *speed = sum(&|k| of(k).1.speeds[n]);
     }
-    // What not all of them own is the leader's frames, and else nobody's.
+    // Frames not fixed by all are the leader's; slopes and velocities not owned by all are not set.
     let owned = |value: &dyn Fn(&Own) -> Option<f64>| -> Option<f64> {
         let parts = (0..all.len()).map(|k| Some(all[k].1 * value(&of(k).1.own)?));
         parts.sum()

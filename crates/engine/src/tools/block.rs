@@ -1,10 +1,7 @@
-//! Blocks: parts of paths taken out, put in, turned round, repeated (the building
-//! blocks of thesis chapter 8).
+//! Blocks: parts of paths taken out, put in, turned round, repeated (thesis chapter 8).
 //!
-//! Points keep the curve that they had: where the rule of its kind would give
-//! others, they own their tangents. So a block has exactly its shape in another
-//! path, and what it is put into has its own. At a join both tangents are one
-//! direction to the last bit.
+//! Points keep the curve that they had: where the rule of its kind would give others, they own
+//! their tangents. So a block has exactly its shape in another path, and so has that path.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -49,13 +46,11 @@ pub struct Inserted {
     pub changed: Vec<usize>,
 }
 
-/// The points from `first` to `last` as an open path; on a closed one a range may
-/// lead over the seam. The curve stays; turning and pace next to its ends are as at
-/// the ends of any path.
+/// The points from `first` to `last` as an open path; on a closed one a range may lead over the
+/// seam. The curve stays; turning and pace next to its ends are as at the ends of any path.
 ///
 /// # Errors
-/// [`Error::Range`] if there is no such range or it has fewer than two points;
-/// [`Error::Memory`].
+/// [`Error::Range`] if there is no such range or it has fewer than two points; [`Error::Memory`].
 pub fn extract(path: &CameraPath, first: usize, last: usize) -> Result<CameraPath> {
     let count = path.points.len();
     if let Some(&point) = [first, last].iter().find(|&&point| point >= count) {
@@ -109,8 +104,7 @@ fn opened(path: &CameraPath) -> Result<CameraPath> {
     Ok(open)
 }
 
-/// The rotation that takes one direction to another and leaves level what is
-/// level: about the vertical first, then up or down.
+/// The rotation from one direction to another, about the vertical first, so that level stays level.
 fn level_turn(axis: Up, from: DVec3, to: DVec3) -> DQuat {
     let [from, to] = [from, to].map(|v| axis.upright(v.normalize()));
     let turn = upright_turn(from, to);
@@ -118,7 +112,6 @@ fn level_turn(axis: Up, from: DVec3, to: DVec3) -> DQuat {
     DQuat::from_xyzw(v.x, v.y, v.z, turn.w)
 }
 
-/// The same where y stands upright.
 fn upright_turn(from: DVec3, to: DVec3) -> DQuat {
     let heading = |v: DVec3| (v.x.hypot(v.z) > 1e-9).then(|| v.x.atan2(v.z));
     let (Some(a), Some(b)) = (heading(from), heading(to)) else {
@@ -128,8 +121,7 @@ fn upright_turn(from: DVec3, to: DVec3) -> DQuat {
     DQuat::from_rotation_arc(yaw * from, to) * yaw
 }
 
-/// The direction in which the path reaches a point; at its start in which it
-/// leaves it.
+/// The direction in which the path reaches a point, or leaves its first one.
 fn travel(path: &CameraPath, at: usize) -> Result<DVec3> {
     let own = crate::path::curve::tangents(path, at);
     let first = at == 0 && !path.closed;
@@ -191,9 +183,7 @@ fn placing(path: &CameraPath, at: usize, block: &CameraPath, fit: Fit) -> Result
     })
 }
 
-/// A block put in behind a point. But for [`Fit::None`] its first point becomes one
-/// with that point and gives way to its name and its views; for [`Fit::Scale`] so
-/// does its last one to the next point. With `with_targets` its targets go along.
+/// A block put in behind a point (`docs/tools.md`, blocks); `with_targets` moves its targets, too.
 ///
 /// # Errors
 /// [`Error::Range`], [`Error::Argument`], [`Error::Limit`] or [`Error::Memory`].
@@ -360,7 +350,7 @@ impl Names {
     fn of(path: &CameraPath) -> Result<Self> {
         let named = || path.points.iter().filter_map(|point| point.name.as_ref());
         let bytes: usize = named().map(String::len).sum();
-        // A set cannot be told to give up.
+        // Without memory the set would abort.
         can_allocate(bytes + 64 * path.points.len())?;
         Ok(Self(named().cloned().collect()))
     }
@@ -383,8 +373,7 @@ impl Names {
     }
 }
 
-/// The same way gone backwards: a film of it shows the same poses in reverse order.
-/// Views along the way look along the new one.
+/// The path backwards: its poses in reverse order, but views along the way look along the new one.
 ///
 /// # Errors
 /// [`Error::Memory`].
@@ -530,8 +519,7 @@ fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
     Ok(new)
 }
 
-/// A path gone several times: each time it begins where it ended, its targets with
-/// it; a closed one goes round so often.
+/// A path several times, each from where the one before ended, its targets with it.
 ///
 /// # Errors
 /// [`Error::Range`], [`Error::Limit`], [`Error::Memory`].

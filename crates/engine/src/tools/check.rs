@@ -1,11 +1,7 @@
-//! What will look wrong in a film, found before anyone renders it. Lengths count in
-//! half sizes of the space.
+//! What will look wrong in a film. Lengths count in half sizes of the space.
 //!
-//! Positions, views and zoom are looked at frame by frame, as they will be seen:
-//! differences of the first and second order over frames. What lies between frames
-//! is sought: a view that jumps by halving the interval in which it does, a cusp by
-//! the least tangent of the curve, a jump of the speed by differences on both sides
-//! of a key.
+//! Between frames a view that jumps is found by halving the interval, a cusp by the least tangent
+//! of the curve, a jump of the speed by differences on both sides of a key.
 
 use glam::{DQuat, DVec3};
 
@@ -21,10 +17,10 @@ use crate::path::{
     Ambiguity, CameraPath, Change, Pose, Sampler, Section, Target, Timeline, UpVector, ambiguity,
 };
 
-/// A thing that is looked for.
+/// A kind of fault that is looked for.
 #[derive(Debug)]
 pub struct Kind {
-    /// Its name, and the limit beyond which it is told.
+    /// Its name, and the limit beyond which it is reported.
     pub limit: Parameter,
     /// What helps.
     pub remedy: &'static str,
@@ -125,7 +121,7 @@ impl Limits {
         Ok(())
     }
 
-    /// Those that are not as by default, by name.
+    /// Those that differ from the defaults, by name.
     pub fn own(&self) -> impl Iterator<Item = (&'static str, f64)> {
         let all = KINDS.iter().zip(self.0);
         all.filter(|(kind, limit)| kind.limit.default.to_bits() != limit.to_bits())
@@ -142,9 +138,9 @@ impl Limits {
 pub struct Finding {
     /// The name of its kind.
     pub kind: &'static str,
-    /// From where on, poses counted from 1.
+    /// The first frame, from 1.
     pub first_frame: f64,
-    /// Up to where.
+    /// The last frame.
     pub last_frame: f64,
     /// The point at which the section begins, from 0.
     pub point: usize,
@@ -232,7 +228,7 @@ fn sections(timeline: &Timeline, sampler: &Sampler) -> Result<Vec<(usize, Sectio
     Ok(sections)
 }
 
-/// A pose with what its neighbours ask for.
+/// A pose, its quaternion with the sign that continues the one before.
 #[derive(Clone, Copy)]
 struct Frame {
     number: usize,
@@ -291,7 +287,7 @@ impl Scan<'_> {
         self.add(finding)
     }
 
-    /// Goes on with a kind from one frame to another: it is there with a value, or not.
+    /// Opens, extends or closes the finding of a kind; the greatest value counts if `worst` > 0.
     fn see(
         &mut self,
         name: &str,
@@ -328,13 +324,11 @@ impl Scan<'_> {
         Ok(())
     }
 
-    /// What is above its limit.
     fn above(&mut self, name: &str, frames: (usize, usize), value: f64) -> Result<()> {
         let there = value > self.against.limits.of(name) + 1e-9;
         self.see(name, frames, there.then_some(value), 1.0)
     }
 
-    /// What is below it.
     fn below(&mut self, name: &str, frames: (usize, usize), value: f64) -> Result<()> {
         let there = value < self.against.limits.of(name);
         self.see(name, frames, there.then_some(value), -1.0)
@@ -404,8 +398,7 @@ impl Scan<'_> {
         )
     }
 
-    /// By how much the view still turns in the half in which it turns more, after
-    /// many halvings of the interval that ends with a frame.
+    /// The turn left when the interval before a frame is halved often, to where it turns more.
     fn jump(&self, frame: usize) -> Result<f64> {
         let turn = |frame: f64| -> Result<DQuat> {
             let pose = self.sampler.pose(frame)?;
@@ -456,7 +449,7 @@ impl Scan<'_> {
         let places = |k: i32| 0.05 + 0.9 * f64::from(k) / 256.0;
         for u in (0..=256).map(places) {
             let speed = timing.speed(u) / BASE_SPEED;
-            // A thousandth of the fastest speed is no slow film.
+            // Half of the least speed: a section all at the least one is slow, but has no cusp.
             if speed < least.0.min(0.5 / BASE_SPEED) {
                 least = (speed, Some(u));
             }

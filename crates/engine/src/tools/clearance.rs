@@ -1,7 +1,6 @@
-//! How near a place, a way or a picture comes to an object: a tree of boxes over its
-//! triangles, lines or points, split at the median of the longest side (C. Ericson,
-//! *Real-Time Collision Detection*, 2005, 5.1.5 for the nearest point of a triangle,
-//! 6.2 for the tree). A crate for it would weigh ten times these lines.
+//! How near a place, a way or a picture comes to an object: a tree of boxes over its triangles,
+//! lines or points, split at the median of the longest side (C. Ericson, *Real-Time Collision
+//! Detection*, 2005, 5.1.5 for the nearest point of a triangle, 6.2 for the tree).
 
 use glam::DVec3;
 
@@ -35,8 +34,7 @@ impl Clearance {
     /// Of all triangles and lines of a mesh, or of its points if it has neither.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`] if it has nothing, or as [`Mesh::check`];
-    /// [`crate::Error::Memory`].
+    /// As [`Mesh::check`]; [`crate::Error::Argument`] if it is empty, [`crate::Error::Memory`].
     pub fn new(mesh: &Mesh) -> Result<Self> {
         mesh.check()?;
         let at = |index: u32| mesh.points[index as usize];
@@ -93,13 +91,12 @@ impl Clearance {
         crossed
     }
 
-    /// How far ahead a ray first meets it. `way` has length 1. Of lines and points that the
-    /// ray passes within `spread` times the distance the one counts that it passes closest,
-    /// by the angle, if no triangle is before it.
+    /// How far ahead a ray first meets it; `way` has length 1. Of lines and points within `spread`
+    /// times the distance the one nearest to the ray by angle counts, if no triangle is before it.
     #[must_use]
     pub fn ahead(&self, from: DVec3, way: DVec3, spread: f64) -> Option<f64> {
         let mut nearest = f64::INFINITY;
-        // By how much the ray passes the closest line, and where.
+        // The closest line: how far beside the ray for each unit ahead, and where.
         let mut line = (spread, f64::INFINITY);
         self.walk(&mut |node, primitives| {
             // Where it passes the box, as wide as the ray is there.
@@ -145,8 +142,7 @@ impl Clearance {
         seen
     }
 
-    /// Goes through the tree; `look` gets a node with the primitives of a leaf and
-    /// tells whether to look into it.
+    /// Walks the tree; `look` gets a node with a leaf's primitives and tells whether to go deeper.
     fn walk(&self, look: &mut dyn FnMut(&Node, &[Primitive]) -> bool) {
         // Deeper than a tree of 2⁶⁰ primitives, split at the median.
         let mut stack = [0_u32; 64];
@@ -201,7 +197,6 @@ fn build(primitives: &mut [Primitive], first: usize, nodes: &mut Vec<Node>) {
 }
 
 impl Primitive {
-    /// Its point nearest to `p`.
     fn nearest(&self, p: DVec3) -> DVec3 {
         let [a, b, c] = self.0;
         let (ab, ac) = (b - a, c - a);
@@ -230,8 +225,7 @@ impl Primitive {
             .unwrap_or(a)
     }
 
-    /// How far ahead a ray meets a triangle, in its plane and within its edges; or passes a
-    /// line, and by which part of that distance.
+    /// How far ahead a ray meets a triangle, or passes a line and how far beside it for each unit.
     fn ahead(&self, from: DVec3, way: DVec3) -> Option<(f64, Option<f64>)> {
         let [a, b, c] = self.0.map(|corner| corner - from);
         let normal = (b - a).cross(c - a);
@@ -255,8 +249,7 @@ impl Primitive {
         (far >= 0.0 && far.is_finite()).then_some((far, off))
     }
 
-    /// Whether the way from `p` to `q` goes through it: its ends are on two sides, and
-    /// it turns the same way round all edges.
+    /// Whether the way from `p` to `q` crosses it: to the other side, the same way round all edges.
     fn is_crossed(&self, p: DVec3, q: DVec3) -> bool {
         let [a, b, c] = self.0;
         let normal = (b - a).cross(c - a);
@@ -270,8 +263,7 @@ impl Primitive {
         sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0)
     }
 
-    /// Whether any of it is within all planes: cut off by one after the other
-    /// (Sutherland and Hodgman 1974).
+    /// Whether any of it is within all planes, cut off one by one (Sutherland and Hodgman 1974).
     fn is_seen(&self, planes: &[(DVec3, f64); 5]) -> bool {
         // Each of five planes adds one corner at most.
         let (mut corners, mut count) = ([DVec3::ZERO; 8], 3);

@@ -1,13 +1,8 @@
 //! Recorded poses become a path of few points.
 //!
-//! Noise is taken out first (`smooth.rs`). Then pieces, each as long as it may
-//! be, are fitted one after the other: a cubic by least squares with its
-//! parameters projected anew (Schneider 1990) that goes on in the direction of the
-//! one before; the way over the time as given distances; the turning as a spherical
-//! Bézier curve and the zoom as a cubic over the way, by least squares too. A piece is
-//! accepted by its errors at the poses themselves. Its length is sought by doubling
-//! and halving, so that n poses cost n·log n. At the end the path is held against all poses;
-//! if it misses one, all is done again with the noise left in.
+//! Noise is taken out first (`smooth.rs`); then pieces, each as long as it may be, are fitted one
+//! after the other (Schneider 1990; `docs/tools.md`, fit). If the path misses a pose after all, it
+//! is made again with the noise left in.
 
 mod piece;
 
@@ -25,7 +20,7 @@ use crate::path::{
     Velocities,
 };
 
-/// A pose that is missed by no more than so many times the tolerance is met.
+/// A pose missed by no more than so many times the tolerance counts as met.
 const WITHIN: f64 = 1.001;
 
 /// Rounds of a fit; most settle sooner.
@@ -43,7 +38,6 @@ pub struct Tolerance {
 /// Called now and then with the poses done and all of them; false ends the work.
 pub type Progress<'a> = &'a mut dyn FnMut(usize, usize) -> bool;
 
-/// All poses, as they came and without noise.
 struct Data {
     /// In frames from the first.
     times: Vec<f64>,
@@ -91,15 +85,12 @@ struct Joint {
     zoom_slope: Option<f64>,
 }
 
-/// A path that passes all poses within a tolerance at their times: `seconds`
-/// increasing, or evenly one a frame. Its points stand at whole frames: what moves faster
-/// than they let it between frames, with times of its own, is refused.
+/// A path that passes all poses within a tolerance at their times: increasing `seconds`, or one a
+/// frame. Its points stand at whole frames; poses that move too much between them are refused.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] or [`crate::Error::Range`] for poses that are no path (fewer than
-/// three, all the same, not finite, a view without direction) and tolerances that are
-/// not > 0; [`crate::Error::Argument`] if `progress` ends it; [`crate::Error::Limit`],
-/// [`crate::Error::Memory`].
+/// [`crate::Error::Argument`] or [`crate::Error::Range`] for too few or bad poses, a bad tolerance,
+/// and where `progress` ends it; [`crate::Error::Limit`], [`crate::Error::Memory`].
 pub fn fit(
     poses: &[Pose],
     seconds: Option<&[f64]>,
@@ -121,7 +112,6 @@ pub fn fit(
 }
 
 impl Data {
-    /// Pieces from the first pose to the last, and the path of them.
     fn fitted(&self, progress: Progress<'_>) -> Result<CameraPath> {
         let (data, last) = (self, self.raw.len() - 1);
         let mut pieces: Vec<Piece> = Vec::new();
@@ -152,8 +142,7 @@ impl Data {
         data.path(&pieces)
     }
 
-    /// The pose that a path misses most, and by how many times the tolerance; none if it
-    /// passes all of them.
+    /// The pose that a path misses most, and by how many times the tolerance; none if it meets all.
     fn worst(&self, path: &CameraPath) -> Result<Option<(usize, f64)>> {
         let sampler = Sampler::new(path, &Timeline::new(path)?)?;
         let last = sampler.frame_count() as f64;
@@ -267,7 +256,6 @@ impl Data {
         Ok(smooth)
     }
 
-    /// Whole frames from one pose to another.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     fn frames(&self, first: usize, last: usize) -> u32 {
         (self.times[last].round() - self.times[first].round()) as u32
@@ -356,7 +344,7 @@ impl Data {
     }
 }
 
-/// Where the next point comes to lie.
+/// The next point: its pose, how long it rests there, and the piece that leads to it.
 #[derive(Clone, Copy, Default)]
 struct Start<'a> {
     at: usize,
@@ -364,7 +352,7 @@ struct Start<'a> {
     before: Option<&'a Piece>,
 }
 
-/// Half of what is seen from top to bottom, doubled: the vertical field of view.
+/// The vertical field of view (radians) of a picture 24 mm high.
 fn view_angle(zoom: f64) -> f64 {
     2.0 * (12.0 / zoom).atan()
 }

@@ -1,5 +1,4 @@
-//! What tools share: points picked out of a path, and curves that stay while the
-//! points around them change.
+//! What tools share: points picked out of a path, and curves that stay while points change.
 
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
 use crate::path::{CameraPath, CurveKind, CurveParameters, Tangents, alignment, curve};
@@ -8,14 +7,11 @@ use glam::DVec3;
 /// Tangents are the same within this share of their length.
 const SAME: f64 = 1e-14;
 
-/// A cubic spline is cut where a point comes to own its tangents, which moves its
-/// neighbours by rounding; the next round sees that.
+/// A cubic spline is cut where a point comes to own its tangents, which moves its neighbours by
+/// rounding; the next round sees that.
 const ROUNDS: usize = 8;
 
-/// Which points are picked: true at each of them.
-///
-/// # Errors
-/// [`Error::Argument`] if there are none, [`Error::Range`], [`Error::Memory`].
+/// True at each of the points.
 pub(super) fn picked(path: &CameraPath, points: &[usize]) -> Result<Vec<bool>> {
     if points.is_empty() {
         return Err(Invalid::NothingSelected.into());
@@ -29,10 +25,7 @@ pub(super) fn picked(path: &CameraPath, points: &[usize]) -> Result<Vec<bool>> {
     Ok(picked)
 }
 
-/// Rolls are measured against the vertical: paths that are put together have one.
-///
-/// # Errors
-/// [`Error::Argument`].
+/// Rolls are measured against the vertical: paths that are put together must share it.
 pub(super) fn check_upright(paths: &[&CameraPath]) -> Result<()> {
     if paths
         .windows(2)
@@ -74,9 +67,6 @@ pub(super) fn tangents(path: &CameraPath) -> Result<Vec<Option<Tangents>>> {
 }
 
 /// Lets those points own their tangents that would have others than is wanted.
-///
-/// # Errors
-/// Where a tangent is too long to compute with.
 pub(super) fn keep_tangents(path: &mut CameraPath, wanted: &[Option<Tangents>]) -> Result<()> {
     let last = path.points.len() - 1;
     for _ in 0..ROUNDS {

@@ -1,10 +1,8 @@
 //! Tools: what makes a path, or another path of one, in one step (`docs/tools.md`).
 //!
-//! Each is a file with the source of its mathematics. They are functions of plain
-//! data, so that the document's edits, the C interface, the command and the
-//! window are thin callers of the same lines. What a tool asks for stands in one
-//! table of [`Parameter`]s, from which those callers make their fields, options
-//! and comments. It knows nothing of undo, files or windows.
+//! Each is a function of plain data, so that the document's edits, the C interface, the command and
+//! the window are thin callers. What a tool asks for stands in one table of [`Parameter`]s, from
+//! which those make their fields, options and comments. It knows nothing of undo, files or windows.
 
 pub mod blend;
 pub mod block;

@@ -1,11 +1,8 @@
-//! Moves, ready made: support points with targets in the middle of the view.
+//! Ready-made moves: support points with targets in the middle of the view (thesis chapter 8).
 //!
-//! The blocks of which the thesis's chapter 8 wishes a library. Circles are
-//! cubics of at most 30° with tangents 4·tan(θ/4)·r (Goldapp 1991): their radius
-//! errs by 3.7e-7 of itself. A dolly zoom keeps zoom/distance; both are linear in
-//! the share of the way, so it is exact. Camera heading 0° lies towards +z as seen
-//! from the target, 90° towards +x where y stands upright, 0° towards +x
-//! and 90° towards +y where z does.
+//! Circles are cubics of at most 30° with tangents 4·tan(θ/4)·r (Goldapp 1991): their radius errs
+//! by 3.7e-7 of itself. A dolly zoom keeps zoom/distance exactly: both are linear in the share of
+//! the way. Headings are as in `docs/tools.md`.
 
 use std::f64::consts::TAU;
 
@@ -54,7 +51,7 @@ const fn length(name: &'static str, does: &'static str, default: f64) -> Paramet
     }
 }
 
-/// A length that must not be 0.
+/// A length greater than 0.
 const fn distance(name: &'static str, does: &'static str, default: f64) -> Parameter {
     Parameter {
         least: 1e-6,
@@ -284,7 +281,6 @@ const RISE: Parameter = Parameter {
     ..degrees("rise", "how steeply the camera is above the target", 15.0)
 };
 
-/// The numbers of a move by their names.
 struct Given<'a> {
     parameters: &'static [Parameter],
     numbers: &'a [f64],
@@ -306,7 +302,6 @@ impl Given<'_> {
         })
     }
 
-    /// The whole angle.
     fn turn(&self) -> f64 {
         TAU * self.number("turns")
     }
@@ -335,8 +330,7 @@ impl Move {
             })
     }
 
-    /// Its numbers unless told, made to fit an object: the middle of its bounds and
-    /// twice the radius of the sphere round them; or a space.
+    /// Its defaults for an object (the middle of its bounds, lengths in their diagonal) or a space.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
@@ -362,17 +356,15 @@ impl Move {
         Ok(numbers)
     }
 
-    /// The path of this move. What is not given has its default; `fps` counts the
-    /// frames of its seconds.
+    /// The path of this move. What is not given has its default; `fps` makes frames of its seconds.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`], [`crate::Error::Range`] or [`crate::Error::Limit`] for numbers that do
-    /// not do; [`crate::Error::Memory`].
+    /// What is wrong with the numbers; [`crate::Error::Limit`], [`crate::Error::Memory`].
     pub fn path(&self, given: &[f64], space: Space, fps: f64) -> Result<CameraPath> {
         self.path_at(given, space, fps, BaseSpeeds::default())
     }
 
-    /// The same with base speeds, which count where it takes as long as its way.
+    /// The same with base speeds, which count where `seconds` is 0: as long as its way.
     ///
     /// # Errors
     /// As [`Move::path`].
@@ -413,8 +405,7 @@ impl Move {
     }
 }
 
-/// Lets both keys own the slope of the straight line between them, so that the
-/// size stays also as a part of a longer path.
+/// Lets both keys own the slope between them, so that the size stays also within a longer path.
 #[allow(clippy::cast_precision_loss)]
 fn keep_zoom_linear(path: &mut CameraPath) -> Result<()> {
     let section = Timeline::new(path)?.section(0);
@@ -429,7 +420,6 @@ fn keep_zoom_linear(path: &mut CameraPath) -> Result<()> {
     Ok(())
 }
 
-/// A point of a move with its one view.
 fn point(given: &Given<'_>, offset: DVec3, tangent: Option<DVec3>) -> Result<SupportPoint> {
     let around = given.place("around");
     let mut point = SupportPoint::try_new(around + given.space.up.world(offset))?;
@@ -455,7 +445,6 @@ fn straight(given: &Given<'_>, [from, to]: [DVec3; 2]) -> Result<Vec<SupportPoin
     Ok(points)
 }
 
-/// Straight towards the target.
 fn towards(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
     let [from, to, angle, rise] = given.numbers(["distance", "end-distance", "from", "rise"]);
     let (sin, cos) = rise.to_radians().sin_cos();
@@ -500,7 +489,6 @@ fn around(
     Ok(points)
 }
 
-/// On the spot: points at one place, each with a view.
 #[allow(
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,

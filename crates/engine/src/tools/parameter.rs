@@ -1,5 +1,4 @@
-//! What a tool asks for: one table for the window's fields, the command's
-//! options and the header's comment.
+//! What a tool asks for: one table for the window's fields, the command's options and the header.
 
 use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
 
@@ -102,7 +101,7 @@ impl Parameter {
         all.iter().map(|parameter| parameter.width).sum()
     }
 
-    /// One number for it.
+    /// Checks one of its numbers.
     ///
     /// # Errors
     /// [`crate::Error::Argument`] if it is not finite, [`crate::Error::Range`].
@@ -116,12 +115,10 @@ impl Parameter {
         Ok(())
     }
 
-    /// All numbers of a tool: those given, in the order of its table, and the
-    /// defaults of the rest; checked.
+    /// All numbers of a tool, checked: those given, in the order of its table, then defaults.
     ///
     /// # Errors
-    /// As [`Parameter::check`]; [`crate::Error::Range`] if there are too many;
-    /// [`crate::Error::Memory`].
+    /// As [`Parameter::check`]; [`crate::Error::Range`] for too many; [`crate::Error::Memory`].
     pub fn numbers(all: &[Self], given: &[f64]) -> Result<Vec<f64>> {
         let count = Self::count(all);
         if given.len() > count {

@@ -1,6 +1,4 @@
-//! What changes over the frames of a film, as it is plotted: how far and how fast the
-//! camera goes, how fast it turns, its roll, its zoom, how near it comes to the object
-//! (`docs/tools.md`, plots).
+//! What changes over the frames of a film, as it is plotted (`docs/tools.md`, plot).
 
 use glam::{DMat3, DQuat, DVec3};
 
@@ -73,8 +71,7 @@ impl Quantity {
         }
     }
 
-    /// Its values over a film: pairs of frame and value. Differences lie between two frames;
-    /// without an object there is no clearance.
+    /// Pairs of frame and value over a film; differences lie between two frames.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
@@ -143,7 +140,7 @@ fn turned(from: &Pose, to: &Pose) -> f64 {
     a.angle_between(b).to_degrees()
 }
 
-/// Poses of a film with their frames: every one, or so many at equal distances.
+/// Poses of a film with their frames: all, or `most` at equal distances.
 ///
 /// # Errors
 /// As [`Sampler::pose`]; [`crate::Error::Memory`].
@@ -163,8 +160,7 @@ pub fn samples(sampler: &Sampler, most: usize) -> Result<Vec<(f64, Pose)>> {
     Ok(samples)
 }
 
-/// Fewer values, about so many: of each stretch the least and the greatest, so that a peak
-/// of one frame is seen in a plot of a long film.
+/// About `most` of the values: of each stretch the least and the greatest, so that peaks are seen.
 #[must_use]
 pub fn with_peaks(values: Vec<(f64, f64)>, most: usize) -> Vec<(f64, f64)> {
     let [Some(&first), Some(&last)] = [values.first(), values.last()] else {

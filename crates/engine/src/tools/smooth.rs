@@ -1,9 +1,6 @@
-//! Noise taken out of recorded channels: a cubic spline with continuous slope by
-//! least squares, whose knots are halved where it misses by more than it may.
-//!
-//! The normal equations of a Hermite spline are block tridiagonal with blocks of
-//! 2×2 (value and slope), so that a solution costs its samples; halving asks for a
-//! logarithm of solutions.
+//! Noise taken out of recorded channels: a cubic spline with continuous slope by least squares,
+//! whose pieces are halved where it misses too much. Its normal equations are block tridiagonal
+//! with 2×2 blocks (value and slope), so that a solution takes linear time.
 
 use glam::{DMat2, DVec2};
 
@@ -17,9 +14,8 @@ pub(super) type Row = [f64; CHANNELS];
 /// Samples that a piece must have, to tell noise from motion.
 const LEAST: usize = 12;
 
-/// Standard deviation of the noise of each channel, from the median of third
-/// differences, which a smooth motion hardly has (Gasser, Sroka, Jennen-Steinmetz
-/// 1986 for second ones).
+/// Standard deviation of the noise of each channel, from the median of third differences, which a
+/// smooth motion hardly has (Gasser, Sroka, Jennen-Steinmetz 1986 for second ones).
 pub(super) fn noise(rows: &[Row]) -> Result<Row> {
     let mut found = [0.0; CHANNELS];
     let mut differences = vec_with_room(rows.len())?;
@@ -45,8 +41,7 @@ fn basis(t: f64, step: f64) -> [f64; 4] {
     [1.0 - a, step * b * (1.0 - t), a, -step * b * t]
 }
 
-/// The rows without what is not motion; `misses` tells by how much of what it may
-/// a row is missed by the spline (1: just so).
+/// The rows without noise; `misses` gives how far the spline misses a row, 1 being what it may.
 pub(super) fn smoothed(
     times: &[f64],
     rows: &[Row],

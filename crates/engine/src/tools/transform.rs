@@ -1,8 +1,6 @@
-//! Points moved, turned, scaled, mirrored or deformed (lecture 9.3.1), with their
-//! tangents and, if asked, with what their cameras see.
-//!
-//! A tangent goes by the derivative of the map: by its matrix, or for deformations
-//! by differences of the fourth order (1e-9 of its length).
+//! Points moved, turned, scaled, mirrored or deformed (lecture 9.3.1), with their tangents and, if
+//! asked, with what their cameras see. A tangent goes by the derivative of the map: its matrix, or
+//! for deformations differences of the fourth order (1e-9 of its length).
 
 use glam::{DMat3, DMat4, DQuat, DVec3};
 
@@ -39,11 +37,10 @@ pub fn matrix(about: DVec3, scale: DVec3, turn: DQuat, by: DVec3) -> DMat4 {
         * DMat4::from_translation(-about)
 }
 
-/// A matrix that moves, turns, scales and mirrors.
+/// Checks that a matrix only moves, turns, scales and mirrors.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] if it has a number that is not finite, or if it does
-/// anything else: shears, projects, or presses flat.
+/// [`crate::Error::Argument`] if it is not finite, shears, projects or presses flat.
 pub fn check_matrix(matrix: &DMat4) -> Result<()> {
     if !matrix.is_finite() {
         return Err(Invalid::MatrixNotFinite.into());
@@ -61,8 +58,8 @@ pub fn check_matrix(matrix: &DMat4) -> Result<()> {
 /// Some points of a path, moved by a matrix.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] as [`check_matrix`], if no point is selected, or where a
-/// point would lie on a target of its own; [`crate::Error::Range`], [`crate::Error::Memory`].
+/// [`crate::Error::Argument`] as [`check_matrix`], if no point is selected, or where a point would
+/// lie on a target of its own; [`crate::Error::Range`], [`crate::Error::Memory`].
 pub fn transform(
     path: &CameraPath,
     points: &[usize],
@@ -114,8 +111,8 @@ pub fn deform(
     mapped(path, points, &map, with_targets)
 }
 
-/// How the image of a place changes along an axis. At a side of the box a deformation may
-/// have an edge, and the outermost points lie there: it is the slope on their own side.
+/// How the image of a place changes along an axis. At a side of the box a deformation may have an
+/// edge, and the outermost points lie there: it is the slope on their own side.
 fn slope(place: &impl Fn(DVec3) -> DVec3, bounds: &Bounds, at: DVec3, axis: usize) -> DVec3 {
     let size = bounds.max() - bounds.min();
     let mut step = STEP * size.max_element().max(1e-3);
@@ -123,7 +120,6 @@ fn slope(place: &impl Fn(DVec3) -> DVec3, bounds: &Bounds, at: DVec3, axis: usiz
         step = step.min(size[axis] / 8.0);
     }
     let (low, high) = (at[axis] - bounds.min()[axis], bounds.max()[axis] - at[axis]);
-    // Whether a side is too near, inside or outside.
     let near = |away: f64| size[axis] > 0.0 && away.abs() < step;
     let way = match (near(low), near(high)) {
         (true, _) => step.copysign(if low < 0.0 { -1.0 } else { 1.0 }),
@@ -177,8 +173,7 @@ fn mapped(
     Ok(changed)
 }
 
-/// Gives the orientations of changed points, where up is not the axis, the rolls with
-/// which their ups go along.
+/// Gives changed points whose up is not the axis the rolls with which their ups go along.
 fn turn_ups(path: &CameraPath, map: &Map<'_>, changed: &mut Changed) -> Result<()> {
     let mut whole = path.try_clone()?;
     for (number, point) in changed.iter() {
@@ -203,7 +198,7 @@ fn turn_ups(path: &CameraPath, map: &Map<'_>, changed: &mut Changed) -> Result<(
     Ok(())
 }
 
-/// Which way is up, gone along.
+/// An up vector that goes along.
 fn moved(up: &UpVector, map: &Map<'_>) -> Result<UpVector> {
     Ok(match up {
         UpVector::Point(place) => UpVector::Point((map.place)(*place)),

@@ -1,5 +1,4 @@
-//! One piece of a fitted path: as long as it may be, and accepted by its errors at the
-//! poses themselves.
+//! One piece of a fitted path: as long as its errors at the poses themselves allow.
 
 use glam::{DQuat, DVec3};
 
@@ -54,8 +53,7 @@ impl Data {
         }
     }
 
-    /// A piece from one pose to another, if it is within the tolerance; else only if
-    /// it `must` be.
+    /// A piece from one pose to another, within the tolerance unless there `must` be one.
     fn piece(&self, first: usize, last: usize, joint: Joint, must: bool) -> Result<Option<Piece>> {
         let frames = self.frames(first, last);
         if frames == 0 {
@@ -173,7 +171,6 @@ impl Data {
         self.finished(piece, &chosen, &ways, 0.02, joint, &|_| position)
     }
 
-    /// By which angle a view misses that of a pose, or its field of view.
     pub(super) fn off(&self, at: usize, turn: DQuat, zoom: f64) -> f64 {
         self.raw[at].off(turn, zoom)
     }
@@ -252,8 +249,7 @@ impl Data {
         Ok(Some(piece))
     }
 
-    /// A cubic through the positions of some poses by least squares, from the first to
-    /// the last, and their parameters on it.
+    /// A cubic through the positions of some poses by least squares, and their parameters on it.
     fn cubic(
         &self,
         chosen: &[usize],
@@ -305,9 +301,8 @@ impl Data {
         Ok(best.map(|(_, curve, places)| (curve, places)))
     }
 
-    /// Control quaternions that turn from the first to the last of some poses by least
-    /// squares (Gauss and Newton; a small turn of a control quaternion acts with its
-    /// Bernstein polynomial), as far as a key may own such velocities.
+    /// Control quaternions from the first to the last of some poses by Gauss–Newton (a small turn
+    /// of one acts with its Bernstein polynomial), as far as a key may own such velocities.
     fn turning(&self, chosen: &[usize], ways: &[f64]) -> Option<[DQuat; 4]> {
         let (a, b) = (
             self.smooth[chosen[0]].turn,
@@ -340,8 +335,7 @@ impl Data {
         (leave.length() <= most && reach.length() <= most).then(|| control(leave, reach))
     }
 
-    /// Slopes of the zoom at both ends for a whole piece, by least squares; the first
-    /// may be given. Clipped, so that it stays in its range.
+    /// Slopes of the zoom at both ends by least squares, clipped to its range.
     fn zoom(&self, chosen: &[usize], ways: &[f64], given: Option<f64>) -> [f64; 2] {
         let zoom = |k: usize| self.smooth[chosen[k]].zoom;
         let (from, to) = (zoom(0), zoom(chosen.len() - 1));
@@ -378,14 +372,12 @@ fn timing(pace: &Pace) -> Result<Timing> {
     Timing::new(&orientation, None, None)
 }
 
-/// A cubic from its ends and its slopes there.
 fn hermite(t: f64, [from, to]: [f64; 2], [leave, reach]: [f64; 2]) -> f64 {
     let (a, b) = (t * t * (3.0 - 2.0 * t), t * (1.0 - t));
     from * (1.0 - a) + to * a + leave * b * (1.0 - t) - reach * b * t
 }
 
-/// The cubic between two ends that is nearest to points at given parameters; if a
-/// direction is given it sets out in it.
+/// The cubic between two ends nearest to points at given parameters, leaving in `direction`.
 fn least_squares(
     points: &[DVec3],
     places: &[f64],
