@@ -150,7 +150,7 @@ def most(pid):
         return [int(line.split()[1]) for line in status if line.startswith("VmHWM:")][0]
 
 
-@test(alone=True)
+@test(at_once=1)
 def as_many_events_as_go(place):
     """Hundreds of thousands a second of every kind: the host's turns stay short."""
     host, sent, _ = lives_through(place, 0, 2)
@@ -158,7 +158,7 @@ def as_many_events_as_go(place):
     host.leave()
 
 
-@test(alone=True)
+@test(at_once=1)
 def events_but_no_answers(place):
     """A client has the server for itself, and sends: what the window asks is not answered.
     That holds the host for a second, now and then; afterwards all is as before."""

@@ -467,7 +467,7 @@ def idle(place):
     return server, host, window
 
 
-@test(alone=True)
+@test(at_once=3)
 def nobody_is_woken_while_idle(place):
     """An open window that nobody touches costs no wake-up, nor does v_timeout() ask for one."""
     server, host, window = idle(place)

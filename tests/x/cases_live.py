@@ -259,7 +259,7 @@ def logged(place, host):
         return [tuple(map(float, line.split())) for line in lines]
 
 
-@test(kinds=("shared",), alone=True)
+@test(kinds=("shared",), at_once=1)
 def playing_keeps_the_clock(place):
     """10 s at 60 frames a second, with a host that takes 10 ms for each."""
     fps, seconds = 60, 10
@@ -289,7 +289,7 @@ def playing_keeps_the_clock(place):
     host.leave()
 
 
-@test(kinds=("shared",), alone=True)
+@test(kinds=("shared",), at_once=1)
 def a_host_that_takes_200_ms(place):
     """The drag's end is right, and no call of v_dispatch() is long."""
     server, host, window, _ = opened(place)

@@ -71,25 +71,25 @@ def freezes_never(place, way):
     host.leave()
 
 
-@test(alone=True)
+@test(at_once=3)
 def xt_pending_and_next_event(place):
     """XtAppPending, XtAppNextEvent, XtDispatchEvent."""
     freezes_never(place, "next")
 
 
-@test(alone=True)
+@test(at_once=3)
 def xt_pending_and_process_event(place):
     """XtAppPending, XtAppProcessEvent."""
     freezes_never(place, "process")
 
 
-@test(alone=True)
+@test(at_once=3)
 def xt_pending_in_a_threaded_toolkit(place):
     """After XtToolkitThreadInitialize."""
     freezes_never(place, "threads")
 
 
-@test(alone=True)
+@test(at_once=3)
 def xt_pending_on_two_displays(place):
     """Two displays in one context."""
     freezes_never(place, "displays")
@@ -106,19 +106,19 @@ def sleeps_in_xt(place, way):
     host.leave()
 
 
-@test(alone=True)
+@test(at_once=3)
 def xt_next_event_alone(place):
     """XtAppNextEvent and XtDispatchEvent, as XtAppMainLoop has them."""
     sleeps_in_xt(place, "blocked")
 
 
-@test(alone=True)
+@test(at_once=3)
 def xt_process_event_alone(place):
     """XtAppProcessEvent without XtAppPending."""
     sleeps_in_xt(place, "one")
 
 
-@test(alone=True)
+@test(at_once=3)
 def xt_hosts_have_one_thread(place):
     """Whoever sleeps in Xt is known at once: no thread looks on, and no timer ticks."""
     server = place.server()

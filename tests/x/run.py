@@ -17,20 +17,20 @@ import traceback
 import harness
 
 SIDE_BY_SIDE = 4
-TESTS = []
-ALONE = []
+TESTS = {}
 _printing = threading.Lock()
 
 
-def test(kinds=("archive", "shared"), first=False, alone=False):
+def test(kinds=("archive", "shared"), first=False, at_once=SIDE_BY_SIDE):
     """Marks a test: it is run for each of these kinds of library.
 
     Those that take long say `first`, so that nothing waits for them at the end.
-    Those that hold something against the clock run `alone`, after all others.
+    Those that look at the clock say how many of them a processor bears `at_once`,
+    and run after all others: their own work is little, so it may be several.
     """
     def mark(function):
+        where = TESTS.setdefault(at_once, [])
         for kind in kinds:
-            where = ALONE if alone else TESTS
             where.insert(0 if first else len(where), (function, kind))
         return function
     return mark
@@ -141,13 +141,12 @@ def main():
             __import__(name[:-3])
     words = [word.replace(" ", "_") for word in sys.argv[2:]]
 
-    def run(tests, side_by_side):
-        chosen = [(function, kind) for function, kind in tests
+    results = []
+    for at_once in sorted(TESTS, reverse=True):
+        chosen = [(function, kind) for function, kind in TESTS[at_once]
                   if not words or any(word in f"{function.__name__},_{kind}" for word in words)]
-        with concurrent.futures.ThreadPoolExecutor(side_by_side) as pool:
-            return list(pool.map(lambda one: _run(*one, hosts), chosen))
-
-    results = run(TESTS, SIDE_BY_SIDE) + run(ALONE, 1)
+        with concurrent.futures.ThreadPoolExecutor(at_once) as pool:
+            results += pool.map(lambda one: _run(*one, hosts), chosen)
     failures = [said for said in results if said]
     if failures:  # once more, where one looks first
         print("", *failures, sep="\n")
