@@ -44,10 +44,9 @@ pub fn rotation_z(angle: f64) -> DMat4 {
     DMat4::from_rotation_z(angle)
 }
 
-/// The rotation R_y·R_x of 2.2.5 that brings the direction `axis`, of any
-/// length, onto the z axis: first about x into the xz plane (2.15), then about
-/// y (2.17; its sine is −x whatever the sign of x). An axis along x has
-/// nothing to turn about x: R_x is then the identity.
+/// The rotation R_y·R_x of 2.2.5 that brings `axis`, of any length, onto the z axis: first about x
+/// into the xz plane (2.15), then about y (2.17; its sine is −x whatever the sign of x). For an
+/// axis along x, R_x is the identity.
 ///
 /// # Errors
 /// [`crate::Error::Argument`] if `axis` is zero or not finite.
