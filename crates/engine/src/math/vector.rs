@@ -324,8 +324,7 @@ mod x86_64 {
                 }
                 k += 4;
             }
-            // SAFETY: the type's owner promises the instruction set; the last
-            // number written is 39.
+            // SAFETY: the type's owner promises the instruction set; the last number written is 39.
             unsafe {
                 let low = _mm256_unpacklo_pd(rows[8].0, rows[9].0);
                 let high = _mm256_unpackhi_pd(rows[8].0, rows[9].0);
