@@ -2,8 +2,8 @@
 //! *Approximation Theory and Approximation Practice*, ch. 3–4, 8).
 //!
 //! The coefficients of a function that is analytic around [−1, 1] fall geometrically, so the last
-//! ones tell how good the fit is. Powers of x are then as safe as the Chebyshev series: the k-th
-//! coefficient falls faster than 2^k grows.
+//! ones tell the error of the fit; they fall faster than 2^k grows, so powers of x are as safe as
+//! the series.
 
 use super::vector::Vector;
 
@@ -54,9 +54,8 @@ pub(crate) const POINTS: [f64; NODES] = {
     points
 };
 
-/// Half of the discrete cosine transform, for the even and for the odd coefficients:
-/// `WEIGHTS[parity][j][i]` is the weight in coefficient 2i + parity of the value at node j (and, up
-/// to its sign, at the opposite node).
+/// Half of the discrete cosine transform: `WEIGHTS[parity][j][i]` is what the value at node j (and,
+/// up to its sign, at the node opposite) adds to coefficient 2i + parity.
 const WEIGHTS: [[[f64; HALF]; HALF]; 2] = {
     let mut weights = [[[0.0; HALF]; HALF]; 2];
     let mut k = 0;
@@ -149,8 +148,7 @@ pub(crate) fn series<V: Vector>(values: &[f64; NODES]) -> [f64; NODES] {
     )
 }
 
-/// Error of the fit, within a small factor. Two coefficients, since an even or odd function lacks
-/// every other one.
+/// Error of the fit, within a small factor; an even or odd function lacks every other coefficient.
 #[inline(always)]
 #[must_use]
 pub(crate) fn tail(series: &[f64; NODES]) -> f64 {

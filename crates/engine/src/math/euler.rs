@@ -1,6 +1,5 @@
 //! Euler angles (thesis 4.3, 4.4.5): yaw about y, then pitch about the turned x axis, then roll
-//! about the view direction. They are for people; nothing is interpolated in them, since they
-//! tumble.
+//! about the view direction. Nothing is interpolated in them, since they tumble.
 
 use glam::{DQuat, DVec3};
 

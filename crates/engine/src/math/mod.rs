@@ -1,6 +1,5 @@
-//! Quaternions and orientations, polynomials, views and projections, and SIMD vectors (`vector`).
-//! All of it can be tested against closed forms without a path, and uses no other part of the
-//! library but its errors and limits.
+//! Quaternions, orientations, polynomials, views and SIMD vectors (`vector`), testable without a
+//! path. Of the rest of the library only errors and limits are used.
 //!
 //! The vectors are private: code for AVX2 may only run where the processor has been asked for it,
 //! as `path::dispatch` does.

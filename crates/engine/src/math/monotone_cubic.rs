@@ -1,6 +1,5 @@
-//! Monotone piecewise cubic interpolation (Fritsch and Carlson, *Monotone
-//! Piecewise Cubic Interpolation*, SIAM J. Numer. Anal. 17, 1980): between two
-//! keys the curve never leaves the range of their values.
+//! Monotone piecewise cubic interpolation (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980):
+//! between two keys the curve never leaves the range of their values.
 
 /// Slope of the parabola through three points, at the middle one.
 fn middle_slope(h: [f64; 2], delta: [f64; 2]) -> f64 {
@@ -19,8 +18,8 @@ fn scale(delta: f64, left: f64, right: f64) -> f64 {
     if size > room { room / size } else { 1.0 }
 }
 
-/// Writes the slopes at the keys to `slopes`. `steps[i]` > 0 is the distance from key i to key i +
-/// 1, `rises[i]` the change of the value.
+/// Writes the slopes at the keys: `steps[i]` > 0 leads from key i to the next, `rises[i]` is the
+/// change.
 ///
 /// Each interval asks for its two slopes to be scaled, and a slope follows the stricter of the two,
 /// so the curve does not depend on the direction in which keys are counted.

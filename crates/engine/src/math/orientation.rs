@@ -1,6 +1,6 @@
 //! Orientations as quaternions, angles and pairs of vectors (thesis 4.3, 4.4.5).
 //!
-//! Conventions: q = q_yaw(y)·q_pitch(x)·q_roll(z); the camera that is not turned looks along (0, 0,
+//! Conventions: q = q_yaw(y)·q_pitch(x)·q_roll(z); a camera that is not turned looks along (0, 0,
 //! 1) with (0, 1, 0) up. Positive pitch looks down.
 
 use glam::{DQuat, DVec3};
@@ -95,8 +95,7 @@ pub fn quaternion_from_roll(view: DVec3, roll: f64) -> DQuat {
     quaternion_from_view(view, up_from_roll(view, roll))
 }
 
-/// View direction and up of a quaternion of any length but zero, unit and perpendicular to
-/// rounding.
+/// View direction and up of a quaternion that is not zero: unit and perpendicular to rounding.
 #[must_use]
 pub fn view_from_quaternion(q: DQuat) -> (DVec3, DVec3) {
     let (x, y, z, w) = (q.x, q.y, q.z, q.w);

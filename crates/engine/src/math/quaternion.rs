@@ -83,10 +83,9 @@ pub fn log(q: DQuat) -> DVec3 {
     }
 }
 
-/// `q` or −`q`, whichever continues from `before` by the shorter way. Half a turn apart both are
-/// right: then the sign for which the first non-zero component of the rotation vector in the
-/// camera's own frame, in the order y, x, z, is positive (`docs/path.md`, orientation curve). The
-/// flag tells that case.
+/// `q` or −`q`, whichever continues from `before` by the shorter way. Half a turn apart, which the
+/// flag tells, the one whose rotation vector in the camera's own frame has a positive first
+/// non-zero component, in the order y, x, z (`docs/path.md`, orientation curve).
 #[must_use]
 pub fn continue_sign(before: DQuat, q: DQuat) -> (DQuat, bool) {
     let dot = before.dot(q);

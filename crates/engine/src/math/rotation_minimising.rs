@@ -1,10 +1,9 @@
-//! Rotation-minimising frames by double reflection (W. Wang, B. Jüttler, D. Zheng, Y. Liu,
-//! *Computation of Rotation Minimizing Frames*, 2008): an up vector is carried along a changing
-//! direction without turning about it.
+//! Carries an up vector along a changing direction without turning it about that (W. Wang, B.
+//! Jüttler, D. Zheng, Y. Liu, *Computation of Rotation Minimizing Frames*, 2008: double
+//! reflection).
 //!
-//! Their curve is here the one that has the direction as its tangent, so that any way of looking
-//! will do; the chord of a step comes by Simpson's rule. The error of a step is of fifth order,
-//! that of the whole way of fourth.
+//! Their curve is here the one that has the direction as its tangent; the chord of a step comes by
+//! Simpson's rule. The error of a step is of fifth order, that of the whole way of fourth.
 
 use glam::DVec3;
 
@@ -24,7 +23,7 @@ pub fn perpendicular(v: DVec3, view: DVec3) -> Option<DVec3> {
 }
 
 /// One step: carries `up` from the unit direction `from` to `to`. `chord`, of any length, leads
-/// along the curve that has them as tangents. The error is of fifth order in the step.
+/// along the curve that has them as tangents.
 #[must_use]
 pub fn step(up: DVec3, from: DVec3, to: DVec3, chord: DVec3) -> DVec3 {
     let reflect = |v: DVec3, n: DVec3| v - (2.0 * v.dot(n) / n.length_squared()) * n;

@@ -27,8 +27,7 @@ pub(crate) trait Vector: Copy {
     /// Writes [`Self::LANES`] records of ten numbers, row k holding the k-th number of each.
     fn store_records(rows: [Self; 10], to: &mut [f64]);
     /// Copies past the caches, where the processor can, to memory that will not be read soon:
-    /// fetching what is overwritten would cost more than computing it. [`Self::settle`] must follow
-    /// the last copy.
+    /// nothing is fetched only to be overwritten. [`Self::settle`] must follow the last copy.
     fn stream(from: &[f64], to: &mut [f64]);
     /// Makes what was streamed visible like any other store.
     fn settle();
@@ -220,8 +219,7 @@ mod x86_64 {
                     let mut k = 0;
                     while k < LINE {
                         let value = Self::load(&values[k..]);
-                        // Miri has no store past the caches; an aligned one asks the same of the
-                        // address.
+                        // Miri has no streaming store; an aligned one asks the same of the address.
                         // SAFETY: the line begins at a multiple of its size, and
                         // k is a multiple of the number of lanes below it.
                         unsafe {

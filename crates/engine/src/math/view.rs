@@ -12,8 +12,7 @@ use super::orientation::unit;
 use super::transform::{scaling, shear_along_z, translation};
 use crate::error::{Invalid, OutOfRange, Result};
 
-/// Below this sine of their angle two directions count as parallel: less than four digits of the
-/// third would be left.
+/// Below this sine two directions count as parallel: a third would have less than four digits.
 const PARALLEL: f64 = 1e-12;
 
 /// Half the height in mm of the film on which the zoom is a focal length.
@@ -48,9 +47,9 @@ pub struct View {
 
 impl View {
     /// The perspective view of a camera at `position` that looks along `view` (of any length):
-    /// vertical field of view 2·atan(12/`zoom`), `aspect` = width / height of the picture. `front`
-    /// and `back` are the distances of the planes, 0 < `front` < `back`. `view` × `up` is to the
-    /// right in the picture.
+    /// vertical field of view 2·atan(12/`zoom`), `aspect` = width / height; `front` and `back` are
+    /// the distances of the planes, 0 < `front` < `back`. `view` × `up` is to the right in the
+    /// picture.
     ///
     /// The eye is the view reference point; the window lies at distance 1, so
     /// that v ∈ ±12/`zoom` and u ∈ ±`aspect`·12/`zoom`.
@@ -98,10 +97,10 @@ impl View {
     /// Checks that this describes a picture.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`] if anything is not finite, the normal or the up vector is zero,
-    /// or both are parallel; [`crate::Error::Range`] if the window is empty, the back plane not
-    /// behind the front plane, or the projection reference point not before the front plane or in
-    /// the view plane.
+    /// [`crate::Error::Argument`] for anything not finite, or a normal and an up vector that are
+    /// zero or parallel; [`crate::Error::Range`] for an empty window, a back plane not behind the
+    /// front plane, or a projection reference point not before the front plane or in the view
+    /// plane.
     pub fn check(&self) -> Result<()> {
         let vectors = [self.vrp, self.normal, self.up, self.prp];
         let numbers = [self.front, self.back, self.distance];
@@ -142,8 +141,7 @@ impl View {
     /// left-handed volume; x/z and y/z are the place in the picture, [−1, 1] each.
     ///
     /// # Errors
-    /// As [`View::check`]; [`crate::Error::Range`] if the numbers are too large or too close
-    /// together.
+    /// As [`View::check`]; [`crate::Error::Range`] if numbers are too large or too close together.
     pub fn matrix(&self) -> Result<DMat4> {
         self.check()?;
         let matrix = if self.perspective {
@@ -236,8 +234,7 @@ pub fn parallel_projection() -> DMat4 {
 }
 
 /// World to eye coordinates as OpenGL's `gluLookAt` makes them, stored by columns: the camera at
-/// the origin, looking along −z, y up, x to the right. `view` and `up` may have any length and need
-/// not be perpendicular.
+/// the origin, looking along −z, y up. `view` and `up` need be neither unit nor perpendicular.
 ///
 /// # Errors
 /// [`crate::Error::Argument`] if anything is not finite, `view` or `up` zero or both parallel;

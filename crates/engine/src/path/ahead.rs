@@ -33,8 +33,7 @@ pub(super) fn end_direction(curve: &Cubic, at_end: bool) -> Option<DVec3> {
         .map(unit)
 }
 
-/// Direction in which a point is left; where there is none, the last before it, else the next after
-/// it.
+/// Direction in which a point is left; without one, the last before it, else the next after it.
 fn direction_at(path: &CameraPath, point: usize) -> Option<DVec3> {
     let (count, segments) = (path.points.len(), path.segment_count());
     let leaving = |point: usize| {
@@ -96,8 +95,7 @@ fn place_behind(path: &CameraPath, point: usize, distance: f64) -> Option<DVec3>
     }
 }
 
-/// The view of an orientation: along the way if it looks ahead and there is one, else to its
-/// target.
+/// The view of an orientation: along the way, if it looks ahead and there is one, or to its target.
 ///
 /// # Panics
 /// If there is no such orientation.
@@ -252,8 +250,7 @@ impl Follow {
         }
     }
 
-    /// Up before the roll at φ for a view there, both in y-up axes; `None` where the rule gives
-    /// none.
+    /// Up before the roll at φ for a view there, both in y-up axes, if the rule gives one.
     pub(super) fn reference(&self, up: &UpAlong, phi: f64, view: DVec3) -> Option<DVec3> {
         let axes = self.rail.space.up;
         let view = axes.world(view);

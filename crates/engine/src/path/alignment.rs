@@ -56,7 +56,6 @@ pub(super) fn look_between(from: &End<'_>, to: &End<'_>) -> Option<Look> {
     }
 }
 
-/// Up along one section.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum UpAlong {
     Point(DVec3),
@@ -123,7 +122,6 @@ impl UpAlong {
     }
 }
 
-/// The ups of a whole path.
 #[derive(Debug, Clone)]
 pub(super) struct Alignment {
     /// Up before the roll of each orientation, in y-up axes; `None` where it is the upright axis.
@@ -253,7 +251,7 @@ impl Alignment {
         alignment.ups.resize(count, None);
         alignment.carried.resize(count, None);
         let minimal = |at: usize| places[at].orientation.own.up == UpVector::Minimal;
-        // A closed path is entered where a run of minimal ups begins.
+        // A closed path is entered outside the runs of minimal ups.
         let begin = (0..count).find(|&at| !minimal(at));
         let around = begin.is_none() && path.closed;
         let begin = if path.closed { begin.unwrap_or(0) } else { 0 };
@@ -290,8 +288,7 @@ impl Alignment {
         Ok(alignment)
     }
 
-    /// Up before the roll of an orientation that carries none; where it has none of its own, the
-    /// last one.
+    /// Up before the roll of an orientation that carries none; where it has none, the last one.
     fn up_of(
         &self,
         place: &Place<'_>,
@@ -391,8 +388,7 @@ impl Alignment {
         self.ups[slot]
     }
 
-    /// The up along the section from an orientation, if it follows a rule; `moves`: along the
-    /// curve.
+    /// The up along the section from an orientation, if it follows a rule; `moves`: on the curve.
     pub(super) fn along(
         &self,
         slot: usize,

@@ -20,8 +20,7 @@ const MAX_DEPTH: usize = 50;
 /// A piece whose speeds differ by more than this factor is searched: Newton's steps could leave it.
 const EVEN: f64 = 4.0;
 
-/// The last step of Newton's is below this: on an even piece the error after it is about its
-/// square.
+/// A Newton step below this is the last: on an even piece the error left is about its square.
 const SETTLED: f64 = 1e-8;
 
 /// Vectors inverted side by side.
@@ -257,8 +256,7 @@ fn slope(powers: &[f64; NODES], x: f64) -> f64 {
     sum
 }
 
-/// First guess of x by the share of the length: the quintic with the right derivatives at both
-/// ends.
+/// First guess of x by the share of the length: a quintic with the right derivatives at both ends.
 #[inline(always)]
 fn inverse_guess(length: f64, speed: [f64; 2], slope: [f64; 2]) -> [f64; 6] {
     let first = |k: usize| length / speed[k];
@@ -477,8 +475,7 @@ impl ArcLength {
         (piece.start + within.clamp(0.0, piece.length)) / self.scale
     }
 
-    /// Parameter in [0, 1] at the length `s` from the start; outside [0, length] that of the nearer
-    /// end. On a curve without length it is 0.
+    /// Parameter in [0, 1] at the length `s` from the start; 0 on a curve without length.
     #[must_use]
     pub fn parameter_at(&self, s: f64) -> f64 {
         if !(s > 0.0) || self.pieces.is_empty() {

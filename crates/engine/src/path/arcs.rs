@@ -149,8 +149,7 @@ fn spread<V: Vector>(arc: &Arc<f64>) -> Arc<V> {
 }
 
 impl ShortBezier {
-    /// `None` where an arc of the control polygon is too long; those of later rounds are never
-    /// longer.
+    /// `None` where an arc of the control polygon is too long; later rounds have none longer.
     pub(super) fn new(control: &[DQuat; 4]) -> Option<Self> {
         let [a, b, c, d] = *control;
         if angle(a, b).max(angle(b, c)).max(angle(c, d)) > MAX_ANGLE {

@@ -53,8 +53,7 @@ pub struct Bezier {
 }
 
 impl Bezier {
-    /// The curve with 1 to [`MAX_BEZIER_POINTS`] control points; a single one is a curve that stays
-    /// there.
+    /// The curve with 1 to [`MAX_BEZIER_POINTS`] control points; with a single one it stays there.
     ///
     /// # Errors
     /// [`crate::Error::Argument`] for no point or one that is not finite, [`crate::Error::Limit`]
@@ -86,8 +85,7 @@ impl Bezier {
         self.points.len() - 1
     }
 
-    /// The point at `t`, exact at 0 and 1. Stable in [0, 1]; outside, rounding grows with the
-    /// degree.
+    /// The point at `t`, exact at 0 and 1; outside [0, 1] rounding grows with the degree.
     #[must_use]
     pub fn point(&self, t: f64) -> DVec3 {
         let mut level = [DVec3::ZERO; MAX_BEZIER_POINTS];

@@ -134,8 +134,7 @@ impl Orientation {
         }
     }
 
-    /// Checks that everything is finite and in range, and that the view from `position` has a
-    /// direction.
+    /// Checks that all is finite and in range, and that the view from `position` has a direction.
     ///
     /// # Errors
     /// [`crate::Error::Range`] or [`crate::Error::Argument`] with the reason.

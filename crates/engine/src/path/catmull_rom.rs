@@ -1,5 +1,4 @@
-//! Catmull–Rom splines (thesis 3.6.1), uniform knots: the tangent at a point is parallel to the
-//! chord between its neighbours.
+//! Catmull–Rom splines (thesis 3.6.1), uniform knots: tangents parallel to the neighbours' chord.
 
 use glam::DVec3;
 

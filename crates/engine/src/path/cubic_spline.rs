@@ -26,8 +26,8 @@ pub struct CubicSpline {
 }
 
 impl CubicSpline {
-    /// The spline that is at `points[i]` for the parameter `knots[i]`, knots rising strictly. It
-    /// takes time and memory in proportion to the points.
+    /// The spline through `points[i]` at strictly rising `knots[i]`, in time proportional to the
+    /// points.
     ///
     /// # Errors
     /// [`crate::Error::Argument`] for fewer than two points, a different number of knots, anything

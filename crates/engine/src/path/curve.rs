@@ -1,9 +1,7 @@
-//! The curve through the points of a path: cubics between tangents. A point that owns its tangents
-//! has those, whatever the kind of curve.
+//! The curve through the points of a path: cubics between tangents, which points may own.
 //!
 //! Cubic splines are solved where they are asked for: the influence of a point shrinks by 2 + √3
-//! with each point between, and is below rounding beyond `REACH`. So a segment costs the same on a
-//! path of any length.
+//! with each point between, and is below rounding beyond `REACH`.
 
 use glam::DVec3;
 

@@ -1,8 +1,7 @@
-//! The choice of vectors: code written over [`vector::Vector`] is compiled once for every processor
-//! and once for those with AVX2 and fused multiplication; the two agree to rounding. What is called
-//! from here must be forced inline all the way down, since a function of its own would be compiled
-//! for the plainest processor. `--cfg vides_no_simd` leaves only the first, to measure and to test
-//! it.
+//! The choice of vectors: code over [`vector::Vector`] is compiled once for every processor and
+//! once for those with AVX2 and fused multiplication; the two agree to rounding. All that is called
+//! from here must be forced inline, since a function of its own would be compiled for the plainest
+//! processor. `--cfg vides_no_simd` leaves only the first, to measure and to test it.
 
 use super::arc_length;
 use super::fill::{self, Scratch};

@@ -126,8 +126,7 @@ impl Ease {
         self.cruise * self.shape(t)
     }
 
-    /// Derivative of [`Self::speed`] at the share `t` of the time; 0 where a rise ends or a fall
-    /// begins.
+    /// Derivative of [`Self::speed`] at the share `t`; 0 where a rise ends or a fall begins.
     #[must_use]
     pub fn acceleration(&self, t: f64) -> f64 {
         let (x, change) = if t < self.rise {

@@ -1,9 +1,8 @@
 //! The frames of one section, many at a time.
 //!
-//! Runs of frames on the same polynomial are computed vector by vector and may overshoot their end:
-//! the next run writes over what they spoil, and arrays are longer than a block for the last one.
-//! No frame depends on which others are asked for with it. Everything is forced inline, as
-//! [`super::dispatch`] explains.
+//! Runs of frames on the same polynomial are computed vector by vector and may overshoot: the next
+//! run writes over what they spoil, and arrays are longer than a block for the last one. No frame
+//! depends on which others are asked for with it. All is forced inline: see [`super::dispatch`].
 
 use glam::DVec3;
 

@@ -53,13 +53,13 @@ fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> R
     Ok(found)
 }
 
-/// Frames for the moving sections of a range of points (counted from 0), so that there are exactly
-/// `frames` from the first pose at `first` to the last at `last`, both and all holds included. The
-/// proportions stay, as far as whole numbers can.
+/// Frames for the moving sections of a range of points (from 0), so that there are exactly `frames`
+/// from the first pose at `first` to the last at `last`, holds included. Proportions stay as near
+/// as can be.
 ///
 /// # Errors
-/// [`crate::Error::Range`] if there is no such range, or fewer frames than it must have or more
-/// than it can; [`crate::Error::Memory`].
+/// [`crate::Error::Range`] for a range or a number of frames that cannot be;
+/// [`crate::Error::Memory`].
 pub fn fit_frames(
     path: &CameraPath,
     timeline: &Timeline,
@@ -75,8 +75,8 @@ pub fn fit_frames(
     fit(path, timeline, &sections, 1 + hold, frames)
 }
 
-/// Frames for the moving sections between two points, so that the second is reached exactly so many
-/// frames after the first.
+/// Frames for the moving sections between two points: the second is reached `frames` after the
+/// first.
 ///
 /// # Errors
 /// As [`fit_frames`].

@@ -11,8 +11,7 @@ use super::hermite::Cubic;
 use crate::error::{Result, vec_with_room};
 use crate::math::rotation_minimising::{perpendicular, shortest, signed_angle, turned};
 
-/// |P′ × P″| below this share of the curve's size squared is none: there the normal is exact to
-/// 1e-7.
+/// |P′ × P″| below this share of the squared size is none: there the normal is exact to 1e-7.
 const STRAIGHT: f64 = 1e-9;
 
 /// How far beside an inflection, in t, its two sides are compared.
@@ -40,8 +39,8 @@ struct Segment {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Normals {
     segments: Vec<Segment>,
-    /// Where a closed curve brings the normal back turned over: the segment from which that is
-    /// spread.
+    /// Where a closed curve brings the normal back turned over: the segment where spreading that
+    /// begins.
     turns_over: Option<usize>,
 }
 

@@ -4,9 +4,8 @@
 //! would change elsewhere its neighbours then own: tangents, angular velocities, slopes. Which
 //! these are is found by comparing the path before with the path after.
 //!
-//! A part of a spherical Bézier curve is not such a curve itself (views would be off by up to some
-//! degrees), so the halves of a turning remember the whole, as long as their keys stay. All poses
-//! then stay the same to rounding.
+//! A part of a spherical Bézier curve is not another one (views would be off by up to some
+//! degrees), so the halves of a turning remember the whole, as long as their keys stay.
 
 use glam::{DQuat, DVec3};
 
@@ -109,12 +108,11 @@ pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     })
 }
 
-/// The frames nearest to the places that divide the way from a point to the next into equal
-/// lengths, for [`on_curve`] one after the other.
+/// The frames nearest to equal divisions of the way to the next point, for [`on_curve`] in turn.
 ///
 /// # Errors
-/// [`Error::Range`] where there is no such way, or not more frames on it than `points`;
-/// [`Error::Limit`], [`Error::Memory`].
+/// [`Error::Range`] where there is no such way or too few frames; [`Error::Limit`],
+/// [`Error::Memory`].
 #[allow(clippy::cast_precision_loss)]
 pub fn dividing_frames(path: &CameraPath, segment: usize, points: usize) -> Result<Vec<f64>> {
     let timeline = Timeline::new(path)?;
@@ -341,8 +339,7 @@ fn take_part(
     Ok(())
 }
 
-/// The part of a turning between two shares of its time, if a Bézier curve (of an arc it is an
-/// arc).
+/// The part of a Bézier turning between two shares of its time. (A part of an arc is an arc.)
 fn turning_part(turning: &Turning, [from, to]: [f64; 2]) -> Option<TurningPart> {
     let (control, [first, last]) = match turning {
         Turning::Bezier(control) => (control, [0.0, 1.0]),

@@ -6,8 +6,7 @@ use glam::DVec3;
 use super::camera_path::{CameraPath, Tcb};
 use super::hermite::BasisMatrix;
 
-/// The tangent with which the curve leaves a point (R1 of 3.6.2); `before` and `after` are the
-/// chords from the previous and to the next point.
+/// The tangent with which the curve leaves a point (R1 of 3.6.2), from the chords to and from it.
 #[must_use]
 pub fn outgoing_tangent(tcb: Tcb, before: DVec3, after: DVec3) -> DVec3 {
     let Tcb {

@@ -4,8 +4,7 @@
 //! [`arc_length`] and [`speed_curve`] give their length and pace, [`timeline`] the sections with
 //! their frames; then the curve times are known, and with them `orientation_curve`. [`sampling`]
 //! walks through it all: `section_sampler` is the plain way to one pose, `fill` with `tables` and
-//! `arcs` the fast way to many, tested against the plain one. [`plan`] keeps what was computed
-//! while a path is edited.
+//! `arcs` the fast way to many. [`plan`] keeps what was computed while a path is edited.
 //!
 //! [`bezier`], [`hermite`], [`catmull_rom`] and [`cubic_spline`] are the thesis's other curves,
 //! [`tessellation`] is for drawing.

@@ -1,6 +1,6 @@
 //! How the camera turns in each section of a path (thesis ch. 4; `docs/path.md`, orientation
-//! curve): free sections on a curve through quaternions, and those that track a target, look along
-//! the way or keep a direction.
+//! curve): on a free curve through quaternions, or tracking a target, looking along the way,
+//! keeping a direction.
 //!
 //! Positions, targets and ways are the world's; directions, quaternions and velocities are in y-up
 //! axes ([`super::Up::upright`]).
@@ -95,8 +95,7 @@ impl Kind {
     }
 }
 
-/// Neighbours of keys and spans, around the ends of a closed path. There is one
-/// span fewer than keys, or as many if the path is closed.
+/// Neighbours of keys and spans. There is one span fewer than keys, or as many on a closed path.
 #[derive(Clone, Copy)]
 struct Ring {
     keys: usize,
@@ -162,7 +161,7 @@ pub(super) fn turnings(
     Ok(turnings)
 }
 
-/// Velocities with which the turning passes a key, and the slope of its roll beside a tracked
+/// Velocities with which the turning passes a key, and the slope of its roll beside a level
 /// section.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rates {
@@ -354,7 +353,7 @@ impl Work<'_> {
         self.keys[key].velocities(self.space.up)
     }
 
-    /// Velocities with which the curve reaches and leaves a key, limited so that no section swings
+    /// Velocities with which the curve reaches and leaves a key, limited so that nothing swings
     /// out.
     fn velocities(&self, key: usize) -> (DVec3, DVec3) {
         let before = self.ring.before_key(key);
@@ -532,8 +531,7 @@ impl Work<'_> {
     }
 }
 
-/// Angular velocity of a camera that looks at a target at `offset`, moves with `velocity` and rolls
-/// with `rolling`.
+/// Angular velocity of a camera that looks at a target at `offset` while it moves and rolls.
 fn tracking_velocity(offset: DVec3, velocity: DVec3, rolling: f64) -> DVec3 {
     let view = orientation::unit(offset);
     let turn = -(velocity - view * view.dot(velocity)) / offset.length();

@@ -142,8 +142,7 @@ pub fn distance_backwards(keys: &[[f64; 2]]) -> Vec<[f64; 2]> {
 /// The least time between two keys: far below a frame, and quotients of it stay finite.
 const LEAST_STEP: f64 = 1e-9;
 
-/// Angular velocities of a key in the mode tcb: rotation vectors in the world, degrees for each
-/// frame at speed 50.
+/// Angular velocities in the mode tcb: world rotation vectors, degrees for each frame at speed 50.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Velocities {
     /// With which the turning reaches the key.
@@ -152,8 +151,7 @@ pub struct Velocities {
     pub leave: DVec3,
 }
 
-/// A part of a spherical Bézier curve: how a section turned before it was divided. It counts as
-/// long as it leads from key to key.
+/// How a section turned before it was divided. It counts as long as it leads from key to key.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurningPart {
     /// Control quaternions of the whole curve, in y-up axes ([`super::Up::upright`]).
@@ -178,7 +176,6 @@ impl TurningPart {
     }
 }
 
-/// A part of a whole: 0 ≤ from < to ≤ 1.
 fn check_part(from: f64, to: f64) -> Result<()> {
     if 0.0 <= from && from < to && to <= 1.0 {
         return Ok(());

@@ -1,5 +1,4 @@
-//! What has been computed of a path that changes, brought up to date on demand and only where it
-//! changed.
+//! What has been computed of a path that changes, brought up to date on demand.
 //!
 //! Several threads may ask at once. What is prepared for sampling is lent, not shared by a counted
 //! pointer, whose making cannot be refused when memory has run out.
@@ -36,8 +35,7 @@ impl Lengths {
         }
     }
 
-    /// The timeline, up to date. Taken out meanwhile: after an error or a panic it is computed
-    /// anew.
+    /// The timeline, up to date. Taken out meanwhile, so that an error or a panic leaves none.
     fn up_to_date(&mut self, path: &CameraPath) -> Result<&Timeline> {
         let mut timeline = match self.timeline.take() {
             Some(timeline) => timeline,

@@ -79,8 +79,7 @@ pub fn key_velocities(
 }
 
 /// Angular velocity at an end of the curve: that of a parabola, loosened by the tension. `mean` is
-/// that of the end section, `inner` the one at its other key, taken without tension, continuity and
-/// bias.
+/// that of the end section, `inner` that at its other key without tension, continuity and bias.
 #[must_use]
 pub fn end_velocity(tension: f64, mean: DVec3, inner: DVec3) -> DVec3 {
     (1.0 - tension) * (2.0 * mean - inner)
@@ -140,9 +139,8 @@ fn finished(q: DQuat) -> Result<DQuat> {
     normalized(q).map_err(|_| Error::Argument(Invalid::TimesUnequal))
 }
 
-/// Barry and Goldman's curve through `keys` (of any length but zero) with knots at `times`
-/// (strictly increasing), at the time `when`. Beyond either end stands the neighbouring key,
-/// reflected.
+/// Barry and Goldman's curve through `keys` (none zero) with knots at `times` (strictly
+/// increasing), at the time `when`. Beyond either end stands the neighbouring key, reflected.
 ///
 /// # Errors
 /// [`Error::Range`], [`Error::Argument`] or [`Error::Limit`] with the reason.

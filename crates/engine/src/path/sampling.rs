@@ -187,9 +187,8 @@ impl Sampler {
         self.first_frames[section]
     }
 
-    /// A number for each section in which something changes, in order: the same where all poses
-    /// between its keys are the same, in this path or another one; else the same by a chance of
-    /// about 2⁻⁶⁴.
+    /// A number for each section in which something changes, in order: equal where all poses
+    /// between its keys are, in this path or another; others are equal by a chance of about 2⁻⁶⁴.
     pub fn fingerprints(&self) -> impl Iterator<Item = u64> {
         self.sections.iter().map(SectionSampler::fingerprint)
     }

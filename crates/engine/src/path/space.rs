@@ -22,8 +22,7 @@ pub enum Up {
 }
 
 impl Up {
-    /// A vector of the world in y-up axes: a cyclic exchange, so they stay right-handed and no bit
-    /// is lost.
+    /// A vector of the world in y-up axes: a cyclic permutation, right-handed, that loses no bit.
     #[must_use]
     #[inline(always)]
     pub const fn upright(self, v: DVec3) -> DVec3 {

@@ -22,8 +22,7 @@ impl SpeedCurve {
     }
 
     /// The curve through `speeds`, each in [1, 100]. `before` and `after` are the facing speeds,
-    /// one step of 1/9 outside; without one the end has the slope of the parabola through three
-    /// speeds.
+    /// 1/9 outside; without one the end has the slope of the parabola through three speeds.
     #[must_use]
     pub fn new(speeds: &[f64; SPEEDS], before: Option<f64>, after: Option<f64>) -> Self {
         let slopes = slopes(speeds, before, after);

@@ -1,11 +1,11 @@
 //! Polylines to draw a curve with: the thesis's ternary `sample` (5.1.4) with a test of flatness
 //! that bounds place, straightness and speed at once.
 //!
-//! A piece P(t), t in [t₁, t₃], is compared with L(t), which goes from end to end at even speed. P
-//! − L is 0 at both ends, so its values at the two thirds fix it. Where both are at most e long,
-//! |P(t) − L(t)| ≤ e·max(|l₁|+|l₂|) for the Lagrange polynomials l₁ and l₂ of the thirds, and that
-//! maximum, at t = (3 ± √3)/6, is 3√3/4 ≈ 1.299. Angles between the chords (5.1.3) bound none of
-//! this: they call a straight piece flat on which the curve runs to and fro.
+//! A piece P(t), t in [t₁, t₃], is compared with L(t), which goes from end to end at even speed.
+//! Their difference is 0 at both ends, so its values at the two thirds fix it. Where both are at
+//! most e long, |P(t) − L(t)| ≤ e·max(|l₁|+|l₂|) for the Lagrange polynomials l₁ and l₂ of the
+//! thirds, and that maximum, at t = (3 ± √3)/6, is 3√3/4 ≈ 1.299. Angles between the chords (5.1.3)
+//! bound none of this: they call a straight piece flat on which the curve runs to and fro.
 
 use glam::DVec3;
 
@@ -72,8 +72,7 @@ fn push(curve: &Cubic, t: f64, out: &mut Vec<(f64, DVec3)>) -> Result<()> {
 
 /// Whether the curve and its even chord over [t₁, t₃] differ by at most `error` at both thirds.
 /// With u from 0 to 1 over the piece, P − L is −u(1−u)·(B + A(1+u)), A and B being the piece's
-/// coefficients of u³ and u²: the size of the coordinates does not blur it, and a piece of length 0
-/// is flat.
+/// coefficients of u³ and u²: whatever the size of the coordinates, and 0 for a piece of length 0.
 fn is_flat(curve: &Cubic, error: f64, t1: f64, t3: f64) -> bool {
     let h = t3 - t1;
     let a = curve.a * (h * h * h);

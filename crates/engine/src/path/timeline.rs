@@ -174,8 +174,7 @@ impl Timeline {
         }
         let points = path.points.len();
         let mut touched: Vec<usize> = vec_with_room(64)?;
-        // A point shapes two segments on either side. (A short closed path meets some of them
-        // twice.)
+        // A point shapes two segments on either side, some of them twice on a short closed path.
         for offset in 0..4 {
             let Some(near) = self.step(point, offset, points) else {
                 continue;
@@ -316,7 +315,7 @@ impl Timeline {
         }
     }
 
-    /// Frames of a section by its length, even if they are fixed, before rounding; 0 if nothing
+    /// Frames of a section by its length, even if they are fixed, not rounded; 0 if nothing
     /// changes.
     ///
     /// # Panics
@@ -357,9 +356,8 @@ impl Timeline {
         Timing::new(self.orientation_at(path, section), before, after)
     }
 
-    /// The last speed of the moving section before this one and the first of the one after it;
-    /// `None` at the ends. The number of sections stands for the orientation after the last of
-    /// them.
+    /// Last speed of the moving section before this one and first of that after it; `None` at the
+    /// ends. The number of sections stands for the orientation after the last of them.
     ///
     /// # Panics
     /// If there is no such section.
@@ -535,8 +533,7 @@ impl Timeline {
     }
 }
 
-/// Hold of the last orientation; a closed path ends where it began, and that key has rested
-/// already.
+/// Hold of the last orientation; a closed path ends in its first key, which has rested already.
 fn last_hold(path: &CameraPath) -> usize {
     if path.closed {
         return 0;
@@ -559,8 +556,7 @@ fn unrounded(path: &CameraPath, change: Change, amount: f64, mean_speed: f64) ->
     amount * base * BASE_SPEED / mean_speed
 }
 
-/// The state of a section that moves, with its frames; `this` is its orientation, `before` and
-/// `after` face it.
+/// The state of a section that begins with `this` and moves, between two facing speeds.
 fn paced(
     path: &CameraPath,
     state: State,

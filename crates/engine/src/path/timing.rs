@@ -20,8 +20,7 @@ pub struct Timing {
     within: f64,
 }
 
-/// The whole that a timing is taken from. The largest is the usual one: boxing it would gain
-/// nothing.
+/// The whole that a timing is taken from. The largest is the usual one: boxing it gains nothing.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(clippy::large_enum_variant)]
 enum Course {
@@ -122,8 +121,7 @@ impl Course {
 }
 
 impl Timing {
-    /// The pace of the section that begins with an orientation; `before` and `after` face its ten
-    /// speeds.
+    /// The pace of an orientation's section; `before` and `after` are the speeds that face its ten.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
@@ -234,8 +232,7 @@ impl Timing {
         self.course.speed(self.at(u))
     }
 
-    /// Derivative of [`Self::speed`] at the share `u` of the time; where it jumps, one of the two
-    /// values.
+    /// Derivative of [`Self::speed`] at the share `u`; where it jumps, one of the two values.
     #[must_use]
     pub fn acceleration(&self, u: f64) -> f64 {
         self.course.acceleration(self.at(u)) * (self.to - self.from)

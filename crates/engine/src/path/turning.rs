@@ -1,5 +1,4 @@
-//! How the camera turns within one section, at a share of its curve time
-//! ([`super::orientation_curve`] works it out).
+//! How the camera turns within one section, as [`super::orientation_curve`] works it out.
 //!
 //! Places are the world's; directions and quaternions are in y-up axes ([`super::Up::upright`]).
 
@@ -47,8 +46,7 @@ impl Turning {
         }
     }
 
-    /// View direction and up at φ. `place` gives the camera's position at any φ; only tracking
-    /// asks.
+    /// View direction and up at φ. `place` gives the position at any φ; only tracking asks.
     pub(super) fn view_at(
         &self,
         phi: f64,
@@ -72,7 +70,7 @@ pub(super) fn cubic(c: &[f64; 4], phi: f64) -> f64 {
     ((c[3] * phi + c[2]) * phi + c[1]) * phi + c[0]
 }
 
-/// Looks at the target, and within [`AT_TARGET`] of it as [`level_view`] does without direction.
+/// Looks at the target; nearer to it than [`AT_TARGET`] there is no direction.
 fn track(
     target: DVec3,
     roll: &[f64; 4],
@@ -118,8 +116,8 @@ impl Follow {
     }
 }
 
-/// A view in some direction at φ, rolled against the level. Where there is no direction the last
-/// one holds, straight up and down the last yaw.
+/// A view in some direction at φ, rolled against the level; without direction or yaw, the last
+/// holds.
 fn level_view(
     direction: &dyn Fn(f64) -> Option<DVec3>,
     roll: &[f64; 4],
@@ -146,8 +144,7 @@ fn held(find: &dyn Fn(f64) -> Option<DVec3>, phi: f64) -> Option<DVec3> {
     find(phi).or_else(|| last_where(phi, &|phi| find(phi).is_some()).and_then(find))
 }
 
-/// The φ nearest before this one, else nearest after it, where `good` holds: doubling, then
-/// bisection.
+/// The φ nearest before this one, else after it, where `good` holds: doubling, then bisection.
 fn last_where(phi: f64, good: &dyn Fn(f64) -> bool) -> Option<f64> {
     for direction in [-1.0, 1.0] {
         let mut step = 1e-15;
