@@ -1,9 +1,9 @@
 //! Interpolation at the 16 Chebyshev nodes of the first kind (Trefethen,
 //! *Approximation Theory and Approximation Practice*, ch. 3–4, 8).
 //!
-//! The coefficients of a function that is analytic around [−1, 1] fall geometrically, so the last
-//! ones tell the error of the fit; they fall faster than 2^k grows, so powers of x are as safe as
-//! the series.
+//! The coefficients of a function analytic around [−1, 1] fall geometrically: the last ones tell
+//! the error of the fit. They fall faster than 2^k grows, so that powers of x are as safe as the
+//! series.
 
 use super::vector::Vector;
 

@@ -24,8 +24,8 @@ pub fn angle(a: DQuat, b: DQuat) -> f64 {
     2.0 * (a - b).length().atan2((a + b).length())
 }
 
-/// Interpolates along the great arc from `a` to `b` without a test of signs, for any finite `t`.
-/// Antipodes have no arc: the result is then `a`.
+/// The great arc from `a` to `b` at any finite `t`, whatever their signs; `a` where they are
+/// antipodes.
 #[must_use]
 pub fn slerp(a: DQuat, b: DQuat, t: f64) -> DQuat {
     let theta = angle(a, b);

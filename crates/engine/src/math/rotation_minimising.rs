@@ -1,6 +1,5 @@
-//! Carries an up vector along a changing direction without turning it about that (W. Wang, B.
-//! Jüttler, D. Zheng, Y. Liu, *Computation of Rotation Minimizing Frames*, 2008: double
-//! reflection).
+//! Carries an up along a changing direction without turning it about that, by double reflection (W.
+//! Wang, B. Jüttler, D. Zheng, Y. Liu, *Computation of Rotation Minimizing Frames*, 2008).
 //!
 //! Their curve is here the one that has the direction as its tangent; the chord of a step comes by
 //! Simpson's rule. The error of a step is of fifth order, that of the whole way of fourth.

@@ -47,9 +47,8 @@ pub struct View {
 
 impl View {
     /// The perspective view of a camera at `position` that looks along `view` (of any length):
-    /// vertical field of view 2·atan(12/`zoom`), `aspect` = width / height; `front` and `back` are
-    /// the distances of the planes, 0 < `front` < `back`. `view` × `up` is to the right in the
-    /// picture.
+    /// vertical field of view 2·atan(12/`zoom`), `aspect` = width / height; planes at the distances
+    /// `front` and `back`, 0 < `front` < `back`. `view` × `up` is to the right in the picture.
     ///
     /// The eye is the view reference point; the window lies at distance 1, so
     /// that v ∈ ±12/`zoom` and u ∈ ±`aspect`·12/`zoom`.
@@ -99,8 +98,7 @@ impl View {
     /// # Errors
     /// [`crate::Error::Argument`] for anything not finite, or a normal and an up vector that are
     /// zero or parallel; [`crate::Error::Range`] for an empty window, a back plane not behind the
-    /// front plane, or a projection reference point not before the front plane or in the view
-    /// plane.
+    /// front plane, or a reference point (`prp`) not before the front plane or in the view plane.
     pub fn check(&self) -> Result<()> {
         let vectors = [self.vrp, self.normal, self.up, self.prp];
         let numbers = [self.front, self.back, self.distance];

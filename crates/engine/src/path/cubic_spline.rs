@@ -26,8 +26,7 @@ pub struct CubicSpline {
 }
 
 impl CubicSpline {
-    /// The spline through `points[i]` at strictly rising `knots[i]`, in time proportional to the
-    /// points.
+    /// The spline through `points[i]` at strictly rising `knots[i]`, in time linear in the points.
     ///
     /// # Errors
     /// [`crate::Error::Argument`] for fewer than two points, a different number of knots, anything

@@ -54,12 +54,11 @@ fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> R
 }
 
 /// Frames for the moving sections of a range of points (from 0), so that there are exactly `frames`
-/// from the first pose at `first` to the last at `last`, holds included. Proportions stay as near
-/// as can be.
+/// from the first pose at `first` to the last at `last`, holds included, in nearly the same
+/// proportions.
 ///
 /// # Errors
-/// [`crate::Error::Range`] for a range or a number of frames that cannot be;
-/// [`crate::Error::Memory`].
+/// [`crate::Error::Range`] for a range or a number that cannot be; [`crate::Error::Memory`].
 pub fn fit_frames(
     path: &CameraPath,
     timeline: &Timeline,
@@ -75,8 +74,7 @@ pub fn fit_frames(
     fit(path, timeline, &sections, 1 + hold, frames)
 }
 
-/// Frames for the moving sections between two points: the second is reached `frames` after the
-/// first.
+/// Frames for the moving sections between two points: `last` is reached `frames` after `first`.
 ///
 /// # Errors
 /// As [`fit_frames`].

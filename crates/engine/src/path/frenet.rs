@@ -39,8 +39,7 @@ struct Segment {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Normals {
     segments: Vec<Segment>,
-    /// Where a closed curve brings the normal back turned over: the segment where spreading that
-    /// begins.
+    /// The segment where a half turn begins to be spread, if a closed curve turns the normal over.
     turns_over: Option<usize>,
 }
 

@@ -111,8 +111,7 @@ pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
 /// The frames nearest to equal divisions of the way to the next point, for [`on_curve`] in turn.
 ///
 /// # Errors
-/// [`Error::Range`] where there is no such way or too few frames; [`Error::Limit`],
-/// [`Error::Memory`].
+/// [`Error::Range`] for no such way or too few frames; [`Error::Limit`], [`Error::Memory`].
 #[allow(clippy::cast_precision_loss)]
 pub fn dividing_frames(path: &CameraPath, segment: usize, points: usize) -> Result<Vec<f64>> {
     let timeline = Timeline::new(path)?;

@@ -54,9 +54,9 @@ pub fn basis(from: Tcb, to: Tcb) -> BasisMatrix {
     ]
 }
 
-/// The tangent at an end: that of the parabola through the three nearest points, (−3P₀+4P₁−P₂)/2,
-/// loosened by the tension alone. `near` and `far` are the chords P₁−P₀ and P₂−P₁; at the end of a
-/// path Pₙ−Pₙ₋₁ and Pₙ₋₁−Pₙ₋₂.
+/// The tangent of the parabola through the three points nearest to an end, (−3P₀+4P₁−P₂)/2,
+/// loosened by the tension alone. `near` and `far` are P₁−P₀ and P₂−P₁, at the last point Pₙ−Pₙ₋₁
+/// and Pₙ₋₁−Pₙ₋₂.
 #[must_use]
 pub fn end_tangent(tension: f64, near: DVec3, far: DVec3) -> DVec3 {
     (1.0 - tension) * (1.5 * near - 0.5 * far)

@@ -1,6 +1,6 @@
-//! How the camera turns in each section of a path (thesis ch. 4; `docs/path.md`, orientation
-//! curve): on a free curve through quaternions, or tracking a target, looking along the way,
-//! keeping a direction.
+//! How the camera turns in each section (thesis ch. 4; `docs/path.md`, orientation curve): on a
+//! free curve through quaternions, or tracking a target, looking along the way, keeping a
+//! direction.
 //!
 //! Positions, targets and ways are the world's; directions, quaternions and velocities are in y-up
 //! axes ([`super::Up::upright`]).
@@ -161,8 +161,7 @@ pub(super) fn turnings(
     Ok(turnings)
 }
 
-/// Velocities with which the turning passes a key, and the slope of its roll beside a level
-/// section.
+/// Velocities with which the turning passes a key, and its slope of roll beside a level section.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rates {
     pub reach: DVec3,
@@ -353,8 +352,7 @@ impl Work<'_> {
         self.keys[key].velocities(self.space.up)
     }
 
-    /// Velocities with which the curve reaches and leaves a key, limited so that nothing swings
-    /// out.
+    /// Velocities with which the curve reaches and leaves a key, limited so that none swings out.
     fn velocities(&self, key: usize) -> (DVec3, DVec3) {
         let before = self.ring.before_key(key);
         let after = self.ring.after_key(key);

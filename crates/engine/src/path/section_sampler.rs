@@ -160,8 +160,7 @@ struct Fingerprint(u64);
 impl Fingerprint {
     fn add<const N: usize>(&mut self, numbers: [f64; N]) {
         for number in numbers {
-            // Both halves of the product: every bit reaches every other. The constants are digits
-            // of π.
+            // Both halves of the product: every bit reaches every other. The digits are those of π.
             let word = self.0.rotate_left(29) ^ number.to_bits() ^ 0x2438_6A88_85A3_08D3;
             let product = u128::from(word) * 0x1319_8A2E_0370_7345;
             self.0 = (product as u64) ^ ((product >> 64) as u64);

@@ -315,8 +315,7 @@ impl Timeline {
         }
     }
 
-    /// Frames of a section by its length, even if they are fixed, not rounded; 0 if nothing
-    /// changes.
+    /// Frames of a section by its length, fixed or not, before rounding; 0 if nothing changes.
     ///
     /// # Panics
     /// If there is no such section.

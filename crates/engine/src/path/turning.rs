@@ -116,8 +116,7 @@ impl Follow {
     }
 }
 
-/// A view in some direction at φ, rolled against the level; without direction or yaw, the last
-/// holds.
+/// A view in some direction at φ, rolled against the level; without direction or yaw the last.
 fn level_view(
     direction: &dyn Fn(f64) -> Option<DVec3>,
     roll: &[f64; 4],
