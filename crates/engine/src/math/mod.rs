@@ -1,8 +1,8 @@
 //! Quaternions, orientations, polynomials, views and SIMD vectors (`vector`), testable without a
 //! path. Of the rest of the library only errors and limits are used.
 //!
-//! The vectors are private: code for AVX2 may only run where the processor has been asked for it,
-//! as `path::dispatch` does.
+//! The vectors are private: AVX2 may only run where `path::dispatch` has asked the processor for
+//! it.
 //!
 //! ```compile_fail,E0603
 //! use vides_engine::math::vector::Vector;

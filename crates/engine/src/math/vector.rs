@@ -146,7 +146,6 @@ mod x86_64 {
     /// Doubles in a cache line.
     const LINE: usize = 8;
 
-    /// The operations that both kinds have under like names.
     macro_rules! lane_by_lane {
         ($lanes:literal, $set1:ident, $loadu:ident, $storeu:ident, $add:ident, $sub:ident,
          $mul:ident, $div:ident, $sqrt:ident, $min:ident, $max:ident, $stream:ident,

@@ -273,7 +273,6 @@ fn inverse_guess(length: f64, speed: [f64; 2], slope: [f64; 2]) -> [f64; 6] {
 }
 
 impl Piece {
-    /// Share of the whole length at which the piece begins.
     pub(super) fn start_share(&self, length: f64) -> f64 {
         self.start / length
     }

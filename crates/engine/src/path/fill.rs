@@ -236,7 +236,6 @@ fn store_each<V: Vector>(values: [V; AT_ONCE], to: &mut [f64]) {
     }
 }
 
-/// The curve's parameter of each frame.
 #[inline(always)]
 fn parameters<V: Vector>(way: &ArcLengthCurve, tables: &Tables, count: usize, block: &mut Block) {
     let Block { phi, s, t, .. } = block;

@@ -129,7 +129,6 @@ impl Segment {
     }
 }
 
-/// Real zeros of a quadratic.
 fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
     let discriminant = b * b - 4.0 * a * c;
     if discriminant < 0.0 {

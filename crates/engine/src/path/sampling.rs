@@ -264,7 +264,6 @@ impl Sampler {
     }
 }
 
-/// A key of the path, and the pose in which the camera is there.
 fn key(path: &CameraPath, timeline: &Timeline, point: usize, orientation: usize) -> (Key, Pose) {
     let reference = timeline.reference(point, orientation);
     let axes = path.space.up;

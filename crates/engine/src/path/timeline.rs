@@ -457,7 +457,6 @@ impl Timeline {
         wrapped.map(|found| section + found)
     }
 
-    /// The nearest section after this one that has frames.
     fn moving_after(&self, section: usize) -> Option<usize> {
         let found = self.sections[section + 1..].iter().position(State::moves);
         if found.is_some() || !self.closed {
@@ -567,8 +566,7 @@ fn paced(
     let frames = match this.own.frames {
         0 => {
             let frames = unrounded(path, state.change, state.amount, mean_speed);
-            // Half a frame rounds up, even if rounding left it short: the count must not depend on
-            // the processor's last bits.
+            // Half a frame rounds up whatever the last bits, which depend on the processor.
             (frames + TIE * frames).round()
         }
         fixed => f64::from(fixed),
