@@ -18,8 +18,8 @@ fn scale(delta: f64, left: f64, right: f64) -> f64 {
     if size > room { room / size } else { 1.0 }
 }
 
-/// Writes the slopes at the keys: `steps[i]` > 0 leads from key i to the next, `rises[i]` goes with
-/// it.
+/// Writes slopes at the keys; from key i to the next the value rises by `rises[i]` over `steps[i]`.
+/// All steps are > 0.
 ///
 /// Each interval asks for its two slopes to be scaled, and a slope follows the stricter of the two,
 /// so the curve does not depend on the direction in which keys are counted.

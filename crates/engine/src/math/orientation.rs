@@ -1,7 +1,7 @@
 //! Orientations as quaternions, angles and pairs of vectors (thesis 4.3, 4.4.5).
 //!
-//! Conventions: q = q_yaw(y)·q_pitch(x)·q_roll(z); a camera that is not turned looks along (0, 0,
-//! 1) with (0, 1, 0) up. Positive pitch looks down.
+//! Conventions: q = q_yaw(y)·q_pitch(x)·q_roll(z); positive pitch looks down. A camera that is not
+//! turned looks along (0, 0, 1) with (0, 1, 0) up.
 
 use glam::{DQuat, DVec3};
 
