@@ -2,8 +2,7 @@
 //! *Approximation Theory and Approximation Practice*, ch. 3–4, 8).
 //!
 //! The coefficients of a function analytic around [−1, 1] fall geometrically: the last ones tell
-//! the error of the fit. They fall faster than 2^k grows, so that powers of x are as safe as the
-//! series.
+//! the error of the fit. They fall faster than 2^k, so powers of x are as safe as the series.
 
 use super::vector::Vector;
 

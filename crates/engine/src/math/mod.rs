@@ -1,8 +1,7 @@
 //! Quaternions, orientations, polynomials, views and SIMD vectors (`vector`), testable without a
 //! path. Of the rest of the library only errors and limits are used.
 //!
-//! The vectors are private: AVX2 may only run where `path::dispatch` has asked the processor for
-//! it.
+//! The vectors are private: AVX2 may only run where `path::dispatch` has found it.
 //!
 //! ```compile_fail,E0603
 //! use vides_engine::math::vector::Vector;

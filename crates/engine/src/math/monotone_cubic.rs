@@ -54,7 +54,7 @@ pub fn slopes(steps: &[f64], rises: &[f64], periodic: bool, slopes: &mut [f64]) 
         k if k == n => periodic.then_some(0),
         k => Some(k),
     };
-    // Slopes beside level or opposing intervals go first, or their partners are scaled for nothing.
+    // Slopes beside level or opposing intervals become 0 first, or partners are scaled for nothing.
     for (k, slope) in slopes.iter_mut().enumerate() {
         let turns = |i: Option<usize>| i.is_some_and(|i| *slope * delta(i) <= 0.0);
         if turns(before(k)) || turns(after(k)) {

@@ -24,8 +24,8 @@ pub fn angle(a: DQuat, b: DQuat) -> f64 {
     2.0 * (a - b).length().atan2((a + b).length())
 }
 
-/// The great arc from `a` to `b` at any finite `t`, whatever their signs; `a` where they are
-/// antipodes.
+/// Interpolates along the great arc from `a` to `b` without a test of signs, at any finite `t`.
+/// Antipodes have no arc and give `a`.
 #[must_use]
 pub fn slerp(a: DQuat, b: DQuat, t: f64) -> DQuat {
     let theta = angle(a, b);
@@ -42,7 +42,7 @@ pub fn slerp(a: DQuat, b: DQuat, t: f64) -> DQuat {
     a * (((1.0 - t) * theta).sin() / sin) + b * ((t * theta).sin() / sin)
 }
 
-/// `a` turned by an angle on S³ towards `b`: of length 1 whatever the angle, and where the two lie
+/// `a` turned by an angle on S³ towards `b`: of length 1 whatever the angle, also where the two lie
 /// so close together or so far apart that weights would magnify their rounding.
 fn turned(a: DQuat, b: DQuat, angle: f64) -> DQuat {
     let across = b - a * a.dot(b);

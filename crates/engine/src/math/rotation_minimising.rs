@@ -1,5 +1,5 @@
-//! Carries an up along a changing direction without turning it about that, by double reflection (W.
-//! Wang, B. Jüttler, D. Zheng, Y. Liu, *Computation of Rotation Minimizing Frames*, 2008).
+//! Carries an up vector along a changing direction without turning it about that: double reflection
+//! (Wang, Jüttler, Zheng, Liu, *Computation of Rotation Minimizing Frames*, 2008).
 //!
 //! Their curve is here the one that has the direction as its tangent; the chord of a step comes by
 //! Simpson's rule. The error of a step is of fifth order, that of the whole way of fourth.

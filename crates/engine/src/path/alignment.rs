@@ -62,7 +62,7 @@ pub(super) enum UpAlong {
     Path(Arc<UpPath>),
     Minimal(Arc<Carried>),
     Frenet(Arc<Normals>),
-    /// That of the key in which the section begins, where the camera stays.
+    /// The up of the key in which the section begins, where the camera stays.
     Key(DVec3),
 }
 

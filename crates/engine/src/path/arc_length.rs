@@ -474,7 +474,7 @@ impl ArcLength {
         (piece.start + within.clamp(0.0, piece.length)) / self.scale
     }
 
-    /// Parameter in [0, 1] at the length `s` from the start; 0 on a curve without length.
+    /// Parameter in [0, 1] at the length `s`, clamped to the curve; 0 on a curve without length.
     #[must_use]
     pub fn parameter_at(&self, s: f64) -> f64 {
         if !(s > 0.0) || self.pieces.is_empty() {

@@ -45,7 +45,7 @@ struct Block {
 #[repr(align(64))]
 struct Records([f64; 10 * (BLOCK + STRIDE)]);
 
-/// From so many poses on, which the caches do not hold, they are written past them.
+/// From this many poses on, more than the caches hold, they are written past them.
 const MANY: usize = 50_000;
 
 /// Working memory that one call hands from section to section.

@@ -54,11 +54,11 @@ fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> R
 }
 
 /// Frames for the moving sections of a range of points (from 0), so that there are exactly `frames`
-/// from the first pose at `first` to the last at `last`, holds included, in nearly the same
-/// proportions.
+/// from the first pose at `first` to the last at `last`, holds included. Proportions are kept.
 ///
 /// # Errors
-/// [`crate::Error::Range`] for a range or a number that cannot be; [`crate::Error::Memory`].
+/// [`crate::Error::Range`] for a range that does not exist, or fewer or more frames than it can
+/// have; [`crate::Error::Memory`].
 pub fn fit_frames(
     path: &CameraPath,
     timeline: &Timeline,

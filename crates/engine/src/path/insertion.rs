@@ -4,7 +4,7 @@
 //! would change elsewhere its neighbours then own: tangents, angular velocities, slopes. Which
 //! these are is found by comparing the path before with the path after.
 //!
-//! A part of a spherical Bézier curve is not another one (views would be off by up to some
+//! A part of a spherical Bézier curve is not such a curve itself (views would be off by up to some
 //! degrees), so the halves of a turning remember the whole, as long as their keys stay.
 
 use glam::{DQuat, DVec3};
@@ -108,7 +108,7 @@ pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     })
 }
 
-/// The frames nearest to equal divisions of the way to the next point, for [`on_curve`] in turn.
+/// The frames nearest to where a segment divides into equal lengths, for [`on_curve`] one by one.
 ///
 /// # Errors
 /// [`Error::Range`] for no such way or too few frames; [`Error::Limit`], [`Error::Memory`].
@@ -203,7 +203,7 @@ struct Wanted {
     zoom_slope: f64,
 }
 
-/// The new point, which owns only its pace yet, and what it and its neighbours must have.
+/// The new point, which so far owns only its pace, and what it and its neighbours must have.
 fn divide(
     path: &CameraPath,
     timeline: &Timeline,

@@ -55,8 +55,7 @@ pub fn basis(from: Tcb, to: Tcb) -> BasisMatrix {
 }
 
 /// The tangent of the parabola through the three points nearest to an end, (−3P₀+4P₁−P₂)/2,
-/// loosened by the tension alone. `near` and `far` are P₁−P₀ and P₂−P₁, at the last point Pₙ−Pₙ₋₁
-/// and Pₙ₋₁−Pₙ₋₂.
+/// loosened by the tension. `near` and `far` are P₁−P₀ and P₂−P₁; at the end Pₙ−Pₙ₋₁, Pₙ₋₁−Pₙ₋₂.
 #[must_use]
 pub fn end_tangent(tension: f64, near: DVec3, far: DVec3) -> DVec3 {
     (1.0 - tension) * (1.5 * near - 0.5 * far)

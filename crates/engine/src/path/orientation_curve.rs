@@ -1,6 +1,5 @@
-//! How the camera turns in each section (thesis ch. 4; `docs/path.md`, orientation curve): on a
-//! free curve through quaternions, or tracking a target, looking along the way, keeping a
-//! direction.
+//! How the camera turns in each section (thesis ch. 4; `docs/path.md`, orientation curve): freely
+//! through quaternions, tracking a target, looking along the way or keeping a direction.
 //!
 //! Positions, targets and ways are the world's; directions, quaternions and velocities are in y-up
 //! axes ([`super::Up::upright`]).

@@ -24,7 +24,7 @@ struct Lengths {
     changed: Vec<usize>,
 }
 
-/// From more changed points on it is cheaper to compute everything.
+/// With more changed points than this it is cheaper to compute everything.
 const MANY: usize = 16;
 
 impl Lengths {

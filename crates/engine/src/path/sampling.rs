@@ -75,7 +75,7 @@ impl<'a> Layout<'a> {
                 0.0
             };
             let curve = timeline.curve(section.point.min(timeline.segment_count() - 1));
-            // A way too short to be measured is none.
+            // A way too short to measure counts as none.
             let curve = (length > 100.0 * arc_length::TINY).then_some(curve);
             spans.push(orientation_curve::Span {
                 duration: section.frames as f64 * section.mean_speed / BASE_SPEED,

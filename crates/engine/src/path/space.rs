@@ -85,7 +85,7 @@ impl Up {
 pub struct Space {
     /// Its centre, each coordinate at most [`limits::MAX_COORDINATE`] half sizes.
     pub centre: DVec3,
-    /// Half an edge, from [`limits::MIN_HALF_SIZE`] to [`limits::MAX_HALF_SIZE`].
+    /// Half the length of an edge, [`limits::MIN_HALF_SIZE`] to [`limits::MAX_HALF_SIZE`].
     pub half_size: f64,
     /// The axis that stands upright.
     pub up: Up,

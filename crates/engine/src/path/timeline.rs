@@ -566,7 +566,7 @@ fn paced(
     let frames = match this.own.frames {
         0 => {
             let frames = unrounded(path, state.change, state.amount, mean_speed);
-            // Half a frame rounds up whatever the last bits, which depend on the processor.
+            // Half a frame rounds up whatever its last bits, which depend on the processor.
             (frames + TIE * frames).round()
         }
         fixed => f64::from(fixed),

@@ -38,7 +38,7 @@ struct DistancePiece {
     way: [f64; 4],
 }
 
-/// The least mean speed, of a part that stands still; numbers of frames are divided by it.
+/// Mean speed of a part that stands still; frame counts are divided by it.
 const STILL: f64 = 1e-9;
 
 /// Slopes of a given distance at its keys.

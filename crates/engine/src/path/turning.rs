@@ -11,7 +11,7 @@ use crate::math::orientation::{self, POLE};
 use crate::math::quaternion::{continue_sign, log, slerp};
 use crate::math::rotation_minimising::{perpendicular, turned};
 
-/// Nearer to its target than so many half sizes a camera has no direction of its own.
+/// A camera nearer to its target than this, in half sizes, has no direction of its own.
 pub(super) const AT_TARGET: f64 = 1e-9;
 
 /// Step of the differences that give the velocity of a view along the way.
@@ -21,7 +21,7 @@ const STEP: f64 = 1.0 / 16384.0;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Turning {
     Bezier([DQuat; 4]),
-    /// From and to these shares of such a curve.
+    /// The part of such a curve between two shares of its time.
     Part([DQuat; 4], [f64; 2]),
     Arc([DQuat; 2]),
     /// The section lies between the inner knots, which are 0 and 1.
