@@ -125,7 +125,7 @@ impl Default for Orientation {
 }
 
 impl Orientation {
-    /// As in a new path of a space: looks back along its third axis from upright.
+    /// The orientation of a new path in a space: towards −z, or −x where z stands upright.
     #[must_use]
     pub fn new_in(space: Space) -> Self {
         Self {
