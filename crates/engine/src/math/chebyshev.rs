@@ -1,10 +1,8 @@
 //! Interpolation at the 16 Chebyshev nodes of the first kind (Trefethen,
 //! *Approximation Theory and Approximation Practice*, ch. 3–4, 8).
 //!
-//! A function that is analytic around [−1, 1] has coefficients that fall
-//! geometrically, so the last ones tell how good the fit is. The powers of x
-//! are as safe as the Chebyshev series then: the k-th falls faster than 2^k
-//! grows.
+//! The coefficients of a function analytic around [−1, 1] fall geometrically: the last ones tell
+//! the error of the fit. They fall faster than 2^k, so powers of x are as safe as the series.
 
 use super::vector::Vector;
 
@@ -55,9 +53,8 @@ pub(crate) const POINTS: [f64; NODES] = {
     points
 };
 
-/// Half of the discrete cosine transform, for the even and for the odd
-/// coefficients: `WEIGHTS[parity][j][i]` is what the value at node j (and, up
-/// to its sign, at the node opposite) adds to coefficient 2i + parity.
+/// Half of the discrete cosine transform: `WEIGHTS[parity][j][i]` is what the value at node j (and,
+/// up to its sign, at the node opposite) adds to coefficient 2i + parity.
 const WEIGHTS: [[[f64; HALF]; HALF]; 2] = {
     let mut weights = [[[0.0; HALF]; HALF]; 2];
     let mut k = 0;
@@ -121,7 +118,6 @@ fn combine<V: Vector>(factors: &[f64; HALF], rows: &[[f64; HALF]; HALF]) -> [f64
     sums
 }
 
-/// Even and odd entries woven into one array.
 #[inline(always)]
 fn weave(even: &[f64; HALF], odd: &[f64; HALF]) -> [f64; NODES] {
     let mut woven = [0.0; NODES];
@@ -151,8 +147,7 @@ pub(crate) fn series<V: Vector>(values: &[f64; NODES]) -> [f64; NODES] {
     )
 }
 
-/// Size of the last coefficients: what the fit is wrong by, within a small
-/// factor. Two of them, since an even or odd function lacks every other one.
+/// Error of the fit, within a small factor; an even or odd function lacks every other coefficient.
 #[inline(always)]
 #[must_use]
 pub(crate) fn tail(series: &[f64; NODES]) -> f64 {

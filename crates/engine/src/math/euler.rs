@@ -1,6 +1,5 @@
-//! Euler angles (thesis 4.3, 4.4.5): yaw about y, then pitch about the turned
-//! x axis, then roll about the view direction. They are for people to read and
-//! enter; nothing is interpolated in them, since they tumble (thesis 4.3).
+//! Euler angles (thesis 4.3, 4.4.5): yaw about y, then pitch about the turned x axis, then roll
+//! about the view direction. Nothing is interpolated in them, since they tumble.
 
 use glam::{DQuat, DVec3};
 

@@ -1,13 +1,7 @@
-//! Mathematics that knows nothing of cameras' paths: quaternions and
-//! orientations, polynomials, views and projections, and several numbers side
-//! by side (`vector`).
+//! Quaternions, orientations, polynomials, views and SIMD vectors (`vector`), testable without a
+//! path. Of the rest of the library only errors and limits are used.
 //!
-//! It stands apart so that each piece can be held against a closed form
-//! without a path around it. It uses no other part of the library but its
-//! errors and limits.
-//!
-//! The vectors are nobody else's: code for AVX2 may only run where the processor
-//! has been asked for it, as `path::dispatch` does.
+//! The vectors are private: AVX2 may only run where `path::dispatch` has found it.
 //!
 //! ```compile_fail,E0603
 //! use vides_engine::math::vector::Vector;

@@ -1,6 +1,5 @@
-//! Monotone piecewise cubic interpolation (Fritsch and Carlson, *Monotone
-//! Piecewise Cubic Interpolation*, SIAM J. Numer. Anal. 17, 1980): between two
-//! keys the curve never leaves the range of their values.
+//! Monotone piecewise cubic interpolation (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980):
+//! between two keys the curve never leaves the range of their values.
 
 /// Slope of the parabola through three points, at the middle one.
 fn middle_slope(h: [f64; 2], delta: [f64; 2]) -> f64 {
@@ -12,26 +11,24 @@ fn end_slope(h: [f64; 2], delta: [f64; 2]) -> f64 {
     ((2.0 * h[0] + h[1]) * delta[0] - h[0] * delta[1]) / (h[0] + h[1])
 }
 
-/// What two slopes are to be scaled by, so that they lie in the circle of
-/// radius 3 in which the cubic is monotone.
+/// Factor that brings two slopes into the circle of radius 3, in which the cubic is monotone.
 fn scale(delta: f64, left: f64, right: f64) -> f64 {
     let size = left.hypot(right);
     let room = 3.0 * delta.abs();
     if size > room { room / size } else { 1.0 }
 }
 
-/// Slopes at the keys, written to `slopes`. `steps[i]` is the distance from
-/// key i to key i + 1 (> 0), `rises[i]` the change of the value.
+/// Writes slopes at the keys; from key i to the next the value rises by `rises[i]` over `steps[i]`.
+/// All steps are > 0.
 ///
-/// Each interval asks for its two slopes to be scaled; a slope follows the
-/// stricter of the two that ask, so the curve does not depend on the direction
-/// in which the keys are counted.
+/// Each interval asks for its two slopes to be scaled, and a slope follows the stricter of the two,
+/// so the curve does not depend on the direction in which keys are counted.
 ///
-/// `periodic`: the last key is the first one again (up to a constant), so
-/// their slopes agree. Two keys that are not periodic give a straight line.
+/// `periodic`: the last key is the first again (up to a constant), so their slopes agree. Two keys
+/// that are not periodic give a straight line.
 ///
 /// # Panics
-/// If the lengths do not fit: n ≥ 1 steps, n rises, n + 1 slopes.
+/// Unless there are n ≥ 1 steps, n rises and n + 1 slopes.
 pub fn slopes(steps: &[f64], rises: &[f64], periodic: bool, slopes: &mut [f64]) {
     let n = steps.len();
     assert!(n >= 1 && rises.len() == n && slopes.len() == n + 1);
@@ -57,16 +54,14 @@ pub fn slopes(steps: &[f64], rises: &[f64], periodic: bool, slopes: &mut [f64]) 
         k if k == n => periodic.then_some(0),
         k => Some(k),
     };
-    // A slope beside a level or falling interval goes before its partner is
-    // scaled, or the partner would be scaled for nothing.
+    // Slopes beside level or opposing intervals become 0 first, or partners are scaled for nothing.
     for (k, slope) in slopes.iter_mut().enumerate() {
         let turns = |i: Option<usize>| i.is_some_and(|i| *slope * delta(i) <= 0.0);
         if turns(before(k)) || turns(after(k)) {
             *slope = 0.0;
         }
     }
-    // Each factor must be taken from slopes that are not scaled yet: the last
-    // two are kept aside.
+    // Factors come from slopes not scaled yet, so the last two are kept aside.
     let factor = |slopes: &[f64], i: usize| scale(delta(i), slopes[i], slopes[i + 1]);
     let first = factor(slopes, 0);
     let last = factor(slopes, n - 1);
@@ -79,8 +74,7 @@ pub fn slopes(steps: &[f64], rises: &[f64], periodic: bool, slopes: &mut [f64]) 
     slopes[n] *= behind.min(if periodic { first } else { 1.0 });
 }
 
-/// The cubic of one interval in φ ∈ [0, 1], lowest power first: from `value`
-/// it rises by `rise` over a distance of `step`.
+/// One interval's cubic in φ ∈ [0, 1], lowest power first: from `value` up by `rise` over `step`.
 #[must_use]
 pub fn cubic(value: f64, rise: f64, step: f64, left: f64, right: f64) -> [f64; 4] {
     let (left, right) = (left * step, right * step);

@@ -1,24 +1,21 @@
 //! Orientations as quaternions, angles and pairs of vectors (thesis 4.3, 4.4.5).
 //!
-//! Conventions: q = q_yaw(y)·q_pitch(x)·q_roll(z); the camera that is not
-//! turned looks along (0, 0, 1) with (0, 1, 0) up. Positive pitch looks down.
-//! At the poles, hypot(x, z) < 1e-12, the yaw is 0.
+//! Conventions: q = q_yaw(y)·q_pitch(x)·q_roll(z); positive pitch looks down. A camera that is not
+//! turned looks along (0, 0, 1) with (0, 1, 0) up.
 
 use glam::{DQuat, DVec3};
 
 /// Below this hypot(VPN.x, VPN.z) the yaw has no meaning and is taken as 0.
 pub const POLE: f64 = 1e-12;
 
-/// `v` with length 1, correctly also where its square would over- or
-/// underflow. `v` must not be zero.
+/// `v` with length 1, even where its square would over- or underflow. `v` must not be zero.
 #[must_use]
 pub fn unit(v: DVec3) -> DVec3 {
     let scaled = v / v.abs().max_element();
     scaled / scaled.length()
 }
 
-/// The camera's axes for a view direction without roll: U0 (the turned x axis)
-/// and V0 (the turned y axis). `view` is a unit vector.
+/// The camera's x and y axes (U0 and V0) for a unit view direction without roll.
 #[must_use]
 pub fn level_axes(view: DVec3) -> (DVec3, DVec3) {
     let h = view.x.hypot(view.z);
@@ -30,7 +27,7 @@ pub fn level_axes(view: DVec3) -> (DVec3, DVec3) {
     axes_with_yaw(view, sin_yaw, cos_yaw)
 }
 
-/// As [`level_axes`], with the yaw given: what holds at a pole.
+/// As [`level_axes`] with a given yaw, for use at a pole.
 #[must_use]
 pub fn axes_with_yaw(view: DVec3, sin_yaw: f64, cos_yaw: f64) -> (DVec3, DVec3) {
     let h = view.x.hypot(view.z);
@@ -73,8 +70,7 @@ pub fn wrap_degrees(degrees: f64) -> f64 {
     }
 }
 
-/// The quaternion that turns z into `view` and y into `up`; both unit and
-/// perpendicular. The sign is such that w ≥ 0 is not promised.
+/// The quaternion that turns z into `view` and y into `up` (unit, perpendicular); its w may be < 0.
 #[must_use]
 pub fn quaternion_from_view(view: DVec3, up: DVec3) -> DQuat {
     // Shepperd's method: divide by the largest component, never by a small one.
@@ -99,8 +95,7 @@ pub fn quaternion_from_roll(view: DVec3, roll: f64) -> DQuat {
     quaternion_from_view(view, up_from_roll(view, roll))
 }
 
-/// View direction and up vector of a quaternion of any length but zero: unit
-/// and perpendicular to rounding, since each is divided by |q|².
+/// View direction and up of a quaternion that is not zero: unit and perpendicular to rounding.
 #[must_use]
 pub fn view_from_quaternion(q: DQuat) -> (DVec3, DVec3) {
     let (x, y, z, w) = (q.x, q.y, q.z, q.w);

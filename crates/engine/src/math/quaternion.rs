@@ -8,28 +8,24 @@ use glam::{DQuat, DVec3, DVec4};
 /// Below this angle an arc is as good as straight.
 const STRAIGHT: f64 = 1e-12;
 
-/// Above this angle an arc's weights are more than seven times too large for
-/// what they add up to.
+/// Above this angle the weights of an arc are more than seven times their sum.
 const WIDE: f64 = 3.0;
 
-/// Beyond this range of `t` an arc goes on so far that its weights do not tell
-/// its length any more.
+/// Outside this range of `t` the weights no longer give a result of length 1.
 const NEARBY: RangeInclusive<f64> = -2.0..=3.0;
 
-/// Keys whose |q_i·q_{i+1}| is at most this lie half a turn apart, so that
-/// both ways are equally long.
+/// Keys whose |q_i·q_{i+1}| is at most this are half a turn apart: both ways are equally long.
 pub const HALF_TURN: f64 = 1e-12;
 
-/// The angle between two unit quaternions on S³, in [0, π]; accurate at both
-/// ends, where the arc cosine is not.
+/// The angle between two unit quaternions on S³, in [0, π]; accurate at both ends, unlike acos.
 #[must_use]
 pub fn angle(a: DQuat, b: DQuat) -> f64 {
     let (a, b) = (DVec4::from(a), DVec4::from(b));
     2.0 * (a - b).length().atan2((a + b).length())
 }
 
-/// Interpolates along the great arc from `a` to `b` with no test of signs;
-/// any finite `t`. Antipodes have no arc: the result is then `a`.
+/// Interpolates along the great arc from `a` to `b` without a test of signs, at any finite `t`.
+/// Antipodes have no arc and give `a`.
 #[must_use]
 pub fn slerp(a: DQuat, b: DQuat, t: f64) -> DQuat {
     let theta = angle(a, b);
@@ -46,9 +42,8 @@ pub fn slerp(a: DQuat, b: DQuat, t: f64) -> DQuat {
     a * (((1.0 - t) * theta).sin() / sin) + b * ((t * theta).sin() / sin)
 }
 
-/// `a`, turned by an angle on S³ towards `b`. Of length 1 whatever the angle,
-/// and where `a` and `b` lie so close together or so far apart that weights of
-/// the two would magnify their rounding.
+/// `a` turned by an angle on S³ towards `b`: of length 1 whatever the angle, also where the two lie
+/// so close together or so far apart that weights would magnify their rounding.
 fn turned(a: DQuat, b: DQuat, angle: f64) -> DQuat {
     let across = b - a * a.dot(b);
     if across.length() == 0.0 {
@@ -56,7 +51,7 @@ fn turned(a: DQuat, b: DQuat, angle: f64) -> DQuat {
     }
     let across = across.normalize();
     let across = (across - a * a.dot(across)).normalize();
-    // Beyond the largest number nobody can tell where on the circle it is.
+    // An angle that overflowed has no meaning, but must be finite for `sin_cos`.
     let (sin, cos) = angle.clamp(f64::MIN, f64::MAX).sin_cos();
     a * cos + across * sin
 }
@@ -88,10 +83,9 @@ pub fn log(q: DQuat) -> DVec3 {
     }
 }
 
-/// `q` or −`q`, whichever continues the sequence after `before` by the shorter
-/// way. Half a turn apart either way is right; then the sign for which the
-/// first non-zero component of the rotation vector in the camera's own frame,
-/// in the order y, x, z, is positive (`docs/path.md`, orientation curve). The flag tells that case.
+/// `q` or −`q`, whichever continues from `before` by the shorter way. Half a turn apart, which the
+/// flag tells, the one whose rotation vector in the camera's own frame has a positive first
+/// non-zero component, in the order y, x, z (`docs/path.md`, orientation curve).
 #[must_use]
 pub fn continue_sign(before: DQuat, q: DQuat) -> (DQuat, bool) {
     let dot = before.dot(q);
@@ -107,7 +101,7 @@ pub fn continue_sign(before: DQuat, q: DQuat) -> (DQuat, bool) {
     (q, true)
 }
 
-/// Plain linear interpolation, without glam's test of signs.
+/// Linear interpolation without glam's test of signs.
 trait LerpRaw {
     fn lerp_raw(self, other: Self, t: f64) -> Self;
 }

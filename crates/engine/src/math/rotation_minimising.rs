@@ -1,32 +1,28 @@
-//! Carries a vector along with a turning direction without turning it about that
-//! direction: double reflection (W. Wang, B. Jüttler, D. Zheng, Y. Liu, *Computation of
-//! Rotation Minimizing Frames*, 2008).
+//! Carries an up vector along a changing direction without turning it about that: double reflection
+//! (Wang, Jüttler, Zheng, Liu, *Computation of Rotation Minimizing Frames*, 2008).
 //!
-//! Their curve is here the one whose tangent the direction is, so that it serves any
-//! look and not only that along a curve; its chord over a step comes by the rule of
-//! Simpson. The error of a step is of the fifth order, that of the whole way of the
-//! fourth.
+//! Their curve is here the one that has the direction as its tangent; the chord of a step comes by
+//! Simpson's rule. The error of a step is of fifth order, that of the whole way of fourth.
 
 use glam::DVec3;
 
-/// Less than this is no length beside 1.
+/// Lengths below this count as zero.
 const NOTHING: f64 = 1e-12;
 
-/// A vector made perpendicular to a unit `view` and unit; none where it is parallel.
+/// `v` made perpendicular to a unit `view` and unit; `None` where the two are parallel.
 #[must_use]
 pub fn perpendicular(v: DVec3, view: DVec3) -> Option<DVec3> {
     let part = v - v.dot(view) * view;
     if !(part.length() > NOTHING * v.length()) {
         return None;
     }
-    // Once more, for what the first time lost beside a long parallel part.
+    // Once more, for the digits lost to a long parallel part.
     let part = part.normalize();
     Some((part - part.dot(view) * view).normalize())
 }
 
-/// One step: `up` at the unit direction `from` carried to `to`; `chord` leads along the
-/// curve that has them as tangents, and may have any length. The error is of the
-/// fifth order in the step.
+/// One step: carries `up` from the unit direction `from` to `to`. `chord`, of any length, leads
+/// along the curve that has them as tangents.
 #[must_use]
 pub fn step(up: DVec3, from: DVec3, to: DVec3, chord: DVec3) -> DVec3 {
     let reflect = |v: DVec3, n: DVec3| v - (2.0 * v.dot(n) / n.length_squared()) * n;
@@ -43,8 +39,7 @@ pub fn step(up: DVec3, from: DVec3, to: DVec3, chord: DVec3) -> DVec3 {
     perpendicular(moved, to).unwrap_or(up)
 }
 
-/// The shortest rotation from one direction to another applied to `up`. Between opposite
-/// directions `up` stays.
+/// `up` under the shortest rotation between two directions; unchanged between opposite ones.
 #[must_use]
 pub fn shortest(up: DVec3, from: DVec3, to: DVec3) -> DVec3 {
     step(up, from, to, from + to)
@@ -56,8 +51,7 @@ pub fn chord(from: DVec3, middle: DVec3, to: DVec3) -> DVec3 {
     from + 4.0 * middle + to
 }
 
-/// The signed angle about `view` from one perpendicular unit vector to another,
-/// in (−π, π].
+/// The signed angle about `view` from one perpendicular unit vector to another, in (−π, π].
 #[must_use]
 pub fn signed_angle(from: DVec3, to: DVec3, view: DVec3) -> f64 {
     view.dot(from.cross(to)).atan2(from.dot(to))

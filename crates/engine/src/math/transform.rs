@@ -1,7 +1,6 @@
-//! Transformations of space as 4×4 matrices (thesis 2.2): p' = M·p with column
-//! vectors in homogeneous coordinates, right-handed axes, angles in radians,
-//! positive counter-clockwise when looking from the axis's tip to the origin.
-//! A product applies its rightmost factor first.
+//! Transformations of space as 4×4 matrices (thesis 2.2): p' = M·p with column vectors in
+//! homogeneous coordinates, right-handed axes, angles in radians, positive counter-clockwise when
+//! looking from the axis's tip to the origin. A product applies its rightmost factor first.
 
 use glam::{DMat3, DMat4, DVec3};
 
@@ -44,10 +43,9 @@ pub fn rotation_z(angle: f64) -> DMat4 {
     DMat4::from_rotation_z(angle)
 }
 
-/// The rotation R_y·R_x of 2.2.5 that brings the direction `axis`, of any
-/// length, onto the z axis: first about x into the xz plane (2.15), then about
-/// y (2.17; its sine is −x whatever the sign of x). An axis along x has
-/// nothing to turn about x: R_x is then the identity.
+/// The rotation R_y·R_x of 2.2.5 that brings `axis`, of any length, onto the z axis: first about x
+/// into the xz plane (2.15), then about y (2.17; its sine is −x whatever the sign of x). For an
+/// axis along x, R_x is the identity.
 ///
 /// # Errors
 /// [`crate::Error::Argument`] if `axis` is zero or not finite.
@@ -67,9 +65,8 @@ pub fn axis_to_z(axis: DVec3) -> Result<DMat4> {
     Ok(DMat4::from_mat3(about_y * about_x))
 }
 
-/// Turns by `angle` about the line through `point` along `axis`, by the seven
-/// steps of 2.2.5: T⁻¹·R_x⁻¹·R_y⁻¹·R_z·R_y·R_x·T. (2.19 prints the two inverse
-/// rotations the other way round.)
+/// Turns by `angle` about the line through `point` along `axis`, by the seven steps of 2.2.5:
+/// T⁻¹·R_x⁻¹·R_y⁻¹·R_z·R_y·R_x·T. (2.19 prints the two inverse rotations the other way round.)
 ///
 /// # Errors
 /// [`crate::Error::Argument`] if `axis` is zero or anything is not finite.

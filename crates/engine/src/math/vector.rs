@@ -1,26 +1,19 @@
-//! Several numbers computed side by side.
+//! SIMD vectors of doubles.
 //!
-//! The sampling code is written once, over the trait [`Vector`], and compiled
-//! for each kind of processor: `f64` is a vector of one, the plain version
-//! that the others are held against; [`Sse2`] is what every x86-64 processor
-//! has; [`Avx2`] comes with fused multiplication. (Vectors twice as wide again
-//! were tried and gained nothing.) Everything is forced inline, since a
-//! function that is called would be compiled for the plainest processor.
-//! No crate for it: `fearless_simd` has nothing between plain code and SSE 4.2, so that
-//! plain x86-64 would lose its vectors, and no storing of rows of ten.
-//! This file names the instructions, `path::dispatch` chooses between them.
+//! The sampling code is written once, over the trait [`Vector`], and compiled for each kind of
+//! processor (`path::dispatch` chooses): `f64` is the plain version that the others are tested
+//! against, [`Sse2`] is what every x86-64 processor has, [`Avx2`] adds fused multiplication. (Wider
+//! vectors gained nothing.) Everything is forced inline, since a function that is called would be
+//! compiled for the plainest processor. `fearless_simd` would not do: it has nothing between plain
+//! code and SSE 4.2, so plain x86-64 would lose its vectors, and cannot store rows of ten.
 
 #![allow(unsafe_code)]
 
-/// A few numbers that are computed with together.
 pub(crate) trait Vector: Copy {
-    /// How many.
     const LANES: usize;
-    /// All lanes the same.
     fn splat(value: f64) -> Self;
-    /// The first [`Self::LANES`] numbers of a slice that has so many.
+    /// The first [`Self::LANES`] numbers of a slice.
     fn load(from: &[f64]) -> Self;
-    /// Writes the lanes to the start of a slice that has room for them.
     fn store(self, to: &mut [f64]);
     fn add(self, other: Self) -> Self;
     fn sub(self, other: Self) -> Self;
@@ -29,16 +22,12 @@ pub(crate) trait Vector: Copy {
     /// `self`·b + c, in one rounding where the processor has it.
     fn mul_add(self, b: Self, c: Self) -> Self;
     fn sqrt(self) -> Self;
-    /// The smaller one, lane by lane.
     fn min(self, other: Self) -> Self;
-    /// The larger one, lane by lane.
     fn max(self, other: Self) -> Self;
-    /// Writes [`Self::LANES`] records of ten numbers; row k holds the k-th
-    /// number of each. `to` has room for ten times as many numbers.
+    /// Writes [`Self::LANES`] records of ten numbers, row k holding the k-th number of each.
     fn store_records(rows: [Self; 10], to: &mut [f64]);
-    /// Copies to memory that will not be read soon, past the caches where the
-    /// processor can: fetching what is overwritten anyway would cost more time
-    /// than computing it. [`Self::settle`] must follow the last such copy.
+    /// Copies past the caches, where the processor can, to memory that will not be read soon:
+    /// nothing is fetched only to be overwritten. [`Self::settle`] must follow the last copy.
     fn stream(from: &[f64], to: &mut [f64]);
     /// Makes what was streamed visible like any other store.
     fn settle();
@@ -57,8 +46,7 @@ pub(crate) fn horner<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -
     sum
 }
 
-/// [`horner`] for several vectors at once: each coefficient is fetched once,
-/// and the vectors' chains of operations run beside each other.
+/// [`horner`] for several vectors at once, whose chains of operations run beside each other.
 #[inline(always)]
 #[must_use]
 pub(crate) fn horner_each<V: Vector, const N: usize, const U: usize>(
@@ -155,10 +143,9 @@ mod x86_64 {
     #[derive(Debug, Clone, Copy)]
     pub(crate) struct Avx2(__m256d);
 
-    /// Numbers in a line of the cache.
+    /// Doubles in a cache line.
     const LINE: usize = 8;
 
-    /// The operations that all kinds have under like names.
     macro_rules! lane_by_lane {
         ($lanes:literal, $set1:ident, $loadu:ident, $storeu:ident, $add:ident, $sub:ident,
          $mul:ident, $div:ident, $sqrt:ident, $min:ident, $max:ident, $stream:ident,
@@ -218,8 +205,7 @@ mod x86_64 {
             }
             #[inline(always)]
             fn stream(from: &[f64], to: &mut [f64]) {
-                // Whole lines of the cache go past it, what is left at both
-                // ends does not.
+                // Whole cache lines go past the caches, what is left at both ends does not.
                 let head = to.as_ptr().align_offset(LINE * size_of::<f64>());
                 let head = head.min(to.len());
                 let (first, from) = from.split_at(head);
@@ -232,8 +218,7 @@ mod x86_64 {
                     let mut k = 0;
                     while k < LINE {
                         let value = Self::load(&values[k..]);
-                        // Miri has no store past the caches; one that must be
-                        // aligned as well asks the same of the address.
+                        // Miri has no streaming store; an aligned one asks the same of the address.
                         // SAFETY: the line begins at a multiple of its size, and
                         // k is a multiple of the number of lanes below it.
                         unsafe {
@@ -320,7 +305,7 @@ mod x86_64 {
             let to = &mut to[..40];
             let p = to.as_mut_ptr();
             let mut k = 0;
-            // Two blocks of four by four, then what is left: two rows.
+            // Two blocks of four by four, then the two rows left.
             while k < 8 {
                 // SAFETY: the type's owner promises the instruction set; the last
                 // number written is 30 + k + 3 ≤ 37.
@@ -336,8 +321,7 @@ mod x86_64 {
                 }
                 k += 4;
             }
-            // SAFETY: the type's owner promises the instruction set; the last
-            // number written is 39.
+            // SAFETY: the type's owner promises the instruction set; the last number written is 39.
             unsafe {
                 let low = _mm256_unpacklo_pd(rows[8].0, rows[9].0);
                 let high = _mm256_unpackhi_pd(rows[8].0, rows[9].0);

@@ -1,10 +1,8 @@
-//! Views in the manner of PHIGS (thesis 2.4, 2.5; Foley and van Dam 1990,
-//! chapter 6): from the description of a picture to the matrix that brings the
-//! visible part of the world into a canonical volume, and from there onto the
-//! picture's plane.
+//! Views in the manner of PHIGS (thesis 2.4, 2.5; Foley and van Dam 1990, chapter 6): from the
+//! description of a picture to the matrix that brings the visible part of the world into a
+//! canonical volume, and from there onto the picture plane.
 //!
-//! PHIGS looks **against** the view plane normal: the eye lies on the side to
-//! which the normal points. A camera looks **along** its view direction;
+//! PHIGS looks **against** the view plane normal, a camera **along** its view direction:
 //! [`View::from_pose`] turns the sign, so that the picture is not mirrored.
 
 use glam::dcamera::rh::view::look_to_mat4;
@@ -14,17 +12,15 @@ use super::orientation::unit;
 use super::transform::{scaling, shear_along_z, translation};
 use crate::error::{Invalid, OutOfRange, Result};
 
-/// Below this sine of the angle between them two directions count as
-/// parallel: less than four digits of the third direction would be left.
+/// Below this sine two directions count as parallel: a third would have less than four digits.
 const PARALLEL: f64 = 1e-12;
 
 /// Half the height in mm of the film on which the zoom is a focal length.
 pub const HALF_FILM_HEIGHT: f64 = 12.0;
 
-/// The description of a picture (2.4.1). `vrp`, `normal` and `up` are world
-/// coordinates. All else is in view reference coordinates (u, v, n): origin
-/// in `vrp`, n along `normal`, v along the part of `up` perpendicular to it,
-/// u = v × n to the right in the picture.
+/// The description of a picture (2.4.1). `vrp`, `normal` and `up` are world coordinates, all else
+/// view reference coordinates (u, v, n): origin in `vrp`, n along `normal`, v along the part of
+/// `up` perpendicular to it, u = v × n to the right in the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
     /// View reference point.
@@ -33,37 +29,32 @@ pub struct View {
     pub normal: DVec3,
     /// View up vector, of any length, not parallel to `normal`.
     pub up: DVec3,
-    /// Projection reference point (u, v, n): the eye of a perspective. In a
-    /// parallel projection the direction of projection runs from here to the
-    /// window's centre.
+    /// Projection reference point (u, v, n): the eye of a perspective. The direction of a parallel
+    /// projection runs from here to the window's centre.
     pub prp: DVec3,
     /// What of the view plane is the picture: u_min, u_max, v_min, v_max.
     pub window: [f64; 4],
-    /// n of the front plane; nearer to the eye than that nothing is seen.
+    /// n of the front plane; nothing nearer to the eye is seen.
     pub front: f64,
-    /// n of the back plane; farther from the eye than that nothing is seen.
+    /// n of the back plane; nothing farther from the eye is seen.
     pub back: f64,
     /// n of the view plane, on which the window lies. A plane behind the eye
     /// of a perspective gives its picture upside down, as a pinhole does.
     pub distance: f64,
-    /// Perspective, or else parallel (then oblique where the direction of
-    /// projection is not the normal).
+    /// Perspective, or else parallel (oblique where the direction of projection is not the normal).
     pub perspective: bool,
 }
 
 impl View {
-    /// The perspective view of a camera at `position` that looks along `view`
-    /// (of any length): vertical field of view 2·atan(12/`zoom`), `aspect` =
-    /// width / height of the picture. `front` and `back` are the distances of
-    /// the planes before the camera, 0 < `front` < `back`. To the right in the
-    /// picture is `view` × `up`.
+    /// The perspective view of a camera at `position` that looks along `view` (of any length):
+    /// vertical field of view 2·atan(12/`zoom`), `aspect` = width / height; planes at the distances
+    /// `front` and `back`, 0 < `front` < `back`. `view` × `up` is to the right in the picture.
     ///
     /// The eye is the view reference point; the window lies at distance 1, so
     /// that v ∈ ±12/`zoom` and u ∈ ±`aspect`·12/`zoom`.
     ///
     /// # Errors
-    /// [`crate::Error::Range`] for `zoom`, `aspect`, `front` or `back` out of the
-    /// ranges above, and whatever [`View::check`] finds.
+    /// [`crate::Error::Range`] for numbers out of these ranges, and whatever [`View::check`] finds.
     pub fn from_pose(
         position: DVec3,
         view: DVec3,
@@ -102,13 +93,12 @@ impl View {
         Ok(view)
     }
 
-    /// Whether the description describes a picture.
+    /// Checks that this describes a picture.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`] if anything is not finite, the normal or the up
-    /// vector is zero, or both are parallel; [`crate::Error::Range`] if the window is
-    /// empty, the back plane not behind the front plane, or the projection
-    /// reference point not before the front plane or in the view plane.
+    /// [`crate::Error::Argument`] for anything not finite, or a normal and an up vector that are
+    /// zero or parallel; [`crate::Error::Range`] for an empty window, a back plane not behind the
+    /// front plane, or a reference point (`prp`) not before the front plane or in the view plane.
     pub fn check(&self) -> Result<()> {
         let vectors = [self.vrp, self.normal, self.up, self.prp];
         let numbers = [self.front, self.back, self.distance];
@@ -142,17 +132,14 @@ impl View {
         Ok(())
     }
 
-    /// The matrix that takes world coordinates into the canonical volume
-    /// (2.5.1); affine, so w stays 1.
+    /// The matrix from world coordinates into the canonical volume (2.5.1); affine, so w stays 1.
     ///
-    /// Parallel: x and y in [−1, 1], z from 0 at the front plane to −1 at the
-    /// back plane. Perspective: |x| ≤ z and |y| ≤ z with the eye in the origin
-    /// and the back plane at z = 1, a left-handed volume; x/z and y/z are the
-    /// place in the picture, [−1, 1] each.
+    /// Parallel: x and y in [−1, 1], z from 0 at the front plane to −1 at the back plane.
+    /// Perspective: |x| ≤ z and |y| ≤ z with the eye in the origin and the back plane at z = 1, a
+    /// left-handed volume; x/z and y/z are the place in the picture, [−1, 1] each.
     ///
     /// # Errors
-    /// As [`View::check`]; [`crate::Error::Range`] if the numbers are so large or so
-    /// close together that the matrix cannot be computed.
+    /// As [`View::check`]; [`crate::Error::Range`] if numbers are too large or too close together.
     pub fn matrix(&self) -> Result<DMat4> {
         self.check()?;
         let matrix = if self.perspective {
@@ -167,9 +154,8 @@ impl View {
         }
     }
 
-    /// World to view reference coordinates, moved along n so that the view
-    /// plane is n = 0 (2.36). Its rotation is the R_z·R_y·R_x of 2.5.1, whose
-    /// rows are the axes u, v and n.
+    /// World to view reference coordinates, moved along n so that the view plane is n = 0 (2.36).
+    /// The rows of the rotation, R_z·R_y·R_x of 2.5.1, are u, v and n.
     fn orientation(&self) -> DMat4 {
         let n = unit(self.normal);
         let u = unit(unit(self.up).cross(n));
@@ -215,8 +201,7 @@ impl View {
             * translation(-eye)
     }
 
-    /// S·T·SH (2.37); the shear takes the direction of projection onto the
-    /// z axis (2.33 has the other sign).
+    /// S·T·SH (2.37); the shear takes the projection onto the z axis (2.33 has the other sign).
     fn parallel_mapping(&self) -> DMat4 {
         let (half_u, half_v, direction) = self.window_from_eye();
         let centre = direction + self.prp;
@@ -229,10 +214,9 @@ impl View {
     }
 }
 
-/// Projects from the origin onto the plane z = `d` (M_per, 2.23): after the
-/// division by w, (d·x/z, d·y/z, d). For points with z > 0. `d` is not 0; in
-/// the canonical volume of a perspective the window lies at
-/// d = (`distance` − `prp.z`) / (`back` − `prp.z`).
+/// Projects from the origin onto the plane z = `d` (M_per, 2.23): after the division by w, (d·x/z,
+/// d·y/z, d). For points with z > 0 and `d` ≠ 0; in the canonical volume of a perspective the
+/// window lies at d = (`distance` − `prp.z`) / (`back` − `prp.z`).
 #[must_use]
 pub fn perspective_projection(d: f64) -> DMat4 {
     let mut matrix = DMat4::IDENTITY;
@@ -247,14 +231,12 @@ pub fn parallel_projection() -> DMat4 {
     scaling(DVec3::new(1.0, 1.0, 0.0))
 }
 
-/// World to eye coordinates as OpenGL's utility library makes them
-/// (`gluLookAt`): the camera at the origin, looking along −z, y up, x to the
-/// right. `view` and `up` may have any length and need not be perpendicular.
-/// The matrix is stored by columns, as OpenGL takes it.
+/// World to eye coordinates as OpenGL's `gluLookAt` makes them, stored by columns: the camera at
+/// the origin, looking along −z, y up. `view` and `up` need be neither unit nor perpendicular.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] if anything is not finite, `view` or `up` is zero, or
-/// both are parallel; [`crate::Error::Range`] if the position is too large.
+/// [`crate::Error::Argument`] if anything is not finite, `view` or `up` zero or both parallel;
+/// [`crate::Error::Range`] if the position is too large.
 pub fn gl_matrix(position: DVec3, view: DVec3, up: DVec3) -> Result<DMat4> {
     if !(position.is_finite() && view.is_finite() && up.is_finite()) {
         return Err(Invalid::LookNotFinite.into());

@@ -1,5 +1,4 @@
-//! Views along the way: where on the curve they look (Kolb, Computergraphik II,
-//! 9.2.2: tangent and secant).
+//! Views along the way, by tangent or secant (Kolb, Computergraphik II, 9.2.2).
 
 use std::sync::Arc;
 
@@ -16,11 +15,10 @@ use super::turning::AT_TARGET;
 use crate::error::{Result, can_allocate, vec_with_room};
 use crate::math::orientation::unit;
 
-/// A tangent shorter than this share of the curve's own size is none.
+/// A tangent shorter than this share of the curve's size counts as none.
 const NO_TANGENT: f64 = 1e-12;
 
-/// Direction in which the camera moves at an end of a curve: where the curve
-/// has no tangent, that of its first derivative from inside that is not zero.
+/// Direction of movement at an end: the tangent, or else the next derivative that is not zero.
 pub(super) fn end_direction(curve: &Cubic, at_end: bool) -> Option<DVec3> {
     let (t, inwards) = if at_end { (1.0, -1.0) } else { (0.0, 1.0) };
     let size = NO_TANGENT * (curve.a.length() + curve.b.length() + curve.c.length());
@@ -35,8 +33,7 @@ pub(super) fn end_direction(curve: &Cubic, at_end: bool) -> Option<DVec3> {
         .map(unit)
 }
 
-/// Direction of the way at a point of a path: with which it is left; where
-/// there is none, the last one before, else the next one behind.
+/// Direction in which a point is left; without one, the last before it, else the next after it.
 fn direction_at(path: &CameraPath, point: usize) -> Option<DVec3> {
     let (count, segments) = (path.points.len(), path.segment_count());
     let leaving = |point: usize| {
@@ -62,8 +59,7 @@ fn direction_at(path: &CameraPath, point: usize) -> Option<DVec3> {
         })
 }
 
-/// Where the curve is `distance` behind the start of a segment, found by
-/// measuring one segment after the other.
+/// The place `distance` along the curve from a point, measuring one segment after the other.
 fn place_behind(path: &CameraPath, point: usize, distance: f64) -> Option<DVec3> {
     let (count, segments) = (path.points.len(), path.segment_count());
     let mut left = distance;
@@ -85,7 +81,7 @@ fn place_behind(path: &CameraPath, point: usize, distance: f64) -> Option<DVec3>
         total += length;
         steps += 1;
         if steps == segments && path.closed {
-            // Once round: whole rounds lead nowhere.
+            // Once round: whole rounds lead back here.
             if total <= 0.0 {
                 return None;
             }
@@ -99,8 +95,7 @@ fn place_behind(path: &CameraPath, point: usize, distance: f64) -> Option<DVec3>
     }
 }
 
-/// The view of an orientation at a point of a path: along the way, where it
-/// looks ahead and there is one; else to its target.
+/// The view of an orientation: along the way, if it looks ahead and there is one, or to its target.
 ///
 /// # Panics
 /// If there is no such orientation.
@@ -126,7 +121,7 @@ pub fn view(path: &CameraPath, point: usize, orientation: usize) -> DVec3 {
 #[derive(Debug, PartialEq)]
 pub(super) struct Rail {
     curves: Vec<Cubic>,
-    /// Length before each segment, and of all.
+    /// Length before each segment, and of them all.
     starts: Vec<f64>,
     closed: bool,
     /// Direction at the end of an open path.
@@ -171,7 +166,7 @@ impl Rail {
         &self.starts
     }
 
-    /// The place at a length from the start of a segment on.
+    /// The place at the length `behind` from the start of a segment.
     fn place(&self, segment: usize, behind: f64) -> Option<DVec3> {
         let mut s = self.starts[segment] + behind;
         if self.closed {
@@ -198,23 +193,22 @@ pub(super) enum Look {
     Still,
 }
 
-/// A section that looks by a rule, with an up by a rule.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Follow {
     pub rail: Arc<Rail>,
-    /// The segment along which it leads and its length; none where it stays.
+    /// The segment along which it leads and its length; `None` where it stays.
     pub segment: Option<(usize, f64)>,
     pub look: Look,
-    /// The view where the way has no direction at all; y upright.
+    /// The view where the way has no direction at all, in y-up axes.
     pub still: DVec3,
-    /// Which way is up; none: the upright axis.
+    /// Which way is up; `None`: the upright axis.
     pub up: Option<UpAlong>,
     /// Roll in radians in powers of φ.
     pub roll: [f64; 4],
 }
 
 impl Follow {
-    /// The direction at φ in axes of which y stands upright, if there is one.
+    /// The direction at φ in y-up axes, if there is one.
     pub(super) fn direction(&self, phi: f64) -> Option<DVec3> {
         let Some((segment, length)) = self.segment else {
             return Some(self.still);
@@ -256,8 +250,7 @@ impl Follow {
         }
     }
 
-    /// Up before the roll at φ for a view there, both in axes of which y stands upright:
-    /// unit and perpendicular; none where the rule has none.
+    /// Up before the roll at φ for a view there, both in y-up axes, if the rule gives one.
     pub(super) fn reference(&self, up: &UpAlong, phi: f64, view: DVec3) -> Option<DVec3> {
         let axes = self.rail.space.up;
         let view = axes.world(view);

@@ -1,8 +1,6 @@
-//! Which way is up at each orientation of a path and along its sections
-//! (`docs/path.md`, which way is up), where it is not the upright axis.
-//!
-//! A minimal up depends on the way to it, so it is known for the whole path at once:
-//! from the curve and the views alone, before there are frames.
+//! Which way is up at the orientations of a path and along its sections (`docs/path.md`, which way
+//! is up), where it is not the upright axis. A minimal up depends on the way to it, so all are
+//! computed at once, from the curve and the views alone, before there are frames.
 
 use std::sync::Arc;
 
@@ -21,17 +19,15 @@ use crate::math::rotation_minimising::{
     chord, perpendicular, shortest, signed_angle, step, turned,
 };
 
-/// Two relative directions nearer than this are the same.
 const SAME_DIRECTION: f64 = 1e-12;
 
 /// Steps are halved until the twist of a section changes by less.
 const TWIST: f64 = 1e-7;
 
-/// Steps in which a section is carried at first and at most. (More would only be
-/// asked for where the view jumps.)
+/// Steps of a section at first and at most. (More would only be asked for where the view jumps.)
 const STEPS: [usize; 2] = [16, 4096];
 
-/// What tells whether a section between two orientations follows a rule.
+/// What decides whether a section between two orientations follows a rule.
 pub(super) struct End<'a> {
     pub target: Target,
     pub view: DVec3,
@@ -39,8 +35,7 @@ pub(super) struct End<'a> {
     pub own: &'a MayOwn,
 }
 
-/// The look that a section keeps all the way: that of both its ends, if they have the
-/// same and the same up.
+/// The look that a section keeps all the way, if both ends have the same look and the same up.
 pub(super) fn look_between(from: &End<'_>, to: &End<'_>) -> Option<Look> {
     if from.own.up != to.own.up {
         return None;
@@ -61,18 +56,13 @@ pub(super) fn look_between(from: &End<'_>, to: &End<'_>) -> Option<Look> {
     }
 }
 
-/// Up along one section.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum UpAlong {
-    /// Towards a point.
     Point(DVec3),
-    /// Towards a place on a path.
     Path(Arc<UpPath>),
-    /// Carried along.
     Minimal(Arc<Carried>),
-    /// The normal of the curve.
     Frenet(Arc<Normals>),
-    /// What it is at the key in which the section begins, where the camera stays.
+    /// The up of the key in which the section begins, where the camera stays.
     Key(DVec3),
 }
 
@@ -81,12 +71,11 @@ pub(super) enum UpAlong {
 pub(super) struct Carried {
     /// Directions and ups at equal steps of the curve's parameter, both of the world.
     nodes: Vec<(DVec3, DVec3)>,
-    /// By what it is turned besides at both ends, so that a closed path closes.
+    /// Extra turn at both ends, so that a closed path closes.
     turn: [f64; 2],
 }
 
 impl UpAlong {
-    /// Where the camera stays.
     pub(super) fn standing(&self, view: DVec3) -> Option<DVec3> {
         match self {
             Self::Key(up) => perpendicular(*up, view),
@@ -133,18 +122,15 @@ impl UpAlong {
     }
 }
 
-/// The ups of a whole path.
 #[derive(Debug, Clone)]
 pub(super) struct Alignment {
-    /// Up before the roll for each orientation in turn, in axes of which y stands
-    /// upright; none where it is the axis.
+    /// Up before the roll of each orientation, in y-up axes; `None` where it is the upright axis.
     ups: Vec<Option<DVec3>>,
-    /// For each section in turn, if it carries its up.
+    /// For each section, if it carries its up.
     carried: Vec<Option<Arc<Carried>>>,
     normals: Option<Arc<Normals>>,
 }
 
-/// An orientation of a path while its up is sought.
 struct Place<'a> {
     point: usize,
     last: bool,
@@ -170,8 +156,7 @@ pub fn any(path: &CameraPath) -> bool {
     all.any(|orientation| orientation.own.up != UpVector::Axis)
 }
 
-/// Up with its roll at an orientation of a path with this timeline, a unit vector of the
-/// world.
+/// Up with its roll, a unit vector of the world, at an orientation of the path of this timeline.
 #[must_use]
 pub fn up(path: &CameraPath, timeline: &Timeline, point: usize, orientation: usize) -> DVec3 {
     let axes = path.space.up;
@@ -181,7 +166,7 @@ pub fn up(path: &CameraPath, timeline: &Timeline, point: usize, orientation: usi
     axes.world(rolled(view, reference, roll.to_radians()))
 }
 
-/// The same at each orientation in turn.
+/// [`up`] of each orientation in turn.
 ///
 /// # Errors
 /// [`crate::Error::Memory`].
@@ -194,9 +179,8 @@ pub fn ups(path: &CameraPath) -> Result<Vec<DVec3>> {
     Ok(ups)
 }
 
-/// Gives orientations of a path the roll with which they have these ups: for each one
-/// in turn, none to leave its roll. Only those change whose up is not the axis. The
-/// points that have changed.
+/// Rolls orientations so that they have the `wanted` ups (one entry for each orientation in turn,
+/// `None` to leave its roll). Only those change whose up is not the axis; gives the changed points.
 ///
 /// # Errors
 /// [`crate::Error::Memory`].
@@ -229,8 +213,7 @@ pub fn keep_ups(path: &mut CameraPath, wanted: &[Option<DVec3>]) -> Result<Vec<u
     Ok(changed)
 }
 
-/// Up for a view, rolled from where it is before the roll: that of the upright axis, or
-/// another one.
+/// Up for a view, rolled from a reference; without one, from the upright axis.
 pub(super) fn rolled(view: DVec3, reference: Option<DVec3>, roll: f64) -> DVec3 {
     match reference {
         None => up_from_roll(view, roll),
@@ -239,10 +222,7 @@ pub(super) fn rolled(view: DVec3, reference: Option<DVec3>, roll: f64) -> DVec3 
 }
 
 impl Alignment {
-    /// Of a path some of whose ups are not the axis.
-    ///
-    /// # Errors
-    /// [`crate::Error::Memory`].
+    /// For a path some of whose ups are not the axis.
     pub(super) fn new(path: &CameraPath, rail: &Arc<Rail>) -> Result<Self> {
         let count = path.points.iter().map(|p| p.orientations.len()).sum();
         let mut places = vec_with_room(count)?;
@@ -271,7 +251,7 @@ impl Alignment {
         alignment.ups.resize(count, None);
         alignment.carried.resize(count, None);
         let minimal = |at: usize| places[at].orientation.own.up == UpVector::Minimal;
-        // A run of minimal ups is counted from where it begins.
+        // A closed path is entered outside the runs of minimal ups.
         let begin = (0..count).find(|&at| !minimal(at));
         let around = begin.is_none() && path.closed;
         let begin = if path.closed { begin.unwrap_or(0) } else { 0 };
@@ -308,8 +288,7 @@ impl Alignment {
         Ok(alignment)
     }
 
-    /// Up before the roll of an orientation whose up depends on none before it, but where
-    /// it has none: then it is the last one.
+    /// Up before the roll of an orientation that carries none; where it has none, the last one.
     fn up_of(
         &self,
         place: &Place<'_>,
@@ -377,7 +356,7 @@ impl Alignment {
         Ok(shortest(up, view, b.view))
     }
 
-    /// Spreads over the length of a closed path what its up misses at the end.
+    /// Spreads the angle that is missing at the end of a closed path over its length.
     fn close(
         &mut self,
         places: &[Place<'_>],
@@ -404,14 +383,12 @@ impl Alignment {
         Ok(())
     }
 
-    /// Up before the roll of an orientation, counted through the path, in axes of which y
-    /// stands upright; none where it is the axis.
+    /// Up before the roll of an orientation, in y-up axes; `None` where it is the upright axis.
     pub(super) fn up(&self, slot: usize) -> Option<DVec3> {
         self.ups[slot]
     }
 
-    /// The rule of the section that begins with an orientation, which is followed all
-    /// the way; `moves`: along the curve. None where it cannot be.
+    /// The up along the section from an orientation, if it follows a rule; `moves`: on the curve.
     pub(super) fn along(
         &self,
         slot: usize,
@@ -434,8 +411,7 @@ impl Alignment {
     }
 }
 
-/// Directions and ups at equal steps of a segment's parameter, halved until the twist
-/// of the whole is known.
+/// Directions and ups at equal steps of a segment's parameter, halved until the twist settles.
 fn carried(
     follow: &Follow,
     way: (usize, f64),

@@ -1,6 +1,5 @@
-//! What a person should be told of a section, since its result is a choice
-//! that the path leaves open (`docs/path.md`): half a turn goes either way, and
-//! a camera that looks at a target on its own way has no direction there.
+//! Warnings about a section whose result is a choice that the path leaves open (`docs/path.md`):
+//! half a turn goes either way, and a camera that passes through its target has no direction there.
 
 use glam::DVec3;
 
@@ -14,22 +13,21 @@ use super::turning::AT_TARGET;
 use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::continue_sign;
 
-/// What is in ambiguity.
+/// What is ambiguous in a section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ambiguity {
     /// The orientations are half a turn apart: the camera may turn either way.
     HalfTurn,
-    /// The camera comes to the target that it looks at.
+    /// The camera passes through the target that it looks at.
     AtTarget,
-    /// The camera comes to be straight above or below the target that it looks
-    /// at, where no side of the picture is the left one.
+    /// The camera passes straight above or below its target, where the yaw is undefined.
     OverTarget,
 }
 
-/// Looks along a curve at so many places before it looks closer.
+/// Places of a curve that are tried before Newton's method.
 const PLACES: usize = 64;
 
-/// What is in ambiguity in a section.
+/// What is ambiguous in a section, if anything.
 ///
 /// # Panics
 /// If there is no such section.
@@ -81,9 +79,8 @@ fn met(curve: &Cubic, target: DVec3, space: Space) -> Option<Ambiguity> {
     }
 }
 
-/// The least distance of a curve from a place, along the axes whose part in
-/// `seen` is 1. From the places where the distance stops falling Newton's
-/// method goes on to where its square has no slope.
+/// The least distance of a curve from a place, along the axes whose part in `seen` is 1: from each
+/// minimum among the places tried, Newton's method on the slope of the square.
 fn nearest(curve: &Cubic, place: DVec3, seen: DVec3) -> f64 {
     let at = |t: f64| (curve.point(t) - place) * seen;
     let far = |k: usize| at(k as f64 / PLACES as f64).length_squared();
@@ -98,8 +95,7 @@ fn nearest(curve: &Cubic, place: DVec3, seen: DVec3) -> f64 {
         for _ in 0..60 {
             let (offset, way) = (at(t), curve.derivative(t) * seen);
             let bend = way.length_squared() + offset.dot(curve.second_derivative(t) * seen);
-            // Where it bends the other way there is no valley; where the curve
-            // stands still the plain slope of its first terms does.
+            // A negative second term is left out: the step would lead uphill.
             let step = offset.dot(way) / bend.max(way.length_squared());
             if !step.is_finite() || step == 0.0 {
                 break;

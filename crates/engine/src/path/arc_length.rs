@@ -1,9 +1,8 @@
 //! Arc length of a cubic and its inverse (thesis 5.1).
 //!
-//! |P′(t)| is fitted at 16 Chebyshev nodes over pieces that are halved until
-//! the fit is exact to rounding, then integrated term by term. Cusps and
-//! reversals only need more pieces: where the speed has a kink, a piece's part
-//! of the length shrinks with the square of its width.
+//! |P′(t)| is fitted at 16 Chebyshev nodes over pieces that are halved until the fit is exact to
+//! rounding, then integrated term by term. Cusps and reversals only need more pieces: where the
+//! speed has a kink, a piece's part of the length shrinks with the square of its width.
 
 use glam::DVec3;
 
@@ -12,18 +11,16 @@ use crate::error::Result;
 use crate::math::chebyshev::{self, NODES};
 use crate::math::vector::{Vector, horner, horner_each};
 
-/// What a piece may be wrong by, as a share of the whole length.
+/// Error allowed to a piece, as a share of the whole length.
 const TOLERANCE: f64 = 4e-15;
 
-/// Halvings at the most: beyond it a piece is narrower than the rounding of t.
+/// Halvings at the most: beyond, a piece is narrower than the rounding of t.
 const MAX_DEPTH: usize = 50;
 
-/// Speeds within a piece that differ by more than this need the careful
-/// search: Newton's steps could leave the piece.
+/// A piece whose speeds differ by more than this factor is searched: Newton's steps could leave it.
 const EVEN: f64 = 4.0;
 
-/// A step of Newton's below which the next one would change nothing: on a
-/// piece with even speeds the error after it is about its square.
+/// A Newton step below this is the last: on an even piece the error left is about its square.
 const SETTLED: f64 = 1e-8;
 
 /// Vectors inverted side by side.
@@ -48,7 +45,7 @@ pub(super) struct Piece {
     even: bool,
 }
 
-/// ds/dx at the nodes of the piece [`from`, `from + width`].
+/// ds/dx at the nodes of the piece [`middle − half`, `middle + half`].
 #[inline(always)]
 fn speeds<V: Vector>(curve: &Cubic, middle: f64, half: f64) -> [f64; NODES] {
     let (a, b, c) = (3.0 * curve.a, 2.0 * curve.b, curve.c);
@@ -64,15 +61,13 @@ fn speeds<V: Vector>(curve: &Cubic, middle: f64, half: f64) -> [f64; NODES] {
     speeds
 }
 
-/// A fit that leaves the speed at a piece's end by more than this, as a share of the
-/// whole length, has missed a reversal between the end and the node next to it: none of
-/// the nodes sees such a kink, and the last coefficients are small. It is off by δ·ε/2
-/// then, where ε, at most 0.005, is what lies between kink and end; so this is enough for
-/// [`TOLERANCE`], and far above rounding.
+/// A fit that misses the speed at a piece's end by more than this, as a share of the whole length,
+/// has missed a reversal between the end and the node next to it: no node sees such a kink, and the
+/// last coefficients are small. A miss by δ makes the length wrong by δ·ε/2, where ε, at most
+/// 0.005, lies between kink and end; so this is enough for [`TOLERANCE`], and far above rounding.
 const END_TOLERANCE: f64 = 1e-12;
 
-/// Whether the fit of a piece is exact to rounding: by its last coefficients, and at
-/// both ends.
+/// Whether the fit of a piece is exact to rounding: its last coefficients, and both ends.
 #[inline(always)]
 fn fits(curve: &Cubic, middle: f64, half: f64, series: &[f64; NODES], tolerance: f64) -> bool {
     if chebyshev::tail(series) > tolerance {
@@ -107,7 +102,7 @@ fn integral(series: &[f64; NODES]) -> f64 {
     }
 }
 
-/// The pieces of the curve still to be looked at: a stack, the first on top.
+/// The pieces still to be looked at: a stack, the first on top.
 struct Halving {
     stack: [(f64, f64); MAX_DEPTH + 2],
     height: usize,
@@ -127,7 +122,7 @@ impl Halving {
         Some(self.stack[self.height])
     }
 
-    /// Puts the two halves of the piece back; false where it is too narrow.
+    /// Puts the two halves of the piece back; false where they are too narrow.
     #[inline(always)]
     fn halve(&mut self, middle: f64, half: f64) -> bool {
         let quarter = half / 2.0;
@@ -141,16 +136,14 @@ impl Halving {
     }
 }
 
-/// A curve whose derivative is below this everywhere is enlarged before it is
-/// measured: the square of its speed would lose digits, the fit would never
-/// be exact, and the halving would go on down to the narrowest piece.
+/// A curve whose derivative is below this everywhere is enlarged before it is measured: the square
+/// of its speed would lose digits, and the halving go on to the narrowest piece.
 pub(super) const TINY: f64 = 1e-120;
 
-/// By how much: 2⁶⁰⁰, which loses no bit, and brings the least number there is
-/// to 1e-143, whose square is still a full one.
+/// By 2⁶⁰⁰, which is exact and brings the least number to 1e-143, whose square is still normal.
 const ENLARGED: f64 = f64::from_bits((1023 + 600) << 52);
 
-/// The curve enlarged by the factor if it is tiny.
+/// The curve enlarged, if it is [`TINY`].
 #[inline(always)]
 fn enlarged(curve: &Cubic) -> Option<Cubic> {
     let size = |v: DVec3| v.abs().max_element();
@@ -191,8 +184,7 @@ fn length_of<V: Vector>(curve: &Cubic) -> f64 {
     total
 }
 
-/// Measures a curve that is not [`TINY`]: fills `pieces`, in the order of t, and
-/// gives the length.
+/// Measures a curve that is not [`TINY`]: fills `pieces` in the order of t and gives the length.
 #[inline(always)]
 pub(super) fn measure<V: Vector>(curve: &Cubic, pieces: &mut Vec<Piece>) -> Result<f64> {
     pieces.clear();
@@ -264,8 +256,7 @@ fn slope(powers: &[f64; NODES], x: f64) -> f64 {
     sum
 }
 
-/// x from −1 to 1 as a polynomial in the share of the length: the quintic that
-/// has the right first and second derivative at both ends.
+/// First guess of x by the share of the length: a quintic with the right derivatives at both ends.
 #[inline(always)]
 fn inverse_guess(length: f64, speed: [f64; 2], slope: [f64; 2]) -> [f64; 6] {
     let first = |k: usize| length / speed[k];
@@ -282,13 +273,11 @@ fn inverse_guess(length: f64, speed: [f64; 2], slope: [f64; 2]) -> [f64; 6] {
 }
 
 impl Piece {
-    /// Share of the whole length at which the piece begins.
     pub(super) fn start_share(&self, length: f64) -> f64 {
         self.start / length
     }
 
-    /// x at which the length from the piece's start is `s`: Newton's method
-    /// kept between bounds that close in on the root.
+    /// x at the length `s` from the piece's start: Newton's method between bounds that close in.
     fn search(&self, s: f64) -> f64 {
         let (mut low, mut high) = (-1.0, 1.0);
         let mut x = (2.0 * s / self.length - 1.0).clamp(low, high);
@@ -318,8 +307,7 @@ impl Piece {
     }
 }
 
-/// Inverts the arc length for ascending `lengths`: the parameters are written
-/// to `parameters`. `pieces` must not be empty.
+/// Writes to `parameters` those of ascending `lengths`. `pieces` must not be empty.
 #[inline(always)]
 pub(super) fn invert<V: Vector>(pieces: &[Piece], lengths: &[f64], parameters: &mut [f64]) {
     let mut from = 0;
@@ -373,10 +361,9 @@ fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f6
     }
 }
 
-/// Newton's steps from a good guess, for a pair of vectors, whose chains of
-/// operations run beside each other; tells which lanes arrived. Two steps are
-/// the rule, a third one serves those lanes that need it: what comes out in a
-/// lane does not depend on the others.
+/// Newton's steps from a good guess, for a pair of vectors whose operations run beside each other;
+/// tells which lanes arrived. Two steps are the rule, a third serves only the lanes that need it,
+/// so that no lane depends on the others.
 #[inline(always)]
 fn newton<V: Vector>(
     piece: &Piece,
@@ -404,8 +391,7 @@ fn newton<V: Vector>(
     }
 }
 
-/// One of Newton's steps, kept within the piece; gives the squares of what it
-/// changed.
+/// One of Newton's steps, kept within the piece; gives the squares of the changes.
 #[inline(always)]
 fn step<V: Vector>(piece: &Piece, s: &[V; PAIR], at: &mut [V; PAIR]) -> [V; PAIR] {
     let (low, high) = (V::splat(-1.0), V::splat(1.0));
@@ -444,7 +430,7 @@ fn store_pair<V: Vector>(pair: [V; PAIR], to: &mut [f64; MAX_LANES]) {
 pub struct ArcLength {
     pieces: Vec<Piece>,
     length: f64,
-    /// What the pieces' lengths are multiplied by; 1 but for a tiny curve.
+    /// What the pieces are enlarged by; 1 but for a tiny curve.
     scale: f64,
 }
 
@@ -488,9 +474,7 @@ impl ArcLength {
         (piece.start + within.clamp(0.0, piece.length)) / self.scale
     }
 
-    /// Parameter in [0, 1] at which the length from the start is `s`; what
-    /// lies outside [0, length] gives the nearer end. A curve without length
-    /// has no inverse: then `s` is taken as reached at once, t = 0.
+    /// Parameter in [0, 1] at the length `s`, clamped to the curve; 0 on a curve without length.
     #[must_use]
     pub fn parameter_at(&self, s: f64) -> f64 {
         if !(s > 0.0) || self.pieces.is_empty() {

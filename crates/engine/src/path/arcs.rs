@@ -1,9 +1,8 @@
-//! Great arcs without branches: the form of slerp that fills whole vectors.
+//! Great arcs without branches: slerp for whole vectors.
 //!
-//! For arcs up to [`MAX_ANGLE`] the square of the angle is a polynomial in the
-//! square of the chord, and sin θ/θ and θ/sin θ are polynomials in the square
-//! of the angle, so that no case near zero is needed and nothing but
-//! multiplications and additions is left. The polynomials are Chebyshev fits.
+//! For arcs up to [`MAX_ANGLE`] the squared angle is a polynomial in the squared chord, and sin θ/θ
+//! and θ/sin θ are polynomials in the squared angle, so that no case near zero is needed, only
+//! multiplications and additions. The polynomials are Chebyshev fits.
 
 use glam::DQuat;
 
@@ -62,7 +61,7 @@ const SINC: [f64; 8] = [
     -7.473341292114921e-13,
 ];
 
-/// One arc with what depends on its ends alone; each number is a vector.
+/// One arc with what depends on its ends alone.
 #[derive(Debug, Clone, Copy)]
 struct Arc<V> {
     from: [V; 4],
@@ -129,7 +128,6 @@ impl<V: Vector> Arc<V> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ShortBezier([Arc<f64>; 3]);
 
-/// The same number in every lane.
 #[inline(always)]
 fn spread<V: Vector>(arc: &Arc<f64>) -> Arc<V> {
     Arc {
@@ -151,8 +149,7 @@ fn spread<V: Vector>(arc: &Arc<f64>) -> Arc<V> {
 }
 
 impl ShortBezier {
-    /// None where an arc of the control polygon is too long; the arcs of the
-    /// later rounds of de Casteljau's algorithm are never longer than those.
+    /// `None` where an arc of the control polygon is too long; later rounds have none longer.
     pub(super) fn new(control: &[DQuat; 4]) -> Option<Self> {
         let [a, b, c, d] = *control;
         if angle(a, b).max(angle(b, c)).max(angle(c, d)) > MAX_ANGLE {
@@ -162,8 +159,8 @@ impl ShortBezier {
         Some(Self([Arc::new(a, b), Arc::new(b, c), Arc::new(c, d)]))
     }
 
-    /// The quaternion (x, y, z, w) at φ, of length near 1: the factor of the
-    /// last arc is left out, since views are divided by the length anyway.
+    /// The quaternion (x, y, z, w) at φ, of length near 1: the factor of the last arc is left out,
+    /// since views are divided by the length anyway.
     #[inline(always)]
     pub(super) fn at<V: Vector>(&self, phi: V) -> [V; 4] {
         let ab = spread::<V>(&self.0[0]).at(phi);

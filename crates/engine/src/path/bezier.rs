@@ -1,5 +1,4 @@
-//! Bézier curves (thesis 3.5.2): cubics from four control points, and curves
-//! of any degree by de Casteljau's construction.
+//! Bézier curves (thesis 3.5.2): cubics, and curves of any degree by de Casteljau's construction.
 
 use glam::DVec3;
 
@@ -15,8 +14,7 @@ pub const BEZIER: BasisMatrix = [
     [1.0, 0.0, 0.0, 0.0],
 ];
 
-/// M_HB of 3.5.2: from the control points of a Bézier curve to the ends and
-/// end tangents of the same curve, G_H = M_HB·G_B.
+/// M_HB of 3.5.2: from the control points to the ends and end tangents, G_H = M_HB·G_B.
 pub const HERMITE_FROM_BEZIER: BasisMatrix = [
     [1.0, 0.0, 0.0, 0.0],
     [0.0, 0.0, 0.0, 1.0],
@@ -25,8 +23,7 @@ pub const HERMITE_FROM_BEZIER: BasisMatrix = [
 ];
 
 impl Cubic {
-    /// The curve with these control points: it starts in the first towards
-    /// the second and comes from the third into the last, both exactly.
+    /// The curve with these control points; exactly the first and the last at its ends.
     #[must_use]
     pub fn bezier(control: [DVec3; 4]) -> Self {
         let [p0, p1, p2, p3] = control;
@@ -56,12 +53,11 @@ pub struct Bezier {
 }
 
 impl Bezier {
-    /// The curve with these control points, 1 to [`MAX_BEZIER_POINTS`]. A
-    /// single point is a curve that stays there.
+    /// The curve with 1 to [`MAX_BEZIER_POINTS`] control points; with a single one it stays there.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`] for no point or one that is not finite,
-    /// [`crate::Error::Limit`] for too many, [`crate::Error::Memory`].
+    /// [`crate::Error::Argument`] for no point or one that is not finite, [`crate::Error::Limit`]
+    /// for too many, [`crate::Error::Memory`].
     pub fn new(control: &[DVec3]) -> Result<Self> {
         if control.is_empty() {
             return Err(Invalid::NoControlPoint.into());
@@ -89,8 +85,7 @@ impl Bezier {
         self.points.len() - 1
     }
 
-    /// The point at `t`; the first and the last control point exactly at 0
-    /// and 1. Stable in [0, 1]; outside it rounding grows with the degree.
+    /// The point at `t`, exact at 0 and 1; outside [0, 1] rounding grows with the degree.
     #[must_use]
     pub fn point(&self, t: f64) -> DVec3 {
         let mut level = [DVec3::ZERO; MAX_BEZIER_POINTS];
@@ -100,8 +95,7 @@ impl Bezier {
         level[0]
     }
 
-    /// The first derivative at `t`: the degree times the difference of the
-    /// two points that the construction has left before its last step.
+    /// The first derivative at `t`, from the two points before the last step of the construction.
     #[must_use]
     pub fn derivative(&self, t: f64) -> DVec3 {
         if self.degree() == 0 {
@@ -115,8 +109,7 @@ impl Bezier {
         (level[1] - level[0]) * self.degree() as f64
     }
 
-    /// The parts before and after `t`, each over [0, 1] again: their control
-    /// points are the two outer edges of the construction.
+    /// The parts before and after `t`, each over [0, 1] again.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
@@ -126,7 +119,7 @@ impl Bezier {
         after.extend_from_slice(&self.points);
         for left in (1..=after.len()).rev() {
             before.push(after[0]);
-            // What a step does not touch any more is the edge of `after`.
+            // The outer edges of the construction are the control points of the two parts.
             step(&mut after[..left], t);
         }
         Ok((Self { points: before }, Self { points: after }))

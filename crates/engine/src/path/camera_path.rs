@@ -1,6 +1,5 @@
-//! The data of a camera path: what a person plans and a file keeps. The terms and
-//! the rules are those of `docs/path.md`.
-//! Nothing here is computed; [`super::timeline`] and [`super::sampling`] do that.
+//! The data of a camera path: what a person plans and a file keeps, in the terms of `docs/path.md`.
+//! [`super::timeline`] and [`super::sampling`] compute with it.
 
 use glam::DVec3;
 
@@ -34,7 +33,7 @@ impl Tcb {
         }
     }
 
-    /// Each finite and in [−1, 1].
+    /// Checks that each is in [−1, 1].
     ///
     /// # Errors
     /// [`crate::Error::Range`] names the value that is not.
@@ -59,13 +58,12 @@ pub enum CurveParameters {
 pub enum Target {
     /// A point of the world; it stays where it is when the support point moves.
     Absolute(DVec3),
-    /// An offset from the support point; only its direction turns the camera,
-    /// its length is kept.
+    /// An offset from the support point, of which only the direction turns the camera.
     Relative(DVec3),
 }
 
 impl Target {
-    /// Direction and distance from the point at `position` to the target.
+    /// The vector from a camera at `position`, its support point, to the target.
     #[must_use]
     pub fn offset_from(self, position: DVec3) -> DVec3 {
         match self {
@@ -109,7 +107,7 @@ pub struct Orientation {
     pub own: MayOwn,
 }
 
-/// What a new orientation looks along, in the space [−1, 1]³.
+/// What a new orientation looks along, in the space [−1, 1]³ with y up.
 const FIRST_OFFSET: DVec3 = DVec3::new(0.0, 0.0, -0.4);
 
 impl Default for Orientation {
@@ -127,7 +125,7 @@ impl Default for Orientation {
 }
 
 impl Orientation {
-    /// As in a new path of a space: looks back along its third axis from upright.
+    /// The orientation of a new path in a space: towards −z, or −x where z stands upright.
     #[must_use]
     pub fn new_in(space: Space) -> Self {
         Self {
@@ -136,8 +134,7 @@ impl Orientation {
         }
     }
 
-    /// Everything finite and in range. The view from `position` must have a
-    /// direction.
+    /// Checks that all is finite and in range, and that the view from `position` has a direction.
     ///
     /// # Errors
     /// [`crate::Error::Range`] or [`crate::Error::Argument`] with the reason.
@@ -163,8 +160,7 @@ impl Orientation {
 /// A support point: a key position of the curve with its orientations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SupportPoint {
-    /// World coordinates, at most [`limits::MAX_COORDINATE`] half sizes from the
-    /// centre of the space.
+    /// World coordinates, at most [`limits::MAX_COORDINATE`] half sizes from the space's centre.
     pub position: DVec3,
     /// A name for people; the engine does not read it.
     pub name: Option<String>,
@@ -189,7 +185,7 @@ impl SupportPoint {
         }
     }
 
-    /// What stands where a point has been taken from: it has no orientations.
+    /// A placeholder where a point has been taken out; it has no orientations.
     #[doc(hidden)]
     #[must_use]
     pub const fn nowhere() -> Self {
@@ -219,8 +215,7 @@ impl SupportPoint {
     }
 }
 
-/// The four base speeds (thesis B.2.2): frames for one unit of change at
-/// speed 50. Each finite and > 0.
+/// The four base speeds (thesis B.2.2): frames for one unit of change at speed 50, finite and > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BaseSpeeds {
     /// `move_speed`: frames for a way of one half size of the space.
@@ -314,7 +309,7 @@ pub const DEFAULT_PRESETS: [Tcb; limits::PRESETS] = [
     Tcb::new(0.0, 0.0, 0.0),
 ];
 
-/// Where the path that a new window begins with leads through.
+/// Where the path of a new window leads through.
 const FIRST_POSITIONS: [DVec3; 2] = [DVec3::new(-0.6, 0.2, 0.8), DVec3::new(0.6, 0.2, 0.8)];
 
 impl Default for CameraPath {
@@ -337,7 +332,6 @@ impl CameraPath {
         Ok(Self::through(points))
     }
 
-    /// A path through these points, everything else as in a new one.
     fn through(points: Vec<SupportPoint>) -> Self {
         Self {
             points,
@@ -385,15 +379,15 @@ impl CameraPath {
         }
     }
 
-    /// Whether everything is finite and in range, and so many as there may be.
+    /// Checks that everything is finite, in range and within the limits.
     ///
     /// # Errors
-    /// The first one that does not, with its place.
+    /// The first fault, with its place.
     pub fn check(&self) -> Result<()> {
         self.check_in(self.space)
     }
 
-    /// As [`CameraPath::check`], if it lay in this space.
+    /// As [`CameraPath::check`], as if it lay in this space.
     ///
     /// # Errors
     /// As [`CameraPath::check`].
@@ -442,10 +436,10 @@ impl SupportPoint {
         })
     }
 
-    /// Whether everything at this point is finite and in range.
+    /// Checks that everything at this point is finite and in range.
     ///
     /// # Errors
-    /// The first one that does not.
+    /// The first fault.
     pub fn check(&self, space: Space) -> Result<()> {
         space.check_place(self.position)?;
         if let Some(name) = &self.name {
@@ -489,8 +483,7 @@ pub fn check_coordinates(v: DVec3) -> Result<()> {
     Ok(())
 }
 
-/// One line of text: no control characters, at most
-/// [`limits::MAX_NAME_BYTES`] bytes.
+/// One line of text: no control characters, at most [`limits::MAX_NAME_BYTES`] bytes.
 ///
 /// # Errors
 /// [`crate::Error::Argument`] or [`crate::Error::Limit`].

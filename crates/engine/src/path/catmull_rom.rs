@@ -1,5 +1,4 @@
-//! Catmull–Rom splines (thesis 3.6.1), uniform knots: through every point, with
-//! the tangent parallel to the chord between its two neighbours.
+//! Catmull–Rom splines (thesis 3.6.1), uniform knots: tangents parallel to the neighbours' chord.
 
 use glam::DVec3;
 
@@ -16,20 +15,18 @@ pub const CATMULL_ROM: BasisMatrix = [
     [0.0, 1.0, 0.0, 0.0],
 ];
 
-/// The tangent at the ends of an open curve, which 3.6.1 leaves free. With two
-/// points all but [`EndRule::Tangents`] give the straight line at even speed.
+/// The tangent at the ends of an open curve, which 3.6.1 leaves free. With two points all but
+/// [`EndRule::Tangents`] give the straight line.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum EndRule {
-    /// That of the parabola through the three points nearest to the end,
-    /// (−3P₀+4P₁−P₂)/2: exact where the points lie on a parabola.
+    /// That of the parabola through the three points nearest to the end, (−3P₀+4P₁−P₂)/2.
     #[default]
     Quadratic,
-    /// The one that lets the curvature vanish at the end, (3(P₁−P₀)−R₁)/2.
+    /// That with no curvature at the end, (3(P₁−P₀)−R₁)/2.
     Natural,
     /// The chord of the end segment, P₁−P₀.
     Chord,
-    /// Given tangents at the start and at the end, both in the direction in
-    /// which the curve runs.
+    /// Given tangents at the start and at the end, both in the direction of the curve.
     Tangents(DVec3, DVec3),
 }
 
@@ -48,9 +45,8 @@ pub fn segment(p: [DVec3; 4]) -> Cubic {
 /// The open curve through `points`: one segment less than points.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] if there are fewer than two points or one of them or a
-/// given tangent is not finite, [`crate::Error::Limit`] if there are more than
-/// [`MAX_POINTS`], [`crate::Error::Memory`].
+/// [`crate::Error::Argument`] for fewer than two points or anything that is not finite,
+/// [`crate::Error::Limit`] for more than [`MAX_POINTS`], [`crate::Error::Memory`].
 pub fn open_curve(points: &[DVec3], ends: EndRule) -> Result<Vec<Cubic>> {
     check(points)?;
     if let EndRule::Tangents(start, end) = ends
@@ -77,8 +73,7 @@ pub fn open_curve(points: &[DVec3], ends: EndRule) -> Result<Vec<Cubic>> {
     Ok(curve)
 }
 
-/// The closed curve through `points`: as many segments as points, the last of
-/// which leads back to the first point.
+/// The closed curve through `points`: as many segments as points.
 ///
 /// # Errors
 /// As [`open_curve`].
@@ -103,8 +98,7 @@ fn check(points: &[DVec3]) -> Result<()> {
     }
 }
 
-/// The tangent at the first of at least two points, by a rule that needs no
-/// more than three.
+/// The tangent at the first of at least two points; no rule looks at more than three.
 fn end_tangent(rule: EndRule, mut points: impl Iterator<Item = DVec3>) -> DVec3 {
     let mut next = || points.next();
     let (Some(p0), Some(p1)) = (next(), next()) else {

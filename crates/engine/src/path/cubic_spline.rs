@@ -1,6 +1,5 @@
-//! Cubic splines (thesis 3.4): through every point with continuous first and
-//! second derivative. Moving one point moves the whole curve, which is why the
-//! camera's path is not one of these.
+//! Cubic splines with given knots (thesis 3.4), solved as a whole. A path's own spline
+//! ([`super::CurveKind::Cubic`]) is solved around each segment instead, in [`super::curve`].
 
 use glam::DVec3;
 
@@ -15,8 +14,7 @@ pub enum SplineEnds {
     Natural,
     /// The first derivative by the parameter at the start and at the end.
     Clamped(DVec3, DVec3),
-    /// First and second derivative at the end are those at the start, and the
-    /// last point is the first.
+    /// First and second derivative agree at both ends, and the last point is the first.
     Periodic,
 }
 
@@ -28,16 +26,13 @@ pub struct CubicSpline {
 }
 
 impl CubicSpline {
-    /// The spline that is at `points[i]` for the parameter `knots[i]`. The
-    /// knots rise strictly. The equations of 3.4 have three unknowns each and
-    /// take time and memory in proportion to the points.
+    /// The spline through `points[i]` at strictly rising `knots[i]`, in time linear in the points.
     ///
     /// # Errors
-    /// [`crate::Error::Argument`] if there are fewer than two points or not as many
-    /// knots, if anything is not finite, the knots do not rise, or the ends of
-    /// a periodic spline differ; [`crate::Error::Limit`] for more than [`MAX_POINTS`];
-    /// [`crate::Error::Range`] if the knots are so close or far that the curve cannot
-    /// be computed; [`crate::Error::Memory`].
+    /// [`crate::Error::Argument`] for fewer than two points, a different number of knots, anything
+    /// not finite, knots that do not rise, or a periodic spline whose ends differ;
+    /// [`crate::Error::Limit`] for more than [`MAX_POINTS`]; [`crate::Error::Range`] for knots too
+    /// close together or too far apart to compute with; [`crate::Error::Memory`].
     pub fn new(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<Self> {
         check(points, knots, ends)?;
         let moments = moments(points, knots, ends)?;
@@ -75,8 +70,7 @@ impl CubicSpline {
         &self.knots
     }
 
-    /// The point at the parameter `x`, exact at the knots. Before the first
-    /// and after the last knot the point there.
+    /// The point at the parameter `x`, exact at the knots; outside them that at the nearer end.
     #[must_use]
     pub fn point(&self, x: f64) -> DVec3 {
         let (piece, t, _) = self.locate(x);
@@ -97,7 +91,6 @@ impl CubicSpline {
         piece.second_derivative(t) / h / h
     }
 
-    /// The piece that holds `x`, the place in it, and its length.
     fn locate(&self, x: f64) -> (&Cubic, f64, f64) {
         let inner = &self.knots[1..self.knots.len() - 1];
         let i = inner.partition_point(|&knot| knot <= x);
@@ -138,8 +131,8 @@ fn check(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<()> {
     }
 }
 
-/// One equation of 3.4 for three neighbouring unknowns. `share` is a second
-/// right side: what each unit of the periodic spline's joint adds.
+/// One equation of 3.4 for three neighbouring unknowns. `share` is a second right-hand side: what
+/// each unit of the periodic spline's joint adds.
 struct Row {
     lower: f64,
     diagonal: f64,
@@ -181,9 +174,8 @@ fn moments(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<Vec<DVec
             moments.extend(rows.iter().map(|row| row.right));
         }
         SplineEnds::Periodic => {
-            // The joint is neighbour to both ends of the chain of the others.
-            // Those are solved for first, but for the joint's share in them;
-            // the equation round the joint then gives the joint.
+            // The joint is neighbour to both ends of the chain of the others. Those are solved for
+            // first, up to the joint's share in them; the equation of the joint then gives it.
             let (before, after) = (h(last - 1), h(0));
             rows.extend(inner);
             if let Some(first) = rows.first_mut() {
@@ -211,9 +203,8 @@ fn moments(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<Vec<DVec
     Ok(moments)
 }
 
-/// Elimination without pivots, which diagonally dominant rows do not need. The
-/// unknowns replace the right sides; the first row's `lower` and the last
-/// row's `upper` are not looked at.
+/// Elimination without pivots, which diagonally dominant rows do not need. The unknowns replace the
+/// right-hand sides; the first `lower` and the last `upper` are not read.
 fn solve(rows: &mut [Row]) {
     for i in 1..rows.len() {
         let (done, rest) = rows.split_at_mut(i);

@@ -1,10 +1,7 @@
-//! The curve through the points of a path, whichever its kind: cubics between
-//! tangents. A point that owns its tangents has those, whatever the kind.
+//! The curve through the points of a path: cubics between tangents, which points may own.
 //!
-//! Cubic splines are solved where they are asked for: the influence of a point
-//! shrinks by 2 + √3 with each point between, so that beyond `REACH` of them
-//! it is below rounding. So a segment costs the same on a path of any length,
-//! and depends on no more of it than that.
+//! Cubic splines are solved where they are asked for: the influence of a point shrinks by 2 + √3
+//! with each point between, and is below rounding beyond `REACH`.
 
 use glam::DVec3;
 
@@ -13,8 +10,7 @@ use super::hermite::Cubic;
 use super::kochanek_bartels;
 use super::own::Tangents;
 
-/// Points beyond which a point of a cubic spline is not felt: (2 − √3)³² is
-/// 5e-19.
+/// Points beyond which a point of a cubic spline is not felt: (2 − √3)³² is 5e-19.
 const REACH: usize = 32;
 
 /// The curve of one segment of a path.
@@ -40,8 +36,7 @@ pub fn segment(path: &CameraPath, segment: usize) -> Cubic {
     Cubic::hermite(from.position, to.position, leave, reach)
 }
 
-/// The tangents with which the curve passes a point; beyond an end of an open
-/// path it is that of the other side.
+/// The tangents with which the curve passes a point; at an end of an open path they are equal.
 ///
 /// # Panics
 /// If there is no such point.
@@ -75,15 +70,14 @@ pub fn tangents(path: &CameraPath, point: usize) -> Tangents {
     }
 }
 
-/// What is known of the tangent m at a point from one side of it: the next one
-/// on that side is a − b·m.
+/// What one side of a point tells of its tangent m: the next tangent there is a − b·m.
 #[derive(Clone, Copy)]
 struct Side {
     a: DVec3,
     b: f64,
 }
 
-/// One point further away, −1 or 1, around the ends of a closed path.
+/// The next point on one side, around the ends of a closed path.
 fn step(path: &CameraPath, point: usize, forwards: bool) -> Option<usize> {
     let count = path.points.len();
     if forwards {
@@ -96,10 +90,9 @@ fn step(path: &CameraPath, point: usize, forwards: bool) -> Option<usize> {
     }
 }
 
-/// Elimination from far away towards `point`, over the equations
-/// mᵢ₋₁ + 4mᵢ + mᵢ₊₁ = 3(Pᵢ₊₁ − Pᵢ₋₁); natural at an end, 2m₀ + m₁ = 3(P₁ − P₀),
-/// and broken off where a point has tangents of its own. None where there is
-/// nothing on this side.
+/// Elimination from far away towards `point`, over mᵢ₋₁ + 4mᵢ + mᵢ₊₁ = 3(Pᵢ₊₁ − Pᵢ₋₁); natural at
+/// an end, 2m₀ + m₁ = 3(P₁ − P₀), and broken off where a point owns its tangents. `None` where
+/// there is nothing on this side.
 fn side(path: &CameraPath, point: usize, forwards: bool) -> Option<Side> {
     let at = |k: usize| path.points[k].position;
     let mut far = step(path, point, forwards)?;
@@ -139,8 +132,7 @@ fn side(path: &CameraPath, point: usize, forwards: bool) -> Option<Side> {
     Some(known)
 }
 
-/// The tangent of a cubic spline with which it leaves (forwards) or reaches a
-/// point; where the point owns tangents it is that one.
+/// The tangent with which a cubic spline leaves or reaches a point: the one it owns, if it does.
 fn spline_tangent(path: &CameraPath, point: usize, leaves: bool) -> DVec3 {
     if let Some(own) = path.points[point].tangents {
         return if leaves { own.after } else { own.before };
@@ -160,8 +152,7 @@ fn spline_tangent(path: &CameraPath, point: usize, leaves: bool) -> DVec3 {
     }
 }
 
-/// The tangents with which a cubic spline leaves the start of a segment and
-/// reaches its end.
+/// The tangents of a cubic spline at the start and at the end of a segment.
 fn spline_tangents(path: &CameraPath, segment: usize) -> (DVec3, DVec3) {
     let end = (segment + 1) % path.points.len();
     (

@@ -1,9 +1,7 @@
-//! The choice of vectors: code written over [`vector::Vector`] is compiled here once
-//! for every processor and once for those with AVX2 and fused multiplication;
-//! the two agree to rounding. What is called from here must be forced inline
-//! all the way down, since a function of its own would be compiled for the
-//! plainest processor. `--cfg vides_no_simd` leaves only the first, to measure
-//! and to test it.
+//! The choice of vectors: code over [`vector::Vector`] is compiled once for every processor and
+//! once for those with AVX2 and fused multiplication; the two agree to rounding. All that is called
+//! from here must be forced inline, since a function of its own would be compiled for the plainest
+//! processor. `--cfg vides_no_simd` leaves only the first, to measure and to test it.
 
 use super::arc_length;
 use super::fill::{self, Scratch};
@@ -13,8 +11,7 @@ use super::section_sampler::SectionSampler;
 use crate::error::Result;
 use crate::math::vector;
 
-/// Calls a function that is generic over [`vector::Vector`] with the widest
-/// vectors that this processor has.
+/// Calls a function generic over [`vector::Vector`] with the widest vectors of this processor.
 macro_rules! widest {
     ($module:ident, $function:ident, ($($name:ident: $type:ty),*) -> $result:ty) => {{
         #[cfg(all(target_arch = "x86_64", not(vides_no_simd)))]
@@ -35,7 +32,6 @@ macro_rules! widest {
     }};
 }
 
-/// See [`fill::fill`].
 pub(super) fn fill(
     section: &SectionSampler,
     scratch: &mut Scratch,
@@ -45,7 +41,6 @@ pub(super) fn fill(
     widest!(fill, fill, (section: &SectionSampler, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()>)
 }
 
-/// See [`arc_length::length`].
 pub(super) fn length(curve: &Cubic) -> f64 {
     widest!(arc_length, length, (curve: &Cubic) -> f64)
 }

@@ -1,11 +1,6 @@
-//! Speeding up, cruising and slowing down (Kolb, Computergraphik II, 9.2.1,
-//! with the corrections that numbers show: the parabola's acceleration for a
-//! way of 1 in a time of 1 is 4, the sine's speed in the middle is π/2).
-//!
-//! The speed rises from rest to the cruising speed during the share `rise` of
-//! the time and falls to rest during the share `fall`: as a straight line
-//! (parabolic distance) or as a quarter of a sine. Distances are closed forms,
-//! good to 1e-15.
+//! Speeding up, cruising and slowing down (Kolb, Computergraphik II, 9.2.1, corrected: the
+//! parabola's acceleration for a way of 1 in a time of 1 is 4, the sine's speed in the middle is
+//! π/2). Distances are closed forms, good to 1e-15.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -50,14 +45,13 @@ impl Ease {
         check_speed(self.cruise)
     }
 
-    /// Everything that makes it what it is.
+    /// All that defines it.
     pub(super) fn numbers(&self) -> [f64; 4] {
         let kind = f64::from(u8::from(self.kind == EaseKind::Parabolic));
         [kind, self.rise, self.fall, self.cruise]
     }
 
-    /// Share of the cruising speed that a rising or falling piece has in the
-    /// mean.
+    /// Mean speed of a rise or a fall, as a share of the cruising speed.
     fn mean_of_rise(&self) -> f64 {
         match self.kind {
             EaseKind::Sine => 2.0 / PI,
@@ -76,8 +70,7 @@ impl Ease {
         self.cruise * self.area()
     }
 
-    /// Way gone in the first share `x` of a rise that takes the share `length`
-    /// of the time, at a cruising speed of 1.
+    /// Way gone in the first share `x` of a rise that lasts `length`, at a cruising speed of 1.
     fn risen(&self, x: f64, length: f64) -> f64 {
         match self.kind {
             EaseKind::Sine => {
@@ -88,8 +81,7 @@ impl Ease {
         }
     }
 
-    /// Share of the way at the share `t` of the time, 0 ≤ t ≤ 1; exact at both
-    /// ends.
+    /// Share of the way at the share `t` of the time, 0 ≤ t ≤ 1; exact at both ends.
     #[must_use]
     pub fn distance(&self, t: f64) -> f64 {
         let area = self.area();
@@ -134,8 +126,7 @@ impl Ease {
         self.cruise * self.shape(t)
     }
 
-    /// Derivative of [`Self::speed`] at the share `t` of the time; where a rise ends it is
-    /// over, where a fall begins it has not begun.
+    /// Derivative of [`Self::speed`] at the share `t`; 0 where a rise ends or a fall begins.
     #[must_use]
     pub fn acceleration(&self, t: f64) -> f64 {
         let (x, change) = if t < self.rise {

@@ -1,10 +1,8 @@
 //! The frames of one section, many at a time.
 //!
-//! Runs of frames that lie on the same polynomial are computed vector by
-//! vector and may overshoot their end: what they spoil there is written again
-//! by the next run, and arrays are longer than a block for the last one. No
-//! frame depends on which others are asked for with it. Everything is forced
-//! inline, as [`super::dispatch`] explains.
+//! Runs of frames on the same polynomial are computed vector by vector and may overshoot: the next
+//! run writes over what they spoil, and arrays are longer than a block for the last one. No frame
+//! depends on which others are asked for with it. All is forced inline: see [`super::dispatch`].
 
 use glam::DVec3;
 
@@ -20,7 +18,7 @@ use crate::error::Result;
 use crate::math::orientation::POLE;
 use crate::math::vector::{Vector, horner, horner_each};
 
-/// Frames of a block: all its numbers stay in the first-level cache.
+/// Frames of a block, whose numbers all stay in the first-level cache.
 const BLOCK: usize = 128;
 
 /// Frames by which a run may overshoot.
@@ -32,7 +30,6 @@ const AT_ONCE: usize = 4;
 /// A row of one number for each frame of a block, with room to overshoot.
 type Row = [f64; BLOCK + STRIDE];
 
-/// What is known of the frames of a block before they are poses.
 #[repr(align(64))]
 struct Block {
     phi: Row,
@@ -44,11 +41,11 @@ struct Block {
     q: [Row; 4],
 }
 
-/// The poses of a block, when they are put together before they are written.
+/// The poses of a block, where they are put together before they are written.
 #[repr(align(64))]
 struct Records([f64; 10 * (BLOCK + STRIDE)]);
 
-/// Poses from which on they are written past the caches: more than these hold.
+/// From this many poses on, more than the caches hold, they are written past them.
 const MANY: usize = 50_000;
 
 /// Working memory that one call hands from section to section.
@@ -61,7 +58,6 @@ pub(super) struct Scratch {
 }
 
 impl Scratch {
-    /// For a call that asks for so many poses.
     pub(super) fn new(poses: usize) -> Self {
         let row = [0.0; BLOCK + STRIDE];
         let block = Block {
@@ -79,12 +75,10 @@ impl Scratch {
     }
 }
 
-/// Sections with fewer frames than this do not keep their tables: they are
-/// made again faster than they come back from memory.
+/// Shorter sections do not keep their tables: making them again is faster than loading them.
 const KEEP: usize = 1024;
 
-/// Frames of a section: fills `poses`, `first` being the number of the first
-/// of them within the section (from 1).
+/// Fills `poses` with frames of a section; `first` is the number of the first of them, from 1.
 #[inline(always)]
 pub(super) fn fill<V: Vector>(
     section: &SectionSampler,
@@ -175,7 +169,7 @@ fn shares<V: Vector>(section: &SectionSampler, number: usize, count: usize, phi:
     }
 }
 
-/// From u to φ one by one. Not inlined: it would only be in the way of the others.
+/// From u to φ one by one; not inlined, to keep out of the way of the fast code.
 #[inline(never)]
 fn plain_shares(timing: &Timing, phi: &mut [f64]) {
     for phi in phi {
@@ -226,7 +220,6 @@ fn run<const C: usize>(
     from + phi[from..count].partition_point(|&phi| phi < end)
 }
 
-/// What a piece's polynomials are evaluated at, for some vectors of frames.
 #[inline(always)]
 fn arguments<V: Vector, const C: usize>(fit: &Fit<C>, phi: &[f64]) -> [V; AT_ONCE] {
     let mut x = [V::splat(0.0); AT_ONCE];
@@ -243,7 +236,6 @@ fn store_each<V: Vector>(values: [V; AT_ONCE], to: &mut [f64]) {
     }
 }
 
-/// The curve's parameter of each frame.
 #[inline(always)]
 fn parameters<V: Vector>(way: &ArcLengthCurve, tables: &Tables, count: usize, block: &mut Block) {
     let Block { phi, s, t, .. } = block;
@@ -304,8 +296,7 @@ fn turned<V: Vector>(turning: &Turning, tables: &Tables, count: usize, block: &m
     }
 }
 
-/// View direction and up: third and second column of a quaternion's rotation;
-/// dividing by |q|² makes them unit whatever the length of q.
+/// View direction and up: third and second column of the rotation of a quaternion of any length.
 #[inline(always)]
 fn view_from_quaternion<V: Vector>(q: [V; 4]) -> [V; 6] {
     let [x, y, z, w] = q;
@@ -323,9 +314,8 @@ fn view_from_quaternion<V: Vector>(q: [V; 4]) -> [V; 6] {
     ]
 }
 
-/// View direction and up of a camera that looks at a target at `offset`. Where
-/// there is no direction or no yaw they come out as they may and are mended
-/// afterwards.
+/// View direction and up of a camera that looks at a target at `offset`. Where there is no
+/// direction or no yaw the result is mended by [`resolve_singularities`].
 #[inline(always)]
 fn view_at_target<V: Vector>(offset: [V; 3], sin: V, cos: V) -> [V; 6] {
     let [x, y, z] = offset;
@@ -344,7 +334,7 @@ fn view_at_target<V: Vector>(offset: [V; 3], sin: V, cos: V) -> [V; 6] {
     ]
 }
 
-/// Everything known of the frames becomes poses.
+/// Turns a block into poses.
 #[inline(always)]
 fn write<V: Vector>(
     section: &SectionSampler,
@@ -439,8 +429,7 @@ fn write_vector<V: Vector>(section: &SectionSampler, block: &Block, k: usize) ->
     ]
 }
 
-/// Computes those tracked frames the plain way that lie at the target, or
-/// straight above or below it.
+/// Computes tracked frames at the target, or straight above or below it, the plain way.
 fn resolve_singularities(
     section: &SectionSampler,
     target: DVec3,

@@ -1,5 +1,5 @@
-//! A path, or a range of its points, brought to a number of frames: each section
-//! that moves has one, the rest goes by largest remainder, so that the sum is exact.
+//! A path, or a range of its points, brought to a number of frames: each section that moves has
+//! one, the rest is shared by largest remainder, so that the sum is exact.
 
 use std::ops::Range;
 
@@ -19,9 +19,8 @@ pub struct Fixed {
     pub frames: u32,
 }
 
-/// The sections of a range of points, in their order: from the first
-/// orientation of `first` to the last one of `last`. On a closed path all points
-/// stand for the whole way round, and a range may lead over the seam.
+/// The sections from the first orientation of `first` to the last of `last`, in order. On a closed
+/// path all points stand for the whole way round, and a range may lead over the seam.
 fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> Result<Vec<usize>> {
     let count = path.points.len();
     for point in [first, last] {
@@ -54,14 +53,12 @@ fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> R
     Ok(found)
 }
 
-/// Frames for the moving sections of a range of points (counted from 0), so that
-/// from the first pose at `first` to the last at `last`, both and all holds
-/// included, there are exactly `frames`. The proportions stay, as far as whole
-/// numbers can.
+/// Frames for the moving sections of a range of points (from 0), so that there are exactly `frames`
+/// from the first pose at `first` to the last at `last`, holds included. Proportions are kept.
 ///
 /// # Errors
-/// [`crate::Error::Range`] if there is no such range, or fewer frames than it must have
-/// or more than it can have; [`crate::Error::Memory`].
+/// [`crate::Error::Range`] for a range that does not exist, or fewer or more frames than it can
+/// have; [`crate::Error::Memory`].
 pub fn fit_frames(
     path: &CameraPath,
     timeline: &Timeline,
@@ -77,8 +74,7 @@ pub fn fit_frames(
     fit(path, timeline, &sections, 1 + hold, frames)
 }
 
-/// Frames for the moving sections from where one point is reached to where a later one
-/// is, so that the second is reached exactly so many frames after the first.
+/// Frames for the moving sections between two points: `last` is reached `frames` after `first`.
 ///
 /// # Errors
 /// As [`fit_frames`].
@@ -94,7 +90,7 @@ pub fn fit_between(
     fit(path, timeline, &sections, 0, frames)
 }
 
-/// The frames from where one point is reached to where a later one is, holds included.
+/// The frames from reaching one point to reaching a later one, holds included.
 #[must_use]
 pub fn frames_between(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> usize {
     let moving = between(timeline, first, last).map(|at| timeline.section(at));
@@ -105,15 +101,13 @@ pub fn frames_between(path: &CameraPath, timeline: &Timeline, first: usize, last
         .sum()
 }
 
-/// The sections from where one point is reached to where another one is.
 fn between(timeline: &Timeline, first: usize, last: usize) -> Range<usize> {
     let sections = timeline.section_count();
     let start = |point: usize| timeline.section_from(point, 0).unwrap_or(sections);
     start(first)..start(last)
 }
 
-/// Frames for these sections, so that with their holds and `extra` frames there are exactly
-/// `frames`.
+/// Frames for these sections that with their holds and `extra` make exactly `frames`.
 #[allow(clippy::cast_precision_loss)]
 fn fit(
     path: &CameraPath,
@@ -140,7 +134,7 @@ fn fit(
             0 => timeline.unrounded_frames(path, section),
             fixed => f64::from(fixed),
         };
-        // The first one each has anyway.
+        // Each has its first one anyway.
         weights.push((now - 1.0).max(0.0));
         fixed.push(Fixed {
             point: begin.point,
@@ -160,15 +154,14 @@ fn fit(
     Ok(fixed)
 }
 
-/// Adds `rest` frames in proportion to the weights, by largest remainder, ties
-/// to the earlier.
+/// Adds `rest` frames in proportion to the weights, by largest remainder, ties to the earlier.
 #[allow(
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss
 )]
 fn share(fixed: &mut [Fixed], weights: &mut [f64], rest: usize) -> Result<()> {
-    // Beside weights without an end the others are nothing.
+    // Beside infinite weights the others are nothing.
     let largest = weights.iter().copied().fold(0.0, f64::max);
     for weight in weights.iter_mut() {
         *weight = if largest == 0.0 {

@@ -1,6 +1,6 @@
-//! The principal normal of a curve whose curvature is continuous, without the jumps
-//! of Frenet's frame: its sign goes on through inflections, and straight pieces carry it
-//! on (Kolb, Computergraphik II, 9.2.2, with the signed angle).
+//! The principal normal of a curve with continuous curvature, without the jumps of Frenet's frame:
+//! its sign goes on through inflections, and straight pieces carry it on (Kolb, Computergraphik II,
+//! 9.2.2, with the signed angle).
 //!
 //! On a cubic P′ × P″ is a quadratic B₀ + B₁t + B₂t²; its zeros are the inflections.
 
@@ -11,11 +11,10 @@ use super::hermite::Cubic;
 use crate::error::{Result, vec_with_room};
 use crate::math::rotation_minimising::{perpendicular, shortest, signed_angle, turned};
 
-/// |P′ × P″| below this share of the curve's size squared is none: the normal is still
-/// exact to 1e-7 there.
+/// |P′ × P″| below this share of the squared size is none: there the normal is exact to 1e-7.
 const STRAIGHT: f64 = 1e-9;
 
-/// How near to an inflection both sides of it are looked at, in t.
+/// How far beside an inflection, in t, its two sides are compared.
 const BESIDE: f64 = 1e-5;
 
 /// Nearer to an inflection, in t, the limit takes the place of the formula.
@@ -40,8 +39,7 @@ struct Segment {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Normals {
     segments: Vec<Segment>,
-    /// Where a closed curve brings the normal back turned over: the segment from which
-    /// on that half turn is spread over the length.
+    /// The segment where a half turn begins to be spread, if a closed curve turns the normal over.
     turns_over: Option<usize>,
 }
 
@@ -62,7 +60,7 @@ impl Segment {
                 kind: Kind::Straight(DVec3::ZERO, [0.0; 2]),
             };
         }
-        // Of the component that is largest, all others vanish with it at a zero.
+        // Zeros of the largest component; `vanishes` drops those where another is left.
         let largest = b
             .into_iter()
             .max_by(|a, b| a.length().total_cmp(&b.length()));
@@ -84,7 +82,7 @@ impl Segment {
         self.curve.derivative(t).try_normalize()
     }
 
-    /// The normal of a bent segment as the formula has it, but at inflections the limit.
+    /// The normal of a bent segment by the formula, at inflections by its limit.
     fn raw(&self, b: &[DVec3; 3], zeros: &[Option<f64>; 2], t: f64) -> Option<DVec3> {
         let mut along = b[0] + t * (b[1] + t * b[2]);
         let slope = |t: f64| b[1] + 2.0 * t * b[2];
@@ -102,7 +100,6 @@ impl Segment {
         perpendicular(along.cross(self.tangent(t)?), self.tangent(t)?)
     }
 
-    /// The sign of the normal at t.
     fn sign(&self, b: &[DVec3; 3], zeros: &[Option<f64>; 2], first: f64, t: f64) -> f64 {
         let mut sign = first;
         for &zero in zeros.iter().flatten() {
@@ -132,7 +129,6 @@ impl Segment {
     }
 }
 
-/// Real zeros of a quadratic.
 fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
     let discriminant = b * b - 4.0 * a * c;
     if discriminant < 0.0 {
@@ -144,11 +140,7 @@ fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
 }
 
 impl Normals {
-    /// Of segments that join with continuous curvature, with their lengths; none if all
-    /// of them are straight.
-    ///
-    /// # Errors
-    /// [`crate::Error::Memory`].
+    /// For segments that join with continuous curvature; `None` if all are straight.
     pub(super) fn new(curves: &[Cubic], starts: &[f64], closed: bool) -> Result<Option<Self>> {
         let count = curves.len();
         let mut segments = vec_with_room(count)?;
@@ -167,8 +159,7 @@ impl Normals {
         let Some(mut normal) = begin else {
             return Ok(None);
         };
-        // What lies before the first bend has its normal; of a closed curve it is the
-        // last run.
+        // What lies before the first bend has its normal; on a closed curve that is the last run.
         if !closed {
             for k in (0..first).rev() {
                 let (here, behind) = (&normals.segments[k], &normals.segments[k + 1]);
@@ -245,8 +236,7 @@ impl Normals {
         }
     }
 
-    /// The normal at a place as [`Self::at`] for a view there: turned with the shortest
-    /// rotation that turns the tangent to the view.
+    /// [`Self::at`], under the shortest rotation from the tangent to a view there.
     pub(super) fn up(&self, segment: usize, (t, share): (f64, f64), view: DVec3) -> Option<DVec3> {
         let normal = self.at(segment, t, share)?;
         Some(shortest(normal, self.segments[segment].tangent(t)?, view))

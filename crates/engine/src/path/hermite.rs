@@ -43,9 +43,8 @@ impl Cubic {
         }
     }
 
-    /// The curve of a basis matrix and its geometry vector: the coefficients
-    /// are the rows of M·G. The end is computed, so that it is right to
-    /// rounding only; [`Cubic::hermite`] keeps it to the last bit.
+    /// The curve of a basis matrix and its geometry vector: the coefficients are the rows of M·G.
+    /// Its end is right to rounding only, that of [`Cubic::hermite`] to the last bit.
     #[must_use]
     pub fn from_basis(matrix: &BasisMatrix, geometry: [DVec3; 4]) -> Self {
         let [a, b, c, d] = matrix.map(|row| {

@@ -1,13 +1,11 @@
 //! A new point on the curve that leaves the motion as it is.
 //!
-//! The segment is split (de Casteljau), the pace of its section divided into
-//! two parts of what it was. What the new point would change elsewhere its
-//! neighbours then own: tangents, angular velocities, slopes. Which these are is
-//! not told by rules, but found by comparing the path before with the path after.
+//! The segment is split (de Casteljau) and the pace of its section divided. What the new point
+//! would change elsewhere its neighbours then own: tangents, angular velocities, slopes. Which
+//! these are is found by comparing the path before with the path after.
 //!
-//! A part of a spherical Bézier curve is none itself (views would be off by up to
-//! some degrees where much is turned); so the halves of a turning remember the
-//! whole too, as long as their keys stay. Everything is then the same to rounding.
+//! A part of a spherical Bézier curve is not such a curve itself (views would be off by up to some
+//! degrees), so the halves of a turning remember the whole, as long as their keys stay.
 
 use glam::{DQuat, DVec3};
 
@@ -39,8 +37,7 @@ pub struct Insertion {
     pub changed: Vec<usize>,
 }
 
-/// Points to either side whose tangents a new one may change: beyond, the bits
-/// of a cubic spline are the same.
+/// Points to either side whose tangents may change: beyond, a cubic spline is the same to the bit.
 const NEIGHBOURS: usize = 40;
 
 /// A difference that need not be owned, as a share of what it belongs to.
@@ -49,17 +46,15 @@ const SAME: f64 = 1e-14;
 /// Rounds of comparing: what one neighbour owns may change the next.
 const ROUNDS: usize = 6;
 
-/// Step of the differences that give the angular velocity, in shares of a
-/// section.
+/// Step, in shares of a section, of the differences that give the angular velocity.
 const DIFFERENCE: f64 = 1.0 / 512.0;
 
-/// Puts a point on the curve where the camera is at a frame. It comes to lie at
-/// the nearest whole frame that is not an end of its section, so that no pose of
-/// the path changes; in a section of one frame where it is asked for.
+/// Puts a point on the curve where the camera is at a frame: at the nearest whole frame inside the
+/// section, so that no pose changes; in a section of one frame, where it is asked for.
 ///
 /// # Errors
-/// [`Error::Range`] where there is no such frame or no way to divide there,
-/// [`Error::Limit`], [`Error::Memory`].
+/// [`Error::Range`] where there is no such frame or no way to divide there, [`Error::Argument`] in
+/// the mode Barry–Goldman, [`Error::Limit`], [`Error::Memory`].
 pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     if path.orientation_mode == OrientationMode::BarryGoldman {
         return Err(Invalid::NoNewKey.into());
@@ -113,13 +108,10 @@ pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     })
 }
 
-/// The frames in which the camera is nearest to the places that divide the way from
-/// a point to the next into equal lengths: for [`on_curve`], which moves no pose, one
-/// after the other.
+/// The frames nearest to where a segment divides into equal lengths, for [`on_curve`] one by one.
 ///
 /// # Errors
-/// [`Error::Range`] where there is no such way, or fewer frames between its ends than
-/// points; [`Error::Limit`], [`Error::Memory`].
+/// [`Error::Range`] for no such way or too few frames; [`Error::Limit`], [`Error::Memory`].
 #[allow(clippy::cast_precision_loss)]
 pub fn dividing_frames(path: &CameraPath, segment: usize, points: usize) -> Result<Vec<f64>> {
     let timeline = Timeline::new(path)?;
@@ -153,14 +145,14 @@ pub fn dividing_frames(path: &CameraPath, segment: usize, points: usize) -> Resu
     Ok(found)
 }
 
-/// The section that is the so-many-th of those with frames.
+/// The `number`-th of the sections that have frames.
 fn section_of(timeline: &Timeline, number: usize) -> usize {
     let moving = |section: &usize| timeline.section(*section).change != Change::Nothing;
     let mut sections = (0..timeline.section_count()).filter(moving);
     sections.nth(number).unwrap_or(0)
 }
 
-/// The section that is divided, and at which share of its time.
+/// The section to divide, and at which share of its time.
 #[allow(clippy::cast_precision_loss)]
 fn find(
     path: &CameraPath,
@@ -201,19 +193,17 @@ fn find(
 
 /// What the path must have after the insertion.
 struct Wanted {
-    /// Of the point before, the new one and the one behind; a point that is
-    /// both before and behind is the first of them on its side behind.
+    /// Tangents of the point before, the new one and the one after.
     leave: DVec3,
     middle: Tangents,
     reach: DVec3,
-    /// Of the new key, y upright.
+    /// Of the new key, in y-up axes.
     velocity: DVec3,
     roll_slope: f64,
     zoom_slope: f64,
 }
 
-/// The new point, with what it and its neighbours must have. It owns nothing
-/// yet but its pace.
+/// The new point, which so far owns only its pace, and what it and its neighbours must have.
 fn divide(
     path: &CameraPath,
     timeline: &Timeline,
@@ -305,8 +295,7 @@ fn timeline_duration(section: &super::timeline::Section) -> f64 {
     section.frames as f64 * section.mean_speed / crate::limits::BASE_SPEED
 }
 
-/// Gives an orientation a part of the pace that the section of `old` had, and
-/// ten speeds that come near to it.
+/// Gives an orientation a part of the pace of `old`'s section, and ten speeds near to that.
 fn take_part(
     to: &mut Orientation,
     ((before, after), old): ((Option<f64>, Option<f64>), &Orientation),
@@ -349,8 +338,7 @@ fn take_part(
     Ok(())
 }
 
-/// The part of a turning between two shares of its time, if it is a Bézier curve
-/// (a part of an arc is an arc).
+/// The part of a Bézier turning between two shares of its time. (A part of an arc is an arc.)
 fn turning_part(turning: &Turning, [from, to]: [f64; 2]) -> Option<TurningPart> {
     let (control, [first, last]) = match turning {
         Turning::Bezier(control) => (control, [0.0, 1.0]),
@@ -371,8 +359,7 @@ fn turning_part(turning: &Turning, [from, to]: [f64; 2]) -> Option<TurningPart> 
     })
 }
 
-/// Derivative of a turning by quaternions: angular velocity on S³ for one whole
-/// section.
+/// Angular velocity on S³ of a turning by quaternions, for one whole section.
 fn angular_velocity(turning: &Turning, phi: f64) -> DVec3 {
     let q = |phi: f64| turning.quaternion(phi).unwrap_or(DQuat::IDENTITY);
     let difference = |h: f64| {
@@ -383,7 +370,7 @@ fn angular_velocity(turning: &Turning, phi: f64) -> DVec3 {
     (4.0 * difference(DIFFERENCE / 2.0) - difference(DIFFERENCE)) / 3.0
 }
 
-/// Lets those points own their tangents that the new one would change.
+/// Gives points the tangents that the new one would change.
 fn keep_tangents(
     path: &CameraPath,
     new: &mut CameraPath,
@@ -462,7 +449,7 @@ impl Keys {
     }
 }
 
-/// Lets those keys own their velocities and slopes that the new one would change.
+/// Gives keys the velocities and slopes that the new one would change.
 fn keep_rates(
     path: &CameraPath,
     timeline: &Timeline,

@@ -6,8 +6,7 @@ use glam::DVec3;
 use super::camera_path::{CameraPath, Tcb};
 use super::hermite::BasisMatrix;
 
-/// The tangent with which the curve leaves a point (R1 of 3.6.2): `before`
-/// and `after` are the chords from the previous and to the next point.
+/// The tangent with which the curve leaves a point (R1 of 3.6.2), from the chords to and from it.
 #[must_use]
 pub fn outgoing_tangent(tcb: Tcb, before: DVec3, after: DVec3) -> DVec3 {
     let Tcb {
@@ -55,17 +54,14 @@ pub fn basis(from: Tcb, to: Tcb) -> BasisMatrix {
     ]
 }
 
-/// The tangent at an end: that of the parabola through the three points
-/// nearest to it, (−3P₀+4P₁−P₂)/2, loosened by the tension alone.
-/// `near` and `far` are the chords P₁−P₀ and P₂−P₁, both as the curve runs at
-/// a start; at the end of a path they are Pₙ−Pₙ₋₁ and Pₙ₋₁−Pₙ₋₂.
+/// The tangent of the parabola through the three points nearest to an end, (−3P₀+4P₁−P₂)/2,
+/// loosened by the tension. `near` and `far` are P₁−P₀ and P₂−P₁; at the end Pₙ−Pₙ₋₁, Pₙ₋₁−Pₙ₋₂.
 #[must_use]
 pub fn end_tangent(tension: f64, near: DVec3, far: DVec3) -> DVec3 {
     (1.0 - tension) * (1.5 * near - 0.5 * far)
 }
 
-/// The tangents with which the curve of one segment of a path leaves its start
-/// and reaches its end, whatever tangents the points may own.
+/// The tangents at the start and the end of a segment, whatever tangents the points may own.
 ///
 /// # Panics
 /// If there is no such segment.

@@ -1,19 +1,15 @@
-//! The engine: from the data of a path to every pose on it, by the rules of
-//! `docs/path.md`.
+//! The engine: from the data of a path to every pose on it, by the rules of `docs/path.md`.
 //!
-//! [`camera_path`] is the data, [`space`] where it lies. [`kochanek_bartels`] makes curves of it,
-//! [`arc_length`] and [`speed_curve`] their length and pace, [`timeline`] the
-//! sections with their frames; then the curve times are known, and with them
-//! `orientation_curve`. [`sampling`] walks through it all: `section` is the plain
-//! way to one pose, `fill` with `tables` and `arcs` the fast way to many, held
-//! against the plain one. [`plan`] keeps what was computed while a path is
-//! edited, since a person moves one point of thousands at a time.
+//! [`camera_path`] is the data, [`space`] where it lies. [`curve`] makes cubics of it,
+//! [`arc_length`] and [`speed_curve`] give their length and pace, [`timeline`] the sections with
+//! their frames; then the curve times are known, and with them `orientation_curve`. [`sampling`]
+//! walks through it all: `section_sampler` is the plain way to one pose, `fill` with `tables` and
+//! `arcs` the fast way to many. [`plan`] keeps what was computed while a path is edited.
 //!
-//! [`bezier`], [`hermite`], [`catmull_rom`] and [`cubic_spline`] are the other
-//! curves of the thesis, [`tessellation`] is for drawing.
+//! [`bezier`], [`hermite`], [`catmull_rom`] and [`cubic_spline`] are the thesis's other curves,
+//! [`tessellation`] is for drawing.
 //!
-//! It knows nothing of files, of editing or of C; only [`crate::math`] stands
-//! below it.
+//! Nothing here knows of files, editing or C; only [`crate::math`] stands below it.
 
 pub mod ahead;
 pub mod alignment;

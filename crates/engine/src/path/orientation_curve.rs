@@ -1,10 +1,8 @@
-//! How the camera turns in each section of a path (thesis ch. 4;
-//! `docs/path.md`, orientation curve): free sections on a curve through
-//! quaternions, sections that track a target, and sections that keep a
-//! direction.
+//! How the camera turns in each section (thesis ch. 4; `docs/path.md`, orientation curve): freely
+//! through quaternions, tracking a target, looking along the way or keeping a direction.
 //!
-//! Positions, targets and ways are the world's; directions, quaternions and
-//! velocities are in axes of which y stands upright ([`super::Up::upright`]).
+//! Positions, targets and ways are the world's; directions, quaternions and velocities are in y-up
+//! axes ([`super::Up::upright`]).
 
 use std::sync::Arc;
 
@@ -26,8 +24,7 @@ use crate::math::monotone_cubic;
 use crate::math::orientation::{self, POLE};
 use crate::math::quaternion::{angle, continue_sign};
 
-/// 1 less the cosine of the angle on S³ below which two keys are the same: the
-/// angle is about 1e-7.
+/// 1 less the cosine of the angle on S³, about 1e-7, below which two keys are the same.
 const SAME_KEY: f64 = 1e-14;
 
 /// Share of the way to the antipode that a taken velocity may swing out.
@@ -46,14 +43,12 @@ pub(super) struct Key {
     pub turning: Tcb,
     /// With the sign that continues the key before it.
     pub q: DQuat,
-    /// What it has besides.
     pub own: MayOwn,
 }
 
 impl Key {
-    /// Angular velocities of its own on S³, reaching and leaving.
+    /// Its own angular velocities, reaching and leaving; on S³ a rotation counts half.
     fn velocities(&self, up: Up) -> Option<(DVec3, DVec3)> {
-        // On S³ a rotation counts half.
         let half = |degrees: DVec3| up.upright(degrees) * (0.5 * 1f64.to_radians());
         let own = self.own.velocities?;
         Some((half(own.reach), half(own.leave)))
@@ -80,9 +75,7 @@ pub(super) struct Span<'a> {
     pub duration: f64,
     /// Its curve and the length of it, if the camera moves.
     pub way: Option<(&'a Cubic, f64)>,
-    /// The number of that curve.
     pub segment: usize,
-    /// The number of its section.
     pub section: usize,
 }
 
@@ -101,8 +94,7 @@ impl Kind {
     }
 }
 
-/// Neighbours of keys and spans, around the ends of a closed path. There is one
-/// span fewer than keys, or as many if the path is closed.
+/// Neighbours of keys and spans. There is one span fewer than keys, or as many on a closed path.
 #[derive(Clone, Copy)]
 struct Ring {
     keys: usize,
@@ -128,7 +120,6 @@ impl Ring {
     }
 }
 
-/// Everything of one path's turning while it is worked out.
 struct Work<'a> {
     ring: Ring,
     keys: &'a [Key],
@@ -169,8 +160,7 @@ pub(super) fn turnings(
     Ok(turnings)
 }
 
-/// The velocities with which the turning passes a key, and the slope of its
-/// roll if a section beside it is tracked.
+/// Velocities with which the turning passes a key, and its slope of roll beside a level section.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rates {
     pub reach: DVec3,
@@ -308,7 +298,7 @@ impl Work<'_> {
         }
     }
 
-    /// A span that follows.
+    /// The rule that a span follows, if it does.
     fn along(&self, span: usize) -> Option<Follow> {
         let Kind::Follow(look) = self.kinds[span] else {
             return None;
@@ -325,7 +315,7 @@ impl Work<'_> {
         })
     }
 
-    /// The part of another curve that a free span is, if it leads from key to key.
+    /// The part of a divided curve that a free span is, if it still leads from key to key.
     fn part(&self, span: usize, a: DQuat, b: DQuat) -> Option<Turning> {
         let TurningPart { control, from, to } = self.keys[span].own.turning?;
         let meets = |share, key: DQuat| bezier(&control, share).dot(key).abs() > 1.0 - SAME_KEY;
@@ -361,8 +351,7 @@ impl Work<'_> {
         self.keys[key].velocities(self.space.up)
     }
 
-    /// Velocities with which the curve reaches and leaves a key, limited so
-    /// that no section swings out.
+    /// Velocities with which the curve reaches and leaves a key, limited so that none swings out.
     fn velocities(&self, key: usize) -> (DVec3, DVec3) {
         let before = self.ring.before_key(key);
         let after = self.ring.after_key(key);
@@ -415,8 +404,7 @@ impl Work<'_> {
         Some((roll[1] + 2.0 * roll[2] + 3.0 * roll[3]) / self.spans[span].duration)
     }
 
-    /// What ω is to be scaled by, so that a third of the span turns by `bound`
-    /// at the most.
+    /// Factor for ω, so that a third of the span turns by at most `bound`.
     fn factor(&self, omega: DVec3, span: usize, bound: f64) -> f64 {
         let third = omega.length() * self.spans[span].duration / 3.0;
         if third > bound { bound / third } else { 1.0 }
@@ -493,7 +481,7 @@ impl Work<'_> {
         let tracked = |kinds: &[Kind], span: usize| kinds[span % spans].is_level();
         let all = (0..spans).all(|span| tracked(&self.kinds, span));
         let around = self.ring.closed() && !all;
-        // On a ring the counting begins behind a span that is not tracked.
+        // On a ring the counting begins at a span that is not tracked.
         let first = if around {
             (0..spans)
                 .find(|&span| !tracked(&self.kinds, span))
@@ -540,8 +528,7 @@ impl Work<'_> {
     }
 }
 
-/// Angular velocity in the world of a camera that keeps looking at a target at
-/// `offset` from it while it moves with `velocity` and rolls with `rolling`.
+/// Angular velocity of a camera that looks at a target at `offset` while it moves and rolls.
 fn tracking_velocity(offset: DVec3, velocity: DVec3, rolling: f64) -> DVec3 {
     let view = orientation::unit(offset);
     let turn = -(velocity - view * view.dot(velocity)) / offset.length();

@@ -1,9 +1,7 @@
-//! What a point or an orientation may have of its own, beyond what every one of
-//! them has: tangents, pace, frames, angular velocity, slopes.
+//! What a point or an orientation may have of its own: tangents, pace, frames, velocities, slopes.
 //!
-//! Few orientations have any of it. So it lies behind one pointer, which is
-//! empty for all others: a plain path stays as small as it was, and a copy
-//! needs no memory.
+//! Few orientations have any, so it lies behind one pointer, which is empty for all others: plain
+//! paths stay small, and copying them needs no memory.
 
 use std::ops::Deref;
 use std::sync::Arc;
@@ -17,12 +15,12 @@ use super::up_vector::UpVector;
 use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate};
 use crate::limits;
 
-/// With which derivatives the curve passes a point, per segment parameter.
+/// The derivatives with which the curve passes a point, per segment parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tangents {
-    /// With which the segment before reaches it.
+    /// Where the segment before reaches it.
     pub before: DVec3,
-    /// With which the segment behind leaves it.
+    /// Where the segment after leaves it.
     pub after: DVec3,
 }
 
@@ -37,11 +35,10 @@ impl Tangents {
     }
 }
 
-/// What a part of a pace is taken of.
+/// The pace that a [`PacePart`] is taken from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Whole {
-    /// Ten speeds, each 1…100, and the speeds that faced them on either side,
-    /// where there were such.
+    /// Ten speeds, each 1…100, and the speeds that faced them, if any.
     Speeds {
         /// The ten.
         speeds: [f64; limits::SPEEDS],
@@ -50,13 +47,13 @@ pub enum Whole {
         /// The speed that faced the last.
         after: Option<f64>,
     },
-    /// Speeding up, cruising, slowing down.
+    /// Speeding up, cruising and slowing down.
     Ease(Ease),
-    /// Way gone at some times.
+    /// Share of way by share of time.
     Distance(Arc<[[f64; 2]]>),
 }
 
-/// A part of a pace: what an insertion leaves of it on either side.
+/// A part of a pace: what an insertion leaves on either side.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PacePart {
     /// The whole.
@@ -104,8 +101,7 @@ pub enum Pace {
     Part(PacePart),
 }
 
-/// Keys of a given distance: 2…[`limits::MAX_DISTANCE_KEYS`], from (0, 0) to
-/// (1, 1), both numbers increasing.
+/// Keys of a given distance: 2…[`limits::MAX_DISTANCE_KEYS`], rising from (0, 0) to (1, 1).
 ///
 /// # Errors
 /// [`crate::Error::Range`] or [`crate::Error::Argument`].
@@ -125,8 +121,7 @@ pub fn check_distance(keys: &[[f64; 2]]) -> Result<()> {
     Ok(())
 }
 
-/// Keys of a given distance gone backwards. Of keys that rounding brings too near to each
-/// other one is left.
+/// Keys of a given distance gone backwards. Of keys that rounding brings too near, one is left.
 #[must_use]
 pub fn distance_backwards(keys: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut back: Vec<[f64; 2]> = Vec::with_capacity(keys.len());
@@ -144,12 +139,10 @@ pub fn distance_backwards(keys: &[[f64; 2]]) -> Vec<[f64; 2]> {
     back
 }
 
-/// The least time between two keys of a given distance: far below a frame, and
-/// quotients of it stay finite.
+/// The least time between two keys: far below a frame, and quotients of it stay finite.
 const LEAST_STEP: f64 = 1e-9;
 
-/// Angular velocities of a key in the mode tcb: rotation vectors in the world,
-/// degrees for each frame at speed 50.
+/// Angular velocities in the mode tcb: world rotation vectors, degrees for each frame at speed 50.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Velocities {
     /// With which the turning reaches the key.
@@ -158,13 +151,10 @@ pub struct Velocities {
     pub leave: DVec3,
 }
 
-/// A part of a spherical Bézier curve: how a section turned before it was
-/// divided. It holds as long as it leads from key to key, and does nothing where
-/// one of them has changed.
+/// How a section turned before it was divided. It counts as long as it leads from key to key.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurningPart {
-    /// Control quaternions of the whole curve, in axes of which y stands upright
-    /// ([`super::Up::upright`]).
+    /// Control quaternions of the whole curve, in y-up axes ([`super::Up::upright`]).
     pub control: [DQuat; 4],
     /// Share of its time where the part begins, 0 ≤ from < to.
     pub from: f64,
@@ -186,7 +176,6 @@ impl TurningPart {
     }
 }
 
-/// A part of a whole: 0 ≤ from < to ≤ 1.
 fn check_part(from: f64, to: f64) -> Result<()> {
     if 0.0 <= from && from < to && to <= 1.0 {
         return Ok(());
@@ -199,20 +188,17 @@ fn check_part(from: f64, to: f64) -> Result<()> {
 pub struct Own {
     /// How the section that begins here goes through its time.
     pub pace: Pace,
-    /// So many frames for the section that begins here, whatever its length; 0:
-    /// by length.
+    /// Frames of the section that begins here, whatever its length; 0: by length.
     pub frames: u32,
-    /// That section keeps its frames where a whole is brought to a number of frames.
+    /// Whether that section keeps its frames where a whole is brought to a number of frames.
     pub locked: bool,
-    /// Looks along the way and not at its target: along the tangent (0), or at
-    /// the place so far ahead on the curve.
+    /// Looks along the way, not at its target: along the tangent (0), or so far ahead on the curve.
     pub ahead: Option<f64>,
     /// Which way is up before the roll.
     pub up: UpVector,
     /// Angular velocities, in place of those by tension, continuity and bias.
     pub velocities: Option<Velocities>,
-    /// How the section that begins here turns, if it is a part of what another
-    /// one was; in the mode tcb.
+    /// How the section that begins here turns, if it is a part of a divided one; in the mode tcb.
     pub turning: Option<TurningPart>,
     /// Slope of the roll in tracked sections: degrees for each frame at speed 50.
     pub roll_slope: Option<f64>,
@@ -221,7 +207,6 @@ pub struct Own {
 }
 
 impl Own {
-    /// Nothing.
     const NONE: Self = Self {
         pace: Pace::Speeds,
         frames: 0,
@@ -261,8 +246,7 @@ impl Own {
         Ok(())
     }
 
-    /// All its numbers, to be compared by their bits; what there is not counts
-    /// as no number.
+    /// All its numbers; one that is absent counts as NaN.
     fn numbers(&self, see: &mut dyn FnMut(f64)) {
         let mut option = |number: Option<f64>| see(number.unwrap_or(f64::NAN));
         let vector = |v: Option<DVec3>| v.map_or([None; 3], |v| v.to_array().map(Some));
@@ -347,8 +331,7 @@ pub fn check_rates(rates: &[f64]) -> Result<()> {
     Ok(())
 }
 
-/// The place of [`Own`] in an orientation: reads as one that has nothing where
-/// there is none.
+/// The place of [`Own`] in an orientation; an empty one reads as an [`Own`] with nothing set.
 #[derive(Debug, Clone, Default)]
 pub struct MayOwn(Option<Arc<Own>>);
 
@@ -368,7 +351,7 @@ impl PartialEq for MayOwn {
 }
 
 impl MayOwn {
-    /// The same, changed.
+    /// A changed copy.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
@@ -415,8 +398,7 @@ impl MayOwn {
         sum(self) == sum(other)
     }
 
-    /// What of it a copy at another place takes along: not what holds for that
-    /// place alone.
+    /// What a copy at another place takes along: not what holds for this place alone.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].

@@ -1,9 +1,7 @@
-//! What has been computed of a path that changes: brought up to date when it
-//! is asked for, and no more of it than the changes since touched.
+//! What has been computed of a path that changes, brought up to date on demand.
 //!
-//! Several threads may ask at once. What is prepared for sampling is lent and
-//! not shared by a counted pointer: the making of one cannot be refused when
-//! memory has run out.
+//! Several threads may ask at once. What is prepared for sampling is lent, not shared by a counted
+//! pointer, whose making cannot be refused when memory has run out.
 
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
@@ -26,7 +24,7 @@ struct Lengths {
     changed: Vec<usize>,
 }
 
-/// More changed points than this are cheaper to compute all over.
+/// With more changed points than this it is cheaper to compute everything.
 const MANY: usize = 16;
 
 impl Lengths {
@@ -37,8 +35,7 @@ impl Lengths {
         }
     }
 
-    /// The timeline, up to date. Taken out meanwhile, so that an error or a
-    /// panic leaves one that will be computed anew.
+    /// The timeline, up to date. Taken out meanwhile, so that an error or a panic leaves none.
     fn up_to_date(&mut self, path: &CameraPath) -> Result<&Timeline> {
         let mut timeline = match self.timeline.take() {
             Some(timeline) => timeline,
@@ -61,12 +58,12 @@ impl Plan {
         }
     }
 
-    /// Something other than the values at one point changed.
+    /// To be called when more has changed than the values at one point.
     pub fn all_changed(&mut self) {
         *self = Self::new();
     }
 
-    /// The values at one point changed, but not the number of its orientations.
+    /// To be called when values at one point have changed, but not the number of its orientations.
     pub fn point_changed(&mut self, point: usize) {
         self.sampler.take();
         let lengths = self
@@ -83,7 +80,7 @@ impl Plan {
         }
     }
 
-    /// Looks at lengths and frames of `path`; no other thread does meanwhile.
+    /// Looks at lengths and frames of `path`; other threads wait meanwhile.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
@@ -99,8 +96,7 @@ impl Plan {
         if let Some(sampler) = self.sampler.get() {
             return Ok(sampler);
         }
-        // Held until it is made: of several threads one computes, and the
-        // others find it here.
+        // Held until it is made, so that one thread computes and the others find it here.
         let mut lengths = self.lengths();
         if let Some(sampler) = self.sampler.get() {
             return Ok(sampler);

@@ -20,8 +20,7 @@ impl Pose {
     pub(super) fn as_numbers(poses: &mut [Self]) -> &mut [f64] {
         const { assert!(size_of::<Pose>() == 10 * size_of::<f64>()) }
         let count = 10 * poses.len();
-        // SAFETY: a pose is ten doubles in a row without padding, any bits of
-        // which are a double; the borrow goes on in the result.
+        // SAFETY: a pose is ten doubles without padding, any bits are a double; the borrow goes on.
         #[allow(unsafe_code)]
         unsafe {
             std::slice::from_raw_parts_mut(poses.as_mut_ptr().cast(), count)

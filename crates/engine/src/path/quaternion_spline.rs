@@ -1,12 +1,9 @@
-//! Smooth curves through unit quaternions at given times.
-//!
-//! Two of them: Barry and Goldman's (*A Recursive Evaluation Algorithm for a
-//! Class of Catmull–Rom Splines*, 1988; with unit knots it is Schlag's form,
-//! thesis 4.4.4), and cubic spherical Bézier curves whose angular velocities at
-//! the keys follow Kochanek and Bartels, weighted for unequal times. The signs
-//! of the keys are fixed once, so that neighbours are less than half a turn
-//! apart; the arcs inside are then taken as they come, which is what keeps the
-//! curve smooth.
+//! Smooth curves through unit quaternions at given times: Barry and Goldman's (*A Recursive
+//! Evaluation Algorithm for a Class of Catmull–Rom Splines*, 1988; with unit knots it is Schlag's
+//! form, thesis 4.4.4), and cubic spherical Bézier curves whose angular velocities at the keys
+//! follow Kochanek and Bartels, weighted for unequal times. The signs of the keys are fixed once,
+//! so that neighbours are less than half a turn apart; the arcs inside are taken as they come,
+//! which keeps the curve smooth.
 
 use glam::{DQuat, DVec3};
 
@@ -15,8 +12,7 @@ use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, vec_with_room};
 use crate::limits::MAX_KEYS;
 use crate::math::quaternion::{continue_sign, exp, log, slerp};
 
-/// The point at `x` in [0, 1] of the cubic spherical Bézier curve with these
-/// control quaternions: de Casteljau's algorithm with great arcs.
+/// The point at `x` in [0, 1] of a cubic spherical Bézier curve: de Casteljau with great arcs.
 #[must_use]
 pub fn bezier(control: &[DQuat; 4], x: f64) -> DQuat {
     let [a, b, c, d] = *control;
@@ -24,8 +20,8 @@ pub fn bezier(control: &[DQuat; 4], x: f64) -> DQuat {
     slerp(slerp(ab, bc, x), slerp(bc, cd, x), x)
 }
 
-/// Control quaternions between two keys `step` apart in time, from the angular
-/// velocities with which the curve leaves the first and reaches the second.
+/// Control quaternions between two keys `step` apart in time, from the angular velocities with
+/// which the first is left and the second is reached.
 #[must_use]
 pub fn bezier_control(from: DQuat, to: DQuat, leave: DVec3, reach: DVec3, step: f64) -> [DQuat; 4] {
     let third = step / 3.0;
@@ -37,8 +33,7 @@ pub fn bezier_control(from: DQuat, to: DQuat, leave: DVec3, reach: DVec3, step: 
     ]
 }
 
-/// The point at time `t` of Barry and Goldman's curve between the second and
-/// the third of four keys.
+/// The point at time `t` of Barry and Goldman's curve between the inner two of four keys.
 #[must_use]
 pub fn barry_goldman_between(keys: &[DQuat; 4], knots: &[f64; 4], t: f64) -> DQuat {
     let [q0, q1, q2, q3] = *keys;
@@ -60,9 +55,8 @@ pub fn mean_velocity(from: DQuat, to: DQuat, step: f64) -> DVec3 {
     log(to * from.conjugate()) / step
 }
 
-/// Angular velocities with which the curve reaches and leaves a key (in this
-/// order). `before` and `after` are the mean velocities of the two sections,
-/// `step_before` and `step_after` their durations.
+/// Angular velocities with which the curve reaches and leaves a key, from the mean velocities and
+/// the durations of the sections before and after.
 #[must_use]
 pub fn key_velocities(
     tcb: Tcb,
@@ -84,15 +78,14 @@ pub fn key_velocities(
     )
 }
 
-/// Angular velocity at an end of the curve: that of a parabola, loosened by
-/// the tension. `mean` is the mean velocity of the section at the end, `inner`
-/// the velocity at its other key, taken without tension, continuity and bias.
+/// Angular velocity at an end of the curve: that of a parabola, loosened by the tension. `mean` is
+/// that of the end section, `inner` that at its other key without tension, continuity and bias.
 #[must_use]
 pub fn end_velocity(tension: f64, mean: DVec3, inner: DVec3) -> DVec3 {
     (1.0 - tension) * (2.0 * mean - inner)
 }
 
-/// Keys that are normalised and continue each other's signs, with their times.
+/// Keys that are normalised and continue each other's signs, and the section that was asked for.
 struct Keys {
     keys: Vec<DQuat>,
     section: usize,
@@ -129,7 +122,7 @@ fn prepare(keys: &[DQuat], times: &[f64], when: f64) -> Result<Keys> {
     })
 }
 
-/// `q` with length 1, also where its square would over- or underflow.
+/// `q` with length 1, even where its square would over- or underflow.
 ///
 /// # Errors
 /// [`Error::Argument`] if it is not finite or zero.
@@ -141,15 +134,13 @@ pub fn normalized(q: DQuat) -> Result<DQuat> {
     Ok((q / largest).normalize())
 }
 
-/// A point of a curve, of length 1. Times whose differences or
-/// their ratios no number holds (1e-300 beside 1e300) give none.
+/// A point of a curve, of length 1; an error where the times are too unequal (1e-300 beside 1e300).
 fn finished(q: DQuat) -> Result<DQuat> {
     normalized(q).map_err(|_| Error::Argument(Invalid::TimesUnequal))
 }
 
-/// Barry and Goldman's curve through `keys` (of any length but zero) with
-/// knots at `times` (strictly increasing), at the time `when`. At both ends the
-/// curve goes on by reflection: one more key as far beyond as its neighbour.
+/// Barry and Goldman's curve through `keys` (none zero) with knots at `times` (strictly
+/// increasing), at the time `when`. Beyond either end stands the neighbouring key, reflected.
 ///
 /// # Errors
 /// [`Error::Range`], [`Error::Argument`] or [`Error::Limit`] with the reason.
@@ -182,9 +173,8 @@ pub fn reflect(q: DQuat, about: DQuat) -> DQuat {
     about * q.conjugate() * about
 }
 
-/// The tcb curve through `keys` at the time `when`, as a camera path turns in
-/// its default mode but without the limit on the velocities. `tcb` has one set
-/// for each key; without it all are zero.
+/// The tcb curve through `keys` at the time `when`, as a camera path turns by default but without
+/// the limit on the velocities. `tcb` has one set for each key; without it all are zero.
 ///
 /// # Errors
 /// [`Error::Range`], [`Error::Argument`] or [`Error::Limit`] with the reason.

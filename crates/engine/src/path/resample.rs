@@ -11,9 +11,8 @@ use super::turning::Turning;
 use crate::error::{Invalid, Result, vec_with_room};
 use crate::math::orientation::{roll_from_up, unit, wrap_degrees};
 
-/// A path of `count` points at equal lengths along the curve of another, with the
-/// views, the zoom and the mean speed that the camera has there. Each owns its
-/// tangents; turns on the spot are left out.
+/// A path of `count` points at equal lengths along another, with the views, the zoom and the mean
+/// speed there. Each point owns its tangents; turns on the spot are left out.
 ///
 /// # Errors
 /// [`crate::Error::Argument`] if the camera does not move; [`crate::Error::Limit`],

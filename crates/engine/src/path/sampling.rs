@@ -1,5 +1,4 @@
-//! A whole path becomes poses (thesis 5.2, 5.3, A.6.2; `docs/path.md`, speed and
-//! frames).
+//! From a whole path to poses (thesis 5.2, 5.3, A.6.2; `docs/path.md`, speed and frames).
 
 use std::sync::OnceLock;
 
@@ -18,8 +17,7 @@ use crate::error::{OutOfRange, Result, try_box, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_ZOOM, MIN_ZOOM};
 use crate::math::{monotone_cubic, orientation};
 
-/// Everything prepared to give any pose of a path; independent of the path
-/// that it was made from.
+/// Everything prepared to give any pose of a path; independent of the path it was made from.
 #[derive(Debug)]
 pub struct Sampler {
     sections: Vec<SectionSampler>,
@@ -77,7 +75,7 @@ impl<'a> Layout<'a> {
                 0.0
             };
             let curve = timeline.curve(section.point.min(timeline.segment_count() - 1));
-            // A way that cannot be measured as it stands is no way to be seen.
+            // A way too short to measure counts as none.
             let curve = (length > 100.0 * arc_length::TINY).then_some(curve);
             spans.push(orientation_curve::Span {
                 duration: section.frames as f64 * section.mean_speed / BASE_SPEED,
@@ -169,7 +167,6 @@ impl Sampler {
         })
     }
 
-    /// What is between the keys.
     pub(super) fn sections(&self) -> &[SectionSampler] {
         &self.sections
     }
@@ -180,9 +177,8 @@ impl Sampler {
         self.frames
     }
 
-    /// Number (from 1) of the first pose of a section's own: the one after the
-    /// key in which it begins has rested. Its last one is this plus its frames
-    /// less 1. For a section without frames it is the number of the key.
+    /// Number (from 1) of a section's first pose after its key has rested. Its last one is this
+    /// plus its frames less 1. For a section without frames it is the number of the key.
     ///
     /// # Panics
     /// If there is no such section.
@@ -191,9 +187,8 @@ impl Sampler {
         self.first_frames[section]
     }
 
-    /// A number for each section in which something changes, in their order: the same
-    /// where all poses between its two keys are the same, in this path or in another
-    /// one. Others have the same by a chance of about 2⁻⁶⁴.
+    /// A number for each section in which something changes, in order: equal where all poses
+    /// between its keys are, in this path or another; others are equal by a chance of about 2⁻⁶⁴.
     pub fn fingerprints(&self) -> impl Iterator<Item = u64> {
         self.sections.iter().map(SectionSampler::fingerprint)
     }
@@ -201,8 +196,8 @@ impl Sampler {
     /// Fills `poses` with the frames `first`, `first + 1`, … (numbered from 1).
     ///
     /// # Errors
-    /// [`crate::Error::Range`] if not all of them are frames of the path,
-    /// [`crate::Error::Memory`]; what `poses` holds then is not told.
+    /// [`crate::Error::Range`] if not all of them are frames of the path, [`crate::Error::Memory`];
+    /// what `poses` holds is then unspecified.
     pub fn sample(&self, first: usize, poses: &mut [Pose]) -> Result<()> {
         let inside = first >= 1 && first <= self.frames + 1;
         if !inside || poses.len() > self.frames + 1 - first {
@@ -269,7 +264,6 @@ impl Sampler {
     }
 }
 
-/// A key of the path, and the pose in which the camera is there.
 fn key(path: &CameraPath, timeline: &Timeline, point: usize, orientation: usize) -> (Key, Pose) {
     let reference = timeline.reference(point, orientation);
     let axes = path.space.up;
@@ -298,8 +292,7 @@ fn key(path: &CameraPath, timeline: &Timeline, point: usize, orientation: usize)
     (key, pose)
 }
 
-/// The slope of the zoom at each key, the first one again at the end of a closed
-/// path; none where the zoom has none.
+/// The slope of the zoom at each key, the first again at a closed end; empty if the zoom is linear.
 pub(super) fn zoom_slopes(
     path: &CameraPath,
     keys: &[Key],
@@ -338,9 +331,8 @@ pub(super) fn zoom_slopes(
     Ok(slopes)
 }
 
-/// A slope of the zoom that a key owns, clipped so that the inner Bézier points
-/// beside it are zooms; by the hull so is every value. `steps` are the curve
-/// times of the sections before and behind it.
+/// Clips an own slope of the zoom so that the inner Bézier points beside it, and by their hull
+/// every value, are valid zooms. `steps` are the curve times of the sections before and after.
 fn limited_slope(own: f64, zoom: f64, steps: [Option<f64>; 2]) -> f64 {
     let [before, after] = steps.map(|step| step.map_or(0.0, |step| step / 3.0));
     let (up, down) = (MAX_ZOOM - zoom, zoom - MIN_ZOOM);

@@ -1,6 +1,5 @@
-//! One section that has frames, ready to be sampled. What is here is the plain
-//! way to a pose: Newton's method on the arc length, arcs by sines. The fast
-//! way in [`super::fill`] is measured against it.
+//! One section that has frames, ready to be sampled the plain way: Newton's method on the arc
+//! length, arcs by sines. The fast way in [`super::fill`] is tested against it.
 
 use std::sync::OnceLock;
 
@@ -15,14 +14,12 @@ use super::timing::Timing;
 use super::turning::Turning;
 use crate::error::Result;
 
-/// The curve of a section and its length.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcLengthCurve {
     pub curve: Cubic,
     pub length: f64,
 }
 
-/// One section that has frames.
 #[derive(Debug)]
 pub(super) struct SectionSampler {
     /// Number of the last pose before its own: the key in which it begins.
@@ -34,9 +31,8 @@ pub(super) struct SectionSampler {
     /// Where the camera moves; None where it stays at `position`.
     pub way: Option<ArcLengthCurve>,
     pub position: DVec3,
-    /// In axes of which y stands upright.
+    /// In y-up axes.
     pub turning: Turning,
-    /// Where the path lies.
     pub space: Space,
     /// Zoom in powers of φ.
     pub zoom: [f64; 4],
@@ -45,8 +41,7 @@ pub(super) struct SectionSampler {
 }
 
 impl SectionSampler {
-    /// The same number for all that has the same poses of its own, wherever in the
-    /// path it lies.
+    /// The same for sections with the same poses of their own, wherever in the path.
     pub(super) fn fingerprint(&self) -> u64 {
         let mut fingerprint = Fingerprint::default();
         fingerprint.add([self.frames as f64]);
@@ -165,8 +160,7 @@ struct Fingerprint(u64);
 impl Fingerprint {
     fn add<const N: usize>(&mut self, numbers: [f64; N]) {
         for number in numbers {
-            // Both halves of the product: every bit reaches every other one. The
-            // constants are digits of π.
+            // Both halves of the product: every bit reaches every other. The digits are those of π.
             let word = self.0.rotate_left(29) ^ number.to_bits() ^ 0x2438_6A88_85A3_08D3;
             let product = u128::from(word) * 0x1319_8A2E_0370_7345;
             self.0 = (product as u64) ^ ((product >> 64) as u64);

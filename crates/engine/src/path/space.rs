@@ -1,7 +1,6 @@
-//! Where a path lies in the user's world: a cube round a centre, and which axis
-//! stands upright there. Positions are the world's own numbers throughout; only
-//! thresholds and base speeds count in half sizes, and only what knows a vertical
-//! is computed in axes of which y stands upright.
+//! Where a path lies in the user's world: a cube round a centre, and which axis stands upright.
+//! Positions are the world's throughout; only thresholds and base speeds count in half sizes, and
+//! only what knows a vertical is computed in y-up axes.
 
 use glam::DVec3;
 
@@ -23,8 +22,7 @@ pub enum Up {
 }
 
 impl Up {
-    /// A vector of the world in axes of which y stands upright. The axes change
-    /// places in a circle, so that they stay right-handed and no bit is lost.
+    /// A vector of the world in y-up axes: a cyclic permutation, right-handed, that loses no bit.
     #[must_use]
     #[inline(always)]
     pub const fn upright(self, v: DVec3) -> DVec3 {
@@ -85,11 +83,9 @@ impl Up {
 /// The movement space: a cube in the user's world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Space {
-    /// Its centre, each coordinate of magnitude ≤ [`limits::MAX_COORDINATE`] half
-    /// sizes.
+    /// Its centre, each coordinate at most [`limits::MAX_COORDINATE`] half sizes.
     pub centre: DVec3,
-    /// Half the length of an edge, from [`limits::MIN_HALF_SIZE`] to
-    /// [`limits::MAX_HALF_SIZE`].
+    /// Half the length of an edge, [`limits::MIN_HALF_SIZE`] to [`limits::MAX_HALF_SIZE`].
     pub half_size: f64,
     /// The axis that stands upright.
     pub up: Up,
@@ -107,7 +103,7 @@ impl Default for Space {
 }
 
 impl Space {
-    /// Whether centre and half size can be computed with.
+    /// Checks that centre and half size can be computed with.
     ///
     /// # Errors
     /// [`Error::Argument`] or [`Error::Range`].
@@ -166,13 +162,13 @@ impl Space {
         self.centre + self.half_size
     }
 
-    /// An offset of the cube [−1, 1]³ with y upright, in the world.
+    /// An offset in the cube [−1, 1]³ with y upright, in the world.
     #[must_use]
     pub fn offset(self, v: DVec3) -> DVec3 {
         self.up.world(v * self.half_size)
     }
 
-    /// A place of the cube [−1, 1]³ with y upright, in the world.
+    /// A place in the cube [−1, 1]³ with y upright, in the world.
     #[must_use]
     pub fn place(self, p: DVec3) -> DVec3 {
         self.centre + self.offset(p)
@@ -201,7 +197,7 @@ impl Space {
     }
 }
 
-/// From one space into another, in which everything lies as it did in the first.
+/// A map from one space to another, in which everything lies as it did in the first.
 #[derive(Debug, Clone, Copy)]
 pub struct Move {
     from: Space,
@@ -209,7 +205,7 @@ pub struct Move {
 }
 
 impl Move {
-    /// Between these.
+    /// The map between two spaces.
     #[must_use]
     pub const fn new(from: Space, to: Space) -> Self {
         Self { from, to }

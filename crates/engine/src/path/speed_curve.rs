@@ -1,6 +1,5 @@
-//! The speed curve of a section (thesis 5.2): ten speeds at u = 0, 1/9 … 1,
-//! joined by an explicit Catmull–Rom cubic whose slopes are clipped so that
-//! the speed never leaves [1, 100].
+//! The speed curve of a section (thesis 5.2): ten speeds at u = 0, 1/9 … 1, joined by explicit
+//! Catmull–Rom cubics whose slopes are clipped so that the speed stays in [1, 100].
 
 use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
 
@@ -18,14 +17,12 @@ pub struct SpeedCurve {
 }
 
 impl SpeedCurve {
-    /// All that makes it what it is.
     pub(super) fn coefficients(&self) -> impl Iterator<Item = &[f64; 4]> {
         self.speed.iter()
     }
 
-    /// The curve through `speeds`, each in [1, 100]. `before` and `after` are
-    /// the facing values of the neighbouring sections, one step of 1/9 outside;
-    /// without one the end has the slope of the parabola through three speeds.
+    /// The curve through `speeds`, each in [1, 100]. `before` and `after` are the facing speeds,
+    /// 1/9 outside; without one the end has the slope of the parabola through three speeds.
     #[must_use]
     pub fn new(speeds: &[f64; SPEEDS], before: Option<f64>, after: Option<f64>) -> Self {
         let slopes = slopes(speeds, before, after);
@@ -114,8 +111,8 @@ fn interval(u: f64) -> (usize, f64) {
     (i, x - i as f64)
 }
 
-/// Slopes at the ten knots, per interval, clipped so that both inner Bézier
-/// points of every interval lie in [1, 100]; by the hull so does the curve.
+/// Slopes at the ten knots, per interval, clipped so that both inner Bézier points of every
+/// interval, and by their hull the curve, lie in [1, 100].
 fn slopes(v: &[f64; SPEEDS], before: Option<f64>, after: Option<f64>) -> [f64; SPEEDS] {
     let last = SPEEDS - 1;
     let mut slopes = [0.0; SPEEDS];

@@ -1,7 +1,6 @@
-//! What a section needs to be sampled fast: the arc length of its curve, and
-//! where it has many frames polynomials of degree 15 in φ for the curve's
-//! parameter and for the turning. A polynomial is fitted only where it serves
-//! more frames than it costs; elsewhere the frames are computed one by one.
+//! What a section needs to be sampled fast: its arc length, and where it has many frames
+//! polynomials of degree 15 in φ for the curve's parameter and the turning. A polynomial is fitted
+//! only where it serves more frames than it costs; elsewhere frames are computed one by one.
 
 use super::arc_length::{self, Piece};
 use super::arcs::ShortBezier;
@@ -38,7 +37,6 @@ impl<const COMPONENTS: usize> Fit<COMPONENTS> {
     }
 }
 
-/// Everything that can be prepared of one section.
 #[derive(Debug, Default)]
 pub(super) struct Tables {
     pub arc: Vec<Piece>,
@@ -48,7 +46,7 @@ pub(super) struct Tables {
 }
 
 impl Tables {
-    /// Prepares a section, using the memory of these tables again.
+    /// Prepares a section, reusing the memory of these tables.
     #[inline(always)]
     pub(super) fn build<V: Vector>(&mut self, section: &SectionSampler) -> Result<()> {
         self.arc.clear();
@@ -68,8 +66,7 @@ impl Tables {
         Ok(())
     }
 
-    /// The inverse of the arc length is as smooth as the arc length itself, so
-    /// its pieces are tried first; they may have to be halved further.
+    /// The inverse of the arc length is as smooth as the arc length, so its pieces are tried first.
     #[inline(always)]
     fn fit_place<V: Vector>(&mut self, way: &ArcLengthCurve, frames: usize) -> Result<()> {
         for index in 0..self.arc.len() {

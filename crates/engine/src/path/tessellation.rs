@@ -1,14 +1,11 @@
-//! Straight pieces to draw a curve with: the thesis's ternary `sample` (5.1.4)
-//! with a test of flatness that cannot be fooled.
+//! Polylines to draw a curve with: the thesis's ternary `sample` (5.1.4) with a test of flatness
+//! that bounds place, straightness and speed at once.
 //!
-//! A piece of the curve, P(t) for t in [t₁, t₃], is compared with L(t), which
-//! goes from end to end of it at even speed. Both agree at the ends, so that
-//! P − L is a cubic that two more values fix: those at the two thirds. Where
-//! both are at most e long, |P(t) − L(t)| ≤ e·max(|l₁|+|l₂|) for the Lagrange
-//! polynomials l₁ and l₂ of the thirds, and that maximum, taken at
-//! t = (3 ± √3)/6, is 3√3/4 ≈ 1.299. So place, straightness and speed are
-//! bounded at once. Angles between the chords (5.1.3) bound none of them: they
-//! call a straight piece flat on which the curve runs to and fro.
+//! A piece P(t), t in [t₁, t₃], is compared with L(t), which goes from end to end at even speed.
+//! Their difference is 0 at both ends, so its values at the two thirds fix it. Where both are at
+//! most e long, |P(t) − L(t)| ≤ e·max(|l₁|+|l₂|) for the Lagrange polynomials l₁ and l₂ of the
+//! thirds, and that maximum, at t = (3 ± √3)/6, is 3√3/4 ≈ 1.299. Angles between the chords (5.1.3)
+//! bound none of this: they call a straight piece flat on which the curve runs to and fro.
 
 use glam::DVec3;
 
@@ -18,22 +15,18 @@ use crate::error::{Invalid, Result};
 /// 3√3/4: how much farther a piece may stray than at its thirds.
 const STRAY: f64 = 1.299_038_105_676_658;
 
-/// Divisions into three of divisions into three. Each makes the deviation at
-/// least ninefold smaller; ten of them reach a 3·10⁹th part of the first, more
-/// than any picture shows, with at most 59,049 pieces.
+/// Ternary divisions at the most. Each makes the deviation at least ninefold smaller; ten reach a
+/// 3·10⁹th of the first, more than any picture shows, with at most 59,049 pieces.
 pub const MAX_DEPTH: u32 = 10;
 
-/// Appends to `out` the parameters and points of a polyline along `curve`, in
-/// order and with both ends, such that |P(t) − L(t)| ≤ `error` for every t in
-/// [0, 1], where L runs evenly from each point of the list to the next.
-/// `error` is in the units of the points. The bound holds up to the rounding
-/// of the points, and as long as [`MAX_DEPTH`] suffices.
-///
-/// What `out` holds already stays; if memory runs out it is left as it was.
+/// Appends to `out` the parameters and points of a polyline along `curve`, in order and with both
+/// ends, such that |P(t) − L(t)| ≤ `error` (in the units of the points) for every t in [0, 1],
+/// where L runs evenly from point to point. This holds up to the rounding of the points, and as
+/// long as [`MAX_DEPTH`] suffices. If memory runs out, `out` is left as it was.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] if `error` is not positive and finite, or the curve is
-/// not finite; [`crate::Error::Memory`].
+/// [`crate::Error::Argument`] if `error` is not positive and finite, or the curve not finite;
+/// [`crate::Error::Memory`].
 pub fn tessellate(curve: &Cubic, error: f64, out: &mut Vec<(f64, DVec3)>) -> Result<()> {
     if !(error > 0.0 && error.is_finite()) {
         return Err(Invalid::DrawnBound.into());
@@ -53,8 +46,7 @@ pub fn tessellate(curve: &Cubic, error: f64, out: &mut Vec<(f64, DVec3)>) -> Res
     result
 }
 
-/// Appends the pieces of [t₁, t₃] without its end, dividing it at most
-/// `depth` times.
+/// Appends the pieces of [t₁, t₃] without its end, divided at most `depth` times.
 fn sample(
     curve: &Cubic,
     thirds: f64,
@@ -78,11 +70,9 @@ fn push(curve: &Cubic, t: f64, out: &mut Vec<(f64, DVec3)>) -> Result<()> {
     Ok(())
 }
 
-/// Whether the curve and its even chord over [t₁, t₃] differ by at most
-/// `error` at both thirds. With u from 0 to 1 over the piece, P − L is
-/// −u(1−u)·(B + A(1+u)), where A and B are the piece's own coefficients of u³
-/// and u². So the size of the coordinates does not blur it, and a piece of
-/// length 0, whose A and B are 0, is flat.
+/// Whether the curve and its even chord over [t₁, t₃] differ by at most `error` at both thirds.
+/// With u from 0 to 1 over the piece, P − L is −u(1−u)·(B + A(1+u)), A and B being the piece's
+/// coefficients of u³ and u²: whatever the size of the coordinates, and 0 for a piece of length 0.
 fn is_flat(curve: &Cubic, error: f64, t1: f64, t3: f64) -> bool {
     let h = t3 - t1;
     let a = curve.a * (h * h * h);

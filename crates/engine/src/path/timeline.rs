@@ -1,6 +1,5 @@
-//! Sections and their frames (thesis 5.2, 5.3, B.2.2; `docs/path.md`, sections):
-//! what changes, by how much, how many frames it takes. When the values at one
-//! point change, only what lies around it is computed again.
+//! Sections and their frames (thesis 5.2, 5.3, B.2.2; `docs/path.md`, sections). When the values at
+//! one point change, only what lies around it is computed again.
 
 use std::sync::Arc;
 
@@ -24,7 +23,7 @@ use crate::math::{orientation, quaternion};
 /// Less than this is no change: half sizes of the space, radians, degrees, zoom.
 const NO_CHANGE: f64 = 1e-9;
 
-/// Share by which a number of frames may miss a half and still be one.
+/// Share by which a number of frames may fall short of a half and still be rounded up.
 const TIE: f64 = 1e-12;
 
 /// What decides the number of frames of a section: the first that changes.
@@ -90,10 +89,8 @@ fn follows(orientation: &Orientation) -> bool {
     !own.is_empty() && (own.ahead.is_some() || own.up != UpVector::Axis)
 }
 
-/// Lengths of all segments, frames of all sections.
-///
-/// Orientations are counted through the whole path here: a *slot* is the
-/// number of one, and section k leads from slot k to the next.
+/// Lengths of all segments, frames of all sections. Orientations are counted through the whole
+/// path: a *slot* is the number of one, and section k leads from slot k to the next.
 #[derive(Debug, Clone)]
 pub struct Timeline {
     closed: bool,
@@ -163,9 +160,8 @@ impl Timeline {
         Ok(timeline)
     }
 
-    /// To be called after the values (not the number) of anything at one point
-    /// of the path have changed, and only there. On an error the timeline must
-    /// not be used any more.
+    /// To be called after values (not the number) of anything at one point of the path have
+    /// changed, and only there. After an error the timeline must not be used any more.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
@@ -178,8 +174,7 @@ impl Timeline {
         }
         let points = path.points.len();
         let mut touched: Vec<usize> = vec_with_room(64)?;
-        // A point's position and parameters shape two segments on either side.
-        // (A short closed path meets some of them twice.)
+        // A point shapes two segments on either side, some of them twice on a short closed path.
         for offset in 0..4 {
             let Some(near) = self.step(point, offset, points) else {
                 continue;
@@ -240,7 +235,6 @@ impl Timeline {
         Ok(())
     }
 
-    /// What sections follow.
     pub(super) fn way(&self) -> Way<'_> {
         Way {
             rail: self.rail.as_ref(),
@@ -248,8 +242,7 @@ impl Timeline {
         }
     }
 
-    /// Up before the roll of an orientation, in axes of which y stands upright; none
-    /// where it is the upright axis.
+    /// Up before the roll of an orientation, in y-up axes; `None` where it is the upright axis.
     pub(super) fn reference(&self, point: usize, orientation: usize) -> Option<DVec3> {
         self.alignment
             .as_ref()?
@@ -322,8 +315,7 @@ impl Timeline {
         }
     }
 
-    /// Frames of a section by its length, before they are rounded; 0 if nothing
-    /// changes. That is not what it has where they are fixed.
+    /// Frames of a section by its length, fixed or not, before rounding; 0 if nothing changes.
     ///
     /// # Panics
     /// If there is no such section.
@@ -333,16 +325,14 @@ impl Timeline {
         unrounded(path, state.change, state.amount, state.mean_speed)
     }
 
-    /// The section that begins with an orientation of a point; the last one of
-    /// an open path begins none.
+    /// The section that begins with an orientation; the last one of an open path begins none.
     #[must_use]
     pub fn section_from(&self, point: usize, orientation: usize) -> Option<usize> {
         let slot = self.first_slot.get(point)? + orientation;
         (slot < self.sections.len()).then_some(slot)
     }
 
-    /// The speed curve of a section, shaped by its neighbours'. A section
-    /// without frames has the shape that it would have with some.
+    /// The speed curve of a section, shaped by its neighbours'; without frames, as if it had some.
     ///
     /// # Panics
     /// If there is no such section.
@@ -353,8 +343,7 @@ impl Timeline {
         SpeedCurve::new(speeds, before, after)
     }
 
-    /// The pace of a section, shaped by its neighbours' where it goes by its ten
-    /// speeds.
+    /// The pace of a section, shaped by its neighbours' where it goes by its ten speeds.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
@@ -366,9 +355,8 @@ impl Timeline {
         Timing::new(self.orientation_at(path, section), before, after)
     }
 
-    /// The last speed of the section before this one and the first of the one
-    /// after it, sections without frames looked past; none at the ends. The
-    /// number of sections stands for the orientation behind the last of them.
+    /// Last speed of the moving section before this one and first of that after it; `None` at the
+    /// ends. The number of sections stands for the orientation after the last of them.
     ///
     /// # Panics
     /// If there is no such section.
@@ -469,7 +457,6 @@ impl Timeline {
         wrapped.map(|found| section + found)
     }
 
-    /// The nearest section after this one that has frames.
     fn moving_after(&self, section: usize) -> Option<usize> {
         let found = self.sections[section + 1..].iter().position(State::moves);
         if found.is_some() || !self.closed {
@@ -544,8 +531,7 @@ impl Timeline {
     }
 }
 
-/// Frames of the last orientation's hold; on a closed path the way ends where
-/// it began, and that key has rested already.
+/// Hold of the last orientation; a closed path ends in its first key, which has rested already.
 fn last_hold(path: &CameraPath) -> usize {
     if path.closed {
         return 0;
@@ -568,8 +554,7 @@ fn unrounded(path: &CameraPath, change: Change, amount: f64, mean_speed: f64) ->
     amount * base * BASE_SPEED / mean_speed
 }
 
-/// The state of a section that moves, with its frames; `this` is the
-/// orientation with which it begins, the speeds are those that face it.
+/// The state of a section that begins with `this` and moves, between two facing speeds.
 fn paced(
     path: &CameraPath,
     state: State,
@@ -581,8 +566,7 @@ fn paced(
     let frames = match this.own.frames {
         0 => {
             let frames = unrounded(path, state.change, state.amount, mean_speed);
-            // Half a frame counts as a whole one, also where rounding left it short:
-            // the count must not depend on the processor's last bits.
+            // Half a frame rounds up whatever its last bits, which depend on the processor.
             (frames + TIE * frames).round()
         }
         fixed => f64::from(fixed),

@@ -1,5 +1,4 @@
-//! The pace of a section, worked out: from the share of its time to the share
-//! of its way.
+//! The pace of a section, worked out.
 
 use super::camera_path::Orientation;
 use super::ease::Ease;
@@ -21,8 +20,7 @@ pub struct Timing {
     within: f64,
 }
 
-/// The whole that a timing is taken of. The largest is the usual one: there is
-/// nothing to be gained by a pointer to it.
+/// The whole that a timing is taken from. The largest is the usual one: boxing it gains nothing.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(clippy::large_enum_variant)]
 enum Course {
@@ -40,8 +38,7 @@ struct DistancePiece {
     way: [f64; 4],
 }
 
-/// A part that takes less than this of the whole's mean speed stands still; a
-/// number of frames is divided by it.
+/// Mean speed of a part that stands still; frame counts are divided by it.
 const STILL: f64 = 1e-9;
 
 /// Slopes of a given distance at its keys.
@@ -124,8 +121,7 @@ impl Course {
 }
 
 impl Timing {
-    /// Of the section that begins with an orientation; the speeds that face it
-    /// on either side count where it goes by its ten speeds.
+    /// The pace of an orientation's section; `before` and `after` are the speeds that face its ten.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
@@ -160,8 +156,7 @@ impl Timing {
         })
     }
 
-    /// Mean speed, and whether the speed is the same everywhere; without taking
-    /// memory for most.
+    /// Mean speed, and whether it is the same everywhere; mostly without taking memory.
     pub(super) fn outline(
         orientation: &Orientation,
         before: Option<f64>,
@@ -216,8 +211,7 @@ impl Timing {
         (self.course.mean() * self.within / (self.to - self.from)).max(STILL)
     }
 
-    /// Share of the way at the share `u` of the time, both in [0, 1]; exact at
-    /// both ends.
+    /// Share of the way at the share `u` of the time, both in [0, 1]; exact at both ends.
     #[must_use]
     pub fn fraction(&self, u: f64) -> f64 {
         if u >= 1.0 {
@@ -238,14 +232,13 @@ impl Timing {
         self.course.speed(self.at(u))
     }
 
-    /// Derivative of [`Self::speed`] at the share `u` of the time, in closed form; where it
-    /// jumps, its value behind that place.
+    /// Derivative of [`Self::speed`] at the share `u`; where it jumps, one of the two values.
     #[must_use]
     pub fn acceleration(&self, u: f64) -> f64 {
         self.course.acceleration(self.at(u)) * (self.to - self.from)
     }
 
-    /// All that makes it what it is.
+    /// All that defines it.
     pub(super) fn each_number(&self, see: &mut dyn FnMut([f64; 4])) {
         match &self.course {
             Course::Curve(curve) => curve.coefficients().for_each(|c| see(*c)),
@@ -261,8 +254,7 @@ impl Timing {
     }
 }
 
-/// The speeds at both ends of the section that begins with an orientation, as
-/// its neighbours' ten speeds see them.
+/// The speeds at both ends of an orientation's section, as its neighbours' ten speeds see them.
 #[must_use]
 pub fn facing(orientation: &Orientation) -> [f64; 2] {
     let [first, .., last] = orientation.speeds;
@@ -287,7 +279,7 @@ pub fn facing(orientation: &Orientation) -> [f64; 2] {
                 [curve.speed(*from), curve.speed(*to)]
             }
             Whole::Ease(whole) => ease(whole, [*from, *to]),
-            // Without memory for its pieces: as it was set, nearly.
+            // Without memory for its pieces, the ten speeds come near.
             Whole::Distance(_) => match Timing::new(orientation, None, None) {
                 Ok(timing) => [0.0, 1.0].map(|u| seen(timing.speed(u))),
                 Err(_) => [first, last],

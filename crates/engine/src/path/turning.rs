@@ -1,8 +1,6 @@
-//! What an orientation curve is made of ([`super::orientation_curve`] works it out): how the
-//! camera turns within one section, evaluated at a share of its curve time.
+//! How the camera turns within one section, as [`super::orientation_curve`] works it out.
 //!
-//! Places are the world's; directions and quaternions are in axes of which y stands upright
-//! ([`super::Up::upright`]).
+//! Places are the world's; directions and quaternions are in y-up axes ([`super::Up::upright`]).
 
 use glam::{DQuat, DVec3};
 
@@ -13,24 +11,20 @@ use crate::math::orientation::{self, POLE};
 use crate::math::quaternion::{continue_sign, log, slerp};
 use crate::math::rotation_minimising::{perpendicular, turned};
 
-/// Nearer than so many half sizes to its target a camera has no direction of its own.
+/// A camera nearer to its target than this, in half sizes, has no direction of its own.
 pub(super) const AT_TARGET: f64 = 1e-9;
 
 /// Step of the differences that give the velocity of a view along the way.
 const STEP: f64 = 1.0 / 16384.0;
 
-/// How the camera turns in one section; φ ∈ [0, 1] is the share of its curve
-/// time, which is also the share of its way.
+/// How the camera turns in one section; φ ∈ [0, 1] is the share of its curve time and of its way.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Turning {
-    /// Cubic spherical Bézier curve.
     Bezier([DQuat; 4]),
-    /// A part of such a curve.
+    /// The part of such a curve between two shares of its time.
     Part([DQuat; 4], [f64; 2]),
-    /// Great arc.
     Arc([DQuat; 2]),
-    /// Barry and Goldman's curve; the section lies between the inner knots,
-    /// which are 0 and 1.
+    /// The section lies between the inner knots, which are 0 and 1.
     BarryGoldman([DQuat; 4], [f64; 4]),
     /// The same view direction and up all the way.
     Kept(DVec3, DVec3),
@@ -52,8 +46,7 @@ impl Turning {
         }
     }
 
-    /// View direction and up at φ. `place` tells where on the way the camera
-    /// is at any φ; only tracking asks.
+    /// View direction and up at φ. `place` gives the position at any φ; only tracking asks.
     pub(super) fn view_at(
         &self,
         phi: f64,
@@ -77,8 +70,7 @@ pub(super) fn cubic(c: &[f64; 4], phi: f64) -> f64 {
     ((c[3] * phi + c[2]) * phi + c[1]) * phi + c[0]
 }
 
-/// Looks at the target. At the target itself the last direction and yaw hold,
-/// straight above and below it the last yaw.
+/// Looks at the target; nearer to it than [`AT_TARGET`] there is no direction.
 fn track(
     target: DVec3,
     roll: &[f64; 4],
@@ -95,8 +87,7 @@ fn track(
 }
 
 impl Follow {
-    /// View direction and up at φ. Where there is no direction or no up the last one
-    /// holds.
+    /// View direction and up at φ; where either is undefined, the last one holds.
     pub(super) fn view_at(&self, phi: f64) -> (DVec3, DVec3) {
         let direction = |phi: f64| self.direction(phi);
         let Some(up) = &self.up else {
@@ -125,8 +116,7 @@ impl Follow {
     }
 }
 
-/// A view in some direction at φ, rolled against the level. Where there is no
-/// direction, the last one holds, straight up and down the last yaw.
+/// A view in some direction at φ, rolled against the level; without direction or yaw the last.
 fn level_view(
     direction: &dyn Fn(f64) -> Option<DVec3>,
     roll: &[f64; 4],
@@ -153,8 +143,7 @@ fn held(find: &dyn Fn(f64) -> Option<DVec3>, phi: f64) -> Option<DVec3> {
     find(phi).or_else(|| last_where(phi, &|phi| find(phi).is_some()).and_then(find))
 }
 
-/// The φ nearest before this one, else nearest after it, where `good` holds:
-/// doubling steps find a side, halving closes in.
+/// The φ nearest before this one, else after it, where `good` holds: doubling, then bisection.
 fn last_where(phi: f64, good: &dyn Fn(f64) -> bool) -> Option<f64> {
     for direction in [-1.0, 1.0] {
         let mut step = 1e-15;

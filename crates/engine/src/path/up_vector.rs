@@ -1,5 +1,4 @@
-//! Which way is up for a camera: what an orientation may have in place of the upright
-//! axis (Kolb, Computergraphik II, 9.2.2: up point, up path).
+//! Which way is up for a camera, in place of the upright axis (Kolb, Computergraphik II, 9.2.2).
 
 use std::sync::Arc;
 
@@ -56,7 +55,7 @@ impl UpVector {
         }
     }
 
-    /// Places within reach.
+    /// Checks that its places are within reach.
     ///
     /// # Errors
     /// [`crate::Error::Range`], [`crate::Error::Argument`] or [`crate::Error::Limit`].
@@ -69,8 +68,7 @@ impl UpVector {
     }
 }
 
-/// A point of an up path: its place, and the derivatives with which the curve reaches
-/// and leaves it, per segment parameter.
+/// A point of an up path, and the curve's derivatives there, per segment parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UpPathPoint {
     /// Where it is.
@@ -195,8 +193,8 @@ impl UpPath {
     }
 }
 
-/// Whether the ups of a path are defined on it: the principal normal is where the
-/// curvature is continuous; and there are not too many up paths.
+/// Checks that a path's ups are defined (the principal normal needs continuous curvature), and that
+/// there are not too many up paths.
 ///
 /// # Errors
 /// [`crate::Error::Argument`] or [`crate::Error::Limit`].
