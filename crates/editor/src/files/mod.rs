@@ -18,6 +18,8 @@ mod recent_tests;
 mod recovery_window_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod unsaved_tests;
 
 pub(crate) use chooser::FileWindow;
 pub use folders::Folders;
