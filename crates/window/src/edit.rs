@@ -11,8 +11,8 @@ use crate::{Host, Options, document_of, main_loop, open, own_program};
 
 /// Opens the editor in a window of its own and returns when it is closed; other windows of the
 /// calling thread are served meanwhile. `file` is what is edited and saved to, a new path if it
-/// does not exist yet. `object` is a mesh (OBJ, PLY, STL, glTF) shown in place of the path's own; a new
-/// path gets a space around it.
+/// does not exist yet. `object` is a mesh (OBJ, PLY, STL, glTF) shown in place of the path's own;
+/// a new path gets a space around it.
 ///
 /// # Errors
 /// `ErrorKind::Display` without an X server or if it goes away; those of [`Document::load`] and
