@@ -591,8 +591,7 @@ impl Editor {
         }
     }
 
-    /// Lets every orientation look where the current one does, as one step. A point there makes it
-    /// impossible.
+    /// Lets every orientation look where the current one does, as one step; no point may be there.
     fn aim_all(&mut self) {
         let Some((position, current)) = self
             .point()

@@ -50,8 +50,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let whole = ui.max_rect();
     let (bar, below) = whole.split_top_bottom_at_y(whole.top() + BAR);
     let (middle, right) = below.split_left_right_at_x(below.right() - PANELS);
-    // First what moves under the pointer: panels and output field then show its changes in this
-    // pass.
+    // First what moves under the pointer: panels and output field then show it in this pass.
     part(ui, "space", middle, editor.background(), |ui| {
         space::show(editor, ui)
     });

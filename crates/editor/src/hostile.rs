@@ -1,8 +1,6 @@
-//! What any bytes may do as a setup or a recovery file: checks for the tests and for the fuzzer in
-//! `fuzz/`.
+//! Checks of what any bytes do as a setup or a recovery file, for tests and the fuzzer in `fuzz/`.
 //!
-//! The readers stay private. The fuzzer calls these two checks, in a build of its own
-//! (`cfg(fuzzing)`).
+//! The readers stay private: the fuzzer gets these checks, in a build of its own (`cfg(fuzzing)`).
 
 use std::fs;
 use std::path::Path;
@@ -37,9 +35,8 @@ pub fn setup(folder: &Path, bytes: &[u8]) {
     assert_eq!(fs::read(&file).expect("what was saved"), text);
 }
 
-/// Finds bytes as work that was left behind: offered or left alone; a document in it, and its
-/// file's name, are kept again without a bit changing. `folder` is for this alone, and empty
-/// afterwards.
+/// Finds bytes as work that was left behind: offered or left alone; its document and its file's
+/// name are kept again without a bit changing. `folder` is for this alone, and empty afterwards.
 ///
 /// # Panics
 /// If that does not hold.

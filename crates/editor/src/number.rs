@@ -1,5 +1,4 @@
-//! A field with a number: shown rounded, dragged to change, clicked or reached by Tab to be typed
-//! into.
+//! A field with a number: shown rounded, dragged to change, clicked or tabbed to be typed into.
 //!
 //! Enter and Tab apply what was typed, with a comma or a point as the decimal sign; Escape restores
 //! the old value, also in a drag. What is no number or out of range gives a message and leaves the
@@ -138,8 +137,7 @@ impl<'a> Number<'a> {
         self
     }
 
-    /// The value only waits to be applied: any number may be typed, and applying it checks the
-    /// range.
+    /// The value waits to be applied: any number may be typed, and the range is checked later.
     pub(super) fn pending(mut self) -> Self {
         self.pending = true;
         self
@@ -507,8 +505,7 @@ fn written(language: Language, value: f64, decimals: usize) -> String {
     }
 }
 
-/// The finite number in a text: comma or point as the decimal sign, any minus, the unit if it is
-/// there.
+/// The finite number in a text, with comma or point, any minus, and perhaps the unit.
 pub(super) fn parse(text: &str, unit: &str) -> Option<f64> {
     let text = text.trim();
     let text = text.strip_suffix(unit.trim()).unwrap_or(text).trim();

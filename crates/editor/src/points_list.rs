@@ -1,8 +1,7 @@
 //! The list of points beside the movement window: number, name, frame and orientations of each.
-//! Here points are selected, renamed and reordered. Above it stands the list of the scene's nodes,
-//! if there is a scene.
+//! Points are selected, renamed and reordered here. A scene's list of nodes stands above it.
 //!
-//! It is folded in a narrow window, and when its heading is clicked.
+//! It is folded in a narrow window at first; a click on its heading folds or unfolds it.
 
 use egui::text::{CCursor, CCursorRange};
 use egui::{

@@ -115,7 +115,7 @@ impl Editor {
         self.keep_selected(points);
     }
 
-    /// Makes a point current; one of the selected keeps them selected.
+    /// Makes a point current, and keeps the selection if it is part of that.
     pub(crate) fn select_among(&mut self, at: usize) -> Result<()> {
         let points = self.all_selected();
         self.document.select(at, 0)?;

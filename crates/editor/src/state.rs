@@ -199,8 +199,7 @@ impl Editor {
         Ok(editor)
     }
 
-    /// Prepares a new egui context, once: fonts, style, no blinking caret, so that an idle window
-    /// wakes nobody.
+    /// Prepares a new egui context, once: fonts, style, no blinking caret (an idle window sleeps).
     pub fn prepare(&self, context: &egui::Context) {
         theme::apply(context, self.setup.theme());
     }
@@ -260,8 +259,7 @@ impl Editor {
         }
     }
 
-    /// Reports how a hand-over went, with the number of poses. One that the user did not ask for is
-    /// mentioned only if it failed.
+    /// Reports a hand-over: why it failed or, if it was `asked` for, the number of poses.
     pub fn handed_over(&mut self, result: Result<usize, Error>, asked: bool) {
         match result {
             Ok(count) => {
@@ -319,8 +317,7 @@ impl Editor {
         &mut self.document
     }
 
-    /// Does what was entered into a [`Number`](crate::number::Number): one entry or one drag is one
-    /// undoable step.
+    /// Does what was entered into a [`Number`](crate::number::Number) as one undoable step.
     pub(super) fn enter(&mut self, entry: Entry<Edit>) {
         match entry {
             Entry::Idle => {}

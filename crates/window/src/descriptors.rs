@@ -19,7 +19,6 @@ pub(super) struct Descriptors {
     armed: Armed,
 }
 
-/// What the timer is set to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Armed {
     No,

@@ -15,8 +15,7 @@ use crate::{Host, Options, document_of, main_loop, open, own_program};
 /// a new path gets a space around it.
 ///
 /// # Errors
-/// `ErrorKind::Display` without an X server or if it goes away; those of [`Document::load`] and
-/// [`load_object`].
+/// `ErrorKind::Display`: no X server, or it goes away; as [`Document::load`] and [`load_object`].
 pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
     let (mut document, warnings) = match file {
         Some(file) => document_of(file)?,

@@ -52,8 +52,7 @@ pub use xt::{Refusal, own_thread};
 /// The owner of a window. Its methods run on the window's thread; those that call host code run
 /// while nothing of ours is borrowed.
 pub trait Host {
-    /// Makes the poses ready for a host that takes them, while the window is at work. Must not call
-    /// host code.
+    /// Makes the poses ready for a host that takes them. Must not call host code.
     ///
     /// # Errors
     /// Shown in the window; what the host has stays as it was.
@@ -90,8 +89,7 @@ pub trait Host {
         let _ = (window, frame, reason);
     }
 
-    /// Calls the host after each step that changed the path or the scene, undo and redo included;
-    /// not during a drag.
+    /// Calls the host after each step that changed path or scene, undone ones too; not in a drag.
     fn changed(&self, window: Id) {
         let _ = window;
     }
@@ -102,8 +100,7 @@ pub trait Host {
         None
     }
 
-    /// Calls the host when the camera pane opened or changed its size in pixels, with the X window
-    /// to draw in; 0 when the pane closed.
+    /// Calls the host with the X window of the camera pane, opened or resized (pixels); 0: closed.
     fn pane(&self, window: Id, pane: u32, size: [u32; 2]) {
         let _ = (window, pane, size);
     }
@@ -227,8 +224,7 @@ pub fn document_of(file: &Path) -> document::Result<(Document, Vec<document::Err
     }
 }
 
-/// Closes a window without asking; within a callback of its own, after that returned. False if
-/// there is none.
+/// Closes a window without asking, after a callback of its own if one runs. False if none is open.
 pub fn close(id: Id) -> bool {
     registry::close(id)
 }
@@ -268,8 +264,7 @@ pub fn raise(id: Id) -> Option<Result<()>> {
     done
 }
 
-/// The descriptor that is readable when [`dispatch`] has something to do; it never changes in a
-/// thread.
+/// The descriptor that is readable when [`dispatch`] has something to do; one for the whole thread.
 ///
 /// # Errors
 /// `ErrorKind::Limit` where the system gives no more descriptors.
@@ -295,11 +290,9 @@ pub fn set_app_context(context: *mut c_void) -> Result<std::result::Result<(), R
     Ok(xt::watch_in(context, registry::descriptor()?))
 }
 
-/// Runs when an Xt context finds the descriptor readable.
 static ON_INPUT: OnceLock<fn()> = OnceLock::new();
 
-/// Sets what is done when an Xt loop finds the descriptor readable: [`dispatch`], and what its
-/// answer asks for.
+/// Sets what is done when an Xt loop finds the descriptor readable: [`dispatch`] and what follows.
 pub fn on_input(serve: fn()) {
     let _ = ON_INPUT.set(serve);
 }

@@ -102,8 +102,7 @@ impl Live {
         }
     }
 
-    /// The next call into the host, if any. One that does not watch takes poses only. `held`: a
-    /// button is.
+    /// The next call into the host, if any; only poses unless it watches. `held`: a button is.
     pub(super) fn next(
         &mut self,
         editor: &Editor,
@@ -190,8 +189,7 @@ impl Live {
         }
     }
 
-    /// Makes a change by host code within a call: only what was not told before is still to be
-    /// told.
+    /// Lets host code change something within a call: only what it was not told before is left.
     pub(super) fn known<R>(
         &mut self,
         editor: &mut Editor,

@@ -141,8 +141,7 @@ fn table<R>(f: impl FnOnce(&mut Table) -> R) -> R {
     })
 }
 
-/// Drops a window, whatever panics. True if its host has a pane and is to be told by
-/// [`pane_closed`].
+/// Drops a window, whatever panics; true if [`pane_closed`] must tell its host.
 fn discard(window: Option<Box<Window>>) -> bool {
     let shows_pane = window.as_ref().is_some_and(|window| window.shows_pane());
     let _ = catch_unwind(AssertUnwindSafe(|| drop(window)));
@@ -381,8 +380,7 @@ pub(super) fn close_for_the_user(id: Id) {
     }
 }
 
-/// Runs host code for a window, which is not served meanwhile. `None` if there is no such window,
-/// or after a panic.
+/// Runs host code for a window, which is not served meanwhile. `None`: no such window, or a panic.
 pub(super) fn call<R>(
     id: Id,
     lost: &mut Option<Lost>,

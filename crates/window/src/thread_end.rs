@@ -1,5 +1,4 @@
-//! Reports the end of a thread that has windows open: they go with it, and nobody else would say
-//! why.
+//! Reports the end of a thread with open windows: they go with it, and nobody else says why.
 //!
 //! At the end of the process the windows of the thread that calls `exit` go the same way, which
 //! needs no word. The two are told apart by the destructors of a thread's keys: the C library runs

@@ -1,5 +1,4 @@
-//! One window at work: input from the screen to the editor, the editor's picture through the raster
-//! back to the screen.
+//! One window at work: input to the editor, and its picture through the raster to the screen.
 //!
 //! [`Window::poll`] does what there is to do and never waits. What only the host can do comes out
 //! of it as one [`HostRequest`] at a time, since the host may change everything before the next.
@@ -20,8 +19,7 @@ use crate::inject::{self, Place};
 use crate::raster::{self, Area, Raster};
 use crate::x11::{PanePlace, PaneWindow};
 
-/// How many passes may follow at once without input: egui asks for them where a size settles. More
-/// are an animation.
+/// Passes that may follow at once without input, where a size settles. More are an animation.
 const SETTLING_PASSES: u32 = 3;
 
 /// egui wants to run again after every event. While a button is held the next motion sees to that;
@@ -131,8 +129,7 @@ impl Window {
         &mut self.editor
     }
 
-    /// When the next turn is due without news from the screen. While a picture is in flight, its
-    /// arrival comes first.
+    /// When the next turn is due without news from the screen; a picture in flight comes first.
     pub(super) fn due(&self, now: Instant) -> Option<Instant> {
         let due = if self.in_flight {
             None

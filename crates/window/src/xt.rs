@@ -69,8 +69,7 @@ struct Xt {
     lock: Option<(Lock, Lock)>,
 }
 
-/// A context with a thread's descriptor among its inputs. Its address is valid while the entry
-/// exists.
+/// A context with a thread's descriptor among its inputs; its address is valid while this exists.
 #[derive(Clone, Copy)]
 struct Watched {
     /// What Xt passes to our callbacks; never used again for another.

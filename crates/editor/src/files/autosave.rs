@@ -56,8 +56,7 @@ impl Editor {
         }
     }
 
-    /// Puts unsaved work that was found in place of what is open, which stays if the file is
-    /// broken.
+    /// Puts unsaved work that was found in place of what is open, unless the file is broken.
     pub(crate) fn restore(&mut self, found: &Found) -> Result<()> {
         let mut document = found.document()?;
         if self.fixed_speeds && document.edits_path() {

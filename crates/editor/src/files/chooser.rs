@@ -582,7 +582,6 @@ fn select_stem(ui: &Ui, id: Id, name: &str) {
     TextEdit::store_state(ui.ctx(), id, state);
 }
 
-/// Two buttons at the right.
 fn buttons(ui: &mut Ui, texts: [&str; 2]) -> [egui::Response; 2] {
     let size = vec2(112.0, 28.0);
     ui.horizontal(|ui| {

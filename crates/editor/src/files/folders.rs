@@ -55,8 +55,7 @@ pub(crate) fn home() -> Option<PathBuf> {
 /// The usual name of a setup file.
 pub(crate) const SETUP_NAME: &str = "setup.toml";
 
-/// Makes a folder and those above it, readable by nobody else (as the specification asks). An
-/// existing one stays as it is.
+/// Makes a folder and those above it, private as the specification asks, unless it exists.
 pub(crate) fn make(folder: &Path) -> std::io::Result<()> {
     use std::os::unix::fs::DirBuilderExt;
     std::fs::DirBuilder::new()

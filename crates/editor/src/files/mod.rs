@@ -97,8 +97,7 @@ impl Editor {
         }
     }
 
-    /// Saves under the known name, or asks for one; then goes on. Asks if the file has changed
-    /// since it was read or written here.
+    /// Saves under the known name, or asks for one; then goes on. Asks if the file was changed.
     pub(crate) fn save(&mut self, then: Option<Then>) {
         let Some(file) = self.file.clone() else {
             self.choose_file(Purpose::SavePath(then));
@@ -239,8 +238,7 @@ impl Editor {
         self.write_path(file, true).map(drop)
     }
 
-    /// The same; false, and nothing is written, if the file is not to be `replaced` and has changed
-    /// since it was read or written here.
+    /// The same; false, without writing, if the file was changed and is not to be `replaced`.
     fn write_path(&mut self, file: &Path, replaced: bool) -> Result<bool, String> {
         let texts = self.texts();
         self.write(file, replaced).map_err(|error| {
@@ -375,7 +373,6 @@ impl Editor {
         format!("{stem}.{ending}")
     }
 
-    /// Where a file window begins.
     pub(crate) fn folder_for(&self, purpose: Purpose) -> PathBuf {
         let ours = match purpose {
             Purpose::LoadSetup | Purpose::SaveSetup => self.folders.setup.clone(),

@@ -117,8 +117,7 @@ impl Question {
         }
     }
 
-    /// Asks in a window with this name, title, width and least width of a button; the answer
-    /// `first` has the keyboard.
+    /// Asks in a window with this name, title, width and least button width, `first` focused.
     fn ask<const N: usize>(
         &mut self,
         context: &egui::Context,

@@ -54,7 +54,6 @@ pub(crate) struct Origin<'a> {
     pub(crate) known: Option<Contents>,
 }
 
-/// Number of the next file of this process.
 static NEXT: AtomicU64 = AtomicU64::new(0);
 
 /// Keeps the unsaved work of one window.
@@ -260,7 +259,7 @@ fn without_header(text: &str) -> &str {
     rest
 }
 
-/// A path as one line of text: `%` and two digits for bytes other than printable ASCII.
+/// A path as one line: `%` and two digits for `%` and bytes other than printable ASCII.
 pub(crate) fn escaped(path: &Path) -> String {
     use std::fmt::Write;
     let mut text = String::new();
@@ -294,8 +293,7 @@ pub(crate) fn unescaped(text: &str) -> Option<PathBuf> {
     plain.then(|| PathBuf::from(std::ffi::OsString::from_vec(bytes)))
 }
 
-/// Unsaved work whose process is gone, locked by us: while this lives no other window is offered
-/// it.
+/// Unsaved work whose process is gone. We lock it: while this lives no other window gets it.
 #[derive(Debug)]
 pub(crate) struct Found {
     path: PathBuf,
@@ -311,8 +309,7 @@ pub(crate) struct Found {
 impl Found {
     /// The document in it, unsaved as it was.
     pub(crate) fn document(&self) -> Result<Document> {
-        // Names of meshes are absolute here. One that cannot be read is reported where it is
-        // missed: the work is what counts.
+        // Names of meshes are absolute. A mesh that cannot be read is reported where it is missed.
         let text = without_header(&self.text);
         let (mut document, _) = Document::scene_from_toml(text, Path::new(""))?;
         document.mark_unsaved();
@@ -326,8 +323,7 @@ impl Found {
     }
 }
 
-/// Unsaved work of a program (`None`: of any) whose process is gone, the newest first. What is
-/// unreadable is left alone.
+/// The unsaved work of dead processes of a program (`None`: any), newest first, where readable.
 pub(crate) fn find(folder: &Path, program: Option<&str>) -> Vec<Found> {
     let Ok(entries) = fs::read_dir(folder) else {
         return Vec::new();

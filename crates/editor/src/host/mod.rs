@@ -117,8 +117,8 @@ impl Editor {
         Ok((pose, frame))
     }
 
-    /// Moves the playhead to a frame, from 1, and leaves it there; in a scene, to one of the frames
-    /// in which the edited path moves.
+    /// Moves the playhead to a frame, from 1, and leaves it there; in a scene, to a frame of the
+    /// scene at which the edited path moves.
     ///
     /// # Errors
     /// `ErrorKind::Range` if there is no such frame; as [`Editor::frame`].

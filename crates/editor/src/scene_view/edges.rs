@@ -6,7 +6,6 @@ use vides_engine::scene::Mesh;
 
 use crate::document::features;
 
-/// The lines of all meshes of a scene.
 #[derive(Debug, Default)]
 pub(super) struct Edges {
     /// Their scene: [`crate::document::Around::number`].

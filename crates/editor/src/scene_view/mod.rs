@@ -95,7 +95,6 @@ impl Now {
         Ok(())
     }
 
-    /// The pose of the camera that is shown.
     fn pose(&self) -> Result<Pose> {
         let shown = self.scene.shown_camera().ok_or(Refused::NoCamera)?;
         Ok(self.states[shown].pose)

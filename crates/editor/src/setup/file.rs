@@ -1,8 +1,7 @@
 //! The setup file (thesis A.5): colours, what is shown, from where.
 //!
-//! TOML, read as strictly as `.vid` files: an unknown key is refused with its line. What is missing
-//! is as in a new window. Not read by `serde`, whose English sentences on errors could not be
-//! translated.
+//! TOML, read as strictly as `.vid` files; what is missing is as in a new window. Not read by
+//! `serde`, whose English sentences on errors could not be translated.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -22,8 +21,7 @@ use crate::texts::{Language, fill};
 /// The version that is written, and the only one that is read.
 const VERSION: i64 = 1;
 
-/// Bytes of a setup file: forty times what is written. Parsed they may take some hundred times
-/// more.
+/// Bytes of a setup file: forty times what is written. Parsing takes some hundred times as much.
 const MAX_BYTES: u64 = 64 << 10;
 
 const KEYS: [&str; 12] = [

@@ -1,5 +1,4 @@
-//! What a user sets up once and wants to find again: the colours of the movement window, what it
-//! shows, from where it is seen (thesis A.5.3).
+//! What a user sets up: the movement window's colours, what it shows, from where (thesis A.5.3).
 //!
 //! Plain data with the defaults of a new window. It knows neither files nor how anything is drawn.
 

@@ -12,8 +12,7 @@
 //! }
 //! ```
 //!
-//! The library's own sentences are English; `german` and `german_files` have a line for each of its
-//! errors.
+//! The library's own sentences are English; `german` and `german_files` translate its errors.
 
 use std::fmt::{Display, Write};
 
@@ -58,8 +57,7 @@ pub enum Language {
 }
 
 impl Language {
-    /// The language of the environment: the first of `LC_ALL`, `LC_MESSAGES`, `LANG` that is not
-    /// empty.
+    /// The environment's language: the first of `LC_ALL`, `LC_MESSAGES`, `LANG` not empty.
     pub fn of_environment() -> Self {
         let name = ["LC_ALL", "LC_MESSAGES", "LANG"]
             .iter()
@@ -87,8 +85,7 @@ impl Language {
         }
     }
 
-    /// A number with this language's decimal sign and a minus sign as wide as a digit. Minus zero
-    /// is zero.
+    /// A number with this language's decimal sign and a minus as wide as a digit; never minus zero.
     pub(super) fn number(self, value: f64, decimals: usize) -> String {
         self.written(format!("{value:.decimals$}"))
     }

@@ -80,8 +80,7 @@ pub(super) trait SubWindow: Sized {
 
     fn new(editor: &Editor) -> Self;
 
-    /// Shows it by [`sub_window`] and pushes what is asked for; what is pending is its own. False:
-    /// it closes.
+    /// Shows it by [`sub_window`] and pushes what it asks for. False: it closes.
     fn show(&mut self, editor: &Editor, context: &egui::Context, actions: &mut Vec<Action>)
     -> bool;
 }

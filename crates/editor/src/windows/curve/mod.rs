@@ -17,8 +17,7 @@ use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
 
-/// Widths in points: the list of presets; beside it a label and three numbers, which are narrower
-/// where there is little room.
+/// Widths in points: the presets; beside them a label and three numbers, narrower if cramped.
 const LIST: f32 = 136.0;
 const LABEL: f32 = 78.0;
 const NUMBER: f32 = 82.0;
@@ -147,8 +146,7 @@ impl CurveWindow {
         }
     }
 
-    /// Applies what is pending as one step, and then closes the window if that is wanted. A refusal
-    /// changes nothing.
+    /// Applies what is pending as one step, then closes if `closes`. A refusal changes nothing.
     pub(crate) fn apply(editor: &mut Editor, closes: bool) {
         let Some(mut window) = editor.windows.curve.take() else {
             return;

@@ -1,5 +1,4 @@
-//! What was entered into the curve window and waits for `Zeigen` or `ok` (thesis A.4.1). No egui
-//! here.
+//! What was entered into the curve window and is pending (thesis A.4.1). No egui here.
 //!
 //! Only what was entered is pending: the rest follows the document. So a point that is dragged
 //! while the window is open shows its new place, and applying changes only what was entered.

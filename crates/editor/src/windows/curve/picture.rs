@@ -1,8 +1,6 @@
-//! The picture in the curve window: what the parameters do to the curve around the current point,
-//! before and after.
+//! The picture in the curve window: what the parameters do to the curve around the current point.
 //!
-//! The points are projected onto the plane in which they spread most, so that the curve looks as
-//! flat as it can.
+//! The points are projected onto the plane in which they spread most: there the curve is flattest.
 
 use egui::{Pos2, Rect, Stroke, Vec2, pos2, vec2};
 use glam::DVec3;
@@ -70,8 +68,7 @@ impl Around {
         }
     }
 
-    /// The same with what is pending; parameters out of range are drawn at the limit, and refused
-    /// later.
+    /// With what is pending; parameters out of range, refused later, are drawn at the limit.
     fn with(&self, document: &Document, pending: &Pending) -> CameraPath {
         let limited = |tcb: Tcb| {
             let part = |value: f64| value.clamp(-1.0, 1.0);
@@ -177,8 +174,7 @@ impl Flat {
     }
 }
 
-/// The directions in which points spread most: the first runs as they do, the second upwards if it
-/// can.
+/// The directions of the widest spread: the first runs as the points do, the second up if it can.
 fn axes(points: &[DVec3], centre: DVec3) -> (DVec3, DVec3) {
     let spread = |direction: DVec3| -> DVec3 {
         let share = points
@@ -190,8 +186,7 @@ fn axes(points: &[DVec3], centre: DVec3) -> (DVec3, DVec3) {
         [first, .., last] => *last - *first,
         _ => DVec3::X,
     };
-    // Power iteration: the longest axis grows fastest. Begun askew, so that symmetry does not lose
-    // it.
+    // Power iteration: the longest axis grows fastest. Begun askew, against symmetry.
     let start = [run, DVec3::new(1.0, 0.61, 0.37)];
     let mut across = start
         .into_iter()
@@ -292,8 +287,7 @@ pub(crate) fn paint(
     }
 }
 
-/// A place of this size beside a point where the lines cross it least, preferably at the upper
-/// right.
+/// A place of this size beside a point, at the upper right unless lines cross it less elsewhere.
 fn beside(at: Pos2, size: Vec2, lines: &[Pos2]) -> Rect {
     let (right, left) = (at.x + 5.0, at.x - 5.0 - size.x);
     let (above, below) = (at.y - 3.0 - size.y, at.y + 3.0);

@@ -1,5 +1,4 @@
-//! A section that speeds up, cruises and slows down: its numbers, and in the picture the end of the
-//! rise and the beginning of the fall, to be dragged aside.
+//! A section that speeds up, cruises and slows down: its numbers, and its corners to be dragged.
 
 use egui::{CursorIcon, Id, Rangef, Rect, Ui, pos2};
 
@@ -13,7 +12,7 @@ use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
 
-/// A part of an ease in percent of the time.
+/// One of the numbers of an ease.
 type Part = fn(&mut Ease) -> &mut f64;
 
 /// Room around a corner where it can be grabbed.

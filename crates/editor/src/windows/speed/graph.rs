@@ -1,5 +1,4 @@
-//! The picture of the speed window: speed, way or acceleration over the time of the section, and
-//! the squares that change it.
+//! The picture of the speed window: speed, way or acceleration over time, and its squares.
 
 use egui::{
     Align2, CornerRadius, CursorIcon, EventFilter, Id, Key, Modifiers, Painter, Pos2, Rect,

@@ -76,7 +76,6 @@ impl Size {
     }
 }
 
-/// What is shown of the current section.
 struct Section {
     speeds: [f64; SPEEDS],
     before: Option<f64>,

@@ -1,5 +1,4 @@
-//! By what a section goes through its time. When another pace is chosen, the section takes as long
-//! as before, as far as that can be.
+//! The pace of a section. When another is chosen, the section lasts as long as before, if possible.
 
 use std::sync::Arc;
 

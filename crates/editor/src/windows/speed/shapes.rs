@@ -34,8 +34,7 @@ impl Shape {
     }
 
     /// Ten speeds of this shape. A fast end is as fast as the neighbour there (`before`, `after`);
-    /// without one they have the mean of `old`, so that the section takes as long as before, as far
-    /// as 1…100 allows it.
+    /// else the mean is that of `old`, so that the duration stays, as far as 1…100 allows.
     pub(crate) fn speeds(
         self,
         old: &[f64; SPEEDS],

@@ -17,9 +17,8 @@ use crate::windows::row_at_right;
 /// Rounded to so many parts of one, a value stays as it is.
 const EXACT: f64 = 1e9;
 
-/// Squares to be dragged: on the speed one for each; on the way one wherever a speed between the
-/// ends counts; on the acceleration one between two speeds. `choose` is the one chosen by an arrow
-/// key.
+/// Squares to be dragged: on the speed one for each; on the way one for each but the outermost; on
+/// the acceleration one between two. `choose` is the one chosen by an arrow key.
 pub(super) fn squares(
     editor: &Editor,
     (held, choose): (&mut Held, &mut Option<usize>),
