@@ -23,6 +23,7 @@ pub enum Error {
     Lost(String),
 }
 
+/// The result of everything that can fail.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 impl Error {
