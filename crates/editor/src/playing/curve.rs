@@ -128,3 +128,60 @@ fn trapezoid(mesh: &mut Mesh, piece: &[Pos2], foot: f32, color: Color32) {
     mesh.add_triangle(first, first + 1, first + 2);
     mesh.add_triangle(first + 2, first + 1, first + 3);
 }
+
+#[cfg(test)]
+mod tests {
+    use egui::Rangef;
+
+    use super::*;
+    use crate::setup::Theme;
+
+    /// However many sections share a column, none of their speeds is lost, and there are
+    /// no more lines than the columns need.
+    #[test]
+    fn sections_narrower_than_a_point_share_a_column() {
+        let wide = 500.0;
+        let speeds: Vec<f32> = (0..10_000_u32)
+            .map(|k| 20.0 + (k.wrapping_mul(2_654_435_761) >> 24) as f32 / 4.0)
+            .collect();
+        let stretches: Vec<Stretch> = speeds
+            .iter()
+            .enumerate()
+            .map(|(k, &speed)| Stretch {
+                from: Selection::at(k, 0),
+                start: 3 * k + 1,
+                end: 3 * k + 4,
+                speeds: [speed; PIECES + 1],
+                scale: 1.0,
+            })
+            .collect();
+        let (rail, rows) = (Rangef::new(0.0, wide), Rangef::new(0.0, 100.0));
+        let scale = Scale {
+            rail,
+            rows,
+            frames: 30_000.0,
+            highest: 100.0,
+        };
+        let mut curve = Curve::default();
+        let current = Selection::at(7_000, 0);
+        curve.make(&stretches, current, &scale, Theme::Dark.palette());
+        let lines = &curve.lines.lines;
+        assert!(lines.len() < 5 * wide as usize, "{} lines", lines.len());
+        for (k, &speed) in speeds.iter().enumerate() {
+            let (x, y) = (scale.x(3.0 * k as f32 + 2.5), scale.y(speed));
+            let near = lines.iter().filter(|line| (line.from.x - x).abs() < 1.5);
+            let reach = near.flat_map(|line| [line.from.y, line.to.y]);
+            let (low, high) = reach.fold((f32::MAX, f32::MIN), |(a, b), y| (a.min(y), b.max(y)));
+            assert!(
+                low <= y + 1e-3 && y <= high + 1e-3,
+                "section {k}: {low} {y} {high}"
+            );
+        }
+        let own = scale.pos(&stretches[7_000], 0);
+        assert!(
+            lines
+                .iter()
+                .any(|line| line.from == own && line.width == 2.0)
+        );
+    }
+}

@@ -51,7 +51,7 @@ pub(super) struct Stretch {
     /// 50 is the base speed; higher the fewer frames the section has for its length.
     pub(super) speeds: [f32; PIECES + 1],
     /// Factor from the ten speeds to these.
-    scale: f32,
+    pub(super) scale: f32,
 }
 
 impl Graph {
@@ -118,8 +118,8 @@ enum Held {
 pub(super) struct Scale {
     pub(super) rail: Rangef,
     pub(super) rows: Rangef,
-    frames: f32,
-    highest: f32,
+    pub(super) frames: f32,
+    pub(super) highest: f32,
 }
 
 impl Scale {
