@@ -38,7 +38,7 @@ mandir = $(PREFIX)/share/man
 CARGO ?= cargo
 CC ?= cc
 CARGO_TARGET_DIR ?= target
-export CARGO_TARGET_DIR CC
+export CARGO_TARGET_DIR CC AGAIN
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 RELEASE = $(CARGO_TARGET_DIR)/release
@@ -46,6 +46,10 @@ RELEASE = $(CARGO_TARGET_DIR)/release
 LIB = $(CARGO_TARGET_DIR)/c
 DEMO = $(CARGO_TARGET_DIR)/demo
 TOOLS = $(CARGO_TARGET_DIR)/tools
+
+# Not run again where it has passed with the same files: $(ONCE)NAME ITS_FILES -- COMMAND.
+WITH = $(LIB) $(RELEASE)/vides include c_examples examples mk README.md
+ONCE = mk/once.sh $(CARGO_TARGET_DIR)/passed/
 
 SOAK_CASES ?= 20000
 FUZZ_SECONDS ?= 1800
@@ -125,7 +129,7 @@ demo: all
 # ---- Checks, the cheap ones first -----------------------------------------------
 
 # Side by side, since much of it is waiting or has one thread; each check's words
-# come when it is done.
+# come when it is done. `make test AGAIN=1` runs what has passed with the same files, too.
 test: toolchain check-format
 	@$(MAKE) -j$(JOBS) --output-sync=target side-by-side
 	@$(MAKE) check-x
@@ -156,11 +160,11 @@ check-rust:
 
 check-c: libs
 	@mk/need.sh c++=g++ valgrind=valgrind
-	tests/c/run.sh $(LIB)
+	$(ONCE)c $(WITH) tests/c tests/corpus -- tests/c/run.sh $(LIB)
 
 check-linking: libs
 	@mk/need.sh c++=g++ tcc=tcc /usr/include/Xm/Xm.h=libmotif-dev
-	tests/linking/run.sh $(LIB) include
+	$(ONCE)linking $(WITH) tests/linking -- tests/linking/run.sh $(LIB) include
 
 # Calls as no host should make them; and a library that panics when it is told
 # to, and says where it is. That one is built with what the Rust tests are built
@@ -169,21 +173,22 @@ check-calls: libs
 	@mk/need.sh Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev
 	$(CARGO) build --locked --workspace --all-features --lib --tests
 	mk/libraries.sh $(CARGO_TARGET_DIR)/debug/libvides_archive.a $(CARGO_TARGET_DIR)/inject $(VERSION)
-	tests/calls/run.sh $(LIB)
-	tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
+	$(ONCE)calls $(WITH) tests/calls -- tests/calls/run.sh $(LIB)
+	$(ONCE)inject $(CARGO_TARGET_DIR)/inject include tests/calls -- \
+	    tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
 
 # The window, from outside.
 check-x: all
 	@mk/need.sh $(X_TOOLS) xclip=xclip openbox=openbox valgrind=valgrind \
 	    setxkbmap=x11-xkb-utils xdpyinfo=x11-utils \
 	    xrdb=x11-xserver-utils /usr/include/GL/freeglut.h=freeglut3-dev
-	tests/x/run.sh $(LIB)
+	$(ONCE)x $(WITH) tests/x tests/calls -- tests/x/run.sh $(LIB)
 
 # What a new user types first, where there is no display; and once more, over
 # what the first time left.
 check-demo: all
-	env -u DISPLAY $(MAKE) demo
-	env -u DISPLAY $(MAKE) demo
+	$(ONCE)demo $(WITH) tests/x -- \
+	    sh -c 'for time in 1 2; do env -u DISPLAY $(MAKE) demo || exit; done'
 
 check-install: all
 	@mk/need.sh pkg-config=pkg-config groff=groff-base
