@@ -1,7 +1,6 @@
 //! Checks a document's path against its own space, object and limits.
 
 use glam::{DAffine3, DVec3};
-use vides_engine::deform::Bounds;
 use vides_engine::scene::{Kind, Mesh, NodeState, Troubles};
 use vides_engine::tools::check::{Against, Finding, check};
 use vides_engine::tools::clearance::Clearance;
@@ -99,7 +98,7 @@ impl Document {
         let (info, space) = (self.info(), self.path().space);
         let against = Against {
             fps: info.fps,
-            space: Some(Bounds::new(space.low(), space.high())?),
+            space: Some(space.into()),
             object,
             limits: info.limits,
         };

@@ -61,7 +61,7 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
         });
         let target = match sampled.turning {
             Turning::Tracked(target, _) if target != position => Target::Absolute(target),
-            _ => Target::Relative(view),
+            _ => Target::Relative(view * path.space.half_size),
         };
         point.orientations[0] = Orientation {
             target,
@@ -75,4 +75,23 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
     let new = CameraPath { points, ..*path };
     new.check()?;
     Ok(new)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fewer_points_than_a_path_has_are_refused() {
+        for closed in [false, true] {
+            let path = CameraPath {
+                closed,
+                ..CameraPath::default()
+            };
+            for count in [0, 1, crate::limits::MAX_POINTS + 1] {
+                assert!(resample(&path, count).is_err(), "{closed} {count}");
+            }
+            assert_eq!(resample(&path, 2).unwrap().points.len(), 2);
+        }
+    }
 }

@@ -316,3 +316,22 @@ fn rotations_follow_the_numbers_of_their_kind() {
         assert!(same(found, wanted), "{frame}: {found} {wanted}");
     }
 }
+
+/// Two keys: of numbers the tension acts (the cubic with both slopes (1 − t)·mean, by Hermite's
+/// basis), a rotation goes by the great arc as a path does.
+#[test]
+fn between_two_keys_tension_acts_on_numbers_alone() {
+    let (frames, shape) = ([1.0, 11.0], [0.75, 0.5, -0.5, 0.75, 0.5, -0.5]);
+    let tense = track("roll", "tcb", &frames, &[0.0, 1.0], &shape).unwrap();
+    let [from, to] = [DQuat::IDENTITY, DQuat::from_rotation_y(2.0)];
+    let values = [wxyz(from), wxyz(to)].concat();
+    let turned = track("rotation", "tcb", &frames, &values, &shape).unwrap();
+    for part in 0..=10 {
+        let (u, frame) = (f64::from(part) / 10.0, f64::from(part + 1));
+        let slopes = 0.25 * u * (1.0 - u) * (1.0 - 2.0 * u);
+        let wanted = u * u * (3.0 - 2.0 * u) + slopes;
+        assert!((number(&tense, frame) - wanted).abs() < 1e-14, "{u}");
+        let q = turned.rotation(frame, &mut Troubles::default());
+        assert!(q.abs_diff_eq(DQuat::from_rotation_y(2.0 * u), 1e-14), "{u}");
+    }
+}

@@ -19,6 +19,9 @@ use crate::path::{
     Tangents, Tcb, TurningPart, Up, UpVector, Velocities, Whole, alignment,
 };
 
+/// Half sizes of the space that a length must have to tell a direction.
+const LEAST: f64 = 1e-9;
+
 /// How a block is put in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fit {
@@ -126,7 +129,7 @@ fn travel(path: &CameraPath, at: usize) -> Result<DVec3> {
     let own = crate::path::curve::tangents(path, at);
     let first = at == 0 && !path.closed;
     let tangent = if first { own.after } else { own.before };
-    let found = if tangent.length() > 1e-9 {
+    let found = if tangent.length() > LEAST * path.space.half_size {
         tangent
     } else {
         direction(path, at, first)
@@ -172,7 +175,8 @@ fn placing(path: &CameraPath, at: usize, block: &CameraPath, fit: Fit) -> Result
             }
             let way = path.points[next % path.points.len()].position - place;
             let chord = block.points[block.points.len() - 1].position - start;
-            if !(way.length() > 1e-9 && chord.length() > 1e-9) {
+            let least = [path, block].map(|path| LEAST * path.space.half_size);
+            if !(way.length() > least[0] && chord.length() > least[1]) {
                 return Err(no_direction());
             }
             about(
@@ -200,8 +204,8 @@ pub fn insert(
     block.check()?;
     check_upright(&[path, block])?;
     let mut block = opened(block)?;
-    block.space = path.space;
     let matrix = placing(path, at, &block, fit)?;
+    block.space = path.space;
     let mut all = vec_with_room(block.points.len())?;
     all.extend(0..block.points.len());
     let placed = transform(&block, &all, &matrix, with_targets)?;

@@ -116,7 +116,7 @@ impl Limits {
     /// [`crate::Error::Argument`] or [`crate::Error::Range`]; nothing is changed then.
     pub fn set(&mut self, name: &str, limit: f64) -> Result<()> {
         let at = Self::find(name)?;
-        KINDS[at].limit.check(limit)?;
+        KINDS[at].limit.check(limit, 1.0)?;
         self.0[at] = limit;
         Ok(())
     }

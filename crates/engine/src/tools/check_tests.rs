@@ -301,3 +301,28 @@ fn limits_are_set_by_name() {
     assert!(limits.set("turning", -1.0).is_err());
     assert!(limits.set("tuning", 1.0).is_err() && limits.get("").is_err());
 }
+
+/// Neither a least nor a greatest value at its limit is beyond it, whatever rounding says.
+#[test]
+fn at_its_limit_nothing_is_found() {
+    let space = crate::path::Space::default();
+    let made = |name: &str, numbers: &[f64]| {
+        let known = crate::tools::moves::Move::named(name).unwrap();
+        known.path(numbers, space, 25.0).unwrap()
+    };
+    let mut against = plain();
+    for tilt in 1..87 {
+        let tilt = f64::from(tilt);
+        let path = made("pan", &[0.0, 0.0, 0.0, -10.0, 10.0, tilt]);
+        against.limits.set("pole", 90.0 - tilt).unwrap();
+        assert!(!found_against(&path, &against).contains(&"pole"), "{tilt}");
+        let path = made("crane", &[0.0, 0.0, 0.0, 0.01 * tilt, -1.0, 1.0]);
+        against.limits.set("target", 0.01 * tilt).unwrap();
+        assert!(
+            !found_against(&path, &against).contains(&"target"),
+            "{tilt}"
+        );
+        against.limits.set("target", 0.01 * tilt + 1e-6).unwrap();
+        assert!(found_against(&path, &against).contains(&"target"), "{tilt}");
+    }
+}

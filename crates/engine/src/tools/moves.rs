@@ -335,7 +335,7 @@ impl Move {
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn defaults(&self, object: Option<&Bounds>, space: Space) -> Result<Vec<f64>> {
-        let mut numbers = Parameter::numbers(self.parameters, &[])?;
+        let mut numbers = Parameter::numbers(self.parameters, &[], space.half_size)?;
         let (mut middle, mut size) = (space.centre, space.half_size);
         if let Some(bounds) = object {
             middle = 0.5 * (bounds.min() + bounds.max());
@@ -349,7 +349,8 @@ impl Move {
             if parameter.width == 3 {
                 numbers[start..start + 3].copy_from_slice(&middle.to_array());
             } else if parameter.unit == Unit::Length {
-                numbers[start] = (numbers[start] * size).clamp(parameter.least, parameter.most);
+                let [least, most] = [parameter.least, parameter.most].map(|k| k * space.half_size);
+                numbers[start] = (parameter.default * size).clamp(least, most);
             }
             start += parameter.width;
         }
@@ -376,7 +377,7 @@ impl Move {
         fps: f64,
         speeds: BaseSpeeds,
     ) -> Result<CameraPath> {
-        let numbers = Parameter::numbers(self.parameters, given)?;
+        let numbers = Parameter::numbers(self.parameters, given, space.half_size)?;
         let given = Given {
             parameters: self.parameters,
             numbers: &numbers,
@@ -505,7 +506,7 @@ fn pan(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
         let angle = from + (to - from) * (k as f64 / segments);
         let mut point = SupportPoint::try_new(given.place("at"))?;
         let view = tilt.cos() * heading(angle) + tilt.sin() * DVec3::Y;
-        point.orientations[0].target = Target::Relative(given.space.up.world(view));
+        point.orientations[0].target = Target::Relative(given.space.offset(view));
         point.orientations[0].zoom = given.number("zoom");
         points.push(point);
     }
