@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{Kind, Mesh, NodeState, Troubles};
-use vides_engine::tools::check::{Against, Finding, check};
+use vides_engine::tools::check::{Against, Finding, FindingKind, check};
 use vides_engine::tools::clearance::Clearance;
 
 use super::edit::Edit;
@@ -137,7 +137,7 @@ impl Document {
             Ok(())
         };
         match finding.kind {
-            "turning" | "zoom" if finding.value <= MOST * finding.limit => {
+            FindingKind::Turning | FindingKind::Zoom if finding.value <= MOST * finding.limit => {
                 let sampler = self.sampler()?;
                 let more = finding.value / finding.limit;
                 let sections = self.timeline(|timeline| {
@@ -159,7 +159,7 @@ impl Document {
                     })?;
                 }
             }
-            "view-jump" => {
+            FindingKind::ViewJump => {
                 let ahead = AHEAD * path.space.half_size;
                 let next = (point + 1) % path.points.len();
                 let keys = [(point, at), (next, 0)];
@@ -169,7 +169,7 @@ impl Document {
                     }
                 }
             }
-            "corner" => {
+            FindingKind::Corner => {
                 let old = curve::tangents(path, point);
                 let middle = 0.5 * (old.before + old.after);
                 if middle.length() > 1e-6 * path.space.half_size {
@@ -183,10 +183,10 @@ impl Document {
                     });
                 }
             }
-            "redundant" if path.points[point].orientations.len() > 1 => {
+            FindingKind::Redundant if path.points[point].orientations.len() > 1 => {
                 edits.push(Edit::RemoveOrientation { point, at });
             }
-            "redundant" if path.points.len() > MIN_POINTS && key.hold == 0 => {
+            FindingKind::Redundant if path.points.len() > MIN_POINTS && key.hold == 0 => {
                 edits.push(Edit::RemovePoint { at: point });
             }
             _ => {}

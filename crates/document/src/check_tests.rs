@@ -6,7 +6,7 @@ use crate::path::{CameraPath, CurveKind, SupportPoint, Target};
 /// The first finding of a kind.
 fn found(document: &Document, kind: &str) -> Option<Finding> {
     let all = document.check(None).unwrap();
-    all.into_iter().find(|finding| finding.kind == kind)
+    all.into_iter().find(|finding| finding.kind.name() == kind)
 }
 
 /// Does what helps, as often as it says something; whether the finding is gone.

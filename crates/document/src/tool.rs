@@ -409,7 +409,11 @@ impl Tool {
             _ => {}
         }
         let own = numbers.len();
-        numbers.extend(Parameter::numbers(self.tables[1], &[], path.space.half_size)?);
+        numbers.extend(Parameter::numbers(
+            self.tables[1],
+            &[],
+            path.space.half_size,
+        )?);
         if let Some((at, _)) = Parameter::find(self.tables[1], LAST.name) {
             numbers[own + at] = path.points.len() as f64;
         }

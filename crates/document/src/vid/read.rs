@@ -20,7 +20,7 @@ use crate::path::{
     SupportPoint, Target, Tcb, Up, ZoomMode, space,
 };
 use vides_engine::scene::Scene;
-use vides_engine::tools::check::Limits;
+use vides_engine::tools::check::{FindingKind, Limits};
 
 const KEYS: [&str; 17] = [
     "version",
@@ -341,7 +341,8 @@ fn limits_of_checks(table: Field<'_>) -> Result<Limits> {
     let mut limits = Limits::default();
     for field in table.fields()? {
         let limit = field.number()?;
-        field.checked(limits.set(field.key, limit))?;
+        let kind = field.checked(FindingKind::parse(field.key))?;
+        field.checked(limits.set(kind, limit))?;
     }
     Ok(limits)
 }

@@ -8,17 +8,24 @@ use super::own::Tangents;
 use super::sampling::Sampler;
 use super::timeline::{Change, Timeline};
 use super::turning::Turning;
-use crate::error::{Invalid, Result, vec_with_room};
+use crate::error::{Invalid, OutOfRange, Result, TooMany, vec_with_room};
+use crate::limits::{MAX_POINTS, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
 use crate::math::orientation::{roll_from_up, unit, wrap_degrees};
 
 /// A path of `count` points at equal lengths along another, with the views, the zoom and the mean
 /// speed there. Each point owns its tangents; turns on the spot are left out.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] if the camera does not move; [`crate::Error::Limit`],
-/// [`crate::Error::Memory`].
+/// [`crate::Error::Argument`] if the camera does not move; [`crate::Error::Range`] for fewer than
+/// two points; [`crate::Error::Limit`], [`crate::Error::Memory`].
 #[allow(clippy::cast_precision_loss)]
 pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
+    if count < MIN_POINTS {
+        return Err(OutOfRange::TooFewSupportPoints.into());
+    }
+    if count > MAX_POINTS {
+        return Err(TooMany::SupportPoints.into());
+    }
     let timeline = Timeline::new(path)?;
     let sampler = Sampler::new(path, &timeline)?;
     let moving = (0..timeline.section_count())
@@ -67,7 +74,7 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
             target,
             roll: wrap_degrees(roll_from_up(unit(level), up).to_degrees()),
             zoom: pose.zoom,
-            speeds: [section.mean_speed.clamp(1.0, 100.0); crate::limits::SPEEDS],
+            speeds: [section.mean_speed.clamp(MIN_SPEED, MAX_SPEED); SPEEDS],
             ..Orientation::default()
         };
         points.push(point);
@@ -88,7 +95,7 @@ mod tests {
                 closed,
                 ..CameraPath::default()
             };
-            for count in [0, 1, crate::limits::MAX_POINTS + 1] {
+            for count in [0, 1, MAX_POINTS + 1] {
                 assert!(resample(&path, count).is_err(), "{closed} {count}");
             }
             assert_eq!(resample(&path, 2).unwrap().points.len(), 2);

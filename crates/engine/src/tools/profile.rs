@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
+use super::check::FindingKind;
 use super::clearance::Clearance;
 use crate::math::orientation::roll_from_up;
 use crate::path::{Pose, Sampler, Up};
@@ -53,21 +54,31 @@ impl Quantity {
 
     /// The kinds of findings ([`super::check`]) that are seen in it.
     #[must_use]
-    pub const fn findings(self) -> &'static [&'static str] {
+    pub const fn findings(self) -> &'static [FindingKind] {
         match self {
             Self::Distance => &[],
-            Self::Speed => &["speed-jump", "cusp", "corner", "space"],
-            Self::Acceleration => &["acceleration"],
-            Self::Turning => &[
-                "turning",
-                "turning-acceleration",
-                "view-jump",
-                "half-turn",
-                "pole",
+            Self::Speed => &[
+                FindingKind::SpeedJump,
+                FindingKind::Cusp,
+                FindingKind::Corner,
+                FindingKind::Space,
             ],
-            Self::Roll => &["redundant"],
-            Self::Zoom => &["zoom"],
-            Self::Clearance => &["clearance", "through", "nothing-to-see", "target"],
+            Self::Acceleration => &[FindingKind::Acceleration],
+            Self::Turning => &[
+                FindingKind::Turning,
+                FindingKind::TurningAcceleration,
+                FindingKind::ViewJump,
+                FindingKind::HalfTurn,
+                FindingKind::Pole,
+            ],
+            Self::Roll => &[FindingKind::Redundant],
+            Self::Zoom => &[FindingKind::Zoom],
+            Self::Clearance => &[
+                FindingKind::Clearance,
+                FindingKind::Through,
+                FindingKind::NothingToSee,
+                FindingKind::Target,
+            ],
         }
     }
 
