@@ -173,6 +173,35 @@ pub fn reflect(q: DQuat, about: DQuat) -> DQuat {
     about * q.conjugate() * about
 }
 
+/// Control quaternions of a section of the tcb curve through at least two unit keys, each of the
+/// sign that continues the one before; where there are but two it is the great arc.
+#[must_use]
+pub fn tcb_section(
+    keys: &[DQuat],
+    times: &[f64],
+    tcb: impl Fn(usize) -> Tcb,
+    section: usize,
+) -> [DQuat; 4] {
+    let (i, last) = (section, keys.len() - 1);
+    let step = |i: usize| times[i + 1] - times[i];
+    let mean = |i: usize| mean_velocity(keys[i], keys[i + 1], step(i));
+    let at = |k: usize, tcb| key_velocities(tcb, mean(k - 1), mean(k), step(k - 1), step(k));
+    let end = |k: usize, inner: usize| {
+        if last == 1 {
+            mean(0)
+        } else {
+            end_velocity(tcb(k).tension, mean(i), at(inner, Tcb::default()).0)
+        }
+    };
+    let leave = if i == 0 { end(0, 1) } else { at(i, tcb(i)).1 };
+    let reach = if i + 1 == last {
+        end(last, i)
+    } else {
+        at(i + 1, tcb(i + 1)).0
+    };
+    bezier_control(keys[i], keys[i + 1], leave, reach, step(i))
+}
+
 /// The tcb curve through `keys` at the time `when`, as a camera path turns by default but without
 /// the limit on the velocities. `tcb` has one set for each key; without it all are zero.
 ///
@@ -186,28 +215,8 @@ pub fn tcb(keys: &[DQuat], times: &[f64], tcb: Option<&[Tcb]>, when: f64) -> Res
         tcb.iter().try_for_each(|tcb| tcb.check())?;
     }
     let Keys { keys, section: i } = prepare(keys, times, when)?;
-    let last = keys.len() - 1;
-    let step = |i: usize| times[i + 1] - times[i];
-    let mean = |i: usize| mean_velocity(keys[i], keys[i + 1], step(i));
-    let at = |k: usize, tcb| key_velocities(tcb, mean(k - 1), mean(k), step(k - 1), step(k));
     let own = |k: usize| tcb.map_or(Tcb::default(), |tcb| tcb[k]);
-    let end = |k: usize, section: usize, inner: usize| {
-        if last == 1 {
-            mean(0)
-        } else {
-            end_velocity(own(k).tension, mean(section), at(inner, Tcb::default()).0)
-        }
-    };
-    let leave = if i == 0 {
-        end(0, 0, 1)
-    } else {
-        at(i, own(i)).1
-    };
-    let reach = if i + 1 == last {
-        end(last, last - 1, last - 1)
-    } else {
-        at(i + 1, own(i + 1)).0
-    };
-    let control = bezier_control(keys[i], keys[i + 1], leave, reach, step(i));
-    finished(bezier(&control, (when - times[i]) / step(i)))
+    let control = tcb_section(&keys, times, own, i);
+    let step = times[i + 1] - times[i];
+    finished(bezier(&control, (when - times[i]) / step))
 }

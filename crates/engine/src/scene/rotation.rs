@@ -1,14 +1,12 @@
 //! Turning between the keys of a track.
 
-use glam::{DQuat, DVec3};
+use glam::DQuat;
 
 use super::keys::quaternion;
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
 use crate::math::quaternion::{angle, continue_sign, exp, log};
 use crate::path::Tcb;
-use crate::path::quaternion_spline::{
-    bezier, bezier_control, end_velocity, key_velocities, mean_velocity, normalized,
-};
+use crate::path::quaternion_spline::{bezier, normalized, tcb_section};
 
 /// Below this angle an arc is as good as straight.
 const STRAIGHT: f64 = 1e-12;
@@ -137,34 +135,9 @@ fn smooth(frames: &[f64], keys: &[DQuat], tcb: impl Fn(usize) -> Tcb) -> Result<
         let before = signed.last().copied();
         signed.push(before.map_or(key, |before| continue_sign(before, key).0));
     }
-    let step = |i: usize| frames[i + 1] - frames[i];
-    let mean = |i: usize| mean_velocity(signed[i], signed[i + 1], step(i));
-    let inner =
-        |k: usize, tcb: Tcb| key_velocities(tcb, mean(k - 1), mean(k), step(k - 1), step(k));
-    let end = |k: usize, section: usize, neighbour: usize| {
-        if count == 2 {
-            mean(section)
-        } else {
-            end_velocity(
-                tcb(k).tension,
-                mean(section),
-                inner(neighbour, Tcb::default()).0,
-            )
-        }
-    };
     let mut sections = vec_with_room(count.saturating_sub(1))?;
-    for i in 0..count.saturating_sub(1) {
-        let leave: DVec3 = if i == 0 {
-            end(0, 0, 1)
-        } else {
-            inner(i, tcb(i)).1
-        };
-        let reach = if i + 2 == count {
-            end(i + 1, i, i)
-        } else {
-            inner(i + 1, tcb(i + 1)).0
-        };
-        let control = bezier_control(signed[i], signed[i + 1], leave, reach, step(i));
+    for section in 0..count.saturating_sub(1) {
+        let control = tcb_section(&signed, frames, &tcb, section);
         if !control.iter().all(|q| q.is_finite()) {
             return Err(OutOfRange::KeyDistance.into());
         }
