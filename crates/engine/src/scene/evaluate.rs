@@ -4,7 +4,7 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::aim;
 use super::channel::Channel;
-use super::hierarchy::{local, orthonormal};
+use super::hierarchy::{local, needs, orthonormal};
 use super::keys::wxyz;
 use super::motion::{Motion, check_frame};
 use super::node::{Kind, Node, Values};
@@ -37,9 +37,6 @@ impl Node {
             path.at(frame, &mut values, troubles)?;
         }
         self.keys.at(frame, &mut values, troubles)?;
-        if matches!(self.kind, Kind::Camera(_)) && values.roll != 0.0 {
-            values.rotation *= DQuat::from_rotation_z(values.roll.to_radians());
-        }
         Ok(values)
     }
 }
@@ -162,11 +159,7 @@ impl Scene {
                 }
             }
             _ => {
-                let mut values = node.rest;
-                if let Some(path) = &node.path {
-                    path.at(frame, &mut values, troubles)?;
-                }
-                node.keys.at(frame, &mut values, troubles)?;
+                let values = node.values(frame, troubles)?;
                 match channel {
                     Channel::Position => out.extend(values.position.to_array()),
                     Channel::Rotation => out.extend(wxyz(values.rotation.normalize())),
@@ -248,8 +241,7 @@ impl Scene {
             if std::mem::replace(&mut wanted[at], true) {
                 continue;
             }
-            let aim = self.nodes[at].aim.and_then(|aim| self.nodes[aim].parent);
-            let needed = [self.nodes[at].parent, aim].into_iter().flatten();
+            let needed = needs(&self.nodes, at).into_iter().flatten();
             for next in needed.filter(|&next| !wanted[next]) {
                 open.try_reserve(1)?;
                 open.push(next);
@@ -260,7 +252,7 @@ impl Scene {
         Ok(chain)
     }
 
-    fn scratch(&self) -> Result<Vec<NodeState>> {
+    pub(super) fn scratch(&self) -> Result<Vec<NodeState>> {
         let mut scratch = vec_with_room(self.nodes.len())?;
         scratch.resize(self.nodes.len(), NodeState::default());
         Ok(scratch)
@@ -277,7 +269,10 @@ impl Scene {
         for &at in order {
             let node = &self.nodes[at];
             troubles.node = at;
-            let values = node.values(frame, troubles)?;
+            let mut values = node.values(frame, troubles)?;
+            if matches!(node.kind, Kind::Camera(_)) && values.roll != 0.0 {
+                values.rotation *= DQuat::from_rotation_z(values.roll.to_radians());
+            }
             let own = local(node, &values);
             let (mut world, mut seen) = match node.parent {
                 Some(parent) => {

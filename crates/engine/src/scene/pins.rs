@@ -77,8 +77,7 @@ impl Scene {
         }
         let mut path = path.try_clone()?;
         for fixed in &pinned.fixed {
-            let own = &mut path.points[fixed.point].orientations[fixed.orientation].own;
-            *own = own.with(|own| own.frames = fixed.frames)?;
+            fixed.apply(&mut path)?;
         }
         FollowPath::new(path, pinned.start_frame, follow.beyond()).map(Some)
     }

@@ -307,14 +307,10 @@ impl Track {
         if !fits {
             return Err(Invalid::NotInterpolated((&self.interpolation).into()).into());
         }
-        let width = match self.channel {
-            Channel::Rotation if self.interpolation.euler() => 3,
-            Channel::Rotation => 4,
-            Channel::Position | Channel::Scale | Channel::Colour => 3,
-            Channel::Cone => 2,
-            Channel::Value { width, .. } => width,
-            Channel::Weights | Channel::Deformation { .. } => self.width,
-            _ => 1,
+        let width = if self.interpolation.euler() {
+            3
+        } else {
+            self.channel.own_width().unwrap_or(self.width)
         };
         if width != self.width {
             return Err(OutOfRange::KeyWidth {

@@ -11,7 +11,7 @@ use glam::DVec3;
 use super::parameter::{Parameter, Unit};
 use crate::deform::Bounds;
 use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
-use crate::limits::{BASE_SPEED, MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
+use crate::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
 use crate::path::fit_frames::fit_frames;
 use crate::path::{
     BaseSpeeds, CameraPath, CurveParameters, Orientation, Space, SupportPoint, Tangents, Target,
@@ -395,8 +395,7 @@ impl Move {
             let timeline = Timeline::new(&path)?;
             let last = path.points.len() - 1;
             for fixed in fit_frames(&path, &timeline, 0, last, frames)? {
-                let orientation = &mut path.points[fixed.point].orientations[fixed.orientation];
-                orientation.own = orientation.own.with(|own| own.frames = fixed.frames)?;
+                fixed.apply(&mut path)?;
             }
         }
         if self.name == "dolly-zoom" {
@@ -407,10 +406,8 @@ impl Move {
 }
 
 /// Lets both keys own the slope between them, so that the size stays also within a longer path.
-#[allow(clippy::cast_precision_loss)]
 fn keep_zoom_linear(path: &mut CameraPath) -> Result<()> {
-    let section = Timeline::new(path)?.section(0);
-    let duration = section.frames as f64 * section.mean_speed / BASE_SPEED;
+    let duration = Timeline::new(path)?.section(0).duration();
     let rise = path.points[1].orientations[0].zoom - path.points[0].orientations[0].zoom;
     for point in &mut path.points {
         let orientation = &mut point.orientations[0];
