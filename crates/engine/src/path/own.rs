@@ -12,7 +12,7 @@ use super::camera_path::check_speed;
 use super::ease::Ease;
 use super::space::Space;
 use super::up_vector::UpVector;
-use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate};
+use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate, try_arc};
 use crate::limits;
 
 /// The derivatives with which the curve passes a point, per segment parameter.
@@ -361,9 +361,7 @@ impl MayOwn {
         if own == NOTHING {
             return Ok(Self(None));
         }
-        // A counted pointer cannot be refused when memory has run out.
-        can_allocate(size_of::<Own>() + 2 * size_of::<usize>())?;
-        Ok(Self(Some(Arc::new(own))))
+        Ok(Self(Some(try_arc(own)?)))
     }
 
     /// Whether there is nothing.

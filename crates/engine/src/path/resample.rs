@@ -6,7 +6,7 @@ use super::arc_length::ArcLength;
 use super::camera_path::{CameraPath, CurveParameters, Orientation, SupportPoint, Target};
 use super::own::Tangents;
 use super::sampling::Sampler;
-use super::timeline::{Change, Timeline};
+use super::timeline::Timeline;
 use super::turning::Turning;
 use crate::error::{Invalid, OutOfRange, Result, TooMany, vec_with_room};
 use crate::limits::{MAX_POINTS, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
@@ -28,14 +28,11 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
     }
     let timeline = Timeline::new(path)?;
     let sampler = Sampler::new(path, &timeline)?;
-    let moving = (0..timeline.section_count())
-        .map(|section| timeline.section(section))
-        .filter(|section| section.change != Change::Nothing);
     let ways = || {
-        let all = sampler.sections().iter().zip(moving.clone());
-        all.filter_map(|(sampled, section)| Some((sampled, section, sampled.way.as_ref()?)))
+        let all = sampler.sections().iter();
+        all.filter_map(|sampled| Some((sampled, sampled.way.as_ref()?)))
     };
-    let length: f64 = ways().map(|(_, _, way)| way.length).sum();
+    let length: f64 = ways().map(|(_, way)| way.length).sum();
     let steps = if path.closed { count } else { count - 1 };
     let step = length / steps as f64;
     let mut points = vec_with_room(count)?;
@@ -45,13 +42,13 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
     };
     for k in 0..count {
         let s = step * k as f64;
-        while s > begin + here.2.length
+        while s > begin + here.1.length
             && let Some(next) = rest.next()
         {
-            begin += here.2.length;
+            begin += here.1.length;
             here = next;
         }
-        let (sampled, section, way) = here;
+        let (sampled, way) = here;
         let share = ((s - begin) / way.length).clamp(0.0, 1.0);
         let pose = sampled.pose(share)?;
         let arc = ArcLength::new(&way.curve)?;
@@ -74,7 +71,10 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
             target,
             roll: wrap_degrees(roll_from_up(unit(level), up).to_degrees()),
             zoom: pose.zoom,
-            speeds: [section.mean_speed.clamp(MIN_SPEED, MAX_SPEED); SPEEDS],
+            speeds: [timeline
+                .section(sampled.section)
+                .mean_speed
+                .clamp(MIN_SPEED, MAX_SPEED); SPEEDS],
             ..Orientation::default()
         };
         points.push(point);

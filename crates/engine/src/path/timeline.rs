@@ -60,6 +60,15 @@ pub struct Section {
     pub constant_speed: bool,
 }
 
+impl Section {
+    /// Its curve time: its frames, at the base speed.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)]
+    pub const fn duration(&self) -> f64 {
+        self.frames as f64 * self.mean_speed / BASE_SPEED
+    }
+}
+
 #[derive(Debug, Clone)]
 struct Segment {
     curve: Cubic,
@@ -168,7 +177,7 @@ impl Timeline {
     pub fn update_point(&mut self, path: &CameraPath, point: usize) -> Result<()> {
         let ahead = self.rail.is_some() || path.points[point].orientations.iter().any(follows);
         if path.curve == CurveKind::Cubic || ahead {
-            // Every segment feels every point, and so do views along the way.
+            // Of a spline many segments feel a point, and along the way all views may.
             *self = Self::new(path)?;
             return Ok(());
         }
@@ -226,7 +235,7 @@ impl Timeline {
         let mut all = path.points.iter().flat_map(|point| &point.orientations);
         if all.any(follows) {
             let segments = self.segments.iter();
-            let segments = segments.map(|segment| (&segment.curve, segment.length));
+            let segments = segments.map(|segment| (segment.curve, segment.length));
             let rail = self.rail.insert(Rail::new(path, segments)?);
             if alignment::any(path) {
                 self.alignment = Some(Alignment::new(path, rail)?);
@@ -313,6 +322,11 @@ impl Timeline {
             frames: state.frames,
             constant_speed: state.constant_speed,
         }
+    }
+
+    /// The sections in which something changes.
+    pub(crate) fn moving(&self) -> impl Iterator<Item = usize> {
+        (0..self.sections.len()).filter(|&section| self.sections[section].moves())
     }
 
     /// Frames of a section by its length, fixed or not, before rounding; 0 if nothing changes.

@@ -300,13 +300,9 @@ pub fn check(path: &CameraPath, against: &Against<'_>) -> Result<Vec<Finding>> {
 
 /// The first own frame of each section that has some, with the section.
 fn sections(timeline: &Timeline, sampler: &Sampler) -> Result<Vec<(usize, Section)>> {
-    let count = timeline.section_count();
-    let mut sections = vec_with_room(count)?;
-    sections.extend(
-        (0..count)
-            .map(|k| (sampler.first_frame(k), timeline.section(k)))
-            .filter(|(_, section)| section.change != Change::Nothing),
-    );
+    let mut sections = vec_with_room(timeline.section_count())?;
+    let moving = timeline.moving();
+    sections.extend(moving.map(|k| (sampler.first_frame(k), timeline.section(k))));
     Ok(sections)
 }
 
