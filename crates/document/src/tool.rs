@@ -24,6 +24,7 @@ use crate::path::{CameraPath, Pose, Space, Target, Up};
 pub struct Tool {
     /// In lower case, words joined by `-`.
     pub name: &'static str,
+    /// What it does, in a few words.
     pub does: &'static str,
     kind: Kind,
     /// Its own parameters, and shared ones.

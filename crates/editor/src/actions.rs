@@ -1,5 +1,4 @@
-//! What can be asked for in the window. The views draw the state and return actions;
-//! [`Editor::act`] alone does them.
+//! What can be asked for in the window; [`Editor::act`] alone does it.
 
 use std::path::PathBuf;
 
@@ -42,9 +41,9 @@ pub(super) enum Action {
     AddPoint,
     /// `Pos.++`: ask how many.
     AskPoints,
-    /// `Pos.++`: insert so many.
+    /// `Pos.++`: insert this many.
     AddPoints(usize),
-    /// A key where the playhead stands.
+    /// A key at the playhead.
     AddHere,
     /// `Pos.-`.
     RemovePoint,
@@ -53,10 +52,9 @@ pub(super) enum Action {
     /// `Pos. >>`
     NextPoint,
     AppendPoint,
-    /// A new point before the first one.
     PrependPoint,
     SetClosed(bool),
-    /// Let the point own the tangents that it has, or take its own away.
+    /// Give the point own tangents as they are now, or take its own away.
     OwnTangents(bool),
     /// How own tangents are joined.
     Join(Joint),
@@ -74,52 +72,44 @@ pub(super) enum Action {
     GiveBack(Held),
     /// Let the current orientation look along the way.
     LookAhead,
-    /// Which way is up for the current orientation.
     SetUp(UpVector),
-    /// `Abs.` if it is `Rel.`, and the other way round.
+    /// Change between `Abs.` and `Rel.`.
     SwitchAbsolute,
     /// Let every orientation of the path look where the current one does.
     AimAll,
-    /// Keep the current orientation for pasting.
     CopyOrientation,
-    /// Put the one that was copied in place of the current one.
     PasteOrientation,
-    /// Show a mesh from a file.
     LoadObject,
-    /// Write the poses to a file.
     Export,
     HandOver,
-    /// Hand them over after each change, or do so no more.
+    /// Hand the poses over after each change, or no longer.
     SwitchHandsOver,
-    /// Take over the host's view, in a new point or here.
+    /// Take over the host's view as a new point, or in place of the current orientation.
     TakeOver {
-        /// In place of the current orientation.
         replace: bool,
     },
-    /// Begin with a tool.
     Tool(Tool),
     Check,
-    /// To the frames and the key of a finding.
+    /// Go to the frames and the key of a finding.
     GoTo(Finding),
-    /// What helps against one.
+    /// Apply the remedy of a finding.
     Mend(Vec<Edit>),
-    /// Show the path with the tool as its numbers are now.
+    /// Show the path with the tool applied.
     PreviewTool,
-    /// Bring a control point of the tool's box to a place.
+    /// Move a control point of the tool's cage.
     MoveControl {
         at: usize,
         place: DVec3,
     },
-    /// A line for the tool is being drawn in the camera's picture: another place of it, and
-    /// where that lies in the picture.
+    /// Continue the line being drawn for the tool: in the camera's picture, and in space.
     DrawOn(Pos2, DVec3),
-    /// It is taken, or given up.
+    /// Take or give up that line.
     EndDrawing {
         keeps: bool,
     },
-    /// Take a line that was drawn for the tool.
+    /// Give the tool a line that was drawn.
     Stroke(Vec<DVec3>),
-    /// `OK` of the tool, or back to what was before it.
+    /// `OK` of the tool, or its cancellation.
     EndTool {
         keeps: bool,
     },
@@ -130,59 +120,56 @@ pub(super) enum Action {
     Space,
     LoadSetup,
     Recent(usize),
-    /// Open unsaved work that was found, the one of this number in its window.
+    /// Open unsaved work that was found, by its number in the window.
     Restore(usize),
     SaveSetup,
-    /// Dark, light, or as the desktop is.
+    /// Dark, light, or the desktop's.
     Theme(Option<Theme>),
-    /// Show the camera's picture, or show it no more.
+    /// Show or hide the camera's picture.
     SwitchCameraView,
     /// Put the camera's picture there, or back into its corner.
     CameraPlace(CameraPlace),
-    /// Plot this in place of the speeds of the sections.
+    /// Plot this, or else the speeds of the sections.
     Plot(Option<Quantity>),
     /// Open or close the speeds of the whole path.
     SwitchSpeedGraph,
-    /// The camera's picture is seen from there; none: from the path again.
+    /// See the camera's picture from there, or else from the path.
     Fly(Option<Camera>),
-    /// Play the flight, or stop.
     PlayOrPause,
     Keys,
-    /// Edit the path of another node; none: of no node.
+    /// Edit the path of this node, or of none.
     EditNode(Option<usize>),
     Edit(Edit),
-    /// What was entered into a number of the path.
+    /// An entry into a number of the path.
     Enter(Entry<Edit>),
-    /// The same of what stands at the playhead between two keys: it is added first.
+    /// The same for the key missing at the playhead, which is added first.
     EnterMissing(Entry<Edit>),
     /// A part of a drag in the movement window.
     Gesture(Gesture),
     Select(Selection),
-    /// Several points at once.
+    /// Select several points.
     Choose(Choice),
-    /// Those that are selected come to stand before this point.
+    /// Move the selected points before this one.
     MoveSelected(usize),
     AimAt(DVec3),
-    /// Let every orientation of the path look there.
+    /// Let every orientation look there.
     AimAllAt(DVec3),
-    /// See the space from there.
+    /// See the movement space from there.
     View(View),
-    /// What was entered into a number of the play bar, as a frame.
+    /// An entry into the play bar's frame.
     Playhead(Entry),
-    /// Play again and again, or once.
     SwitchLoops,
-    /// Play slower or faster.
     Pace(Pace),
     Setup(Box<Setup>),
     /// A language of the window, or the environment's.
     Language(Option<Language>),
     CopySpeeds([f64; SPEEDS]),
-    /// Apply what waits in the curve window; true: and close it.
+    /// Apply what is pending in the curve window; true: and close it.
     ApplyCurve(bool),
-    /// Apply what waits in the space window; true: and close it.
+    /// Apply what is pending in the space window; true: and close it.
     ApplySpace(bool),
     FileChosen(Purpose, PathBuf),
-    /// Discard unsaved work that was found, the one of this number in its window.
+    /// Discard unsaved work that was found, by its number in the window.
     Discard(usize),
     SaveBefore(Then),
     /// Go on, whatever is lost.
@@ -192,13 +179,13 @@ pub(super) enum Action {
     SaveAsBefore(Option<Then>),
     /// Overwrite the file that has changed, and then go on.
     Overwrite(Option<Then>),
-    /// Something to be read in the output field.
+    /// Show a text in the output field.
     Say(String),
-    /// Something that cannot be done, in words.
+    /// Show what cannot be done in the output field.
     Complain(String),
 }
 
-/// The edit that lets an orientation look at a place.
+/// The edit that aims an orientation at a place.
 fn aimed(path: &CameraPath, point: usize, at: usize, place: DVec3) -> Option<Edit> {
     let target = Target::Absolute(place);
     let orientation = no_longer_ahead(path, point, at).ok()?;
@@ -214,8 +201,7 @@ fn aimed(path: &CameraPath, point: usize, at: usize, place: DVec3) -> Option<Edi
 }
 
 impl Action {
-    /// What was entered into a number of what the panels show; `missing`: the path has
-    /// it not yet.
+    /// An entry into a number of the panels; `missing`: the path does not have it yet.
     pub(super) const fn enter(missing: bool, entry: Entry<Edit>) -> Self {
         if missing {
             Self::EnterMissing(entry)
@@ -224,8 +210,7 @@ impl Action {
         }
     }
 
-    /// Whether it is named by a menu, a key or a button: what stood in the output field
-    /// then goes away.
+    /// Whether a menu, a key or a button names it, which clears the output field.
     const fn is_command(&self) -> bool {
         !matches!(
             self,
@@ -257,8 +242,7 @@ impl Action {
 }
 
 impl Action {
-    /// Whether a tool that is shown stays as it is: nothing is changed or kept. Any other
-    /// action first takes what the tool shows.
+    /// Whether a shown tool stays as it is. Any other action first takes what the tool shows.
     const fn leaves_tool(&self) -> bool {
         matches!(
             self,
@@ -308,7 +292,7 @@ impl Action {
 }
 
 impl Editor {
-    /// Shows a part of the window, and does what it asks for before the next is shown.
+    /// Shows a part of the window, and does its actions before the next is shown.
     pub(super) fn part<R>(
         &mut self,
         context: &egui::Context,
@@ -530,7 +514,7 @@ impl Editor {
         }
     }
 
-    /// Does an edit; what hinders it is told.
+    /// Does an edit; a refusal goes to the output field.
     pub(crate) fn edit(&mut self, edit: Edit) -> bool {
         if self.replaces_tangents(&edit).is_some() {
             return self.edit_together([edit]);
@@ -545,7 +529,7 @@ impl Editor {
         self.edit_together(edits)
     }
 
-    /// The same as a part of a step that is open.
+    /// The same, as part of an open step.
     pub(super) fn edit_together(&mut self, edits: impl IntoIterator<Item = Edit>) -> bool {
         let mut all = Vec::new();
         for edit in edits {
@@ -557,8 +541,7 @@ impl Editor {
         self.tell(done)
     }
 
-    /// The point that loses its own tangents by an edit: a shape that is chosen takes
-    /// their place.
+    /// The point whose own tangents an edit replaces by the shape that it chooses.
     fn replaces_tangents(&self, edit: &Edit) -> Option<usize> {
         let (Edit::SetOwn { at, .. } | Edit::UsePreset { at, .. }) = *edit else {
             return None;
@@ -567,7 +550,7 @@ impl Editor {
         owns.then_some(at)
     }
 
-    /// What hinders an edit stands in the output field.
+    /// Shows in the output field why an edit was refused.
     fn tell(&mut self, done: Result<()>) -> bool {
         match done {
             Ok(()) => {
@@ -582,9 +565,8 @@ impl Editor {
         }
     }
 
-    /// Puts points at equal distances on the way to the next one, where the camera flies
-    /// on as before. With Shift, and where the way has too few frames, copies of the
-    /// point before, as in 1994.
+    /// Puts points at equal distances on the way to the next one, without changing the flight. With
+    /// Shift, and where the way has too few frames, copies of the point before, as in 1994.
     fn add_points(&mut self, points: usize, context: &egui::Context) {
         let segment = self.document.selection().point;
         let frames = insertion::dividing_frames(self.document.path(), segment, points);
@@ -609,8 +591,7 @@ impl Editor {
         }
     }
 
-    /// Lets every orientation look at the place that the current one looks at,
-    /// as one step. A point on that place makes it impossible.
+    /// Lets every orientation look where the current one does, as one step; no point may be there.
     fn aim_all(&mut self) {
         let Some((position, current)) = self
             .point()
@@ -626,7 +607,6 @@ impl Editor {
         self.aim_all_at(place);
     }
 
-    /// Every camera looks at a place.
     fn aim_all_at(&mut self, place: DVec3) {
         let path = self.document.path();
         let edits = path
@@ -651,18 +631,17 @@ impl Editor {
     pub(super) fn select(&mut self, point: usize, orientation: usize) {
         self.message = None;
         self.playing.leave();
-        // Whoever asks for one that is not there has an old number; what is
-        // current stays so.
+        // Whoever asks for one that is not there has an old number: nothing changes.
         let _ = self.document.select(point, orientation);
     }
 
-    /// So many points onwards, round and round.
+    /// Goes on by one point, round and round.
     fn go_by_points(&mut self, by: isize) {
         let count = self.document.path().points.len();
         self.select(round(self.document.selection().point, by, count), 0);
     }
 
-    /// So many orientations onwards at this point, round and round.
+    /// Goes on by one orientation of this point, round and round.
     fn go_by_orientations(&mut self, by: isize) {
         let Selection { point, orientation } = self.document.selection();
         let points = &self.document.path().points;
@@ -681,7 +660,7 @@ impl Editor {
     }
 }
 
-/// `at` + `by`, round and round through `count`.
+/// `at` + `by` modulo `count`; `by` is 1 or -1.
 pub(super) fn round(at: usize, by: isize, count: usize) -> usize {
     let count = count.max(1);
     let at = at % count;

@@ -1,5 +1,4 @@
-//! The layout: menu bar with the output field, the movement window over the
-//! timeline, panels on the right, sub-windows above.
+//! The layout: menu bar, movement window over the timeline, panels at the right, sub-windows above.
 
 use egui::{
     Color32, Context, CornerRadius, Event, Id, Key, Rect, Stroke, StrokeKind, Ui, UiBuilder, vec2,
@@ -17,15 +16,14 @@ const BAR: f32 = 32.0;
 
 const PANELS: f32 = panels::WIDTH + 2.0 * MARGIN;
 
-/// What is higher and wider than this is no control but a part of the window.
+/// Anything higher and wider is no control but a part of the window.
 const LARGE: f32 = 160.0;
 
 const MARGIN: f32 = 12.0;
 
-/// Shows everything, and does what was asked for.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let context = ui.ctx().clone();
-    // The host edits the path too.
+    // The host edits the path, too.
     editor.selected.follow(&editor.document);
     if let Some(theme) = context.system_theme() {
         editor.setup.desktop = Theme::of_system(theme);
@@ -33,7 +31,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     context.set_theme(editor.setup.theme().of_egui());
     let dragging = context.input(|input| input.pointer.any_down() || input.pointer.any_released());
     if !dragging && !editor.space.keeps_step_open() && editor.windows.tool.is_none() {
-        // A drag whose end nobody saw: its control vanished meanwhile.
+        // A drag whose end nobody saw, since its control vanished.
         editor.act(Action::Enter(Entry::End), &context);
     }
     if context.input(|input| input.events.contains(&Event::WindowFocused(true))) {
@@ -52,8 +50,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let whole = ui.max_rect();
     let (bar, below) = whole.split_top_bottom_at_y(whole.top() + BAR);
     let (middle, right) = below.split_left_right_at_x(below.right() - PANELS);
-    // First of all what moves under the hand: panels and output field then
-    // show in the same pass what a drag has changed.
+    // First what moves under the pointer: panels and output field then show it in this pass.
     part(ui, "space", middle, editor.background(), |ui| {
         space::show(editor, ui)
     });
@@ -90,7 +87,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         .vline(right.left() + 0.5, below.y_range(), line);
     windows::show(editor, &context);
     for (number, action) in actions.into_iter().chain(picked).enumerate() {
-        // The first may have brought up a question: the rest was typed blindly.
+        // The first may have raised a question: the rest was typed blindly.
         if number > 0 && editor.windows.ask() {
             break;
         }
@@ -107,7 +104,6 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     }
 }
 
-/// One part of the window, in its rectangle.
 fn part<R>(
     ui: &mut Ui,
     name: &str,
@@ -120,8 +116,7 @@ fn part<R>(
     ui.scope_builder(inside, add).inner
 }
 
-/// A border around what has the keyboard, if it came there by a key: who
-/// clicks knows where.
+/// A border around what has the keyboard, if that came by a key: who clicks knows where.
 fn show_focus(context: &Context) {
     let by_key = Id::unique("focus came by a key");
     let (pressed, walked) = context.input(|input| {
@@ -154,8 +149,8 @@ fn show_focus(context: &Context) {
     let painter = context
         .layer_painter(response.layer_id)
         .with_clip_rect(response.interact_rect.expand(3.0));
-    // Not inside a control: what is chosen has the same colour. What is as large as
-    // the movement window reaches up to its neighbours.
+    // Outside a control, since a selected one has the same colour; inside a large part, which
+    // reaches up to its neighbours.
     let kind = if response.rect.size().min_elem() > LARGE {
         StrokeKind::Inside
     } else {

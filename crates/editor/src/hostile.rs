@@ -1,9 +1,6 @@
-//! What any bytes at all may do as a setup or a recovery file: checks for the
-//! tests and for the fuzzer in `fuzz/`.
+//! Checks of what any bytes do as a setup or a recovery file, for tests and the fuzzer in `fuzz/`.
 //!
-//! The readers are the editor's own business and no part of the crate's
-//! interface. So what the fuzzer gets is not the readers but these two checks,
-//! and only in a build of its own (`cfg(fuzzing)`): no other build has a door.
+//! The readers stay private: the fuzzer gets these checks, in a build of its own (`cfg(fuzzing)`).
 
 use std::fs;
 use std::path::Path;
@@ -12,9 +9,8 @@ use crate::error::ErrorKind;
 use crate::files::recovery::{self, Autosave, Origin};
 use crate::setup::file as setup_file;
 
-/// Loads bytes as a setup. They are refused with one sentence that names file
-/// and line, or they give a setup that is saved and loaded without a bit
-/// changing. `folder` is for this alone.
+/// Loads bytes as a setup: they are refused with one sentence that names file and line, or saved
+/// and loaded again without a bit changing. `folder` is for this alone.
 ///
 /// # Panics
 /// If that does not hold.
@@ -39,9 +35,8 @@ pub fn setup(folder: &Path, bytes: &[u8]) {
     assert_eq!(fs::read(&file).expect("what was saved"), text);
 }
 
-/// Finds bytes as work that was left behind. It is offered or left alone; if
-/// it holds a document, that and the name of its file are kept anew without a
-/// bit changing. `folder` is for this alone, and empty afterwards.
+/// Finds bytes as work that was left behind: offered or left alone; its document and its file's
+/// name are kept again without a bit changing. `folder` is for this alone, and empty afterwards.
 ///
 /// # Panics
 /// If that does not hold.
@@ -77,9 +72,9 @@ pub fn recovery(folder: &Path, bytes: &[u8]) {
         let mut again = recovery::find(folder, None);
         let kept = again.pop().expect("what was kept is found");
         assert!(again.is_empty());
-        // A name without a folder is kept with the folder it was in.
+        // A name without a folder is kept as an absolute one.
         let whole = original.map(|file| std::path::absolute(&file).unwrap_or(file));
-        // What the file contained is kept with its name only.
+        // What the file contained is kept only with its name.
         assert_eq!(kept.known, known.filter(|_| whole.is_some()));
         assert_eq!(kept.original, whole);
         assert_eq!(kept.program, program.filter(|name| !name.is_empty()));
@@ -90,7 +85,7 @@ pub fn recovery(folder: &Path, bytes: &[u8]) {
         );
         kept.discard();
     }
-    // What is no text is left alone by the window, not by us.
+    // The window leaves alone what is no text; here it goes.
     for entry in fs::read_dir(folder).expect("the folder").flatten() {
         fs::remove_file(entry.path()).expect("a file to remove");
     }

@@ -1,8 +1,7 @@
 //! The keyboard's shortcuts, and who has the keyboard.
 //!
-//! The shortcuts are the same in both languages (thesis A.5, and the habits of
-//! today). While a text is typed, the keys that edit texts are the text's; any
-//! other shortcut first lets the text apply.
+//! The shortcuts are the same in both languages (thesis A.5, and habits of today). While a text is
+//! typed, editing keys belong to it; any other shortcut first applies the text.
 
 use egui::{Context, Event, Id, Key, Modifiers};
 
@@ -15,7 +14,7 @@ const ALT: Modifiers = Modifiers::ALT;
 const CTRL: Modifiers = Modifiers::CTRL;
 const CTRL_SHIFT: Modifiers = Modifiers::CTRL.plus(Modifiers::SHIFT);
 
-/// Every shortcut. Of several for one action the menu shows the first.
+/// Every shortcut; the menu shows the first of several for one action.
 pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (ALT, Key::L, Action::Load),
     (CTRL, Key::O, Action::Load),
@@ -56,7 +55,7 @@ pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (NONE, Key::F7, Action::AimAll),
 ];
 
-/// What is done again and again while the key stays down.
+/// What repeats while the key is held.
 const REPEATED: &[Action] = &[
     Action::Undo,
     Action::Redo,
@@ -66,7 +65,7 @@ const REPEATED: &[Action] = &[
     Action::PreviousOrientation,
 ];
 
-/// What a text that is being typed needs itself.
+/// What a text being typed needs itself.
 const OF_TEXTS: &[Action] = &[
     Action::Undo,
     Action::Redo,
@@ -77,8 +76,7 @@ const OF_TEXTS: &[Action] = &[
     Action::Choose(Choice::All),
 ];
 
-/// The actions whose keys were pressed, in their order. Nobody else sees them
-/// then.
+/// Takes the actions whose keys were pressed out of the input, in their order.
 pub(super) fn pressed(context: &Context) -> Vec<Action> {
     let typing = context.text_edit_focused();
     context.input_mut(|input| {
@@ -145,7 +143,7 @@ pub(super) fn combination(language: Language, modifiers: Modifiers, key: Key) ->
     words
 }
 
-/// Takes the keyboard away from whoever has it: a text that was typed applies.
+/// Takes the keyboard from whoever has it, which applies a typed text.
 pub(super) fn release(context: &Context) {
     context.memory_mut(|memory| {
         if let Some(id) = memory.focused() {
@@ -154,10 +152,10 @@ pub(super) fn release(context: &Context) {
     });
 }
 
-/// To be called at the end of each pass: remembers whether a text is typed.
+/// Remembers, at the end of each pass, whether a text is typed.
 ///
-/// egui takes the keyboard away from a text on Escape before anybody sees the
-/// key; without this Escape would leave the text and close its window at once.
+/// egui takes the keyboard from a text on Escape before anybody sees the key; without this Escape
+/// would leave the text and close its window at once.
 pub(super) fn remember_typing(context: &Context) -> bool {
     let typing = context.text_edit_focused();
     context.data_mut(|data| data.insert_temp(typing_id(), typing));
@@ -170,8 +168,7 @@ pub(super) fn was_typing(context: &Context) -> bool {
     typing.unwrap_or(false) || context.text_edit_focused()
 }
 
-/// Whether Escape was pressed and nobody but a window has use for it. Nobody
-/// else sees it then.
+/// Takes Escape out of the input if it was pressed and only a window has use for it.
 pub(super) fn take_escape(context: &Context) -> bool {
     !was_typing(context)
         && !egui::Popup::is_any_open(context)

@@ -1,13 +1,11 @@
-//! What the window shows and what a hand does in it (thesis chapters 6 and 7.3,
-//! Anhang A), drawn by egui.
+//! What the window shows and what the user does in it (thesis chapters 6 and 7.3, Anhang A), drawn
+//! with egui.
 //!
-//! Every change of the path is an edit of [`vides_document`], so that it can
-//! be taken back, and every word comes from `texts`. One file per panel and
-//! per sub-window. What leaves the window (poses for the host, closing) is a
-//! [`Request`]; whoever runs the editor sees to it.
+//! Every change of the path is an edit of [`vides_document`], so that it can be undone. What leaves
+//! the window (poses for the host, closing) is a [`Request`], done by whoever runs the editor.
 //!
-//! It knows no X, no C and no host, and has no unsafe code, so that all of it
-//! runs in tests without a screen.
+//! It knows no X, no C and no host, and has no unsafe code, so that all of it runs in tests without
+//! a screen.
 
 #![forbid(unsafe_code)]
 

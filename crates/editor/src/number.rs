@@ -1,14 +1,11 @@
-//! A field with a number: shown rounded, dragged to change, clicked or reached
-//! by Tab to be typed into.
+//! A field with a number: shown rounded, dragged to change, clicked or tabbed to be typed into.
 //!
-//! Enter and Tab apply what was typed, with a comma or a point as the decimal
-//! sign; Escape leaves the old value, also while dragging. What is not a number,
-//! or lies outside the range, is a message and leaves the old value. Arrow up
-//! and down go by one step. While dragging, Shift makes it ten times finer.
+//! Enter and Tab apply what was typed, with a comma or a point as the decimal sign; Escape restores
+//! the old value, also in a drag. What is no number or out of range gives a message and leaves the
+//! old value. The up and down arrows go by one step; Shift makes a drag ten times finer.
 //!
-//! It changes nothing itself: an [`Entry`] says what happened, so that one
-//! entry or one drag becomes one step to be taken back
-//! ([`Editor::enter`](crate::state::Editor::enter)).
+//! It changes nothing itself: an [`Entry`] says what happened, so that one entry or one drag
+//! becomes one undoable step ([`Editor::enter`](crate::state::Editor::enter)).
 
 use std::ops::RangeInclusive;
 
@@ -26,21 +23,21 @@ use crate::theme;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Entry<T = f64> {
     Idle,
-    /// A drag begins: from here on all is one step.
+    /// A drag begins: all up to its end is one step.
     Begin,
-    /// The value while it is dragged.
+    /// The value during a drag.
     Drag(T),
     End,
-    /// The drag was broken off: the value before it is wanted.
+    /// The drag was cancelled: the value before it is wanted.
     Cancel,
     /// A value was typed.
     Set(T),
-    /// What was typed is no good, in words.
+    /// What was typed cannot be taken, in words.
     Wrong(String),
 }
 
 impl Entry {
-    /// The same of what the value stands for.
+    /// The same with what the value stands for.
     pub(super) fn map<T>(self, to: impl FnOnce(f64) -> T) -> Entry<T> {
         match self {
             Self::Idle => Entry::Idle,
@@ -71,21 +68,20 @@ pub(super) struct Number<'a> {
     faint: bool,
 }
 
-/// What has been typed so far, and the value that it began with.
+/// A text being typed, and the value that it began with.
 #[derive(Clone, Default)]
 struct Typing {
     text: String,
     first: String,
     value: f64,
-    /// The frame in which it was shown last: what was left behind when a
-    /// window closed applies no more.
+    /// The pass that showed it last: a text left by a closed window does not apply.
     frame: u64,
 }
 
-/// Between a field's edge and what it shows, points.
+/// Between a field's edge and its contents, in points.
 const INSET: f32 = 6.0;
 
-/// Between its label and its value, points.
+/// Between its label and its value, in points.
 const GAP: f32 = 4.0;
 
 /// Decimals that show a thousandth of a space.
@@ -95,8 +91,7 @@ pub(super) fn decimals(half_size: f64) -> usize {
 }
 
 impl<'a> Number<'a> {
-    /// A number with a name that tells what it is (for who cannot see the
-    /// panel, and for tests), and its value; none shows a dash.
+    /// A number with a value (`None` shows a dash) and a name for screen readers and tests.
     pub(super) fn new(name: &'a str, value: impl Into<Option<f64>>) -> Self {
         Self {
             name,
@@ -116,7 +111,7 @@ impl<'a> Number<'a> {
         }
     }
 
-    /// A short sign inside the field, at its left.
+    /// A short sign at the left of the field.
     pub(super) fn label(mut self, label: &'a str) -> Self {
         self.label = label;
         self
@@ -127,7 +122,6 @@ impl<'a> Number<'a> {
         self
     }
 
-    /// Its unit, behind the value.
     pub(super) fn unit(mut self, unit: &'a str) -> Self {
         self.unit = unit;
         self
@@ -138,20 +132,18 @@ impl<'a> Number<'a> {
         self
     }
 
-    /// The values that it may have.
     pub(super) fn range(mut self, range: RangeInclusive<f64>) -> Self {
         self.range = range;
         self
     }
 
-    /// The value only waits to be applied: any number may be typed, and
-    /// whoever applies it sees to the range.
+    /// The value waits to be applied: any number may be typed, and the range is checked later.
     pub(super) fn pending(mut self) -> Self {
         self.pending = true;
         self
     }
 
-    /// A place or a length in a space: its decimals, steps and range.
+    /// A place or a length in a space: sets decimals, steps and range.
     pub(super) fn in_space(self, space: Space) -> Self {
         let (half_size, far) = (space.half_size, space.farthest());
         let far = space.centre.abs().max_element() + far;
@@ -160,7 +152,7 @@ impl<'a> Number<'a> {
             .range(-far..=far)
     }
 
-    /// How wide a field must be for any coordinate within a space, points.
+    /// The width in points that fits any coordinate within a space.
     pub(super) fn room_in_space(ui: &Ui, language: Language, space: Space) -> f32 {
         let widest = -(space.centre.abs().max_element() + space.half_size);
         let text = language.number(widest, decimals(space.half_size));
@@ -171,7 +163,7 @@ impl<'a> Number<'a> {
         text + label + GAP + 2.0 * INSET
     }
 
-    /// By how much an arrow key changes it, and a point of dragging.
+    /// The changes by an arrow key, and by one point of dragging.
     pub(super) fn steps(mut self, arrow: f64, point: f64) -> Self {
         (self.step, self.per_point) = (arrow, point);
         self
@@ -183,31 +175,27 @@ impl<'a> Number<'a> {
         self
     }
 
-    /// It is shown only.
     pub(super) fn fixed(mut self) -> Self {
         self.fixed = true;
         self
     }
 
-    /// The same under a condition.
     pub(super) fn fixed_if(self, fixed: bool) -> Self {
         if fixed { self.fixed() } else { self }
     }
 
-    /// It is a value in between, which nobody has set.
+    /// A value in between, which nobody has set.
     pub(super) fn faint(mut self, faint: bool) -> Self {
         self.faint = faint;
         self
     }
 
-    /// Only whole numbers will do.
     pub(super) fn whole(mut self) -> Self {
         self.whole = true;
         self.decimals(0)
     }
 
-    /// Shows it, so wide and as high as a row. `id` tells it from all others
-    /// in the window.
+    /// Shows it, one row high. `id` tells it from all others in the window.
     pub(super) fn show(self, ui: &mut Ui, language: Language, id: &str, width: f32) -> Entry {
         let (_, rect) = ui.allocate_space(vec2(width, theme::ROW));
         let id = Id::unique(("number", id));
@@ -319,8 +307,7 @@ impl<'a> Number<'a> {
         };
         let known = ui.data(|data| data.get_temp::<Typing>(id));
         let selects = known.is_none();
-        // What was typed stands for a value; if that changed meanwhile, by
-        // undo for instance, it stands for nothing any more.
+        // If the value changed meanwhile, for instance by undo, the text no longer applies.
         let mut typing = known
             .filter(|typing| typing.value == value)
             .unwrap_or_else(fresh);
@@ -352,8 +339,7 @@ impl<'a> Number<'a> {
         ui.data_mut(|data| data.insert_temp(id, typing));
     }
 
-    /// The keyboard goes elsewhere: what was typed applies, unless Escape sent
-    /// it away.
+    /// The keyboard went elsewhere: what was typed applies, unless by Escape.
     fn finish(&self, ui: &Ui, language: Language, id: Id, value: f64) -> Entry {
         let Some(typing) = ui.data_mut(|data| data.remove_temp::<Typing>(id)) else {
             return Entry::Idle;
@@ -378,7 +364,6 @@ impl<'a> Number<'a> {
         Entry::Set(new)
     }
 
-    /// Arrow up and down while it has the keyboard.
     fn step_by_keys(&self, ui: &Ui, language: Language, id: Id, value: f64) -> Option<f64> {
         let steps = ui.input_mut(|input| {
             let mut count = |key| input.count_and_consume_key(Modifiers::NONE, key) as f64;
@@ -405,14 +390,14 @@ impl<'a> Number<'a> {
         (now != value).then_some(now)
     }
 
-    /// As many decimals as are shown: a dragged value has no others.
+    /// A dragged value has only the decimals that are shown.
     fn rounded(&self, value: f64) -> f64 {
         let scale = 10f64.powi(i32::try_from(self.decimals).unwrap_or(0));
         let rounded = (value * scale).round() / scale;
         if rounded.is_finite() { rounded } else { value }
     }
 
-    /// Whether the value is shorter than it would like to be.
+    /// Paints it; true if the value had to be shortened.
     fn paint(&self, ui: &Ui, language: Language, rect: Rect, hovered: bool) -> bool {
         let palette = theme::palette(ui);
         let fixed = self.fixed || self.value.is_none() || !ui.is_enabled();
@@ -454,8 +439,7 @@ impl<'a> Number<'a> {
         shortened
     }
 
-    /// The value so that it is no wider than this: with fewer decimals, if need be as a
-    /// power of ten.
+    /// The value no wider than this: with fewer decimals or, if need be, as a power of ten.
     fn fitting(&self, ui: &Ui, language: Language, width: f32) -> String {
         let whole = self.shown(language);
         let Some(value) = self.value else {
@@ -484,7 +468,7 @@ impl<'a> Number<'a> {
         });
     }
 
-    /// The tooltip, with the whole value where there is no room for it.
+    /// The tooltip, with the whole value if that was shortened.
     fn tell(&self, response: egui::Response, language: Language, shortened: bool) {
         let mut words = Vec::new();
         if shortened {
@@ -499,8 +483,8 @@ impl<'a> Number<'a> {
     }
 }
 
-/// A value as it is offered for typing: all its decimals up to six, or three more than
-/// are shown, and at least those that are shown.
+/// A value as offered for typing: without trailing zeros beyond the decimals shown, at most six
+/// decimals or three more than shown.
 fn written(language: Language, value: f64, decimals: usize) -> String {
     let most = (decimals + 3).max(6);
     let mut text = format!("{value:.most$}");
@@ -521,8 +505,7 @@ fn written(language: Language, value: f64, decimals: usize) -> String {
     }
 }
 
-/// The number in a text: comma or point as the decimal sign, any minus, the
-/// unit behind it if it likes. Neither infinite nor without value.
+/// The finite number in a text, with comma or point, any minus, and perhaps the unit.
 pub(super) fn parse(text: &str, unit: &str) -> Option<f64> {
     let text = text.trim();
     let text = text.strip_suffix(unit.trim()).unwrap_or(text).trim();

@@ -1,5 +1,4 @@
-//! What the camera must not run into, prepared when something first asks: a check, a plot, a
-//! line that is drawn on it.
+//! What the camera must not run into, prepared when a check, a plot or a drawn line first asks.
 
 use std::cell::RefCell;
 use std::ptr;
@@ -15,15 +14,15 @@ pub(crate) struct Obstacles(RefCell<Option<Prepared>>);
 
 #[derive(Debug)]
 struct Prepared {
-    /// Held, so that its memory is no other's.
+    /// Held so that no other object gets its address.
     object: Object,
-    /// The scene around the path.
+    /// The number of the scene around the path.
     around: Option<u64>,
     tree: Option<Rc<Clearance>>,
 }
 
 impl Editor {
-    /// The tree over the objects; none if there are none.
+    /// The tree over the objects; `None` if there are none.
     pub(crate) fn obstacles(&self) -> Result<Option<Rc<Clearance>>> {
         let object = &self.document.info().object;
         let around = self.document.around().map(|around| around.number());

@@ -1,8 +1,7 @@
-//! The list of points beside the movement window: number, name and frame of each, and
-//! its orientations. Here several are selected, renamed and brought into another order.
-//! Above it stands the list of the scene's nodes, if there is a scene.
+//! The list of points beside the movement window: number, name, frame and orientations of each.
+//! Points are selected, renamed and reordered here. A scene's list of nodes stands above it.
 //!
-//! It folds where the window is narrow, and where somebody wants it to.
+//! It is folded in a narrow window at first; a click on its heading folds or unfolds it.
 
 use egui::text::{CCursor, CCursorRange};
 use egui::{
@@ -20,8 +19,7 @@ use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
 
-/// Its width in parts of the window's, and the least and the largest, in points; that of
-/// what is left of it when it is folded.
+/// Its share of the window's width, its least and largest width in points, its width when folded.
 const SHARE: f32 = 0.12;
 const WIDTH: [f32; 2] = [140.0, 210.0];
 const FOLDED: f32 = 18.0;
@@ -32,26 +30,25 @@ const ROOMY: f32 = 1100.0;
 const HEADING: f32 = 40.0;
 const ROW: f32 = 22.0;
 
-/// Room for a number, and for how much further in orientations stand.
+/// Room for a number, and the indent of orientations.
 const NUMBER: f32 = 26.0;
 const INDENT: f32 = 14.0;
 
-/// What it remembers.
 #[derive(Debug, Default)]
 pub(super) struct PointsList {
-    /// Whether it is open; none: as wide windows have it.
+    /// `None`: by the width of the window.
     open: Option<bool>,
     rows: Vec<Row>,
-    /// What the rows were made of.
+    /// The revision that the rows show.
     made_of: Option<u64>,
     renaming: Option<Renaming>,
-    /// A point is dragged to another place.
+    /// The point that is being dragged to another place.
     dragged: Option<usize>,
-    /// What was current when it was last shown.
+    /// The selection when it was last shown.
     shown: Option<Selection>,
-    /// Where it is to scroll while something is dragged.
+    /// Where to scroll while something is dragged.
     wanted: Option<f32>,
-    /// What the scroll area has shown, from top to bottom.
+    /// Top and bottom of what the scroll area has shown.
     seen: (f32, f32),
 }
 
@@ -67,20 +64,20 @@ struct Row {
 struct Renaming {
     point: usize,
     text: String,
-    /// It has not got the keyboard yet.
+    /// It does not have the keyboard yet.
     fresh: bool,
 }
 
-/// Shows it at the left of what there is, and takes its room away.
+/// Shows it at the left, and takes its room away.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
-    // What it remembers changes while the rest of the editor is only read.
+    // It changes while the rest of the editor is only read.
     let mut list = std::mem::take(&mut editor.points_list);
     let context = ui.ctx().clone();
     editor.part(&context, |editor, actions| list.show(editor, ui, actions));
     editor.points_list = list;
 }
 
-/// F2 means a name where the list has the keyboard; nobody else sees it then.
+/// Takes F2 where the list has the keyboard: a point is renamed.
 pub(super) fn take_keys(editor: &mut Editor, context: &Context) {
     let mine = context.memory(|memory| memory.has_focus(id()));
     if mine && context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::F2)) {
@@ -103,7 +100,7 @@ impl PointsList {
         let whole = ui.ctx().content_rect().width();
         let open = self.is_open(ui.ctx());
         let width = match open {
-            // Nodes stand further in, and have their kinds beside their names.
+            // Nodes are indented, and have their kinds beside their names.
             true if editor.document.around().is_some() => WIDTH[1],
             true => (SHARE * whole).clamp(WIDTH[0], WIDTH[1]).floor(),
             false => FOLDED,
@@ -204,7 +201,6 @@ impl PointsList {
         }
     }
 
-    /// Brings the rows up to date.
     fn update(&mut self, document: &Document) {
         if self.made_of == Some(document.revision()) {
             return;
@@ -226,7 +222,7 @@ impl PointsList {
         self.renaming.take_if(|renaming| renaming.point >= points);
     }
 
-    /// Where the rows must be scrolled to for what has become current elsewhere.
+    /// Where to scroll to show what has become current elsewhere.
     fn scroll_for(&mut self, editor: &Editor) -> Option<f32> {
         let now = editor.document.selection();
         if self.shown.replace(now) == Some(now) {
@@ -311,13 +307,12 @@ impl PointsList {
         response.on_hover_text(texts.hint);
     }
 
-    /// Begins to type a point's name.
     fn rename(&mut self, document: &Document, point: usize) {
         let Some(of_point) = document.path().points.get(point) else {
             return;
         };
         self.open = Some(true);
-        // Its row comes to be seen.
+        // Scrolls to its row.
         self.shown = None;
         self.renaming = Some(Renaming {
             point,
@@ -344,8 +339,7 @@ impl PointsList {
         }
     }
 
-    /// What is dragged comes to stand where the pointer is; `first`: where the first row
-    /// begins.
+    /// Moves what is dragged to the pointer; `first`: where the first row begins.
     fn drag(&mut self, editor: &Editor, ui: &Ui, first: f32, actions: &mut Vec<Action>) {
         let (pointer, down) = ui.input(|input| {
             let pointer = &input.pointer;
@@ -358,7 +352,7 @@ impl PointsList {
             self.dragged = None;
             return;
         }
-        // Between two points, behind all orientations of the first.
+        // Between two points, after all orientations of the first.
         let border = (((pointer.y - first) / ROW).round().max(0.0) as usize).min(self.rows.len());
         let below = self.rows.get(border..).unwrap_or_default();
         let skipped = below.iter().take_while(|row| !row.is_point).count();
@@ -378,7 +372,7 @@ impl PointsList {
     }
 }
 
-/// Up and down go to the point before and after, Escape leaves one selected.
+/// Up and down go to the neighbouring points, Escape leaves one selected.
 fn by_keys(editor: &Editor, ui: &Ui, actions: &mut Vec<Action>) {
     let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
     if pressed(Key::ArrowUp) && editor.document.selection().point > 0 {
@@ -394,7 +388,7 @@ fn by_keys(editor: &Editor, ui: &Ui, actions: &mut Vec<Action>) {
 }
 
 impl Renaming {
-    /// The field in which it is typed; at the end what is to be done.
+    /// The field in which it is typed; at the end returns what is to be done.
     fn show(&mut self, editor: &Editor, ui: &mut Ui, field: Rect) -> Option<Option<Action>> {
         let texts = &editor.texts().points_list;
         let id = Id::unique("name of a point");
@@ -430,7 +424,6 @@ impl Renaming {
     }
 }
 
-/// What stands above a list.
 fn title(ui: &Ui, rect: Rect, text: &str) {
     let at = pos2(rect.left() + FOLDED + 2.0, rect.center().y);
     let color = theme::palette(ui).text;
@@ -438,7 +431,6 @@ fn title(ui: &Ui, rect: Rect, text: &str) {
     painter.text(at, Align2::LEFT_CENTER, text, theme::heading(), color);
 }
 
-/// A row as it looks.
 fn paint(
     editor: &Editor,
     ui: &Ui,
@@ -487,7 +479,6 @@ fn paint(
     painter.galley(at.min, galley, color);
 }
 
-/// The number of a point at the left.
 fn paint_number(ui: &Ui, rect: Rect, at: Selection, color: Color32) {
     let place = pos2(rect.left() + NUMBER - 5.0, rect.center().y);
     let number = (at.point + 1).to_string();
@@ -495,7 +486,7 @@ fn paint_number(ui: &Ui, rect: Rect, at: Selection, color: Color32) {
         .text(place, Align2::RIGHT_CENTER, number, theme::text(), color);
 }
 
-/// The frame of a row at the right; where it begins.
+/// The frame of a row at the right; returns where it begins.
 fn frame(editor: &Editor, painter: &Painter, rect: Rect, at: Selection, color: Color32) -> f32 {
     let Some(mark) = editor.playing.mark_of(at) else {
         return rect.right();

@@ -1,7 +1,7 @@
 //! Several points that are selected together, and what is done to all of them.
 //!
-//! The current point of the thesis stays what it is, and is always one of them: the panels
-//! show it, and what is changed of it is changed of the others.
+//! The current point of the thesis is always one of them: the panels show it, and what is changed
+//! of it is changed of the others.
 
 use glam::DMat4;
 
@@ -15,26 +15,26 @@ use crate::state::Editor;
 pub(crate) enum Choice {
     /// The current one alone.
     Current,
-    /// This one alone; it and this orientation become current.
+    /// This one alone, with its orientation; both become current.
     Only(Selection),
     All,
-    /// One more, which becomes current; or one that is selected no more.
+    /// Adds one, which becomes current, or removes it.
     Switch(usize),
-    /// Those from the current one to another.
+    /// From the current one to this one.
     UpTo(usize),
-    /// These, the first of which becomes current if the current one is none of them.
+    /// These; if the current one is not among them, the nearest to it becomes current.
     These(Vec<usize>),
 }
 
-/// The points that are selected, if they are several.
+/// The points selected together.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Selected {
-    /// In ascending order; empty: the current one alone.
+    /// Ascending; empty: the current one alone.
     points: Vec<usize>,
     of: Of,
 }
 
-/// Whoever makes another point current, adds points or removes some, selects anew.
+/// What a selection holds for: it ends when another point is current or their number changes.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Of {
     current: usize,
@@ -53,7 +53,7 @@ impl Of {
 }
 
 impl Selected {
-    /// Forgets them if they are no longer what was selected.
+    /// Forgets a selection that no longer holds.
     pub(crate) fn follow(&mut self, document: &Document) {
         if !self.points.is_empty() && self.of != Of::now(document) {
             self.points.clear();
@@ -62,8 +62,7 @@ impl Selected {
 }
 
 impl Editor {
-    /// The points that are selected together, in ascending order; none if the current one
-    /// alone is.
+    /// The points selected together, ascending; `None` if the current one is alone.
     pub(crate) fn several(&self) -> Option<&[usize]> {
         let selected = &self.selected;
         let several = selected.points.len() > 1 && selected.of == Of::now(&self.document);
@@ -77,7 +76,7 @@ impl Editor {
         }
     }
 
-    /// All that are selected, at least the current one.
+    /// All selected points, at least the current one.
     pub(crate) fn all_selected(&self) -> Vec<usize> {
         let several = self.several().map(<[usize]>::to_vec);
         several.unwrap_or_else(|| vec![self.document.selection().point])
@@ -116,7 +115,7 @@ impl Editor {
         self.keep_selected(points);
     }
 
-    /// Makes one of those that are selected current, and keeps them.
+    /// Makes a point current, and keeps the selection if it is part of that.
     pub(crate) fn select_among(&mut self, at: usize) -> Result<()> {
         let points = self.all_selected();
         self.document.select(at, 0)?;
@@ -133,14 +132,13 @@ impl Editor {
         };
     }
 
-    /// Takes away all that are selected, in one step.
+    /// Removes all selected points in one step.
     pub(crate) fn remove_selected(&mut self) {
         let points = self.all_selected();
         self.edit_all(points.into_iter().rev().map(|at| Edit::RemovePoint { at }));
     }
 
-    /// Brings all that are selected to stand before the point that is number `before` now,
-    /// one behind the other.
+    /// Moves all selected points, in their order, before the one that is number `before` now.
     pub(crate) fn move_selected(&mut self, before: usize) {
         let points = self.all_selected();
         let current = self.document.selection();
@@ -163,9 +161,9 @@ impl Editor {
         }
     }
 
-    /// Does an edit of the current point to all that are selected: they move by as much,
-    /// and of views of the same number the same values change. Within a drag it takes the
-    /// place of what the drag has done so far.
+    /// Does an edit of the current point to all selected ones: they move by as much, and in their
+    /// orientations of the same number the same values change. Within a drag it replaces what the
+    /// drag has done so far.
     pub(crate) fn edit_selected(&mut self, edit: Edit) -> bool {
         if self.several().is_none() {
             return self.edit(edit);
@@ -183,7 +181,7 @@ impl Editor {
         }
     }
 
-    /// What was done since a drag began is taken back, and the drag goes on.
+    /// Takes back what was done since a drag began; the drag goes on.
     pub(crate) fn restart_step(&mut self) {
         if self.document.in_step() {
             self.document.cancel_step();
@@ -192,11 +190,11 @@ impl Editor {
     }
 }
 
-/// An edit of one of some points as edits of all of them.
+/// An edit of one point as edits of all of these.
 fn for_all(document: &Document, points: &[usize], edit: Edit) -> Result<Vec<Edit>> {
     let path = document.path();
     let of = |at: usize| path.points.get(at);
-    // Those that the edit is not about by itself.
+    // Those that the edit itself is not about.
     let others = |one: usize| points.iter().copied().filter(move |&at| at != one);
     let mut all = vec![edit];
     match all[0].clone() {
@@ -275,7 +273,7 @@ fn take_over(into: &mut Orientation, old: &Orientation, new: &Orientation) -> Re
     if new.hold != old.hold {
         into.hold = new.hold;
     }
-    // Whoever aims at something no longer looks along the way.
+    // Aiming at something ends looking along the path.
     let aims = new.target != old.target && new.own.ahead.is_none();
     let ahead = aims || new.own.ahead != old.own.ahead;
     let pace = new.own.pace != old.own.pace;

@@ -1,4 +1,4 @@
-//! The state of one window: what is edited and what is to be seen of it.
+//! The state of one window: what is edited and what is seen of it.
 
 use std::path::PathBuf;
 
@@ -30,15 +30,13 @@ pub struct Options {
     pub file: Option<PathBuf>,
     /// What follows `VIDES` in the title; the file's name if none.
     pub title: Option<String>,
-    /// The language of the window; the environment's if none. What the user
-    /// has set up counts before it.
+    /// The window's language unless the user has set one up; the environment's if none.
     pub language: Option<Language>,
-    /// Somebody takes poses that are handed over directly.
+    /// The host takes poses that are handed over directly.
     pub hand_over: bool,
     /// The base speeds are the host's: a loaded file's are ignored.
     pub fixed_speeds: bool,
-    /// Where setup, unsaved work and recent files are kept: those of the
-    /// environment for a user, none in tests.
+    /// Where setup, unsaved work and recent files are kept.
     pub folders: Folders,
     /// Whose window it is.
     pub program: Program,
@@ -46,10 +44,10 @@ pub struct Options {
     pub host_view: HostView,
 }
 
-/// What a window begins with of the host's own view, its camera in its picture.
+/// What a window knows at first of the host's own view (its camera in its picture).
 #[derive(Clone, Debug, Default)]
 pub struct HostView {
-    /// What the window calls it: `program` if none.
+    /// What the window calls it; by default `program`.
     pub name: Option<String>,
     /// The host can be asked for it.
     pub captures: bool,
@@ -68,69 +66,66 @@ pub enum Reason {
     Scrubbed,
     /// It plays.
     Played,
-    /// The last of a row of the others: nothing moves any more.
+    /// Nothing moves any more; the last after a series of the others.
     Rested,
 }
 
-/// What only whoever runs the editor can do.
+/// What only the program around the editor can do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Request {
     /// Hand the poses over to the host.
     HandOver,
     /// Give its view, for [`Editor::take_over`].
     Capture {
-        /// It comes in place of the current orientation.
+        /// In place of the current orientation.
         replace: bool,
     },
-    /// Close the window: unsaved work was asked about, the host may refuse.
+    /// Close the window: unsaved work was asked about, but the host may refuse.
     Close,
 }
 
-/// One window's contents.
+/// The contents of one window.
 pub struct Editor {
-    /// The path, its history, what is current.
     pub(super) document: Document,
     pub(super) file: Option<PathBuf>,
-    /// The host's name for the window.
+    /// The title given by the host.
     pub(super) title: Option<String>,
-    /// The language that the window has of itself.
+    /// The window's language unless the setup has one.
     pub(super) given_language: Language,
     pub(super) hand_over: bool,
     pub(super) fixed_speeds: bool,
     pub(super) folders: Folders,
     pub(super) program: Program,
     pub(super) host_view: HostView,
-    /// Its camera as the host has shown it last.
+    /// The host's camera as it was shown last.
     pub(super) ghost: Option<Pose>,
     /// Where the camera of the picture has flown, and what was shown then.
     pub(super) flown: Option<(Camera, Standing)>,
     /// Poses are handed over after each change.
     pub(super) hands_over: bool,
     pub(super) host_pane: Option<HostPane>,
-    /// What the file contained when it was read or written last; none if there was none.
+    /// What the file contained when it was last read or written here, if there was one.
     pub(super) known: Option<Contents>,
-    /// When it was written, and its length, as it was looked at last.
+    /// The file's time and length when it was last looked at.
     pub(super) written: Option<(std::time::SystemTime, u64)>,
-    /// The state that the host has by a hand-over after which nothing is unsaved.
+    /// The state last handed over, where a hand-over saves.
     pub(super) handed: Option<u64>,
     pub(super) obstacles: Obstacles,
     pub(super) copied: Option<Orientation>,
-    /// The points that are selected together with the current one.
+    /// The points selected together with the current one.
     pub(super) selected: Selected,
-    /// How its tangents are joined, chosen for this point.
+    /// How own tangents are joined, as chosen for this point.
     pub(super) joint: (usize, space::Joint),
     /// Where the last file was chosen.
     pub(super) last_folder: Option<PathBuf>,
-    /// The same of blocks.
+    /// Where the last block was chosen.
     pub(super) block_folder: Option<PathBuf>,
-    /// What is to be done when what is typed at present has been applied.
+    /// What is to be done once the text being typed has been applied.
     pub(super) waiting: Option<Action>,
     pub(super) typing: bool,
-    /// What stands in the output field instead of the current pose.
+    /// Shown in the output field instead of the current pose.
     pub(super) message: Option<Message>,
-    /// What waits to be done outside.
     pub(super) requests: Vec<Request>,
-    /// Colours, what is shown, from where.
     pub(super) setup: Setup,
     pub(super) space: space::Space,
     pub(super) scene_view: scene_view::SceneView,
@@ -147,12 +142,12 @@ pub struct Editor {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Message {
     pub(super) text: String,
-    /// Something could not be done.
+    /// It says what could not be done.
     pub(super) error: bool,
 }
 
 impl Editor {
-    /// A window's contents as it opens.
+    /// The contents of a window that opens.
     ///
     /// # Errors
     /// `ErrorKind::Memory`.
@@ -204,41 +199,39 @@ impl Editor {
         Ok(editor)
     }
 
-    /// To be called once for a new egui context: fonts, style, no blinking
-    /// caret, so that an idle window wakes nobody.
+    /// Prepares a new egui context, once: fonts, style, no blinking caret (an idle window sleeps).
     pub fn prepare(&self, context: &egui::Context) {
         theme::apply(context, self.setup.theme());
     }
 
-    /// One pass: shows everything and takes the input.
+    /// Runs one pass: shows everything and takes the input.
     pub fn show(&mut self, ui: &mut egui::Ui) {
         self.closing = false;
         crate::frame::show(self, ui);
         self.keep_work(ui.ctx());
     }
 
-    /// Closing was asked for, and nobody has said no yet.
+    /// Whether closing was asked for and not refused yet.
     pub fn asks_to_close(&self) -> bool {
         self.waiting == Some(Action::Quit)
             || self.requests.contains(&Request::Close)
             || self.windows.ask()
     }
 
-    /// Poses are to be handed over after each change.
+    /// Whether poses are to be handed over after each change.
     pub fn hands_over(&self) -> bool {
         self.hands_over
     }
 
-    /// The oldest request that was not seen to.
+    /// Takes the oldest open request.
     pub fn next_request(&mut self) -> Option<Request> {
         let request = (!self.requests.is_empty()).then(|| self.requests.remove(0));
         self.closing = request == Some(Request::Close);
         request
     }
 
-    /// The window manager wants the window closed: asks about unsaved work if
-    /// there is some, and then makes a [`Request::Close`]. Where a text is being
-    /// typed that happens in the next pass, which applies the text.
+    /// Asks about unsaved work, if there is any, and then makes a [`Request::Close`]. While a text
+    /// is being typed this waits for the next pass, which applies the text.
     pub fn ask_to_close(&mut self) {
         if self.typing {
             self.waiting = Some(Action::Quit);
@@ -266,8 +259,7 @@ impl Editor {
         }
     }
 
-    /// Says how a hand-over went: the number of poses. One that the user has not asked
-    /// for by itself says nothing but why it failed.
+    /// Reports a hand-over: why it failed or, if it was `asked` for, the number of poses.
     pub fn handed_over(&mut self, result: Result<usize, Error>, asked: bool) {
         match result {
             Ok(count) => {
@@ -283,15 +275,15 @@ impl Editor {
         }
     }
 
-    /// Whether there is work that would be lost with the window: that neither a file nor,
-    /// where a hand-over saves, the host has.
+    /// Whether work would be lost with the window: work in no file and, where a hand-over saves,
+    /// not with the host.
     pub fn is_unsaved(&self) -> bool {
         self.document.is_modified() && self.handed != Some(self.document.state_number())
     }
 
-    /// The title of the window: begins with `VIDES`, marks unsaved work.
+    /// The window's title: begins with `VIDES`, marks unsaved work.
     pub fn window_title(&self) -> String {
-        // A file has not got what only the host has.
+        // A file lacks what only the host has.
         let changed = self.document.is_modified() && self.file.is_some();
         let mark = if changed || self.is_unsaved() {
             "*"
@@ -309,7 +301,7 @@ impl Editor {
         }
     }
 
-    /// What shows where nothing is painted.
+    /// The colour where nothing is painted.
     pub fn background(&self) -> egui::Color32 {
         self.setup.colours().of(Element::Background)
     }
@@ -319,14 +311,13 @@ impl Editor {
         &self.document
     }
 
-    /// For edits from outside: they are undone as those of the user are.
+    /// For edits from outside, which can be undone like the user's.
     pub fn document_mut(&mut self) -> &mut Document {
         self.take_tool();
         &mut self.document
     }
 
-    /// Does what was entered into a [`Number`](crate::number::Number): one entry
-    /// or one drag is one step to be taken back.
+    /// Does what was entered into a [`Number`](crate::number::Number) as one undoable step.
     pub(super) fn enter(&mut self, entry: Entry<Edit>) {
         match entry {
             Entry::Idle => {}
@@ -340,7 +331,7 @@ impl Editor {
         }
     }
 
-    /// What changes when something is done.
+    /// Changes when something is done.
     pub(super) fn stamp(&self) -> impl PartialEq + use<> {
         let message = self.message.clone();
         (

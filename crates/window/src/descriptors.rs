@@ -1,12 +1,9 @@
-//! The one descriptor that a host watches for all windows of a thread: an
-//! epoll with their connections and one timer in it.
+//! The one descriptor that a host watches for all windows of a thread: an epoll of their
+//! connections and one timer.
 //!
-//! A timer that is due at once serves as the bell for work that no connection
-//! announces: a new window, events that were read along with an answer, a
-//! round that was cut short. So a host needs no timers of its own, and an idle
-//! window wakes nobody.
-//!
-//! It knows descriptors and times, and nothing of windows.
+//! A timer that is due at once serves as the bell for work that no connection announces: a new
+//! window, events read along with a reply, a round cut short. So a host needs no timers of its own,
+//! and an idle window wakes nobody.
 
 #![allow(unsafe_code)] // system calls
 
@@ -16,27 +13,22 @@ use std::time::{Duration, Instant};
 
 use crate::error::{Error, Result};
 
-/// The epoll and the timer in it.
 pub(super) struct Descriptors {
     epoll: OwnedFd,
     timer: OwnedFd,
     armed: Armed,
 }
 
-/// What the timer does at present.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Armed {
     No,
-    /// Readable at once, and until it is set anew.
+    /// Readable until it is set anew.
     Now,
     At(Instant),
 }
 
 impl Descriptors {
-    /// Both, close-on-exec.
-    ///
-    /// # Errors
-    /// `ErrorKind::Limit` where the system gives no more descriptors.
+    /// Both are close-on-exec.
     pub(super) fn new() -> Result<Self> {
         // SAFETY: a system call without pointers.
         let epoll = unsafe { owned(libc::epoll_create1(libc::EPOLL_CLOEXEC)) }?;
@@ -57,12 +49,11 @@ impl Descriptors {
         self.epoll.as_raw_fd()
     }
 
-    /// Watches a connection, too.
     pub(super) fn watch(&self, connection: BorrowedFd<'_>) -> Result<()> {
         self.control(libc::EPOLL_CTL_ADD, connection.as_raw_fd())
     }
 
-    /// Watches a connection no longer; one that is not watched is no error.
+    /// Stops watching a connection; it is no error if it was not watched.
     pub(super) fn leave(&self, connection: BorrowedFd<'_>) {
         let _ = self.control(libc::EPOLL_CTL_DEL, connection.as_raw_fd());
     }
@@ -78,16 +69,14 @@ impl Descriptors {
         if done == 0 { Ok(()) } else { Err(refused()) }
     }
 
-    /// Makes the descriptor readable at this time; at once if it has passed;
-    /// `None`: only by the connections.
+    /// Makes the descriptor readable at this time, at once if it has passed; `None`: never.
     pub(super) fn wake_at(&mut self, due: Option<Instant>, now: Instant) {
         let wanted = match due {
             None => Armed::No,
             Some(due) if due <= now => Armed::Now,
             Some(due) => Armed::At(due),
         };
-        // A time that has come made the timer readable: only setting it anew
-        // makes it quiet again.
+        // An expired timer stays readable until it is set anew.
         let rang = matches!(self.armed, Armed::At(due) if due <= now);
         if wanted == self.armed && !rang {
             return;
@@ -128,14 +117,13 @@ impl Descriptors {
         }
     }
 
-    /// Keeps the descriptors open for good: somebody else still watches them.
+    /// Keeps the descriptors open for good, since an Xt context still watches them.
     pub(super) fn leak(self) {
         std::mem::forget(self);
     }
 }
 
-/// Sleeps until the epoll of this number is readable, or until a signal comes.
-/// It must be open.
+/// Sleeps until the epoll of this number, which must be open, is readable or a signal comes.
 pub(super) fn sleep_on(epoll: RawFd) {
     let mut event = libc::epoll_event { events: 0, u64: 0 };
     // SAFETY: room for the one event that is asked for.
@@ -155,12 +143,12 @@ fn refused() -> Error {
 }
 
 /// # Safety
-/// A descriptor that is nobody else's, or -1.
+/// The descriptor is nobody else's, or -1.
 unsafe fn owned(descriptor: RawFd) -> Result<OwnedFd> {
     if descriptor < 0 {
         return Err(refused());
     }
-    // SAFETY: the caller's word.
+    // SAFETY: as the caller promises.
     Ok(unsafe { OwnedFd::from_raw_fd(descriptor) })
 }
 

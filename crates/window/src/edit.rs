@@ -1,7 +1,5 @@
-//! The editor window for a Rust program: opened on a file, run until it is
-//! closed. The command `vides edit` is no more than that.
-//!
-//! It knows nothing of how a window is shown or served.
+//! The editor window for a Rust program: opened on a file, run until it is closed. The command
+//! `vides edit` is no more than that.
 
 use std::path::Path;
 use std::rc::Rc;
@@ -11,15 +9,13 @@ use crate::editor::{self, Folders, Warnings};
 use crate::error::{Error, Result};
 use crate::{Host, Options, document_of, main_loop, open, own_program};
 
-/// Opens the editor in a window of its own and returns when it is closed. What
-/// is saved goes to `file`; one that does not exist yet is a new path of that
-/// name. `object` is a mesh (OBJ, PLY, STL) to be shown in place of the path's own;
-/// a new path lies in a space around it.
-/// Other windows of the calling thread are served meanwhile.
+/// Opens the editor in a window of its own and returns when it is closed; other windows of the
+/// calling thread are served meanwhile. `file` is what is edited and saved to, a new path if it
+/// does not exist yet. `object` is a mesh (OBJ, PLY, STL, glTF) shown in place of the path's own;
+/// a new path gets a space around it.
 ///
 /// # Errors
-/// `ErrorKind::Display` without an X server or if it goes away; those of
-/// [`Document::load`] and [`load_object`].
+/// `ErrorKind::Display`: no X server, or it goes away; as [`Document::load`] and [`load_object`].
 pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
     let (mut document, warnings) = match file {
         Some(file) => document_of(file)?,
@@ -61,7 +57,7 @@ pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
     }
 }
 
-/// Nobody takes poses, and the user's word is enough to close.
+/// Takes no poses, and lets the user close at will.
 struct Nobody;
 
 impl Host for Nobody {

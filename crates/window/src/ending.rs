@@ -1,16 +1,14 @@
-//! The ordinary end of the process: `exit`, or the return from `main`. Whoever ends a
-//! program so has had enough of its windows, and their unsaved work is offered to nobody.
-//! Whatever else ends it, a signal, `abort`, `_exit`, leaves that work.
+//! The ordinary end of the process, `exit` or the return from `main`. Whoever ends a program like
+//! that is done with its windows, and their unsaved work is not offered again. Any other end (a
+//! signal, `abort`, `_exit`) leaves that work.
 //!
-//! How it is known: `exit` runs the destructors of its thread's variables, which closes
-//! that thread's windows, then what was registered with `atexit`, and last of all the
-//! functions in `.fini_array`; nothing else runs those (but the end of the thread alone,
-//! which runs the first only). Ours stands there from the beginning, so that nothing need
-//! be registered in the host's process, and a host that crashes while it cleans up still
-//! leaves the work.
+//! `exit` runs the destructors of its thread's variables, which closes that thread's windows, then
+//! what was registered with `atexit`, and last the functions in `.fini_array`; the end of a thread
+//! alone runs only the first. Our function stands in `.fini_array`: so nothing is registered in the
+//! host's process, and a host that crashes while it cleans up still leaves the work.
 //!
-//! One `exit` is not meant by anybody: Xlib's, when its server goes away or its connection
-//! is killed. It is known by a connection of the process to our server that was hung up.
+//! One `exit` is nobody's intention: Xlib's, when its server goes away or its connection is killed.
+//! It is recognized by a connection of the process to our server that was hung up.
 
 #![allow(unsafe_code)] // system calls, a function for the system to call
 
@@ -27,19 +25,18 @@ use super::{Id, own_thread};
 /// The windows that keep work, of all threads.
 static WINDOWS: Mutex<Vec<Entry>> = Mutex::new(Vec::new());
 
-/// How often and how long the end waits for a thread that looks at the list. It may have
-/// been stopped while it did.
+/// How often and how long the end waits for a thread that holds the list, and may be stopped.
 const TRIES: u32 = 20;
 const PAUSE: Duration = Duration::from_millis(1);
 
 struct Entry {
     window: Id,
-    /// Whose it is: not a child's.
+    /// Not that of a forked child.
     process: u32,
     thread: usize,
-    /// Its thread has ended, or is about to end with the process.
+    /// Its thread has ended, or ends along with the process.
     dropped: bool,
-    /// Its unsaved work, if it has some.
+    /// The file of its unsaved work.
     work: PathBuf,
     /// The server's end of its connection.
     server: Address,
@@ -49,7 +46,6 @@ fn windows() -> MutexGuard<'static, Vec<Entry>> {
     WINDOWS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A window that keeps its unsaved work in this file was opened.
 pub(super) fn opened(window: Id, work: PathBuf, connection: BorrowedFd<'_>) {
     let entry = Entry {
         window,
@@ -60,18 +56,18 @@ pub(super) fn opened(window: Id, work: PathBuf, connection: BorrowedFd<'_>) {
         server: Address::of_peer(connection.as_raw_fd()),
     };
     let mut windows = windows();
-    // Without memory for it the work is offered at the next start.
+    // Without memory for the entry the work is offered at the next start.
     if windows.try_reserve(1).is_ok() {
         windows.push(entry);
     }
 }
 
-/// A window is gone. What becomes of its work does not depend on how the process ends.
+/// The window is gone, and how the process ends no longer matters to its work.
 pub(super) fn closed(window: Id) {
     windows().retain(|entry| entry.window != window);
 }
 
-/// A window goes with its thread, and perhaps with the process.
+/// The window goes with its thread, and perhaps with the process.
 pub(super) fn dropped(window: Id) {
     let mut windows = windows();
     if let Some(entry) = windows.iter_mut().find(|entry| entry.window == window) {
@@ -87,11 +83,10 @@ pub(super) fn dropped(window: Id) {
 static AT_END: extern "C" fn() = at_end;
 
 extern "C" fn at_end() {
-    // A host is not to be stopped by a fault of ours at its end.
+    // No fault of ours may stop the host at its end.
     let _ = catch_unwind(forget_all);
 }
 
-/// The process ends as its host wants it to.
 fn forget_all() {
     let mut tries = 0;
     let mut windows = loop {
@@ -105,17 +100,16 @@ fn forget_all() {
     };
     let (process, thread) = (std::process::id(), own_thread());
     for entry in windows.drain(..) {
-        // A window whose thread has ended before vanished while its user worked: that
-        // work is offered.
+        // If its thread ended earlier, the window vanished while its user worked: offer that work.
         let is_ours = entry.process == process && (!entry.dropped || entry.thread == thread);
-        // Of a dropped one that was looked at while it had its connection.
+        // A dropped one was checked while it still had its connection.
         if is_ours && (entry.dropped || !entry.server.hung_up_on_us()) {
             let _ = fs::remove_file(entry.work);
         }
     }
 }
 
-/// Where a connection leads to.
+/// The address that a connection leads to.
 #[derive(Clone, Copy)]
 struct Address {
     bytes: [u8; size_of::<libc::sockaddr_storage>()],
@@ -123,7 +117,7 @@ struct Address {
 }
 
 impl Address {
-    /// Of the other end of a connection; nowhere if it has none.
+    /// The other end of a connection; empty if there is none.
     fn of_peer(socket: RawFd) -> Self {
         let mut address = MaybeUninit::<libc::sockaddr_storage>::zeroed();
         let mut length = size_of::<libc::sockaddr_storage>() as libc::socklen_t;
@@ -138,8 +132,8 @@ impl Address {
         }
     }
 
-    /// Its bytes. A local server listens at a path and, on Linux, at the same name in
-    /// no folder, which begins with a zero.
+    /// Its bytes. On Linux a local server listens at a path and at the same name in the abstract
+    /// namespace, which begins with a zero.
     fn name(&self) -> &[u8] {
         let bytes = &self.bytes[..self.length.min(self.bytes.len())];
         let family = size_of::<libc::sa_family_t>();
@@ -151,7 +145,7 @@ impl Address {
         }
     }
 
-    /// Whether some connection of this process to it was ended by the other side.
+    /// Whether the other side hung up a connection of this process to it.
     fn hung_up_on_us(&self) -> bool {
         let Ok(open) = fs::read_dir("/proc/self/fd") else {
             return false;

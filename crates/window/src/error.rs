@@ -1,5 +1,3 @@
-//! What can go wrong with a window.
-
 use std::io;
 
 pub(crate) use vides_document::error::EngineError;
@@ -11,7 +9,7 @@ use crate::x11;
 /// What can go wrong with a window.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The document's fault, or that memory ran out.
+    /// An error of the document, or memory ran out.
     #[error(transparent)]
     Document(#[from] DocumentError),
     /// There is no screen for the window, or it is gone.
@@ -20,7 +18,7 @@ pub enum Error {
     /// The system gives no descriptor.
     #[error("no descriptor for the windows: {}", reason(.0))]
     NoDescriptor(io::Error),
-    /// The window was lost, and this was said.
+    /// The window was lost, for this reason.
     #[error("{0}")]
     Lost(String),
 }

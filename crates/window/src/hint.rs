@@ -1,10 +1,8 @@
-//! A hint for whoever wonders why no picture comes: nobody has served the
-//! windows.
+//! A hint for whoever wonders why no picture comes: nobody has served the windows.
 //!
-//! Whether a host will do so cannot be known when it opens a window, for most
-//! do it right afterwards. So the hint is given once, when the program ends or
-//! opens a window again later, and not one of its windows was served until then.
-//! Of a program that runs Xt more can be known, see [`super::lookout`].
+//! Whether a host will do so cannot be known when it opens a window, since most begin right
+//! afterwards. So the hint is given once, at exit or when a window is opened later, if none was
+//! served until then. Of a program that runs Xt more can be known, see [`super::lookout`].
 
 #![allow(unsafe_code)] // atexit
 
@@ -14,24 +12,19 @@ use std::time::{Duration, Instant};
 
 use crate::error::complain;
 
-/// A host that has not served its first window for so long when it opens
-/// another one has no loop that does.
+/// A host that has not served its first window for this long has no loop that does.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// When the first window was opened.
 static OPENED: Mutex<Option<Instant>> = Mutex::new(None);
-/// Somebody serves windows.
 static SERVED: AtomicBool = AtomicBool::new(false);
-/// The hint was given.
 static GIVEN: AtomicBool = AtomicBool::new(false);
 static WATCH: Once = Once::new();
 
-/// The windows are being served.
 pub(super) fn served() {
     SERVED.store(true, Ordering::Relaxed);
 }
 
-/// A window was opened.
 pub(super) fn opened() {
     if SERVED.load(Ordering::Relaxed) {
         return;
@@ -44,8 +37,7 @@ pub(super) fn opened() {
         give();
     }
     WATCH.call_once(|| {
-        // SAFETY: the function stays: the library is never unloaded. That it
-        // may be refused does no harm.
+        // SAFETY: the function stays, as the library is never unloaded. A refusal does no harm.
         let _ = unsafe { libc::atexit(at_exit) };
     });
 }
@@ -54,7 +46,6 @@ extern "C" fn at_exit() {
     give();
 }
 
-/// Gives the hint, once.
 fn give() {
     if !SERVED.swap(true, Ordering::Relaxed) {
         say(
@@ -65,7 +56,7 @@ fn give() {
     }
 }
 
-/// Gives the hint to a host that runs Xt, but sleeps where Xt's inputs are not seen.
+/// Gives the hint to a host that runs Xt but sleeps where Xt's inputs are not seen.
 pub(super) fn give_to_xt() {
     say(
         "a window waits to be served: this program runs Xt, but its own loop does not see \

@@ -1,11 +1,9 @@
-//! One instance for each open window: the editor, its X window and its pixels,
-//! joined and run under whatever event loop the host has.
+//! The open windows under the host's event loop: each an editor with its X window and its pixels.
 //!
-//! The windows belong to the thread that opened them; so do all calls here. A
-//! window is taken out of the table while it works, and host code is called
-//! only when nothing is borrowed: a callback may call anything.
+//! All calls concern the windows of the calling thread. Host code is called only while nothing is
+//! borrowed, so a callback may call anything.
 //!
-//! It knows nothing of C: what the host is told goes through [`Host`].
+//! It knows nothing of C: the host is reached through [`Host`].
 
 mod descriptors;
 mod edit;
@@ -51,14 +49,13 @@ pub use pump::{close_all, dispatch, main_loop};
 pub use registry::{Lost, is_open, within_a_call};
 pub use xt::{Refusal, own_thread};
 
-/// What a window's owner does. Its methods run on the window's thread; those
-/// that call host code run while nothing of ours is borrowed.
+/// The owner of a window. Its methods run on the window's thread; those that call host code run
+/// while nothing of ours is borrowed.
 pub trait Host {
-    /// Makes the poses ready for a host that takes some, while the window is at
-    /// work. Calls no host code.
+    /// Makes the poses ready for a host that takes them. Must not call host code.
     ///
     /// # Errors
-    /// Shown in the window; what the host has is as it was.
+    /// Shown in the window; what the host has stays as it was.
     fn prepare(&self, window: Id, poses: &Poses<'_>) -> document::Result<()> {
         let _ = (window, poses);
         Ok(())
@@ -80,63 +77,59 @@ pub trait Host {
         false
     }
 
-    /// Calls the host with the camera at the playhead, at a frame from 1, after that
-    /// has changed: at most once for each picture of the window.
+    /// Calls the host with the camera at the playhead and its frame (from 1) after a change: at
+    /// most once for each picture of the window.
     fn view(&self, window: Id, pose: &Pose, frame: f64, reason: Reason) {
         let _ = (window, pose, frame, reason);
     }
 
-    /// Calls the host with the frame of the scene at the playhead after that or the scene has
-    /// changed, for one that draws the scene itself: at most once for each picture.
+    /// Calls a host that draws the scene itself with the frame at the playhead, after that or the
+    /// scene has changed: at most once for each picture.
     fn frame(&self, window: Id, frame: f64, reason: Reason) {
         let _ = (window, frame, reason);
     }
 
-    /// Calls the host after each step that has changed the path or the scene, undo and redo too;
-    /// not while a drag goes on.
+    /// Calls the host after each step that changed path or scene, undone ones too; not in a drag.
     fn changed(&self, window: Id) {
         let _ = window;
     }
 
-    /// Asks the host for its own camera, which the user wants to take over; vectors
-    /// of any length. `None`: it has none.
+    /// Asks the host for its own camera (vectors of any length); `None` if it has none.
     fn capture(&self, window: Id) -> Option<Pose> {
         let _ = window;
         None
     }
 
-    /// Calls the host when the camera pane opened or changed its size, in pixels:
-    /// an X window for it to draw in. 0: the pane closed.
+    /// Calls the host with the X window of the camera pane, opened or resized (pixels); 0: closed.
     fn pane(&self, window: Id, pane: u32, size: [u32; 2]) {
         let _ = (window, pane, size);
     }
 
-    /// A window is about to be gone for this reason, which nobody was told yet.
-    /// Calls no host code.
+    /// A window is being lost for this reason, which was not reported yet. Calls no host code.
     fn lost(&self, why: &str) {
         error::complain(why);
     }
 
-    /// The window is gone, and its owner has not closed it. Calls no host code.
+    /// The window is gone, but its owner did not close it. Calls no host code.
     fn closed(&self, window: Id, why: Gone) {
         let _ = (window, why);
     }
 }
 
-/// Why a window is gone that its owner has not closed.
+/// Why a window is gone that its owner did not close.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gone {
-    /// Its user has closed it.
+    /// The user closed it.
     ByUser,
-    /// Its X server went away, or will not have it any more.
+    /// Its X server went away or refused to go on.
     Screen,
     /// A fault of the library's own.
     Fault,
-    /// The thread that opened it has ended.
+    /// The thread that opened it ended.
     Thread,
 }
 
-/// A window. Never used again for another.
+/// Identifies a window; never used again for another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Id(u64);
 
@@ -144,23 +137,22 @@ pub struct Id(u64);
 pub struct Options {
     /// What it shows.
     pub editor: editor::Options,
-    /// The X display's name; the environment's if none.
+    /// The X display's name; by default the environment's.
     pub display: Option<String>,
-    /// What the program is called; the name of the running one if none.
+    /// What the program is called; by default the name of the running one.
     pub application: Option<String>,
-    /// An X window to live in; none: a top-level window.
+    /// An X window to be embedded in; `None`: a top-level window.
     pub parent: Option<u32>,
     /// The host's X window that this one belongs to.
     pub transient_for: Option<u32>,
-    /// What was wrong with the host's arguments; stands in the output field at first.
+    /// What was wrong with the host's arguments; shown in the output field at first.
     pub warnings: Warnings,
     /// Its owner.
     pub host: Rc<dyn Host>,
 }
 
 impl Options {
-    /// A window of its own that shows a path, for a program that takes its poses when
-    /// they are handed over.
+    /// A top-level window on a path, for a program that takes its poses when handed over.
     pub fn new(document: Document, host: Rc<dyn Host>) -> Self {
         Self {
             editor: editor::Options {
@@ -187,15 +179,14 @@ impl Options {
 /// Inner size of a new window in points.
 const SIZE: [f32; 2] = [1200.0, 800.0];
 
-/// The smallest inner size at which everything is to be seen.
+/// The smallest inner size at which everything is visible.
 const SMALLEST: [f32; 2] = [800.0, 600.0];
 
 /// Opens a window, and returns before anything is drawn.
 ///
 /// # Errors
-/// `ErrorKind::Display` if there is no X server, `ErrorKind::Argument`
-/// if a window of the host's is none, `ErrorKind::Memory`,
-/// `ErrorKind::Limit` without descriptors.
+/// `ErrorKind::Display` without an X server, `ErrorKind::Argument` if a window of the host's does
+/// not exist, `ErrorKind::Memory`, `ErrorKind::Limit` without descriptors.
 pub fn open(options: Options) -> Result<Id> {
     let mut editor = Editor::new(options.editor)?;
     editor.warn(&options.warnings);
@@ -220,8 +211,7 @@ pub fn open(options: Options) -> Result<Id> {
     Ok(id)
 }
 
-/// The path or the scene in a file to start with, and what was wrong with its meshes; a
-/// new path if there is no such file yet.
+/// Loads a path or scene, with what was wrong with its meshes; a new path if the file is missing.
 ///
 /// # Errors
 /// Those of [`Document::load`].
@@ -234,8 +224,7 @@ pub fn document_of(file: &Path) -> document::Result<(Document, Vec<document::Err
     }
 }
 
-/// Closes a window without asking anybody; from within a callback of the
-/// window itself, when that has returned. False if there is none.
+/// Closes a window without asking, after a callback of its own if one runs. False if none is open.
 pub fn close(id: Id) -> bool {
     registry::close(id)
 }
@@ -245,15 +234,14 @@ pub fn read<R>(id: Id, f: impl FnOnce(&Document) -> R) -> Option<R> {
     registry::look(id, |window| f(window.document()))
 }
 
-/// Changes the path of a window; `None` if it is not open. What a callback changes it
-/// is not called for.
+/// Changes the path of a window; `None` if it is not open. The host is not called for what its own
+/// callback changes.
 pub fn change<R>(id: Id, f: impl FnOnce(&mut Document) -> R) -> Option<R> {
     command(id, |editor| f(editor.document_mut()))
 }
 
-/// Tells a window what to do or to show: its frame, what is current, the host's view,
-/// see [`Editor`]; `None` if it is not open. What a callback changes it is not called
-/// for.
+/// Changes what a window does or shows, see [`Editor`]; `None` if it is not open. The host is not
+/// called for what its own callback changes.
 pub fn command<R>(id: Id, f: impl FnOnce(&mut Editor) -> R) -> Option<R> {
     let within = within_a_call();
     let done = registry::work(id, &mut None, |window, _| window.command(within, f));
@@ -261,12 +249,12 @@ pub fn command<R>(id: Id, f: impl FnOnce(&mut Editor) -> R) -> Option<R> {
     done
 }
 
-/// Looks at what a window shows; `None` if it is not open.
+/// Looks at the editor of a window; `None` if it is not open.
 pub fn look<R>(id: Id, f: impl FnOnce(&Editor) -> R) -> Option<R> {
     registry::look(id, |window| f(window.editor()))
 }
 
-/// Brings a window before all others; `None` if it is not open.
+/// Raises a window above all others; `None` if it is not open.
 ///
 /// # Errors
 /// `ErrorKind::Display` if its X server went away.
@@ -276,8 +264,7 @@ pub fn raise(id: Id) -> Option<Result<()>> {
     done
 }
 
-/// The descriptor that is readable when [`dispatch`] has something to do; the
-/// same one as long as the thread lives.
+/// The descriptor that is readable when [`dispatch`] has something to do; one for the whole thread.
 ///
 /// # Errors
 /// `ErrorKind::Limit` where the system gives no more descriptors.
@@ -286,33 +273,30 @@ pub fn descriptor() -> Result<RawFd> {
     registry::descriptor()
 }
 
-/// The host serves its windows itself, or is about to: it knows how.
+/// The host serves its windows itself, or is about to: it needs no hint.
 pub fn told() {
     hint::served();
     lookout::end(true);
 }
 
-/// How long until [`dispatch`] has something to do of itself.
+/// How long until [`dispatch`] has something to do without any news.
 pub fn wait() -> Option<Duration> {
     registry::wait()
 }
 
-/// Serves the windows of this thread in an Xt application context that it
-/// runs. For a host that makes its context after it has opened windows.
+/// Serves the windows of this thread in an Xt application context, for a host that makes its
+/// context after it has opened windows.
 pub fn set_app_context(context: *mut c_void) -> Result<std::result::Result<(), Refusal>> {
     Ok(xt::watch_in(context, registry::descriptor()?))
 }
 
-/// What is done when an Xt context finds the descriptor readable.
 static ON_INPUT: OnceLock<fn()> = OnceLock::new();
 
-/// Says what is to be done when the host's loop finds the descriptor readable:
-/// [`dispatch`], and what its answer asks for.
+/// Sets what is done when an Xt loop finds the descriptor readable: [`dispatch`] and what follows.
 pub fn on_input(serve: fn()) {
     let _ = ON_INPUT.set(serve);
 }
 
-/// The host's loop found the descriptor readable.
 fn host_called() {
     match ON_INPUT.get() {
         Some(serve) => serve(),

@@ -1,9 +1,8 @@
-//! When the host is told of what the user does while it is done.
+//! When the host is told what the user does while it is done.
 //!
-//! A picture of the window comes first, then the host; what came meanwhile is one
-//! call. A host that is slow gets as long for itself as it took, so that the window
-//! can follow the hand. What it is told last is always how things stand, and when
-//! nothing moves any more it is told that, too.
+//! A picture of the window comes first, then the host; all that came meanwhile is one call. A slow
+//! host gets as much time for itself as it took, so that the window can follow the pointer. The
+//! last call always gives the current state, and once nothing moves the host is told so.
 
 use std::time::{Duration, Instant};
 
@@ -11,25 +10,23 @@ use super::Reason;
 use crate::editor::{Editor, Standing};
 use crate::path::Pose;
 
-/// A call that takes longer makes the next one wait as long.
+/// A call that takes longer delays the next one by as long as it took.
 const SLOW: Duration = Duration::from_millis(30);
 
-/// So long nothing must have moved for it to be at rest.
+/// How long nothing must have moved for it to be at rest.
 const REST: Duration = Duration::from_millis(100);
 
-/// From one hand-over that nobody asked for to the next, at least.
+/// The least time between two hand-overs that nobody asked for.
 const BETWEEN_HAND_OVERS: Duration = Duration::from_millis(100);
 
-/// What the host is to be called for.
 #[derive(Debug)]
 pub(super) enum Call {
-    /// The camera at the playhead, its frame, and what led there.
+    /// The camera at the playhead, its frame, and the reason.
     View(Pose, f64, Reason),
-    /// The frame of the scene at the playhead, and what led there.
+    /// The frame of the scene at the playhead, and the reason.
     Frame(f64, Reason),
-    /// The path has changed.
     Changed,
-    /// Take all poses.
+    /// All poses are taken.
     HandOver,
 }
 
@@ -38,29 +35,29 @@ pub(super) enum Call {
 pub(super) struct Live {
     seen: Option<Standing>,
     view: Told<(Pose, f64)>,
-    /// The revision beside the frame: there the scene may look otherwise.
+    /// The revision and the frame: after a change the same frame may look different.
     frame: Told<(u64, f64)>,
-    /// The step that it knows.
+    /// The last step it knows of.
     step: Option<(u64, u64)>,
-    /// The path of which it has the poses, by its revision.
+    /// The revision of the path whose poses it has.
     handed: Option<u64>,
     next_hand_over: Option<Instant>,
-    /// It has time for itself until then.
+    /// It is left alone until then.
     busy: Option<Instant>,
 }
 
-/// What the host has been told of one thing that goes along with the hand.
+/// What the host has been told of one thing that follows the pointer.
 #[derive(Debug, Default)]
 struct Told<T> {
-    /// What led to what it has still to be told.
+    /// The reason for what is still to be told.
     waits: Option<Reason>,
     last: Option<T>,
-    /// It is told of the rest then.
+    /// When it is told that nothing moves.
     rest: Option<Instant>,
 }
 
 impl<T: Copy + PartialEq> Told<T> {
-    /// What it is to be told now, if that is something else than it was told last.
+    /// What to tell now, if it differs from what was told last.
     fn next(&mut self, now: Instant, what: impl FnOnce() -> Option<T>) -> Option<(T, Reason)> {
         let reason = self.waits.take()?;
         let what = what()?;
@@ -71,7 +68,7 @@ impl<T: Copy + PartialEq> Told<T> {
         Some((what, reason))
     }
 
-    /// What it is told when nothing moves any more.
+    /// What to tell when nothing moves any more.
     fn at_rest(
         &mut self,
         now: Instant,
@@ -87,17 +84,17 @@ impl<T: Copy + PartialEq> Told<T> {
         self.last
     }
 
-    /// The host has changed it by itself.
+    /// Host code changed it.
     fn known(&mut self) {
         if self.waits.is_none() {
-            // What it was told is no longer how things stand.
+            // What was told last is no longer current.
             self.last = None;
         }
     }
 }
 
 impl Live {
-    /// Of a window that opens: the host knows the path as it is then.
+    /// For a window that opens: the host knows its path.
     pub(super) fn new(editor: &Editor) -> Self {
         Self {
             step: Some(editor.step_number()),
@@ -105,8 +102,7 @@ impl Live {
         }
     }
 
-    /// What the host is to be called for now, if anything. Whoever does not watch takes
-    /// poses only. `held`: a button is.
+    /// The next call into the host, if any; only poses unless it watches. `held`: a button is.
     pub(super) fn next(
         &mut self,
         editor: &Editor,
@@ -147,7 +143,7 @@ impl Live {
         Some(Call::Frame(at, Reason::Rested))
     }
 
-    /// Notes what has happened since it looked last.
+    /// Notes what has happened since the last look.
     fn look(&mut self, editor: &Editor) {
         let standing = editor.standing();
         let reason = match self.seen.replace(standing) {
@@ -180,21 +176,20 @@ impl Live {
                 || self.step != Some(editor.step_number())
                 || self.owes_poses(editor)
         });
-        // While it has time for itself nothing else comes either.
+        // While the host is left alone nothing else comes either.
         let other = [later, rest].into_iter().flatten().min();
         let other = other.map(|at| self.busy.map_or(at, |busy| busy.max(at)));
         waits.into_iter().chain(other).min()
     }
 
-    /// A call into the host has ended, or what was made ready for one.
+    /// A call into the host, or preparing one, has ended.
     pub(super) fn called(&mut self, took: Duration, now: Instant) {
         if took > SLOW {
             self.busy = Some(now + took);
         }
     }
 
-    /// Host code changes something within a call: it knows of that. `change` is
-    /// made, and only what was not told before is still to be told.
+    /// Lets host code change something within a call: only what it was not told before is left.
     pub(super) fn known<R>(
         &mut self,
         editor: &mut Editor,

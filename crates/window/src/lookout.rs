@@ -1,16 +1,16 @@
-//! Looks whether an Xt host serves its windows, until that is known.
+//! Finds out whether an Xt host serves its windows.
 //!
-//! An Xt program that sleeps in a `select()` of its own over its X connection looks
-//! like any other when a window is opened: Xt takes our input. But while it sleeps
-//! it does not see that input, the window is dead, and no code of ours runs that
-//! could say why: no timer of Xt's runs either, signals are the host's, and of all
-//! the X server could send, nothing reaches a program that does not ask for it.
-//! So a thread looks. It is started with a window in a program that runs Xt and has
-//! called nothing that serves windows; it sleeps until there is something to be
-//! served, and ends as soon as the host has shown what it does: Xt slept on our
-//! input; windows were served a few times without delay; the host called `v_fd()`,
-//! `v_dispatch()` or `v_main_loop()`; the last window is gone; or nobody serves, and
-//! the hint is given. It takes no signal, and touches no window.
+//! An Xt program that sleeps in a `select()` of its own over its X connection looks like any other
+//! when a window is opened: Xt takes our input. But while it sleeps it does not see that input, the
+//! window is dead, and no code of ours runs that could say why: Xt's timers do not run either,
+//! signals are the host's, and nothing that the X server could send reaches a program that does not
+//! ask for it.
+//!
+//! So a thread looks. It is started with a window in a program that runs Xt and has called nothing
+//! that serves windows, and ends as soon as the host has shown what it does: Xt slept on our input;
+//! windows were served a few times without delay; the host called `v_fd()`, `v_dispatch()` or
+//! `v_main_loop()`; the last window is gone; or nobody serves and the hint is given. It takes no
+//! signal and touches no window.
 
 #![allow(unsafe_code)] // system calls
 
@@ -23,27 +23,25 @@ use std::time::Duration;
 
 use crate::x11::without_signals;
 
-/// How often it looks again whether what there is to be served was served, and how
-/// many times it does: less than the two seconds in which the hint is promised.
+/// How often and how many times it checks: less than the two seconds promised for the hint.
 const STEP: Duration = Duration::from_millis(100);
 const STEPS: u32 = 15;
 
-/// So often windows must have been served for the host to be believed. A host with
-/// a `select()` of its own serves them now and then by chance, with events of its own.
+/// How often windows must have been served for the host to be believed. One with a `select()` of
+/// its own serves them now and then by chance, along with events of its own.
 const BELIEVED: u32 = 20;
 
-/// What is known.
 enum State {
-    /// Nothing, and nobody looks.
+    /// Nobody looks.
     Unknown,
     /// A thread of this process looks, and ends when this descriptor is rung.
     Looking { bell: OwnedFd, process: u32 },
-    /// All that is to be known.
+    /// Nothing is left to find out.
     Known,
 }
 
 static STATE: Mutex<State> = Mutex::new(State::Unknown);
-/// How often windows were served, and how many calls are at it.
+/// How often windows were served, and how many calls are serving them now.
 static SERVED: AtomicU64 = AtomicU64::new(0);
 static SERVING: AtomicUsize = AtomicUsize::new(0);
 
@@ -51,10 +49,9 @@ fn state() -> MutexGuard<'static, State> {
     STATE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A call that serves windows, until it is dropped.
+/// Windows are being served until this is dropped.
 pub(super) struct Serving;
 
-/// Windows are being served.
 pub(super) fn serving() -> Serving {
     SERVING.fetch_add(1, Ordering::Relaxed);
     SERVED.fetch_add(1, Ordering::Relaxed);
@@ -67,8 +64,8 @@ impl Drop for Serving {
     }
 }
 
-/// Begins to look whether the calling thread's host serves this descriptor, which
-/// stays open, unless that is known. That it cannot does no harm.
+/// Begins to look whether the calling thread's host serves this descriptor, which stays open,
+/// unless that is known. A failure does no harm.
 pub(super) fn begin(windows: RawFd) {
     let mut state = state();
     if !matches!(*state, State::Unknown) {
@@ -97,8 +94,7 @@ pub(super) fn begin(windows: RawFd) {
     }
 }
 
-/// Ends the looking; what the host does is known now, or is to be looked at again
-/// with the next window.
+/// Ends the looking: for good if `known`, else until the next window.
 pub(super) fn end(known: bool) {
     let mut state = state();
     if let State::Looking { bell, process } = &*state
@@ -117,17 +113,15 @@ pub(super) fn end(known: bool) {
 
 static RING: u64 = 1;
 
-/// The host was believed, or told.
 fn settle() {
     *state() = State::Known;
 }
 
-/// Whether somebody looks.
 pub(super) fn is_looking() -> bool {
     matches!(*state(), State::Looking { .. })
 }
 
-/// Looks until it is known what the host does (true) or until it is to end.
+/// Looks until it is known what the host does (true) or until it is told to end.
 fn look(windows: RawFd, end: &OwnedFd, host: libc::pid_t) -> bool {
     let mut times = 0;
     while times < BELIEVED {
@@ -159,18 +153,18 @@ fn look(windows: RawFd, end: &OwnedFd, host: libc::pid_t) -> bool {
     true
 }
 
-/// Whether a thread of this process waits for something (proc(5), `stat`).
+/// Whether a thread of this process sleeps (proc(5), `stat`).
 fn sleeps(thread: libc::pid_t) -> bool {
     let mut line = [0; 256];
     let read = File::open(format!("/proc/self/task/{thread}/stat"))
         .and_then(|mut file| file.read(&mut line));
     let line = &line[..read.unwrap_or(0)];
-    // The state stands behind the name, which is in parentheses and may hold any sign.
+    // The state follows the name, which is in parentheses and may hold any character.
     let name = line.iter().rposition(|&letter| letter == b')');
     name.and_then(|end| line.get(end + 2)) == Some(&b'S')
 }
 
-/// Waits until one of the descriptors is readable, or for so long; which are.
+/// Waits until one of the descriptors is readable or the limit is over; tells which are.
 fn wait<const N: usize>(descriptors: &[RawFd; N], limit: Option<Duration>) -> [bool; N] {
     let mut polled = descriptors.map(|fd| libc::pollfd {
         fd,

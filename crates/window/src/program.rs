@@ -8,17 +8,15 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::editor::{Date, Program};
 
-/// What the program was called by, without folders; empty where it was called by
-/// nothing. By this name a desktop puts our windows beside the program's own, and
-/// unsaved work finds back to it.
+/// The name the program was called by, without folders; empty if there was none. By it a desktop
+/// groups our windows with the program's own, and unsaved work is found again.
 pub(super) fn name() -> String {
     let called = std::env::args_os().next().unwrap_or_default();
     let name = Path::new(&called).file_name().unwrap_or_default();
     name.to_string_lossy().into_owned()
 }
 
-/// The host, by its name. After a hand-over nothing is unsaved in its
-/// windows, if it says so.
+/// The host, by its name. `hand_over_saves`: after a hand-over nothing counts as unsaved.
 pub fn host_program(hand_over_saves: bool) -> Program {
     Program {
         name: name(),
@@ -28,7 +26,7 @@ pub fn host_program(hand_over_saves: bool) -> Program {
     }
 }
 
-/// The command `vides edit`: it offers what any program has left behind.
+/// The command `vides edit`: it offers the unsaved work of any program.
 pub fn own_program() -> Program {
     Program {
         name: "vides".to_owned(),
@@ -38,7 +36,6 @@ pub fn own_program() -> Program {
     }
 }
 
-/// A time as a clock on the wall shows it.
 fn local_time(time: SystemTime) -> Option<Date> {
     let seconds = time.duration_since(UNIX_EPOCH).ok()?.as_secs();
     let seconds = libc::time_t::try_from(seconds).ok()?;

@@ -1,11 +1,9 @@
-//! The loop under the host's loop: every window has its turn, until none has
-//! anything to do.
+//! The loop under the host's loop: every window has its turn until none has anything to do.
 //!
-//! Why rounds: an answer that is waited for takes events along from the
-//! connection, and the descriptor is quiet about them. So each window is asked
-//! again until it has done nothing. A window that is flooded must not keep the
-//! host from its own work: after some rounds the call returns, and the timer
-//! brings it back at once.
+//! It takes rounds, since waiting for a reply also reads events from the connection, of which the
+//! descriptor then says nothing: each window is asked again until it has done nothing. A flooded
+//! window must not keep the host from its own work: after some rounds the call returns, and the
+//! timer brings it back at once.
 
 use std::time::Instant;
 
@@ -16,21 +14,20 @@ use super::{Id, registry};
 use crate::error::Result;
 use crate::inject;
 
-/// Rounds in one call: a picture, what its answer brings along, and a few more
-/// that come meanwhile.
+/// Rounds in one call: a picture, what its reply brings along, and a few more.
 const ROUNDS: u32 = 8;
 
-/// What a call that served the windows has to say.
+/// What happened in a call that served the windows.
 #[derive(Debug, Default)]
 pub struct Served {
     /// Windows that are open now.
     pub open: usize,
-    /// Why the last of those that were lost is gone.
+    /// Why the last of the lost windows is gone.
     pub lost: Option<Lost>,
 }
 
-/// Serves the thread's windows until there is nothing to do at the moment, or
-/// for a fair while; never waits. Calls the host.
+/// Serves the thread's windows until there is nothing to do, or for a fair while; never waits.
+/// Calls the host.
 pub fn dispatch() -> Served {
     super::hint::served();
     let _serving = super::lookout::serving();
@@ -49,7 +46,7 @@ pub fn dispatch() -> Served {
     served
 }
 
-/// Gives every window one turn; whether one of them did anything.
+/// Gives every window one turn; true if one of them did anything.
 fn round(lost: &mut Option<Lost>) -> bool {
     let mut busy = false;
     let mut last = None;
@@ -60,10 +57,10 @@ fn round(lost: &mut Option<Lost>) -> bool {
     busy
 }
 
-/// One window's turn, and what it wants of the host.
+/// Gives one window its turn, and calls the host for it.
 fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
     let Some(polled) = registry::work(id, lost, |window, host| window.poll(id, host)) else {
-        // Gone by a fault: there may be work for those that are left.
+        // Gone by a fault: there may be work for the others.
         return true;
     };
     let polled = match polled {
@@ -109,8 +106,8 @@ fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
     true
 }
 
-/// Serves the windows until the last one is closed. Not from within a
-/// callback: see [`registry::within_a_call`].
+/// Serves the windows until the last one is closed. Not from within a callback: see
+/// [`registry::within_a_call`].
 ///
 /// # Errors
 /// `ErrorKind::Limit` without descriptors.
@@ -127,9 +124,8 @@ pub fn main_loop() -> Result<Served> {
     }
 }
 
-/// Closes all windows of this thread. If they shall `ask`, each asks its user about
-/// unsaved work and its host, one after the other, and all are served meanwhile; false
-/// if one of them said no. Not from within a callback.
+/// Closes all windows of this thread. With `ask`, each in turn asks its user about unsaved work and
+/// then its host, while all are served; false if one refused. Not from within a callback.
 ///
 /// # Errors
 /// `ErrorKind::Limit` without descriptors.

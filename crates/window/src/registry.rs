@@ -1,16 +1,14 @@
 //! The windows of a thread.
 //!
-//! A window is taken out of the table while it works and put back afterwards,
-//! and host code runs with nothing borrowed: so a callback may open windows,
-//! close them, serve the others, or change this one, and whatever the table
-//! looks like then is how it is. While host code runs for a window, that
-//! window is not served, and to close it waits for the end of the call.
+//! A window is taken out of the table while it works and put back afterwards, and host code runs
+//! with nothing borrowed: so a callback may open windows, close them, serve the others, or change
+//! this one. While host code runs for a window, that window is not served, and it is closed only
+//! when the call has ended.
 //!
-//! A panic in one window's work spoils that window alone: it is closed and the
-//! others go on.
+//! A panic in one window's work closes that window alone.
 //!
-//! After a `fork` the child has no windows. It shares their connections with
-//! the parent, so they are forgotten there without a word to the server.
+//! After a `fork` the child has no windows. It shares their connections with the parent, so they
+//! are forgotten there without a word to the server.
 
 use std::any::Any;
 use std::cell::RefCell;
@@ -26,7 +24,7 @@ use super::{Gone, Host, Id, ending, lookout, thread_end, xt};
 use crate::error::{EngineError, Error, Result, panic_said};
 use crate::inject;
 
-/// Ids are given out once in the life of the process.
+/// Ids are never used again in a process.
 static NEXT: AtomicU64 = AtomicU64::new(1);
 
 thread_local! {
@@ -34,39 +32,37 @@ thread_local! {
 }
 
 struct Table {
-    /// Whose table this is: not a child's.
+    /// Not that of a forked child.
     process: u32,
     /// In the order of their ids.
     slots: Vec<Slot>,
-    /// Made with the first window, or when the host asks for them; kept then,
-    /// for the host may watch them as long as it likes.
+    /// Made with the first window or when the host asks; then kept, since the host may watch them.
     descriptors: Option<Descriptors>,
-    /// Calls into the host that are under way.
+    /// Calls into the host under way.
     calls: usize,
-    /// What was said of the last window that was lost. A server that goes away
-    /// takes many windows with it, and one line tells it all.
+    /// The last loss reported: a server that goes away takes many windows, and one line is enough.
     told: String,
 }
 
 struct Slot {
     id: Id,
     host: Rc<dyn Host>,
-    /// None while it works.
+    /// `None` while it works.
     window: Option<Box<Window>>,
     /// Host code runs for it.
     calling: bool,
     /// To be closed as soon as it neither works nor calls.
     closing: bool,
-    /// Its connection is among those that are watched.
+    /// Its connection is watched.
     watched: bool,
 }
 
-/// Why a window is gone that nobody has closed.
+/// Why a window is gone that nobody closed.
 #[derive(Clone, Debug)]
 pub struct Lost {
     /// One sentence.
     pub why: String,
-    /// The library's own fault, and not the screen's.
+    /// It is the library's own fault, not the screen's.
     pub fault: bool,
 }
 
@@ -134,35 +130,32 @@ impl Drop for Table {
     }
 }
 
-/// Looks at the thread's table. `f` runs no host code and no window's.
+/// Borrows the thread's table. `f` runs no host code and no window's.
 fn table<R>(f: impl FnOnce(&mut Table) -> R) -> R {
     TABLE.with_borrow_mut(|table| {
         if table.process != std::process::id() {
-            // A child: what is here is the parent's.
+            // A forked child: what is here is the parent's.
             std::mem::forget(std::mem::replace(table, Table::new()));
         }
         f(table)
     })
 }
 
-/// Drops a window; a panic on the way is told like any other. Whether its host has
-/// a pane, and is to be told by [`pane_closed`].
+/// Drops a window, whatever panics; true if [`pane_closed`] must tell its host.
 fn discard(window: Option<Box<Window>>) -> bool {
     let shows_pane = window.as_ref().is_some_and(|window| window.shows_pane());
     let _ = catch_unwind(AssertUnwindSafe(|| drop(window)));
     shows_pane
 }
 
-/// Tells the host of a window that is gone that it has no pane any more. Calls host
-/// code: nothing is borrowed.
+/// Tells the host of a window that is gone that its pane is closed. Calls host code.
 fn pane_closed(id: Id, host: &Rc<dyn Host>) {
     table(|table| table.calls += 1);
     let _ = catch_unwind(AssertUnwindSafe(|| host.pane(id, 0, [0; 2])));
     table(|table| table.calls = table.calls.saturating_sub(1));
 }
 
-/// Discards a window that its owner has closed: its unsaved work is not to be
-/// offered at the next start.
+/// Discards a window that its owner closed: its unsaved work is not offered again.
 fn discard_closed(slot: Option<Slot>) {
     let Some(mut slot) = slot else {
         return;
@@ -175,10 +168,6 @@ fn discard_closed(slot: Option<Slot>) {
     }
 }
 
-/// Takes in a window.
-///
-/// # Errors
-/// `ErrorKind::Memory`, `ErrorKind::Limit` without descriptors.
 pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
     let id = Id(NEXT.fetch_add(1, Ordering::Relaxed));
     table(|table| {
@@ -202,7 +191,7 @@ pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
     })
 }
 
-/// The window that was opened first of those that are open.
+/// The open window that was opened first.
 pub(super) fn first() -> Option<Id> {
     table(|table| {
         let mut open = table.slots.iter().filter(|slot| !slot.closing);
@@ -210,28 +199,25 @@ pub(super) fn first() -> Option<Id> {
     })
 }
 
-/// How many windows are open.
 pub(super) fn count() -> usize {
     table(|table| table.slots.iter().filter(|slot| !slot.closing).count())
 }
 
-/// Whether host code runs that one of this thread's windows has called.
+/// Whether a callback of one of this thread's windows is running.
 pub fn within_a_call() -> bool {
     table(|table| table.calls > 0)
 }
 
-/// The descriptor to be watched.
 pub(super) fn descriptor() -> Result<RawFd> {
     table(|table| Ok(table.descriptors()?.raw()))
 }
 
-/// How long until a timer makes the descriptor readable.
+/// How long until the timer makes the descriptor readable.
 pub(super) fn wait() -> Option<Duration> {
     table(|table| table.descriptors.as_ref()?.wait(Instant::now()))
 }
 
-/// Sleeps until the descriptor is readable. A copy of it is asked, so that
-/// nothing is borrowed while a signal's handler may call in.
+/// Sleeps until the descriptor is readable, with nothing borrowed: a signal's handler may call in.
 pub(super) fn sleep() -> Result<()> {
     super::descriptors::sleep_on(descriptor()?);
     Ok(())
@@ -245,8 +231,8 @@ pub(super) fn next_after(id: Option<Id>) -> Option<Id> {
     })
 }
 
-/// Windows for which host code runs are not served meanwhile: their
-/// connections shall not wake anybody who waits inside that code.
+/// Stops watching windows for which host code runs: they are not served meanwhile, and must not
+/// wake anybody who waits inside that code.
 pub(super) fn leave_those_that_call() {
     table(|table| {
         let Some(descriptors) = &table.descriptors else {
@@ -261,8 +247,7 @@ pub(super) fn leave_those_that_call() {
     });
 }
 
-/// Sets the timer for the next thing that is due; at once if a window may have
-/// more to do.
+/// Sets the timer for the next thing that is due; at once if a window may have more to do.
 pub(super) fn set_timer(more: bool) {
     table(|table| {
         let now = Instant::now();
@@ -277,7 +262,7 @@ pub(super) fn set_timer(more: bool) {
     });
 }
 
-/// A window is to be looked at again soon.
+/// Has the windows served again soon.
 pub(super) fn ring() {
     table(|table| {
         if let Some(descriptors) = &mut table.descriptors {
@@ -286,14 +271,13 @@ pub(super) fn ring() {
     });
 }
 
-/// Looks at a window. `None` if there is none of this id, or if it works.
+/// Looks at a window; `None` if there is none of this id, or if it is at work.
 pub(super) fn look<R>(id: Id, f: impl FnOnce(&Window) -> R) -> Option<R> {
     table(|table| table.slot(id)?.window.as_deref().map(f))
 }
 
-/// Takes a window out, lets `f` work with it, and puts it back. `None` if
-/// there is none of this id, or if it works already. After a panic the window
-/// is gone, which `lost` tells.
+/// Takes a window out, lets `f` work with it, and puts it back. `None` if there is none of this id,
+/// if it is at work already, or after a panic: then the window is gone and `lost` tells why.
 pub(super) fn work<R>(
     id: Id,
     lost: &mut Option<Lost>,
@@ -325,7 +309,7 @@ pub(super) fn work<R>(
 }
 
 impl Lost {
-    /// The window's screen is gone, or will not have it any more.
+    /// The screen is gone or refused to go on.
     pub(super) fn screen(error: &Error) -> Self {
         Self {
             why: error.to_string(),
@@ -343,10 +327,10 @@ impl Lost {
     }
 }
 
-/// Takes a window away that cannot go on.
+/// Removes a window that cannot go on.
 pub(super) fn lose(id: Id, window: Option<Box<Window>>, why: Lost, lost: &mut Option<Lost>) {
     let (slot, new) = table(|table| {
-        // Closing the connection would not end the watch if a child has it, too.
+        // Closing the connection would not end the watch if a child shares it.
         if let (Some(window), Some(descriptors)) = (&window, &table.descriptors) {
             descriptors.leave(window.screen().connection());
         }
@@ -370,8 +354,7 @@ pub(super) fn lose(id: Id, window: Option<Box<Window>>, why: Lost, lost: &mut Op
     *lost = Some(why);
 }
 
-/// Closes a window, if it neither works nor calls at present; else as soon as
-/// that has ended. False if there is none.
+/// Closes a window, after its work or its call if one is under way. False if there is none.
 pub(super) fn close(id: Id) -> bool {
     let (found, closed) = table(|table| {
         let Some(slot) = table.slot(id) else {
@@ -386,7 +369,7 @@ pub(super) fn close(id: Id) -> bool {
     found
 }
 
-/// Closes a window that its user has closed, and tells its owner.
+/// Closes a window for its user, and tells its owner.
 pub(super) fn close_for_the_user(id: Id) {
     if let Some(slot) = table(|table| table.remove(id)) {
         let shows_pane = discard(slot.window);
@@ -397,8 +380,7 @@ pub(super) fn close_for_the_user(id: Id) {
     }
 }
 
-/// Runs host code for a window: nothing is borrowed, and the window is not
-/// served meanwhile. `None` if there is no such window, or after a panic.
+/// Runs host code for a window, which is not served meanwhile. `None`: no such window, or a panic.
 pub(super) fn call<R>(
     id: Id,
     lost: &mut Option<Lost>,

@@ -1,5 +1,4 @@
-//! What a window of ours asks of the screen: exactly what [`crate::x11`]
-//! offers, as a trait, so that the loop can be tried without an X server.
+//! What a window asks of [`crate::x11`], as a trait: the loop can be tested without an X server.
 
 use std::os::fd::{AsFd as _, BorrowedFd};
 use std::time::Instant;

@@ -1,9 +1,8 @@
-//! Says so when a thread ends that has windows open: they go with it, and nobody
-//! else would say why.
+//! Reports the end of a thread with open windows: they go with it, and nobody else says why.
 //!
-//! At the end of the process the windows of the thread that calls `exit` go in the
-//! same way, and that is worth no word. The two are told apart by what the C library
-//! does: the destructors of a thread's keys run where a thread ends, not in `exit`.
+//! At the end of the process the windows of the thread that calls `exit` go the same way, which
+//! needs no word. The two are told apart by the destructors of a thread's keys: the C library runs
+//! them where a thread ends, not in `exit`.
 
 #![allow(unsafe_code)] // pthread_key_create
 
@@ -13,20 +12,20 @@ use std::sync::OnceLock;
 
 use crate::error::complain;
 
-/// The key whose destructor speaks; none where the system gives no more.
+/// The key whose destructor reports; `None` where the system gives no more.
 static KEY: OnceLock<Option<libc::pthread_key_t>> = OnceLock::new();
 
-/// So many windows go with the calling thread; to be called while it ends.
+/// Notes how many windows go with the calling thread; to be called while it ends.
 pub(super) fn takes(windows: usize) {
     let key = KEY.get_or_init(|| {
         let mut key = 0;
-        // SAFETY: room for the key; the function stays, for the library does.
+        // SAFETY: room for the key; the function stays, as the library is never unloaded.
         let made = unsafe { libc::pthread_key_create(&mut key, Some(say)) };
         (made == 0).then_some(key)
     });
     if let Some(key) = *key {
         let count: *mut c_void = ptr::without_provenance_mut(windows);
-        // SAFETY: a key of ours. That there is no memory for it does no harm.
+        // SAFETY: a key of ours. Without memory for it nothing is reported, which does no harm.
         let _ = unsafe { libc::pthread_setspecific(key, count) };
     }
 }

@@ -1,10 +1,7 @@
-//! One window at work: input from the screen to the editor, the editor's
-//! picture through the raster back to the screen.
+//! One window at work: input to the editor, and its picture through the raster to the screen.
 //!
-//! A [`Window::poll`] does what there is to do at the moment and never waits.
-//! What only the host can do (take poses, agree to the closing) comes out of
-//! it as a [`HostRequest`], one at a time, for the host may change everything before
-//! the next.
+//! [`Window::poll`] does what there is to do and never waits. What only the host can do comes out
+//! of it as one [`HostRequest`] at a time, since the host may change everything before the next.
 
 use std::path::Path;
 use std::rc::Rc;
@@ -22,19 +19,16 @@ use crate::inject::{self, Place};
 use crate::raster::{self, Area, Raster};
 use crate::x11::{PanePlace, PaneWindow};
 
-/// Passes in a row that may follow one another at once without input: egui
-/// asks for them where a size settles. More are an animation.
+/// Passes that may follow at once without input, where a size settles. More are an animation.
 const SETTLING_PASSES: u32 = 3;
 
-/// egui wants to run again after every event. While a button is held the next motion
-/// sees to that; it runs by itself when none has come for so long.
+/// egui wants to run again after every event. While a button is held the next motion sees to that;
+/// egui runs by itself when none has come for this long.
 pub(super) const DRAG_PAUSE: Duration = Duration::from_millis(40);
 
-/// From picture to picture, of an animation and where only the pointer moves: nobody
-/// sees more.
+/// The least time between pictures of an animation, or of a mere motion of the pointer.
 pub(super) const FRAME: Duration = Duration::from_nanos(1_000_000_000 / 60);
 
-/// An open window.
 pub(super) struct Window {
     screen: Box<dyn Screen>,
     editor: Editor,
@@ -49,13 +43,12 @@ pub(super) struct Window {
     due: Option<Instant>,
     /// Passes since the last input.
     passes: u32,
-    /// What waits to be painted, from below, and its pixels per point.
+    /// What is to be painted, lowest first, and its pixels per point.
     picture: Option<(Vec<ClippedPrimitive>, f32)>,
     /// When egui ran last.
     ran: Option<Instant>,
     /// A picture is on its way to the screen.
     in_flight: bool,
-    /// What stands in the title bar.
     title: String,
     /// A button is held.
     held: bool,
@@ -64,11 +57,11 @@ pub(super) struct Window {
     pane: Option<PaneWindow>,
 }
 
-/// What polling ended with.
+/// The outcome of a poll.
 pub(super) struct Polled {
     /// Something was done: more may have come meanwhile.
     pub(super) busy: bool,
-    /// What the host must be called for.
+    /// What to call the host for.
     pub(super) request: Option<HostRequest>,
 }
 
@@ -76,21 +69,20 @@ pub(super) struct Polled {
 pub(super) enum HostRequest {
     /// It takes the poses that were made ready.
     HandOver,
-    /// May the window close?
+    /// It is asked whether the window may close.
     Close,
     /// It gives its own view, to be taken over.
     Capture {
         /// In place of the current orientation.
         replace: bool,
     },
-    /// It is told of what the user does.
+    /// It is told what the user does.
     Live(Call),
-    /// It draws in this pane from now on; none: the pane is closed.
+    /// It draws in this pane from now on; `None`: the pane is closed.
     Pane(Option<PaneWindow>),
 }
 
 impl Window {
-    /// A window whose first picture is made in its first turn.
     pub(super) fn new(screen: Box<dyn Screen>, editor: Editor, title: String) -> Self {
         let background = editor.background();
         let live = Live::new(&editor);
@@ -113,22 +105,20 @@ impl Window {
         }
     }
 
-    /// The connection to the screen.
     pub(super) fn screen(&self) -> &dyn Screen {
         &*self.screen
     }
 
-    /// The host knows of a pane in which it may draw.
+    /// Whether the host knows of a pane to draw in.
     pub(super) fn shows_pane(&self) -> bool {
         self.pane.is_some()
     }
 
-    /// The path that is edited.
     pub(super) fn document(&self) -> &Document {
         self.editor.document()
     }
 
-    /// Where its unsaved work is kept, if it is.
+    /// The file of its unsaved work, if there is one.
     pub(super) fn work_file(&self) -> Option<&Path> {
         self.editor.work_file()
     }
@@ -139,8 +129,7 @@ impl Window {
         &mut self.editor
     }
 
-    /// When the next turn is due without any news from the screen. While a
-    /// picture is in flight the screen's news come first.
+    /// When the next turn is due without news from the screen; a picture in flight comes first.
     pub(super) fn due(&self, now: Instant) -> Option<Instant> {
         let due = if self.in_flight {
             None
@@ -158,10 +147,7 @@ impl Window {
         due.chain(self.screen.deadline()).min()
     }
 
-    /// Does what there is to do.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display`: the screen is gone, and the window with it.
+    /// Does what there is to do. After an error the screen is gone, and the window with it.
     pub(super) fn poll(&mut self, id: Id, host: &Rc<dyn Host>) -> Result<Polled> {
         let news = self.screen.poll()?;
         inject::point(Place::Turn);
@@ -190,7 +176,7 @@ impl Window {
             request: None,
         };
         if self.pane.is_some() && self.screen.pane().is_none() {
-            // Its end is told before there is another.
+            // Its end is told before another begins.
             self.pane = None;
             polled.request = Some(HostRequest::Pane(None));
             return Ok(polled);
@@ -202,7 +188,7 @@ impl Window {
         }
         polled.request = self.next_host_request(id, host);
         if news.close && polled.request.is_none() {
-            // There is a question, which nobody sees behind other windows.
+            // There is a question, which may be hidden behind other windows.
             self.screen.raise()?;
         }
         polled.busy |= self.paint()?;
@@ -213,12 +199,11 @@ impl Window {
         Ok(polled)
     }
 
-    /// What there is to be seen is on the screen, or on its way there.
+    /// Whether all there is to see is on the screen, or on its way there.
     fn is_shown(&self) -> bool {
         !self.fresh && self.picture.is_none()
     }
 
-    /// What the host is to be told of.
     fn next_live_call(&mut self, id: Id, host: &Rc<dyn Host>) -> Option<HostRequest> {
         let (watched, now) = (host.watches(), Instant::now());
         let call = self.live.next(&self.editor, watched, self.held, now)?;
@@ -227,13 +212,13 @@ impl Window {
         ready.then_some(HostRequest::Live(call))
     }
 
-    /// A call into the host has ended that began then.
+    /// A call into the host has ended.
     pub(super) fn called(&mut self, began: Instant) {
         let now = Instant::now();
         self.live.called(now.saturating_duration_since(began), now);
     }
 
-    /// Host code changes something. What it changes within a call it need not be told.
+    /// Lets host code change something. What it changes within a call it is not told.
     pub(super) fn command<R>(
         &mut self,
         within_a_call: bool,
@@ -247,31 +232,23 @@ impl Window {
         }
     }
 
-    /// The editor.
     pub(super) fn editor(&self) -> &Editor {
         &self.editor
     }
 
     /// Asks the user about unsaved work, and then the host whether the window may close.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display`.
     pub(super) fn ask_to_close(&mut self) -> Result<()> {
         self.editor_mut().ask_to_close();
-        // Nobody sees a question behind other windows.
+        // The question may be hidden behind other windows.
         self.raise()
     }
 
-    /// Brings the window before all others.
-    ///
-    /// # Errors
-    /// `ErrorKind::Display`.
     pub(super) fn raise(&mut self) -> Result<()> {
         self.screen.raise()?;
         Ok(self.screen.flush()?)
     }
 
-    /// Runs egui once: makes a picture of what there is now.
+    /// Runs egui once, which makes a picture of what there is now.
     fn pass(&mut self, now: Instant) -> Result<()> {
         self.fresh = false;
         self.ran = Some(now);
@@ -327,7 +304,7 @@ impl Window {
     fn place_pane(&mut self, pixels_per_point: f32) -> Result<()> {
         let pixels = |rect: &egui::Rect| {
             let [left, top, right, bottom] = [rect.left(), rect.top(), rect.right(), rect.bottom()]
-                // What is negative becomes 0.
+                // Negative values become 0.
                 .map(|at| (at * pixels_per_point).round() as u32);
             Area {
                 x: left,
@@ -348,7 +325,7 @@ impl Window {
         Ok(())
     }
 
-    /// Paints what waits to be painted; whether something was shown.
+    /// Paints what is waiting; true if something was shown.
     fn paint(&mut self) -> Result<bool> {
         if self.in_flight || self.picture.is_none() {
             return Ok(false);
@@ -372,7 +349,7 @@ impl Window {
         Ok(true)
     }
 
-    /// What the editor wants done outside, made ready for the host.
+    /// What the editor wants of the host, made ready.
     fn next_host_request(&mut self, id: Id, host: &Rc<dyn Host>) -> Option<HostRequest> {
         let pane = self.screen.pane();
         if pane != self.pane {
@@ -393,7 +370,7 @@ impl Window {
         }
     }
 
-    /// Makes the poses ready for the host; else the window says why not.
+    /// Makes the poses ready for the host; if that fails the window says why.
     fn make_ready(&mut self, id: Id, host: &Rc<dyn Host>, asked: bool) -> bool {
         inject::point(Place::HandOver);
         let count = self.editor.document().poses().and_then(|poses| {

@@ -1,21 +1,18 @@
-//! Hosts that run Xt: our descriptor becomes one more input of their
-//! application contexts, and nothing in them needs to change.
+//! Hosts that run Xt: our descriptor becomes one more input of their application contexts, and
+//! nothing in them needs to change.
 //!
-//! Xt is not linked: a host without it shall need no X library. It is looked
-//! for among the names of the running process. Which contexts there are is
-//! told by no public function; `_XtGetProcessContext` gives the process's
-//! record, two pointers (the default context, the list of all), and a context
-//! begins with three: the next one, the record it belongs to, the callbacks for
-//! its end. These have been so since X11R6; the second one is checked before
-//! a context is believed in. Where that function is missing, `XtAddInput`
-//! serves the default context.
+//! Xt is not linked, since a host without it shall need no X library: it is looked for among the
+//! names of the running process. No public function tells which contexts there are;
+//! `_XtGetProcessContext` gives the process's record, two pointers (the default context, the list
+//! of all), and a context begins with three: the next one, the record it belongs to, the callbacks
+//! for its end. This has been so since X11R6; the second one is checked before a context is
+//! trusted. Where that function is missing, `XtAddInput` serves the default context.
 //!
-//! Xt keeps our pointers, so the library is never unloaded, and an input that
-//! was added stays until its context ends: the descriptor is quiet while there
-//! are no windows. A context that ended may be followed by another one at the
-//! same address; so each one that we are in tells us its end.
+//! Xt keeps our pointers, so the library is never unloaded, and an input that was added stays until
+//! its context ends: the descriptor is quiet while there are no windows. Another context may come
+//! to lie at the address of one that ended, so each one that we are in tells us its end.
 //!
-//! What hosts need that ask before they take an event is in [`super::xt_wake`].
+//! For hosts that ask before they take an event see [`super::xt_wake`].
 
 #![allow(unsafe_code)] // functions of C, found by name
 
@@ -44,7 +41,7 @@ type Lock = unsafe extern "C" fn();
 /// `XtInputReadMask`.
 const READ: *mut c_void = ptr::without_provenance_mut(1);
 
-/// More contexts than any program has: the list is taken for damaged.
+/// More contexts than any program has: the list must be damaged.
 const MOST_CONTEXTS: usize = 10_000;
 
 /// How Xt's record of the process begins.
@@ -62,7 +59,7 @@ struct ContextHead {
     ends: *mut c_void,
 }
 
-/// The functions of Xt that are there.
+/// The functions of Xt that were found.
 struct Xt {
     add_input: AddInput,
     remove_input: RemoveInput,
@@ -72,11 +69,10 @@ struct Xt {
     lock: Option<(Lock, Lock)>,
 }
 
-/// A context that has the descriptor of a thread among its inputs. Its address is
-/// good as long as the entry is there.
+/// A context with a thread's descriptor among its inputs; its address is valid while this exists.
 #[derive(Clone, Copy)]
 struct Watched {
-    /// What Xt gives back; never another's.
+    /// What Xt passes to our callbacks; never used again for another.
     number: usize,
     context: usize,
     thread: usize,
@@ -85,7 +81,7 @@ struct Watched {
     sleep: Sleep,
 }
 
-/// In place of a context's address: the default context, whatever it is.
+/// Stands for the address of the default context.
 const DEFAULT: usize = 0;
 
 static WATCHED: Mutex<Vec<Watched>> = Mutex::new(Vec::new());
@@ -100,7 +96,6 @@ fn watched() -> MutexGuard<'static, Vec<Watched>> {
     WATCHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// What is watched under this number.
 fn entry(number: usize) -> Option<Watched> {
     watched()
         .iter()
@@ -108,13 +103,13 @@ fn entry(number: usize) -> Option<Watched> {
         .copied()
 }
 
-/// This thread's number, never another's; 0 is nobody: the thread is ending. (The
-/// standard library's takes memory, and cannot say that there is none.)
+/// This thread's number, never used again; 0 while the thread is ending. (The standard library's
+/// takes memory, and cannot report that there is none.)
 pub fn own_thread() -> usize {
     THREAD.try_with(|number| *number).unwrap_or(0)
 }
 
-/// Whether some context watches this thread's descriptor.
+/// Whether an Xt context watches this thread's descriptor.
 pub(super) fn thread_is_watched() -> bool {
     let thread = own_thread();
     watched().iter().any(|entry| entry.thread == thread)
@@ -129,8 +124,7 @@ pub enum Refusal {
     NoContext,
 }
 
-/// Has the descriptor watched by all application contexts that there are and
-/// that do not watch it yet.
+/// Has the descriptor watched by all application contexts that do not watch it yet.
 pub(super) fn watch_in_all_contexts(descriptor: RawFd) {
     let Some(xt) = Xt::find() else { return };
     match xt.contexts() {
@@ -143,7 +137,6 @@ pub(super) fn watch_in_all_contexts(descriptor: RawFd) {
     }
 }
 
-/// Has the descriptor watched by this application context.
 pub(super) fn watch_in(context: *mut c_void, descriptor: RawFd) -> Result<(), Refusal> {
     let xt = Xt::find().ok_or(Refusal::NoXt)?;
     let context = context.cast::<ContextHead>();
@@ -158,9 +151,8 @@ pub(super) fn watch_in(context: *mut c_void, descriptor: RawFd) -> Result<(), Re
 
 impl Xt {
     fn find() -> Option<Self> {
-        // SAFETY: each name is that of the function whose type stands here,
-        // as Xt's header declares it (XtAppContext, XtPointer, XtInputId and
-        // the callbacks are pointers and an unsigned long).
+        // SAFETY: each function has the type that Xt's header declares (XtAppContext, XtPointer,
+        // XtInputId and the callbacks are pointers and an unsigned long).
         unsafe {
             Some(Self {
                 add_input: transmute::<*mut c_void, AddInput>(named(c"XtAppAddInput")?),
@@ -184,8 +176,7 @@ impl Xt {
         }
     }
 
-    /// All application contexts of the process, the newest first; `None` if
-    /// that cannot be known.
+    /// All application contexts of the process, the newest first; `None` if that is unknown.
     fn contexts(&self) -> Option<Vec<Context>> {
         let process = self.process?;
         let mut found = Vec::new();
@@ -220,8 +211,7 @@ impl Xt {
         sound.then_some(found)
     }
 
-    /// Adds the descriptor to the inputs of a context (null: of the default
-    /// one) unless it is there.
+    /// Adds the descriptor to the inputs of a context (null: the default one) unless it is there.
     fn watch(&self, context: Context, descriptor: RawFd) {
         let entry = Watched {
             number: NUMBERS.fetch_add(1, Ordering::Relaxed),
@@ -241,22 +231,19 @@ impl Xt {
         let closure = ptr::without_provenance_mut(entry.number);
         if entry.context == DEFAULT {
             if let Some(add) = self.add_default_input {
-                // SAFETY: as Xt's header declares it; the callback and the
-                // descriptor stay.
+                // SAFETY: as Xt's header declares it; the callback and the descriptor stay.
                 unsafe { add(descriptor, READ, on_input, closure) };
             }
             return;
         }
-        // SAFETY: a context that Xt knows, or of which the host says so; the
-        // callback and the descriptor stay.
+        // SAFETY: a context that Xt knows or the host vouches for; callback and descriptor stay.
         unsafe { (self.add_input)(context, descriptor, READ, on_input, closure) };
         if self.process.is_some()
             && let Some(add) = self.add_end_callback
         {
-            // SAFETY: the context is one of Xt's list and begins as declared
-            // above; the callback stays.
+            // SAFETY: the context is in Xt's list and begins as declared above; the callback stays.
             unsafe { add(&raw mut (*context).ends, on_end, closure) };
-            // Only where its end is told.
+            // Only where its end is reported.
             xt_wake::watch_sleep(entry.context, on_sleep, closure);
         }
     }
@@ -275,8 +262,8 @@ unsafe extern "C" fn on_input(closure: *mut c_void, _: *mut c_int, id: *mut c_ul
     match entry(closure.addr()) {
         Some(entry) if entry.thread == own_thread() => serve(entry),
         _ => {
-            // Another thread runs this context. Its windows are not there, and the
-            // descriptor would be readable without end.
+            // Another thread runs this context. Its windows are not here, and the descriptor would
+            // be readable without end.
             if let Some(xt) = Xt::find()
                 && !id.is_null()
             {
@@ -287,13 +274,12 @@ unsafe extern "C" fn on_input(closure: *mut c_void, _: *mut c_int, id: *mut c_ul
     }
 }
 
-/// The host's loop is in this context, and the descriptor is readable.
 fn serve(watched: Watched) {
     if watched.context == DEFAULT {
         super::host_called();
         return;
     }
-    // Before host code runs, which may sleep in Xt, too.
+    // Before host code runs, which may itself sleep in Xt.
     let sleeps = xt_wake::sleeps(watched.context, watched.sleep);
     if sleeps && watched.sleep.was_sound() {
         lookout::end(true);

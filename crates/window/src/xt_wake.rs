@@ -1,15 +1,15 @@
 //! Hosts that ask `XtAppPending` before they take an event.
 //!
-//! Such a host draws between its rounds, and means to take what is there:
+//! Such a host draws between its rounds, and wants to take what is there:
 //! `while (XtAppPending(app)) { XtAppNextEvent(app, &event); XtDispatchEvent(&event); }`.
-//! But our input is pending, too, and no event: `XtAppNextEvent` has the windows
-//! served and then waits for an event of the host's own, maybe for ever. So after
-//! they are served it gets one: an empty `NoExpose` for no window, which means
-//! nothing to anyone, put back into the host's own queue. No request is made.
+//! But our input is pending, too, and no event: `XtAppNextEvent` has the windows served and then
+//! waits for an event of the host's own, perhaps for ever. So after they are served it gets one: an
+//! empty `NoExpose` for no window, which means nothing to anyone, put back into the host's own
+//! queue. No request is made.
 //!
-//! A host that sleeps in Xt until there is something to do wants none: it would be
-//! woken for nothing. A hook of Xt's tells of that sleep. What was served in it
-//! brings no event, until the host has processed one, and so has come back out of it.
+//! A host that sleeps in Xt until there is something to do needs none, and would be woken for
+//! nothing. A hook of Xt's reports that sleep. What is served in it brings no event until the host
+//! has processed one, and so has come out of it.
 
 #![allow(unsafe_code)] // functions of C, found by name
 
@@ -23,7 +23,7 @@ use std::sync::OnceLock;
 
 use super::xt::named;
 
-/// A `Display`, of which nothing is known here.
+/// A `Display`, opaque here.
 type Display = *mut c_void;
 /// An `XEvent`: it has room for 24 numbers.
 type Event = [c_ulong; 24];
@@ -42,7 +42,6 @@ type LastSerial = unsafe extern "C" fn(Display) -> c_ulong;
 const NO_EXPOSE: c_int = 14;
 const QUEUED_ALREADY: c_int = 0;
 
-/// The functions of Xt and Xlib that it takes.
 struct Calls {
     add_block_hook: AddBlockHook,
     get_displays: GetDisplays,
@@ -64,12 +63,12 @@ struct Head {
     window: c_ulong,
 }
 
-/// What the host does in a context.
+/// How the host of a context sleeps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Sleep {
-    /// It slept there when the last event that it had processed was this one.
+    /// The last event that it had processed when it went to sleep.
     at: Option<u64>,
-    /// Nothing was to be served when it went to sleep.
+    /// Nothing was waiting to be served then.
     quiet: bool,
 }
 
@@ -80,8 +79,7 @@ impl Calls {
         if let Some(found) = FOUND.get() {
             return Some(found);
         }
-        // SAFETY: each name is that of the function whose type stands here, as the
-        // headers of Xt and Xlib declare it.
+        // SAFETY: each function has the type that the headers of Xt and Xlib declare.
         let found = unsafe {
             Self {
                 add_block_hook: transmute::<*mut c_void, AddBlockHook>(named(
@@ -101,7 +99,7 @@ impl Calls {
         Some(FOUND.get_or_init(|| found))
     }
 
-    /// Runs `f` with the displays of a context of Xt's.
+    /// Runs `f` with the displays of an Xt context.
     fn displays<R>(&self, context: usize, f: impl FnOnce(&[Display]) -> R) -> R {
         let (mut list, mut count) = (ptr::null_mut::<Display>(), 0);
         let context = ptr::with_exposed_provenance_mut(context);
@@ -117,8 +115,8 @@ impl Calls {
         result
     }
 
-    /// The events that a context's displays processed last, as one number. Only what
-    /// all events have is looked at: the rest of Xt's record may never have been set.
+    /// A hash of the events that a context's displays processed last. Only what all events have is
+    /// read: the rest of Xt's record may never have been set.
     fn processed(&self, context: usize) -> u64 {
         self.displays(context, |displays| {
             let mut hash = DefaultHasher::new();
@@ -137,7 +135,6 @@ impl Calls {
         })
     }
 
-    /// Whether an event waits to be taken.
     fn any_queued(&self, displays: &[Display]) -> bool {
         // SAFETY: displays of Xt's.
         let queued = |&display: &Display| unsafe { (self.queued)(display, QUEUED_ALREADY) } > 0;
@@ -145,8 +142,7 @@ impl Calls {
     }
 }
 
-/// Has a context tell when it is going to sleep. Each sleep is told by `hook`, with
-/// this closure.
+/// Has Xt call this hook with this closure when the host of a context is going to sleep.
 pub(super) fn watch_sleep(context: usize, hook: BlockHook, closure: *mut c_void) {
     if let Some(calls) = Calls::find() {
         let context = ptr::with_exposed_provenance_mut(context);
@@ -155,7 +151,7 @@ pub(super) fn watch_sleep(context: usize, hook: BlockHook, closure: *mut c_void)
     }
 }
 
-/// What a context's host does that is going to sleep.
+/// Notes how the host of a context goes to sleep.
 pub(super) fn falls_asleep(context: usize, windows: Option<RawFd>) -> Sleep {
     let Some(calls) = Calls::find() else {
         return Sleep::default();
@@ -168,7 +164,7 @@ pub(super) fn falls_asleep(context: usize, windows: Option<RawFd>) -> Sleep {
     }
 }
 
-/// Whether a context's host, which serves the windows now, does so in this sleep.
+/// Whether the host of a context, which serves the windows now, is still in this sleep.
 pub(super) fn sleeps(context: usize, sleep: Sleep) -> bool {
     let Some(calls) = Calls::find() else {
         return true;
@@ -177,7 +173,7 @@ pub(super) fn sleeps(context: usize, sleep: Sleep) -> bool {
 }
 
 impl Sleep {
-    /// It fell asleep with nothing to do, and Xt has woken it for our input.
+    /// The host fell asleep with nothing to do, and Xt woke it for our input.
     pub(super) fn was_sound(self) -> bool {
         self.quiet
     }

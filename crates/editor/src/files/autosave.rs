@@ -1,4 +1,4 @@
-//! Unsaved work and the window: kept while one works, offered at the start.
+//! Joins the keeping of unsaved work to the window.
 
 use std::path::Path;
 use std::time::Instant;
@@ -11,8 +11,7 @@ use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 
 impl Editor {
-    /// Begins to keep unsaved work, if there is a folder for it, and offers
-    /// what was left behind.
+    /// Begins to keep unsaved work, if there is a folder for it, and offers what was left behind.
     pub(crate) fn begin_recovery(&mut self) {
         let Some(folder) = self.folders.state.clone() else {
             return;
@@ -25,8 +24,7 @@ impl Editor {
         }
     }
 
-    /// To be called at the end of each pass. An unmodified window, or one
-    /// whose changes are all written, asks for no wake-up.
+    /// To be called at the end of each pass. Asks for no wake-up where nothing is to be written.
     pub(crate) fn keep_work(&mut self, context: &egui::Context) {
         let unsaved = self.is_unsaved();
         let Some(autosave) = &mut self.autosave else {
@@ -50,19 +48,15 @@ impl Editor {
         }
     }
 
-    /// The window closes because its user or its host wants it to: nothing is
-    /// to be offered at the next start. Without this call, when the window's
-    /// server or its process goes away, unsaved work stays.
+    /// Leaves nothing to be offered at the next start: the window closes because its user or its
+    /// host wants it to. Otherwise, when the X server or the process goes away, unsaved work stays.
     pub fn forget_unsaved(&mut self) {
         if let Some(mut autosave) = self.autosave.take() {
             autosave.forget();
         }
     }
 
-    /// Puts unsaved work that was found in place of what is open.
-    ///
-    /// # Errors
-    /// The file is broken; what is open stays.
+    /// Puts unsaved work that was found in place of what is open, unless the file is broken.
     pub(crate) fn restore(&mut self, found: &Found) -> Result<()> {
         let mut document = found.document()?;
         if self.fixed_speeds && document.edits_path() {
@@ -74,13 +68,13 @@ impl Editor {
         self.file.clone_from(&found.original);
         self.known = found.known;
         self.handed = None;
-        // Saved as this window's before the old file is removed.
+        // Kept as this window's before the old file is removed.
         self.write_work()?;
         self.say(self.texts().recovery.restored);
         Ok(())
     }
 
-    /// Restores what the window that offers it has under this number.
+    /// Restores what the recovery window offers under this number.
     pub(crate) fn restore_found(&mut self, number: usize) {
         let Some(found) = self.take_found(number) else {
             return;
@@ -94,13 +88,13 @@ impl Editor {
         }
     }
 
-    /// Removes what the window that offers it has under this number.
+    /// Discards what the recovery window offers under this number.
     pub(crate) fn discard_found(&mut self, number: usize) {
         let found = self.take_found(number);
         found.into_iter().for_each(Found::discard);
     }
 
-    /// What is offered under a number; the window closes with the last.
+    /// Takes what is offered under this number; the window closes with the last.
     fn take_found(&mut self, number: usize) -> Option<Found> {
         let window = self.windows.recovery.as_mut()?;
         let found = window.found(number);
@@ -120,13 +114,13 @@ impl Editor {
         autosave.write(&self.document, &origin)
     }
 
-    /// The file that keeps its work while that is unsaved, if some may.
+    /// The file that keeps unsaved work while there is some, if the window has one.
     pub fn work_file(&self) -> Option<&Path> {
         self.autosave.as_ref().map(Autosave::path)
     }
 }
 
-/// Without the history of what was done to it here.
+/// A copy without the history of what was done to it here.
 fn unsaved_copy(document: &Document) -> Result<Document> {
     let mut copy = document.try_clone()?;
     copy.mark_unsaved();
@@ -134,9 +128,8 @@ fn unsaved_copy(document: &Document) -> Result<Document> {
 }
 
 impl Drop for Editor {
-    /// What is unsaved stays for the next start, up to the last change: the
-    /// X server went away, or the host ended. Closing that the user asked for
-    /// leaves nothing: unsaved work was asked about then.
+    /// If the X server went away or the host ended, unsaved work stays for the next start, up to
+    /// the last change. A user who closes the window has been asked about it, and leaves nothing.
     fn drop(&mut self) {
         let unsaved = self.is_unsaved() && !self.closing;
         if let Some(autosave) = &mut self.autosave {

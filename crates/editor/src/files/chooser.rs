@@ -1,9 +1,8 @@
 //! The file window: a directory, a filter, a name (thesis A.5, fig. A.8).
 //!
-//! By mouse alone: a click chooses, a double click takes, a name is proposed
-//! for saving. By keyboard alone: the name has the keyboard, arrow up and down
-//! go through the list, Enter takes, Alt and arrow up goes to the directory
-//! above.
+//! By mouse: a click chooses, a double click takes, a name is proposed for saving. By keyboard: the
+//! name has it, the up and down arrows go through the list, Enter takes, Alt and the up arrow go to
+//! the directory above.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -25,9 +24,9 @@ use crate::theme;
 use crate::windows::modal;
 
 const WIDTH: f32 = 520.0;
-/// Rows of the list that are seen at once, in a window that is high enough.
+/// Rows seen at once, in a window that is high enough.
 const ROWS: f32 = 12.0;
-/// Width of the words before the fields.
+/// Width of the labels before the fields.
 const LABELS: f32 = 88.0;
 /// Size of the picture of a path.
 const PICTURE: egui::Vec2 = vec2(148.0, 112.0);
@@ -38,17 +37,17 @@ pub(crate) struct FileWindow {
     folder: Folder,
     place: String,
     name: String,
-    /// The name behind a name that was chosen and cannot be typed.
+    /// The true name of what was chosen, which may be impossible to type.
     chosen: Option<OsString>,
     filter: String,
     hidden: bool,
     trouble: Option<String>,
     overwrite: Option<PathBuf>,
-    /// It has just opened or the question came up: the keyboard goes there.
+    /// It or its question has just opened: the keyboard goes there.
     fresh: bool,
-    /// The list shows the chosen row.
+    /// Scrolls the list to the chosen row.
     scroll: bool,
-    /// The file that was chosen last, and its picture if it has one.
+    /// The file chosen last, and its picture if it has one.
     picture: Option<(PathBuf, Option<Picture>)>,
 }
 
@@ -60,7 +59,6 @@ struct Done {
 }
 
 impl FileWindow {
-    /// A file window as it opens.
     pub(crate) fn open(editor: &Editor, purpose: Purpose) -> Self {
         let texts = &editor.texts().files;
         let (name, filter) = match purpose {
@@ -91,7 +89,7 @@ impl FileWindow {
         window
     }
 
-    /// Shows it; false: it closes. What is chosen is an action, which closes it.
+    /// Shows it; false: it closes. A chosen file is an action, which closes it.
     pub(crate) fn show(
         &mut self,
         editor: &Editor,
@@ -141,14 +139,14 @@ impl FileWindow {
         true
     }
 
-    /// Tells why what was chosen will not do.
+    /// Shows why the chosen file was refused.
     pub(crate) fn refused(mut self, trouble: String) -> Self {
         self.trouble = Some(trouble);
         self.fresh = true;
         self
     }
 
-    /// Goes to a directory; where it cannot be read, all stays as it is.
+    /// Goes to a directory, unless it cannot be read.
     fn go(&mut self, editor: &Editor, place: PathBuf) {
         let place = tidy(&place);
         self.trouble = None;
@@ -182,7 +180,7 @@ impl FileWindow {
         )
     }
 
-    /// The rows of the list: numbers of the items that are shown.
+    /// The indices of the items that are shown.
     fn rows(&self) -> Vec<usize> {
         let items = self.folder.items.iter().enumerate();
         items
@@ -325,7 +323,7 @@ impl FileWindow {
         done.take |= taken.on_hover_text(texts.take_hint).clicked();
     }
 
-    /// The formats of poses: to choose one gives the name its ending.
+    /// The formats of poses; choosing one changes the name's ending.
     fn show_formats(&mut self, editor: &Editor, ui: &mut Ui) {
         let texts = &editor.texts().files;
         let current = Format::of_file(Path::new(self.name.trim()));
@@ -353,7 +351,7 @@ impl FileWindow {
         }
     }
 
-    /// The list, and beside it the path that is chosen there.
+    /// The list, and beside it a picture of the path chosen there.
     fn show_list_and_picture(&mut self, editor: &Editor, ui: &mut Ui, done: &mut Done) {
         if !matches!(self.purpose, Purpose::LoadPath | Purpose::LoadBlock) {
             return self.show_list(editor, ui, done);
@@ -482,8 +480,7 @@ impl FileWindow {
         done.take = overwrite.on_hover_text(texts.overwrite_hint).clicked();
     }
 
-    /// A typed place: `~` is the personal directory, others begin where the
-    /// window is.
+    /// A typed path: `~` is the home directory, relative ones begin at the shown directory.
     fn resolved(&self, typed: &str) -> PathBuf {
         let home = folders::home();
         match (typed.strip_prefix('~'), home) {
@@ -495,15 +492,13 @@ impl FileWindow {
         }
     }
 
-    /// The file that Enter, a double click or the button takes; none if something else
-    /// comes first.
+    /// The file taken by Enter, a double click or the button; `None` if something else comes first.
     fn take(&mut self, editor: &Editor) -> Option<PathBuf> {
         if let Some(file) = self.overwrite.take() {
             return Some(file);
         }
         let typed = self.name.trim().to_owned();
-        // What was chosen in the list counts by its own name, which may be one
-        // that cannot be typed.
+        // An item of the list counts by its true name, which may be impossible to type.
         let item = self
             .current()
             .and_then(|index| self.folder.items.get(index));
@@ -539,14 +534,14 @@ impl FileWindow {
     }
 }
 
-/// Without `.` and, where that is sure to mean the same, `..`.
+/// Without `.` and, where that surely means the same, without `..`.
 fn tidy(path: &Path) -> PathBuf {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     if path
         .components()
         .any(|part| part == std::path::Component::ParentDir)
     {
-        // Behind a link `..` is not what stands before it.
+        // After a link, `..` is not the directory before it.
         let folder = path.parent().and_then(|parent| parent.canonicalize().ok());
         return match (path.canonicalize(), folder, path.file_name()) {
             (Ok(whole), _, _) => whole,
@@ -557,7 +552,7 @@ fn tidy(path: &Path) -> PathBuf {
     path
 }
 
-/// A name without an ending gets the usual one.
+/// Adds the usual ending to a name without one.
 fn with_ending(path: PathBuf, purpose: Purpose) -> PathBuf {
     let ending = match purpose {
         Purpose::Export => Format::default().ending(),
@@ -577,7 +572,7 @@ fn entered(ui: &Ui, response: &egui::Response) -> bool {
     response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
 }
 
-/// A proposed name is selected up to its ending, so that typing replaces it.
+/// Selects a proposed name up to its ending, so that typing replaces it.
 fn select_stem(ui: &Ui, id: Id, name: &str) {
     use egui::text::{CCursor, CCursorRange};
     let stem = name.rfind('.').map_or(name, |end| &name[..end]);
@@ -587,7 +582,6 @@ fn select_stem(ui: &Ui, id: Id, name: &str) {
     TextEdit::store_state(ui.ctx(), id, state);
 }
 
-/// Two buttons at the right, the second one rightmost.
 fn buttons(ui: &mut Ui, texts: [&str; 2]) -> [egui::Response; 2] {
     let size = vec2(112.0, 28.0);
     ui.horizontal(|ui| {

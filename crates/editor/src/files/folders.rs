@@ -1,8 +1,7 @@
-//! Where the editor keeps what is no work of the user's: the setup that is
-//! read at start, and the state (work not yet saved, recent files).
+//! Where the editor keeps what is no work of the user's: the setup that is read at start, and the
+//! state (work not yet saved, recent files).
 //!
-//! Both by the XDG Base Directory Specification. A window that is given no
-//! folder keeps nothing and asks for nothing, as in tests.
+//! By the XDG Base Directory Specification. A window without folders, as in tests, keeps nothing.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -19,7 +18,7 @@ pub struct Folders {
 }
 
 impl Folders {
-    /// Those of the environment. None are made: that is for whoever writes.
+    /// Those of the environment; none of them is created.
     pub fn of_environment() -> Self {
         Self::by(|name| std::env::var_os(name))
     }
@@ -28,7 +27,7 @@ impl Folders {
         let home = variable("HOME").map(PathBuf::from);
         let home = home.filter(|home| home.is_absolute());
         let folder = |name: &str, below_home: &str| {
-            // The specification: what is not absolute is to be ignored.
+            // The specification: relative paths are to be ignored.
             let base = variable(name)
                 .map(PathBuf::from)
                 .filter(|base| base.is_absolute())
@@ -47,18 +46,16 @@ impl Folders {
     }
 }
 
-/// The user's own folder, as the environment has it: the system's list of users
-/// cannot be asked from a static program.
+/// The home directory by `HOME`: a static program cannot ask the system's list of users.
 pub(crate) fn home() -> Option<PathBuf> {
     let home = PathBuf::from(std::env::var_os("HOME")?);
     (!home.as_os_str().is_empty()).then_some(home)
 }
 
-/// The name of a setup file unless another is chosen.
+/// The usual name of a setup file.
 pub(crate) const SETUP_NAME: &str = "setup.toml";
 
-/// Makes a folder with those above it, for nobody else's eyes (as the
-/// specification asks). One that is there stays as it is.
+/// Makes a folder and those above it, private as the specification asks, unless it exists.
 pub(crate) fn make(folder: &Path) -> std::io::Result<()> {
     use std::os::unix::fs::DirBuilderExt;
     std::fs::DirBuilder::new()

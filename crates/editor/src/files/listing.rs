@@ -1,5 +1,5 @@
-//! The contents of a directory, read in small pieces so that a large one does
-//! not hold the window up. Names of any bytes are kept as they are.
+//! The contents of a directory, read in pieces so that a large one does not hold up the window.
+//! Names of any bytes are kept as they are.
 
 use std::ffi::{OsStr, OsString};
 use std::fs::ReadDir;
@@ -10,29 +10,28 @@ use std::time::{Duration, Instant};
 
 use crate::files::readable;
 
-/// Entries that are kept of one directory: more than anybody looks through.
+/// Entries kept of one directory: more than anybody looks through.
 pub(crate) const MAX_ENTRIES: usize = 20_000;
 
-/// Time that one pass may spend on reading.
+/// Time that one pass may spend reading.
 const SLICE: Duration = Duration::from_millis(4);
 
 /// Entries between two looks at the clock.
 const BETWEEN: usize = 32;
 
-/// A file or a directory.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Item {
-    /// Its name, whatever bytes that is.
+    /// Its name, of any bytes.
     pub(crate) name: OsString,
     pub(crate) shown: String,
     pub(crate) is_folder: bool,
 }
 
-/// A directory that is being read or has been.
+/// A directory that is being or has been read.
 #[derive(Debug)]
 pub(crate) struct Folder {
     pub(crate) path: PathBuf,
-    /// What was found so far: directories first, then by name.
+    /// What was found so far, directories first, then by name.
     pub(crate) items: Vec<Item>,
     reading: Option<ReadDir>,
     /// There are more than are kept.
@@ -40,7 +39,6 @@ pub(crate) struct Folder {
 }
 
 impl Folder {
-    /// Begins to read a directory.
     pub(crate) fn open(path: PathBuf) -> io::Result<Self> {
         let reading = std::fs::read_dir(&path)?;
         Ok(Self {
@@ -51,7 +49,7 @@ impl Folder {
         })
     }
 
-    /// One that cannot be read has nothing in it.
+    /// One with nothing in it, where a directory cannot be read.
     pub(crate) fn empty(path: PathBuf) -> Self {
         Self {
             path,
@@ -92,7 +90,7 @@ impl Folder {
                             name,
                         });
                     }
-                    // One that vanished meanwhile, or cannot be looked at.
+                    // It vanished meanwhile, or cannot be looked at.
                     Some(Err(_)) => {}
                 }
             }
@@ -130,8 +128,8 @@ pub(crate) fn is_hidden(name: &OsStr) -> bool {
     name.as_bytes().first() == Some(&b'.')
 }
 
-/// Whether a name fits one of the patterns, which stand between spaces or
-/// semicolons: `*` for any letters, `?` for one. No pattern fits all.
+/// Whether a name fits one of the patterns, which spaces, semicolons or commas separate: `*` for
+/// any characters, `?` for one. Without patterns all names fit.
 pub(crate) fn fits(name: &str, patterns: &str) -> bool {
     let mut all = patterns
         .split([' ', ';', ','])
@@ -147,7 +145,7 @@ pub(crate) fn fits(name: &str, patterns: &str) -> bool {
     })
 }
 
-/// The usual way: behind the last star, one letter more of the name each time.
+/// On a mismatch goes back to the last star, which takes one character more.
 fn fits_one(name: &[char], pattern: &[char]) -> bool {
     let (mut n, mut p) = (0, 0);
     let mut star: Option<(usize, usize)> = None;

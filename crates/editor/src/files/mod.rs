@@ -18,6 +18,8 @@ mod recent_tests;
 mod recovery_window_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod unsaved_tests;
 
 pub(crate) use chooser::FileWindow;
 pub use folders::Folders;
@@ -39,41 +41,34 @@ use crate::texts::refusals::reason_of;
 /// What a file is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Purpose {
-    /// A path to be loaded.
     LoadPath,
-    /// A path to be saved, and what was to be done after that.
+    /// And what is to be done after that.
     SavePath(Option<Then>),
     /// A mesh or a point cloud to be shown.
     LoadObject,
-    /// Poses to be written.
     Export,
-    /// A setup to be loaded.
     LoadSetup,
-    /// A setup to be saved.
     SaveSetup,
     /// A path to be put into this one.
     LoadBlock,
     /// Points to be saved as a path of their own.
     SaveBlock,
-    /// Recorded poses of which a path is made.
+    /// Recorded poses to make a path of.
     LoadPoses,
 }
 
 /// What waits until unsaved work is saved or given up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Then {
-    /// The window closes.
     Close,
-    /// Another path is loaded.
     Load,
-    /// A recent file of this number is loaded.
+    /// A recent file is loaded, by its number.
     Recent(usize),
-    /// Unsaved work that was found takes its place, the one of this number.
+    /// Unsaved work that was found takes its place, by its number.
     Restore(usize),
 }
 
 impl Editor {
-    /// Opens the window in which a file is chosen.
     pub(crate) fn choose_file(&mut self, purpose: Purpose) {
         self.windows.files = Some(FileWindow::open(self, purpose));
     }
@@ -88,7 +83,7 @@ impl Editor {
         }
     }
 
-    /// Nothing is lost any more, or it is given up.
+    /// Does what waited: nothing is lost any more, or it is given up.
     pub(crate) fn go_on(&mut self, then: Then) {
         match then {
             Then::Close => self.requests.push(Request::Close),
@@ -104,8 +99,7 @@ impl Editor {
         }
     }
 
-    /// Saves under the known name, or asks for one; then goes on. A file that is not as
-    /// it was when it was read or written here is asked about.
+    /// Saves under the known name, or asks for one; then goes on. Asks if the file was changed.
     pub(crate) fn save(&mut self, then: Option<Then>) {
         let Some(file) = self.file.clone() else {
             self.choose_file(Purpose::SavePath(then));
@@ -122,9 +116,8 @@ impl Editor {
         }
     }
 
-    /// Offers to read the file again if another program has written it. To be asked when
-    /// somebody comes back to the window: the file's time is looked at, and what is in it
-    /// only if that is another.
+    /// Offers to read the file again if another program has written it; called when the window gets
+    /// the keyboard. Its contents are looked at only if its time or length is another.
     pub(crate) fn look_after_file(&mut self) {
         let (Some(file), Some(_)) = (&self.file, self.known) else {
             return;
@@ -137,7 +130,7 @@ impl Editor {
             return;
         }
         self.written = written;
-        // What cannot be read is told when it is saved.
+        // What cannot be read is reported when it is saved.
         if let Ok(Some(now)) = Contents::now(file)
             && Some(now) != self.known
         {
@@ -145,7 +138,7 @@ impl Editor {
         }
     }
 
-    /// Loads the file that is open as it is by now.
+    /// Loads the open file again.
     pub(crate) fn reload(&mut self) {
         if let Some(file) = self.file.clone()
             && let Err(text) = self.load_path(&file)
@@ -166,7 +159,7 @@ impl Editor {
         }
     }
 
-    /// A file was chosen. The window that asked closes, or tells what hindered it.
+    /// A file was chosen: the window that asked closes, or shows why it was refused.
     pub(crate) fn file_chosen(&mut self, purpose: Purpose, file: &Path) {
         let window = self.windows.files.take();
         let done = match purpose {
@@ -198,11 +191,8 @@ impl Editor {
         }
     }
 
-    /// Loads a path in place of the one that is open. Where the host's base
-    /// speeds stand they are kept, and its object if it gave one.
-    ///
-    /// # Errors
-    /// The sentence; what is open stays then.
+    /// Loads a path in place of the open one. Where the host's base speeds are fixed they are kept,
+    /// and its object if it gave one. The error is a sentence; what is open then stays.
     pub(crate) fn load_path(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
         match self.loaded(file) {
@@ -239,8 +229,7 @@ impl Editor {
             info.object = self.document.info().object.clone();
             loaded.apply(Edit::SetInfo(Box::new(info)))?;
         }
-        // A copy has no history: putting the host's values back is no step
-        // that could be undone.
+        // A copy has no history: putting the host's values back cannot be undone.
         let mut copy = loaded.try_clone()?;
         copy.mark_saved();
         Ok((copy, warnings))
@@ -251,8 +240,7 @@ impl Editor {
         self.write_path(file, true).map(drop)
     }
 
-    /// The same; false, and nothing is done, if the file is not to be `replaced` and has
-    /// changed since it was read or written here.
+    /// The same; false, without writing, if the file was changed and is not to be `replaced`.
     fn write_path(&mut self, file: &Path, replaced: bool) -> Result<bool, String> {
         let texts = self.texts();
         self.write(file, replaced).map_err(|error| {
@@ -261,7 +249,7 @@ impl Editor {
         })
     }
 
-    /// The same, for whoever can tell an error himself.
+    /// The same, for callers that report the error themselves.
     pub(crate) fn write(&mut self, file: &Path, replaced: bool) -> Result<bool> {
         let text = self.document.to_toml_for(file)?;
         let bytes = text.as_bytes();
@@ -278,7 +266,7 @@ impl Editor {
         Ok(true)
     }
 
-    /// Shows the mesh of a file as the object, in a step that can be taken back.
+    /// Shows the mesh of a file as the object, in an undoable step.
     fn load_object(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
         match load_object(file).and_then(|object| self.set_object(object)) {
@@ -299,7 +287,7 @@ impl Editor {
         }
     }
 
-    /// Begins with the tool that makes something of a file.
+    /// Begins with the tool that uses the file.
     fn load_material(&mut self, purpose: Purpose, file: &Path) -> Result<(), String> {
         let read = if purpose == Purpose::LoadBlock {
             Document::load(file).map(|of_file| {
@@ -326,7 +314,7 @@ impl Editor {
         }
     }
 
-    /// Writes the points that the window of the tool names.
+    /// Writes the points named in the tool's window.
     fn save_block(&mut self, file: &Path) -> Result<(), String> {
         let saved = match &self.windows.tool {
             Some(window) => window.write(&self.document, file),
@@ -346,8 +334,7 @@ impl Editor {
         }
     }
 
-    /// Writes the poses in the format that the file's name says: lines of ten numbers
-    /// (thesis B.2.3), CSV or JSON.
+    /// Writes the poses as the file's name says: lines of ten numbers (thesis B.2.3), CSV or JSON.
     pub(crate) fn write_poses(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
         let mut count = 0;
@@ -364,7 +351,7 @@ impl Editor {
         }
     }
 
-    /// Why it failed; the file's name stands before it already.
+    /// Why it failed, without the file's name.
     pub(crate) fn without_name(&self, error: &Error) -> String {
         match error {
             Error::In(_, cause) => self.without_name(cause),
@@ -375,7 +362,7 @@ impl Editor {
         }
     }
 
-    /// The name to be proposed for a file with this ending.
+    /// The name to propose for a file with this ending.
     pub(crate) fn proposal(&self, stem: &str, ending: &str) -> String {
         let known = self.file.as_deref().and_then(Path::file_stem);
         let title = self.document.info().title.trim();
@@ -388,7 +375,6 @@ impl Editor {
         format!("{stem}.{ending}")
     }
 
-    /// Where a file window begins.
     pub(crate) fn folder_for(&self, purpose: Purpose) -> PathBuf {
         let ours = match purpose {
             Purpose::LoadSetup | Purpose::SaveSetup => self.folders.setup.clone(),
@@ -408,8 +394,7 @@ impl Editor {
         ours.unwrap_or_else(|| self.folder())
     }
 
-    /// Where the last file was chosen, else beside the file that is open, else
-    /// where the host stands.
+    /// Where the last file was chosen, else beside the open file, else the current directory.
     fn folder(&self) -> PathBuf {
         let beside = |file: &Path| {
             let folder = file.parent()?;
@@ -432,7 +417,7 @@ pub(crate) fn short(file: &Path) -> String {
     readable(file.file_name().unwrap_or(file.as_os_str()))
 }
 
-/// A name as it is shown: what is no letter is a question mark.
+/// A name as it is shown: `?` for control characters and invalid bytes.
 pub(crate) fn readable(name: &OsStr) -> String {
     let letters = name.to_string_lossy();
     let plain = letters.chars().map(|letter| match letter {

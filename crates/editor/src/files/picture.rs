@@ -13,8 +13,7 @@ use crate::theme;
 /// A longer file is not read for its picture alone.
 const LONGEST: u64 = 1 << 20;
 
-/// The edges of the movement space and the curve; of a scene in which no path is edited
-/// what stands in it.
+/// The edges of the movement space and the curve; for a scene without an edited path, its contents.
 #[derive(Debug)]
 pub(super) struct Picture {
     edges: Vec<[Pos2; 2]>,
@@ -32,7 +31,7 @@ impl Picture {
         }
     }
 
-    /// That of a file; none if it is neither path nor scene, or a long one.
+    /// The picture of a file; `None` if it is long, or neither path nor scene.
     pub(super) fn of_file(file: &Path, size: Vec2) -> Option<Self> {
         let known = std::fs::metadata(file).ok()?;
         let short = known.is_file() && known.len() <= LONGEST;
@@ -59,7 +58,7 @@ impl Picture {
     }
 }
 
-/// Shows it; a question mark for what is neither path nor scene.
+/// Shows it, or a question mark where there is none.
 pub(super) fn show(editor: &Editor, ui: &mut Ui, size: Vec2, picture: Option<&Picture>) {
     let texts = &editor.texts().recovery;
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());

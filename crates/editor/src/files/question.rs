@@ -1,5 +1,4 @@
-//! The questions before something is lost: unsaved work, or a file that somebody else
-//! has changed since it was read or written here.
+//! The questions before unsaved work is lost, or a file changed elsewhere since it was read here.
 
 use egui::{Button, Key, Modifiers, vec2};
 
@@ -9,7 +8,6 @@ use crate::state::Editor;
 use crate::texts::fill;
 use crate::windows::{modal, row_at_right};
 
-/// A question, and what it stands before.
 #[derive(Debug)]
 pub(crate) struct Question {
     about: About,
@@ -24,7 +22,7 @@ enum About {
     Newer,
 }
 
-/// An answer: its words, the hint, what it does.
+/// An answer: its words, its hint, what it does.
 type Answer = (&'static str, &'static str, Option<Action>);
 
 impl Question {
@@ -88,7 +86,7 @@ impl Question {
                     texts.newer
                 };
                 let place = ("changed", texts.changed, 420.0, 112.0);
-                // The keyboard is at the one by which nobody loses anything.
+                // The keyboard is at the answer that loses nothing.
                 let first = usize::from(modified);
                 self.ask(
                     context,
@@ -113,14 +111,13 @@ impl Question {
                 ];
                 let text = fill(texts.changed_since, &[&name]);
                 let place = ("changed", texts.changed, 480.0, 112.0);
-                // The keyboard is at the one by which nobody loses anything.
+                // The keyboard is at the answer that loses nothing.
                 self.ask(context, place, &text, answers, 1, actions)
             }
         }
     }
 
-    /// Asks in a window with this name, title, width and least width of a button; the
-    /// keyboard is at one of the answers first.
+    /// Asks in a window with this name, title, width and least button width, `first` focused.
     fn ask<const N: usize>(
         &mut self,
         context: &egui::Context,

@@ -1,5 +1,4 @@
-//! The files that were open last, for the File menu: kept in the state folder,
-//! one a line, the newest first.
+//! The files that were open last, for the File menu: in the state folder, one a line, newest first.
 
 use std::path::{Path, PathBuf};
 
@@ -10,7 +9,7 @@ use crate::document::save;
 use crate::document::vid::read_text;
 use crate::state::Editor;
 
-/// So many are kept.
+/// How many are kept.
 const MOST: usize = 8;
 
 /// Bytes of the list: each path may be as long as paths can be.
@@ -19,16 +18,15 @@ const MAX_BYTES: u64 = 1 << 20;
 /// The list's name in the state folder.
 const NAME: &str = "recent";
 
-/// Those that are still there. A list that cannot be read is empty.
+/// Those that still exist. A list that cannot be read is empty.
 fn load(folder: &Path) -> Vec<PathBuf> {
     let text = read_text(&folder.join(NAME), MAX_BYTES).unwrap_or_default();
     let files = text.lines().filter_map(unescaped);
     files.filter(|file| file.is_file()).take(MOST).collect()
 }
 
-/// Puts a file first.
 fn note(folder: &Path, file: &Path) -> crate::Result<()> {
-    // Read anew: other windows have lists too.
+    // Read again: other windows write it, too.
     let mut files = load(folder);
     files.retain(|known| known != file);
     files.insert(0, file.to_owned());
@@ -48,7 +46,7 @@ impl Editor {
             return;
         };
         let file = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
-        // A list that cannot be written is a comfort less, and no more.
+        // If the list cannot be written, only a convenience is lost.
         let _ = note(folder, &file);
         self.read_recent();
     }
@@ -57,8 +55,7 @@ impl Editor {
         self.recent = self.folders.state.as_deref().map(load).unwrap_or_default();
     }
 
-    /// The recent files as the menu shows them: their names, with the folder
-    /// where two have the same.
+    /// The recent files as the menu shows them: names, with the folder where two are the same.
     pub(crate) fn recent_names(&self) -> Vec<String> {
         let names: Vec<String> = self.recent.iter().map(|file| short(file)).collect();
         let several = |name: &String| names.iter().filter(|other| *other == name).count() > 1;

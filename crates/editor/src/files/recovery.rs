@@ -1,14 +1,12 @@
-//! Work not yet saved, kept so that a crash, a kill or an X server that goes
-//! away costs a second of it at most.
+//! Work not yet saved, kept so that a crash, a kill or an X server that goes away costs at most a
+//! second of it.
 //!
-//! One file per window, in the state folder: a `.vid` file that begins with
-//! comments on where it comes from. It is written beside and renamed, so that
-//! it is wholly the old or wholly the new; not brought to the disk each time,
-//! since the death of a process, unlike a power cut, loses nothing that was
-//! written. It is locked as long as its process lives, however that ends: what
-//! can be locked belongs to nobody any more and is offered to the next window.
-//! A new content is locked before it takes its name, so that no other process
-//! ever finds it free.
+//! One file per window, in the state folder: a `.vid` file that begins with comments on its origin.
+//! It is written beside and renamed, so that it is wholly the old or wholly the new one, but not
+//! synced each time: the death of a process, unlike a power cut, loses nothing that was written. It
+//! is locked as long as its process lives; a file that can be locked is nobody's any more, and is
+//! offered to the next window. A new one is locked before it takes its name, so that no other
+//! process ever finds it free.
 //!
 //! No egui here; [`super::autosave`] joins it to the window.
 
@@ -25,8 +23,7 @@ use crate::document::{Contents, Document};
 use crate::error::{Error, Result};
 use crate::limits::MAX_FILE_BYTES;
 
-/// From a change to its being written. What is left of the second is for the
-/// writing, which takes 20 ms for 10,000 points.
+/// From a change to writing it. The rest of the second is for writing, 20 ms for 10,000 points.
 pub(crate) const DELAY: Duration = Duration::from_millis(700);
 
 /// How names of recovery files begin and end; those being written end in `NEW`.
@@ -57,7 +54,6 @@ pub(crate) struct Origin<'a> {
     pub(crate) known: Option<Contents>,
 }
 
-/// Number of the next file of this process.
 static NEXT: AtomicU64 = AtomicU64::new(0);
 
 /// Keeps the unsaved work of one window.
@@ -65,29 +61,28 @@ static NEXT: AtomicU64 = AtomicU64::new(0);
 pub(crate) struct Autosave {
     folder: PathBuf,
     path: PathBuf,
-    /// The file as it stands there, locked.
+    /// The file at `path`, locked.
     held: Option<File>,
-    /// The state that was written, or needs no writing.
+    /// The state that was written or needs no writing.
     settled: u64,
-    /// Since when there is something to be written.
+    /// When the first change came that is not written yet.
     since: Option<Instant>,
-    /// It could not be written, and that was said.
+    /// Writing failed, and that was reported.
     failed: bool,
 }
 
-/// What came of looking after the unsaved work.
+/// The outcome of looking after unsaved work.
 #[derive(Debug)]
 pub(crate) enum Saved {
-    /// Nothing to do.
     Idle,
-    /// To be looked after again when so much time has gone by.
+    /// To be looked after again after this time.
     In(Duration),
-    /// It could not be written; told once only.
+    /// It could not be written; reported only once.
     Failed(Error),
 }
 
 impl Autosave {
-    /// An autosave for a window that shows this document. Writes nothing yet.
+    /// For a window that shows this document. Writes nothing yet.
     pub(crate) fn new(folder: &Path, document: &Document) -> Self {
         let started = SystemTime::now().duration_since(UNIX_EPOCH);
         let started = started.map_or(0, |since| since.as_millis());
@@ -104,8 +99,8 @@ impl Autosave {
         }
     }
 
-    /// To be called in each pass: writes what has changed, [`DELAY`] after the
-    /// first change, and removes the file when nothing is unsaved any more.
+    /// To be called in each pass: writes what has changed, [`DELAY`] after the first change, and
+    /// removes the file when nothing is unsaved any more.
     pub(crate) fn look_after(
         &mut self,
         document: &Document,
@@ -138,12 +133,9 @@ impl Autosave {
         }
     }
 
-    /// Writes what is unsaved now.
-    ///
-    /// # Errors
-    /// `ErrorKind::Io`, `ErrorKind::Memory`; what was written before stays.
+    /// Writes what is unsaved now; after an error what was written before stays.
     pub(crate) fn write(&mut self, document: &Document, origin: &Origin<'_>) -> Result<()> {
-        // Also if it fails: the next change tries again.
+        // Even if it fails: the next change tries again.
         self.settled = document.state_number();
         self.since = None;
         let text = document.to_toml()?;
@@ -174,33 +166,32 @@ impl Autosave {
         written
     }
 
-    /// The work is saved, or nobody wants it.
+    /// Removes the file: the work is saved, or nobody wants it.
     pub(crate) fn forget(&mut self) {
         if self.held.take().is_some() {
-            // If it cannot be removed it is offered at the next start: better
-            // than lost.
+            // If it cannot be removed it is offered at the next start: better than lost.
             let _ = fs::remove_file(&self.path);
         }
     }
 
-    /// Whether this state was not written yet.
+    /// Whether this state is not written yet.
     pub(crate) fn is_behind(&self, document: &Document) -> bool {
         document.state_number() != self.settled
     }
 
-    /// The file that holds the work, when there is some.
+    /// The file that holds the work, if there is any.
     pub(crate) fn path(&self) -> &Path {
         &self.path
     }
 }
 
-/// A new file that only we may read, locked before anybody could lock it for
-/// long: a process that looks around may hold it for a moment, and removes it.
+/// A new file, locked, that only we may read. Another process that looks around may lock it for a
+/// moment first, and removes it: then it is made again.
 fn locked_new(path: &Path) -> io::Result<File> {
     let mut attempts = 0;
     loop {
         attempts += 1;
-        // Left by a process that had our number long ago, if by any.
+        // Left by a process that had our number long ago, if at all.
         match fs::remove_file(path) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
             _ => {}
@@ -220,7 +211,7 @@ fn locked_new(path: &Path) -> io::Result<File> {
     }
 }
 
-/// Whether this open file is the one that bears the name.
+/// Whether this open file still bears the name.
 fn is_still(file: &File, path: &Path) -> bool {
     match (file.metadata(), fs::symlink_metadata(path)) {
         (Ok(open), Ok(named)) => open.ino() == named.ino() && open.dev() == named.dev(),
@@ -248,16 +239,16 @@ fn header(origin: &Origin<'_>) -> String {
         text.push_str(&escaped(&file));
         text.push('\n');
         if let Some(known) = origin.known {
-            // Writing into a text cannot fail.
+            // Writing to a string cannot fail.
             let _ = writeln!(text, "{CONTENTS_MARK}{known}");
         }
     }
-    // What follows belongs to the document, be it a comment.
+    // What follows belongs to the document, even a comment.
     text.push('\n');
     text
 }
 
-/// The document's own text: what we wrote above it is no comment of its user's.
+/// The document's own text, without the comments that we wrote above it.
 fn without_header(text: &str) -> &str {
     let mut rest = text;
     while let Some((line, after)) = rest.split_once('\n')
@@ -268,8 +259,7 @@ fn without_header(text: &str) -> &str {
     rest
 }
 
-/// A path as one line of text: `%` and two digits for bytes that are no plain
-/// letters.
+/// A path as one line: `%` and two digits for `%` and bytes other than printable ASCII.
 pub(crate) fn escaped(path: &Path) -> String {
     use std::fmt::Write;
     let mut text = String::new();
@@ -277,14 +267,14 @@ pub(crate) fn escaped(path: &Path) -> String {
         if byte.is_ascii_graphic() && byte != b'%' || byte == b' ' {
             text.push(char::from(byte));
         } else {
-            // Writing into a text cannot fail.
+            // Writing to a string cannot fail.
             let _ = write!(text, "%{byte:02X}");
         }
     }
     text
 }
 
-/// The path in a line of [`escaped`]; none if it is none.
+/// The path in a line of [`escaped`]; `None` if it is malformed.
 pub(crate) fn unescaped(text: &str) -> Option<PathBuf> {
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();
@@ -303,13 +293,11 @@ pub(crate) fn unescaped(text: &str) -> Option<PathBuf> {
     plain.then(|| PathBuf::from(std::ffi::OsString::from_vec(bytes)))
 }
 
-/// Unsaved work that nobody holds any more, but we: as long as this lives no
-/// other window is offered it.
+/// Unsaved work whose process is gone. We lock it: while this lives no other window gets it.
 #[derive(Debug)]
 pub(crate) struct Found {
     path: PathBuf,
     file: File,
-    /// The program in whose window it was made.
     pub(crate) program: Option<String>,
     /// The file that it was a change of.
     pub(crate) original: Option<PathBuf>,
@@ -320,19 +308,14 @@ pub(crate) struct Found {
 
 impl Found {
     /// The document in it, unsaved as it was.
-    ///
-    /// # Errors
-    /// `ErrorKind::Format` if it is broken.
     pub(crate) fn document(&self) -> Result<Document> {
-        // Names of meshes are whole ones. One that cannot be read is told where it is
-        // missed: the work is what counts here.
+        // Names of meshes are absolute. A mesh that cannot be read is reported where it is missed.
         let text = without_header(&self.text);
         let (mut document, _) = Document::scene_from_toml(text, Path::new(""))?;
         document.mark_unsaved();
         Ok(document)
     }
 
-    /// Removes it for good.
     pub(crate) fn discard(self) {
         if is_still(&self.file, &self.path) {
             let _ = fs::remove_file(&self.path);
@@ -340,8 +323,7 @@ impl Found {
     }
 }
 
-/// Unsaved work of a program (none: of any) in the folder whose process does not live any
-/// more, the newest first. What is not readable is left alone.
+/// The unsaved work of dead processes of a program (`None`: any), newest first, where readable.
 pub(crate) fn find(folder: &Path, program: Option<&str>) -> Vec<Found> {
     let Ok(entries) = fs::read_dir(folder) else {
         return Vec::new();
@@ -379,7 +361,7 @@ fn take(path: &Path) -> Option<Found> {
         return None;
     }
     file.try_lock().ok()?;
-    // It was replaced after we opened it: its process lives.
+    // Replaced after we opened it: its process lives.
     if !is_still(&file, path) {
         return None;
     }
@@ -407,7 +389,7 @@ fn take(path: &Path) -> Option<Found> {
     })
 }
 
-/// A file whose process died while it wrote: what was there before is whole.
+/// Removes a file whose process died while writing it: the one before is whole.
 fn remove_unfinished(path: &Path) {
     let Ok(file) = OpenOptions::new()
         .read(true)

@@ -1,5 +1,4 @@
-//! Unsaved work that was left behind, offered beside the work: nothing waits for an
-//! answer.
+//! Unsaved work that was left behind, offered beside the work: nothing waits for an answer.
 
 use std::time::{Duration, SystemTime};
 
@@ -15,18 +14,16 @@ use crate::texts::{Language, fill};
 use crate::theme;
 use crate::windows::{SubWindow, Windows, sub_window_as};
 
-/// So many are listed; the others come at later starts.
+/// How many are listed; the others come at later starts.
 const LISTED: usize = 6;
-/// So many are seen at once.
+/// How many are seen at once.
 const SEEN: usize = 2;
 const WIDTH: f32 = 420.0;
 const PICTURE: Vec2 = vec2(84.0, 64.0);
 const BUTTON: Vec2 = vec2(120.0, 28.0);
-/// Its lower left corner from the window's at first: in the movement window, above
-/// the bar, and right of the panels.
+/// Its lower left corner from the window's at first: above the bar, right of the list of points.
 const CORNER: Vec2 = vec2(272.0, -64.0);
 
-/// What was found, held for this window while it is offered.
 #[derive(Debug)]
 pub(crate) struct RecoveryWindow {
     offered: Vec<Offered>,
@@ -35,11 +32,11 @@ pub(crate) struct RecoveryWindow {
 #[derive(Debug)]
 struct Offered {
     found: Found,
-    /// None if it is broken.
+    /// `None` if it is broken.
     picture: Option<Picture>,
 }
 
-/// What was answered: an action, or nothing before the next start.
+/// An action, or `None`: nothing before the next start.
 type Answer = Option<Action>;
 
 impl RecoveryWindow {
@@ -57,7 +54,7 @@ impl RecoveryWindow {
         }
     }
 
-    /// What is offered under this number.
+    /// Takes out what is offered under this number.
     pub(crate) fn found(&mut self, number: usize) -> Option<Found> {
         let is_there = number < self.offered.len();
         is_there.then(|| self.offered.remove(number).found)
@@ -120,7 +117,7 @@ impl SubWindow for RecoveryWindow {
             context,
             Self::ID,
             texts.title,
-            // Without a size it begins so wide that it is moved away from its place.
+            // Without a size it opens so wide that it is moved from its place.
             |window| {
                 window
                     .pivot(egui::Align2::LEFT_BOTTOM)
@@ -147,7 +144,7 @@ impl SubWindow for RecoveryWindow {
         );
         match answer {
             None => stays,
-            // What is not answered stays where it is, for the next start.
+            // What is not answered stays for the next start.
             Some(None) => false,
             Some(Some(action)) => {
                 actions.push(action);
@@ -157,7 +154,6 @@ impl SubWindow for RecoveryWindow {
     }
 }
 
-/// The program, the file and when it was written.
 fn describe(editor: &Editor, ui: &mut Ui, found: &Found) {
     ui.spacing_mut().item_spacing.y = 2.0;
     let name = found

@@ -1,6 +1,5 @@
-//! What passes between the window and its host's own picture while the flight is
-//! planned: where the playhead stands and what the camera sees there; the host's
-//! camera, shown as a ghost and taken over into the path.
+//! What passes between the window and its host's own picture: where the playhead is and what the
+//! camera sees there; the host's camera, shown as a ghost and taken over into the path.
 
 pub(crate) mod pane;
 mod program;
@@ -25,11 +24,10 @@ use crate::state::{Editor, Reason, Request};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 
-/// How far away the target of a view that was taken over lies, in half sizes.
+/// The distance to the target of a view that was taken over, in half sizes.
 const TARGET: f64 = 0.4;
 
-/// Where the playhead stands in which path: where two are equal, the host has nothing
-/// new to be told.
+/// Where the playhead stands in which path: while this is equal, the host has nothing new to learn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standing {
     revision: u64,
@@ -40,7 +38,7 @@ pub struct Standing {
 }
 
 impl Standing {
-    /// What led here from another one.
+    /// What led here from `before`.
     pub fn reason(&self, before: &Self) -> Reason {
         if self.plays || before.plays {
             Reason::Played
@@ -66,17 +64,17 @@ impl Editor {
         }
     }
 
-    /// It plays, or a step of the document is open: more is to come.
+    /// Whether it plays or a step of the document is open: more is to come.
     pub fn is_under_way(&self) -> bool {
         self.playing.is_playing() || self.document.in_step()
     }
 
-    /// A number for what the path is after each step; an old one after undo.
+    /// Identifies the path after each step; after undo it is an old number again.
     pub fn step_number(&self) -> (u64, u64) {
         (self.windows.paths, self.document.state_number())
     }
 
-    /// The frame at the playhead, from 1; in a scene that of the scene.
+    /// The frame at the playhead, from 1; in a scene, the scene's.
     ///
     /// # Errors
     /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
@@ -119,11 +117,11 @@ impl Editor {
         Ok((pose, frame))
     }
 
-    /// The playhead goes to a frame, from 1, in a scene of those in which the path that is
-    /// edited moves, and stays there.
+    /// Moves the playhead to a frame, from 1, and leaves it there; in a scene, to a frame of the
+    /// scene at which the edited path moves.
     ///
     /// # Errors
-    /// `ErrorKind::Range` for one that there is not; as [`Editor::frame`].
+    /// `ErrorKind::Range` if there is no such frame; as [`Editor::frame`].
     pub fn set_frame(&mut self, frame: f64) -> Result<()> {
         let frame = self.document.frame_of_path(frame);
         self.document.sampler()?.pose(frame)?;
@@ -131,7 +129,7 @@ impl Editor {
         Ok(())
     }
 
-    /// Plays from the next picture on, or plays no more.
+    /// Plays from the next picture on, or stops.
     pub fn set_playing(&mut self, plays: bool) {
         self.playing.order(plays);
     }
@@ -139,14 +137,14 @@ impl Editor {
     /// Makes a point and one of its orientations current, both counted from 0.
     ///
     /// # Errors
-    /// `ErrorKind::Range` for one that there is not.
+    /// `ErrorKind::Range` if there is no such one.
     pub fn select_key(&mut self, point: usize, orientation: usize) -> Result<()> {
         self.document.select(point, orientation)?;
         self.select(point, orientation);
         Ok(())
     }
 
-    /// Shows another object, in one step that the user can take back.
+    /// Shows another object, in one undoable step.
     ///
     /// # Errors
     /// `ErrorKind::Memory`.
@@ -157,17 +155,16 @@ impl Editor {
         self.document.apply(Edit::SetInfo(Box::new(info)))
     }
 
-    /// What follows `VIDES` in the title; none: the file's name.
+    /// What follows `VIDES` in the title; `None`: the file's name.
     pub fn set_title(&mut self, title: Option<String>) {
         self.title = title;
     }
 
-    /// Saves under a name, or under its own one, and edits that file from now on.
+    /// Saves under a name, by default its own, and edits that file from now on.
     ///
     /// # Errors
-    /// `ErrorKind::Argument` without a name, or if the file of its own name is no more
-    /// what it was when it was read or written here: nothing is written then.
-    /// `ErrorKind::Io`.
+    /// `ErrorKind::Argument` without a name, or if its own file has changed since it was read or
+    /// written here: nothing is written then. `ErrorKind::Io`.
     pub fn save_as(&mut self, file: Option<&Path>) -> Result<()> {
         self.take_tool();
         let own = self.file.clone();
@@ -180,10 +177,10 @@ impl Editor {
         Err(Refused::FileChanged.into())
     }
 
-    /// The host's camera, to be shown; none: no more.
+    /// Shows the host's camera, or hides it.
     ///
     /// # Errors
-    /// `ErrorKind::Argument`, `ErrorKind::Range` for one that is none.
+    /// `ErrorKind::Argument`, `ErrorKind::Range` for a pose that is not valid.
     pub fn set_ghost(&mut self, pose: Option<&Pose>) -> Result<()> {
         let space = self.document.path().space;
         let checked = pose.map(|pose| checked(pose, space)).transpose()?;
@@ -219,8 +216,8 @@ impl Editor {
         }
     }
 
-    /// Takes over the view that the host has given, else the one that it shows: as a
-    /// new point behind the current one, or in place of the current orientation.
+    /// Takes over the given view, else the ghost: as a new point after the current one, or in place
+    /// of the current orientation.
     pub fn take_over(&mut self, given: Option<&Pose>, replace: bool) {
         self.take_tool();
         let texts = &self.texts().space;
@@ -246,7 +243,7 @@ impl Editor {
         let position = DVec3::from_array(pose.vrp);
         self.document.begin_step();
         let done = if replace {
-            // The other way round the old target might lie where the point comes to.
+            // In the other order the old target might lie where the point comes to.
             let edits = [
                 Edit::SetOrientation {
                     point,
@@ -298,7 +295,7 @@ impl Editor {
     }
 }
 
-/// A pose with vectors of length 1, perpendicular to each other.
+/// A valid pose, with perpendicular vectors of length 1.
 fn checked(pose: &Pose, space: Space) -> Result<Pose> {
     let [position, view, up] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
     space.check_place(position)?;
@@ -315,10 +312,10 @@ fn checked(pose: &Pose, space: Space) -> Result<Pose> {
     Ok(made)
 }
 
-/// The orientation of a pose, with speeds and pause of another one.
+/// The orientation of a pose, with the speeds and the hold of another one.
 fn seen_by(pose: &Pose, space: Space, other: &Orientation) -> Orientation {
     let target = Target::Relative(DVec3::from_array(pose.vpn) * TARGET * space.half_size);
-    // As the path will understand it: near a pole each bit of the direction counts.
+    // As the path will read it: near a pole each bit of the direction counts.
     let view = orientation::unit(target.offset_from(DVec3::from_array(pose.vrp)));
     let up = DVec3::from_array(pose.vup);
     let roll = orientation::roll_from_up(space.up.upright(view), space.up.upright(up));

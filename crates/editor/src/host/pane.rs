@@ -1,5 +1,5 @@
-//! The camera's picture where the host draws it: what stands in a window of its own
-//! that covers ours. So what is shown above it must be known, to be cut out there.
+//! The camera's picture where the host draws it, in a window of its own that covers ours: what is
+//! shown above it must be known, to be cut out there.
 
 use egui::{Context, Id, LayerId, Order, Rect};
 
@@ -10,13 +10,12 @@ use crate::state::Editor;
 pub struct HostPane {
     /// The picture.
     pub picture: Rect,
-    /// What is shown above it, in part perhaps.
+    /// What is shown above it, at least in part.
     pub above: Vec<Rect>,
 }
 
 impl Editor {
-    /// Where the host draws what the camera sees; `None` if that is not shown, or if
-    /// the editor draws it itself.
+    /// Where the host draws what the camera sees; `None` if that is hidden or the editor draws it.
     #[must_use]
     pub fn host_pane(&self) -> Option<&HostPane> {
         self.host_pane.as_ref()
@@ -34,7 +33,7 @@ impl HostPane {
     pub(crate) fn add_what_lies_above(&mut self, context: &Context, layer: Id) {
         let own = LayerId::new(Order::Middle, layer);
         context.memory(|memory| {
-            // Where it is no pane, all panes lie above it.
+            // If the pane's layer is not shown, all others lie above the pane.
             let is_pane = memory.areas().is_visible(&own);
             let above = (memory.layer_ids())
                 .skip_while(|&layer| is_pane && layer != own)

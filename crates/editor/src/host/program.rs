@@ -7,18 +7,18 @@ use std::time::SystemTime;
 pub struct Program {
     /// Its name, as its user knows it.
     pub name: String,
-    /// It offers the unsaved work of all programs, and not only its own.
+    /// It offers the unsaved work of all programs, not only its own.
     pub offers_all: bool,
     /// After a hand-over nothing is unsaved: the program has it.
     pub hand_over_saves: bool,
-    /// A time as a clock on the wall shows it; none where nobody can tell.
+    /// Converts to local time; `None` where that is unknown.
     pub local_time: fn(SystemTime) -> Option<Date>,
 }
 
-/// A day and a time of day.
+/// A date and a time of day.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Date {
-    /// Of the common calendar.
+    /// In the Gregorian calendar.
     pub year: i32,
     /// 1…12.
     pub month: i32,

@@ -16,7 +16,7 @@ pub enum Warning {
         /// Its number.
         number: i32,
     },
-    /// A base speed makes no sense.
+    /// A base speed is not finite or not positive.
     #[error("{name} is {given} and must be finite and greater than 0: {taken} is taken")]
     Speed {
         /// The host's name for it.
@@ -32,7 +32,7 @@ pub enum Warning {
     /// The object cannot be read; only programs are told why.
     #[error("the object is not shown: {0}")]
     NotRead(Text),
-    /// A mesh of a scene in a file of its own.
+    /// What was wrong with a mesh of a scene.
     #[error(transparent)]
     Mesh(Arc<Error>),
 }
@@ -42,26 +42,25 @@ pub enum Warning {
 pub struct Warnings(Vec<Warning>);
 
 impl Warnings {
-    /// One thing more, if there is memory for it.
+    /// Adds one, if there is memory for it.
     pub fn add(&mut self, warning: Warning) {
         if self.0.try_reserve(1).is_ok() {
             self.0.push(warning);
         }
     }
 
-    /// What was wrong with the meshes of a scene.
+    /// Adds what was wrong with the meshes of a scene.
     pub fn add_meshes(&mut self, errors: Vec<Error>) {
         let errors = errors.into_iter().map(Arc::new);
         errors.for_each(|error| self.add(Warning::Mesh(error)));
     }
 
-    /// Nothing was wrong.
+    /// Whether nothing was wrong.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// Each, in the order in which they came.
     pub(crate) fn iter(&self) -> impl Iterator<Item = &Warning> {
         self.0.iter()
     }

@@ -1,6 +1,5 @@
-//! The menu bar (thesis A.5): opened by the pointer, by Alt and a letter or by
-//! F10, walked through by the arrow keys; in an open menu an entry's letter
-//! picks it.
+//! The menu bar (thesis A.5): opened by the pointer, by Alt and a letter, or by F10. The arrow keys
+//! walk through it; in an open menu an entry's letter picks it.
 
 use std::borrow::Cow;
 
@@ -23,7 +22,7 @@ use crate::theme;
 const MARK: f32 = 28.0;
 /// Beside a menu's title.
 const TITLE_MARGIN: f32 = 6.0;
-/// The same in a window that is narrower than this.
+/// The same in a window narrower than `ROOMY`.
 const NARROW_MARGIN: f32 = 3.0;
 const ROOMY: f32 = 1000.0;
 /// Between the texts and their keys.
@@ -69,7 +68,7 @@ impl Entry {
         self
     }
 
-    /// Else it says why not.
+    /// Otherwise it is disabled, and its hint says why.
     fn only_if(mut self, possible: bool, why_not: &'static str) -> Self {
         self.enabled = possible;
         if !possible {
@@ -96,12 +95,12 @@ impl Entry {
 
 struct Menu {
     title: &'static str,
-    /// With Alt it opens the menu.
+    /// Opens the menu with Alt.
     letter: Key,
     entries: Vec<Entry>,
 }
 
-/// The letters that open the menus with Alt, and the menus' titles.
+/// The letters that open the menus with Alt, and the titles.
 pub(super) fn letters(texts: &Texts) -> [(Key, &'static str); 6] {
     let menu = &texts.menu;
     [
@@ -114,8 +113,7 @@ pub(super) fn letters(texts: &Texts) -> [(Key, &'static str); 6] {
     ]
 }
 
-/// The keys of an entry that has a letter of its own in its menu only: the menu's and
-/// then its own.
+/// The keys of an entry without a shortcut: its menu's, then its own.
 pub(super) fn in_menu(language: Language, menu: Key, entry: Key) -> String {
     let opens = keys::combination(language, Modifiers::ALT, menu);
     format!("{opens}, {}", entry.name())
@@ -219,7 +217,7 @@ fn edit(editor: &Editor) -> Vec<Entry> {
     ]
 }
 
-/// An entry for a step, with the name of the tool that made it.
+/// An entry for undo or redo, with the name of the tool that made the step.
 fn named(
     editor: &Editor,
     step: Option<&'static str>,
@@ -316,7 +314,7 @@ impl Bar {
     }
 }
 
-/// Shows the menus. The action whose entry was picked.
+/// Shows the menus; returns the action that was picked.
 pub(super) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
     let memory = Id::unique("menu bar");
     let mut bar: Bar = ui.data(|data| data.get_temp(memory)).unwrap_or_default();
@@ -341,8 +339,8 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
         let response = ui.add(title);
         let mut popup = Popup::menu(&response);
         bar.popups.push(popup.get_id());
-        // An open menu gives way to the one that the pointer comes to. One that
-        // only rests there leaves the choice to the keyboard.
+        // An open menu gives way to the one that the pointer moves onto; a resting pointer leaves
+        // the choice to the keyboard.
         let came = response.hovered() && ui.input(|input| input.pointer.delta() != Vec2::ZERO);
         if came && open.is_some_and(|open| open != index) {
             popup = popup.open_memory(Some(SetOpenCommand::Bool(true)));
@@ -408,7 +406,6 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
     picked
 }
 
-/// A row: room for a mark, the text, its keys at the right.
 fn show_entry(ui: &mut Ui, entry: &Entry, keys: &str, size: Vec2) -> Response {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let palette = theme::palette(ui);
@@ -459,7 +456,7 @@ fn walk(context: &Context, bar: &mut Bar, menus: &[Menu]) -> Option<Action> {
     for (index, (modifiers, key)) in keys.enumerate() {
         if let Some(&popup) = bar.popups.get(index % menus.len())
             && context.input_mut(|input| {
-                // Shift and F10 is another key.
+                // Shift+F10 is another key.
                 !input.modifiers.shift && input.consume_key(modifiers, key)
             })
         {

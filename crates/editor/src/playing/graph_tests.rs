@@ -5,6 +5,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 use super::*;
+use crate::limits::BASE_SPEED;
 use crate::screenshots::screenshot;
 use crate::space::tests::{motion, press, pyramid, pyramid_window, release, tap};
 

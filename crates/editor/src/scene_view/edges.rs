@@ -6,16 +6,15 @@ use vides_engine::scene::Mesh;
 
 use crate::document::features;
 
-/// Those of all meshes of a scene.
 #[derive(Debug, Default)]
 pub(super) struct Edges {
-    /// The scene of which they are: [`crate::document::Around::number`].
+    /// Their scene: [`crate::document::Around::number`].
     number: u64,
     of_nodes: HashMap<usize, Vec<[u32; 2]>>,
 }
 
 impl Edges {
-    /// The lines to be drawn of a node's mesh; points are lines without length.
+    /// The lines of a node's mesh; points are lines without length.
     pub(super) fn of(&mut self, number: u64, node: usize, mesh: &Mesh) -> &[[u32; 2]] {
         if self.number != number {
             *self = Self {
@@ -24,7 +23,7 @@ impl Edges {
             };
         }
         self.of_nodes.entry(node).or_insert_with(|| {
-            // Without memory there is nothing to be seen, and no other harm.
+            // Without memory nothing is drawn, which does no other harm.
             features(mesh).unwrap_or_default()
         })
     }

@@ -1,9 +1,8 @@
-//! The scene around the path that is edited: where everything stands at the playhead,
-//! as lines to be drawn, and the list in which one chooses whose path is edited.
+//! The scene around the path that is edited: everything at the playhead, as lines to be drawn, and
+//! the list of nodes to choose whose path is edited.
 //!
-//! It exists only where there is more than one camera on a path. The movement space is
-//! that of the path, in the coordinates of the node that its node is in: what is drawn
-//! there of the scene is brought into them.
+//! It exists only where there is more than one camera on a path. The movement space is in the
+//! coordinates of the parent of the path's node; what is drawn of the scene is brought into them.
 //!
 //! It changes nothing but by the document's edits, and knows no projection.
 
@@ -24,7 +23,6 @@ use crate::path::{Pose, Space};
 use crate::space::Camera;
 use crate::state::Editor;
 
-/// What is known of the scene.
 #[derive(Debug, Default)]
 pub(super) struct SceneView {
     now: RefCell<Option<Now>>,
@@ -35,13 +33,13 @@ pub(super) struct SceneView {
 #[derive(Debug)]
 pub(super) struct Now {
     pub(super) scene: Scene,
-    /// By the numbers of the nodes.
+    /// By node number.
     pub(super) states: Vec<NodeState>,
-    /// Of the scene.
+    /// Of the scene, not of the path.
     pub(super) frame: f64,
-    /// Whose path is edited.
+    /// The node whose path is edited.
     pub(super) edited: Option<usize>,
-    /// From the world into the coordinates of the path that is edited.
+    /// From the world into the coordinates of the edited path.
     pub(super) into_path: DAffine3,
     /// A node that cannot move as it should, and why.
     pub(super) trouble: Option<(usize, Error)>,
@@ -83,7 +81,7 @@ impl Now {
     }
 
     fn evaluate(&mut self) -> Result<()> {
-        // A function of the host's that fails steps, and the rest moves.
+        // A channel whose host function fails moves in steps; the rest moves as it should.
         let mut troubles = Troubles::default();
         self.scene
             .evaluate(self.frame, &mut self.states, &mut troubles)?;
@@ -91,19 +89,18 @@ impl Now {
         self.trouble = node.zip(troubles.into_error().map(Error::from));
         let parent = self.edited.and_then(|at| self.scene.nodes()[at].parent);
         let world = parent.map_or(DAffine3::IDENTITY, |at| self.states[at].world());
-        // What lies flat shows the world as it is.
+        // A flat parent has no inverse: the world is shown as it is.
         let inverse = Some(world.inverse()).filter(|inverse| inverse.is_finite());
         self.into_path = inverse.unwrap_or(DAffine3::IDENTITY);
         Ok(())
     }
 
-    /// The pose of the camera that is shown.
     fn pose(&self) -> Result<Pose> {
         let shown = self.scene.shown_camera().ok_or(Refused::NoCamera)?;
         Ok(self.states[shown].pose)
     }
 
-    /// A camera or light in the coordinates of the path that is edited.
+    /// A camera or light in the coordinates of the edited path.
     pub(super) fn camera(&self, at: usize) -> Camera {
         let seen = Camera::from(self.states[at].pose);
         let turned = |way: DVec3| {
@@ -129,9 +126,6 @@ impl Editor {
     }
 
     /// Looks at the scene at the playhead, if there is one.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
     pub(super) fn with_scene<R>(&self, look: impl FnOnce(&Now) -> R) -> Result<Option<R>> {
         if self.document.around().is_none() {
             return Ok(None);
@@ -149,7 +143,7 @@ impl Editor {
         around.map_or(self.document.path().space, |around| around.scene().space())
     }
 
-    /// What the camera that is shown sees; none: the path's own camera does.
+    /// The pose of the camera that is shown; `None`: that of the path's own.
     pub(super) fn scene_pose(&self) -> Result<Option<Pose>> {
         self.with_scene(Now::pose)?.transpose()
     }

@@ -1,4 +1,4 @@
-//! The list of the nodes, in which one chooses whose path is edited.
+//! The list of the nodes, to choose whose path is edited.
 
 use egui::{Button, Context, Rect, RichText, ScrollArea, Ui, vec2};
 use vides_engine::scene::{Kind, Node, Scene};
@@ -8,18 +8,17 @@ use crate::state::Editor;
 use crate::texts::refusals::reason_of;
 use crate::theme;
 
-/// How wide it is at first, in points.
+/// Its width at first, in points.
 const WIDTH: f32 = 190.0;
 
-/// What stands further in, for each level of the tree; deeper than this it does not go.
+/// The indent of each level of the tree, and the deepest level that is indented.
 const INDENT: f32 = 12.0;
 const DEEPEST: usize = 6;
 
-/// Rows that are seen at once.
+/// Rows seen at once.
 const ROWS: f32 = 12.0;
 
-/// Shows the list in a window of its own, if there is a scene and the column of lists is
-/// folded; `viewport` is the movement window.
+/// Shows the list in a window of its own, if there is a scene and the column of lists is folded.
 pub(crate) fn show(editor: &Editor, context: &Context, viewport: Rect, actions: &mut Vec<Action>) {
     if editor.document.around().is_none() || editor.points_list.is_open(context) {
         return;
@@ -33,7 +32,7 @@ pub(crate) fn show(editor: &Editor, context: &Context, viewport: Rect, actions: 
         .show(context, |ui| list(editor, ui, ROWS * theme::ROW, actions));
 }
 
-/// The list, at most so high, if there is a scene.
+/// The list, at most this high, if there is a scene.
 pub(crate) fn list(editor: &Editor, ui: &mut Ui, highest: f32, actions: &mut Vec<Action>) {
     let Some(around) = editor.document.around() else {
         return;
@@ -66,7 +65,7 @@ fn trouble(editor: &Editor) -> Option<String> {
     text.ok().flatten().flatten()
 }
 
-/// The numbers of the nodes, each below the one that it is in, with their levels.
+/// The nodes by number, each below its parent, with their levels.
 fn rows(scene: &Scene) -> Vec<(usize, usize)> {
     let nodes = scene.nodes();
     let mut children: Vec<Vec<usize>> = vec![Vec::new(); nodes.len() + 1];
@@ -136,7 +135,7 @@ fn kind(editor: &Editor, node: &Node) -> &'static str {
     }
 }
 
-/// Stands in the place of the panels where no path is edited.
+/// Stands in place of the panels where no path is edited.
 pub(crate) fn no_path(editor: &Editor, ui: &mut Ui) {
     let palette = theme::palette(ui);
     let text = RichText::new(editor.texts().scene.no_path).color(palette.weak);

@@ -1,4 +1,4 @@
-//! What there is to be drawn of a scene, as lines in the world.
+//! What is drawn of a scene, as lines in the world.
 
 use glam::DVec3;
 use vides_engine::scene::{Kind, Node, Troubles};
@@ -21,18 +21,15 @@ pub(crate) struct Wire {
 /// Pieces of all other paths together.
 const PIECES: usize = 4_000;
 
-/// Pieces of one segment of one of them.
+/// Pieces of one segment of them, at most.
 const OF_SEGMENT: usize = 24;
 
-/// The lines of all objects that are to be seen.
+/// The lines of all visible objects.
 pub(crate) fn wires(editor: &Editor, now: &Now, take: impl FnMut(Wire)) {
     of_objects(&mut editor.scene_view.edges.borrow_mut(), now, take);
 }
 
-/// The lines of a scene at its first frame: objects, other paths.
-///
-/// # Errors
-/// `ErrorKind::Memory`.
+/// The lines of a scene at its first frame: objects and other paths.
 pub(crate) fn outline(document: &Document) -> Result<Vec<[DVec3; 2]>> {
     let mut lines = Vec::new();
     if let Some(now) = Now::of(document, 1.0, None)? {
@@ -74,7 +71,7 @@ fn of_objects(edges: &mut Edges, now: &Now, mut take: impl FnMut(Wire)) {
     }
 }
 
-/// The curves of all paths but the one that is edited, piece by piece.
+/// The curves of all paths but the edited one, piece by piece.
 pub(crate) fn other_paths(now: &Now, mut take: impl FnMut([DVec3; 2])) {
     let others = |&(at, node): &(usize, &Node)| Some(at) != now.edited && node.path().is_some();
     let nodes = || now.scene.nodes().iter().enumerate().filter(others);

@@ -1,6 +1,5 @@
-//! The colours of the movement window (thesis A.5): an element is chosen from
-//! a list, three sliders change its red, green and blue. What is set is seen
-//! at once; it belongs to the theme that is shown.
+//! The colours of the movement window (thesis A.5): an element is chosen from a list, three sliders
+//! mix its red, green and blue. Changes show at once, and belong to the current theme.
 
 use egui::{
     Button, Color32, CornerRadius, Grid, Rect, Sense, Slider, Stroke, StrokeKind, Ui, vec2,
@@ -133,7 +132,7 @@ impl ColourWindow {
                     let entry = number.show(ui, editor.language(), &id, NUMBER);
                     match entry {
                         Entry::Begin => self.before = Some(colour),
-                        // In range: the number saw to that.
+                        // `Number` keeps it in range.
                         Entry::Drag(value) | Entry::Set(value) => {
                             set(setup, element, part, value.round() as u8);
                         }

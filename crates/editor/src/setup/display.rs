@@ -42,7 +42,7 @@ impl SubWindow for DisplayWindow {
                 .min_col_width(202.0)
                 .spacing(vec2(16.0, 0.0))
                 .show(ui, |ui| {
-                    // The picture of the camera is the last one.
+                    // The camera's picture is the last one.
                     let elements = Element::ALL
                         .into_iter()
                         .filter(|element| element.has_switch());
@@ -76,7 +76,6 @@ impl SubWindow for DisplayWindow {
                 }
             });
             ui.separator();
-            // The choices stand in columns.
             Grid::new("choices")
                 .num_columns(4)
                 .spacing(vec2(APART, theme::GAP))
@@ -94,7 +93,7 @@ impl SubWindow for DisplayWindow {
                     }
                     ui.end_row();
                     ui.label(texts.language);
-                    // Each language by its own name, to be found by who speaks it.
+                    // Each language by its own name, for those who speak it.
                     for (language, name) in [
                         (None, texts.automatic),
                         (Some(Language::German), texts.german),

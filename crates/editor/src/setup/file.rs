@@ -1,8 +1,7 @@
 //! The setup file (thesis A.5): colours, what is shown, from where.
 //!
-//! TOML, as `.vid` files are, and read as strictly: an unknown key is refused
-//! with its line. What is not given is as in a new window. Not by `serde`: what it
-//! finds wrong are English sentences, which cannot be said in German.
+//! TOML, read as strictly as `.vid` files; what is missing is as in a new window. Not read by
+//! `serde`, whose English sentences on errors could not be translated.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -19,11 +18,10 @@ use crate::files::folders;
 use crate::state::Editor;
 use crate::texts::{Language, fill};
 
-/// The version that is written, and the newest that is read.
+/// The version that is written, and the only one that is read.
 const VERSION: i64 = 1;
 
-/// Bytes of a setup file: forty times what is written. Parsed, they may take some
-/// hundred times as much.
+/// Bytes of a setup file: forty times what is written. Parsing takes some hundred times as much.
 const MAX_BYTES: u64 = 64 << 10;
 
 const KEYS: [&str; 12] = [
@@ -46,16 +44,13 @@ const PLACES: [&str; 3] = ["corner", "beside", "whole"];
 const ASPECTS: [&str; 5] = ["3:2", "16:9", "4:3", "1:1", "2.39:1"];
 const VIEW_KEYS: [&str; 4] = ["rotation_degrees", "tilt_degrees", "size", "shift"];
 
-/// Reads a setup.
-///
-/// # Errors
-/// `ErrorKind::Io`; `ErrorKind::Format` with file, line and reason.
+/// Reads a setup. Errors of format name file, line and reason.
 pub(crate) fn load(file: &Path) -> Result<Setup> {
     let text = read_text(file, MAX_BYTES)?;
     from_toml(&text).map_err(|error| error.at(file.display()))
 }
 
-/// Saves a setup, atomically; makes the folder if need be.
+/// Saves a setup atomically, and makes the folder if need be.
 pub(crate) fn write(file: &Path, setup: &Setup) -> Result<()> {
     write_text(file, &to_toml(setup))
 }
@@ -75,7 +70,7 @@ fn write_text(file: &Path, text: &str) -> Result<()> {
 
 fn to_toml(setup: &Setup) -> String {
     let mut out = String::with_capacity(2048);
-    // Writing into a text cannot fail.
+    // Writing to a string cannot fail.
     let _ = write_setup(&mut out, setup);
     out
 }
@@ -96,9 +91,9 @@ const fn language_word(language: Option<Language>) -> &'static str {
     }
 }
 
-/// The text of a setup file with another word for a key at its top, all else as it was.
+/// A setup file's text with another word for a top-level key, all else as it was.
 fn with_word(text: &str, key: &str, word: &str) -> Result<String> {
-    // What is not understood is not touched.
+    // A file that is not understood is not touched.
     from_toml(text)?;
     let source = Source { text, start: 0 };
     let root = DeTable::parse(text).map_err(|error| source.not_toml(&error))?;
@@ -200,7 +195,7 @@ fn from_toml(text: &str) -> Result<Setup> {
     Ok(setup)
 }
 
-/// Which of these words it is.
+/// Which of these words it is, by its index.
 fn one_of(field: &Field<'_>, words: &'static [&'static str]) -> Result<usize> {
     let word = field.text()?;
     let found = words.iter().position(|&known| known == word);
@@ -217,7 +212,7 @@ fn view(table: Field<'_>) -> Result<View> {
             "shift" => view.shift = field.numbers()?,
             _ => return Err(field.unknown(&VIEW_KEYS)),
         }
-        // A number by hand may be anything: told here, with its line.
+        // A number written by hand may be anything: reported here, with its line.
         let mended = view.in_range();
         let rotation_only = View {
             rotation: mended.rotation,
@@ -269,8 +264,7 @@ fn colour(text: &str) -> Option<Color32> {
 }
 
 impl Editor {
-    /// Reads the setup that a window begins with. That there is none is
-    /// nothing to be told.
+    /// Reads the setup that a window begins with; it is no error if there is none.
     pub(crate) fn read_first_setup(&mut self) {
         let Some(file) = self.folders.setup_file() else {
             return;
@@ -286,20 +280,20 @@ impl Editor {
         }
     }
 
-    /// Light, dark or as the desktop is, from now on and at the next start.
+    /// Sets light, dark or the desktop's theme, also for the next start.
     pub(crate) fn choose_theme(&mut self, theme: Option<Theme>) {
         self.setup.theme = theme;
         self.keep_word("theme", theme_word(theme));
     }
 
-    /// This language, from now on and at the next start.
+    /// Sets the language, also for the next start.
     pub(crate) fn choose_language(&mut self, language: Option<Language>) {
         self.setup.language = language;
         self.keep_word("language", language_word(language));
     }
 
-    /// Puts one word into the setup file that is read at start. Whatever else is set up
-    /// in this window is kept when its user saves the setup, not before.
+    /// Puts one word into the setup file that is read at start. Anything else that is set up in
+    /// this window is kept only when the user saves the setup.
     fn keep_word(&mut self, key: &str, word: &str) {
         let Some(file) = self.folders.setup_file() else {
             return;
@@ -324,7 +318,7 @@ impl Editor {
         }
     }
 
-    /// What the desktop is stays.
+    /// Keeps the desktop's theme.
     fn take_setup(&mut self, setup: Setup) {
         self.setup = Setup {
             desktop: self.setup.desktop,
@@ -332,10 +326,7 @@ impl Editor {
         };
     }
 
-    /// Loads a setup.
-    ///
-    /// # Errors
-    /// The sentence; the setup stays then.
+    /// Loads a setup. The error is a sentence; the old setup then stays.
     pub(crate) fn load_setup(&mut self, file: &Path) -> Result<(), String> {
         let texts = &self.texts().setup;
         match load(file) {

@@ -1,8 +1,6 @@
-//! What a person sets up once and wants to find again: the colours of the
-//! movement window, what it shows, from where it is seen (thesis A.5.3).
+//! What a user sets up: the movement window's colours, what it shows, from where (thesis A.5.3).
 //!
-//! Plain data with the values that a new window begins with. It knows neither
-//! files nor how anything is drawn.
+//! Plain data with the defaults of a new window. It knows neither files nor how anything is drawn.
 
 mod colours;
 mod display;
@@ -17,11 +15,9 @@ use egui::Color32;
 
 use crate::texts::Language;
 
-/// Something in the movement window that has a colour of its own and can be
-/// switched off.
+/// Something in the movement window with a colour of its own that can be switched off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Element {
-    /// What everything stands on.
     Background,
     /// The edges of the movement space.
     Cube,
@@ -54,7 +50,7 @@ pub(super) enum Element {
 }
 
 impl Element {
-    /// All of them, in the order in which they are offered.
+    /// In the order in which they are offered.
     pub(super) const ALL: [Self; 16] = [
         Self::Background,
         Self::Cube,
@@ -106,7 +102,7 @@ impl Element {
 pub(super) struct Colours([Color32; Element::ALL.len()]);
 
 impl Colours {
-    /// Those that stand on a dark ground.
+    /// For a dark ground.
     pub(super) const DARK: Self = Self([
         rgb(0x0f_13_18),
         rgb(0x76_80_8e),
@@ -126,7 +122,7 @@ impl Colours {
         rgb(0xff_d8_5e),
     ]);
 
-    /// Those that stand on a light ground.
+    /// For a light ground.
     pub(super) const LIGHT: Self = Self([
         rgb(0xfb_fb_fd),
         rgb(0x80_88_94),
@@ -155,12 +151,10 @@ impl Colours {
     }
 }
 
-/// Which elements are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Shown([bool; Element::ALL.len()]);
 
 impl Default for Shown {
-    /// All of them.
     fn default() -> Self {
         Self([true; Element::ALL.len()])
     }
@@ -190,10 +184,9 @@ pub(super) struct View {
     pub(super) rotation: f64,
     /// Tilt in degrees, in [−90, 90]; at 90 one looks down.
     pub(super) tilt: f64,
-    /// Size of the cube: 1 just fits into the window, however it is turned.
+    /// Size of the cube: 1 just fits into the window at any rotation.
     pub(super) size: f64,
-    /// What the movement space is shifted by on the screen, to the right and
-    /// up, in units of the movement space.
+    /// The shift on the screen, to the right and up, in units of the movement space.
     pub(super) shift: [f64; 2],
 }
 
@@ -212,8 +205,7 @@ impl View {
     pub(super) const MIN_SIZE: f64 = 0.1;
     pub(super) const MAX_SIZE: f64 = 50.0;
 
-    /// The same view with every value in its range; what is not finite is as
-    /// in a new window.
+    /// The same view with every value in its range; those not finite are as in a new window.
     pub(super) fn in_range(self) -> Self {
         let new = Self::default();
         let or = |value: f64, instead: f64| if value.is_finite() { value } else { instead };
@@ -241,16 +233,16 @@ pub(super) enum CameraPlace {
 impl CameraPlace {
     pub(super) const ALL: [Self; 3] = [Self::Corner, Self::Beside, Self::Whole];
 
-    /// There, or back if it is there.
+    /// This place, or the corner if it is there already.
     pub(super) fn switched(self, place: Self) -> Self {
         if self == place { Self::Corner } else { place }
     }
 }
 
-/// Width by height of the camera's picture.
+/// The aspect ratio of the camera's picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub(super) enum Aspect {
-    /// That of the film of 36 by 24 mm.
+    /// That of film, 36 by 24 mm.
     #[default]
     Film,
     Wide,
@@ -288,7 +280,7 @@ impl Aspect {
         }
     }
 
-    /// What follows it, round and round.
+    /// The next one, round and round.
     pub(super) const fn next(self) -> Self {
         Self::ALL[(self as usize + 1) % Self::ALL.len()]
     }
@@ -297,23 +289,22 @@ impl Aspect {
 /// Everything that the setup file keeps.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Setup {
-    /// Light or dark, as it was chosen; as the desktop is if it was not.
+    /// As it was chosen; `None`: as the desktop's.
     pub(super) theme: Option<Theme>,
-    /// What the desktop is. No file keeps that.
+    /// The desktop's theme, which no file keeps.
     pub(super) desktop: Theme,
     pub(super) dark: Colours,
     pub(super) light: Colours,
     pub(super) shown: Shown,
-    /// From where.
     pub(super) view: View,
     pub(super) camera_view: bool,
     pub(super) camera_place: CameraPlace,
     pub(super) camera_aspect: Aspect,
-    /// The parts of the picture that every screen shows are marked.
+    /// Marks the part of the picture that every screen shows.
     pub(super) safe_frame: bool,
     /// The speeds of the whole path under the frames.
     pub(super) speed_graph: bool,
-    /// The language that was chosen; that of the host or the environment if none.
+    /// As it was chosen; `None`: that of the host or the environment.
     pub(super) language: Option<Language>,
 }
 

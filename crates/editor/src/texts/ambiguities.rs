@@ -1,12 +1,11 @@
-//! Says what the path leaves open about the current orientation: the way to it
-//! and the way on.
+//! Says what the path leaves open about the ways to and from the current orientation.
 
 use super::fill;
 use crate::path::{Ambiguity, ambiguity};
 use crate::state::Editor;
 
 impl Editor {
-    /// Says in the output field what is in ambiguity, if anything is.
+    /// Says in the output field what is ambiguous, if anything is.
     pub(crate) fn tell_ambiguities(&mut self) {
         if let Some(words) = self.ambiguities() {
             self.say(words);
@@ -48,8 +47,7 @@ impl Editor {
         Some(fill(text, &[&from, &self.name_of(next.0, next.1)]))
     }
 
-    /// An orientation in numbers as a person counts: that of its point, and its
-    /// own where the point has several.
+    /// An orientation by its point's number, from 1, and its own where the point has several.
     pub(crate) fn name_of(&self, point: usize, orientation: usize) -> String {
         let several = self.document.path().points.get(point);
         if several.is_some_and(|point| point.orientations.len() > 1) {

@@ -4,7 +4,6 @@ use super::{Language, texts};
 use crate::tools::check::Finding;
 
 texts! {
-    /// Texts of the check window.
     Check {
         menu: "Check …", "Prüfen …";
         menu_hint: "What will look wrong in the film", "Was im Film falsch aussehen wird";
@@ -25,7 +24,7 @@ texts! {
     }
 }
 
-/// A kind of finding: its name, what is wrong in both languages, and what helps in German.
+/// A kind of finding: its name, its message in both languages, and its remedy in German.
 /// `{0}` is the worst value, `{1}` the limit.
 #[rustfmt::skip]
 const WORDS: [(&str, &str, &str, &str); 16] = [
@@ -78,7 +77,7 @@ const WORDS: [(&str, &str, &str, &str); 16] = [
 ];
 
 impl Language {
-    /// What was found, and what helps.
+    /// The message of a finding, and its remedy.
     pub(crate) fn finding(self, finding: &Finding) -> (String, &'static str) {
         let number = |value: f64| {
             let decimals = if value.abs() < 1.0 { 3 } else { 1 };

@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the colour window.
     Colours {
         title: "Colours", "Farbe";
         red: "Red", "Rot";

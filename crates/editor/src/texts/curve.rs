@@ -4,7 +4,6 @@ use super::{Language, texts};
 use crate::path::Tcb;
 
 texts! {
-    /// Texts of the curve window.
     Curve {
         title: "Curve parameters", "Kurvenparameter";
         of: "Point {0} · Orientation {1}", "Punkt {0} · Orientierung {1}";
@@ -65,7 +64,7 @@ texts! {
 }
 
 impl Curve {
-    /// A preset by what it makes of a curve: "5 corner".
+    /// A preset by its effect on the curve: "5 corner".
     pub(crate) fn preset_name(&self, preset: usize, tcb: Tcb) -> String {
         let words: Vec<&str> = self.words(tcb).map(|(word, ..)| word).collect();
         if words.is_empty() {
@@ -74,7 +73,7 @@ impl Curve {
         format!("{preset} {}", words.join(", "))
     }
 
-    /// What these parameters make of a curve: "tighter  t 0.30".
+    /// The effect of these parameters on the curve: "tighter  t 0.30".
     pub(crate) fn shape(&self, language: Language, tcb: Tcb) -> String {
         let words = self
             .words(tcb)

@@ -4,7 +4,6 @@ use super::texts;
 use crate::setup::Element;
 
 texts! {
-    /// Texts of the display window.
     DisplayWindow {
         title: "Display", "Anzeige";
         background: "Background", "Hintergrund";
@@ -40,7 +39,6 @@ texts! {
 }
 
 impl DisplayWindow {
-    /// The name of an element.
     pub(crate) fn name(&self, element: Element) -> &'static str {
         match element {
             Element::Background => self.background,

@@ -1,9 +1,8 @@
-//! What could not be done.
+//! What could not be done, and why.
 
 use super::texts;
 
 texts! {
-    /// What could not be done, and why.
     Errors {
         no_number: "{0}: “{1}” is not a number", "{0}: „{1}“ ist keine Zahl";
         not_whole: "{0} must be a whole number", "{0} muss eine ganze Zahl sein";

@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the file windows.
     Files {
         load_path: "Load curve", "Lade Kurve";
         save_path: "Save curve", "Speicher Kurve";

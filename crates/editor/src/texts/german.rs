@@ -1,5 +1,4 @@
 //! What the engine says, in German: one line for each variant of its errors.
-//! English is what they say themselves.
 
 use super::Language;
 use crate::error::{Bound, EngineError, Invalid, OutOfRange, Place, Quantity, TooMany};
@@ -8,8 +7,7 @@ use crate::limits;
 /// A text of the library in German.
 pub(crate) struct German<'a, T>(pub(crate) &'a T);
 
-/// A text for each variant of an enum of the library's; the compiler sees that
-/// none is forgotten.
+/// A text for each variant of an enum; the compiler sees that none is forgotten.
 macro_rules! german {
     ($($of:ident {$($variant:ident $(($($at:ident),+))? $({ $($name:ident),+ })? =>
         $text:literal $(, $value:expr)*;)+})+) => {$(
@@ -24,7 +22,6 @@ macro_rules! german {
 }
 pub(super) use german;
 
-/// A number as it is written in German.
 pub(super) fn number(number: f64) -> String {
     Language::German.written(Bound(number).to_string())
 }

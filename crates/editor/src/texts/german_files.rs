@@ -156,7 +156,6 @@ german! {
 }
 
 impl Language {
-    /// What was wrong with what a host gave.
     pub(crate) fn warnings(self, warnings: &Warnings) -> String {
         match self {
             Self::English => warnings.to_string(),
@@ -168,9 +167,8 @@ impl Language {
     }
 }
 
-/// What the TOML parser says, before it goes on to what it expected. There is no
-/// list of it to be held against: what is missing here, or new, is
-/// [`Errors::not_here`].
+/// What the TOML parser says before it goes on to what it expected. There is no list to hold this
+/// against: what is missing here, or new, becomes [`Errors::not_here`].
 const PARSER: &[(&str, &str)] = &[
     (
         "duplicate key",

@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the window that lists keys and mouse actions.
     Help {
         title: "Keys and mouse", "Tasten und Maus";
         this_window: "This window", "Dieses Fenster";

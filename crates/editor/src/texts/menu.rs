@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the menu bar.
     Menu {
         file: "File", "Datei";
         edit: "Edit", "Bearbeiten";

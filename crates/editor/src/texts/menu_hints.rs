@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Tooltips of the entries of all menus.
     MenuHints {
         load: "Open a path in place of this one", "Eine Bahn an Stelle dieser öffnen";
         load_object: "Show a mesh or a point cloud (OBJ, PLY, STL, glTF) in the movement window",

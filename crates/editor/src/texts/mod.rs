@@ -1,12 +1,10 @@
 //! Every word that the window shows, German and English.
 //!
-//! One file for each panel and sub-window, so that its words stand together,
-//! and each text with its translation on the next line, so that neither is
-//! forgotten. `{0}`, `{1}` … stand for values; [`fill`] puts them in.
+//! One file for each panel and sub-window, and each text with its translation on the next line, so
+//! that neither is forgotten. `{0}`, `{1}` … stand for values; [`fill`] puts them in.
 //!
 //! ```text
 //! texts! {
-//!     /// The movement window.
 //!     Space {
 //!         whole_meaning: "See all of it as at first",
 //!             "Alles sehen wie am Anfang";
@@ -14,8 +12,7 @@
 //! }
 //! ```
 //!
-//! What the library itself says is English where it is said; `german` and
-//! `german_files` have a line for each of its errors.
+//! The library's own sentences are English; `german` and `german_files` translate its errors.
 
 use std::fmt::{Display, Write};
 
@@ -60,8 +57,7 @@ pub enum Language {
 }
 
 impl Language {
-    /// The language of the environment: `LC_ALL`, `LC_MESSAGES`, `LANG`, the
-    /// first of these that is set and not empty.
+    /// The environment's language: the first of `LC_ALL`, `LC_MESSAGES`, `LANG` not empty.
     pub fn of_environment() -> Self {
         let name = ["LC_ALL", "LC_MESSAGES", "LANG"]
             .iter()
@@ -89,8 +85,7 @@ impl Language {
         }
     }
 
-    /// A number with so many decimals, with this language's decimal sign and
-    /// a minus sign as wide as a digit. Minus zero is zero.
+    /// A number with this language's decimal sign and a minus as wide as a digit; never minus zero.
     pub(super) fn number(self, value: f64, decimals: usize) -> String {
         self.written(format!("{value:.decimals$}"))
     }
@@ -138,7 +133,6 @@ macro_rules! texts {
 }
 use texts;
 
-/// Joins the parts.
 macro_rules! parts {
     ($($part:ident: $group:ident;)*) => {
         /// All texts in one language.
@@ -183,8 +177,7 @@ parts! {
     zoom: Zoom;
 }
 
-/// A text with its values put in: `{0}` is the first of them. A place that is
-/// none stays as it is.
+/// A text with its values put in: `{0}` is the first. Placeholders without a value stay.
 pub(super) fn fill(text: &str, values: &[&dyn Display]) -> String {
     let mut filled = String::with_capacity(text.len() + 16);
     let mut rest = text;
@@ -195,7 +188,7 @@ pub(super) fn fill(text: &str, values: &[&dyn Display]) -> String {
             Some((values.get(at)?, after))
         });
         if let Some((value, after)) = place {
-            // Writing into a text cannot fail.
+            // Writing to a string cannot fail.
             let _ = write!(filled, "{value}");
             rest = after;
         } else {

@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the orientation panel.
     Orientation {
         heading: "Orientation", "Orientierung";
         at_place: "looks at a place", "blickt auf einen Ort";

@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the output field.
     Output {
         point: "Point", "Punkt";
         position: "Position", "Position";

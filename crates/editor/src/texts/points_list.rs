@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the list of points.
     PointsList {
         heading: "Points", "Punkte";
         fold: "Fold the list of points", "Punktliste einklappen";

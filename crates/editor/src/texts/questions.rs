@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the questions.
     Questions {
         unsaved: "Unsaved work", "Nicht gespeicherte Arbeit";
         before_close: "{0} has changes that are not saved. Save them before the window closes?",

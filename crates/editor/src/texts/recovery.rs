@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts about unsaved work that is kept and offered.
     Recovery {
         title: "Unsaved work was found", "Nicht gespeicherte Arbeit gefunden";
         question: "A program ended before this was saved.",

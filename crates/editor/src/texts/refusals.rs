@@ -1,8 +1,7 @@
 //! Why something could not be done, in the window's language.
 //!
-//! The library's own sentences speak to programs too and count from 0. Of what a
-//! hand can bring about in the window each has one here; the others are said in
-//! the window's language as they are.
+//! The library's own sentences address programs, too, and count from 0. What the user can cause in
+//! the window has a sentence of its own here; the other errors are only translated.
 
 use std::io;
 
@@ -90,12 +89,12 @@ pub(crate) fn of_system(language: Language, error: &io::Error) -> String {
 }
 
 impl Editor {
-    /// Says what went wrong without a hand at work.
+    /// Puts an error into the output field.
     pub(crate) fn complain_of(&mut self, error: &Error) {
         self.complain(reason_of(self.language(), error));
     }
 
-    /// Says how a hand-over failed.
+    /// Reports why a hand-over failed.
     pub(crate) fn complain_of_hand_over(&mut self, error: &Error) {
         let texts = &self.texts().errors;
         let why = match error {

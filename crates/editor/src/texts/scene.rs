@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the list of a scene's nodes.
     Scene {
         title: "Scene", "Szene";
         whole: "Whole scene", "Ganze Szene";

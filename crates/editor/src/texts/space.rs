@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the movement window.
     Space {
         name: "Movement window", "Bewegungsfenster";
         size: "Size", "Größe";

@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the space window.
     SpaceWindow {
         title: "Space", "Raum";
         centre: "Centre", "Mittelpunkt";

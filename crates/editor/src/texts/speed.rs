@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the speed panel.
     Speed {
         heading: "Speed curve", "Zeitkurve";
         section: "{0} – {1}", "{0} – {1}";

@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the speed-curve window.
     SpeedWindow {
         title: "Speed curve", "Zeitkurve";
         section: "Section {0} – {1}", "Abschnitt {0} – {1}";

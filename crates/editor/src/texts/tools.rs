@@ -1,12 +1,10 @@
-//! Texts of the tools: what their tables say, in both languages, by the names that stand
-//! there.
+//! Texts of the tools and of their tables, in both languages, by the names in the tables.
 
 use super::{Language, texts};
 use crate::document::tool::Tool;
 use crate::tools::Parameter;
 
 texts! {
-    /// Texts of the window of a tool.
     Tools {
         menu: "Tools", "Werkzeuge";
         ok: "OK", "OK";
@@ -27,7 +25,7 @@ texts! {
     }
 }
 
-/// A word of a table, English and German.
+/// A word by its name in a table: English and German.
 type Word = (&'static str, &'static str, &'static str);
 
 /// Tools by their names: the title, and what they do in German.
@@ -61,7 +59,7 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("fit", "Fit recorded poses", "Aufgezeichnete Posen annähern", "macht aus aufgezeichneten Posen eine Bahn aus wenigen Punkten"),
 ];
 
-/// What stands before the numbers, by the names of the parameters.
+/// Labels, by the names of the parameters.
 #[rustfmt::skip]
 const LABELS: &[Word] = &[
     ("around", "Around", "Um"),
@@ -178,7 +176,6 @@ fn word(words: &'static [Word], language: Language, name: &'static str) -> &'sta
 }
 
 impl Language {
-    /// The title of a tool.
     pub(crate) fn tool(self, name: &'static str) -> &'static str {
         let found = TOOLS.iter().find(|known| known.0 == name);
         found.map_or(name, |known| match self {
@@ -198,12 +195,10 @@ impl Language {
         }
     }
 
-    /// The name of a parameter.
     pub(crate) fn parameter(self, name: &'static str) -> &'static str {
         word(LABELS, self, name)
     }
 
-    /// What a parameter does.
     pub(crate) fn parameter_hint(self, parameter: &Parameter) -> &'static str {
         let found = HINTS.iter().find(|hint| hint.0 == parameter.does);
         match (self, found) {
@@ -212,7 +207,6 @@ impl Language {
         }
     }
 
-    /// One of the choices of a parameter.
     pub(crate) fn choice(self, name: &'static str) -> &'static str {
         word(CHOICES, self, name)
     }

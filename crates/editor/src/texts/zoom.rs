@@ -3,7 +3,6 @@
 use super::texts;
 
 texts! {
-    /// Texts of the zoom panel.
     Zoom {
         heading: "Zoom / field of view", "Zoom / Blickwinkel";
         slider: "Zoom", "Zoom";

@@ -1,15 +1,12 @@
-//! The letters of the window.
-//!
-//! One font for everything, and egui's few signs. egui's own choice has another
-//! font of digits and letters of equal width, 300 KB that nothing here is
-//! written in. They lie packed in the library (`build.rs`) and are unpacked
-//! once in a process, for its first window.
+//! The fonts of the window: one for everything, and egui's few signs. egui's default adds a
+//! monospaced one, 300 KB that nothing here is written in. They are packed in the library
+//! (`build.rs`) and unpacked once in a process, for its first window.
 
 use std::sync::{Arc, LazyLock};
 
 use egui::{FontData, FontDefinitions};
 
-/// What the packed fonts are made of, at most, in bytes.
+/// The most bytes that a packed font unpacks to.
 const LARGEST: usize = 1 << 20;
 
 type Fonts = [(&'static str, Arc<FontData>); 2];
@@ -32,7 +29,7 @@ static FONTS: LazyLock<Fonts> = LazyLock::new(|| {
     })
 });
 
-/// The fonts in the order in which a letter is looked for.
+/// The fonts in the order in which a character is looked for.
 pub(crate) fn definitions() -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();
     for (name, data) in &*FONTS {

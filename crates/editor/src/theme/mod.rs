@@ -1,11 +1,9 @@
 //! Colours, text sizes, distances: one palette for dark, one for light.
 //!
-//! Distances are multiples of four points. Every pair of a text's colour and
-//! the colours that it may stand on has the contrast that WCAG 2 asks of text
-//! (AA, 4.5:1), and what shows where a control is has the 3:1 that it asks of
-//! those (1.4.11); a test holds all of them against it. A button is told by its
-//! text, so its ground may be calm. Nothing moves by itself, so that an idle window
-//! wakes nobody.
+//! Distances are multiples of four points. A test holds all colours against the contrasts of WCAG
+//! 2: 4.5:1 for text on all that it may stand on (AA), 3:1 for what shows where a control is
+//! (1.4.11). A button is told by its text, so its ground may be calm. Nothing moves by itself, so
+//! that an idle window wakes nobody.
 
 mod fonts;
 
@@ -34,7 +32,7 @@ pub(super) struct Palette {
     pub(super) text: Color32,
     /// Headings, units, what matters less.
     pub(super) weak: Color32,
-    /// What is chosen, the handle of the play bar, the curve of a picture.
+    /// What is selected, the handle of the play bar, the curve of a picture.
     pub(super) accent: Color32,
     pub(super) on_accent: Color32,
     /// An error in words.
@@ -104,12 +102,12 @@ impl Theme {
     }
 }
 
-/// The colours in force where this is shown.
+/// The colours in force here.
 pub(super) fn palette(ui: &egui::Ui) -> &'static Palette {
     palette_of(ui.visuals())
 }
 
-/// The colours that belong to egui's.
+/// The colours that go with egui's.
 pub(super) fn palette_of(visuals: &Visuals) -> &'static Palette {
     if visuals.dark_mode { &DARK } else { &LIGHT }
 }
@@ -180,7 +178,7 @@ fn marked(
         ] {
             widget.bg_fill = ground;
             widget.bg_stroke.color = border;
-            // Seen where it is on only.
+            // Seen only where it is on.
             widget.fg_stroke = Stroke::new(1.5, palette.on_accent);
         }
         widgets.hovered.bg_stroke.color = palette.accent;
@@ -190,13 +188,12 @@ fn marked(
     .inner
 }
 
-/// The border of what has the keyboard, to be seen on the accent too.
+/// The border of what has the keyboard, visible on the accent, too.
 pub(super) fn focus(palette: &Palette) -> Stroke {
     Stroke::new(2.0, palette.text)
 }
 
-/// The font of all text; its digits are of equal width, so that numbers stand
-/// in columns.
+/// The font of all text; its digits are of equal width, so that numbers align.
 pub(super) fn text() -> FontId {
     FontId::new(TEXT, FontFamily::Proportional)
 }
@@ -210,15 +207,15 @@ pub(super) fn small() -> FontId {
     FontId::new(11.0, FontFamily::Proportional)
 }
 
-/// A plain rectangle. egui's own have soft borders, of forty triangles and not
-/// of two: too many for what stands beside each of a hundred points.
+/// A plain rectangle. egui's own has soft borders, of forty triangles instead of two: too many
+/// beside each of a hundred points.
 pub(super) fn block(rect: Rect, color: Color32) -> Shape {
     let mut mesh = Mesh::default();
     mesh.add_colored_rect(rect, color);
     Shape::mesh(mesh)
 }
 
-/// Gives a context our looks, of which [`Theme`] is shown.
+/// Gives a context our looks, with this [`Theme`] shown.
 pub(super) fn apply(context: &egui::Context, theme: Theme) {
     context.set_fonts(crate::theme::fonts::definitions());
     for theme in [Theme::Dark, Theme::Light] {

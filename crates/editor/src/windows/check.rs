@@ -1,9 +1,8 @@
-//! What will look wrong in the film: the findings of a check, each with its frames. A
-//! click leads there; where an edit helps, a button does it.
+//! What will look wrong in the film: the findings of a check, each with its frames. A click leads
+//! there; where an edit helps, a button does it.
 //!
-//! The path is checked anew as soon as nothing is held any more: never while something is
-//! dragged. Where that would take long it waits until it is asked for. The tree over the
-//! object is kept as long as the object is the same.
+//! The path is checked again as soon as nothing is held any more. Where that would take long, it
+//! waits until it is asked for. The tree over the object is kept as long as the object is the same.
 
 use egui::{Button, Context, ScrollArea, Ui, vec2};
 
@@ -20,16 +19,16 @@ const WIDTH: f32 = 400.0;
 /// Width of the button with the frames.
 const FRAMES: f32 = 116.0;
 
-/// A film with more frames, or with an object of more pieces, is checked when asked.
+/// A film with more frames, or an object with more pieces, is checked when asked.
 const LONG: usize = 20_000;
 const LARGE: usize = 200_000;
 
-/// More than this are not listed.
+/// More findings are not listed.
 const MOST: usize = 500;
 
 #[derive(Debug, Default)]
 pub(crate) struct CheckWindow {
-    /// The contents that were checked.
+    /// The revision that was checked.
     checked: Option<u64>,
     found: Vec<Finding>,
     trouble: Option<String>,
@@ -127,7 +126,7 @@ fn row(editor: &Editor, ui: &mut Ui, finding: &Finding, current: bool, actions: 
     });
 }
 
-/// Whether a check takes no time that anybody feels.
+/// Whether a check takes no noticeable time.
 fn is_quick(editor: &Editor) -> bool {
     let frames = editor
         .document
@@ -146,7 +145,6 @@ fn is_quick(editor: &Editor) -> bool {
 }
 
 impl CheckWindow {
-    /// What was found.
     pub(crate) fn found(&self) -> &[Finding] {
         &self.found
     }
@@ -166,7 +164,7 @@ impl CheckWindow {
 }
 
 impl Editor {
-    /// The playhead goes to a finding, and the key before it is selected.
+    /// Moves the playhead to a finding, and selects the key before it.
     pub(crate) fn go_to(&mut self, finding: &Finding) {
         self.scrub(finding.first_frame);
         let selection = crate::document::Selection::at(finding.point, finding.orientation);

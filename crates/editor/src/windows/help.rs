@@ -60,7 +60,7 @@ impl SubWindow for HelpWindow {
     }
 }
 
-/// Keys or what a hand does, and the meaning.
+/// Keys or what the mouse does, and the meaning.
 type Row = (String, Cow<'static, str>);
 
 fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {

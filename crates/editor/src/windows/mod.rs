@@ -1,10 +1,9 @@
 //! The sub-windows, one file each. Each may stay open while work goes on.
 //!
-//! A sub-window is a struct with what is pending in it, a [`SubWindow`] with a
-//! slot of its own in [`Windows`]: open if the slot is filled. It is taken out
-//! of the slot while it is shown, put back if it wants to stay, and then what it
-//! asked for is done. [`open`] opens one or brings it to the front;
-//! [`sub_window`] gives all of them the same frame and the same ways to close.
+//! A sub-window is a struct with what is pending in it, a [`SubWindow`] with a slot in [`Windows`]:
+//! open if the slot is filled. It is taken out of the slot while it is shown and put back if it
+//! stays; then its actions are done. [`open`] opens one or brings it to the front; [`sub_window`]
+//! gives all the same frame and the same ways to close.
 
 mod check;
 mod curve;
@@ -31,7 +30,7 @@ use crate::state::Editor;
 /// Which of them are open, and what is pending in them.
 #[derive(Debug, Default)]
 pub(super) struct Windows {
-    /// How many paths were loaded in the place of the first.
+    /// How many paths were loaded in place of the first.
     pub(crate) paths: u64,
     pub(super) curve: Option<CurveWindow>,
     pub(super) speed: Option<SpeedWindow>,
@@ -43,21 +42,20 @@ pub(super) struct Windows {
     pub(super) space: Option<SpaceWindow>,
     pub(super) help: Option<HelpWindow>,
     pub(super) check: Option<CheckWindow>,
-    /// What it shows is in the step of the document that is open.
+    /// It shows what is in the open step of the document.
     pub(super) tool: Option<ToolWindow>,
-    /// A file is being chosen; nothing else happens meanwhile.
+    /// A file is being chosen: modal.
     pub(super) files: Option<FileWindow>,
-    /// A question waits for its answer; nothing else happens meanwhile.
+    /// A question before unsaved work is lost: modal.
     pub(super) question: Option<Question>,
-    /// The file has changed, and a question waits for its answer; nothing else happens.
+    /// A question about a file that has changed: modal.
     pub(super) changed: Option<Question>,
-    /// Unsaved work was left behind, and is offered.
+    /// Unsaved work that was left behind is offered.
     pub(super) recovery: Option<RecoveryWindow>,
 }
 
-/// From the window's upper left corner to where a sub-window opens; from the upper
-/// right one, over the panels, where it would hide the movement window, in which one
-/// sees what it does.
+/// Where a sub-window opens: from the window's upper left corner or, where that would hide the
+/// movement window and so its own effect, from the upper right one, over the panels.
 const OVER_SPACE: egui::Vec2 = egui::vec2(28.0, 64.0);
 const OVER_PANELS: egui::Vec2 = egui::vec2(-8.0, 48.0);
 
@@ -72,9 +70,9 @@ fn is_cramped(context: &egui::Context) -> bool {
 /// How far the cross of a sub-window lies within its upper right corner.
 const CROSS: f32 = 36.0;
 
-/// One kind of sub-window; at most one of each kind is open.
+/// A kind of sub-window; at most one of each is open.
 pub(super) trait SubWindow: Sized {
-    /// Its name for egui: where it stands is remembered under it.
+    /// Its name for egui, which remembers its place by it.
     const ID: &'static str;
 
     /// Where it is kept while it is open.
@@ -82,8 +80,7 @@ pub(super) trait SubWindow: Sized {
 
     fn new(editor: &Editor) -> Self;
 
-    /// Shows it and takes its input, by [`sub_window`]: what is asked for are actions,
-    /// what only waits is its own. False: it closes.
+    /// Shows it by [`sub_window`] and pushes what it asks for. False: it closes.
     fn show(&mut self, editor: &Editor, context: &egui::Context, actions: &mut Vec<Action>)
     -> bool;
 }
@@ -106,7 +103,7 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_one::<HelpWindow>(editor, context);
     show_one::<CheckWindow>(editor, context);
     if editor.windows.files.is_none() {
-        // A file that it asked for was not chosen.
+        // The file that it asked for was not chosen.
         editor.windows.tool.take_if(|window| window.waits());
         show_slot(editor, context, |open| &mut open.tool, ToolWindow::show);
     }
@@ -116,8 +113,7 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_slot(editor, context, |open| &mut open.changed, Question::show);
 }
 
-/// The keys that belong to what has the keyboard in one of them; nobody else sees them
-/// then.
+/// Takes the keys of what has the keyboard in one of them.
 pub(super) fn take_keys(editor: &mut Editor, context: &egui::Context) {
     if let Some(window) = &mut editor.windows.speed {
         window.take_keys(context);
@@ -125,7 +121,7 @@ pub(super) fn take_keys(editor: &mut Editor, context: &egui::Context) {
 }
 
 impl Windows {
-    /// Another path is open: what waits was meant for the old one.
+    /// Another path is open: what is pending was meant for the old one.
     pub(super) fn path_replaced(&mut self) {
         self.paths += 1;
         self.tool = None;
@@ -153,8 +149,7 @@ fn show_one<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
     );
 }
 
-/// Shows what is open in a slot, out of which it is taken meanwhile; then does what it
-/// asked for.
+/// Takes a window out of its slot, shows it, and does what it asks for.
 fn show_slot<W>(
     editor: &mut Editor,
     context: &egui::Context,
@@ -170,8 +165,8 @@ fn show_slot<W>(
     }
 }
 
-/// The frame of a sub-window: a title, a cross to close it; Escape closes the
-/// topmost one, if no text field and no menu has use for it. False: it was closed.
+/// The frame of a sub-window: a title, a cross. Escape closes the topmost one, if no text field and
+/// no menu has use for it. False: it was closed.
 pub(super) fn sub_window(
     context: &egui::Context,
     id: &'static str,
@@ -202,7 +197,7 @@ pub(crate) fn sub_window_as(
     add: impl FnOnce(&mut egui::Ui),
 ) -> bool {
     let mut open = true;
-    // A question that stands above it takes the key for itself.
+    // A question above it takes the key.
     let asked = context.memory(|memory| memory.top_modal_layer().is_some());
     let escape = !asked && topmost(context) == Some(layer(id)) && keys::take_escape(context);
     let window = egui::Window::new(title).id(egui::Id::unique(id));
@@ -214,9 +209,8 @@ pub(crate) fn sub_window_as(
     open && !escape
 }
 
-/// Gives the cross of a sub-window that was shown in this pass a name in the
-/// window's language, for screen readers and as a tooltip: egui has an English
-/// one for all. It is known by its place, the upper right corner.
+/// Names the cross of a sub-window shown in this pass, for screen readers and as a tooltip: egui's
+/// name is English. It is recognized by its place, the upper right corner.
 fn name_cross(context: &egui::Context, layer: egui::LayerId, name: &str) {
     let Some(area) = context.memory(|memory| memory.area_rect(layer.id)) else {
         return;
@@ -242,7 +236,7 @@ fn name_cross(context: &egui::Context, layer: egui::LayerId, name: &str) {
     }
 }
 
-/// The sub-window that lies above all others that are open.
+/// The topmost sub-window.
 fn topmost(context: &egui::Context) -> Option<egui::LayerId> {
     context.memory(|memory| {
         let shown = |layer: &egui::LayerId| {
@@ -252,8 +246,7 @@ fn topmost(context: &egui::Context) -> Option<egui::LayerId> {
     })
 }
 
-/// A window that wants an answer before anything else: in the middle, with all
-/// else darkened.
+/// A window that wants an answer before anything else: in the middle, all else darkened.
 pub(crate) fn modal(
     context: &egui::Context,
     id: &'static str,
@@ -272,9 +265,8 @@ pub(crate) fn modal(
         });
 }
 
-/// Buttons that end where the row ends, with these words and at least so wide. They
-/// are made from left to right, as they are read: Tab goes through them in the order
-/// in which they are made.
+/// Buttons that end where the row ends, with these words and at least this wide. They are made from
+/// left to right, since Tab follows the order in which they are made.
 pub(crate) fn row_at_right(
     ui: &mut egui::Ui,
     names: &[&str],

@@ -10,7 +10,7 @@ use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
 
-/// The window. A number picks: clicked, or typed with 0 for ten.
+/// A number picks: clicked, or typed with 0 for ten.
 #[derive(Debug)]
 pub(crate) struct PointsWindow {
     /// It has just opened, and takes the keyboard.

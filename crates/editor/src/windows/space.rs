@@ -1,6 +1,5 @@
-//! Where the path lies in the world: centre and half size of the movement space, the
-//! name of the unit, which axis stands upright. What is entered waits until it is
-//! applied, as one step.
+//! Where the path lies in the world: centre and half size of the movement space, its unit, its
+//! upright axis. What is entered is pending until it is applied, as one step.
 
 use egui::{Button, Grid, Ui, vec2};
 
@@ -23,11 +22,11 @@ const BUTTON: f32 = 96.0;
 
 #[derive(Debug)]
 pub(crate) struct SpaceWindow {
-    /// What the document had when it was looked at last.
+    /// What the document had when it was last looked at.
     of: (Space, String),
     space: Space,
     unit: String,
-    /// The path goes along into the new space.
+    /// The path is fitted into the new space.
     fit: bool,
     /// The space before a number of it is dragged.
     before: Option<Space>,
@@ -57,7 +56,7 @@ impl SubWindow for SpaceWindow {
         context: &egui::Context,
         actions: &mut Vec<Action>,
     ) -> bool {
-        // Undone, or another file: what waits was meant for the old one.
+        // Undone, or another file: what is pending was meant for the old one.
         if known(editor) != self.of {
             *self = Self::new(editor);
         }
@@ -86,7 +85,6 @@ impl SubWindow for SpaceWindow {
     }
 }
 
-/// The space and the unit of the document.
 fn known(editor: &Editor) -> (Space, String) {
     let document = &editor.document;
     (document.path().space, document.info().unit.clone())
@@ -154,7 +152,7 @@ impl SpaceWindow {
         ui.end_row();
     }
 
-    /// The spaces that are found for object and path.
+    /// Finds the space for the object or for the path.
     fn fitting(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let texts = &editor.texts().space_window;
         let has_object = !editor.document.info().object.is_empty();
@@ -193,7 +191,7 @@ impl SpaceWindow {
         actions: &mut Vec<Action>,
         set: impl Fn(&mut Space, f64),
     ) {
-        // What waits may be no space at all.
+        // What is pending may be no valid space.
         let half_size = self.space.half_size.abs();
         let number = number.in_space(Space {
             half_size,
@@ -213,8 +211,7 @@ impl SpaceWindow {
         }
     }
 
-    /// What waits becomes the document's, as one step; `closes`: and the window closes,
-    /// unless it was refused.
+    /// Applies what is pending as one step; `closes` the window, too, unless that was refused.
     pub(crate) fn apply(editor: &mut Editor, closes: bool) {
         let Some(mut window) = editor.windows.space.take() else {
             return;

@@ -1,10 +1,10 @@
-//! The window of a tool: fields for what its table asks for. The path is shown with the
-//! tool applied, in a step of the document that is open as long as the window: `OK` ends
-//! the step, `Cancel`, the cross and Escape take it back.
+//! The window of a tool: fields for what its table asks for. The path is shown with the tool
+//! applied, in a step of the document that is open as long as the window: `OK` ends the step,
+//! `Cancel`, the cross and Escape take it back.
 //!
-//! Nothing else gets into that step: whatever else changes or saves the path first takes
-//! what is shown, as `OK` does; undo takes it back, as `Cancel` does; another tool in its
-//! place does, too. Looking round, playing and choosing a point leave it alone.
+//! Nothing else gets into that step: whatever else changes or saves the path first takes what is
+//! shown, as `OK` does; undo and another tool take it back, as `Cancel` does. Looking round,
+//! playing and choosing a point leave it alone.
 
 use std::path::Path;
 
@@ -24,13 +24,13 @@ use crate::texts::{Language, fill};
 use crate::theme;
 use crate::tools::{Parameter, Unit};
 
-/// Width of a name, of a number, of a button.
+/// Widths of a name, of a number, of a button.
 const NAME: f32 = 132.0;
 const NUMBER: f32 = 84.0;
 const FIELDS: f32 = 3.0 * NUMBER + 2.0 * theme::GAP;
 const BUTTON: f32 = 96.0;
 
-/// More poses than this are fitted anew where a drag ends, not while it lasts.
+/// More poses than this are fitted again only where a drag ends.
 const POSES: usize = 2_000;
 
 #[derive(Debug)]
@@ -40,17 +40,16 @@ pub(crate) struct ToolWindow {
     numbers: Vec<f64>,
     /// The numbers before one of them is dragged.
     before: Option<Vec<f64>>,
-    /// Why they will not do.
+    /// Why the numbers will not do.
     trouble: Option<String>,
     /// The path is shown with the tool applied.
     applied: bool,
-    /// The box that it deforms, and the control point of it that the fields show.
+    /// The cage with which it deforms, and its control point that the fields show.
     cage: Option<Cage>,
     control: usize,
-    /// A line that is being drawn in the camera's picture: where it leads there, and in the
-    /// space.
+    /// A line being drawn in the camera's picture: its places there, and in space.
     drawn: Vec<(Pos2, DVec3)>,
-    /// Points and frames of what it writes to a file.
+    /// Points and frames of what is to be written to a file.
     written: Option<[usize; 2]>,
     /// Where the playhead stood.
     stood: (Option<f64>, Selection),
@@ -71,7 +70,7 @@ impl ToolWindow {
         let texts = &editor.texts().tools;
         let old = self.numbers.clone();
         let dragged = self.before.is_some();
-        // Beside what it changes, and below the camera's picture where one draws on that.
+        // Beside what it changes, and below the camera's picture where that is drawn on.
         let screen = context.content_rect();
         let (pivot, corner) = if self.draws() {
             let above_bar = vec2(super::OVER_PANELS.x, -148.0);
@@ -129,7 +128,7 @@ impl ToolWindow {
         let waits = self.is_slow() && self.before.is_some();
         let ended = dragged && self.before.is_none() && self.is_slow();
         if (old != self.numbers && !waits) || ended {
-            // Before what a button asks for: it goes by these numbers.
+            // Before a button's action, which goes by these numbers.
             actions.insert(0, Action::PreviewTool);
         }
         if !open {
@@ -138,18 +137,17 @@ impl ToolWindow {
         true
     }
 
-    /// Above all others.
     pub(crate) fn to_top(context: &Context) {
         context.move_to_top(super::layer(Self::ID));
     }
 
-    /// It waits for a file.
+    /// Whether it waits for a file.
     pub(super) fn waits(&self) -> bool {
         let material = matches!(self.tool.needs(), Needs::Block | Needs::Poses);
         material && matches!(self.material, Material::None)
     }
 
-    /// The left button draws a line in the space.
+    /// Whether the left button draws a line in space.
     pub(crate) fn draws(&self) -> bool {
         self.tool.needs() == Needs::Stroke
     }
@@ -163,17 +161,15 @@ impl ToolWindow {
         self.draws() && matches!(self.material, Material::None)
     }
 
-    /// The box that it deforms, as it is now.
     pub(crate) fn cage(&self) -> Option<&Cage> {
         self.cage.as_ref()
     }
 
-    /// The control point that the fields show.
     pub(crate) fn control(&self) -> usize {
         self.control
     }
 
-    /// A control point is brought to a place; the fields show it.
+    /// Brings a control point to a place; the fields then show it.
     fn move_control(&mut self, at: usize, place: DVec3) {
         let Some(cage) = &self.cage else { return };
         self.control = at;
@@ -188,7 +184,7 @@ impl ToolWindow {
         matches!(&self.material, Material::Poses(poses, _) if poses.len() > POSES)
     }
 
-    /// What comes of it.
+    /// The size of the result, in words.
     fn result(&self, editor: &Editor) -> String {
         if self.lacks_stroke() {
             return editor.texts().tools.draw_now.to_owned();
@@ -278,7 +274,7 @@ impl ToolWindow {
         }
     }
 
-    /// Which of its control points the fields show, from 1 along each axis.
+    /// Chooses the control point that the fields show, from 1 along each axis.
     fn place_in_lattice(
         &mut self,
         editor: &Editor,
@@ -357,13 +353,13 @@ impl ToolWindow {
         }
     }
 
-    /// Points and frames of what it would write to a file.
+    /// Points and frames that would be written to a file.
     fn to_write(&self, document: &Document) -> Result<[usize; 2]> {
         let block = self.tool.extracted(document, &self.numbers)?;
         Ok([block.path().points.len(), block.sampler()?.frame_count()])
     }
 
-    /// Writes the points that it names to a file; the first and the last, from 1.
+    /// Writes the points that it names to a file; returns the first and the last, from 1.
     pub(crate) fn write(&self, document: &Document, file: &Path) -> Result<[f64; 2]> {
         self.tool.extracted(document, &self.numbers)?.save(file)?;
         let of = |at: usize| self.numbers.get(at).copied().unwrap_or_default();
@@ -390,7 +386,7 @@ fn reason(language: Language, error: &Error) -> String {
 }
 
 impl Editor {
-    /// Begins with a tool, or asks for the file that it needs first.
+    /// Begins with a tool, or first asks for the file that it needs.
     pub(crate) fn open_tool(&mut self, tool: Tool) {
         self.cancel_tool();
         self.document.end_step();
@@ -399,7 +395,7 @@ impl Editor {
             Err(error) => return self.complain_of(&error),
         };
         if let Some([first, .., last]) = self.several() {
-            // From the first of the points that are selected to the last one.
+            // From the first selected point to the last one.
             for (name, at) in [("first", first + 1), ("last", last + 1)] {
                 if let Some(number) = tool.place_of(name).and_then(|at| numbers.get_mut(at)) {
                     *number = at as f64;
@@ -427,7 +423,7 @@ impl Editor {
         }
     }
 
-    /// Goes on with what a file had.
+    /// Gives the tool what it works on.
     pub(crate) fn begin_tool_with(&mut self, material: Material) {
         if let Some(window) = &mut self.windows.tool {
             window.material = material;
@@ -436,14 +432,14 @@ impl Editor {
         self.preview_tool();
     }
 
-    /// A line that is drawn in the camera's picture leads on to a place.
+    /// Continues the line that is drawn in the camera's picture.
     pub(crate) fn draw_on(&mut self, at: Pos2, place: DVec3) {
         if let Some(window) = &mut self.windows.tool {
             window.drawn.push((at, place));
         }
     }
 
-    /// What was drawn in the camera's picture is taken, or given up.
+    /// Takes or gives up what was drawn in the camera's picture.
     pub(crate) fn end_drawing(&mut self, keeps: bool) {
         let Some(window) = &mut self.windows.tool else {
             return;
@@ -455,7 +451,6 @@ impl Editor {
         }
     }
 
-    /// Brings a control point of the tool's box to a place.
     pub(crate) fn move_control(&mut self, at: usize, place: DVec3) {
         if let Some(window) = &mut self.windows.tool {
             window.move_control(at, place);
@@ -463,7 +458,7 @@ impl Editor {
         self.preview_tool();
     }
 
-    /// Shows the path with the tool applied, or why it will not do.
+    /// Shows the path with the tool applied, or why that is impossible.
     pub(crate) fn preview_tool(&mut self) {
         let Some(mut window) = self.windows.tool.take() else {
             return;
@@ -494,7 +489,7 @@ impl Editor {
         self.windows.tool = Some(window);
     }
 
-    /// `OK`, or away with it.
+    /// Ends by `OK`, or by cancelling.
     pub(crate) fn end_tool(&mut self, keeps: bool) {
         let output = |window: &ToolWindow| window.tool.needs() == Needs::Output;
         if keeps && self.windows.tool.as_ref().is_some_and(output) {
@@ -506,7 +501,7 @@ impl Editor {
         }
     }
 
-    /// What the tool shows becomes a step, and its window closes.
+    /// Makes what the tool shows a step, and closes its window.
     pub(crate) fn take_tool(&mut self) {
         if let Some(window) = self.windows.tool.take()
             && window.applied
@@ -516,7 +511,7 @@ impl Editor {
         }
     }
 
-    /// Everything is as it was before the tool, and its window closes.
+    /// Takes back what the tool shows, and closes its window.
     pub(crate) fn cancel_tool(&mut self) {
         if let Some(window) = self.windows.tool.take() {
             if window.applied {

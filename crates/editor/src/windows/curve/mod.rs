@@ -1,5 +1,4 @@
-//! The curve window (thesis A.4.1): presets, own values, numbers. All of it
-//! waits for `Zeigen` or `ok`.
+//! The curve window (thesis A.4.1): presets, own values, numbers, pending until `Zeigen` or `ok`.
 
 use egui::{Grid, Rect, Sense, Slider, Ui, vec2};
 use glam::DVec3;
@@ -18,8 +17,7 @@ use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
 
-/// Widths in points: the list of presets, and beside it a label and three
-/// numbers, which are narrower where there is little room.
+/// Widths in points: the presets; beside them a label and three numbers, narrower if cramped.
 const LIST: f32 = 136.0;
 const LABEL: f32 = 78.0;
 const NUMBER: f32 = 82.0;
@@ -32,9 +30,9 @@ const LOW_PICTURE: f32 = 96.0;
 pub(crate) struct CurveWindow {
     pending: Pending,
     belonging: Belonging,
-    /// The value that a drag began with, to be put back by Escape.
+    /// The values when a drag began, put back by Escape.
     dragged: Option<Pending>,
-    /// A button was pressed. What was being typed has arrived one pass later.
+    /// A button was pressed: what was being typed arrives one pass later.
     pressed: Option<Button>,
 }
 
@@ -44,7 +42,6 @@ enum Button {
     Ok,
 }
 
-/// A number of the window.
 #[derive(Clone, Copy)]
 enum Field {
     Shape(usize),
@@ -120,13 +117,13 @@ impl SubWindow for CurveWindow {
 }
 
 impl CurveWindow {
-    /// The curve as it will be, if something waits here.
+    /// The curve as it will be, if something is pending.
     pub(crate) fn preview(&self, editor: &Editor) -> Option<Vec<Vec<DVec3>>> {
         let waits = !self.pending.is_empty();
         waits.then(|| picture::preview(&editor.document, &self.pending))
     }
 
-    /// Another path is open: what waits here was meant for the old one.
+    /// Another path is open: what is pending was meant for the old one.
     pub(super) fn lose(&mut self) {
         self.belonging.lose();
     }
@@ -149,8 +146,7 @@ impl CurveWindow {
         }
     }
 
-    /// Applies what is pending as one step, and closes the window if that is wanted. What
-    /// is refused is told, changes nothing and stays.
+    /// Applies what is pending as one step, then closes if `closes`. A refusal changes nothing.
     pub(crate) fn apply(editor: &mut Editor, closes: bool) {
         let Some(mut window) = editor.windows.curve.take() else {
             return;
@@ -242,7 +238,7 @@ impl CurveWindow {
         ui.colored_label(theme::palette(ui).weak, text);
     }
 
-    /// The three sliders with their numbers. True: what was typed is no number.
+    /// The three sliders with their numbers. True: a typed text is no number.
     fn shape(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) -> bool {
         let texts = &editor.texts().curve;
         let names = [
@@ -322,7 +318,7 @@ impl CurveWindow {
         }
     }
 
-    /// Position, target and roll. True: what was typed is no number.
+    /// Position, target and roll. True: a typed text is no number.
     fn numbers(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) -> bool {
         let texts = &editor.texts().curve;
         let absolute = matches!(orientation(&editor.document).target, Target::Absolute(_));
@@ -370,7 +366,7 @@ impl CurveWindow {
         wrong
     }
 
-    /// Shows one number and takes what is entered. True: it is no number.
+    /// Shows one number and takes what is entered. True: a typed text is no number.
     fn number(
         &mut self,
         editor: &Editor,

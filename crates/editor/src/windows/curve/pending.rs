@@ -1,9 +1,7 @@
-//! What was entered into the curve window and waits for `Zeigen` or `ok`
-//! (thesis A.4.1). No egui here.
+//! What was entered into the curve window and is pending (thesis A.4.1). No egui here.
 //!
-//! What nobody entered is not pending: it follows the document. So a point
-//! that is dragged while the window is open shows its new place, and applying
-//! changes nothing but what was entered.
+//! Only what was entered is pending: the rest follows the document. So a point that is dragged
+//! while the window is open shows its new place, and applying changes only what was entered.
 
 use crate::document::{Document, Edit, Selection, no_longer_ahead};
 use crate::limits::PRESETS;
@@ -18,7 +16,7 @@ pub(crate) enum Choice {
     Own,
 }
 
-/// Values waiting to be applied to the current point and orientation.
+/// Values to be applied to the current point and orientation.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Pending {
     pub(crate) choice: Option<Choice>,
@@ -36,7 +34,6 @@ impl Pending {
         *self == Self::default()
     }
 
-    /// What the radio buttons show.
     pub(crate) fn choice(&self, document: &Document) -> Choice {
         self.choice.unwrap_or_else(|| match point(document).curve {
             CurveParameters::Preset(preset) => Choice::Preset(preset.into()),
@@ -44,7 +41,7 @@ impl Pending {
         })
     }
 
-    /// Chooses a preset, or own values, which begin as those in force.
+    /// Chooses a preset, or own values that begin as those in force.
     pub(crate) fn choose(&mut self, document: &Document, choice: Choice) {
         if choice == Choice::Own && self.own.is_none() {
             let known = matches!(point(document).curve, CurveParameters::Own(_));
@@ -54,16 +51,14 @@ impl Pending {
         self.shared = None;
     }
 
-    /// The preset whose change could be meant for all points that use it, and whether it
-    /// is.
+    /// The preset whose change could be meant for all points that use it, and whether it is.
     pub(crate) fn for_all(&self, document: &Document) -> Option<(usize, bool)> {
         let shared = self.shared?;
         let all = self.choice(document) == Choice::Preset(shared);
         Some((shared, all))
     }
 
-    /// Lets the changed values be those of the preset, for all points that use it, or
-    /// of this point alone.
+    /// Gives the changed values to the preset, for all points that use it, or to this point alone.
     pub(crate) fn mean_all(&mut self, document: &Document, all: bool) {
         let (Some(shared), tcb) = (self.shared, self.tcb(document)) else {
             return;
@@ -124,13 +119,12 @@ impl Pending {
         self.roll.unwrap_or_else(|| orientation(document).roll)
     }
 
-    /// It gives the current point a shape.
+    /// Whether it gives the current point a shape.
     pub(super) fn shapes(&self) -> bool {
         self.choice.is_some() || self.own.is_some()
     }
 
-    /// The edits that apply it, in an order in which each is possible if the
-    /// outcome is.
+    /// The edits that apply it, in an order in which each is possible if the outcome is.
     pub(crate) fn edits(&self, document: &Document) -> Vec<Edit> {
         let Selection {
             point: at,
@@ -157,8 +151,8 @@ impl Pending {
             orientation(document).clone()
         };
         if moves && turns && matches!(orientation.target, Target::Absolute(_)) {
-            // The new position may be the old target, or the new target the
-            // old position: meanwhile the target goes along.
+            // The new position may be the old target, or the new target the old position: meanwhile
+            // the target moves along.
             edits.push(Edit::SetAbsolute {
                 point: at,
                 at: number,
@@ -188,7 +182,7 @@ impl Pending {
     }
 }
 
-/// Points that use a preset, the current one as it will be.
+/// Points that will use a preset, the current one counted.
 pub(crate) fn users(document: &Document, preset: usize) -> usize {
     let current = document.selection().point;
     let points = document.path().points.iter().enumerate();
@@ -206,7 +200,7 @@ pub(crate) fn orientation(document: &Document) -> &Orientation {
     &point(document).orientations[document.selection().orientation]
 }
 
-/// The same; one that looks along the way as if it looked that way.
+/// The same; one that looks along the path has the target it looks at.
 fn aimed(document: &Document) -> Orientation {
     let Selection {
         point,
@@ -222,7 +216,7 @@ fn merged(pending: [Option<f64>; 3], known: [f64; 3]) -> [f64; 3] {
     [a.unwrap_or(x), b.unwrap_or(y), c.unwrap_or(z)]
 }
 
-/// What pending values belong to. When it changes they are given up.
+/// What pending values belong to; when that changes they are given up.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Belonging {
     selection: Selection,
@@ -254,20 +248,19 @@ impl Belonging {
         }
     }
 
-    /// What it belonged to has been replaced as a whole.
+    /// What it belonged to was replaced as a whole.
     pub(crate) fn lose(&mut self) {
-        // Any state that comes now looks as if gone back to.
+        // Whatever state comes now looks like an earlier one.
         (self.state, self.newest) = (u64::MAX, u64::MAX);
     }
 
-    /// Brings it up to date; says whether what it belonged to is gone.
+    /// Brings it up to date; tells whether what it belonged to is gone.
     pub(crate) fn follow(&mut self, document: &Document) -> Option<GivenUp> {
         let mut now = Self::of(document);
         if self.newest != u64::MAX {
             now.newest = self.newest.max(now.state);
         }
-        // An edit has a number that was never there before; only undo, redo
-        // and another document come with an old one.
+        // An edit has a new number; only undo, redo and another document come with an old one.
         let back = now.state != self.state && now.state <= self.newest;
         let gone = if now.selection != self.selection {
             Some(GivenUp::Elsewhere)

@@ -1,8 +1,6 @@
-//! The small picture in the curve window: what the parameters do to the curve
-//! around the current point, before and after.
+//! The picture in the curve window: what the parameters do to the curve around the current point.
 //!
-//! The points around are projected onto the plane in which they spread most,
-//! so that the curve is seen as flat as it can be.
+//! The points are projected onto the plane in which they spread most: there the curve is flattest.
 
 use egui::{Pos2, Rect, Stroke, Vec2, pos2, vec2};
 use glam::DVec3;
@@ -12,7 +10,7 @@ use crate::document::Document;
 use crate::path::{CameraPath, CurveKind, CurveParameters, SupportPoint, Tcb, curve};
 use crate::theme::{self, Palette};
 
-/// Segments on either side that depend on a point: its position shapes two.
+/// Segments on either side that a point's position shapes.
 const SIDE: usize = 2;
 
 /// Straight pieces of each segment.
@@ -22,7 +20,7 @@ const PIECES: usize = 24;
 struct Around {
     path: CameraPath,
     current: usize,
-    /// Number of each point in the whole path.
+    /// Each point's number in the whole path.
     numbers: Vec<usize>,
 }
 
@@ -31,7 +29,7 @@ impl Around {
         let path = document.path();
         let count = path.points.len();
         let current = document.selection().point;
-        // One point more on each side: it shapes the outermost segment.
+        // One more point on each side, since it shapes the outermost segment.
         let reach = SIDE + 1;
         let whole = count <= 2 * reach + 1;
         let numbers: Vec<usize> = if whole {
@@ -45,7 +43,7 @@ impl Around {
         };
         let points = numbers.iter().map(|&number| {
             let point = &path.points[number];
-            // A spline feels points from further away.
+            // A spline depends on points further away.
             let outermost = number == numbers[0] || Some(&number) == numbers.last();
             let cut = path.curve == CurveKind::Cubic && !whole && outermost;
             SupportPoint {
@@ -70,8 +68,7 @@ impl Around {
         }
     }
 
-    /// The same with what is pending. Parameters out of range are drawn at
-    /// its end: they will be refused.
+    /// With what is pending; parameters out of range, refused later, are drawn at the limit.
     fn with(&self, document: &Document, pending: &Pending) -> CameraPath {
         let limited = |tcb: Tcb| {
             let part = |value: f64| value.clamp(-1.0, 1.0);
@@ -123,7 +120,7 @@ pub(super) fn preview(document: &Document, pending: &Pending) -> Vec<Vec<DVec3>>
     around.curve(&around.with(document, pending))
 }
 
-/// Where something is seen in the picture.
+/// A projection into the picture.
 #[derive(Debug)]
 struct Flat {
     centre: DVec3,
@@ -145,7 +142,7 @@ impl Flat {
             middle: rect.center(),
             scale: 1.0,
         };
-        // All that is drawn fits in, with its middle in the middle.
+        // Fits in all that is drawn, centred.
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         let drawn = curves.into_iter().flatten().flatten();
         for [x, y] in drawn.chain(points).map(|&point| flat.plane(point)) {
@@ -177,8 +174,7 @@ impl Flat {
     }
 }
 
-/// The two directions in which points spread most: the first runs as the
-/// points do, the second upwards where it can.
+/// The directions of the widest spread: the first runs as the points do, the second up if it can.
 fn axes(points: &[DVec3], centre: DVec3) -> (DVec3, DVec3) {
     let spread = |direction: DVec3| -> DVec3 {
         let share = points
@@ -190,8 +186,7 @@ fn axes(points: &[DVec3], centre: DVec3) -> (DVec3, DVec3) {
         [first, .., last] => *last - *first,
         _ => DVec3::X,
     };
-    // Power iteration: the longest axis grows fastest. Begun askew, so that
-    // it is not lost by symmetry.
+    // Power iteration: the longest axis grows fastest. Begun askew, against symmetry.
     let start = [run, DVec3::new(1.0, 0.61, 0.37)];
     let mut across = start
         .into_iter()
@@ -232,7 +227,6 @@ fn axes(points: &[DVec3], centre: DVec3) -> (DVec3, DVec3) {
     (across, up)
 }
 
-/// Draws it.
 pub(crate) fn paint(
     painter: &egui::Painter,
     rect: Rect,
@@ -293,8 +287,7 @@ pub(crate) fn paint(
     }
 }
 
-/// A place of this size beside a point, where the lines cross it least: at the
-/// upper right if nothing speaks against that.
+/// A place of this size beside a point, at the upper right unless lines cross it less elsewhere.
 fn beside(at: Pos2, size: Vec2, lines: &[Pos2]) -> Rect {
     let (right, left) = (at.x + 5.0, at.x - 5.0 - size.x);
     let (above, below) = (at.y - 3.0 - size.y, at.y + 3.0);

@@ -1,5 +1,4 @@
-//! A section whose way over time is given: its keys as squares to be dragged in the
-//! picture, and as numbers.
+//! A section whose way over time is given: its keys as squares to be dragged, and as numbers.
 
 use egui::{Button, CursorIcon, Id, Key, Modifiers, Rect, Sense, Ui, Vec2, WidgetInfo, pos2};
 
@@ -15,18 +14,18 @@ use crate::theme;
 /// Keys of the way: share of the time, share of the way.
 pub(super) type Keys = [[f64; 2]];
 
-/// So far from the curve a click means it.
+/// How near the curve a click must be.
 const NEAR: f32 = 10.0;
 
-/// Keys that are dragged keep so far apart, in time and in way.
+/// How far apart dragged keys stay, in time and in way.
 const APART: f64 = 0.002;
 
-/// A way is given by keys after so many equal parts of the time: by as few as are
-/// near it, in shares of the way, everywhere.
+/// A way is sampled after so many equal parts of the time: as few as come this near it everywhere,
+/// in shares of the way.
 const PARTS: [usize; 8] = [1, 2, 3, 4, 6, 9, 12, 18];
 const NEAR_IT: f64 = 0.002;
 
-/// A few keys that are near the way of a section, and exactly on it where they stand.
+/// A few keys near the way of a section, exactly on it where they stand.
 pub(super) fn sampled(timing: &Timing) -> Vec<[f64; 2]> {
     let mut keys = Vec::new();
     for parts in PARTS {
@@ -64,7 +63,7 @@ fn with_key(keys: &Keys, at: usize, to: [f64; 2]) -> Vec<[f64; 2]> {
 }
 
 impl SpeedWindow {
-    /// The squares of the keys; a click on the curve between them makes one more.
+    /// The squares of the keys; a click on the curve between them adds one.
     pub(super) fn keys(
         &mut self,
         editor: &Editor,
@@ -161,7 +160,7 @@ impl SpeedWindow {
         set(editor, keys)
     }
 
-    /// One key as numbers; new ones, and away with it.
+    /// One key as numbers, and buttons to add one and to remove it.
     pub(super) fn key_numbers(
         &mut self,
         editor: &Editor,
@@ -225,7 +224,7 @@ impl SpeedWindow {
         });
     }
 
-    /// Delete means the key that has the keyboard; nobody else sees it then.
+    /// Takes Delete where a key has the keyboard: that key is removed.
     pub(crate) fn take_keys(&mut self, context: &egui::Context) {
         let focused = context.memory(|memory| memory.focused());
         if focused == Some(key_id(self.key))

@@ -1,5 +1,4 @@
-//! A section that speeds up, cruises and slows down: its numbers, and in the picture the
-//! end of the rise and the beginning of the fall, which are dragged aside.
+//! A section that speeds up, cruises and slows down: its numbers, and its corners to be dragged.
 
 use egui::{CursorIcon, Id, Rangef, Rect, Ui, pos2};
 
@@ -13,10 +12,10 @@ use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
 
-/// A part of an ease in percent of the time.
+/// One of the numbers of an ease.
 type Part = fn(&mut Ease) -> &mut f64;
 
-/// Room around a corner where it can be taken hold of.
+/// Room around a corner where it can be grabbed.
 const GRIP: f32 = 14.0;
 
 pub(super) fn corners(
@@ -37,7 +36,7 @@ pub(super) fn corners(
         };
         pos2(frame.x(u), frame.y(value))
     });
-    // Where both stand together, one is taken hold of at its left, the other at its right.
+    // Where both are together, one is grabbed at its left, the other at its right.
     let between = ((fall.x - rise.x) / 2.0).clamp(0.0, GRIP);
     let ranges = [
         Rangef::new(rise.x - GRIP, rise.x + between),
@@ -72,7 +71,7 @@ pub(super) fn corners(
             new = Some((share * scale).round() / scale);
         }
         if moved.steps[0] != 0.0 {
-            // Shares of whole percents stay such.
+            // Whole percents stay whole.
             let percents = 100.0 * share + sign * moved.steps[0];
             new = Some((percents * 1e9).round() / 1e11);
         }
@@ -96,7 +95,7 @@ fn set(orientation: &mut Orientation, part: Part, share: f64) {
 /// Both shares and the cruising speed as numbers.
 pub(super) fn typed(editor: &Editor, ui: &mut Ui, ease: Ease, actions: &mut Vec<Action>) {
     let texts = &editor.texts().speed_window;
-    // Whether it is a share of the time.
+    // The last says whether it is a share of the time.
     let parts: [(&str, &str, Part, bool); 3] = [
         (texts.rise, texts.rise_hint, |ease| &mut ease.rise, true),
         (texts.fall, texts.fall_hint, |ease| &mut ease.fall, true),

@@ -1,5 +1,4 @@
-//! The picture of the speed window: speed, way or acceleration over the time of the
-//! section, and the squares by which it is changed.
+//! The picture of the speed window: speed, way or acceleration over time, and its squares.
 
 use egui::{
     Align2, CornerRadius, CursorIcon, EventFilter, Id, Key, Modifiers, Painter, Pos2, Rect,
@@ -22,7 +21,7 @@ const SQUARE: f32 = 4.5;
 const CHOSEN: f32 = 8.5;
 /// Straight pieces of the curve.
 const PIECES: usize = 180;
-/// So near before a jump of the acceleration its value there is taken.
+/// How near a jump of the acceleration its values on both sides are taken.
 const BEFORE: f64 = 1e-9;
 
 /// What the picture shows.
@@ -31,7 +30,7 @@ pub(super) enum Quantity {
     Speed,
     /// Percent of the way.
     Distance,
-    /// Change of the speed in a second.
+    /// Change of the speed per second.
     Acceleration,
 }
 
@@ -43,7 +42,7 @@ impl Quantity {
         self.of(&section.timing, section.seconds, u)
     }
 
-    /// The same of a timing that takes so many seconds.
+    /// The same for a timing that takes this many seconds.
     pub(super) fn of(self, timing: &Timing, seconds: f64, u: f64) -> f64 {
         match self {
             Self::Speed => timing.speed(u),
@@ -74,10 +73,10 @@ impl Quantity {
     }
 }
 
-/// Where a share of the time and a value stand in the picture.
+/// Places shares of the time, and values, in the picture.
 pub(super) struct Frame {
     pub(super) rect: Rect,
-    /// From one of ten equally distant places to the next.
+    /// The distance between two of ten equally distant places.
     step: f32,
     low: f64,
     high: f64,
@@ -109,7 +108,6 @@ impl Frame {
         }
     }
 
-    /// Where a share of the time stands.
     pub(super) fn x(&self, u: f64) -> f32 {
         self.rect.left() + self.step * (u as f32 * (SPEEDS - 1) as f32 + 1.5)
     }
@@ -125,7 +123,7 @@ impl Frame {
         self.rect.bottom() - MARGIN - share as f32 * room
     }
 
-    /// A hundredth of what it shows from the lowest value to the highest.
+    /// A hundredth of the range of values that it shows.
     pub(super) fn percent(&self) -> f64 {
         (self.high - self.low) / 100.0
     }
@@ -189,7 +187,7 @@ impl Frame {
         }
     }
 
-    /// The speeds of the sections before and behind it.
+    /// The facing speeds of the sections before and after.
     fn paint_neighbours(&self, painter: &Painter, palette: &Palette, section: &Section) {
         for (facing, away, end) in [
             (section.before, -self.step, 0.0),
@@ -210,7 +208,7 @@ impl Frame {
         }
     }
 
-    /// A square that stays where it is.
+    /// A square that cannot be moved.
     pub(super) fn paint_fixed(&self, painter: &Painter, palette: &Palette, at: Pos2) {
         let square = Rect::from_center_size(at, Vec2::splat(2.0 * SQUARE));
         let stroke = Stroke::new(1.5, palette.accent);
@@ -227,7 +225,7 @@ impl Frame {
     }
 }
 
-/// 1, 2 or 5 with a power of ten, not below a positive value.
+/// 1, 2 or 5 times a power of ten, not below a positive value.
 fn round_above(value: f64) -> f64 {
     let power = 10f64.powf(value.log10().floor());
     let rounds = [1.0, 2.0, 5.0, 10.0].map(|part| part * power);
@@ -238,25 +236,25 @@ fn round_above(value: f64) -> f64 {
         .unwrap_or(value)
 }
 
-/// What is held: its id, and how far the pointer is from its middle.
+/// What is held: its id, and the pointer's distance from its middle.
 pub(super) type Held = Option<(Id, Vec2)>;
 
 /// A small square that is dragged by the pointer and moved by the arrow keys.
 pub(super) struct Handle<'a> {
     pub(super) id: Id,
     pub(super) middle: Pos2,
-    /// Where it can be taken hold of.
+    /// Where it can be grabbed.
     pub(super) place: Rect,
     pub(super) name: &'a str,
     pub(super) value: f64,
-    /// What stands beside it while somebody deals with it.
+    /// Stands beside it while it is used.
     pub(super) words: String,
-    /// They stand at its left: it lies on a curve that rises.
+    /// They stand at its left, since it lies on a rising curve.
     pub(super) rises: bool,
     pub(super) cursor: CursorIcon,
 }
 
-/// What is done to one.
+/// What was done to a handle.
 pub(super) struct Moved {
     pub(super) response: Response,
     /// Where its middle is dragged to, and whether finely.
@@ -352,7 +350,7 @@ impl Handle<'_> {
     }
 }
 
-/// What the arrow keys ask for: ten with Shift, upwards also by page.
+/// The steps of the arrow keys: ten with Shift, upwards also by page.
 fn steps(ui: &Ui, id: Id) -> [f64; 2] {
     let filter = EventFilter {
         horizontal_arrows: true,

@@ -1,7 +1,6 @@
-//! The speed curve of the current section, large (thesis A.4.3): ten small
-//! squares to be dragged up and down, the facing values of the sections before
-//! and after, the curve as it runs. Or an ease or a given distance in place of the ten
-//! speeds, and way or acceleration in place of the speed.
+//! The speed curve of the current section, large (thesis A.4.3): ten squares to be dragged up and
+//! down, the facing values of the sections before and after, the curve. Or an ease or a given
+//! distance in place of the ten speeds, and way or acceleration in place of the speed.
 
 use egui::{Align, Layout, Sense, Ui, vec2};
 
@@ -23,10 +22,9 @@ use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
 
-/// Left of the picture stand the values.
+/// Room for the values left of the picture.
 const SCALE: f32 = 32.0;
 
-/// The speed curve of the current section.
 #[derive(Debug)]
 pub(crate) struct SpeedWindow {
     /// What the picture shows.
@@ -36,9 +34,9 @@ pub(crate) struct SpeedWindow {
     choose: Option<usize>,
     /// The key of a given distance whose numbers are shown.
     key: usize,
-    /// The one for which Delete was pressed.
+    /// The key for which Delete was pressed.
     removed: Option<usize>,
-    /// The frames that a section was given along with its distance, for as long as before.
+    /// The frames given to a section along with its distance, so that it takes as long as before.
     fixed: Option<(Selection, u32)>,
 }
 
@@ -72,13 +70,12 @@ impl Size {
         }
     }
 
-    /// Two half steps lie outside the outermost facing values.
+    /// Half a step lies outside each outermost facing value.
     fn width(self) -> f32 {
         SCALE + self.step * 12.0
     }
 }
 
-/// What is shown of the current section.
 struct Section {
     speeds: [f64; SPEEDS],
     before: Option<f64>,
@@ -86,17 +83,17 @@ struct Section {
     pace: Pace,
     timing: Timing,
     hold: u32,
-    /// Frames without the hold; none at the end of the path.
+    /// Frames without the hold; `None` at the end of the path.
     frames: Option<usize>,
-    /// So many are fixed, whatever the length; 0: none are.
+    /// The fixed number of frames, whatever the length; 0: none.
     fixed: u32,
-    /// They are kept where the whole path gets others.
+    /// They stay when the whole path gets others.
     locked: bool,
-    /// By as much as its frames are fewer than its length asks for it is faster.
+    /// How much faster it is because it has fewer frames than its length asks for.
     scale: f64,
-    /// How long it takes; 1 where it takes no time.
+    /// How long it takes; 1 if no time.
     seconds: f64,
-    /// The point and orientation to which it leads.
+    /// The point and orientation where it ends.
     to: Option<(usize, usize)>,
 }
 
@@ -147,7 +144,7 @@ impl Section {
         })
     }
 
-    /// By its ten speeds, or by what they are near.
+    /// Whether it goes by its ten speeds, or by a pace that they are near.
     const fn goes_by_ten(&self) -> bool {
         matches!(self.pace, Pace::Speeds | Pace::Part(_))
     }
@@ -163,7 +160,7 @@ impl SubWindow for SpeedWindow {
     fn new(editor: &Editor) -> Self {
         let pace = editor.orientation().map(|current| &current.own.pace);
         Self {
-            // Where there is something to be dragged.
+            // Where there is something to drag.
             shown: match pace {
                 Some(Pace::Distance(_)) => Quantity::Distance,
                 _ => Quantity::Speed,
@@ -227,7 +224,7 @@ fn heading(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Ac
     });
 }
 
-/// How long it takes, from right to left: locked or not, seconds, frames.
+/// Its length, from right to left: locked or not, seconds, frames.
 fn length(
     editor: &Editor,
     ui: &mut Ui,
@@ -236,7 +233,7 @@ fn length(
     actions: &mut Vec<Action>,
 ) {
     let texts = &editor.texts().speed_window;
-    // Without memory for it all stays as it is.
+    // Without memory for it nothing changes.
     let change = |orientation: &mut Orientation, change: &dyn Fn(&mut Own)| {
         if let Ok(own) = orientation.own.with(change) {
             orientation.own = own;
@@ -267,7 +264,7 @@ fn length(
 }
 
 impl SpeedWindow {
-    /// The curve with what can be dragged of it.
+    /// The curve with its handles.
     fn picture(
         &mut self,
         editor: &Editor,
@@ -319,7 +316,6 @@ impl SpeedWindow {
     }
 }
 
-/// Hold and frame rate.
 fn numbers(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Action>) {
     let texts = &editor.texts().speed_window;
     ui.horizontal(|ui| {
@@ -333,7 +329,7 @@ fn numbers(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Ac
             .steps(1.0, 0.5);
         let entry = number.show(ui, editor.language(), "speed.hold", 72.0);
         actions.extend(entered(editor, entry, |orientation, value| {
-            // In range and whole: the number saw to that.
+            // `Number` keeps it in range and whole.
             orientation.hold = value.round() as u32;
         }));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -352,7 +348,7 @@ fn numbers(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Ac
     });
 }
 
-/// How many frames each kind of change takes at speed 50, for the whole path.
+/// The frames that each kind of change takes at speed 50, for the whole path.
 fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     type Part = fn(&mut BaseSpeeds) -> &mut f64;
     let texts = &editor.texts().speed_window;
@@ -386,7 +382,7 @@ fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
                 .decimals(if frames.fract() == 0.0 { 0 } else { 3 })
                 .range(0.001..=MAX_FRAMES as f64)
                 .steps(1.0, 0.5)
-                // Where they are the host's no file changes them, nor anybody here.
+                // The host's base speeds are changed neither by files nor here.
                 .fixed_if(editor.fixed_speeds)
                 .show(ui, editor.language(), &format!("speed.base.{name}"), width);
             let entry = entry.map(|frames| {
@@ -399,7 +395,7 @@ fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     });
 }
 
-/// What was entered into a number of the current orientation.
+/// An entry into a number of the current orientation.
 fn entered(
     editor: &Editor,
     entry: Entry,

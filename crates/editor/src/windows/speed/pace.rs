@@ -1,5 +1,4 @@
-//! By what a section goes through its time, and what becomes of one such pace when
-//! another is chosen: the section takes as long as before, as far as that can be.
+//! The pace of a section. When another is chosen, the section lasts as long as before, if possible.
 
 use std::sync::Arc;
 
@@ -15,13 +14,12 @@ use crate::path::{Ease, EaseKind, Orientation, Pace};
 use crate::state::Editor;
 use crate::theme;
 
-/// Shares of the time for speeding up and slowing down to begin with.
+/// The initial shares of the time for speeding up and slowing down.
 const SHARE: f64 = 0.25;
 
-/// What can be chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
-    /// Also a part of another pace, since its ten speeds are near it.
+    /// Also a part of another pace, which its ten speeds are near.
     Ten,
     Ease(EaseKind),
     Distance,
@@ -60,7 +58,7 @@ impl Kind {
     }
 }
 
-/// Gives an orientation another pace. Without memory for it all stays as it is.
+/// Gives an orientation another pace, if there is memory for it.
 pub(super) fn set(orientation: &mut Orientation, pace: Pace) {
     if let Ok(own) = orientation.own.with(|own| own.pace = pace) {
         orientation.own = own;
@@ -128,7 +126,7 @@ impl SpeedWindow {
             Kind::Ease(_) => {}
             Kind::Distance => self.shown = Quantity::Distance,
         }
-        // Shown speeds are real ones where the length says how many frames there are.
+        // The shown speeds are real ones where the length decides the number of frames.
         let scale = if unfixes { section.scale } else { 1.0 };
         let mean = section.timing.mean() * scale;
         let edit = editor.orientation_edit(|orientation| {
@@ -141,7 +139,7 @@ impl SpeedWindow {
     }
 }
 
-/// A row of which one is chosen; another one that is clicked.
+/// A row of choices; returns the one that was clicked, if it is another.
 fn one_of<T: Copy + PartialEq, const N: usize>(
     ui: &mut Ui,
     title: &str,

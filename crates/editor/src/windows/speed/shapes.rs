@@ -1,5 +1,4 @@
-//! Speed curves to pick from: the shapes that a camera's motion mostly has.
-//! No egui here.
+//! Speed curves to pick from: the usual shapes of a camera's motion. No egui here.
 
 use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::path::speed_curve::SpeedCurve;
@@ -19,8 +18,8 @@ pub(crate) enum Shape {
 impl Shape {
     pub(crate) const ALL: [Self; 4] = [Self::Constant, Self::EaseIn, Self::EaseOut, Self::Both];
 
-    /// Its share of the fastest speed at u in [0, 1], above the slowest. The slow ends are
-    /// as slow as can be: from there the curve cannot dip.
+    /// Its share of the fastest speed, above the slowest, at u in [0, 1]. The slow ends are as slow
+    /// as can be, so that the curve cannot dip.
     fn at(self, u: f64) -> f64 {
         let rise = |u: f64| {
             let u = u.clamp(0.0, 1.0);
@@ -34,9 +33,8 @@ impl Shape {
         }
     }
 
-    /// Ten speeds of this shape. Where it is fast at an end, as fast as the neighbour
-    /// there (`before`, `after`); else with the mean of `old`, so that the section takes as
-    /// long as before, as far as 1…100 allows it.
+    /// Ten speeds of this shape. A fast end is as fast as the neighbour there (`before`, `after`);
+    /// else the mean is that of `old`, so that the duration stays, as far as 1…100 allows.
     pub(crate) fn speeds(
         self,
         old: &[f64; SPEEDS],
@@ -60,7 +58,7 @@ impl Shape {
         if let Some(speed) = neighbour {
             return scaled(speed);
         }
-        // The mean grows with the fastest speed: halve what is left between.
+        // The mean grows with the fastest speed: bisection.
         let (mut low, mut high) = (MIN_SPEED, 10.0 * MAX_SPEED);
         for _ in 0..40 {
             let middle = f64::midpoint(low, high);

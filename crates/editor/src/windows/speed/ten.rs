@@ -1,5 +1,4 @@
-//! The ten speeds of a section: small squares to be dragged up and down, numbers, shapes
-//! to pick from, copies.
+//! The ten speeds of a section: squares to be dragged, numbers, shapes to pick from, copies.
 
 use egui::{CursorIcon, Id, Rect, Ui, pos2, vec2};
 
@@ -15,12 +14,11 @@ use crate::texts::fill;
 use crate::theme;
 use crate::windows::row_at_right;
 
-/// So many parts of one are not rounded.
+/// Rounded to so many parts of one, a value stays as it is.
 const EXACT: f64 = 1e9;
 
-/// Squares to be dragged: one for each speed; on the way over time one wherever a speed
-/// between the ends counts; on the acceleration one between two speeds. `choose` is the one
-/// that an arrow key has chosen.
+/// Squares to be dragged: on the speed one for each; on the way one for each but the outermost; on
+/// the acceleration one between two. `choose` is the one chosen by an arrow key.
 pub(super) fn squares(
     editor: &Editor,
     (held, choose): (&mut Held, &mut Option<usize>),
@@ -98,10 +96,10 @@ pub(super) fn squares(
     }
 }
 
-/// The ten speeds, rounded to parts of one, with which a graph has a value at one of its
-/// squares, as near as their range allows. A speed is itself. More way up to a square is a
-/// higher speed before it and a lower one behind it, more acceleration between two speeds a
-/// lower first and a higher second one: the section's mean speed hardly changes.
+/// The ten speeds, rounded to parts of one, with which a graph has a value at one of its squares,
+/// as near as their range allows. More way up to a square takes a higher speed before it and a
+/// lower one after it, more acceleration between two speeds a lower first and a higher second one:
+/// the section's mean speed hardly changes.
 fn with_value(
     section: &Section,
     (shown, at, time): (Quantity, usize, f64),
