@@ -245,49 +245,6 @@ impl Own {
         }
         Ok(())
     }
-
-    /// All its numbers; one that is absent counts as NaN.
-    fn numbers(&self, see: &mut dyn FnMut(f64)) {
-        let mut option = |number: Option<f64>| see(number.unwrap_or(f64::NAN));
-        let vector = |v: Option<DVec3>| v.map_or([None; 3], |v| v.to_array().map(Some));
-        let turning = self.velocities.map(|v| (v.reach, v.leave)).unzip();
-        vector(turning.0).into_iter().for_each(&mut option);
-        vector(turning.1).into_iter().for_each(&mut option);
-        if let Some(TurningPart { control, from, to }) = self.turning {
-            let quaternions = control.into_iter().flat_map(|q| q.to_array());
-            quaternions
-                .chain([from, to])
-                .for_each(|number| option(Some(number)));
-        }
-        option(self.ahead);
-        match &self.up {
-            UpVector::Point(place) => vector(Some(*place)).into_iter().for_each(&mut option),
-            UpVector::Path(path) => path
-                .points()
-                .iter()
-                .flat_map(|point| [point.position, point.before, point.after])
-                .for_each(|v| vector(Some(v)).into_iter().for_each(&mut option)),
-            UpVector::Axis | UpVector::Minimal | UpVector::Frenet => {}
-        }
-        option(self.roll_slope);
-        option(self.zoom_slope);
-        option(Some(f64::from(self.frames)));
-        option(self.locked.then_some(1.0));
-        let mut keys = |keys: &[[f64; 2]]| keys.iter().flatten().for_each(|key| see(*key));
-        match &self.pace {
-            Pace::Speeds => {}
-            Pace::Ease(ease) => ease.numbers().into_iter().for_each(see),
-            Pace::Distance(distance) => keys(distance),
-            Pace::Part(PacePart { of, from, to }) => {
-                keys(&[[*from, *to]]);
-                match of {
-                    Whole::Speeds { speeds, .. } => speeds.iter().for_each(|speed| see(*speed)),
-                    Whole::Ease(ease) => ease.numbers().into_iter().for_each(see),
-                    Whole::Distance(distance) => keys(distance),
-                }
-            }
-        }
-    }
 }
 
 /// A fixed number of frames, or 0.
@@ -381,19 +338,9 @@ impl MayOwn {
     /// Equal bit by bit: 0 and −0 differ.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
-        if self.is_shared_with(other) {
-            return true;
-        }
-        // Two lists of different meaning may have the same numbers.
-        if **self != **other {
-            return false;
-        }
-        let sum = |own: &Own| {
-            let mut signs = Vec::new();
-            own.numbers(&mut |number| signs.push(number.is_sign_negative()));
-            signs
-        };
-        sum(self) == sum(other)
+        // Their text has each number in full, with the sign of a zero.
+        self.is_shared_with(other)
+            || (**self == **other && format!("{:?}", **self) == format!("{:?}", **other))
     }
 
     /// What a copy at another place takes along: not what holds for this place alone.
