@@ -55,6 +55,30 @@ impl UpVector {
         }
     }
 
+    /// Carried along by a map of places, and of directions at a place.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub fn map(
+        &self,
+        place: impl Fn(DVec3) -> DVec3,
+        direction: impl Fn(DVec3, DVec3) -> DVec3,
+    ) -> Result<Self> {
+        Ok(match self {
+            Self::Point(point) => Self::Point(place(*point)),
+            Self::Path(path) => {
+                let mut points = vec_with_room(path.points.len())?;
+                points.extend(path.points.iter().map(|point| UpPathPoint {
+                    position: place(point.position),
+                    before: direction(point.position, point.before),
+                    after: direction(point.position, point.after),
+                }));
+                Self::Path(UpPath::new(points)?)
+            }
+            other => other.clone(),
+        })
+    }
+
     /// Checks that its places are within reach.
     ///
     /// # Errors
@@ -133,16 +157,6 @@ impl UpPath {
     #[must_use]
     pub fn points(&self) -> &[UpPathPoint] {
         &self.points
-    }
-
-    /// Each point changed.
-    ///
-    /// # Errors
-    /// [`crate::Error::Memory`].
-    pub fn map(&self, change: impl Fn(&UpPathPoint) -> UpPathPoint) -> Result<Arc<Self>> {
-        let mut points = vec_with_room(self.points.len())?;
-        points.extend(self.points.iter().map(change));
-        Self::new(points)
     }
 
     /// The other way round.

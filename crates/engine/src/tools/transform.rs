@@ -9,8 +9,8 @@ use crate::deform::{Bounds, Deformation};
 use crate::error::{Invalid, Place, Result, vec_with_room};
 use crate::math::orientation::{roll_from_up, unit, up_from_roll, wrap_degrees};
 use crate::path::{
-    CameraPath, Orientation, SupportPoint, Tangents, Target, Up, UpPathPoint, UpVector, Velocities,
-    ahead, alignment,
+    CameraPath, Orientation, SupportPoint, Tangents, Target, Up, UpVector, Velocities, ahead,
+    alignment,
 };
 
 /// Columns of a matrix without shear are at right angles within this.
@@ -210,22 +210,6 @@ fn turn_ups(path: &CameraPath, map: &Map<'_>, changed: &mut Changed) -> Result<(
     Ok(())
 }
 
-/// An up vector that goes along.
-fn moved(up: &UpVector, map: &Map<'_>) -> Result<UpVector> {
-    Ok(match up {
-        UpVector::Point(place) => UpVector::Point((map.place)(*place)),
-        UpVector::Path(path) => UpVector::Path(path.map(|point| {
-            let derivative = (map.derivative)(point.position);
-            UpPathPoint {
-                position: (map.place)(point.position),
-                before: derivative * point.before,
-                after: derivative * point.after,
-            }
-        })?),
-        other => other.clone(),
-    })
-}
-
 /// An orientation whose camera goes along: target, roll, velocities.
 fn seen(
     old: &Orientation,
@@ -242,7 +226,8 @@ fn seen(
         }
     };
     if old.own.up != UpVector::Axis {
-        let up = moved(&old.own.up, map)?;
+        let direction = |at, v| (map.derivative)(at) * v;
+        let up = old.own.up.map(map.place, direction)?;
         new.own = new.own.with(|own| own.up = up)?;
     }
     let scale = derivative.x_axis.length();
