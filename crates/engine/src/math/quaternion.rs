@@ -100,3 +100,10 @@ pub fn continue_sign(before: DQuat, q: DQuat) -> (DQuat, bool) {
     }
     (q, true)
 }
+
+/// Gives each key the sign that continues the one before.
+pub fn continue_signs(keys: &mut [DQuat]) {
+    for k in 1..keys.len() {
+        keys[k] = continue_sign(keys[k - 1], keys[k]).0;
+    }
+}

@@ -10,7 +10,7 @@ use glam::{DQuat, DVec3};
 use super::camera_path::Tcb;
 use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, vec_with_room};
 use crate::limits::MAX_KEYS;
-use crate::math::quaternion::{continue_sign, exp, log, slerp};
+use crate::math::quaternion::{continue_signs, exp, log, slerp};
 
 /// The point at `x` in [0, 1] of a cubic spherical Bézier curve: de Casteljau with great arcs.
 #[must_use]
@@ -85,14 +85,9 @@ pub fn end_velocity(tension: f64, mean: DVec3, inner: DVec3) -> DVec3 {
     (1.0 - tension) * (2.0 * mean - inner)
 }
 
-/// Keys that are normalised and continue each other's signs, and the section that was asked for.
-struct Keys {
-    keys: Vec<DQuat>,
-    section: usize,
-}
-
-/// Checks what a caller handed over and finds the section that holds `when`.
-fn prepare(keys: &[DQuat], times: &[f64], when: f64) -> Result<Keys> {
+/// Checks what a caller handed over: the keys, normalised and continuing each other's signs, and the
+/// section that holds `when`.
+fn prepare(keys: &[DQuat], times: &[f64], when: f64) -> Result<(Vec<DQuat>, usize)> {
     if keys.len() < 2 || times.len() != keys.len() {
         return Err(OutOfRange::QuaternionKeys.into());
     }
@@ -106,20 +101,13 @@ fn prepare(keys: &[DQuat], times: &[f64], when: f64) -> Result<Keys> {
     if !(times[0]..=times[times.len() - 1]).contains(&when) {
         return Err(OutOfRange::Time.into());
     }
-    let mut fixed: Vec<DQuat> = vec_with_room(keys.len())?;
+    let mut fixed = vec_with_room(keys.len())?;
     for &key in keys {
-        let key = normalized(key)?;
-        let key = match fixed.last() {
-            Some(&before) => continue_sign(before, key).0,
-            None => key,
-        };
-        fixed.push(key);
+        fixed.push(normalized(key)?);
     }
+    continue_signs(&mut fixed);
     let after = times.partition_point(|&time| time <= when);
-    Ok(Keys {
-        keys: fixed,
-        section: after.clamp(1, times.len() - 1) - 1,
-    })
+    Ok((fixed, after.clamp(1, times.len() - 1) - 1))
 }
 
 /// `q` with length 1, even where its square would over- or underflow.
@@ -145,7 +133,7 @@ fn finished(q: DQuat) -> Result<DQuat> {
 /// # Errors
 /// [`Error::Range`], [`Error::Argument`] or [`Error::Limit`] with the reason.
 pub fn barry_goldman(keys: &[DQuat], times: &[f64], when: f64) -> Result<DQuat> {
-    let Keys { keys, section: i } = prepare(keys, times, when)?;
+    let (keys, i) = prepare(keys, times, when)?;
     let last = keys.len() - 1;
     let (before, time_before) = if i > 0 {
         (keys[i - 1], times[i - 1])
@@ -214,7 +202,7 @@ pub fn tcb(keys: &[DQuat], times: &[f64], tcb: Option<&[Tcb]>, when: f64) -> Res
         }
         tcb.iter().try_for_each(|tcb| tcb.check())?;
     }
-    let Keys { keys, section: i } = prepare(keys, times, when)?;
+    let (keys, i) = prepare(keys, times, when)?;
     let own = |k: usize| tcb.map_or(Tcb::default(), |tcb| tcb[k]);
     let control = tcb_section(&keys, times, own, i);
     let step = times[i + 1] - times[i];

@@ -4,7 +4,7 @@ use glam::DQuat;
 
 use super::keys::quaternion;
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
-use crate::math::quaternion::{angle, continue_sign, exp, log};
+use crate::math::quaternion::{angle, continue_sign, continue_signs, exp, log};
 use crate::path::Tcb;
 use crate::path::quaternion_spline::{bezier, normalized, tcb_section};
 
@@ -131,10 +131,8 @@ pub(super) fn unit(q: DQuat) -> Result<DQuat> {
 fn smooth(frames: &[f64], keys: &[DQuat], tcb: impl Fn(usize) -> Tcb) -> Result<Vec<[DQuat; 4]>> {
     let count = keys.len();
     let mut signed: Vec<DQuat> = vec_with_room(count)?;
-    for &key in keys {
-        let before = signed.last().copied();
-        signed.push(before.map_or(key, |before| continue_sign(before, key).0));
-    }
+    signed.extend_from_slice(keys);
+    continue_signs(&mut signed);
     let mut sections = vec_with_room(count.saturating_sub(1))?;
     for section in 0..count.saturating_sub(1) {
         let control = tcb_section(&signed, frames, &tcb, section);
