@@ -57,17 +57,12 @@ pub enum FindingKind {
 /// Number of kinds.
 pub const COUNT: usize = 16;
 
-/// The limit beyond which a kind is reported, under the name of the kind, and what helps.
-struct Row {
-    kind: FindingKind,
-    limit: Parameter,
-    remedy: &'static str,
-}
+/// A kind, the limit beyond which it is reported, under the kind's name, and what helps.
+type Row = (FindingKind, Parameter, &'static str);
 
 const fn row(
     kind: FindingKind,
-    name: &'static str,
-    does: &'static str,
+    [name, does]: [&'static str; 2],
     unit: Unit,
     most: f64,
     default: f64,
@@ -82,75 +77,61 @@ const fn row(
         most,
         default,
     };
-    Row {
-        kind,
-        limit,
-        remedy,
-    }
+    (kind, limit, remedy)
 }
 
 /// All that is looked for, in the order of the kinds.
 #[rustfmt::skip]
 static ROWS: [Row; COUNT] = [
-    row(FindingKind::Space, "space",
-        "the camera is so far outside the space", Unit::Length, MAX_COORDINATE, 0.0,
-        "move or scale the points: vides transform"),
-    row(FindingKind::Cusp, "cusp",
-        "the curve or the pace nearly stops within a section, to such a share of its mean",
+    row(FindingKind::Space, ["space", "the camera is so far outside the space"], Unit::Length,
+        MAX_COORDINATE, 0.0, "move or scale the points: vides transform"),
+    row(FindingKind::Cusp, ["cusp",
+        "the curve or the pace nearly stops within a section, to such a share of its mean"],
         Unit::One, 1.0, 0.02, "draw the points apart or give them tangents"),
-    row(FindingKind::SpeedJump, "speed-jump",
-        "the speed jumps at a key by such a share of the mean speed", Unit::One,
-        1000.0, 0.5, "ease the section"),
-    row(FindingKind::Acceleration, "acceleration",
-        "the camera accelerates more, in half sizes a second squared", Unit::One,
-        MAX_COORDINATE, 10.0, "ease the section or give it more frames"),
-    row(FindingKind::ViewJump, "view-jump", "the view jumps by so much", Unit::Degrees, 180.0, 1.0,
-        "look ahead by a distance, or round off the corner"),
-    row(FindingKind::Turning, "turning",
-        "the view turns faster, in degrees a second", Unit::Degrees, 1e6, 60.0,
+    row(FindingKind::SpeedJump, ["speed-jump",
+        "the speed jumps at a key by such a share of the mean speed"], Unit::One, 1000.0, 0.5,
+        "ease the section"),
+    row(FindingKind::Acceleration, ["acceleration",
+        "the camera accelerates more, in half sizes a second squared"], Unit::One, MAX_COORDINATE,
+        10.0, "ease the section or give it more frames"),
+    row(FindingKind::ViewJump, ["view-jump", "the view jumps by so much"], Unit::Degrees, 180.0,
+        1.0, "look ahead by a distance, or round off the corner"),
+    row(FindingKind::Turning, ["turning", "the view turns faster, in degrees a second"],
+        Unit::Degrees, 1e6, 60.0, "give the section more frames"),
+    row(FindingKind::TurningAcceleration, ["turning-acceleration",
+        "the turning accelerates more, in degrees a second squared"], Unit::Degrees, 1e9, 300.0,
+        "ease the section"),
+    row(FindingKind::HalfTurn, ["half-turn", "a half turn might go either way"], Unit::One, 1.0,
+        0.0, "put a view between the two"),
+    row(FindingKind::Pole, ["pole", "the view is so near to straight up or down"], Unit::Degrees,
+        90.0, 3.0, "lead the way aside"),
+    row(FindingKind::Target, ["target", "the target is nearer"], Unit::Length, MAX_COORDINATE,
+        0.05, "lead the way aside"),
+    row(FindingKind::Clearance, ["clearance", "the object is nearer"], Unit::Length,
+        MAX_COORDINATE, 0.02, "lead the way aside"),
+    row(FindingKind::Through, ["through", "the way leads through the object"], Unit::One, 1.0, 0.0,
+        "lead the way aside"),
+    row(FindingKind::NothingToSee, ["nothing-to-see",
+        "nothing of the object is in the picture for longer"], Unit::Seconds, 1e6, 1.0,
+        "turn the views towards the object"),
+    row(FindingKind::Zoom, ["zoom", "the zoom is faster, in mm a second"], Unit::Zoom, 1e6, 30.0,
         "give the section more frames"),
-    row(FindingKind::TurningAcceleration, "turning-acceleration",
-        "the turning accelerates more, in degrees a second squared",
-        Unit::Degrees, 1e9, 300.0, "ease the section"),
-    row(FindingKind::HalfTurn, "half-turn", "a half turn might go either way", Unit::One, 1.0, 0.0,
-        "put a view between the two"),
-    row(FindingKind::Pole, "pole",
-        "the view is so near to straight up or down", Unit::Degrees, 90.0, 3.0,
-        "lead the way aside"),
-    row(FindingKind::Target, "target", "the target is nearer", Unit::Length, MAX_COORDINATE, 0.05,
-        "lead the way aside"),
-    row(FindingKind::Clearance, "clearance",
-        "the object is nearer", Unit::Length, MAX_COORDINATE, 0.02,
-        "lead the way aside"),
-    row(FindingKind::Through, "through", "the way leads through the object", Unit::One, 1.0, 0.0,
-        "lead the way aside"),
-    row(FindingKind::NothingToSee, "nothing-to-see",
-        "nothing of the object is in the picture for longer", Unit::Seconds,
-        1e6, 1.0, "turn the views towards the object"),
-    row(FindingKind::Zoom, "zoom", "the zoom is faster, in mm a second", Unit::Zoom, 1e6, 30.0,
-        "give the section more frames"),
-    row(FindingKind::Redundant, "redundant",
-        "several keys stand where one would do", Unit::One, 1.0, 0.0,
-        "remove the orientation or the point"),
-    row(FindingKind::Corner, "corner",
-        "the way turns at a point by more", Unit::Degrees, 180.0, 60.0,
-        "give the point tangents"),
+    row(FindingKind::Redundant, ["redundant", "several keys stand where one would do"], Unit::One,
+        1.0, 0.0, "remove the orientation or the point"),
+    row(FindingKind::Corner, ["corner", "the way turns at a point by more"], Unit::Degrees, 180.0,
+        60.0, "give the point tangents"),
 ];
 
 impl FindingKind {
     /// All of them.
     pub fn all() -> impl Iterator<Item = Self> {
-        ROWS.iter().map(|row| row.kind)
-    }
-
-    const fn row(self) -> &'static Row {
-        &ROWS[self as usize]
+        ROWS.iter().map(|row| row.0)
     }
 
     /// The limit beyond which it is reported; its name is that of the kind.
     #[must_use]
     pub const fn limit(self) -> &'static Parameter {
-        &self.row().limit
+        &ROWS[self as usize].1
     }
 
     /// Its name: small letters, words joined by `-`.
@@ -162,7 +143,7 @@ impl FindingKind {
     /// What helps.
     #[must_use]
     pub const fn remedy(self) -> &'static str {
-        self.row().remedy
+        ROWS[self as usize].2
     }
 
     /// The kind of this name.
@@ -181,7 +162,7 @@ pub struct Limits([f64; COUNT]);
 
 impl Default for Limits {
     fn default() -> Self {
-        Self(ROWS.each_ref().map(|row| row.limit.default))
+        Self(ROWS.map(|row| row.1.default))
     }
 }
 

@@ -55,30 +55,18 @@ impl Quantity {
     /// The kinds of findings ([`super::check`]) that are seen in it.
     #[must_use]
     pub const fn findings(self) -> &'static [FindingKind] {
+        use FindingKind::{
+            Acceleration, Clearance, Corner, Cusp, HalfTurn, NothingToSee, Pole, Redundant, Space,
+            SpeedJump, Target, Through, Turning, TurningAcceleration, ViewJump, Zoom,
+        };
         match self {
             Self::Distance => &[],
-            Self::Speed => &[
-                FindingKind::SpeedJump,
-                FindingKind::Cusp,
-                FindingKind::Corner,
-                FindingKind::Space,
-            ],
-            Self::Acceleration => &[FindingKind::Acceleration],
-            Self::Turning => &[
-                FindingKind::Turning,
-                FindingKind::TurningAcceleration,
-                FindingKind::ViewJump,
-                FindingKind::HalfTurn,
-                FindingKind::Pole,
-            ],
-            Self::Roll => &[FindingKind::Redundant],
-            Self::Zoom => &[FindingKind::Zoom],
-            Self::Clearance => &[
-                FindingKind::Clearance,
-                FindingKind::Through,
-                FindingKind::NothingToSee,
-                FindingKind::Target,
-            ],
+            Self::Speed => &[SpeedJump, Cusp, Corner, Space],
+            Self::Acceleration => &[Acceleration],
+            Self::Turning => &[Turning, TurningAcceleration, ViewJump, HalfTurn, Pole],
+            Self::Roll => &[Redundant],
+            Self::Zoom => &[Zoom],
+            Self::Clearance => &[Clearance, Through, NothingToSee, Target],
         }
     }
 
