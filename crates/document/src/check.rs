@@ -1,7 +1,7 @@
 //! Checks a document's path against its own space, object and limits.
 
 use glam::{DAffine3, DVec3};
-use vides_engine::scene::{Kind, Mesh, NodeState, Troubles};
+use vides_engine::scene::{Kind, Mesh, NodeState, Warnings};
 use vides_engine::tools::check::{Against, Finding, FindingKind, check};
 use vides_engine::tools::clearance::Clearance;
 
@@ -47,8 +47,8 @@ impl Document {
             let frame = self.frame_of_scene(1.0);
             let mut states = vec_with_room(scene.nodes().len())?;
             states.resize(scene.nodes().len(), NodeState::default());
-            let troubles = &mut Troubles::default();
-            scene.evaluate(frame, &mut states, troubles)?;
+            let warnings = &mut Warnings::default();
+            scene.evaluate(frame, &mut states, warnings)?;
             let parent = around.node().and_then(|at| scene.nodes()[at].parent);
             let into = parent.map_or(DAffine3::IDENTITY, |at| states[at].world().inverse());
             // A parent scaled to zero has no inverse; use world coordinates.
@@ -63,7 +63,7 @@ impl Document {
                 {
                     let mut points = vec_with_room(object.mesh().points.len())?;
                     points.resize(object.mesh().points.len(), DVec3::ZERO);
-                    scene.vertices(at, frame, &mut points, troubles)?;
+                    scene.vertices(at, frame, &mut points, warnings)?;
                     let place = into * states[at].world();
                     points
                         .iter_mut()

@@ -455,7 +455,7 @@ impl Tool {
         Ok(Some(match (self.kind, material) {
             (Kind::Move(known), _) => {
                 let fps = document.info().fps;
-                put(known.path_at(first, path.space, fps, path.speeds)?)
+                put(known.path_with_speeds(first, path.space, fps, path.speeds)?)
             }
             (Kind::Draw, Material::Stroke(places)) => {
                 put(drawn(document, places, given.number("tolerance"))?)

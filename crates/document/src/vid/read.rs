@@ -13,7 +13,7 @@ use crate::info::{self, Info, Object, ObjectPoint};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::camera_path::{
-    check_base_speed, check_hold, check_name, check_shape, check_speed, check_zoom,
+    check_base_speed, check_curve_speed, check_hold, check_name, check_shape, check_zoom,
 };
 use crate::path::{
     BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space,
@@ -509,7 +509,7 @@ fn orientation(
             "speed_curve" => {
                 orientation.speeds = field.numbers()?;
                 for speed in orientation.speeds {
-                    field.checked(check_speed(speed))?;
+                    field.checked(check_curve_speed(speed))?;
                 }
             }
             "hold_frames" => {

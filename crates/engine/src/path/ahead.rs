@@ -196,12 +196,17 @@ impl Follow {
             self.rail
                 .space
                 .up
-                .upright(self.way((segment, length), t, phi)?),
+                .upright(self.look_direction((segment, length), t, phi)?),
         )
     }
 
     /// The direction at the parameter `t` of the segment, φ of its length.
-    pub(super) fn way(&self, (segment, length): (usize, f64), t: f64, phi: f64) -> Option<DVec3> {
+    pub(super) fn look_direction(
+        &self,
+        (segment, length): (usize, f64),
+        t: f64,
+        phi: f64,
+    ) -> Option<DVec3> {
         let curve = &self.rail.chain.curves[segment];
         match self.look {
             Look::Still => Some(self.rail.space.up.world(self.still)),

@@ -110,9 +110,13 @@ impl UpAlong {
                 let there = match follow.look {
                     Look::Ahead(distance) if distance > 0.0 => {
                         let arc = ArcLength::new(&rail.chain.curves[segment]).ok()?;
-                        follow.way((segment, length), middle, arc.length_at(middle) / length)
+                        follow.look_direction(
+                            (segment, length),
+                            middle,
+                            arc.length_at(middle) / length,
+                        )
                     }
-                    _ => follow.way((segment, length), middle, 0.0),
+                    _ => follow.look_direction((segment, length), middle, 0.0),
                 };
                 let up = step(up, from, view, chord(from, there.unwrap_or(view), view));
                 let [a, b] = carried.turn;
@@ -421,7 +425,8 @@ fn carried(
 ) -> Result<Vec<(DVec3, DVec3)>> {
     let arc = ArcLength::new(&follow.rail.chain.curves[way.0])?;
     let ahead = matches!(follow.look, Look::Ahead(distance) if distance > 0.0);
-    let seen = |t: f64| follow.way(way, t, if ahead { arc.length_at(t) / way.1 } else { t });
+    let seen =
+        |t: f64| follow.look_direction(way, t, if ahead { arc.length_at(t) / way.1 } else { t });
     let [mut steps, most] = STEPS;
     // Directions at the ends and in the middle of each step.
     let mut views: Vec<Option<DVec3>> = vec_with_room(2 * steps + 1)?;

@@ -145,7 +145,7 @@ impl Orientation {
         }
         check_zoom(self.zoom)?;
         self.turning.check()?;
-        self.speeds.into_iter().try_for_each(check_speed)?;
+        self.speeds.into_iter().try_for_each(check_curve_speed)?;
         check_hold(self.hold)?;
         self.own.check(space)
     }
@@ -401,7 +401,7 @@ impl CameraPath {
         for preset in self.presets {
             preset.check()?;
         }
-        check_speeds(self.speeds)?;
+        check_base_speeds(self.speeds)?;
         space.check()?;
         for (index, point) in self.points.iter().enumerate() {
             point
@@ -523,7 +523,7 @@ pub fn check_zoom(zoom: f64) -> Result<()> {
 ///
 /// # Errors
 /// [`crate::Error::Range`].
-pub fn check_speed(speed: f64) -> Result<()> {
+pub fn check_curve_speed(speed: f64) -> Result<()> {
     if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&speed) {
         return Err(OutOfRange::Between(Quantity::CurveSpeed, 1.0, limits::MAX_SPEED).into());
     }
@@ -556,7 +556,7 @@ pub fn check_base_speed(speed: f64) -> Result<()> {
 ///
 /// # Errors
 /// [`crate::Error::Argument`] otherwise.
-pub fn check_speeds(speeds: BaseSpeeds) -> Result<()> {
+pub fn check_base_speeds(speeds: BaseSpeeds) -> Result<()> {
     let all = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling];
     all.into_iter().try_for_each(check_base_speed)
 }

@@ -354,7 +354,7 @@ fn keep_tangents(
     changed: &mut Vec<usize>,
 ) -> Result<()> {
     let count = new.points.len();
-    let (before, behind) = (at - 1, (at + 1) % count);
+    let (before, after) = (at - 1, (at + 1) % count);
     for _ in 0..ROUNDS {
         let mut settled = true;
         let near = |point: usize| {
@@ -373,7 +373,7 @@ fn keep_tangents(
                         old.before = old.after;
                     }
                 }
-                if point == behind {
+                if point == after {
                     old.before = wanted.reach;
                     if point == count - 1 && !path.closed {
                         old.after = old.before;
@@ -419,7 +419,7 @@ impl Keys {
             let longest = beside.into_iter().flatten().map(|way| way.duration);
             steps.push(longest.fold(0.0, f64::max));
         }
-        let rates = rates(&mut layout.keys, &layout.spans, layout.way, path.space)?;
+        let rates = rates(&mut layout.keys, &layout.spans, layout.guides, path.space)?;
         Ok(Self { rates, zoom, steps })
     }
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
-use super::camera_path::check_speed;
+use super::camera_path::check_curve_speed;
 use super::ease::Ease;
 use super::space::Space;
 use super::up_vector::UpVector;
@@ -78,7 +78,7 @@ impl PacePart {
             } => {
                 let facing = [before, after].into_iter().flatten();
                 let mut all = speeds.iter().chain(facing);
-                all.try_for_each(|speed| check_speed(*speed))?;
+                all.try_for_each(|speed| check_curve_speed(*speed))?;
             }
             Whole::Ease(ease) => ease.check()?,
             Whole::Distance(keys) => check_distance(keys)?,

@@ -36,7 +36,7 @@ pub(super) struct Layout<'a> {
     /// Their poses; of a closed path the first one again at the end.
     pub poses: Vec<Pose>,
     pub spans: Vec<orientation_curve::Span<'a>>,
-    pub way: orientation_curve::Way<'a>,
+    pub guides: orientation_curve::Guides<'a>,
     first_frames: Vec<usize>,
 }
 
@@ -122,7 +122,7 @@ impl<'a> Layout<'a> {
             keys,
             poses,
             spans,
-            way: timeline.way(),
+            guides: timeline.guides(),
             first_frames,
         })
     }
@@ -140,10 +140,10 @@ impl Sampler {
             mut keys,
             poses,
             spans,
-            way,
+            guides,
             first_frames,
         } = Layout::new(path, timeline)?;
-        let turnings = turnings(&mut keys, &spans, path.orientation_mode, way, path.space)?;
+        let turnings = turnings(&mut keys, &spans, path.orientation_mode, guides, path.space)?;
         for (section, turning) in sections.iter_mut().zip(turnings) {
             section.turning = turning;
         }

@@ -11,7 +11,7 @@ use super::camera_path::{CameraPath, CurveKind, Orientation};
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
-use super::orientation_curve::Way;
+use super::orientation_curve::Guides;
 use super::speed_curve::SpeedCurve;
 use super::timing::{Timing, facing};
 use super::up_vector::UpVector;
@@ -244,8 +244,8 @@ impl Timeline {
         Ok(())
     }
 
-    pub(super) fn way(&self) -> Way<'_> {
-        Way {
+    pub(super) fn guides(&self) -> Guides<'_> {
+        Guides {
             rail: self.rail.as_ref(),
             alignment: self.alignment.as_ref(),
         }

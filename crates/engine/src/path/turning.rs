@@ -125,7 +125,7 @@ fn level_view(
         orientation::level_axes(view)
     } else {
         let yawed = |phi: f64| direction(phi).filter(|&view| level(view));
-        let yaw = last_where(phi, &|phi| yawed(phi).is_some())
+        let yaw = nearest_where(phi, &|phi| yawed(phi).is_some())
             .and_then(yawed)
             .map_or(0.0, |view| view.x.atan2(view.z));
         orientation::axes_with_yaw(view, yaw.sin(), yaw.cos())
@@ -136,11 +136,11 @@ fn level_view(
 
 /// What there is at φ, else the last there was, else the next.
 fn held(find: &dyn Fn(f64) -> Option<DVec3>, phi: f64) -> Option<DVec3> {
-    find(phi).or_else(|| last_where(phi, &|phi| find(phi).is_some()).and_then(find))
+    find(phi).or_else(|| nearest_where(phi, &|phi| find(phi).is_some()).and_then(find))
 }
 
 /// The φ nearest before this one, else after it, where `good` holds: doubling, then bisection.
-fn last_where(phi: f64, good: &dyn Fn(f64) -> bool) -> Option<f64> {
+fn nearest_where(phi: f64, good: &dyn Fn(f64) -> bool) -> Option<f64> {
     for direction in [-1.0, 1.0] {
         let mut step = 1e-15;
         let mut bad = phi;

@@ -108,7 +108,7 @@ impl Channel {
 
     /// Whether both are the same channel of a node: the host's own by name, whatever their width.
     #[must_use]
-    pub fn is(&self, other: &Self) -> bool {
+    pub fn same_as(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Value { name: a, .. }, Self::Value { name: b, .. }) => a == b,
             _ => self == other,
@@ -200,7 +200,7 @@ mod tests {
         }
         let one = Channel::parse("value:a:1").unwrap();
         assert_eq!(one.to_string(), "value:a");
-        assert!(one.is(&Channel::parse("value:a:16").unwrap()));
+        assert!(one.same_as(&Channel::parse("value:a:16").unwrap()));
         for wrong in [
             "",
             "Position",

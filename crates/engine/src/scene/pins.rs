@@ -79,7 +79,7 @@ impl Scene {
         for fixed in &pinned.fixed {
             fixed.apply(&mut path)?;
         }
-        FollowPath::new(path, pinned.start_frame, follow.beyond()).map(Some)
+        FollowPath::new(path, pinned.start_frame, follow.extrapolation()).map(Some)
     }
 }
 

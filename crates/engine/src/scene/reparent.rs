@@ -6,7 +6,7 @@ use super::channel::Channel;
 use super::hierarchy::local;
 use super::node::Node;
 use super::scene::Scene;
-use super::state::Troubles;
+use super::state::Warnings;
 use crate::error::{Error, Invalid, Result};
 
 /// How well a place must be kept, relative to its size.
@@ -28,7 +28,7 @@ impl Scene {
         }
         let mut states = self.scratch()?;
         let first = self.frame_range().0;
-        self.evaluate(first, &mut states, &mut Troubles::default())?;
+        self.evaluate(first, &mut states, &mut Warnings::default())?;
         let world = |parent: Option<usize>| {
             parent.map_or(DAffine3::IDENTITY, |parent| states[parent].world())
         };

@@ -22,13 +22,13 @@ pub(super) struct Turns {
 #[derive(Debug, Clone, PartialEq)]
 enum Sections {
     None,
-    Arcs(Vec<Arc>),
+    Arcs(Vec<GreatArc>),
     Beziers(Vec<[DQuat; 4]>),
 }
 
 /// A great arc by the shorter way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Arc {
+struct GreatArc {
     from: DQuat,
     to: DQuat,
     angle: f64,
@@ -61,7 +61,7 @@ impl Turns {
             Between::Keys => Sections::None,
             Between::Arcs => {
                 let mut arcs = vec_with_room(keys.len().saturating_sub(1))?;
-                arcs.extend(keys.windows(2).map(|pair| Arc::new(pair[0], pair[1])));
+                arcs.extend(keys.windows(2).map(|pair| GreatArc::new(pair[0], pair[1])));
                 Sections::Arcs(arcs)
             }
             Between::Smooth => Sections::Beziers(smooth(frames, &keys, tcb)?),
@@ -91,7 +91,7 @@ impl Turns {
     }
 }
 
-impl Arc {
+impl GreatArc {
     fn new(from: DQuat, to: DQuat) -> Self {
         let (to, _) = continue_sign(from, to);
         let angle = angle(from, to);

@@ -362,7 +362,7 @@ impl Move {
     /// # Errors
     /// What is wrong with the numbers; [`crate::Error::Limit`], [`crate::Error::Memory`].
     pub fn path(&self, given: &[f64], space: Space, fps: f64) -> Result<CameraPath> {
-        self.path_at(given, space, fps, BaseSpeeds::default())
+        self.path_with_speeds(given, space, fps, BaseSpeeds::default())
     }
 
     /// The same with base speeds, which count where `seconds` is 0: as long as its way.
@@ -370,7 +370,7 @@ impl Move {
     /// # Errors
     /// As [`Move::path`].
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    pub fn path_at(
+    pub fn path_with_speeds(
         &self,
         given: &[f64],
         space: Space,
