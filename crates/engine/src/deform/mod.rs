@@ -8,10 +8,11 @@ mod bend;
 mod bounds;
 mod free_form;
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use crate::error::{Error, Invalid, OutOfRange, Quantity, Result, vec_with_room};
-use crate::limits::MAX_COORDINATE;
 
 pub use bounds::Bounds;
 pub use free_form::{LATTICE, identity_lattice};
@@ -87,6 +88,12 @@ impl Formula {
         }
     }
 
+    fn range(self, name: &str) -> Option<Range<usize>> {
+        let mut all = self.channels().iter();
+        let &(_, at, width) = all.find(|channel| channel.0 == name)?;
+        Some(at..at + width)
+    }
+
     fn count(self) -> usize {
         let numbers: usize = self.channels().iter().map(|channel| channel.2).sum();
         self.axes() + numbers
@@ -153,16 +160,12 @@ impl Deformation {
     /// The numbers of one of these parameters.
     #[must_use]
     pub fn channel(&self, name: &str) -> Option<&[f64]> {
-        let mut all = self.formula.channels().iter();
-        let &(_, at, width) = all.find(|channel| channel.0 == name)?;
-        Some(&self.parameters[at..at + width])
+        Some(&self.parameters[self.formula.range(name)?])
     }
 
     /// The same, to be changed. Numbers that are not finite make points that are not: check before.
     pub fn channel_mut(&mut self, name: &str) -> Option<&mut [f64]> {
-        let mut all = self.formula.channels().iter();
-        let &(_, at, width) = all.find(|channel| channel.0 == name)?;
-        Some(&mut self.parameters[at..at + width])
+        Some(&mut self.parameters[self.formula.range(name)?])
     }
 
     /// Deforms points. Outside the box taper, twist and the lecture's bend clamp the coordinate
@@ -196,7 +199,7 @@ pub fn check_number(number: f64) -> Result<()> {
     if !number.is_finite() {
         return Err(Invalid::NotFinite(Quantity::Parameter).into());
     }
-    if number.abs() > MAX_ANGLE.min(MAX_COORDINATE) {
+    if number.abs() > MAX_ANGLE {
         return Err(OutOfRange::Exceeds(Quantity::Parameter, MAX_ANGLE).into());
     }
     Ok(())

@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::own::{MayOwn, Tangents};
 use super::space::Space;
 use super::up_vector::check_ups;
-use crate::error::{Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
 
@@ -178,10 +178,8 @@ impl SupportPoint {
     pub fn new(position: DVec3) -> Self {
         Self {
             position,
-            name: None,
-            curve: CurveParameters::Preset(0),
-            tangents: None,
             orientations: vec![Orientation::default()],
+            ..Self::nowhere()
         }
     }
 
@@ -207,10 +205,8 @@ impl SupportPoint {
         orientations.push(Orientation::default());
         Ok(Self {
             position,
-            name: None,
-            curve: CurveParameters::Preset(0),
-            tangents: None,
             orientations,
+            ..Self::nowhere()
         })
     }
 }
@@ -355,6 +351,12 @@ impl CameraPath {
             points.push(point.try_clone()?);
         }
         Ok(Self { points, ..*self })
+    }
+
+    /// The error where there is no point of this number.
+    pub(crate) fn no_point(&self, point: usize) -> Error {
+        let last = self.points.len() - 1;
+        OutOfRange::NoPoint { point, last }.into()
     }
 
     /// Curve segments: one fewer than points, as many if the path is closed.

@@ -37,11 +37,7 @@ fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> R
     let count = path.points.len();
     for point in [first, last] {
         if point >= count {
-            return Err(OutOfRange::NoPoint {
-                point,
-                last: count - 1,
-            }
-            .into());
+            return Err(path.no_point(point));
         }
     }
     if first > last && !path.closed {

@@ -422,7 +422,7 @@ impl Timeline {
             }
             &path.points[(point + 1) % path.points.len()].orientations[0]
         };
-        let next = self.next(path, (point, orientation));
+        let next = next(path, (point, orientation));
         let [a, b] = [(point, orientation), next].map(|(p, o)| ahead::view(path, p, o));
         let references = [(point, orientation), next].map(|(p, o)| self.reference(p, o));
         if (a - b).length() > NO_CHANGE {
@@ -450,15 +450,6 @@ impl Timeline {
             return (Change::Zoom, zoom / (MAX_ZOOM - MIN_ZOOM));
         }
         (Change::Nothing, 0.0)
-    }
-
-    /// The orientation in which the section ends that begins with this one.
-    fn next(&self, path: &CameraPath, (point, orientation): (usize, usize)) -> (usize, usize) {
-        if orientation + 1 < path.points[point].orientations.len() {
-            (point, orientation + 1)
-        } else {
-            ((point + 1) % path.points.len(), 0)
-        }
     }
 
     /// The nearest section before this one that has frames.
@@ -542,6 +533,15 @@ impl Timeline {
             finish(&mut self.sections, done, before, wrap)?;
         }
         Ok(())
+    }
+}
+
+/// The orientation in which the section ends that begins with this one.
+pub(super) fn next(path: &CameraPath, (point, orientation): (usize, usize)) -> (usize, usize) {
+    if orientation + 1 < path.points[point].orientations.len() {
+        (point, orientation + 1)
+    } else {
+        ((point + 1) % path.points.len(), 0)
     }
 }
 

@@ -444,6 +444,18 @@ impl Track {
         matches!(self.interpolation, Interpolation::Host(_))
     }
 
+    /// The numbers at any finite frame, as many as a key has.
+    #[inline]
+    pub(super) fn value<const WIDTH: usize>(
+        &self,
+        frame: f64,
+        warnings: &mut Warnings,
+    ) -> [f64; WIDTH] {
+        let mut numbers = [0.0; WIDTH];
+        self.numbers(frame, &mut numbers, warnings);
+        numbers
+    }
+
     /// The numbers at any finite frame; `out` has the width of a key.
     // Inlined, so that loops over three numbers are unrolled.
     #[inline]
@@ -552,9 +564,7 @@ impl Track {
     #[must_use]
     pub fn rotation(&self, frame: f64, warnings: &mut Warnings) -> DQuat {
         let Prepared::Turns(turns) = &self.prepared else {
-            let mut angles = [0.0; 3];
-            self.numbers(frame, &mut angles, warnings);
-            let [yaw, pitch, roll] = angles.map(f64::to_radians);
+            let [yaw, pitch, roll] = self.value(frame, warnings).map(f64::to_radians);
             return EulerAngles { yaw, pitch, roll }.quaternion().normalize();
         };
         let (first, last) = self.ends();

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DQuat, DVec3};
 
-use super::keep::{self, check_upright, keep_tangents, no_point, shape_in, tangents};
+use super::keep::{self, check_upright, keep_tangents, shape_in, tangents};
 use super::transform::transform;
 use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, can_allocate, vec_with_room};
 use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
@@ -58,7 +58,7 @@ pub struct Inserted {
 pub fn extract(path: &CameraPath, first: usize, last: usize) -> Result<CameraPath> {
     let count = path.points.len();
     if let Some(&point) = [first, last].iter().find(|&&point| point >= count) {
-        return Err(no_point(path, point));
+        return Err(path.no_point(point));
     }
     if first > last && !path.closed {
         return Err(OutOfRange::PointOrder.into());
@@ -200,7 +200,7 @@ pub fn insert(
     with_targets: bool,
 ) -> Result<Inserted> {
     if at >= path.points.len() {
-        return Err(no_point(path, at));
+        return Err(path.no_point(at));
     }
     block.check()?;
     check_upright(&[path, block])?;

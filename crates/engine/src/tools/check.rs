@@ -366,18 +366,28 @@ impl Scan<'_> {
             };
             return Ok(());
         }
-        let section = self.section_at(to);
+        let frames = [from as f64, to as f64];
+        self.open[kind as usize] = Some(self.finding(kind, frames, self.section_at(to), value));
+        Ok(())
+    }
+
+    fn finding(
+        &self,
+        kind: FindingKind,
+        [first_frame, last_frame]: [f64; 2],
+        section: Option<&Section>,
+        value: f64,
+    ) -> Finding {
         let (point, orientation) = section.map_or((0, 0), |s| (s.point, s.orientation));
-        self.open[kind as usize] = Some(Finding {
+        Finding {
             kind,
-            first_frame: from as f64,
-            last_frame: to as f64,
+            first_frame,
+            last_frame,
             point,
             orientation,
             value,
             limit: self.against.limits.get(kind),
-        });
-        Ok(())
+        }
     }
 
     fn above(&mut self, kind: FindingKind, frames: (usize, usize), value: f64) -> Result<()> {
@@ -406,20 +416,13 @@ impl Scan<'_> {
         });
         // Another up than the axis does not spin there.
         let level = begin.is_none_or(|begin| begin.own.up == UpVector::Axis);
-        if level {
-            self.below(FindingKind::Pole, at, pole)?;
-        } else {
-            self.see(FindingKind::Pole, at, None, -1.0)?;
-        }
-        if let Some(Target::Absolute(target)) = begin.map(|begin| begin.target) {
-            self.below(
-                FindingKind::Target,
-                at,
-                (target - here.place).length() / size,
-            )?;
-        } else {
-            self.see(FindingKind::Target, at, None, -1.0)?;
-        }
+        let pole = if level { pole } else { f64::INFINITY };
+        let target = match begin.map(|begin| begin.target) {
+            Some(Target::Absolute(target)) => (target - here.place).length() / size,
+            _ => f64::INFINITY,
+        };
+        self.below(FindingKind::Pole, at, pole)?;
+        self.below(FindingKind::Target, at, target)?;
         if let Some(object) = self.against.object {
             let least = self.against.limits.get(FindingKind::Clearance);
             let near = object.distance(here.place, size * least);
@@ -438,12 +441,12 @@ impl Scan<'_> {
             self.see(FindingKind::Through, pair, crossed.then_some(0.0), 1.0)?;
         }
         let turned = 2.0 * angle(last.turn, here.turn);
-        if turned > SUSPECT {
-            let jump = self.jump(number)?.to_degrees();
-            self.above(FindingKind::ViewJump, pair, jump)?;
+        let jump = if turned > SUSPECT {
+            self.jump(number)?.to_degrees()
         } else {
-            self.see(FindingKind::ViewJump, pair, None, 1.0)?;
-        }
+            0.0
+        };
+        self.above(FindingKind::ViewJump, pair, jump)?;
         self.above(FindingKind::Turning, pair, turned.to_degrees() * fps)?;
         self.above(
             FindingKind::Zoom,
@@ -497,22 +500,15 @@ impl Scan<'_> {
         let section = timeline.section(number);
         let first = self.sampler.first_frame(number);
         let limits = &self.against.limits;
-        let finding = |kind: FindingKind, frames: [f64; 2], value: f64| Finding {
-            kind,
-            first_frame: frames[0],
-            last_frame: frames[1],
-            point: section.point,
-            orientation: section.orientation,
-            value,
-            limit: limits.get(kind),
-        };
         let begin = (first as f64 - 1.0).max(1.0);
         let end = begin + section.frames as f64;
         if section.change == Change::Nothing {
-            return self.add(finding(FindingKind::Redundant, [first as f64; 2], 1.0));
+            let frames = [first as f64; 2];
+            return self.add(self.finding(FindingKind::Redundant, frames, Some(&section), 1.0));
         }
         if ambiguity(self.path, timeline, number) == Some(Ambiguity::HalfTurn) {
-            self.add(finding(FindingKind::HalfTurn, [begin, end], 180.0))?;
+            let frames = [begin, end];
+            self.add(self.finding(FindingKind::HalfTurn, frames, Some(&section), 180.0))?;
         }
         let timing = timeline.timing(self.path, number)?;
         let mut least = (limits.get(FindingKind::Cusp), None);
@@ -540,7 +536,7 @@ impl Scan<'_> {
         }
         if let (value, Some(u)) = least {
             let frame = begin + u * section.frames as f64;
-            self.add(finding(FindingKind::Cusp, [frame; 2], value))?;
+            self.add(self.finding(FindingKind::Cusp, [frame; 2], Some(&section), value))?;
         }
         Ok(())
     }
@@ -569,17 +565,8 @@ impl Scan<'_> {
                 (FindingKind::SpeedJump, jump),
                 (FindingKind::Corner, corner),
             ] {
-                let limit = self.against.limits.get(kind);
-                if beyond(value, limit) {
-                    self.add(Finding {
-                        kind,
-                        first_frame: end,
-                        last_frame: begin,
-                        point: after.point,
-                        orientation: after.orientation,
-                        value,
-                        limit,
-                    })?;
+                if beyond(value, self.against.limits.get(kind)) {
+                    self.add(self.finding(kind, [end, begin], Some(&after), value))?;
                 }
             }
         }
