@@ -27,11 +27,13 @@ fn vector(random: &mut Random) -> DVec3 {
 }
 
 fn path(random: &mut Random, count: usize) -> CameraPath {
-    let mut path = CameraPath::default();
-    path.curve = [CurveKind::Tcb, CurveKind::Cubic][usize::from(random.unit() < 0.5)];
-    path.points = (0..count)
-        .map(|_| SupportPoint::new(vector(random)))
-        .collect();
+    let curve = [CurveKind::Tcb, CurveKind::Cubic][usize::from(random.unit() < 0.5)];
+    let points = (0..count).map(|_| SupportPoint::new(vector(random)));
+    let mut path = CameraPath {
+        points: points.collect(),
+        curve,
+        ..CameraPath::default()
+    };
     for point in &mut path.points {
         let [before, after] = [(); 2].map(|()| vector(random));
         point.tangents = (random.unit() < 0.3).then_some(Tangents { before, after });
