@@ -185,7 +185,7 @@ pub fn ups(path: &CameraPath) -> Result<Vec<DVec3>> {
 }
 
 /// Rolls orientations so that they have the `wanted` ups (one entry for each orientation in turn,
-/// `None` to leave its roll). Only those change whose up is not the axis; gives the changed points.
+/// `None` to leave its roll). Only those change whose up is not the axis; gives the point of each.
 ///
 /// # Errors
 /// [`crate::Error::Memory`].

@@ -422,6 +422,44 @@ impl Keys {
         let rates = rates(&mut layout.keys, &layout.spans, layout.guides, path.space)?;
         Ok(Self { rates, zoom, steps })
     }
+
+    /// What a key lacks of the rates and the slope of the zoom that it should have.
+    fn missing(
+        &self,
+        key: usize,
+        should: Rates,
+        zoom: Option<f64>,
+        path: &CameraPath,
+    ) -> Option<Missing> {
+        let (is, step) = (self.rates[key], self.steps[key]);
+        // Less than this turns or zooms nothing by 1e-9.
+        let same = |far: f64| far * step <= 1e-9;
+        let differ = |(a, b): &(f64, f64)| !same((a - b).abs());
+        let turned = (is.reach - should.reach)
+            .length()
+            .max((is.leave - should.leave).length());
+        let turns = path.orientation_mode == OrientationMode::Tcb && is.acts;
+        let owned = |rate: DVec3| path.space.up.world(rate) * 2f64.to_degrees();
+        let velocities = (turns && !same(turned)).then(|| Velocities {
+            reach: owned(should.reach),
+            leave: owned(should.leave),
+        });
+        let rolls = is.roll_slope.zip(should.roll_slope).filter(differ);
+        let zooms = self.zoom.get(key).copied().zip(zoom).filter(differ);
+        let missing = Missing {
+            velocities,
+            roll_slope: rolls.map(|(_, should)| should.to_degrees()),
+            zoom_slope: zooms.map(|(_, should)| should),
+        };
+        (velocities.is_some() || rolls.is_some() || zooms.is_some()).then_some(missing)
+    }
+}
+
+/// What a key must come to own.
+struct Missing {
+    velocities: Option<Velocities>,
+    roll_slope: Option<f64>,
+    zoom_slope: Option<f64>,
 }
 
 /// Gives keys the velocities and slopes that the new one would change.
@@ -447,7 +485,7 @@ fn keep_rates(
         let mut settled = true;
         for (key, (point, number)) in starts.chain([end]).take(is.rates.len()).enumerate() {
             let before = key - usize::from(key > middle);
-            let (mut rates, mut zoom) = if key == middle {
+            let (rates, zoom) = if key == middle {
                 let rates = Rates {
                     reach: wanted.velocity,
                     leave: wanted.velocity,
@@ -458,37 +496,15 @@ fn keep_rates(
             } else {
                 (old.rates[before], old.zoom.get(before).copied())
             };
-            let found = is.rates[key];
-            let step = is.steps[key];
-            // Less than this turns or zooms nothing by 1e-9.
-            let same = |far: f64| far * step <= 1e-9;
-            let turns = path.orientation_mode == OrientationMode::Tcb && found.acts;
-            let turned = (found.reach - rates.reach)
-                .length()
-                .max((found.leave - rates.leave).length());
-            let owned =
-                |rate: &mut DVec3| path.space.up.world(std::mem::take(rate)) * 2f64.to_degrees();
-            let velocities = (turns && !same(turned)).then(|| Velocities {
-                reach: owned(&mut rates.reach),
-                leave: owned(&mut rates.leave),
-            });
-            let roll_slope = match (found.roll_slope, rates.roll_slope) {
-                (Some(a), Some(b)) if !same((a - b).abs()) => Some(b.to_degrees()),
-                _ => None,
-            };
-            let zoom = is
-                .zoom
-                .get(key)
-                .and_then(|a| zoom.take().filter(|b| !same((a - b).abs())));
-            if velocities.is_none() && roll_slope.is_none() && zoom.is_none() {
+            let Some(missing) = is.missing(key, rates, zoom, path) else {
                 continue;
-            }
+            };
             settled = false;
             let orientation = &mut new.points[point].orientations[number];
             orientation.own = orientation.own.with(|own| {
-                own.velocities = velocities.or(own.velocities);
-                own.roll_slope = roll_slope.or(own.roll_slope);
-                own.zoom_slope = zoom.or(own.zoom_slope);
+                own.velocities = missing.velocities.or(own.velocities);
+                own.roll_slope = missing.roll_slope.or(own.roll_slope);
+                own.zoom_slope = missing.zoom_slope.or(own.zoom_slope);
             })?;
             changed.try_reserve(1)?;
             changed.push(point);

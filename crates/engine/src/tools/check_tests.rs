@@ -173,7 +173,10 @@ fn view_jump_and_corner() {
     corner.curve = crate::path::CurveKind::Linear;
     ahead(&mut corner, 0.0);
     let all = check(&corner, &plain()).unwrap();
-    let jump = all.iter().find(|f| f.kind == FindingKind::ViewJump).unwrap();
+    let jump = all
+        .iter()
+        .find(|f| f.kind == FindingKind::ViewJump)
+        .unwrap();
     assert!((jump.value - 90.0).abs() < 1e-6, "{jump:?}");
     assert!(
         all.iter()
@@ -304,7 +307,10 @@ fn limits_are_set_by_name() {
     let mut limits = Limits::default();
     assert_eq!(limits.get(FindingKind::Turning), 60.0);
     limits.set(FindingKind::Turning, 90.0).unwrap();
-    assert_eq!(limits.changed().collect::<Vec<_>>(), [(FindingKind::Turning, 90.0)]);
+    assert_eq!(
+        limits.changed().collect::<Vec<_>>(),
+        [(FindingKind::Turning, 90.0)]
+    );
     assert!(limits.set(FindingKind::Turning, f64::NAN).is_err());
     assert!(limits.set(FindingKind::Turning, -1.0).is_err());
     assert!(FindingKind::parse("tuning").is_err() && FindingKind::parse("").is_err());
