@@ -5,7 +5,7 @@ use std::process::{Command, Output, Stdio};
 
 use vides::document::{Document, SceneDocument};
 use vides::path::Pose;
-use vides::scene::{NodeState, Troubles};
+use vides::scene::{NodeState, Warnings};
 
 const CAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/car.vid");
 
@@ -42,10 +42,10 @@ fn states(name: &str) -> (f64, Vec<NodeState>) {
     let scene = &document.scene;
     let (first, last) = scene.frame_range();
     let mut states = vec![NodeState::default(); (last - first) as usize + 1];
-    let mut troubles = Troubles::default();
+    let mut warnings = Warnings::default();
     let node = scene.find(name).unwrap();
     scene
-        .sample(node, first, 1.0, &mut states, &mut troubles)
+        .sample(node, first, 1.0, &mut states, &mut warnings)
         .unwrap();
     (first, states)
 }

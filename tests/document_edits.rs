@@ -10,7 +10,7 @@ use vides::path::{
     Target, Tcb, Up, ZoomMode,
 };
 use vides::tools::block::Fit;
-use vides::tools::check::Limits;
+use vides::tools::check::{FindingKind, Limits};
 
 /// Numbers from which an edit is made, whatever its kind.
 #[derive(Debug, Clone)]
@@ -233,7 +233,7 @@ impl Raw {
                 .into(),
             limits: {
                 let mut limits = Limits::default();
-                let _ = limits.set("turning", 90.0 * self.x[0]);
+                let _ = limits.set(FindingKind::Turning, 90.0 * self.x[0]);
                 limits
             },
         }

@@ -6,8 +6,8 @@ use vides::deform::{Bounds, Deformation};
 use vides::document::{Document, SceneDocument};
 use vides::path::CameraPath;
 use vides::scene::{
-    Beyond, Camera, Channel, FollowPath, Interpolation, Kind, Light, Mesh, Node, Object, Scene,
-    Shape, Track,
+    Camera, Channel, Extrapolation, FollowPath, Interpolation, Kind, Light, Mesh, Node, Object,
+    Scene, Shape, Track,
 };
 
 fn track(
@@ -100,7 +100,9 @@ fn everything() -> SceneDocument {
         ),
         track("visible", "step", &[1.0, 2.0], &[1.0, 0.0], &[]),
     ] {
-        let track = track.with_beyond(Beyond::Hold, Beyond::Repeat).unwrap();
+        let track = track
+            .with_extrapolation(Extrapolation::Hold, Extrapolation::Repeat)
+            .unwrap();
         scene.set_track(body, track).unwrap();
     }
     let mut lamp = Node::new("lamp", Kind::Light(Light::Spot));
@@ -117,7 +119,7 @@ fn everything() -> SceneDocument {
     scene
         .set_path(
             lamp,
-            Some(FollowPath::new(path(), 12.5, Beyond::PingPong).unwrap()),
+            Some(FollowPath::new(path(), 12.5, Extrapolation::PingPong).unwrap()),
         )
         .unwrap();
     let camera = Kind::Camera(Camera {
@@ -133,7 +135,7 @@ fn everything() -> SceneDocument {
     scene
         .set_path(
             camera,
-            Some(FollowPath::new(follow, 1.0, Beyond::Hold).unwrap()),
+            Some(FollowPath::new(follow, 1.0, Extrapolation::Hold).unwrap()),
         )
         .unwrap();
     // A parent further down.
@@ -334,11 +336,11 @@ fn the_example_plays() {
     let [car, camera] = ["car", "camera"].map(|name| scene.find(name).unwrap());
     let mut states = vec![vides::scene::NodeState::default(); scene.nodes().len()];
     for frame in 1..200 {
-        let mut troubles = vides::scene::Troubles::default();
+        let mut warnings = vides::scene::Warnings::default();
         scene
-            .evaluate(f64::from(frame), &mut states, &mut troubles)
+            .evaluate(f64::from(frame), &mut states, &mut warnings)
             .unwrap();
-        assert!(troubles.first().is_none());
+        assert!(warnings.first().is_none());
         let place = DVec3::from_slice(&states[car].matrix[12..15]);
         let pose = states[camera].pose;
         let view = (place - DVec3::from(pose.vrp)).normalize();

@@ -5,8 +5,8 @@ use glam::{DQuat, DVec3, DVec4};
 use toml::de::{DeTable, DeValue};
 use vides::deform::{Bounds, Deformation};
 use vides::scene::{
-    Beyond, Channel, Interpolation, Kind, Mesh, Node, NodeState, Object, Scene, Shape, Track,
-    Troubles,
+    Channel, Extrapolation, Interpolation, Kind, Mesh, Node, NodeState, Object, Scene, Shape,
+    Track, Warnings,
 };
 
 const TOLERANCE: f64 = 1e-12;
@@ -39,10 +39,10 @@ impl Case<'_> {
             self.numbers("values"),
             self.numbers("shape"),
         );
-        let beyond = self.text("beyond").map_or(Beyond::Hold, |name| {
-            Beyond::parse(name).expect("a way to go on")
+        let beyond = self.text("beyond").map_or(Extrapolation::Hold, |name| {
+            Extrapolation::parse(name).expect("a way to go on")
         });
-        track.unwrap().with_beyond(beyond, beyond).unwrap()
+        track.unwrap().with_extrapolation(beyond, beyond).unwrap()
     }
 }
 
@@ -80,9 +80,9 @@ fn tracks_of_numbers() {
             .fold(1.0, f64::max);
         for (&frame, &want) in case.numbers("at").iter().zip(&want) {
             let mut got = [0.0; 3];
-            let mut troubles = Troubles::default();
-            track.numbers(frame, &mut got, &mut troubles);
-            assert!(troubles.first().is_none());
+            let mut warnings = Warnings::default();
+            track.numbers(frame, &mut got, &mut warnings);
+            assert!(warnings.first().is_none());
             let error = (DVec3::from_array(got) - want).abs().max_element() / size;
             largest = largest.max(error);
             let what = case.text("interpolation").unwrap();
@@ -102,7 +102,7 @@ fn tracks_of_rotations() {
         let track = case.track(Channel::Rotation);
         let want = case.numbers("want");
         for (&frame, want) in case.numbers("at").iter().zip(want.chunks_exact(4)) {
-            let q = track.rotation(frame, &mut Troubles::default());
+            let q = track.rotation(frame, &mut Warnings::default());
             assert!((q.length() - 1.0).abs() <= 1e-12);
             let got = DVec4::new(q.w, q.x, q.y, q.z);
             let want = DVec4::from_slice(want);
@@ -168,7 +168,7 @@ fn morphs() {
         scene.set_weights(node, &weights).unwrap();
         let mut got = vec![DVec3::ZERO; count];
         scene
-            .vertices(node, 1.0, &mut got, &mut Troubles::default())
+            .vertices(node, 1.0, &mut got, &mut Warnings::default())
             .unwrap();
         for (got, want) in got.iter().zip(case.vectors("want")) {
             assert!(
@@ -241,7 +241,7 @@ fn thousand_trees() {
         let scene = Scene::from_nodes(nodes).unwrap();
         let mut states = vec![NodeState::default(); count];
         scene
-            .evaluate(1.0, &mut states, &mut Troubles::default())
+            .evaluate(1.0, &mut states, &mut Warnings::default())
             .unwrap();
         let m = states[count - 1].matrix;
         let got = [0, 1, 2].map(|k| m[k] + 2.0 * m[4 + k] + 3.0 * m[8 + k] + m[12 + k]);

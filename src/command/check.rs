@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use vides::tools::check::{Finding, KINDS};
+use vides::tools::check::{Finding, FindingKind};
 
 use super::table::{Align, Table};
 use super::{Failure, input, print};
@@ -57,17 +57,17 @@ fn text(found: &[Finding]) -> String {
         table.row(vec![
             frames,
             format!("{}.{}", finding.point + 1, finding.orientation + 1),
-            finding.kind.to_owned(),
+            finding.kind.name().to_owned(),
             format!("{:.4}", finding.value),
             finding.limit.to_string(),
         ]);
     }
     // Writing into a string cannot fail.
     let _ = writeln!(text, "{}", table.to_string().trim_end());
-    for kind in &KINDS {
-        if found.iter().any(|finding| finding.kind == kind.limit.name) {
-            let _ = write!(text, "\n{}: {}", kind.limit.name, kind.limit.does);
-            let _ = writeln!(text, "; {}", kind.remedy);
+    for kind in FindingKind::all() {
+        if found.iter().any(|finding| finding.kind == kind) {
+            let _ = write!(text, "\n{}: {}", kind.name(), kind.limit().does);
+            let _ = writeln!(text, "; {}", kind.remedy());
         }
     }
     text
@@ -79,7 +79,7 @@ fn json(found: &[Finding]) -> String {
         format!(
             "  {{\"kind\": \"{}\", \"first_frame\": {:?}, \"last_frame\": {:?}, \"point\": {}, \
              \"orientation\": {}, \"value\": {:?}, \"limit\": {:?}}}",
-            finding.kind,
+            finding.kind.name(),
             finding.first_frame,
             finding.last_frame,
             finding.point + 1,

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use vides::document::SceneDocument;
 use vides::scene::host::{self, Question};
-use vides::scene::{Beyond, Kind, Node};
+use vides::scene::{Extrapolation, Kind, Node};
 
 use super::table::{Align, Table};
 use super::{Failure, input, one_line};
@@ -136,8 +136,8 @@ fn tracks(nodes: &[Node]) -> Table {
     for node in nodes {
         for track in node.keys().tracks() {
             let (first, last) = track.ends();
-            let after = match track.beyond().1 {
-                Beyond::Hold => "",
+            let after = match track.extrapolation().1 {
+                Extrapolation::Hold => "",
                 other => other.name(),
             };
             table.row(vec![

@@ -11,7 +11,7 @@ use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK};
 use super::types::{V_PATH, V_POSE};
 use crate::document::{Document, Edit, Info};
 use crate::path::Pose;
-use crate::tools::check::{COUNT, Finding, KINDS};
+use crate::tools::check::{COUNT, Finding, FindingKind};
 use crate::tools::fit::{self, Tolerance};
 
 const NO_NAME: &str = "a name is not UTF-8";
@@ -59,9 +59,8 @@ const NAMES: [&CStr; COUNT] = [
 ];
 
 fn finding(found: &Finding) -> Answer<V_FINDING> {
-    let at = KINDS.iter().position(|kind| kind.limit.name == found.kind);
     Ok(v_finding {
-        kind: NAMES[at.unwrap_or(0)].as_ptr(),
+        kind: NAMES[found.kind as usize].as_ptr(),
         first_frame: found.first_frame,
         last_frame: found.last_frame,
         point: count(found.point)?,
@@ -200,7 +199,7 @@ pub unsafe extern "C" fn v_path_set_limit(
         let kind = unsafe { text(kind, NO_NAME) }?;
         edit_by(path, |document| {
             let mut info = document.info().clone();
-            info.limits.set(kind, limit)?;
+            info.limits.set(FindingKind::parse(kind)?, limit)?;
             Ok(Edit::SetInfo(Box::new(info)))
         })
     })
@@ -218,7 +217,9 @@ pub unsafe extern "C" fn v_path_get_limit(
         let out = Out::new(limit)?;
         // SAFETY: a text ended by zero, as the header says.
         let kind = unsafe { text(kind, NO_NAME) }?;
-        let limit = read(path, |document| Ok(document.info().limits.get(kind)?))?;
+        let limit = read(path, |document| {
+            Ok(document.info().limits.get(FindingKind::parse(kind)?))
+        })?;
         // SAFETY: room for a double, as the header says.
         unsafe { out.write(limit) };
         Ok(V_OK)
@@ -232,15 +233,16 @@ mod tests {
     #[test]
     fn the_names_are_those_of_the_engine() {
         let names = NAMES.map(|name| name.to_str().unwrap());
-        assert_eq!(names, KINDS.each_ref().map(|kind| kind.limit.name));
+        assert!(FindingKind::all().map(FindingKind::name).eq(names));
         let source = include_str!("checks.rs");
-        for kind in &KINDS {
+        for kind in FindingKind::all() {
+            let limit = kind.limit();
             let line = source
                 .lines()
-                .find(|line| line.starts_with(&format!("/// \"{}\" ", kind.limit.name)));
-            let line = line.unwrap_or_else(|| panic!("{} is not in the header", kind.limit.name));
-            let told = format!("({}", kind.limit.default);
-            assert!(kind.limit.default == 0.0 || line.contains(&told), "{line}");
+                .find(|line| line.starts_with(&format!("/// \"{}\" ", limit.name)));
+            let line = line.unwrap_or_else(|| panic!("{} is not in the header", limit.name));
+            let told = format!("({}", limit.default);
+            assert!(limit.default == 0.0 || line.contains(&told), "{line}");
         }
     }
 }

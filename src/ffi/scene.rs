@@ -22,7 +22,7 @@ use crate::document::{Document, Info, SceneDocument};
 use crate::error::{Invalid, Result};
 use crate::inject;
 use crate::limits::MAX_NAME_BYTES;
-use crate::scene::{Beyond, Camera, FollowPath, Kind, Light, Node, Object, Values};
+use crate::scene::{Camera, Extrapolation, FollowPath, Kind, Light, Node, Object, Values};
 
 /// All scenes that C holds.
 static SCENES: Handles<RwLock<SceneDocument>, V_SCENE> = Handles::new(KIND_SCENE);
@@ -133,12 +133,12 @@ fn unlink(value: Option<usize>) -> Answer<c_int> {
 }
 
 /// How a motion continues beyond its end.
-pub(super) fn beyond(after: c_int) -> Answer<Beyond> {
+pub(super) fn beyond(after: c_int) -> Answer<Extrapolation> {
     match after {
-        V_AFTER_HOLD => Ok(Beyond::Hold),
-        V_AFTER_REPEAT => Ok(Beyond::Repeat),
-        V_AFTER_PINGPONG => Ok(Beyond::PingPong),
-        V_AFTER_OFFSET => Ok(Beyond::Offset),
+        V_AFTER_HOLD => Ok(Extrapolation::Hold),
+        V_AFTER_REPEAT => Ok(Extrapolation::Repeat),
+        V_AFTER_PINGPONG => Ok(Extrapolation::PingPong),
+        V_AFTER_OFFSET => Ok(Extrapolation::Offset),
         _ => Err(Failure::Border(
             V_ERR_RANGE,
             "after must be one of V_AFTER_...",
@@ -564,7 +564,7 @@ pub unsafe extern "C" fn v_scene_get_path(
                 .node(node)?
                 .path()
                 .ok_or(Failure::Border(V_ERR_ARGUMENT, "this node follows no path"))?;
-            crate::error::can_allocate(document.scene.weight())?;
+            crate::error::can_allocate(document.scene.heap_size())?;
             Ok(Document::from_parts(found.path().clone(), Info::default())?)
         })?;
         let made = path::keep(copy.without_history())?;

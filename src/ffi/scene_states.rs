@@ -14,7 +14,7 @@ use super::status::{
 };
 use crate::document::SceneDocument;
 use crate::error::vec_with_room;
-use crate::scene::{Channel, NodeState, Troubles};
+use crate::scene::{Channel, NodeState, Warnings};
 
 const SMALL: Failure = Failure::Border(
     V_ERR_SIZE,
@@ -23,9 +23,9 @@ const SMALL: Failure = Failure::Border(
 
 /// After a success: reports what a host's interpolation did wrong, in place of any error its own
 /// calls have left.
-fn tell(document: &SceneDocument, troubles: &Troubles) {
+fn tell(document: &SceneDocument, warnings: &Warnings) {
     clear_last_error();
-    if let Some((node, message)) = troubles.first() {
+    if let Some((node, message)) = warnings.first() {
         let name = document
             .scene
             .nodes()
@@ -105,19 +105,19 @@ pub unsafe extern "C" fn v_scene_evaluate(
                 // No host function is called: evaluate in place.
                 // SAFETY: room for so many states, as the header says.
                 let room = unsafe { self::states(states, nodes) }?;
-                let mut troubles = Troubles::default();
-                document.scene.evaluate(frame, room, &mut troubles)?;
-                tell(document, &troubles);
+                let mut warnings = Warnings::default();
+                document.scene.evaluate(frame, room, &mut warnings)?;
+                tell(document, &warnings);
                 return Ok(nodes);
             }
             // Not in place: a host's function may fail half way or read the array.
             let mut made = vec_with_room(nodes)?;
             made.resize(nodes, NodeState::default());
-            let mut troubles = Troubles::default();
-            document.scene.evaluate(frame, &mut made, &mut troubles)?;
+            let mut warnings = Warnings::default();
+            document.scene.evaluate(frame, &mut made, &mut warnings)?;
             // SAFETY: room for so many states, as the header says.
             unsafe { self::states(states, nodes) }?.copy_from_slice(&made);
-            tell(document, &troubles);
+            tell(document, &warnings);
             Ok(nodes)
         })?;
         // SAFETY: room for a size_t, as the header says.
@@ -149,15 +149,15 @@ pub unsafe extern "C" fn v_scene_sample(
             document.scene.prepare(first)?;
             let mut made = vec_with_room(count)?;
             made.resize(count, NodeState::default());
-            let mut troubles = Troubles::default();
+            let mut warnings = Warnings::default();
             document
                 .scene
-                .sample(node, first, frame_step, &mut made, &mut troubles)?;
+                .sample(node, first, frame_step, &mut made, &mut warnings)?;
             if count > 0 {
                 // SAFETY: room for so many states, as the header says.
                 unsafe { self::states(states, count) }?.copy_from_slice(&made);
             }
-            tell(document, &troubles);
+            tell(document, &warnings);
             Ok(())
         })?;
         Ok(V_OK)
@@ -186,9 +186,9 @@ pub unsafe extern "C" fn v_scene_value(
         // SAFETY: a text ended by zero, as the header says.
         let channel = Channel::parse(unsafe { text(channel) }?)?;
         let numbers = read(scene, |document| {
-            let mut troubles = Troubles::default();
-            let value = document.scene.value(node, &channel, frame, &mut troubles)?;
-            tell(document, &troubles);
+            let mut warnings = Warnings::default();
+            let value = document.scene.value(node, &channel, frame, &mut warnings)?;
+            tell(document, &warnings);
             Ok(value)
         })?;
         if !values.is_null() {
@@ -232,15 +232,15 @@ pub unsafe extern "C" fn v_scene_vertices(
                 unsafe { out.write(count) };
                 return Err(SMALL);
             }
-            let mut troubles = Troubles::default();
-            let form = document.scene.form(node, frame, &mut troubles)?;
+            let mut warnings = Warnings::default();
+            let form = document.scene.form(node, frame, &mut warnings)?;
             if !xyz.is_null() && count > 0 {
                 const { assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == 8) };
                 // SAFETY: room for so many points, as the header says; a point is three doubles,
                 // and no host function runs meanwhile.
                 form.points(unsafe { slice_mut(xyz.cast::<DVec3>(), count) }?);
             }
-            tell(document, &troubles);
+            tell(document, &warnings);
             Ok(count)
         })?;
         // SAFETY: room for a size_t, as the header says.

@@ -15,7 +15,7 @@ use crate::document::load_mesh;
 use crate::error::{can_allocate, vec_with_room};
 use crate::limits::{MAX_KEYS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SCENE_NUMBERS};
 use crate::scene::host::{self, Function};
-use crate::scene::{Beyond, Channel, Interpolation, Kind, Mesh, Shape, Track};
+use crate::scene::{Channel, Extrapolation, Interpolation, Kind, Mesh, Shape, Track};
 
 /// Copies numbers from C.
 ///
@@ -129,7 +129,7 @@ pub unsafe extern "C" fn v_scene_set_track(
             unsafe { numbers(shape, keys * shaped) }?
         };
         let track = Track::new(channel, interpolation, frames, values, shape)?;
-        let track = track.with_beyond(before, after)?;
+        let track = track.with_extrapolation(before, after)?;
         edit(scene, |document| {
             Ok(document.scene.set_track(node, track)?)
         })?;
@@ -138,7 +138,7 @@ pub unsafe extern "C" fn v_scene_set_track(
 }
 
 /// The continuation before and after the keys, from C's one number.
-fn both(after: c_int) -> Answer<(Beyond, Beyond)> {
+fn both(after: c_int) -> Answer<(Extrapolation, Extrapolation)> {
     if !(0..64).contains(&after) {
         return Err(Failure::Border(
             V_ERR_RANGE,
@@ -148,12 +148,12 @@ fn both(after: c_int) -> Answer<(Beyond, Beyond)> {
     Ok((beyond(after >> 4)?, beyond(after & 15)?))
 }
 
-fn number_of(beyond: Beyond) -> c_int {
+fn number_of(beyond: Extrapolation) -> c_int {
     match beyond {
-        Beyond::Hold => V_AFTER_HOLD,
-        Beyond::Repeat => V_AFTER_REPEAT,
-        Beyond::PingPong => V_AFTER_PINGPONG,
-        Beyond::Offset => V_AFTER_OFFSET,
+        Extrapolation::Hold => V_AFTER_HOLD,
+        Extrapolation::Repeat => V_AFTER_REPEAT,
+        Extrapolation::PingPong => V_AFTER_PINGPONG,
+        Extrapolation::Offset => V_AFTER_OFFSET,
     }
 }
 
@@ -217,7 +217,7 @@ pub unsafe extern "C" fn v_scene_get_track(
                     unsafe { slice_mut(room, numbers.len()) }?.copy_from_slice(numbers);
                 }
             }
-            let (before, behind) = track.beyond();
+            let (before, behind) = track.extrapolation();
             let lent = lend(&track.interpolation().to_string());
             // SAFETY: room for each result, as the header says.
             unsafe {

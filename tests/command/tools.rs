@@ -217,13 +217,13 @@ fn a_plot_has_all_its_parts() {
 /// Of a scene it is the path of the camera that is shown, with the objects where they stand.
 #[test]
 fn a_scene_is_checked_and_plotted_by_its_cameras_path() {
-    use vides::scene::{Beyond, Camera, FollowPath, Kind, Mesh, Node, Object, Scene};
+    use vides::scene::{Camera, Extrapolation, FollowPath, Kind, Mesh, Node, Object, Scene};
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("scene.vid");
     let path = Document::new().path().clone();
     let mut scene = Scene::new();
     let mut camera = Node::new("eye", Kind::Camera(Camera::default()));
-    let follow = FollowPath::new(path.clone(), 1.0, Beyond::Hold).unwrap();
+    let follow = FollowPath::new(path.clone(), 1.0, Extrapolation::Hold).unwrap();
     camera.set_path(Some(follow)).unwrap();
     scene.add(camera).unwrap();
     let mut object = Object::default();

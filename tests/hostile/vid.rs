@@ -4,7 +4,7 @@
 use vides::document::{Document, SceneDocument};
 use vides::error::{ErrorKind, TooMany};
 use vides::path::{Pose, Sampler};
-use vides::scene::{Kind, NodeState, Troubles};
+use vides::scene::{Kind, NodeState, Warnings};
 
 /// Frames that are looked at, from each end of the sequence.
 const LOOKED_AT: usize = 64;
@@ -63,9 +63,9 @@ fn check_scene(bytes: &[u8]) {
     let (first, last) = scene.frame_range();
     let middle = first + (last - first) / 2.0;
     for frame in [-1e9, first, middle, last, last + 0.5, 1e9] {
-        let mut troubles = Troubles::default();
+        let mut warnings = Warnings::default();
         scene
-            .evaluate(frame, &mut states, &mut troubles)
+            .evaluate(frame, &mut states, &mut warnings)
             .expect("states");
         for state in &states {
             let finite = |numbers: &[f64]| numbers.iter().all(|number| number.is_finite());
@@ -75,7 +75,7 @@ fn check_scene(bytes: &[u8]) {
         for node in 0..states.len() {
             if let Kind::Object(object) = &scene.nodes()[node].kind {
                 let mut points = vec![Default::default(); object.mesh().points.len()];
-                let done = scene.vertices(node, frame, &mut points, &mut troubles);
+                let done = scene.vertices(node, frame, &mut points, &mut warnings);
                 done.expect("points");
             }
         }

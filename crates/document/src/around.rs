@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use vides_engine::scene::{FollowPath, Kind, Node, NodeState, Scene, Troubles};
+use vides_engine::scene::{FollowPath, Kind, Node, NodeState, Scene, Warnings};
 
 use super::edit::Edit;
 use super::editing::{Document, fresh_revision};
@@ -43,7 +43,7 @@ pub(super) fn around(scene: Scene, node: Option<usize>) -> Result<(Around, Camer
     };
     can_allocate(size_of::<Scene>() + 64)?;
     let around = Around {
-        weight: scene.weight(),
+        weight: scene.heap_size(),
         pins: Pins::of(&scene, node)?,
         scene: Arc::new(scene),
         node,
@@ -122,7 +122,7 @@ impl Around {
             && (scene.nodes()[node].path().map(FollowPath::path) != Some(path)
                 || !self.pins.are_those_of(scene, node))
         {
-            let (start, beyond) = (follow.start_frame(), follow.beyond());
+            let (start, beyond) = (follow.start_frame(), follow.extrapolation());
             let follow = FollowPath::new(path.try_clone()?, start, beyond)?;
             scene.set_pinned_path(node, follow, self.pins.there())?;
         }
@@ -141,7 +141,7 @@ impl Around {
     }
 
     pub(super) fn with(&self, path: &CameraPath) -> Result<Scene> {
-        can_allocate(self.scene.weight())?;
+        can_allocate(self.scene.heap_size())?;
         let mut scene = Scene::clone(&self.scene);
         self.put_in(&mut scene, path)?;
         Ok(scene)
@@ -398,8 +398,8 @@ impl Poses<'_> {
                     let from = start + (first - 1 + block * BLOCK) as f64;
                     let states = &mut states[..poses.len()];
                     // A failing host interpolation steps; the rest moves on.
-                    let troubles = &mut Troubles::default();
-                    scene.sample(*camera, from, 1.0, states, troubles)?;
+                    let warnings = &mut Warnings::default();
+                    scene.sample(*camera, from, 1.0, states, warnings)?;
                     for (pose, state) in poses.iter_mut().zip(states) {
                         *pose = state.pose;
                     }

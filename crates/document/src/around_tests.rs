@@ -1,4 +1,4 @@
-use vides_engine::scene::{Beyond, Camera, Marker};
+use vides_engine::scene::{Camera, Extrapolation, Marker};
 
 use super::*;
 use crate::Edit;
@@ -9,7 +9,8 @@ use glam::DVec3;
 /// A car on a path, a camera on another one from frame 11 on, and a lamp on the car.
 fn scene() -> Scene {
     let mut scene = Scene::new();
-    let follow = |start| FollowPath::new(CameraPath::default(), start, Beyond::Hold).unwrap();
+    let follow =
+        |start| FollowPath::new(CameraPath::default(), start, Extrapolation::Hold).unwrap();
     let mut car = Node::new("car", Kind::Group);
     car.set_path(Some(follow(1.0))).unwrap();
     scene.add(car).unwrap();

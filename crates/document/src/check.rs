@@ -1,9 +1,8 @@
 //! Checks a document's path against its own space, object and limits.
 
 use glam::{DAffine3, DVec3};
-use vides_engine::deform::Bounds;
-use vides_engine::scene::{Kind, Mesh, NodeState, Troubles};
-use vides_engine::tools::check::{Against, Finding, check};
+use vides_engine::scene::{Kind, Mesh, NodeState, Warnings};
+use vides_engine::tools::check::{Against, Finding, FindingKind, check};
 use vides_engine::tools::clearance::Clearance;
 
 use super::edit::Edit;
@@ -48,8 +47,8 @@ impl Document {
             let frame = self.frame_of_scene(1.0);
             let mut states = vec_with_room(scene.nodes().len())?;
             states.resize(scene.nodes().len(), NodeState::default());
-            let troubles = &mut Troubles::default();
-            scene.evaluate(frame, &mut states, troubles)?;
+            let warnings = &mut Warnings::default();
+            scene.evaluate(frame, &mut states, warnings)?;
             let parent = around.node().and_then(|at| scene.nodes()[at].parent);
             let into = parent.map_or(DAffine3::IDENTITY, |at| states[at].world().inverse());
             // A parent scaled to zero has no inverse; use world coordinates.
@@ -64,7 +63,7 @@ impl Document {
                 {
                     let mut points = vec_with_room(object.mesh().points.len())?;
                     points.resize(object.mesh().points.len(), DVec3::ZERO);
-                    scene.vertices(at, frame, &mut points, troubles)?;
+                    scene.vertices(at, frame, &mut points, warnings)?;
                     let place = into * states[at].world();
                     points
                         .iter_mut()
@@ -99,7 +98,7 @@ impl Document {
         let (info, space) = (self.info(), self.path().space);
         let against = Against {
             fps: info.fps,
-            space: Some(Bounds::new(space.low(), space.high())?),
+            space: Some(space.into()),
             object,
             limits: info.limits,
         };
@@ -138,7 +137,7 @@ impl Document {
             Ok(())
         };
         match finding.kind {
-            "turning" | "zoom" if finding.value <= MOST * finding.limit => {
+            FindingKind::Turning | FindingKind::Zoom if finding.value <= MOST * finding.limit => {
                 let sampler = self.sampler()?;
                 let more = finding.value / finding.limit;
                 let sections = self.timeline(|timeline| {
@@ -160,7 +159,7 @@ impl Document {
                     })?;
                 }
             }
-            "view-jump" => {
+            FindingKind::ViewJump => {
                 let ahead = AHEAD * path.space.half_size;
                 let next = (point + 1) % path.points.len();
                 let keys = [(point, at), (next, 0)];
@@ -170,7 +169,7 @@ impl Document {
                     }
                 }
             }
-            "corner" => {
+            FindingKind::Corner => {
                 let old = curve::tangents(path, point);
                 let middle = 0.5 * (old.before + old.after);
                 if middle.length() > 1e-6 * path.space.half_size {
@@ -184,10 +183,10 @@ impl Document {
                     });
                 }
             }
-            "redundant" if path.points[point].orientations.len() > 1 => {
+            FindingKind::Redundant if path.points[point].orientations.len() > 1 => {
                 edits.push(Edit::RemoveOrientation { point, at });
             }
-            "redundant" if path.points.len() > MIN_POINTS && key.hold == 0 => {
+            FindingKind::Redundant if path.points.len() > MIN_POINTS && key.hold == 0 => {
                 edits.push(Edit::RemovePoint { at: point });
             }
             _ => {}

@@ -1,4 +1,4 @@
-use vides_engine::scene::{Beyond, Camera, FollowPath, Node, Object, Scene};
+use vides_engine::scene::{Camera, Extrapolation, FollowPath, Node, Object, Scene};
 
 use super::*;
 use crate::path::{CameraPath, CurveKind, SupportPoint, Target};
@@ -6,7 +6,7 @@ use crate::path::{CameraPath, CurveKind, SupportPoint, Target};
 /// The first finding of a kind.
 fn found(document: &Document, kind: &str) -> Option<Finding> {
     let all = document.check(None).unwrap();
-    all.into_iter().find(|finding| finding.kind == kind)
+    all.into_iter().find(|finding| finding.kind.name() == kind)
 }
 
 /// Does what helps, as often as it says something; whether the finding is gone.
@@ -155,7 +155,7 @@ fn what_is_for_the_user_to_choose_has_no_edit() {
 fn crossed_scene(across: bool) -> Scene {
     let mut scene = Scene::new();
     let mut camera = Node::new("eye", Kind::Camera(Camera::default()));
-    let follow = FollowPath::new(CameraPath::default(), 1.0, Beyond::Hold).unwrap();
+    let follow = FollowPath::new(CameraPath::default(), 1.0, Extrapolation::Hold).unwrap();
     camera.set_path(Some(follow)).unwrap();
     scene.add(camera).unwrap();
     let path = CameraPath::default();

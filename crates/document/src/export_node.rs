@@ -3,7 +3,7 @@
 
 use std::io::Write;
 
-use vides_engine::scene::{NodeState, Troubles};
+use vides_engine::scene::{NodeState, Warnings};
 
 use super::blocks::{Progress, failed};
 use super::export::{Format, HEADER, push_json_pose, push_json_text};
@@ -44,9 +44,9 @@ pub fn write_node(
     while done < all {
         let block = states.len().min(all - done);
         let states = &mut states[..block];
-        let mut troubles = Troubles::default();
-        scene.sample(node, first + done as f64, 1.0, states, &mut troubles)?;
-        if let Some(error) = troubles.into_error() {
+        let mut warnings = Warnings::default();
+        scene.sample(node, first + done as f64, 1.0, states, &mut warnings)?;
+        if let Some(error) = warnings.into_error() {
             let name = scene.node(node)?.name.as_str();
             return Err(error.at(Place::Node(name.into())).into());
         }

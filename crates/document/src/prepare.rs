@@ -14,7 +14,7 @@ use crate::error::{
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::ahead;
-use crate::path::camera_path::check_speeds;
+use crate::path::camera_path::check_base_speeds;
 use crate::path::fit_frames::{Fixed, fit_frames};
 use crate::path::insertion::{self, Insertion};
 use crate::path::space::Move;
@@ -176,7 +176,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             }
         }
         Edit::SetSpeeds(speeds) => {
-            check_speeds(speeds)?;
+            check_base_speeds(speeds)?;
             Change::Speeds(speeds)
         }
         Edit::SetClosed(closed) => Change::Closed(closed),

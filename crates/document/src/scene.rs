@@ -148,7 +148,7 @@ impl SceneDocument {
     /// `ErrorKind::Memory`.
     pub fn try_clone(&self) -> Result<Self> {
         let info = self.info.try_clone()?;
-        can_allocate(self.scene.weight())?;
+        can_allocate(self.scene.heap_size())?;
         Ok(Self {
             scene: self.scene.clone(),
             info,

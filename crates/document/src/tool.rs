@@ -402,16 +402,19 @@ impl Tool {
                 let bounds = (!places.is_empty()).then(|| Bounds::of(&places));
                 known.defaults(bounds.as_ref(), path.space)?
             }
-            _ => Parameter::numbers(self.tables[0], &[])?,
+            _ => Parameter::numbers(self.tables[0], &[], path.space.half_size)?,
         };
         match self.kind {
             Kind::Frames => numbers[0] = document.sampler()?.frame_count() as f64,
-            Kind::Fit | Kind::Draw => numbers[0] *= path.space.half_size,
             Kind::Deform("free-form") => numbers = identity_lattice().to_vec(),
             _ => {}
         }
         let own = numbers.len();
-        numbers.extend(Parameter::numbers(self.tables[1], &[])?);
+        numbers.extend(Parameter::numbers(
+            self.tables[1],
+            &[],
+            path.space.half_size,
+        )?);
         if let Some((at, _)) = Parameter::find(self.tables[1], LAST.name) {
             numbers[own + at] = path.points.len() as f64;
         }
@@ -430,8 +433,9 @@ impl Tool {
     ) -> Result<Option<Edit>> {
         let own = Parameter::count(self.tables[0]).min(numbers.len());
         let (first, second) = numbers.split_at(own);
-        Parameter::numbers(self.tables[0], first)?;
-        Parameter::numbers(self.tables[1], second)?;
+        let half_size = document.path().space.half_size;
+        Parameter::numbers(self.tables[0], first, half_size)?;
+        Parameter::numbers(self.tables[1], second, half_size)?;
         let given = Given {
             tool: self,
             numbers,
@@ -451,7 +455,7 @@ impl Tool {
         Ok(Some(match (self.kind, material) {
             (Kind::Move(known), _) => {
                 let fps = document.info().fps;
-                put(known.path_at(first, path.space, fps, path.speeds)?)
+                put(known.path_with_speeds(first, path.space, fps, path.speeds)?)
             }
             (Kind::Draw, Material::Stroke(places)) => {
                 put(drawn(document, places, given.number("tolerance"))?)

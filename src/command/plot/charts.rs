@@ -1,5 +1,6 @@
 //! Charts of what changes over the frames.
 
+use vides::tools::check::FindingKind;
 use vides::tools::clearance::Clearance;
 use vides::tools::profile::{self, Quantity};
 
@@ -20,7 +21,7 @@ pub(super) struct Chart {
     name: &'static str,
     of_way: bool,
     values: Vec<Spot>,
-    kinds: &'static [&'static str],
+    kinds: &'static [FindingKind],
 }
 
 pub(super) fn height(charts: usize) -> f64 {

@@ -2,7 +2,7 @@
 
 use vides::glam::DVec3;
 use vides::path::Pose;
-use vides::tools::check::{Finding, KINDS};
+use vides::tools::check::Finding;
 
 use super::svg::{Anchor, Spot, Svg, cut};
 use super::{Film, MARGIN};
@@ -214,11 +214,10 @@ pub(super) fn findings(svg: &mut Svg, film: &Film<'_>, (x, y): Spot, width: f64)
         }
         let wrong = format!("fill=\"{}\"", film.style.wrong);
         for finding in film.found.iter().take(LINES) {
-            let kind = KINDS.iter().find(|kind| kind.limit.name == finding.kind);
-            let does = kind.map_or("", |kind| kind.limit.does);
+            let limit = finding.kind.limit();
             let text = format!(
                 "{:.0}–{:.0}  {} {:.3}: {}",
-                finding.first_frame, finding.last_frame, finding.kind, finding.value, does
+                finding.first_frame, finding.last_frame, limit.name, finding.value, limit.does
             );
             line(&text, &wrong);
         }

@@ -10,7 +10,7 @@ use super::write::{Vector, list};
 use crate::error::{Malformed, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::path::Space;
-use crate::path::camera_path::check_speed;
+use crate::path::camera_path::check_curve_speed;
 use crate::path::own::{check_ahead, check_frames, check_rates, distance};
 use crate::path::{
     Ease, EaseKind, MayOwn, Own, Pace, PacePart, Tangents, TurningPart, UpPath, UpPathPoint,
@@ -258,7 +258,7 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
             "facing_after" => facing_after = Some(field.number()?),
             "speed_curve" => {
                 let speeds: [f64; limits::SPEEDS] = field.numbers()?;
-                field.checked(speeds.into_iter().try_for_each(check_speed))?;
+                field.checked(speeds.into_iter().try_for_each(check_curve_speed))?;
                 let (before, after) = (None, None);
                 whole(
                     field,

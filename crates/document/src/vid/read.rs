@@ -13,14 +13,14 @@ use crate::info::{self, Info, Object, ObjectPoint};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::camera_path::{
-    check_base_speed, check_hold, check_name, check_shape, check_speed, check_zoom,
+    check_base_speed, check_curve_speed, check_hold, check_name, check_shape, check_zoom,
 };
 use crate::path::{
     BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space,
     SupportPoint, Target, Tcb, Up, ZoomMode, space,
 };
 use vides_engine::scene::Scene;
-use vides_engine::tools::check::Limits;
+use vides_engine::tools::check::{FindingKind, Limits};
 
 const KEYS: [&str; 17] = [
     "version",
@@ -341,7 +341,8 @@ fn limits_of_checks(table: Field<'_>) -> Result<Limits> {
     let mut limits = Limits::default();
     for field in table.fields()? {
         let limit = field.number()?;
-        field.checked(limits.set(field.key, limit))?;
+        let kind = field.checked(FindingKind::parse(field.key))?;
+        field.checked(limits.set(kind, limit))?;
     }
     Ok(limits)
 }
@@ -508,7 +509,7 @@ fn orientation(
             "speed_curve" => {
                 orientation.speeds = field.numbers()?;
                 for speed in orientation.speeds {
-                    field.checked(check_speed(speed))?;
+                    field.checked(check_curve_speed(speed))?;
                 }
             }
             "hold_frames" => {

@@ -15,7 +15,7 @@ use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::scene::motion::check_frame;
 use vides_engine::scene::node::check_node_name;
 use vides_engine::scene::{
-    Beyond, Camera, Channel, FollowPath, Interpolation, Kind, Light, Mesh, MeshSource, Node,
+    Camera, Channel, Extrapolation, FollowPath, Interpolation, Kind, Light, Mesh, MeshSource, Node,
     Object, Scene, Shape, Track,
 };
 
@@ -338,8 +338,8 @@ fn light_kind(field: Field<'_>) -> Result<Light> {
         .ok_or_else(|| field.error(Malformed::OneOf(&["directional", "point", "spot"])))
 }
 
-fn beyond(field: Field<'_>) -> Result<Beyond> {
-    Beyond::parse(field.text()?)
+fn beyond(field: Field<'_>) -> Result<Extrapolation> {
+    Extrapolation::parse(field.text()?)
         .ok_or_else(|| field.error(Malformed::OneOf(&["hold", "repeat", "pingpong", "offset"])))
 }
 
@@ -503,7 +503,7 @@ fn path(
     if let Some(own) = table.find("space")? {
         self::space(own, &mut path.space, None)?;
     }
-    let (mut start, mut after) = (1.0, Beyond::Hold);
+    let (mut start, mut after) = (1.0, Extrapolation::Hold);
     so_far.up_paths = Default::default();
     for field in table.fields()? {
         match field.key {
@@ -562,7 +562,7 @@ fn track(table: Field<'_>, node: &str) -> Result<Track> {
         placed(field.line(), error.at(Place::Node(node.into())))
     };
     let (mut channel, mut interpolation) = (None, None);
-    let (mut before, mut after) = (Beyond::Hold, Beyond::Hold);
+    let (mut before, mut after) = (Extrapolation::Hold, Extrapolation::Hold);
     let (mut frames, mut values, mut shape) = (None, None, Vec::new());
     for field in table.fields()? {
         match field.key {
@@ -599,6 +599,6 @@ fn track(table: Field<'_>, node: &str) -> Result<Track> {
     };
     let values = numbers(values, Some(frames.len()))?;
     Track::new(channel, interpolation, frames, values, shape)
-        .and_then(|track| track.with_beyond(before, after))
+        .and_then(|track| track.with_extrapolation(before, after))
         .map_err(|error| place(&table, error))
 }

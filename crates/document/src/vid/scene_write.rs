@@ -16,7 +16,8 @@ use crate::path::Space;
 use crate::path::camera_path::DEFAULT_PRESETS;
 use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::scene::{
-    Beyond, Camera, FollowPath, Kind, Light, Mesh, Node, Object, Pin, Scene, Shape, Track, Values,
+    Camera, Extrapolation, FollowPath, Kind, Light, Mesh, Node, Object, Pin, Scene, Shape, Track,
+    Values,
 };
 
 /// The text of a scene, or of its path if it is just a camera on that. Node values equal to the
@@ -54,7 +55,7 @@ pub(crate) fn alone(scene: &Scene) -> Option<&FollowPath> {
         && node.keys().tracks().is_empty()
         && scene.markers().is_empty()
         && path.start_frame() == 1.0
-        && path.beyond() == Beyond::Hold
+        && path.extrapolation() == Extrapolation::Hold
         && path.path().space == scene.space();
     plain.then_some(path)
 }
@@ -239,7 +240,7 @@ fn path(out: &mut Text, follow: &FollowPath, pins: &[Pin], space: Space) -> fmt:
         "\n[node.path]\nstart_frame = {:?}",
         follow.start_frame()
     )?;
-    writeln!(out, "beyond = \"{}\"", follow.beyond().name())?;
+    writeln!(out, "beyond = \"{}\"", follow.extrapolation().name())?;
     writeln!(out, "closed = {}", path.closed)?;
     curve(out, path)?;
     writeln!(out, "orientation_mode = \"{}\"", orientation_mode(path))?;
@@ -279,9 +280,9 @@ fn track(out: &mut Text, track: &Track) -> fmt::Result {
     let interpolation = track.interpolation().to_string();
     writeln!(out, "\n[[node.track]]\nchannel = {}", Quoted(&channel))?;
     writeln!(out, "interpolation = {}", Quoted(&interpolation))?;
-    let (before, after) = track.beyond();
+    let (before, after) = track.extrapolation();
     for (key, beyond) in [("before", before), ("after", after)] {
-        if beyond != Beyond::Hold {
+        if beyond != Extrapolation::Hold {
             writeln!(out, "{key} = \"{}\"", beyond.name())?;
         }
     }

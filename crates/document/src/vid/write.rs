@@ -99,11 +99,11 @@ pub(super) fn space(
     writeln!(out, "\n{}\n[space]", OURS[2])?;
     place(out, space)?;
     writeln!(out, "unit = {}", Quoted(&info.unit))?;
-    for (number, (name, limit)) in info.limits.own().enumerate() {
+    for (number, (kind, limit)) in info.limits.changed().enumerate() {
         if number == 0 {
             writeln!(out, "\n[check]")?;
         }
-        writeln!(out, "{name} = {limit:?}")?;
+        writeln!(out, "{} = {limit:?}", kind.name())?;
     }
 
     object(out, &info.object, folder)

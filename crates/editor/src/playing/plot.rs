@@ -12,6 +12,7 @@ use crate::error::Result;
 use crate::state::Editor;
 use crate::texts::Texts;
 use crate::theme::{self, Palette};
+use crate::tools::check::FindingKind;
 use crate::tools::clearance::Clearance;
 use crate::tools::profile::{Film, Quantity, samples, with_peaks};
 
@@ -21,7 +22,11 @@ const POSES: usize = 20_000;
 const VALUES: usize = 1_000;
 
 /// Findings that are marked over the speeds of the sections.
-const OF_SECTIONS: &[&str] = &["speed-jump", "cusp", "corner"];
+const OF_SECTIONS: &[FindingKind] = &[
+    FindingKind::SpeedJump,
+    FindingKind::Cusp,
+    FindingKind::Corner,
+];
 
 #[derive(Debug, Default)]
 pub(super) struct Plot {

@@ -13,7 +13,7 @@ mod wires;
 use std::cell::RefCell;
 
 use glam::{DAffine3, DVec3};
-use vides_engine::scene::{NodeState, Scene, Troubles};
+use vides_engine::scene::{NodeState, Scene, Warnings};
 
 pub(super) use self::panel::{list, no_path, show};
 pub(super) use self::wires::{other_paths, outline, wires};
@@ -82,11 +82,11 @@ impl Now {
 
     fn evaluate(&mut self) -> Result<()> {
         // A channel whose host function fails moves in steps; the rest moves as it should.
-        let mut troubles = Troubles::default();
+        let mut warnings = Warnings::default();
         self.scene
-            .evaluate(self.frame, &mut self.states, &mut troubles)?;
-        let node = troubles.first().map(|(node, _)| node);
-        self.trouble = node.zip(troubles.into_error().map(Error::from));
+            .evaluate(self.frame, &mut self.states, &mut warnings)?;
+        let node = warnings.first().map(|(node, _)| node);
+        self.trouble = node.zip(warnings.into_error().map(Error::from));
         let parent = self.edited.and_then(|at| self.scene.nodes()[at].parent);
         let world = parent.map_or(DAffine3::IDENTITY, |at| self.states[at].world());
         // A flat parent has no inverse: the world is shown as it is.

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use egui_kittest::kittest::Queryable;
-use vides_engine::scene::{Beyond, FollowPath, Kind, Mesh, Node, Object, Scene, Track};
+use vides_engine::scene::{Extrapolation, FollowPath, Kind, Mesh, Node, Object, Scene, Track};
 
 use crate::document::{Document, Edit};
 use crate::path::CameraPath;
@@ -36,7 +36,9 @@ fn flights() -> Document {
     let mut drone = Node::new("drone", Kind::Group);
     let path = CameraPath::default();
     drone
-        .set_path(Some(FollowPath::new(path, 1.0, Beyond::Hold).unwrap()))
+        .set_path(Some(
+            FollowPath::new(path, 1.0, Extrapolation::Hold).unwrap(),
+        ))
         .unwrap();
     scene.add(drone).unwrap();
     let mut load = Node::new("crate", Kind::Object(Object::default()));
@@ -52,7 +54,9 @@ fn flights() -> Document {
     let mut camera = Node::new("camera", Kind::Camera(Default::default()));
     let path = CameraPath::default();
     camera
-        .set_path(Some(FollowPath::new(path, 21.0, Beyond::Hold).unwrap()))
+        .set_path(Some(
+            FollowPath::new(path, 21.0, Extrapolation::Hold).unwrap(),
+        ))
         .unwrap();
     scene.add(camera).unwrap();
     let mut document = Document::new();
@@ -109,7 +113,7 @@ fn everything_stands_where_the_scene_has_it_at_the_playhead() {
         window.run();
         assert_eq!(window.state().frame().unwrap(), frame);
         let mut states = vec![Default::default(); scene.nodes().len()];
-        let troubles = &mut vides_engine::scene::Troubles::default();
+        let troubles = &mut vides_engine::scene::Warnings::default();
         scene.evaluate(frame, &mut states, troubles).unwrap();
         let Kind::Object(object) = &scene.nodes()[body].kind else {
             panic!("a body");

@@ -1,7 +1,7 @@
 //! What is drawn of a scene, as lines in the world.
 
 use glam::DVec3;
-use vides_engine::scene::{Kind, Node, Troubles};
+use vides_engine::scene::{Kind, Node, Warnings};
 
 use super::Now;
 use super::edges::Edges;
@@ -54,8 +54,8 @@ fn of_objects(edges: &mut Edges, now: &Now, mut take: impl FnMut(Wire)) {
         if !object.shapes().is_empty() || !object.deformations().is_empty() {
             moved.clear();
             moved.resize(points.len(), DVec3::ZERO);
-            let troubles = &mut Troubles::default();
-            let done = now.scene.vertices(at, now.frame, &mut moved, troubles);
+            let warnings = &mut Warnings::default();
+            let done = now.scene.vertices(at, now.frame, &mut moved, warnings);
             if done.is_ok() {
                 points = &moved;
             }

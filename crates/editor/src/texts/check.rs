@@ -1,7 +1,7 @@
 //! Texts of the check window.
 
 use super::{Language, texts};
-use crate::tools::check::{Finding, KINDS};
+use crate::tools::check::Finding;
 
 texts! {
     Check {
@@ -83,11 +83,10 @@ impl Language {
             let decimals = if value.abs() < 1.0 { 3 } else { 1 };
             self.number(value, decimals)
         };
-        let kind = KINDS.iter().find(|kind| kind.limit.name == finding.kind);
-        let remedy = kind.map_or("", |kind| kind.remedy);
-        let words = WORDS.iter().find(|words| words.0 == finding.kind);
+        let (name, remedy) = (finding.kind.name(), finding.kind.remedy());
+        let words = WORDS.iter().find(|words| words.0 == name);
         let Some(&(_, english, german, helps)) = words else {
-            return (finding.kind.to_owned(), remedy);
+            return (name.to_owned(), remedy);
         };
         let (text, remedy) = match self {
             Self::English => (english, remedy),
@@ -101,11 +100,12 @@ impl Language {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tools::check::FindingKind;
 
     #[test]
     fn each_kind_has_its_words() {
-        for kind in &KINDS {
-            let name = kind.limit.name;
+        for kind in FindingKind::all() {
+            let name = kind.name();
             assert!(WORDS.iter().any(|words| words.0 == name), "{name}");
         }
     }

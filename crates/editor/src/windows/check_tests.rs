@@ -57,7 +57,7 @@ fn a_click_on_a_finding_leads_to_its_frame_and_key() {
         click(&mut window, &label);
         let finding = found
             .iter()
-            .find(|finding| finding.kind == "space")
+            .find(|finding| finding.kind.name() == "space")
             .unwrap();
         let editor = window.state();
         assert_eq!(editor.playing.frame(), Some(finding.first_frame));
@@ -74,7 +74,7 @@ fn it_follows_each_change_but_not_while_something_is_dragged() {
         found
             .found
             .iter()
-            .filter(|finding| finding.kind == "space")
+            .filter(|finding| finding.kind.name() == "space")
             .count()
     };
     assert!(shown(&window) > 0);

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::error::{Invalid, Result};
+use crate::path::Space;
 use crate::path::camera_path::check_coordinates;
 
 /// A box along the axes.
@@ -10,6 +11,13 @@ use crate::path::camera_path::check_coordinates;
 pub struct Bounds {
     min: DVec3,
     max: DVec3,
+}
+
+impl From<Space> for Bounds {
+    fn from(space: Space) -> Self {
+        let (min, max) = (space.low(), space.high());
+        Self { min, max }
+    }
 }
 
 impl Bounds {

@@ -8,10 +8,11 @@ mod bend;
 mod bounds;
 mod free_form;
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use crate::error::{Error, Invalid, OutOfRange, Quantity, Result, vec_with_room};
-use crate::limits::MAX_COORDINATE;
 
 pub use bounds::Bounds;
 pub use free_form::{LATTICE, identity_lattice};
@@ -22,13 +23,13 @@ const MAX_ANGLE: f64 = 360_000.0;
 /// A deformation: its kind and its numbers, in the order in which a caller gives them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Deformation {
-    form: Form,
+    formula: Formula,
     parameters: Vec<f64>,
 }
 
 /// What is computed; two pairs share a kind's name and differ in how many numbers they take.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Form {
+enum Formula {
     /// `axis a`: r(u) = 1 + (a−1)(1−u²); a = 2 is the lecture's 2−u².
     Bulge,
     /// `axis r0 r1`: r linear from end to end.
@@ -43,16 +44,16 @@ enum Form {
     Lattice,
 }
 
-const FORMS: [Form; 6] = [
-    Form::Bulge,
-    Form::Taper,
-    Form::Twist,
-    Form::Bend,
-    Form::Polar,
-    Form::Lattice,
+const FORMULAS: [Formula; 6] = [
+    Formula::Bulge,
+    Formula::Taper,
+    Formula::Twist,
+    Formula::Bend,
+    Formula::Polar,
+    Formula::Lattice,
 ];
 
-impl Form {
+impl Formula {
     const fn kind(self) -> &'static str {
         match self {
             Self::Bulge | Self::Taper => "taper",
@@ -87,6 +88,12 @@ impl Form {
         }
     }
 
+    fn range(self, name: &str) -> Option<Range<usize>> {
+        let mut all = self.channels().iter();
+        let &(_, at, width) = all.find(|channel| channel.0 == name)?;
+        Some(at..at + width)
+    }
+
     fn count(self) -> usize {
         let numbers: usize = self.channels().iter().map(|channel| channel.2).sum();
         self.axes() + numbers
@@ -99,12 +106,12 @@ impl Deformation {
     /// # Errors
     /// [`Error::Argument`] for the kind; that, [`Error::Range`] for parameters; [`Error::Memory`].
     pub fn new(kind: &str, parameters: &[f64]) -> Result<Self> {
-        if !FORMS.iter().any(|form| form.kind() == kind) {
+        if !FORMULAS.iter().any(|formula| formula.kind() == kind) {
             return Err(Invalid::NoDeformation(kind.into()).into());
         }
-        let form = FORMS
+        let formula = FORMULAS
             .into_iter()
-            .find(|form| form.kind() == kind && form.count() == parameters.len())
+            .find(|formula| formula.kind() == kind && formula.count() == parameters.len())
             .ok_or_else(|| {
                 Error::Range(OutOfRange::DeformationNumbers {
                     deformation: kind.into(),
@@ -114,7 +121,7 @@ impl Deformation {
         let mut kept = vec_with_room(parameters.len())?;
         kept.extend_from_slice(parameters);
         let made = Self {
-            form,
+            formula,
             parameters: kept,
         };
         made.check()?;
@@ -122,11 +129,11 @@ impl Deformation {
     }
 
     fn check(&self) -> Result<()> {
-        let (axes, numbers) = self.parameters.split_at(self.form.axes());
+        let (axes, numbers) = self.parameters.split_at(self.formula.axes());
         if !axes.iter().all(|axis| [0.0, 1.0, 2.0].contains(axis)) {
             return Err(OutOfRange::DeformationAxis.into());
         }
-        if self.form == Form::Polar && axes[0] == axes[1] {
+        if self.formula == Formula::Polar && axes[0] == axes[1] {
             return Err(Invalid::BendAxes.into());
         }
         numbers.iter().try_for_each(|&number| check_number(number))
@@ -135,7 +142,7 @@ impl Deformation {
     /// The name of the kind.
     #[must_use]
     pub const fn kind(&self) -> &'static str {
-        self.form.kind()
+        self.formula.kind()
     }
 
     /// The parameters as they were given.
@@ -146,23 +153,19 @@ impl Deformation {
 
     /// The names of the parameters that may change in time, with their widths.
     pub fn channels(&self) -> impl Iterator<Item = (&'static str, usize)> + use<> {
-        let channels = self.form.channels().iter();
+        let channels = self.formula.channels().iter();
         channels.map(|&(name, _, width)| (name, width))
     }
 
     /// The numbers of one of these parameters.
     #[must_use]
     pub fn channel(&self, name: &str) -> Option<&[f64]> {
-        let mut all = self.form.channels().iter();
-        let &(_, at, width) = all.find(|channel| channel.0 == name)?;
-        Some(&self.parameters[at..at + width])
+        Some(&self.parameters[self.formula.range(name)?])
     }
 
     /// The same, to be changed. Numbers that are not finite make points that are not: check before.
     pub fn channel_mut(&mut self, name: &str) -> Option<&mut [f64]> {
-        let mut all = self.form.channels().iter();
-        let &(_, at, width) = all.find(|channel| channel.0 == name)?;
-        Some(&mut self.parameters[at..at + width])
+        Some(&mut self.parameters[self.formula.range(name)?])
     }
 
     /// Deforms points. Outside the box taper, twist and the lecture's bend clamp the coordinate
@@ -170,20 +173,20 @@ impl Deformation {
     pub fn apply(&self, bounds: &Bounds, points: &mut [DVec3]) {
         let p = &self.parameters[..];
         let axis = |at: usize| p[at] as usize;
-        match self.form {
-            Form::Bulge => taper(bounds, axis(0), points, |u| {
+        match self.formula {
+            Formula::Bulge => taper(bounds, axis(0), points, |u| {
                 1.0 + (p[1] - 1.0) * (1.0 - u * u)
             }),
-            Form::Taper => taper(bounds, axis(0), points, |u| {
+            Formula::Taper => taper(bounds, axis(0), points, |u| {
                 p[1] * ((1.0 - u) / 2.0) + p[2] * ((1.0 + u) / 2.0)
             }),
-            Form::Twist => twist(bounds, axis(0), p[1].to_radians(), points),
-            Form::Bend => bend::by_angle(bounds, axis(0), p[1].to_radians(), points),
-            Form::Polar => {
+            Formula::Twist => twist(bounds, axis(0), p[1].to_radians(), points),
+            Formula::Bend => bend::by_angle(bounds, axis(0), p[1].to_radians(), points),
+            Formula::Polar => {
                 let angles = [p[4].to_radians(), p[5].to_radians()];
                 bend::polar(bounds, [axis(0), axis(1)], [p[2], p[3]], angles, points);
             }
-            Form::Lattice => free_form::apply(bounds, p, points),
+            Formula::Lattice => free_form::apply(bounds, p, points),
         }
     }
 }
@@ -196,7 +199,7 @@ pub fn check_number(number: f64) -> Result<()> {
     if !number.is_finite() {
         return Err(Invalid::NotFinite(Quantity::Parameter).into());
     }
-    if number.abs() > MAX_ANGLE.min(MAX_COORDINATE) {
+    if number.abs() > MAX_ANGLE {
         return Err(OutOfRange::Exceeds(Quantity::Parameter, MAX_ANGLE).into());
     }
     Ok(())

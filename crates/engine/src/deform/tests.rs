@@ -31,6 +31,12 @@ fn what_is_no_deformation_is_refused() {
     ] {
         assert!(Deformation::new(kind, parameters).is_err(), "{kind}");
     }
+    let refused = Deformation::new("shear", &[]).unwrap_err().to_string();
+    assert!(
+        FORMULAS
+            .iter()
+            .all(|formula| refused.contains(formula.kind()))
+    );
     assert!(Bounds::new(DVec3::ONE, DVec3::ZERO).is_err());
     assert!(Bounds::new(DVec3::NAN, DVec3::ZERO).is_err());
 }

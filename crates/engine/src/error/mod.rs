@@ -3,6 +3,7 @@
 mod causes;
 
 use std::fmt::{self, Write as _};
+use std::sync::Arc;
 
 pub use causes::{Bound, Invalid, OutOfRange, Quantity, TooMany};
 
@@ -262,6 +263,13 @@ pub fn can_allocate(bytes: usize) -> Result<()> {
     // The compiler would leave out an allocation that is not used.
     std::hint::black_box(vec_with_room::<u8>(bytes)?);
     Ok(())
+}
+
+/// `value` behind a counted pointer, which std cannot refuse where memory has run out.
+#[doc(hidden)]
+pub fn try_arc<T>(value: T) -> Result<Arc<T>> {
+    can_allocate(size_of::<T>() + 2 * size_of::<usize>())?;
+    Ok(Arc::new(value))
 }
 
 /// `value` on the heap as a slice of one, or [`Error::Memory`].

@@ -14,5 +14,6 @@ pub mod orientation;
 pub mod quaternion;
 pub mod rotation_minimising;
 pub mod transform;
+pub(crate) mod tridiagonal;
 pub(crate) mod vector;
 pub mod view;

@@ -86,14 +86,22 @@ pub fn cubic(value: f64, rise: f64, step: f64, left: f64, right: f64) -> [f64; 4
     ]
 }
 
+/// The value of a cubic, lowest power first.
+#[must_use]
+pub const fn value(c: &[f64; 4], x: f64) -> f64 {
+    ((c[3] * x + c[2]) * x + c[1]) * x + c[0]
+}
+
+/// The derivative of a cubic, lowest power first.
+#[must_use]
+pub const fn slope(c: &[f64; 4], x: f64) -> f64 {
+    (3.0 * c[3] * x + 2.0 * c[2]) * x + c[1]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
-
-    fn value(c: [f64; 4], x: f64) -> f64 {
-        ((c[3] * x + c[2]) * x + c[1]) * x + c[0]
-    }
 
     #[test]
     fn a_parabola_that_rises_is_met_exactly() {
@@ -124,7 +132,7 @@ mod tests {
                 let (low, high) = (rises[i].min(0.0), rises[i].max(0.0));
                 let mut last = 0.0;
                 for k in 0..=100 {
-                    let v = value(c, f64::from(k) / 100.0);
+                    let v = value(&c, f64::from(k) / 100.0);
                     prop_assert!(v >= low - 1e-12 && v <= high + 1e-12);
                     prop_assert!((v - last) * rises[i] >= -1e-12);
                     last = v;

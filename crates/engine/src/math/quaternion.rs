@@ -37,7 +37,7 @@ pub fn slerp(a: DQuat, b: DQuat, t: f64) -> DQuat {
         return turned(a, b, t * theta);
     }
     if theta < STRAIGHT {
-        return a.lerp_raw(b, t);
+        return a * (1.0 - t) + b * t;
     }
     a * (((1.0 - t) * theta).sin() / sin) + b * ((t * theta).sin() / sin)
 }
@@ -101,13 +101,9 @@ pub fn continue_sign(before: DQuat, q: DQuat) -> (DQuat, bool) {
     (q, true)
 }
 
-/// Linear interpolation without glam's test of signs.
-trait LerpRaw {
-    fn lerp_raw(self, other: Self, t: f64) -> Self;
-}
-
-impl LerpRaw for DQuat {
-    fn lerp_raw(self, other: Self, t: f64) -> Self {
-        self * (1.0 - t) + other * t
+/// Gives each key the sign that continues the one before.
+pub fn continue_signs(keys: &mut [DQuat]) {
+    for k in 1..keys.len() {
+        keys[k] = continue_sign(keys[k - 1], keys[k]).0;
     }
 }

@@ -7,12 +7,13 @@ use glam::DVec3;
 use super::alignment::UpAlong;
 use super::arc_length::ArcLength;
 use super::camera_path::CameraPath;
+use super::chain::Chain;
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
 use super::space::Space;
 use super::turning::AT_TARGET;
-use crate::error::{Result, can_allocate, vec_with_room};
+use crate::error::{Result, try_arc};
 use crate::math::orientation::unit;
 
 /// A tangent shorter than this share of the curve's size counts as none.
@@ -60,7 +61,7 @@ fn direction_at(path: &CameraPath, point: usize) -> Option<DVec3> {
 }
 
 /// The place `distance` along the curve from a point, measuring one segment after the other.
-fn place_behind(path: &CameraPath, point: usize, distance: f64) -> Option<DVec3> {
+fn place_after(path: &CameraPath, point: usize, distance: f64) -> Option<DVec3> {
     let (count, segments) = (path.points.len(), path.segment_count());
     let mut left = distance;
     let mut total = 0.0;
@@ -107,7 +108,7 @@ pub fn view(path: &CameraPath, point: usize, orientation: usize) -> DVec3 {
         if distance == 0.0 {
             return direction_at(path, point);
         }
-        let there = place_behind(path, point, distance)? - here.position;
+        let there = place_after(path, point, distance)? - here.position;
         if there == DVec3::ZERO {
             direction_at(path, point)
         } else {
@@ -120,9 +121,7 @@ pub fn view(path: &CameraPath, point: usize, orientation: usize) -> DVec3 {
 /// The curve of a whole path by its length.
 #[derive(Debug, PartialEq)]
 pub(super) struct Rail {
-    curves: Vec<Cubic>,
-    /// Length before each segment, and of them all.
-    starts: Vec<f64>,
+    pub chain: Chain,
     closed: bool,
     /// Direction at the end of an open path.
     end: DVec3,
@@ -130,55 +129,30 @@ pub(super) struct Rail {
 }
 
 impl Rail {
-    pub(super) fn new<'a>(
+    pub(super) fn new(
         path: &CameraPath,
-        segments: impl ExactSizeIterator<Item = (&'a Cubic, f64)>,
+        segments: impl ExactSizeIterator<Item = (Cubic, f64)>,
     ) -> Result<Arc<Self>> {
-        let mut curves = vec_with_room(segments.len())?;
-        let mut starts = vec_with_room(segments.len() + 1)?;
-        let mut length = 0.0;
-        starts.push(0.0);
-        for (curve, its) in segments {
-            curves.push(*curve);
-            length += its;
-            starts.push(length);
-        }
-        can_allocate(size_of::<Self>() + 2 * size_of::<usize>())?;
+        let chain = Chain::new(segments)?;
         let end = direction_at(path, path.points.len() - 1);
-        Ok(Arc::new(Self {
-            curves,
-            starts,
+        try_arc(Self {
+            chain,
             closed: path.closed,
             end: end.unwrap_or(path.space.up.world(DVec3::Z)),
             space: path.space,
-        }))
+        })
     }
 
-    pub(super) fn length(&self) -> f64 {
-        self.starts[self.curves.len()]
-    }
-
-    pub(super) fn curves(&self) -> &[Cubic] {
-        &self.curves
-    }
-
-    pub(super) fn starts(&self) -> &[f64] {
-        &self.starts
-    }
-
-    /// The place at the length `behind` from the start of a segment.
-    fn place(&self, segment: usize, behind: f64) -> Option<DVec3> {
-        let mut s = self.starts[segment] + behind;
+    /// The place at the length `after` from the start of a segment.
+    fn place(&self, segment: usize, after: f64) -> Option<DVec3> {
+        let (mut s, length) = (self.chain.starts[segment] + after, self.chain.length());
         if self.closed {
-            s %= self.length();
-        } else if s >= self.length() {
-            let last = &self.curves[self.curves.len() - 1];
-            return Some(last.point(1.0) + (s - self.length()) * self.end);
+            s %= length;
+        } else if s >= length {
+            let last = self.chain.curves.last()?;
+            return Some(last.point(1.0) + (s - length) * self.end);
         }
-        let at = self.starts.partition_point(|&start| start <= s).max(1) - 1;
-        let at = at.min(self.curves.len() - 1);
-        let arc = ArcLength::new(&self.curves[at]).ok()?;
-        Some(self.curves[at].point(arc.parameter_at(s - self.starts[at])))
+        self.chain.place(s)
     }
 }
 
@@ -216,19 +190,24 @@ impl Follow {
         if self.look == Look::Still {
             return Some(self.still);
         }
-        let arc = ArcLength::new(&self.rail.curves[segment]).ok()?;
+        let arc = ArcLength::new(&self.rail.chain.curves[segment]).ok()?;
         let t = arc.parameter_at(phi * length);
         Some(
             self.rail
                 .space
                 .up
-                .upright(self.way((segment, length), t, phi)?),
+                .upright(self.look_direction((segment, length), t, phi)?),
         )
     }
 
     /// The direction at the parameter `t` of the segment, φ of its length.
-    pub(super) fn way(&self, (segment, length): (usize, f64), t: f64, phi: f64) -> Option<DVec3> {
-        let curve = &self.rail.curves[segment];
+    pub(super) fn look_direction(
+        &self,
+        (segment, length): (usize, f64),
+        t: f64,
+        phi: f64,
+    ) -> Option<DVec3> {
+        let curve = &self.rail.chain.curves[segment];
         match self.look {
             Look::Still => Some(self.rail.space.up.world(self.still)),
             Look::Target(target) => {
@@ -257,7 +236,7 @@ impl Follow {
         let found = match self.segment {
             None => up.standing(view),
             Some((segment, length)) => {
-                let arc = ArcLength::new(&self.rail.curves[segment]).ok()?;
+                let arc = ArcLength::new(&self.rail.chain.curves[segment]).ok()?;
                 up.at(
                     self,
                     (segment, length),

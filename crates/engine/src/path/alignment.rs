@@ -13,7 +13,7 @@ use super::frenet::Normals;
 use super::own::MayOwn;
 use super::timeline::Timeline;
 use super::up_vector::{UpPath, UpVector};
-use crate::error::{Result, can_allocate, vec_with_room};
+use crate::error::{Result, can_allocate, try_arc, vec_with_room};
 use crate::math::orientation::{up_from_roll, wrap_degrees};
 use crate::math::rotation_minimising::{
     chord, perpendicular, shortest, signed_angle, step, turned,
@@ -92,12 +92,13 @@ impl UpAlong {
         view: DVec3,
     ) -> Option<DVec3> {
         let rail = &follow.rail;
-        let place = || rail.curves()[segment].point(t);
+        let place = || rail.chain.curves[segment].point(t);
         let up = match self {
             Self::Key(up) => *up,
             Self::Point(point) => *point - place(),
             Self::Path(path) => {
-                path.place((rail.starts()[segment] + phi * length) / rail.length()) - place()
+                path.place((rail.chain.starts[segment] + phi * length) / rail.chain.length())
+                    - place()
             }
             Self::Frenet(normals) => normals.up(segment, (t, phi), view)?,
             Self::Minimal(carried) => {
@@ -108,10 +109,14 @@ impl UpAlong {
                 let middle = 0.5 * (begin + t);
                 let there = match follow.look {
                     Look::Ahead(distance) if distance > 0.0 => {
-                        let arc = ArcLength::new(&rail.curves()[segment]).ok()?;
-                        follow.way((segment, length), middle, arc.length_at(middle) / length)
+                        let arc = ArcLength::new(&rail.chain.curves[segment]).ok()?;
+                        follow.look_direction(
+                            (segment, length),
+                            middle,
+                            arc.length_at(middle) / length,
+                        )
                     }
-                    _ => follow.way((segment, length), middle, 0.0),
+                    _ => follow.look_direction((segment, length), middle, 0.0),
                 };
                 let up = step(up, from, view, chord(from, there.unwrap_or(view), view));
                 let [a, b] = carried.turn;
@@ -180,7 +185,7 @@ pub fn ups(path: &CameraPath) -> Result<Vec<DVec3>> {
 }
 
 /// Rolls orientations so that they have the `wanted` ups (one entry for each orientation in turn,
-/// `None` to leave its roll). Only those change whose up is not the axis; gives the changed points.
+/// `None` to leave its roll). Only those change whose up is not the axis; gives the point of each.
 ///
 /// # Errors
 /// [`crate::Error::Memory`].
@@ -239,9 +244,10 @@ impl Alignment {
             }
         }
         let mut normals = None;
-        if frenet && let Some(found) = Normals::new(rail.curves(), rail.starts(), path.closed)? {
-            can_allocate(size_of::<Normals>() + 2 * size_of::<usize>())?;
-            normals = Some(Arc::new(found));
+        if frenet
+            && let Some(found) = Normals::new(&rail.chain.curves, &rail.chain.starts, path.closed)?
+        {
+            normals = Some(try_arc(found)?);
         }
         let mut alignment = Self {
             ups: vec_with_room(count)?,
@@ -297,13 +303,13 @@ impl Alignment {
     ) -> DVec3 {
         let here = path.points[place.point].position;
         let axis = path.space.up.world(DVec3::Y);
-        let (segments, start) = (rail.curves().len(), rail.starts()[place.point]);
+        let (segments, start) = (rail.chain.curves.len(), rail.chain.starts[place.point]);
         let toward = match &place.orientation.own.up {
             UpVector::Axis => return path.space.up.level_axes(place.view).1,
             UpVector::Minimal => Some(axis),
             UpVector::Point(point) => Some(*point - here),
-            UpVector::Path(up) if rail.length() > 0.0 => {
-                Some(up.place(start / rail.length()) - here)
+            UpVector::Path(up) if rail.chain.length() > 0.0 => {
+                Some(up.place(start / rail.chain.length()) - here)
             }
             UpVector::Path(up) => Some(up.place(0.0) - here),
             UpVector::Frenet => match &self.normals {
@@ -332,9 +338,10 @@ impl Alignment {
         let segment = a
             .last
             .then_some(a.point)
-            .filter(|&segment| segment < rail.curves().len());
+            .filter(|&segment| segment < rail.chain.curves.len());
         let look = look_between(&a.end(), &b.end());
-        let length = segment.map(|segment| rail.starts()[segment + 1] - rail.starts()[segment]);
+        let length =
+            segment.map(|segment| rail.chain.starts[segment + 1] - rail.chain.starts[segment]);
         let (Some(look), Some(segment), Some(length)) =
             (look, segment, length.filter(|length| *length > 0.0))
         else {
@@ -350,9 +357,8 @@ impl Alignment {
         };
         let nodes = carried(&follow, (segment, length), (a.view, up))?;
         let (view, up) = nodes[nodes.len() - 1];
-        can_allocate(size_of::<Carried>() + 2 * size_of::<usize>())?;
         let turn = [0.0; 2];
-        self.carried[from] = Some(Arc::new(Carried { nodes, turn }));
+        self.carried[from] = Some(try_arc(Carried { nodes, turn })?);
         Ok(shortest(up, view, b.view))
     }
 
@@ -368,10 +374,10 @@ impl Alignment {
             return Ok(());
         };
         let missing = signed_angle(arrived, first, places[0].view);
-        if !(rail.length() > 0.0) {
+        if !(rail.chain.length() > 0.0) {
             return Ok(());
         }
-        let turn = |point: usize| missing * rail.starts()[point] / rail.length();
+        let turn = |point: usize| missing * rail.chain.starts[point] / rail.chain.length();
         for (at, place) in places.iter().enumerate() {
             let view = axes.upright(place.view);
             self.ups[at] = self.ups[at].map(|up| turned(up, view, turn(place.point)));
@@ -417,9 +423,10 @@ fn carried(
     way: (usize, f64),
     (view, up): (DVec3, DVec3),
 ) -> Result<Vec<(DVec3, DVec3)>> {
-    let arc = ArcLength::new(&follow.rail.curves()[way.0])?;
+    let arc = ArcLength::new(&follow.rail.chain.curves[way.0])?;
     let ahead = matches!(follow.look, Look::Ahead(distance) if distance > 0.0);
-    let seen = |t: f64| follow.way(way, t, if ahead { arc.length_at(t) / way.1 } else { t });
+    let seen =
+        |t: f64| follow.look_direction(way, t, if ahead { arc.length_at(t) / way.1 } else { t });
     let [mut steps, most] = STEPS;
     // Directions at the ends and in the middle of each step.
     let mut views: Vec<Option<DVec3>> = vec_with_room(2 * steps + 1)?;

@@ -175,7 +175,7 @@ fn minimal_up_of_a_closed_path_has_no_seam() {
     assert!((before / after - 1.0).abs() < 0.01, "{before} {after}");
     // The angle that is missing without the spreading is not nothing.
     let timeline = Timeline::new(&path).unwrap();
-    let alignment = Alignment::new(&path, timeline.way().rail.unwrap()).unwrap();
+    let alignment = Alignment::new(&path, timeline.guides().rail.unwrap()).unwrap();
     let turn = alignment.carried[7].as_ref().unwrap().turn;
     assert!(turn[1].abs() > 0.01, "{turn:?}");
     let share = 1.0 - timeline.segment_length(7) / timeline.length();

@@ -8,7 +8,7 @@ use super::alignment::rolled;
 use super::camera_path::{CameraPath, Orientation, Target};
 use super::hermite::Cubic;
 use super::space::Space;
-use super::timeline::{Change, Timeline};
+use super::timeline::{Change, Timeline, next};
 use super::turning::AT_TARGET;
 use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::continue_sign;
@@ -36,11 +36,7 @@ pub fn ambiguity(path: &CameraPath, timeline: &Timeline, section: usize) -> Opti
     let begin = timeline.section(section);
     let here = &path.points[begin.point];
     let from = &here.orientations[begin.orientation];
-    let next = if begin.orientation + 1 == here.orientations.len() {
-        ((begin.point + 1) % path.points.len(), 0)
-    } else {
-        (begin.point, begin.orientation + 1)
-    };
+    let next = next(path, (begin.point, begin.orientation));
     let to = &path.points[next.0].orientations[next.1];
     let same_up = from.own.up == to.own.up;
     if same_up && from.own.ahead.is_some() && from.own.ahead == to.own.ahead {

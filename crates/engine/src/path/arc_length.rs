@@ -17,6 +17,9 @@ const TOLERANCE: f64 = 4e-15;
 /// Halvings at the most: beyond, a piece is narrower than the rounding of t.
 const MAX_DEPTH: usize = 50;
 
+/// Half the width of a piece that is not halved any more.
+const NARROW: f64 = f64::EPSILON / 4.0;
+
 /// A piece whose speeds differ by more than this factor is searched: Newton's steps could leave it.
 const EVEN: f64 = 4.0;
 
@@ -103,30 +106,36 @@ fn integral(series: &[f64; NODES]) -> f64 {
 }
 
 /// The pieces still to be looked at: a stack, the first on top.
-struct Halving {
+pub(super) struct Halving {
+    /// Half the width of the narrowest piece.
+    least: f64,
     stack: [(f64, f64); MAX_DEPTH + 2],
     height: usize,
 }
 
 impl Halving {
     #[inline(always)]
-    fn new() -> Self {
+    pub(super) fn new(start: f64, end: f64, least: f64) -> Self {
         let mut stack = [(0.0, 0.0); MAX_DEPTH + 2];
-        stack[0] = (0.5, 0.5);
-        Self { stack, height: 1 }
+        stack[0] = (0.5 * (start + end), 0.5 * (end - start));
+        Self {
+            least,
+            stack,
+            height: 1,
+        }
     }
 
     #[inline(always)]
-    fn next(&mut self) -> Option<(f64, f64)> {
+    pub(super) fn next(&mut self) -> Option<(f64, f64)> {
         self.height = self.height.checked_sub(1)?;
         Some(self.stack[self.height])
     }
 
     /// Puts the two halves of the piece back; false where they are too narrow.
     #[inline(always)]
-    fn halve(&mut self, middle: f64, half: f64) -> bool {
+    pub(super) fn halve(&mut self, middle: f64, half: f64) -> bool {
         let quarter = half / 2.0;
-        if self.height + 2 > self.stack.len() || quarter < f64::EPSILON / 4.0 {
+        if self.height + 2 > self.stack.len() || quarter < self.least {
             return false;
         }
         self.stack[self.height] = (middle + quarter, quarter);
@@ -169,7 +178,7 @@ pub(super) fn length<V: Vector>(curve: &Cubic) -> f64 {
 /// The length of a curve that is not [`TINY`].
 #[inline(always)]
 fn length_of<V: Vector>(curve: &Cubic) -> f64 {
-    let mut halving = Halving::new();
+    let mut halving = Halving::new(0.0, 1.0, NARROW);
     let mut tolerance = None;
     let mut total = 0.0;
     while let Some((middle, half)) = halving.next() {
@@ -188,7 +197,7 @@ fn length_of<V: Vector>(curve: &Cubic) -> f64 {
 #[inline(always)]
 pub(super) fn measure<V: Vector>(curve: &Cubic, pieces: &mut Vec<Piece>) -> Result<f64> {
     pieces.clear();
-    let mut halving = Halving::new();
+    let mut halving = Halving::new(0.0, 1.0, NARROW);
     let mut tolerance = -1.0;
     let mut total = 0.0;
     while let Some((middle, half)) = halving.next() {

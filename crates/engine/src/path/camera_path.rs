@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::own::{MayOwn, Tangents};
 use super::space::Space;
 use super::up_vector::check_ups;
-use crate::error::{Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
 
@@ -145,7 +145,7 @@ impl Orientation {
         }
         check_zoom(self.zoom)?;
         self.turning.check()?;
-        self.speeds.into_iter().try_for_each(check_speed)?;
+        self.speeds.into_iter().try_for_each(check_curve_speed)?;
         check_hold(self.hold)?;
         self.own.check(space)
     }
@@ -178,10 +178,8 @@ impl SupportPoint {
     pub fn new(position: DVec3) -> Self {
         Self {
             position,
-            name: None,
-            curve: CurveParameters::Preset(0),
-            tangents: None,
             orientations: vec![Orientation::default()],
+            ..Self::nowhere()
         }
     }
 
@@ -207,10 +205,8 @@ impl SupportPoint {
         orientations.push(Orientation::default());
         Ok(Self {
             position,
-            name: None,
-            curve: CurveParameters::Preset(0),
-            tangents: None,
             orientations,
+            ..Self::nowhere()
         })
     }
 }
@@ -357,6 +353,12 @@ impl CameraPath {
         Ok(Self { points, ..*self })
     }
 
+    /// The error where there is no point of this number.
+    pub(crate) fn no_point(&self, point: usize) -> Error {
+        let last = self.points.len() - 1;
+        OutOfRange::NoPoint { point, last }.into()
+    }
+
     /// Curve segments: one fewer than points, as many if the path is closed.
     #[must_use]
     pub fn segment_count(&self) -> usize {
@@ -401,7 +403,7 @@ impl CameraPath {
         for preset in self.presets {
             preset.check()?;
         }
-        check_speeds(self.speeds)?;
+        check_base_speeds(self.speeds)?;
         space.check()?;
         for (index, point) in self.points.iter().enumerate() {
             point
@@ -523,7 +525,7 @@ pub fn check_zoom(zoom: f64) -> Result<()> {
 ///
 /// # Errors
 /// [`crate::Error::Range`].
-pub fn check_speed(speed: f64) -> Result<()> {
+pub fn check_curve_speed(speed: f64) -> Result<()> {
     if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&speed) {
         return Err(OutOfRange::Between(Quantity::CurveSpeed, 1.0, limits::MAX_SPEED).into());
     }
@@ -556,7 +558,7 @@ pub fn check_base_speed(speed: f64) -> Result<()> {
 ///
 /// # Errors
 /// [`crate::Error::Argument`] otherwise.
-pub fn check_speeds(speeds: BaseSpeeds) -> Result<()> {
+pub fn check_base_speeds(speeds: BaseSpeeds) -> Result<()> {
     let all = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling];
     all.into_iter().try_for_each(check_base_speed)
 }

@@ -6,6 +6,7 @@ use glam::DVec3;
 use super::hermite::Cubic;
 use crate::error::{Invalid, OutOfRange, Result, TooMany, vec_with_room};
 use crate::limits::{MAX_POINTS, MIN_POINTS};
+use crate::math::tridiagonal::{Row, solve, solve_periodic};
 
 /// The two conditions that the points leave free (3.4).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -131,16 +132,6 @@ fn check(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<()> {
     }
 }
 
-/// One equation of 3.4 for three neighbouring unknowns. `share` is a second right-hand side: what
-/// each unit of the periodic spline's joint adds.
-struct Row {
-    lower: f64,
-    diagonal: f64,
-    upper: f64,
-    right: DVec3,
-    share: f64,
-}
-
 /// The second derivatives at the knots: the solution of the equations of 3.4,
 /// S″ⱼ₋₁·hⱼ/6 + S″ⱼ·(hⱼ+hⱼ₊₁)/3 + S″ⱼ₊₁·hⱼ₊₁/6 = (slope after − slope before).
 fn moments(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<Vec<DVec3>> {
@@ -148,12 +139,8 @@ fn moments(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<Vec<DVec
     let h = |j: usize| knots[j + 1] - knots[j];
     let slope = |j: usize| (points[j + 1] - points[j]) / h(j);
     // Between pieces of lengths `before` and `after`, where the slope jumps.
-    let row = |before: f64, after: f64, jump: DVec3| Row {
-        lower: before / 6.0,
-        diagonal: (before + after) / 3.0,
-        upper: after / 6.0,
-        right: jump,
-        share: 0.0,
+    let row = |before: f64, after: f64, jump: DVec3| {
+        Row::new([before / 6.0, (before + after) / 3.0, after / 6.0], jump)
     };
     let inner = (1..last).map(|j| row(h(j - 1), h(j), slope(j) - slope(j - 1)));
     let mut rows = vec_with_room(last + 1)?;
@@ -174,52 +161,15 @@ fn moments(points: &[DVec3], knots: &[f64], ends: SplineEnds) -> Result<Vec<DVec
             moments.extend(rows.iter().map(|row| row.right));
         }
         SplineEnds::Periodic => {
-            // The joint is neighbour to both ends of the chain of the others. Those are solved for
-            // first, up to the joint's share in them; the equation of the joint then gives it.
-            let (before, after) = (h(last - 1), h(0));
             rows.extend(inner);
-            if let Some(first) = rows.first_mut() {
-                first.share -= after / 6.0;
-            }
-            if let Some(last) = rows.last_mut() {
-                last.share -= before / 6.0;
-            }
-            solve(&mut rows);
-            let mut joint = row(before, after, slope(0) - slope(last - 1));
-            if let [first, ..] = &rows[..] {
-                joint.right -= first.right * joint.upper;
-                joint.diagonal += first.share * joint.upper;
-            }
-            if let [.., last] = &rows[..] {
-                joint.right -= last.right * joint.lower;
-                joint.diagonal += last.share * joint.lower;
-            }
-            let joint = joint.right / joint.diagonal;
+            let joint = row(h(last - 1), h(0), slope(0) - slope(last - 1));
+            let joint = solve_periodic(&mut rows, joint);
             moments.push(joint);
-            moments.extend(rows.iter().map(|row| row.right + joint * row.share));
+            moments.extend(rows.iter().map(|row| row.right));
             moments.push(joint);
         }
     }
     Ok(moments)
-}
-
-/// Elimination without pivots, which diagonally dominant rows do not need. The unknowns replace the
-/// right-hand sides; the first `lower` and the last `upper` are not read.
-fn solve(rows: &mut [Row]) {
-    for i in 1..rows.len() {
-        let (done, rest) = rows.split_at_mut(i);
-        let (above, row) = (&done[i - 1], &mut rest[0]);
-        let factor = row.lower / above.diagonal;
-        row.diagonal -= factor * above.upper;
-        row.right -= factor * above.right;
-        row.share -= factor * above.share;
-    }
-    let (mut right, mut share) = (DVec3::ZERO, 0.0);
-    for row in rows.iter_mut().rev() {
-        right = (row.right - row.upper * right) / row.diagonal;
-        share = (row.share - row.upper * share) / row.diagonal;
-        (row.right, row.share) = (right, share);
-    }
 }
 
 #[cfg(test)]

@@ -22,18 +22,26 @@ pub fn segment(path: &CameraPath, segment: usize) -> Cubic {
     let (i, j) = (segment, (segment + 1) % path.points.len());
     let (from, to) = (&path.points[i], &path.points[j]);
     let own = (from.tangents, to.tangents);
-    let (leave, reach) = match (own, path.curve) {
-        ((Some(from), Some(to)), _) => (from.after, to.before),
-        (_, CurveKind::Tcb) => kochanek_bartels::tangents(path, segment),
-        (_, CurveKind::Cubic) => spline_tangents(path, segment),
-        (_, CurveKind::Linear) => {
-            let chord = to.position - from.position;
-            (chord, chord)
-        }
+    let (leave, reach) = match own {
+        (Some(from), Some(to)) => (from.after, to.before),
+        _ => tangents_of_kind(path, segment),
     };
     let leave = own.0.map_or(leave, |own| own.after);
     let reach = own.1.map_or(reach, |own| own.before);
     Cubic::hermite(from.position, to.position, leave, reach)
+}
+
+/// The tangents at the start and the end of a segment, whatever tangents the points may own.
+fn tangents_of_kind(path: &CameraPath, segment: usize) -> (DVec3, DVec3) {
+    match path.curve {
+        CurveKind::Tcb => kochanek_bartels::tangents(path, segment),
+        CurveKind::Cubic => spline_tangents(path, segment),
+        CurveKind::Linear => {
+            let to = path.points[(segment + 1) % path.points.len()].position;
+            let chord = to - path.points[segment].position;
+            (chord, chord)
+        }
+    }
 }
 
 /// The tangents with which the curve passes a point; at an end of an open path they are equal.
@@ -52,21 +60,11 @@ pub fn tangents(path: &CameraPath, point: usize) -> Tangents {
         point => Some(point - 1),
     };
     let after = (point < path.segment_count()).then_some(point);
-    let of = |segment| match path.curve {
-        CurveKind::Tcb => kochanek_bartels::tangents(path, segment),
-        CurveKind::Cubic => spline_tangents(path, segment),
-        CurveKind::Linear => {
-            let to = path.points[(segment + 1) % count].position;
-            let chord = to - path.points[segment].position;
-            (chord, chord)
-        }
-    };
-    let before = before.map(|segment| of(segment).1);
-    let after = after.map(|segment| of(segment).0);
-    let any = before.or(after).unwrap_or(DVec3::ZERO);
+    let before = before.map(|segment| tangents_of_kind(path, segment).1);
+    let after = after.map(|segment| tangents_of_kind(path, segment).0);
     Tangents {
-        before: before.unwrap_or(after.unwrap_or(any)),
-        after: after.unwrap_or(any),
+        before: before.or(after).unwrap_or_default(),
+        after: after.or(before).unwrap_or_default(),
     }
 }
 

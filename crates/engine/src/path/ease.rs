@@ -4,7 +4,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::camera_path::check_speed;
+use super::camera_path::check_curve_speed;
 use crate::error::{OutOfRange, Result};
 
 /// How the speed rises and falls.
@@ -42,7 +42,7 @@ impl Ease {
         if !fits {
             return Err(OutOfRange::EaseShares.into());
         }
-        check_speed(self.cruise)
+        check_curve_speed(self.cruise)
     }
 
     /// All that defines it.

@@ -19,17 +19,25 @@ pub struct Fixed {
     pub frames: u32,
 }
 
+impl Fixed {
+    /// Fixes the frames of that section of a path.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub fn apply(self, path: &mut CameraPath) -> Result<()> {
+        let own = &mut path.points[self.point].orientations[self.orientation].own;
+        *own = own.with(|own| own.frames = self.frames)?;
+        Ok(())
+    }
+}
+
 /// The sections from the first orientation of `first` to the last of `last`, in order. On a closed
 /// path all points stand for the whole way round, and a range may lead over the seam.
 fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> Result<Vec<usize>> {
     let count = path.points.len();
     for point in [first, last] {
         if point >= count {
-            return Err(OutOfRange::NoPoint {
-                point,
-                last: count - 1,
-            }
-            .into());
+            return Err(path.no_point(point));
         }
     }
     if first > last && !path.closed {
@@ -93,8 +101,8 @@ pub fn fit_between(
 /// The frames from reaching one point to reaching a later one, holds included.
 #[must_use]
 pub fn frames_between(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> usize {
-    let moving = between(timeline, first, last).map(|at| timeline.section(at));
-    let moving = moving.filter(|section| section.change != Change::Nothing);
+    let all = between(timeline, first, last).map(|at| timeline.section(at));
+    let moving = all.filter(|section| section.change != Change::Nothing);
     let hold = |point: usize, at: usize| path.points[point].orientations[at].hold as usize;
     moving
         .map(|section| section.frames + hold(section.point, section.orientation))
@@ -200,8 +208,7 @@ mod tests {
 
     fn set(path: &mut CameraPath, fixed: &[Fixed]) {
         for fixed in fixed {
-            let own = &mut path.points[fixed.point].orientations[fixed.orientation].own;
-            *own = own.with(|own| own.frames = fixed.frames).unwrap();
+            fixed.apply(path).unwrap();
         }
     }
 

@@ -18,12 +18,12 @@ use super::orientation_curve::{Rates, rates};
 use super::own::{Pace, PacePart, Tangents, TurningPart, Velocities, Whole};
 use super::sampling::{Layout, Sampler, zoom_slopes};
 use super::section_sampler::SectionSampler;
-use super::timeline::{Change, Timeline};
+use super::timeline::Timeline;
 use super::timing::Timing;
 use super::turning::Turning;
 use super::up_vector::UpVector;
 use crate::error::{Error, Invalid, OutOfRange, Quantity, Result, vec_with_room};
-use crate::limits::{MAX_ZOOM, MIN_ZOOM, SPEEDS};
+use crate::limits::{MAX_SPEED, MAX_ZOOM, MIN_SPEED, MIN_ZOOM, SPEEDS};
 use crate::math::{orientation, quaternion};
 
 /// A path with one point more.
@@ -63,7 +63,7 @@ pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     let sampler = Sampler::new(path, &timeline)?;
     let (index, u) = find(path, &timeline, &sampler, frame)?;
     let sampled = &sampler.sections()[index];
-    let section = section_of(&timeline, index);
+    let section = sampled.section;
     let begin = timeline.section(section);
     let at = begin.point + 1;
     let mut new = path.try_clone()?;
@@ -122,11 +122,9 @@ pub fn dividing_frames(path: &CameraPath, segment: usize, points: usize) -> Resu
         .filter(|&section| timeline.section(section).frames > points);
     let too_few = || Error::Range(OutOfRange::FewerFrames(segment + 1));
     let section = section.ok_or_else(too_few)?;
-    let moving = |section: &usize| timeline.section(*section).change != Change::Nothing;
-    let sampled = sampler
-        .sections()
-        .get((0..section).filter(moving).count())
-        .ok_or_else(too_few)?;
+    let mut sampled = sampler.sections().iter();
+    let sampled = sampled.find(|sampled| sampled.section == section);
+    let sampled = sampled.ok_or_else(too_few)?;
     let timing = timeline.timing(path, section)?;
     let all = sampled.frames;
     let mut found = vec_with_room(points)?;
@@ -143,13 +141,6 @@ pub fn dividing_frames(path: &CameraPath, segment: usize, points: usize) -> Resu
         least = frame + 1;
     }
     Ok(found)
-}
-
-/// The `number`-th of the sections that have frames.
-fn section_of(timeline: &Timeline, number: usize) -> usize {
-    let moving = |section: &usize| timeline.section(*section).change != Change::Nothing;
-    let mut sections = (0..timeline.section_count()).filter(moving);
-    sections.nth(number).unwrap_or(0)
 }
 
 /// The section to divide, and at which share of its time.
@@ -173,7 +164,7 @@ fn find(
     if within <= 0.0 {
         return Err(at_a_key());
     }
-    let begin = timeline.section(section_of(timeline, index));
+    let begin = timeline.section(sampled.section);
     let last = path.points[begin.point].orientations.len() - 1;
     if sampled.way.is_none() || begin.orientation != last {
         return Err(OutOfRange::Turning {
@@ -227,7 +218,7 @@ fn divide(
     let (view, up) = (DVec3::from(pose.vpn), DVec3::from(pose.vup));
     let seen = Target::Relative(view * old.target.offset_from(source.position).length());
     let roll_there = sampled.turning_slope(phi);
-    let duration = timeline_duration(&begin);
+    let duration = begin.duration();
     let (target, roll) = match &sampled.turning {
         Turning::Kept(..) => (
             Target::Relative(old.target.offset_from(source.position)),
@@ -290,11 +281,6 @@ fn divide(
     Ok((point, wanted))
 }
 
-#[allow(clippy::cast_precision_loss)]
-fn timeline_duration(section: &super::timeline::Section) -> f64 {
-    section.frames as f64 * section.mean_speed / crate::limits::BASE_SPEED
-}
-
 /// Gives an orientation a part of the pace of `old`'s section, and ten speeds near to that.
 fn take_part(
     to: &mut Orientation,
@@ -308,7 +294,8 @@ fn take_part(
     #[allow(clippy::cast_precision_loss)]
     for (k, speed) in to.speeds.iter_mut().enumerate() {
         let x = k as f64 / (SPEEDS - 1) as f64;
-        *speed = timing.speed(from + (end - from) * x).clamp(1.0, 100.0);
+        *speed = timing.speed(from + (end - from) * x);
+        *speed = speed.clamp(MIN_SPEED, MAX_SPEED);
     }
     let part = |of: Whole| PacePart { of, from, to: end };
     let pace = match &old.own.pace {
@@ -320,18 +307,9 @@ fn take_part(
         Pace::Ease(ease) => part(Whole::Ease(*ease)),
         Pace::Distance(keys) => part(Whole::Distance(keys.clone())),
         Pace::Part(old) => {
-            let place = |share: f64| {
-                if share == 1.0 {
-                    old.to
-                } else {
-                    old.from + (old.to - old.from) * share
-                }
-            };
-            PacePart {
-                of: old.of.clone(),
-                from: place(from),
-                to: place(end),
-            }
+            let [from, to] = part_of([old.from, old.to], [from, end]);
+            let of = old.of.clone();
+            PacePart { of, from, to }
         }
     };
     to.own = to.own.with(|own| own.pace = Pace::Part(pace))?;
@@ -339,23 +317,20 @@ fn take_part(
 }
 
 /// The part of a Bézier turning between two shares of its time. (A part of an arc is an arc.)
-fn turning_part(turning: &Turning, [from, to]: [f64; 2]) -> Option<TurningPart> {
-    let (control, [first, last]) = match turning {
-        Turning::Bezier(control) => (control, [0.0, 1.0]),
-        Turning::Part(control, ends) => (control, *ends),
+fn turning_part(turning: &Turning, part: [f64; 2]) -> Option<TurningPart> {
+    let (&control, [from, to]) = match turning {
+        Turning::Bezier(control) => (control, part),
+        Turning::Part(control, whole) => (control, part_of(*whole, part)),
         _ => return None,
     };
-    let place = |share: f64| {
-        if share == 1.0 {
-            last
-        } else {
-            first + (last - first) * share
-        }
-    };
-    Some(TurningPart {
-        control: *control,
-        from: place(from),
-        to: place(to),
+    Some(TurningPart { control, from, to })
+}
+
+/// A part of a part, exact where the one ends with the other.
+fn part_of([from, to]: [f64; 2], part: [f64; 2]) -> [f64; 2] {
+    part.map(|share| match share {
+        1.0 => to,
+        _ => from + (to - from) * share,
     })
 }
 
@@ -379,7 +354,7 @@ fn keep_tangents(
     changed: &mut Vec<usize>,
 ) -> Result<()> {
     let count = new.points.len();
-    let (before, behind) = (at - 1, (at + 1) % count);
+    let (before, after) = (at - 1, (at + 1) % count);
     for _ in 0..ROUNDS {
         let mut settled = true;
         let near = |point: usize| {
@@ -398,7 +373,7 @@ fn keep_tangents(
                         old.before = old.after;
                     }
                 }
-                if point == behind {
+                if point == after {
                     old.before = wanted.reach;
                     if point == count - 1 && !path.closed {
                         old.after = old.before;
@@ -444,9 +419,47 @@ impl Keys {
             let longest = beside.into_iter().flatten().map(|way| way.duration);
             steps.push(longest.fold(0.0, f64::max));
         }
-        let rates = rates(&mut layout.keys, &layout.spans, layout.way, path.space)?;
+        let rates = rates(&mut layout.keys, &layout.spans, layout.guides, path.space)?;
         Ok(Self { rates, zoom, steps })
     }
+
+    /// What a key lacks of the rates and the slope of the zoom that it should have.
+    fn missing(
+        &self,
+        key: usize,
+        should: Rates,
+        zoom: Option<f64>,
+        path: &CameraPath,
+    ) -> Option<Missing> {
+        let (is, step) = (self.rates[key], self.steps[key]);
+        // Less than this turns or zooms nothing by 1e-9.
+        let same = |far: f64| far * step <= 1e-9;
+        let differ = |(a, b): &(f64, f64)| !same((a - b).abs());
+        let turned = (is.reach - should.reach)
+            .length()
+            .max((is.leave - should.leave).length());
+        let turns = path.orientation_mode == OrientationMode::Tcb && is.acts;
+        let owned = |rate: DVec3| path.space.up.world(rate) * 2f64.to_degrees();
+        let velocities = (turns && !same(turned)).then(|| Velocities {
+            reach: owned(should.reach),
+            leave: owned(should.leave),
+        });
+        let rolls = is.roll_slope.zip(should.roll_slope).filter(differ);
+        let zooms = self.zoom.get(key).copied().zip(zoom).filter(differ);
+        let missing = Missing {
+            velocities,
+            roll_slope: rolls.map(|(_, should)| should.to_degrees()),
+            zoom_slope: zooms.map(|(_, should)| should),
+        };
+        (velocities.is_some() || rolls.is_some() || zooms.is_some()).then_some(missing)
+    }
+}
+
+/// What a key must come to own.
+struct Missing {
+    velocities: Option<Velocities>,
+    roll_slope: Option<f64>,
+    zoom_slope: Option<f64>,
 }
 
 /// Gives keys the velocities and slopes that the new one would change.
@@ -466,22 +479,13 @@ fn keep_rates(
         if is.rates.len() != old.rates.len() + 1 {
             return Err(OutOfRange::NearPoint.into());
         }
-        let moving = |section: &usize| timeline.section(*section).change != Change::Nothing;
-        let starts = (0..timeline.section_count()).filter(moving).map(|section| {
-            let begin = timeline.section(section);
-            (begin.point, begin.orientation)
-        });
+        let starts = timeline.moving().map(|section| timeline.start_of(section));
         let last = new.points.len() - 1;
         let end = (last, new.points[last].orientations.len() - 1);
         let mut settled = true;
-        let places: Vec<(usize, usize)> = {
-            let mut places = vec_with_room(is.rates.len())?;
-            places.extend(starts.chain([end]).take(is.rates.len()));
-            places
-        };
-        for (key, &(point, number)) in places.iter().enumerate() {
+        for (key, (point, number)) in starts.chain([end]).take(is.rates.len()).enumerate() {
             let before = key - usize::from(key > middle);
-            let (mut rates, mut zoom) = if key == middle {
+            let (rates, zoom) = if key == middle {
                 let rates = Rates {
                     reach: wanted.velocity,
                     leave: wanted.velocity,
@@ -492,37 +496,15 @@ fn keep_rates(
             } else {
                 (old.rates[before], old.zoom.get(before).copied())
             };
-            let found = is.rates[key];
-            let step = is.steps[key];
-            // Less than this turns or zooms nothing by 1e-9.
-            let same = |far: f64| far * step <= 1e-9;
-            let turns = path.orientation_mode == OrientationMode::Tcb && found.acts;
-            let turned = (found.reach - rates.reach)
-                .length()
-                .max((found.leave - rates.leave).length());
-            let owned =
-                |rate: &mut DVec3| path.space.up.world(std::mem::take(rate)) * 2f64.to_degrees();
-            let velocities = (turns && !same(turned)).then(|| Velocities {
-                reach: owned(&mut rates.reach),
-                leave: owned(&mut rates.leave),
-            });
-            let roll_slope = match (found.roll_slope, rates.roll_slope) {
-                (Some(a), Some(b)) if !same((a - b).abs()) => Some(b.to_degrees()),
-                _ => None,
-            };
-            let zoom = is
-                .zoom
-                .get(key)
-                .and_then(|a| zoom.take().filter(|b| !same((a - b).abs())));
-            if velocities.is_none() && roll_slope.is_none() && zoom.is_none() {
+            let Some(missing) = is.missing(key, rates, zoom, path) else {
                 continue;
-            }
+            };
             settled = false;
             let orientation = &mut new.points[point].orientations[number];
             orientation.own = orientation.own.with(|own| {
-                own.velocities = velocities.or(own.velocities);
-                own.roll_slope = roll_slope.or(own.roll_slope);
-                own.zoom_slope = zoom.or(own.zoom_slope);
+                own.velocities = missing.velocities.or(own.velocities);
+                own.roll_slope = missing.roll_slope.or(own.roll_slope);
+                own.zoom_slope = missing.zoom_slope.or(own.zoom_slope);
             })?;
             changed.try_reserve(1)?;
             changed.push(point);

@@ -22,14 +22,8 @@ pub fn outgoing_tangent(tcb: Tcb, before: DVec3, after: DVec3) -> DVec3 {
 /// The tangent with which the curve reaches a point (R2 of 3.6.2).
 #[must_use]
 pub fn incoming_tangent(tcb: Tcb, before: DVec3, after: DVec3) -> DVec3 {
-    let Tcb {
-        tension,
-        continuity,
-        bias,
-    } = tcb;
-    let loose = (1.0 - tension) / 2.0;
-    loose * (1.0 - continuity) * (1.0 + bias) * before
-        + loose * (1.0 + continuity) * (1.0 - bias) * after
+    let continuity = -tcb.continuity;
+    outgoing_tangent(Tcb { continuity, ..tcb }, before, after)
 }
 
 /// M_KB of 3.6.2, for G = (Pᵢ₋₁, Pᵢ, Pᵢ₊₁, Pᵢ₊₂) and the segment from Pᵢ, whose

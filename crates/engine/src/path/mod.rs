@@ -19,6 +19,7 @@ mod arcs;
 pub mod bezier;
 pub mod camera_path;
 pub mod catmull_rom;
+mod chain;
 pub mod cubic_spline;
 pub mod curve;
 mod dispatch;

@@ -89,7 +89,7 @@ enum Kind {
 
 impl Kind {
     /// Whether it has a roll of its own.
-    fn is_level(self) -> bool {
+    fn has_roll_curve(self) -> bool {
         matches!(self, Self::Tracked(_) | Self::Follow(_))
     }
 }
@@ -131,13 +131,13 @@ struct Work<'a> {
     wrap: f64,
     /// Roll of each tracked span: powers of φ.
     rolls: Vec<[f64; 4]>,
-    way: Way<'a>,
+    guides: Guides<'a>,
     space: Space,
 }
 
 /// What of a whole path some sections follow.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Way<'a> {
+pub(super) struct Guides<'a> {
     /// The whole curve, where a key looks along it or has another up than the axis.
     pub rail: Option<&'a Arc<Rail>>,
     /// Where a key has another up than the axis.
@@ -149,10 +149,10 @@ pub(super) fn turnings(
     keys: &mut [Key],
     spans: &[Span<'_>],
     mode: OrientationMode,
-    way: Way<'_>,
+    guides: Guides<'_>,
     space: Space,
 ) -> Result<Vec<Turning>> {
-    let work = work(keys, spans, way, space)?;
+    let work = work(keys, spans, guides, space)?;
     let mut turnings = vec_with_room(spans.len())?;
     for span in 0..spans.len() {
         turnings.push(work.turning(span, mode));
@@ -174,10 +174,10 @@ pub(super) struct Rates {
 pub(super) fn rates(
     keys: &mut [Key],
     spans: &[Span<'_>],
-    way: Way<'_>,
+    guides: Guides<'_>,
     space: Space,
 ) -> Result<Vec<Rates>> {
-    let work = work(keys, spans, way, space)?;
+    let work = work(keys, spans, guides, space)?;
     let mut rates = vec_with_room(work.keys.len())?;
     for key in 0..work.keys.len() {
         let (reach, leave) = work.velocities(key);
@@ -198,7 +198,7 @@ pub(super) fn rates(
 fn work<'a>(
     keys: &'a mut [Key],
     spans: &'a [Span<'a>],
-    way: Way<'a>,
+    guides: Guides<'a>,
     space: Space,
 ) -> Result<Work<'a>> {
     for i in 1..keys.len() {
@@ -224,7 +224,7 @@ fn work<'a>(
         means: vec_with_room(spans.len())?,
         wrap,
         rolls: vec_with_room(spans.len())?,
-        way,
+        guides,
         space,
     };
     for span in 0..spans.len() {
@@ -257,7 +257,7 @@ impl Work<'_> {
     fn up_along(&self, span: usize) -> Option<UpAlong> {
         let (begin, up) = (&self.spans[span], &self.keys[span].own.up);
         let moves = begin.way.is_some();
-        self.way
+        self.guides
             .alignment?
             .along(begin.section, up, moves, self.space)
     }
@@ -304,7 +304,7 @@ impl Work<'_> {
             return None;
         };
         Some(Follow {
-            rail: self.way.rail?.clone(),
+            rail: self.guides.rail?.clone(),
             segment: self.spans[span]
                 .way
                 .map(|(_, length)| (self.spans[span].segment, length)),
@@ -395,7 +395,7 @@ impl Work<'_> {
 
     /// Slope of the roll at a key beside a tracked span.
     fn roll_slope(&self, key: usize) -> Option<f64> {
-        let tracked = |span: &usize| self.kinds[*span].is_level();
+        let tracked = |span: &usize| self.kinds[*span].has_roll_curve();
         if let Some(span) = self.ring.after_key(key).filter(tracked) {
             return Some(self.rolls[span][1] / self.spans[span].duration);
         }
@@ -478,7 +478,7 @@ impl Work<'_> {
     /// Rolls of the tracked spans: one monotone cubic through each run of them.
     fn run_rolls(&mut self) -> Result<()> {
         let spans = self.spans.len();
-        let tracked = |kinds: &[Kind], span: usize| kinds[span % spans].is_level();
+        let tracked = |kinds: &[Kind], span: usize| kinds[span % spans].has_roll_curve();
         let all = (0..spans).all(|span| tracked(&self.kinds, span));
         let around = self.ring.closed() && !all;
         // On a ring the counting begins at a span that is not tracked.

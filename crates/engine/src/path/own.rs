@@ -8,11 +8,11 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
-use super::camera_path::check_speed;
+use super::camera_path::check_curve_speed;
 use super::ease::Ease;
 use super::space::Space;
 use super::up_vector::UpVector;
-use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate};
+use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate, try_arc};
 use crate::limits;
 
 /// The derivatives with which the curve passes a point, per segment parameter.
@@ -78,7 +78,7 @@ impl PacePart {
             } => {
                 let facing = [before, after].into_iter().flatten();
                 let mut all = speeds.iter().chain(facing);
-                all.try_for_each(|speed| check_speed(*speed))?;
+                all.try_for_each(|speed| check_curve_speed(*speed))?;
             }
             Whole::Ease(ease) => ease.check()?,
             Whole::Distance(keys) => check_distance(keys)?,
@@ -245,49 +245,6 @@ impl Own {
         }
         Ok(())
     }
-
-    /// All its numbers; one that is absent counts as NaN.
-    fn numbers(&self, see: &mut dyn FnMut(f64)) {
-        let mut option = |number: Option<f64>| see(number.unwrap_or(f64::NAN));
-        let vector = |v: Option<DVec3>| v.map_or([None; 3], |v| v.to_array().map(Some));
-        let turning = self.velocities.map(|v| (v.reach, v.leave)).unzip();
-        vector(turning.0).into_iter().for_each(&mut option);
-        vector(turning.1).into_iter().for_each(&mut option);
-        if let Some(TurningPart { control, from, to }) = self.turning {
-            let quaternions = control.into_iter().flat_map(|q| q.to_array());
-            quaternions
-                .chain([from, to])
-                .for_each(|number| option(Some(number)));
-        }
-        option(self.ahead);
-        match &self.up {
-            UpVector::Point(place) => vector(Some(*place)).into_iter().for_each(&mut option),
-            UpVector::Path(path) => path
-                .points()
-                .iter()
-                .flat_map(|point| [point.position, point.before, point.after])
-                .for_each(|v| vector(Some(v)).into_iter().for_each(&mut option)),
-            UpVector::Axis | UpVector::Minimal | UpVector::Frenet => {}
-        }
-        option(self.roll_slope);
-        option(self.zoom_slope);
-        option(Some(f64::from(self.frames)));
-        option(self.locked.then_some(1.0));
-        let mut keys = |keys: &[[f64; 2]]| keys.iter().flatten().for_each(|key| see(*key));
-        match &self.pace {
-            Pace::Speeds => {}
-            Pace::Ease(ease) => ease.numbers().into_iter().for_each(see),
-            Pace::Distance(distance) => keys(distance),
-            Pace::Part(PacePart { of, from, to }) => {
-                keys(&[[*from, *to]]);
-                match of {
-                    Whole::Speeds { speeds, .. } => speeds.iter().for_each(|speed| see(*speed)),
-                    Whole::Ease(ease) => ease.numbers().into_iter().for_each(see),
-                    Whole::Distance(distance) => keys(distance),
-                }
-            }
-        }
-    }
 }
 
 /// A fixed number of frames, or 0.
@@ -361,9 +318,7 @@ impl MayOwn {
         if own == NOTHING {
             return Ok(Self(None));
         }
-        // A counted pointer cannot be refused when memory has run out.
-        can_allocate(size_of::<Own>() + 2 * size_of::<usize>())?;
-        Ok(Self(Some(Arc::new(own))))
+        Ok(Self(Some(try_arc(own)?)))
     }
 
     /// Whether there is nothing.
@@ -383,19 +338,9 @@ impl MayOwn {
     /// Equal bit by bit: 0 and −0 differ.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
-        if self.is_shared_with(other) {
-            return true;
-        }
-        // Two lists of different meaning may have the same numbers.
-        if **self != **other {
-            return false;
-        }
-        let sum = |own: &Own| {
-            let mut signs = Vec::new();
-            own.numbers(&mut |number| signs.push(number.is_sign_negative()));
-            signs
-        };
-        sum(self) == sum(other)
+        // Their text has each number in full, with the sign of a zero.
+        self.is_shared_with(other)
+            || (**self == **other && format!("{:?}", **self) == format!("{:?}", **other))
     }
 
     /// What a copy at another place takes along: not what holds for this place alone.

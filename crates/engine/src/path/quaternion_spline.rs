@@ -10,7 +10,7 @@ use glam::{DQuat, DVec3};
 use super::camera_path::Tcb;
 use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, vec_with_room};
 use crate::limits::MAX_KEYS;
-use crate::math::quaternion::{continue_sign, exp, log, slerp};
+use crate::math::quaternion::{continue_signs, exp, log, slerp};
 
 /// The point at `x` in [0, 1] of a cubic spherical Bézier curve: de Casteljau with great arcs.
 #[must_use]
@@ -85,14 +85,9 @@ pub fn end_velocity(tension: f64, mean: DVec3, inner: DVec3) -> DVec3 {
     (1.0 - tension) * (2.0 * mean - inner)
 }
 
-/// Keys that are normalised and continue each other's signs, and the section that was asked for.
-struct Keys {
-    keys: Vec<DQuat>,
-    section: usize,
-}
-
-/// Checks what a caller handed over and finds the section that holds `when`.
-fn prepare(keys: &[DQuat], times: &[f64], when: f64) -> Result<Keys> {
+/// Checks what a caller handed over: the keys, normalised and continuing each other's signs, and the
+/// section that holds `when`.
+fn prepare(keys: &[DQuat], times: &[f64], when: f64) -> Result<(Vec<DQuat>, usize)> {
     if keys.len() < 2 || times.len() != keys.len() {
         return Err(OutOfRange::QuaternionKeys.into());
     }
@@ -106,20 +101,13 @@ fn prepare(keys: &[DQuat], times: &[f64], when: f64) -> Result<Keys> {
     if !(times[0]..=times[times.len() - 1]).contains(&when) {
         return Err(OutOfRange::Time.into());
     }
-    let mut fixed: Vec<DQuat> = vec_with_room(keys.len())?;
+    let mut fixed = vec_with_room(keys.len())?;
     for &key in keys {
-        let key = normalized(key)?;
-        let key = match fixed.last() {
-            Some(&before) => continue_sign(before, key).0,
-            None => key,
-        };
-        fixed.push(key);
+        fixed.push(normalized(key)?);
     }
+    continue_signs(&mut fixed);
     let after = times.partition_point(|&time| time <= when);
-    Ok(Keys {
-        keys: fixed,
-        section: after.clamp(1, times.len() - 1) - 1,
-    })
+    Ok((fixed, after.clamp(1, times.len() - 1) - 1))
 }
 
 /// `q` with length 1, even where its square would over- or underflow.
@@ -145,7 +133,7 @@ fn finished(q: DQuat) -> Result<DQuat> {
 /// # Errors
 /// [`Error::Range`], [`Error::Argument`] or [`Error::Limit`] with the reason.
 pub fn barry_goldman(keys: &[DQuat], times: &[f64], when: f64) -> Result<DQuat> {
-    let Keys { keys, section: i } = prepare(keys, times, when)?;
+    let (keys, i) = prepare(keys, times, when)?;
     let last = keys.len() - 1;
     let (before, time_before) = if i > 0 {
         (keys[i - 1], times[i - 1])
@@ -173,6 +161,35 @@ pub fn reflect(q: DQuat, about: DQuat) -> DQuat {
     about * q.conjugate() * about
 }
 
+/// Control quaternions of a section of the tcb curve through at least two unit keys, each of the
+/// sign that continues the one before; where there are but two it is the great arc.
+#[must_use]
+pub fn tcb_section(
+    keys: &[DQuat],
+    times: &[f64],
+    tcb: impl Fn(usize) -> Tcb,
+    section: usize,
+) -> [DQuat; 4] {
+    let (i, last) = (section, keys.len() - 1);
+    let step = |i: usize| times[i + 1] - times[i];
+    let mean = |i: usize| mean_velocity(keys[i], keys[i + 1], step(i));
+    let at = |k: usize, tcb| key_velocities(tcb, mean(k - 1), mean(k), step(k - 1), step(k));
+    let end = |k: usize, inner: usize| {
+        if last == 1 {
+            mean(0)
+        } else {
+            end_velocity(tcb(k).tension, mean(i), at(inner, Tcb::default()).0)
+        }
+    };
+    let leave = if i == 0 { end(0, 1) } else { at(i, tcb(i)).1 };
+    let reach = if i + 1 == last {
+        end(last, i)
+    } else {
+        at(i + 1, tcb(i + 1)).0
+    };
+    bezier_control(keys[i], keys[i + 1], leave, reach, step(i))
+}
+
 /// The tcb curve through `keys` at the time `when`, as a camera path turns by default but without
 /// the limit on the velocities. `tcb` has one set for each key; without it all are zero.
 ///
@@ -185,29 +202,9 @@ pub fn tcb(keys: &[DQuat], times: &[f64], tcb: Option<&[Tcb]>, when: f64) -> Res
         }
         tcb.iter().try_for_each(|tcb| tcb.check())?;
     }
-    let Keys { keys, section: i } = prepare(keys, times, when)?;
-    let last = keys.len() - 1;
-    let step = |i: usize| times[i + 1] - times[i];
-    let mean = |i: usize| mean_velocity(keys[i], keys[i + 1], step(i));
-    let at = |k: usize, tcb| key_velocities(tcb, mean(k - 1), mean(k), step(k - 1), step(k));
+    let (keys, i) = prepare(keys, times, when)?;
     let own = |k: usize| tcb.map_or(Tcb::default(), |tcb| tcb[k]);
-    let end = |k: usize, section: usize, inner: usize| {
-        if last == 1 {
-            mean(0)
-        } else {
-            end_velocity(own(k).tension, mean(section), at(inner, Tcb::default()).0)
-        }
-    };
-    let leave = if i == 0 {
-        end(0, 0, 1)
-    } else {
-        at(i, own(i)).1
-    };
-    let reach = if i + 1 == last {
-        end(last, last - 1, last - 1)
-    } else {
-        at(i + 1, own(i + 1)).0
-    };
-    let control = bezier_control(keys[i], keys[i + 1], leave, reach, step(i));
-    finished(bezier(&control, (when - times[i]) / step(i)))
+    let control = tcb_section(&keys, times, own, i);
+    let step = times[i + 1] - times[i];
+    finished(bezier(&control, (when - times[i]) / step))
 }

@@ -6,29 +6,33 @@ use super::arc_length::ArcLength;
 use super::camera_path::{CameraPath, CurveParameters, Orientation, SupportPoint, Target};
 use super::own::Tangents;
 use super::sampling::Sampler;
-use super::timeline::{Change, Timeline};
+use super::timeline::Timeline;
 use super::turning::Turning;
-use crate::error::{Invalid, Result, vec_with_room};
+use crate::error::{Invalid, OutOfRange, Result, TooMany, vec_with_room};
+use crate::limits::{MAX_POINTS, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
 use crate::math::orientation::{roll_from_up, unit, wrap_degrees};
 
 /// A path of `count` points at equal lengths along another, with the views, the zoom and the mean
 /// speed there. Each point owns its tangents; turns on the spot are left out.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] if the camera does not move; [`crate::Error::Limit`],
-/// [`crate::Error::Memory`].
+/// [`crate::Error::Argument`] if the camera does not move; [`crate::Error::Range`] for fewer than
+/// two points; [`crate::Error::Limit`], [`crate::Error::Memory`].
 #[allow(clippy::cast_precision_loss)]
 pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
+    if count < MIN_POINTS {
+        return Err(OutOfRange::TooFewSupportPoints.into());
+    }
+    if count > MAX_POINTS {
+        return Err(TooMany::SupportPoints.into());
+    }
     let timeline = Timeline::new(path)?;
     let sampler = Sampler::new(path, &timeline)?;
-    let moving = (0..timeline.section_count())
-        .map(|section| timeline.section(section))
-        .filter(|section| section.change != Change::Nothing);
     let ways = || {
-        let all = sampler.sections().iter().zip(moving.clone());
-        all.filter_map(|(sampled, section)| Some((sampled, section, sampled.way.as_ref()?)))
+        let all = sampler.sections().iter();
+        all.filter_map(|sampled| Some((sampled, sampled.way.as_ref()?)))
     };
-    let length: f64 = ways().map(|(_, _, way)| way.length).sum();
+    let length: f64 = ways().map(|(_, way)| way.length).sum();
     let steps = if path.closed { count } else { count - 1 };
     let step = length / steps as f64;
     let mut points = vec_with_room(count)?;
@@ -38,13 +42,13 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
     };
     for k in 0..count {
         let s = step * k as f64;
-        while s > begin + here.2.length
+        while s > begin + here.1.length
             && let Some(next) = rest.next()
         {
-            begin += here.2.length;
+            begin += here.1.length;
             here = next;
         }
-        let (sampled, section, way) = here;
+        let (sampled, way) = here;
         let share = ((s - begin) / way.length).clamp(0.0, 1.0);
         let pose = sampled.pose(share)?;
         let arc = ArcLength::new(&way.curve)?;
@@ -61,13 +65,16 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
         });
         let target = match sampled.turning {
             Turning::Tracked(target, _) if target != position => Target::Absolute(target),
-            _ => Target::Relative(view),
+            _ => Target::Relative(view * path.space.half_size),
         };
         point.orientations[0] = Orientation {
             target,
             roll: wrap_degrees(roll_from_up(unit(level), up).to_degrees()),
             zoom: pose.zoom,
-            speeds: [section.mean_speed.clamp(1.0, 100.0); crate::limits::SPEEDS],
+            speeds: [timeline
+                .section(sampled.section)
+                .mean_speed
+                .clamp(MIN_SPEED, MAX_SPEED); SPEEDS],
             ..Orientation::default()
         };
         points.push(point);
@@ -75,4 +82,23 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
     let new = CameraPath { points, ..*path };
     new.check()?;
     Ok(new)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fewer_points_than_a_path_has_are_refused() {
+        for closed in [false, true] {
+            let path = CameraPath {
+                closed,
+                ..CameraPath::default()
+            };
+            for count in [0, 1, MAX_POINTS + 1] {
+                assert!(resample(&path, count).is_err(), "{closed} {count}");
+            }
+            assert_eq!(resample(&path, 2).unwrap().points.len(), 2);
+        }
+    }
 }

@@ -14,7 +14,7 @@ use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::timeline::{Change, Timeline};
 use super::turning::Turning;
 use crate::error::{OutOfRange, Result, try_box, vec_with_room};
-use crate::limits::{BASE_SPEED, MAX_ZOOM, MIN_ZOOM};
+use crate::limits::{MAX_ZOOM, MIN_ZOOM};
 use crate::math::{monotone_cubic, orientation};
 
 /// Everything prepared to give any pose of a path; independent of the path it was made from.
@@ -36,7 +36,7 @@ pub(super) struct Layout<'a> {
     /// Their poses; of a closed path the first one again at the end.
     pub poses: Vec<Pose>,
     pub spans: Vec<orientation_curve::Span<'a>>,
-    pub way: orientation_curve::Way<'a>,
+    pub guides: orientation_curve::Guides<'a>,
     first_frames: Vec<usize>,
 }
 
@@ -45,9 +45,7 @@ impl<'a> Layout<'a> {
     #[allow(clippy::cast_precision_loss)]
     pub(super) fn new(path: &CameraPath, timeline: &'a Timeline) -> Result<Self> {
         let count = timeline.section_count();
-        let moving = (0..count)
-            .filter(|&section| timeline.section(section).change != Change::Nothing)
-            .count();
+        let moving = timeline.moving().count();
         let mut first_frames = vec_with_room(count)?;
         let mut keys: Vec<Key> = vec_with_room(moving + 1)?;
         let mut poses: Vec<Pose> = vec_with_room(moving + 1)?;
@@ -78,12 +76,13 @@ impl<'a> Layout<'a> {
             // A way too short to measure counts as none.
             let curve = (length > 100.0 * arc_length::TINY).then_some(curve);
             spans.push(orientation_curve::Span {
-                duration: section.frames as f64 * section.mean_speed / BASE_SPEED,
+                duration: section.duration(),
                 way: curve.map(|curve| (curve, length)),
                 segment: section.point.min(timeline.segment_count() - 1),
                 section: index,
             });
             sections.push(SectionSampler {
+                section: index,
                 start: number,
                 frames: section.frames,
                 speed: if section.constant_speed {
@@ -123,7 +122,7 @@ impl<'a> Layout<'a> {
             keys,
             poses,
             spans,
-            way: timeline.way(),
+            guides: timeline.guides(),
             first_frames,
         })
     }
@@ -141,10 +140,10 @@ impl Sampler {
             mut keys,
             poses,
             spans,
-            way,
+            guides,
             first_frames,
         } = Layout::new(path, timeline)?;
-        let turnings = turnings(&mut keys, &spans, path.orientation_mode, way, path.space)?;
+        let turnings = turnings(&mut keys, &spans, path.orientation_mode, guides, path.space)?;
         for (section, turning) in sections.iter_mut().zip(turnings) {
             section.turning = turning;
         }

@@ -13,6 +13,7 @@ use super::tables::Tables;
 use super::timing::Timing;
 use super::turning::Turning;
 use crate::error::Result;
+use crate::math::monotone_cubic::{slope, value};
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcLengthCurve {
@@ -22,6 +23,8 @@ pub(super) struct ArcLengthCurve {
 
 #[derive(Debug)]
 pub(super) struct SectionSampler {
+    /// Its number in the timeline.
+    pub section: usize,
     /// Number of the last pose before its own: the key in which it begins.
     pub start: usize,
     /// Its frames, ≥ 1; the last one is the key in which it ends.
@@ -111,15 +114,14 @@ impl SectionSampler {
 
     /// Derivative of the zoom by φ.
     pub(super) fn zoom_slope(&self, phi: f64) -> f64 {
-        let c = &self.zoom;
-        (3.0 * c[3] * phi + 2.0 * c[2]) * phi + c[1]
+        slope(&self.zoom, phi)
     }
 
     /// Roll at φ of a tracked section in radians, and its derivative; else zeros.
     pub(super) fn turning_slope(&self, phi: f64) -> (f64, f64) {
         match &self.turning {
-            Turning::Tracked(_, c) => value_and_slope(c, phi),
-            Turning::Follow(follow) => value_and_slope(&follow.roll, phi),
+            Turning::Tracked(_, roll) => (value(roll, phi), slope(roll, phi)),
+            Turning::Follow(follow) => (value(&follow.roll, phi), slope(&follow.roll, phi)),
             _ => (0.0, 0.0),
         }
     }
@@ -135,22 +137,13 @@ impl SectionSampler {
         };
         let (view, up) = self.turning.view_at(phi, &place, self.space);
         let (view, up) = (self.space.up.world(view), self.space.up.world(up));
-        let c = &self.zoom;
         Ok(Pose {
             vrp: place(phi).to_array(),
             vpn: view.to_array(),
             vup: up.to_array(),
-            zoom: ((c[3] * phi + c[2]) * phi + c[1]) * phi + c[0],
+            zoom: value(&self.zoom, phi),
         })
     }
-}
-
-/// A cubic in powers of φ and its derivative.
-fn value_and_slope(c: &[f64; 4], phi: f64) -> (f64, f64) {
-    (
-        ((c[3] * phi + c[2]) * phi + c[1]) * phi + c[0],
-        (3.0 * c[3] * phi + 2.0 * c[2]) * phi + c[1],
-    )
 }
 
 /// A fingerprint of numbers, by their bits and their order.

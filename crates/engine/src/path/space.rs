@@ -6,7 +6,6 @@ use glam::DVec3;
 
 use super::camera_path::{SupportPoint, Target};
 use super::own::{Tangents, Velocities};
-use super::up_vector::{UpPathPoint, UpVector};
 use crate::error::{Error, Invalid, OutOfRange, Quantity, Result};
 use crate::limits;
 use crate::math::orientation;
@@ -254,15 +253,8 @@ impl Move {
             if orientation.own.is_empty() {
                 continue;
             }
-            let up = match &orientation.own.up {
-                UpVector::Point(place) => UpVector::Point(self.place(*place)),
-                UpVector::Path(path) => UpVector::Path(path.map(|point| UpPathPoint {
-                    position: self.place(point.position),
-                    before: self.offset(point.before),
-                    after: self.offset(point.after),
-                })?),
-                other => other.clone(),
-            };
+            let up = &orientation.own.up;
+            let up = up.map(|p| self.place(p), |_, v| self.offset(v))?;
             orientation.own = orientation.own.with(|own| {
                 own.up = up;
                 own.ahead = own.ahead.map(|distance| distance * self.scale());

@@ -2,6 +2,7 @@
 //! Catmull–Rom cubics whose slopes are clipped so that the speed stays in [1, 100].
 
 use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
+use crate::math::monotone_cubic::{slope, value};
 
 /// Intervals between the ten speeds.
 pub const INTERVALS: usize = SPEEDS - 1;
@@ -68,17 +69,15 @@ impl SpeedCurve {
     #[must_use]
     pub fn speed(&self, u: f64) -> f64 {
         let (i, x) = interval(u);
-        let c = &self.speed[i];
         // The curve stays in range; its rounding need not.
-        (((c[3] * x + c[2]) * x + c[1]) * x + c[0]).clamp(MIN_SPEED, MAX_SPEED)
+        value(&self.speed[i], x).clamp(MIN_SPEED, MAX_SPEED)
     }
 
     /// v′(u), u in [0, 1]; where two intervals meet, that of the later one.
     #[must_use]
     pub fn acceleration(&self, u: f64) -> f64 {
         let (i, x) = interval(u);
-        let c = &self.speed[i];
-        ((3.0 * c[3] * x + 2.0 * c[2]) * x + c[1]) * INTERVALS as f64
+        slope(&self.speed[i], x) * INTERVALS as f64
     }
 
     /// f(u) = ∫₀ᵘv / ∫₀¹v, u in [0, 1]; exact at both ends.

@@ -2,7 +2,7 @@
 //! polynomials of degree 15 in φ for the curve's parameter and the turning. A polynomial is fitted
 //! only where it serves more frames than it costs; elsewhere frames are computed one by one.
 
-use super::arc_length::{self, Piece};
+use super::arc_length::{self, Halving, Piece};
 use super::arcs::ShortBezier;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::turning::Turning;
@@ -56,29 +56,31 @@ impl Tables {
             Turning::Bezier(control) => ShortBezier::new(control),
             _ => None,
         };
+        #[allow(clippy::cast_precision_loss)]
+        let least = 0.5 * WORTH / section.frames as f64;
         if let Some(way) = &section.way {
             arc_length::measure::<V>(&way.curve, &mut self.arc)?;
-            self.fit_place::<V>(way, section.frames)?;
+            self.fit_place::<V>(way, least)?;
         }
         if section.turning.quaternion(0.0).is_some() {
-            self.fit_turning::<V>(&section.turning, section.frames)?;
+            self.fit_turning::<V>(&section.turning, least)?;
         }
         Ok(())
     }
 
     /// The inverse of the arc length is as smooth as the arc length, so its pieces are tried first.
     #[inline(always)]
-    fn fit_place<V: Vector>(&mut self, way: &ArcLengthCurve, frames: usize) -> Result<()> {
+    fn fit_place<V: Vector>(&mut self, way: &ArcLengthCurve, least: f64) -> Result<()> {
         for index in 0..self.arc.len() {
             let start = self.arc[index].start_share(way.length);
             let end = match self.arc.get(index + 1) {
                 Some(next) => next.start_share(way.length),
                 None => 1.0,
             };
-            let mut halving = Halving::new(frames, start, end);
+            let mut halving = Halving::new(start, end, least);
             while let Some((middle, half)) = halving.next() {
                 let mut powers = None;
-                if halving.worth(half) {
+                if half >= least {
                     let fit = self.fit_parameter::<V>(way, middle, half);
                     if fit.is_none() && halving.halve(middle, half) {
                         continue;
@@ -118,11 +120,11 @@ impl Tables {
     }
 
     #[inline(always)]
-    fn fit_turning<V: Vector>(&mut self, turning: &Turning, frames: usize) -> Result<()> {
-        let mut halving = Halving::new(frames, 0.0, 1.0);
+    fn fit_turning<V: Vector>(&mut self, turning: &Turning, least: f64) -> Result<()> {
+        let mut halving = Halving::new(0.0, 1.0, least);
         while let Some((middle, half)) = halving.next() {
             let mut powers = None;
-            if halving.worth(half) {
+            if half >= least {
                 let mut phi = [0.0; NODES];
                 for k in 0..NODES {
                     phi[k] = middle + half * chebyshev::POINTS[k];
@@ -199,45 +201,4 @@ fn push<const C: usize>(
         powers,
     });
     Ok(())
-}
-
-/// The pieces of a part of [0, 1] still to be fitted: a stack, the first on top.
-struct Halving {
-    frames: f64,
-    stack: [(f64, f64); 40],
-    height: usize,
-}
-
-impl Halving {
-    fn new(frames: usize, start: f64, end: f64) -> Self {
-        let mut stack = [(0.0, 0.0); 40];
-        stack[0] = (0.5 * (start + end), 0.5 * (end - start));
-        #[allow(clippy::cast_precision_loss)]
-        Self {
-            frames: frames as f64,
-            stack,
-            height: 1,
-        }
-    }
-
-    fn next(&mut self) -> Option<(f64, f64)> {
-        self.height = self.height.checked_sub(1)?;
-        Some(self.stack[self.height])
-    }
-
-    fn worth(&self, half: f64) -> bool {
-        2.0 * half * self.frames >= WORTH
-    }
-
-    /// Puts the two halves of the piece back, if they are worth a fit.
-    fn halve(&mut self, middle: f64, half: f64) -> bool {
-        let quarter = half / 2.0;
-        if self.height + 2 > self.stack.len() || !self.worth(quarter) {
-            return false;
-        }
-        self.stack[self.height] = (middle + quarter, quarter);
-        self.stack[self.height + 1] = (middle - quarter, quarter);
-        self.height += 2;
-        true
-    }
 }

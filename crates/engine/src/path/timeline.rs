@@ -11,7 +11,7 @@ use super::camera_path::{CameraPath, CurveKind, Orientation};
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
-use super::orientation_curve::Way;
+use super::orientation_curve::Guides;
 use super::speed_curve::SpeedCurve;
 use super::timing::{Timing, facing};
 use super::up_vector::UpVector;
@@ -58,6 +58,15 @@ pub struct Section {
     pub frames: usize,
     /// Whether its speed is the same all the way.
     pub constant_speed: bool,
+}
+
+impl Section {
+    /// Its curve time: its frames, at the base speed.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)]
+    pub const fn duration(&self) -> f64 {
+        self.frames as f64 * self.mean_speed / BASE_SPEED
+    }
 }
 
 #[derive(Debug, Clone)]
@@ -168,7 +177,7 @@ impl Timeline {
     pub fn update_point(&mut self, path: &CameraPath, point: usize) -> Result<()> {
         let ahead = self.rail.is_some() || path.points[point].orientations.iter().any(follows);
         if path.curve == CurveKind::Cubic || ahead {
-            // Every segment feels every point, and so do views along the way.
+            // Of a spline many segments feel a point, and along the way all views may.
             *self = Self::new(path)?;
             return Ok(());
         }
@@ -226,7 +235,7 @@ impl Timeline {
         let mut all = path.points.iter().flat_map(|point| &point.orientations);
         if all.any(follows) {
             let segments = self.segments.iter();
-            let segments = segments.map(|segment| (&segment.curve, segment.length));
+            let segments = segments.map(|segment| (segment.curve, segment.length));
             let rail = self.rail.insert(Rail::new(path, segments)?);
             if alignment::any(path) {
                 self.alignment = Some(Alignment::new(path, rail)?);
@@ -235,8 +244,8 @@ impl Timeline {
         Ok(())
     }
 
-    pub(super) fn way(&self) -> Way<'_> {
-        Way {
+    pub(super) fn guides(&self) -> Guides<'_> {
+        Guides {
             rail: self.rail.as_ref(),
             alignment: self.alignment.as_ref(),
         }
@@ -313,6 +322,11 @@ impl Timeline {
             frames: state.frames,
             constant_speed: state.constant_speed,
         }
+    }
+
+    /// The sections in which something changes.
+    pub(crate) fn moving(&self) -> impl Iterator<Item = usize> {
+        (0..self.sections.len()).filter(|&section| self.sections[section].moves())
     }
 
     /// Frames of a section by its length, fixed or not, before rounding; 0 if nothing changes.
@@ -408,7 +422,7 @@ impl Timeline {
             }
             &path.points[(point + 1) % path.points.len()].orientations[0]
         };
-        let next = self.next(path, (point, orientation));
+        let next = next(path, (point, orientation));
         let [a, b] = [(point, orientation), next].map(|(p, o)| ahead::view(path, p, o));
         let references = [(point, orientation), next].map(|(p, o)| self.reference(p, o));
         if (a - b).length() > NO_CHANGE {
@@ -436,15 +450,6 @@ impl Timeline {
             return (Change::Zoom, zoom / (MAX_ZOOM - MIN_ZOOM));
         }
         (Change::Nothing, 0.0)
-    }
-
-    /// The orientation in which the section ends that begins with this one.
-    fn next(&self, path: &CameraPath, (point, orientation): (usize, usize)) -> (usize, usize) {
-        if orientation + 1 < path.points[point].orientations.len() {
-            (point, orientation + 1)
-        } else {
-            ((point + 1) % path.points.len(), 0)
-        }
     }
 
     /// The nearest section before this one that has frames.
@@ -528,6 +533,15 @@ impl Timeline {
             finish(&mut self.sections, done, before, wrap)?;
         }
         Ok(())
+    }
+}
+
+/// The orientation in which the section ends that begins with this one.
+pub(super) fn next(path: &CameraPath, (point, orientation): (usize, usize)) -> (usize, usize) {
+    if orientation + 1 < path.points[point].orientations.len() {
+        (point, orientation + 1)
+    } else {
+        ((point + 1) % path.points.len(), 0)
     }
 }
 

@@ -89,8 +89,8 @@ impl Course {
             Self::Ease(ease) => ease.distance(u),
             Self::Distance(_) if u >= 1.0 => 1.0,
             Self::Distance(pieces) => {
-                let (DistancePiece { way: c, .. }, x) = piece_at(pieces, u);
-                (((c[3] * x + c[2]) * x + c[1]) * x + c[0]).clamp(0.0, 1.0)
+                let (piece, x) = piece_at(pieces, u);
+                monotone_cubic::value(&piece.way, x).clamp(0.0, 1.0)
             }
         }
     }
@@ -101,8 +101,7 @@ impl Course {
             Self::Ease(ease) => ease.speed(u),
             Self::Distance(pieces) => {
                 let (piece, x) = piece_at(pieces, u);
-                let c = &piece.way;
-                let slope = (3.0 * c[3] * x + 2.0 * c[2]) * x + c[1];
+                let slope = monotone_cubic::slope(&piece.way, x);
                 (BASE_SPEED * slope / piece.length).max(0.0)
             }
         }

@@ -7,6 +7,7 @@ use glam::{DQuat, DVec3};
 use super::ahead::Follow;
 use super::quaternion_spline::{barry_goldman_between, bezier};
 use super::space::Space;
+use crate::math::monotone_cubic::value;
 use crate::math::orientation::{self, POLE};
 use crate::math::quaternion::{continue_sign, log, slerp};
 use crate::math::rotation_minimising::{perpendicular, turned};
@@ -65,11 +66,6 @@ impl Turning {
     }
 }
 
-/// Value of a cubic in powers of φ.
-pub(super) fn cubic(c: &[f64; 4], phi: f64) -> f64 {
-    ((c[3] * phi + c[2]) * phi + c[1]) * phi + c[0]
-}
-
 /// Looks at the target; nearer to it than [`AT_TARGET`] there is no direction.
 fn track(
     target: DVec3,
@@ -99,7 +95,7 @@ impl Follow {
             .reference(up, phi, view)
             .or_else(|| perpendicular(held(&there, phi)?, view))
             .unwrap_or_else(|| orientation::level_axes(view).1);
-        (view, turned(reference, view, cubic(&self.roll, phi)))
+        (view, turned(reference, view, value(&self.roll, phi)))
     }
 
     /// Angular velocity on S³ at an end for one whole section.
@@ -129,22 +125,22 @@ fn level_view(
         orientation::level_axes(view)
     } else {
         let yawed = |phi: f64| direction(phi).filter(|&view| level(view));
-        let yaw = last_where(phi, &|phi| yawed(phi).is_some())
+        let yaw = nearest_where(phi, &|phi| yawed(phi).is_some())
             .and_then(yawed)
             .map_or(0.0, |view| view.x.atan2(view.z));
         orientation::axes_with_yaw(view, yaw.sin(), yaw.cos())
     };
-    let (sin, cos) = cubic(roll, phi).sin_cos();
+    let (sin, cos) = value(roll, phi).sin_cos();
     (view, v * cos - u * sin)
 }
 
 /// What there is at φ, else the last there was, else the next.
 fn held(find: &dyn Fn(f64) -> Option<DVec3>, phi: f64) -> Option<DVec3> {
-    find(phi).or_else(|| last_where(phi, &|phi| find(phi).is_some()).and_then(find))
+    find(phi).or_else(|| nearest_where(phi, &|phi| find(phi).is_some()).and_then(find))
 }
 
 /// The φ nearest before this one, else after it, where `good` holds: doubling, then bisection.
-fn last_where(phi: f64, good: &dyn Fn(f64) -> bool) -> Option<f64> {
+fn nearest_where(phi: f64, good: &dyn Fn(f64) -> bool) -> Option<f64> {
     for direction in [-1.0, 1.0] {
         let mut step = 1e-15;
         let mut bad = phi;

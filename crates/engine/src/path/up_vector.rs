@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::arc_length::ArcLength;
 use super::camera_path::CameraPath;
+use super::chain::Chain;
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
 use super::space::Space;
-use crate::error::{Invalid, OutOfRange, Result, TooMany, can_allocate, vec_with_room};
+use crate::error::{Invalid, OutOfRange, Result, TooMany, try_arc, vec_with_room};
 use crate::limits;
 
 /// Which way is up before the roll.
@@ -55,6 +55,30 @@ impl UpVector {
         }
     }
 
+    /// Carried along by a map of places, and of directions at a place.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub fn map(
+        &self,
+        place: impl Fn(DVec3) -> DVec3,
+        direction: impl Fn(DVec3, DVec3) -> DVec3,
+    ) -> Result<Self> {
+        Ok(match self {
+            Self::Point(point) => Self::Point(place(*point)),
+            Self::Path(path) => {
+                let mut points = vec_with_room(path.points.len())?;
+                points.extend(path.points.iter().map(|point| UpPathPoint {
+                    position: place(point.position),
+                    before: direction(point.position, point.before),
+                    after: direction(point.position, point.after),
+                }));
+                Self::Path(UpPath::new(points)?)
+            }
+            other => other.clone(),
+        })
+    }
+
     /// Checks that its places are within reach.
     ///
     /// # Errors
@@ -83,9 +107,7 @@ pub struct UpPathPoint {
 #[derive(Debug, Clone, PartialEq)]
 pub struct UpPath {
     points: Vec<UpPathPoint>,
-    curves: Vec<Cubic>,
-    /// Length before each segment, and of all.
-    starts: Vec<f64>,
+    chain: Chain,
 }
 
 impl UpPath {
@@ -101,23 +123,12 @@ impl UpPath {
         if points.len() > limits::MAX_UP_PATH_POINTS {
             return Err(TooMany::UpPathPoints.into());
         }
-        let mut curves = vec_with_room(points.len() - 1)?;
-        let mut starts = vec_with_room(points.len())?;
-        let mut length = 0.0;
-        starts.push(length);
-        for pair in points.windows(2) {
+        let chain = Chain::new(points.windows(2).map(|pair| {
             let (a, b) = (&pair[0], &pair[1]);
             let curve = Cubic::hermite(a.position, b.position, a.after, b.before);
-            length += dispatch::length(&curve);
-            starts.push(length);
-            curves.push(curve);
-        }
-        can_allocate(size_of::<Self>() + 2 * size_of::<usize>())?;
-        Ok(Arc::new(Self {
-            points,
-            curves,
-            starts,
-        }))
+            (curve, dispatch::length(&curve))
+        }))?;
+        try_arc(Self { points, chain })
     }
 
     /// The curve of a path.
@@ -148,16 +159,6 @@ impl UpPath {
         &self.points
     }
 
-    /// Each point changed.
-    ///
-    /// # Errors
-    /// [`crate::Error::Memory`].
-    pub fn map(&self, change: impl Fn(&UpPathPoint) -> UpPathPoint) -> Result<Arc<Self>> {
-        let mut points = vec_with_room(self.points.len())?;
-        points.extend(self.points.iter().map(change));
-        Self::new(points)
-    }
-
     /// The other way round.
     ///
     /// # Errors
@@ -183,13 +184,8 @@ impl UpPath {
 
     /// The place at a share of its length, 0 to 1.
     pub(super) fn place(&self, share: f64) -> DVec3 {
-        let s = share * self.starts[self.curves.len()];
-        let at = self.starts.partition_point(|&start| start <= s).max(1) - 1;
-        let at = at.min(self.curves.len() - 1);
-        match ArcLength::new(&self.curves[at]) {
-            Ok(arc) => self.curves[at].point(arc.parameter_at(s - self.starts[at])),
-            Err(_) => self.points[at].position,
-        }
+        let place = self.chain.place(share * self.chain.length());
+        place.unwrap_or(self.points[0].position)
     }
 }
 

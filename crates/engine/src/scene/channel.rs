@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::node::{Kind, Node};
-use crate::error::{Invalid, OutOfRange, Result};
+use crate::error::{Error, Invalid, OutOfRange, Result};
 use crate::limits::{MAX_CHANNEL_WIDTH, MAX_NAME_BYTES};
 use crate::path::camera_path::check_name;
 
@@ -108,7 +108,7 @@ impl Channel {
 
     /// Whether both are the same channel of a node: the host's own by name, whatever their width.
     #[must_use]
-    pub fn is(&self, other: &Self) -> bool {
+    pub fn same_as(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Value { name: a, .. }, Self::Value { name: b, .. }) => a == b,
             _ => self == other,
@@ -121,11 +121,10 @@ impl Channel {
     /// [`crate::Error::Argument`] or [`crate::Error::Range`] if the node has no such channel.
     pub fn width(&self, node: &Node) -> Result<usize> {
         let none = || {
-            Err(Invalid::NoChannelOfKind {
+            Error::Argument(Invalid::NoChannelOfKind {
                 kind: node.kind.name(),
                 channel: (&self).into(),
-            }
-            .into())
+            })
         };
         let kind = &node.kind;
         let has = match self {
@@ -139,32 +138,26 @@ impl Channel {
             Self::Weights => matches!(kind, Kind::Object(object) if !object.shapes().is_empty()),
             Self::Deformation { .. } => matches!(kind, Kind::Object(_)),
         };
-        if !has {
-            return none();
-        }
-        Ok(match self {
+        let width = match (self, kind) {
+            (Self::Weights, Kind::Object(object)) => Some(object.shapes().len()),
+            (Self::Deformation { at, parameter }, Kind::Object(object)) => {
+                let deformation = object.deformations().get(*at);
+                deformation.and_then(|(deformation, _)| Some(deformation.channel(parameter)?.len()))
+            }
+            _ => self.own_width(),
+        };
+        width.filter(|_| has).ok_or_else(none)
+    }
+
+    /// How many numbers it has, unless the node tells.
+    pub(super) const fn own_width(&self) -> Option<usize> {
+        Some(match self {
             Self::Position | Self::Scale | Self::Colour => 3,
             Self::Rotation => 4,
             Self::Cone => 2,
             Self::Visible | Self::Zoom | Self::Roll | Self::Intensity | Self::AimWeight => 1,
             Self::Value { width, .. } => *width,
-            Self::Weights => match kind {
-                Kind::Object(object) => object.shapes().len(),
-                _ => return none(),
-            },
-            Self::Deformation { at, parameter } => {
-                let Kind::Object(object) = kind else {
-                    return none();
-                };
-                let deformations = object.deformations();
-                let Some(numbers) = deformations
-                    .get(*at)
-                    .and_then(|(deformation, _)| deformation.channel(parameter))
-                else {
-                    return none();
-                };
-                numbers.len()
-            }
+            Self::Weights | Self::Deformation { .. } => return None,
         })
     }
 }
@@ -207,7 +200,7 @@ mod tests {
         }
         let one = Channel::parse("value:a:1").unwrap();
         assert_eq!(one.to_string(), "value:a");
-        assert!(one.is(&Channel::parse("value:a:16").unwrap()));
+        assert!(one.same_as(&Channel::parse("value:a:16").unwrap()));
         for wrong in [
             "",
             "Position",

@@ -4,12 +4,12 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::aim;
 use super::channel::Channel;
-use super::hierarchy::{local, orthonormal};
+use super::hierarchy::{local, needs, orthonormal};
 use super::keys::wxyz;
 use super::motion::{Motion, check_frame};
 use super::node::{Kind, Node, Values};
 use super::scene::Scene;
-use super::state::{NodeState, Troubles};
+use super::state::{NodeState, Warnings};
 use super::track::Track;
 use super::vertices::Form;
 use crate::error::{Invalid, OutOfRange, Place, Result, vec_with_room};
@@ -31,22 +31,19 @@ enum Search {
 }
 
 impl Node {
-    fn values(&self, frame: f64, troubles: &mut Troubles) -> Result<Values> {
+    fn values(&self, frame: f64, warnings: &mut Warnings) -> Result<Values> {
         let mut values = self.rest;
         if let Some(path) = &self.path {
-            path.at(frame, &mut values, troubles)?;
+            path.at(frame, &mut values, warnings)?;
         }
-        self.keys.at(frame, &mut values, troubles)?;
-        if matches!(self.kind, Kind::Camera(_)) && values.roll != 0.0 {
-            values.rotation *= DQuat::from_rotation_z(values.roll.to_radians());
-        }
+        self.keys.at(frame, &mut values, warnings)?;
         Ok(values)
     }
 }
 
 impl Scene {
     /// The states of all nodes at a frame, by their numbers. Where a host's function fails,
-    /// `troubles` tells, its channel steps from key to key, and the rest plays.
+    /// `warnings` tells, its channel steps from key to key, and the rest plays.
     ///
     /// [`crate::Error::Argument`] or [`crate::Error::Range`] for the frame, the latter also if
     /// `states` are not as many as the nodes; [`crate::Error::Memory`].
@@ -54,7 +51,7 @@ impl Scene {
         &self,
         frame: f64,
         states: &mut [NodeState],
-        troubles: &mut Troubles,
+        warnings: &mut Warnings,
     ) -> Result<()> {
         check_frame(frame)?;
         if states.len() != self.nodes.len() {
@@ -64,7 +61,7 @@ impl Scene {
             }
             .into());
         }
-        self.run(&self.order, frame, states, troubles, Search::Back)
+        self.run(&self.order, frame, states, warnings, Search::Back)
     }
 
     /// Whether no host's function interpolates and nobody aims: once prepared, it needs no memory.
@@ -96,7 +93,7 @@ impl Scene {
         first: f64,
         step: f64,
         states: &mut [NodeState],
-        troubles: &mut Troubles,
+        warnings: &mut Warnings,
     ) -> Result<()> {
         self.node(node)?;
         check_frame(first)?;
@@ -106,7 +103,7 @@ impl Scene {
         let mut scratch = self.scratch()?;
         for (at, state) in states.iter_mut().enumerate() {
             let frame = first + step * at as f64;
-            self.run(&chain, frame, &mut scratch, troubles, Search::Back)?;
+            self.run(&chain, frame, &mut scratch, warnings, Search::Back)?;
             *state = scratch[node];
         }
         Ok(())
@@ -121,18 +118,18 @@ impl Scene {
         node: usize,
         channel: &Channel,
         frame: f64,
-        troubles: &mut Troubles,
+        warnings: &mut Warnings,
     ) -> Result<Vec<f64>> {
         let at = node;
         let node = self.node(at)?;
         check_frame(frame)?;
-        troubles.node = at;
+        warnings.node = at;
         let track = node.keys.track(channel);
         let mut out = vec_with_room(16)?;
         match (channel, track) {
             (Channel::Value { .. }, Some(track)) => {
                 out.resize(track.width(), 0.0);
-                track.numbers(frame, &mut out, troubles);
+                track.numbers(frame, &mut out, warnings);
                 return Ok(out);
             }
             (Channel::Value { .. }, None) => {
@@ -158,15 +155,11 @@ impl Scene {
                 };
                 out.copy_from_slice(rest);
                 if let Some(track) = track {
-                    track.numbers(frame, &mut out, troubles);
+                    track.numbers(frame, &mut out, warnings);
                 }
             }
             _ => {
-                let mut values = node.rest;
-                if let Some(path) = &node.path {
-                    path.at(frame, &mut values, troubles)?;
-                }
-                node.keys.at(frame, &mut values, troubles)?;
+                let values = node.values(frame, warnings)?;
                 match channel {
                     Channel::Position => out.extend(values.position.to_array()),
                     Channel::Rotation => out.extend(wxyz(values.rotation.normalize())),
@@ -193,9 +186,9 @@ impl Scene {
         node: usize,
         frame: f64,
         out: &mut [DVec3],
-        troubles: &mut Troubles,
+        warnings: &mut Warnings,
     ) -> Result<()> {
-        let form = self.form(node, frame, troubles)?;
+        let form = self.form(node, frame, warnings)?;
         let count = self.mesh_points(node)?;
         if out.len() != count {
             return Err(OutOfRange::PointRoom {
@@ -216,19 +209,19 @@ impl Scene {
         &self,
         node: usize,
         frame: f64,
-        troubles: &mut Troubles,
+        warnings: &mut Warnings,
     ) -> Result<Vec<[u8; 3]>> {
-        self.form(node, frame, troubles)?.colours()
+        self.form(node, frame, warnings)?.colours()
     }
 
     /// An object's weights and deformations at a frame. Only this asks functions of the host's.
     ///
     /// # Errors
     /// As [`Scene::vertices`].
-    pub fn form(&self, node: usize, frame: f64, troubles: &mut Troubles) -> Result<Form<'_>> {
+    pub fn form(&self, node: usize, frame: f64, warnings: &mut Warnings) -> Result<Form<'_>> {
         check_frame(frame)?;
-        troubles.node = node;
-        Form::at(self.node(node)?, frame, troubles)
+        warnings.node = node;
+        Form::at(self.node(node)?, frame, warnings)
     }
 
     fn mesh_points(&self, node: usize) -> Result<usize> {
@@ -248,8 +241,7 @@ impl Scene {
             if std::mem::replace(&mut wanted[at], true) {
                 continue;
             }
-            let aim = self.nodes[at].aim.and_then(|aim| self.nodes[aim].parent);
-            let needed = [self.nodes[at].parent, aim].into_iter().flatten();
+            let needed = needs(&self.nodes, at).into_iter().flatten();
             for next in needed.filter(|&next| !wanted[next]) {
                 open.try_reserve(1)?;
                 open.push(next);
@@ -260,7 +252,7 @@ impl Scene {
         Ok(chain)
     }
 
-    fn scratch(&self) -> Result<Vec<NodeState>> {
+    pub(super) fn scratch(&self) -> Result<Vec<NodeState>> {
         let mut scratch = vec_with_room(self.nodes.len())?;
         scratch.resize(self.nodes.len(), NodeState::default());
         Ok(scratch)
@@ -271,13 +263,16 @@ impl Scene {
         order: &[usize],
         frame: f64,
         states: &mut [NodeState],
-        troubles: &mut Troubles,
+        warnings: &mut Warnings,
         search: Search,
     ) -> Result<()> {
         for &at in order {
             let node = &self.nodes[at];
-            troubles.node = at;
-            let values = node.values(frame, troubles)?;
+            warnings.node = at;
+            let mut values = node.values(frame, warnings)?;
+            if matches!(node.kind, Kind::Camera(_)) && values.roll != 0.0 {
+                values.rotation *= DQuat::from_rotation_z(values.roll.to_radians());
+            }
             let own = local(node, &values);
             let (mut world, mut seen) = match node.parent {
                 Some(parent) => {
@@ -287,7 +282,7 @@ impl Scene {
                 None => (own, values.visible),
             };
             if !world.is_finite() {
-                troubles.add(|| Invalid::PlaceTooFar);
+                warnings.add(|| Invalid::PlaceTooFar);
                 (world, seen) = (DAffine3::IDENTITY, false);
             }
             let mut pose = Pose::default();
@@ -354,8 +349,8 @@ impl Scene {
     /// Where in the world a node's pivot is; its parent has been evaluated.
     fn pivot(&self, at: usize, frame: f64, states: &[NodeState]) -> Result<DVec3> {
         let node = &self.nodes[at];
-        // Troubles are told when the node itself is evaluated.
-        let values = node.values(frame, &mut Troubles::default())?;
+        // Warnings are told when the node itself is evaluated.
+        let values = node.values(frame, &mut Warnings::default())?;
         let place = values.position + node.pivot;
         Ok(match node.parent {
             Some(parent) => states[parent].world().transform_point3(place),
@@ -375,7 +370,7 @@ impl Scene {
         chain.retain(|&node| node != at);
         let mut scratch = self.scratch()?;
         let mut look = |frame: f64| -> Result<Option<DVec3>> {
-            let none = &mut Troubles::default();
+            let none = &mut Warnings::default();
             self.run(&chain, frame, &mut scratch, none, Search::Own)?;
             let eye = self.pivot(at, frame, &scratch)?;
             let pivot = self.pivot(target, frame, &scratch)?;

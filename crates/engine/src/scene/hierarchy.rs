@@ -43,7 +43,7 @@ pub(super) fn orthonormal(matrix: DMat3) -> DQuat {
 }
 
 /// What must be evaluated before a node: its parent, and the parent of what it aims at.
-fn needs(nodes: &[Node], node: usize) -> [Option<usize>; 2] {
+pub(super) fn needs(nodes: &[Node], node: usize) -> [Option<usize>; 2] {
     let aim = nodes[node].aim.and_then(|aim| nodes[aim].parent);
     [nodes[node].parent, aim]
 }

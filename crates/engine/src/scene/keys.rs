@@ -1,11 +1,11 @@
 //! A node that moves by keys: a track for each channel that changes.
 
-use glam::{DQuat, DVec3};
+use glam::DQuat;
 
 use super::channel::Channel;
 use super::motion::Motion;
 use super::node::Values;
-use super::state::Troubles;
+use super::state::Warnings;
 use super::track::Track;
 use crate::error::{Result, TooMany};
 use crate::limits::{MAX_TRACKS, MAX_ZOOM, MIN_ZOOM};
@@ -26,12 +26,17 @@ impl Keys {
     /// The track of a channel.
     #[must_use]
     pub fn track(&self, channel: &Channel) -> Option<&Track> {
-        self.tracks.iter().find(|track| track.channel().is(channel))
+        self.tracks
+            .iter()
+            .find(|track| track.channel().same_as(channel))
     }
 
     pub(super) fn set(&mut self, track: Track) -> Result<()> {
         let channel = track.channel();
-        let same = self.tracks.iter().position(|t| t.channel().is(channel));
+        let same = self
+            .tracks
+            .iter()
+            .position(|t| t.channel().same_as(channel));
         if same.is_none() && self.tracks.len() >= MAX_TRACKS {
             return Err(TooMany::Tracks.into());
         }
@@ -47,7 +52,8 @@ impl Keys {
 
     pub(super) fn remove(&mut self, channel: &Channel) -> bool {
         let before = self.tracks.len();
-        self.tracks.retain(|track| !track.channel().is(channel));
+        self.tracks
+            .retain(|track| !track.channel().same_as(channel));
         self.tracks.len() < before
     }
 
@@ -63,49 +69,32 @@ impl Keys {
 }
 
 impl Motion for Keys {
-    fn at(&self, frame: f64, values: &mut Values, troubles: &mut Troubles) -> Result<()> {
+    fn at(&self, frame: f64, values: &mut Values, warnings: &mut Warnings) -> Result<()> {
         for track in &self.tracks {
-            let mut three = [0.0; 3];
-            let mut one = [0.0];
             match track.channel() {
-                Channel::Position => {
-                    track.numbers(frame, &mut three, troubles);
-                    values.position = DVec3::from_array(three);
-                }
-                Channel::Scale => {
-                    track.numbers(frame, &mut three, troubles);
-                    values.scale = DVec3::from_array(three);
-                }
-                Channel::Rotation => values.rotation = track.rotation(frame, troubles),
+                Channel::Position => values.position = track.value(frame, warnings).into(),
+                Channel::Scale => values.scale = track.value(frame, warnings).into(),
+                Channel::Rotation => values.rotation = track.rotation(frame, warnings),
                 Channel::Colour => {
-                    track.numbers(frame, &mut three, troubles);
-                    values.colour = three.map(|value| value.max(0.0));
+                    values.colour = track.value(frame, warnings).map(|v: f64| v.max(0.0));
                 }
                 Channel::Cone => {
-                    let mut two = [0.0; 2];
-                    track.numbers(frame, &mut two, troubles);
-                    let outer = two[1].clamp(0.0, 90.0);
-                    values.cone = [two[0].clamp(0.0, outer), outer];
+                    let [inner, outer] = track.value(frame, warnings);
+                    let outer = f64::clamp(outer, 0.0, 90.0);
+                    values.cone = [f64::clamp(inner, 0.0, outer), outer];
                 }
-                Channel::Visible => {
-                    track.numbers(frame, &mut one, troubles);
-                    values.visible = one[0] != 0.0;
-                }
+                Channel::Visible => values.visible = track.value(frame, warnings) != [0.0],
                 Channel::Zoom => {
-                    track.numbers(frame, &mut one, troubles);
-                    values.zoom = one[0].clamp(MIN_ZOOM, MAX_ZOOM);
+                    let [zoom] = track.value(frame, warnings);
+                    values.zoom = f64::clamp(zoom, MIN_ZOOM, MAX_ZOOM);
                 }
-                Channel::Roll => {
-                    track.numbers(frame, &mut one, troubles);
-                    values.roll = one[0];
-                }
+                Channel::Roll => [values.roll] = track.value(frame, warnings),
                 Channel::Intensity => {
-                    track.numbers(frame, &mut one, troubles);
-                    values.intensity = one[0].max(0.0);
+                    [values.intensity] = track.value(frame, warnings).map(|v: f64| v.max(0.0));
                 }
                 Channel::AimWeight => {
-                    track.numbers(frame, &mut one, troubles);
-                    values.aim_weight = one[0].clamp(0.0, 1.0);
+                    let [weight] = track.value(frame, warnings);
+                    values.aim_weight = f64::clamp(weight, 0.0, 1.0);
                 }
                 // Not among the values: evaluated where they are asked for.
                 Channel::Weights | Channel::Deformation { .. } | Channel::Value { .. } => {}

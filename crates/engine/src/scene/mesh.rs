@@ -250,7 +250,7 @@ impl Object {
     }
 
     /// Bytes that a copy of it takes, without what copies share.
-    pub(super) fn weight(&self) -> usize {
+    pub(super) fn heap_size(&self) -> usize {
         let deformations = self.deformations.iter();
         let numbers: usize = deformations.map(|(d, _)| d.parameters().len()).sum();
         8 * numbers + 160 * self.deformations.len() + 16 * self.shapes.len()

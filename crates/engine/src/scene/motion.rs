@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::node::Values;
-use super::state::Troubles;
-use super::time::{Beyond, within};
+use super::state::Warnings;
+use super::time::{Extrapolation, local_frame};
 use crate::error::{Invalid, OutOfRange, Quantity, Result};
 use crate::limits::MAX_COORDINATE;
 use crate::math::orientation::quaternion_from_view;
@@ -15,8 +15,8 @@ pub trait Motion {
     /// Sets what moves to what it is at `frame`, any finite number.
     ///
     /// # Errors
-    /// [`crate::Error::Memory`]. A host's function that fails is put among the troubles.
-    fn at(&self, frame: f64, values: &mut Values, troubles: &mut Troubles) -> Result<()>;
+    /// [`crate::Error::Memory`]. A host's function that fails is put among the warnings.
+    fn at(&self, frame: f64, values: &mut Values, warnings: &mut Warnings) -> Result<()>;
 
     /// The first and the last frame of its own; none if nothing moves.
     fn frames(&self) -> Option<(f64, f64)>;
@@ -29,29 +29,30 @@ pub struct FollowPath {
     plan: Plan,
     count: usize,
     start_frame: f64,
-    beyond: Beyond,
+    extrapolation: Extrapolation,
 }
 
 impl FollowPath {
     /// A path whose pose n is shown at the frame `start_frame` + n − 1, and `beyond` outside of it.
     ///
     /// # Errors
-    /// What is wrong with the path; [`crate::Error::Argument`] for the start or [`Beyond::Offset`];
-    /// [`crate::Error::Limit`] if it has too many frames; [`crate::Error::Memory`].
-    pub fn new(path: CameraPath, start_frame: f64, beyond: Beyond) -> Result<Self> {
+    /// What is wrong with the path; [`crate::Error::Argument`] for the start or
+    /// [`Extrapolation::Offset`]; [`crate::Error::Limit`] if it has too many frames;
+    /// [`crate::Error::Memory`].
+    pub fn new(path: CameraPath, start_frame: f64, extrapolation: Extrapolation) -> Result<Self> {
         path.check()?;
         check_frame(start_frame)?;
-        if beyond == Beyond::Offset {
+        if extrapolation == Extrapolation::Offset {
             return Err(Invalid::PathWithOffset.into());
         }
         let plan = Plan::new();
-        let count = plan.timeline(&path, super::super::path::Timeline::frame_count)??;
+        let count = plan.timeline(&path, Timeline::frame_count)??;
         Ok(Self {
             path,
             plan,
             count,
             start_frame,
-            beyond,
+            extrapolation,
         })
     }
 
@@ -69,8 +70,8 @@ impl FollowPath {
 
     /// What is shown before and after it.
     #[must_use]
-    pub const fn beyond(&self) -> Beyond {
-        self.beyond
+    pub const fn extrapolation(&self) -> Extrapolation {
+        self.extrapolation
     }
 
     /// How many poses it has.
@@ -104,12 +105,12 @@ impl FollowPath {
     pub fn pose(&self, frame: f64) -> Result<Pose> {
         let sampler = self.sampler()?;
         let last = self.count as f64;
-        let (local, _) = within(
+        let (local, _) = local_frame(
             frame - self.start_frame + 1.0,
             1.0,
             last,
-            self.beyond,
-            self.beyond,
+            self.extrapolation,
+            self.extrapolation,
         );
         sampler.pose(local)
     }
@@ -129,12 +130,12 @@ impl PartialEq for FollowPath {
     fn eq(&self, other: &Self) -> bool {
         self.path == other.path
             && self.start_frame == other.start_frame
-            && self.beyond == other.beyond
+            && self.extrapolation == other.extrapolation
     }
 }
 
 impl Motion for FollowPath {
-    fn at(&self, frame: f64, values: &mut Values, _: &mut Troubles) -> Result<()> {
+    fn at(&self, frame: f64, values: &mut Values, _: &mut Warnings) -> Result<()> {
         let pose = self.pose(frame)?;
         let [view, up] = [pose.vpn, pose.vup].map(DVec3::from_array);
         values.position = DVec3::from_array(pose.vrp);

@@ -77,10 +77,9 @@ impl Scene {
         }
         let mut path = path.try_clone()?;
         for fixed in &pinned.fixed {
-            let own = &mut path.points[fixed.point].orientations[fixed.orientation].own;
-            *own = own.with(|own| own.frames = fixed.frames)?;
+            fixed.apply(&mut path)?;
         }
-        FollowPath::new(path, pinned.start_frame, follow.beyond()).map(Some)
+        FollowPath::new(path, pinned.start_frame, follow.extrapolation()).map(Some)
     }
 }
 

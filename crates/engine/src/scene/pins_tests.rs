@@ -1,7 +1,7 @@
 use super::*;
 use crate::path::insertion::tests::random_path;
 use crate::path::test_support::Random;
-use crate::scene::{Beyond, Camera, Kind, Node};
+use crate::scene::{Camera, Extrapolation, Kind, Node};
 use glam::DVec3;
 
 /// The scene's frame in which a point of a path is reached: where its pose is first that of
@@ -24,7 +24,7 @@ fn scene_of(paths: Vec<CameraPath>) -> Scene {
     let mut scene = Scene::new();
     for (at, path) in paths.into_iter().enumerate() {
         let mut node = Node::new(&at.to_string(), Kind::Camera(Camera::default()));
-        let follow = FollowPath::new(path, 1.0, Beyond::Hold).unwrap();
+        let follow = FollowPath::new(path, 1.0, Extrapolation::Hold).unwrap();
         node.set_path(Some(follow)).unwrap();
         scene.add(node).unwrap();
     }
@@ -72,7 +72,7 @@ fn flights_meet_at_their_markers() {
     assert_eq!([reached(&scene, 0, 2), reached(&scene, 1, 3)], [101.0; 2]);
     assert_eq!([reached(&scene, 0, 0), reached(&scene, 1, 1)], [11.0; 2]);
     // Another path holds the pins of the old one.
-    let follow = FollowPath::new(line(5), 1.0, Beyond::Hold).unwrap();
+    let follow = FollowPath::new(line(5), 1.0, Extrapolation::Hold).unwrap();
     scene.set_path(0, Some(follow)).unwrap();
     assert_eq!(
         [reached(&scene, 0, 0), reached(&scene, 0, 2)],
@@ -101,7 +101,7 @@ fn what_cannot_be_held_is_refused_and_changes_nothing() {
     }
     let mut long = line(3);
     long.points[1].orientations[0].hold = 2;
-    let error = FollowPath::new(long, 1.0, Beyond::Hold).unwrap();
+    let error = FollowPath::new(long, 1.0, Extrapolation::Hold).unwrap();
     scene.pin(1, 2, Some("b")).unwrap_err();
     assert!(scene.set_path(1, Some(error)).is_ok());
 }

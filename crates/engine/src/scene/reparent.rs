@@ -6,8 +6,8 @@ use super::channel::Channel;
 use super::hierarchy::local;
 use super::node::Node;
 use super::scene::Scene;
-use super::state::{NodeState, Troubles};
-use crate::error::{Error, Invalid, Result, vec_with_room};
+use super::state::Warnings;
+use crate::error::{Error, Invalid, Result};
 
 /// How well a place must be kept, relative to its size.
 const KEPT: f64 = 1e-9;
@@ -26,10 +26,9 @@ impl Scene {
                 .into());
             }
         }
-        let mut states: Vec<NodeState> = vec_with_room(self.nodes().len())?;
-        states.resize(self.nodes().len(), NodeState::default());
+        let mut states = self.scratch()?;
         let first = self.frame_range().0;
-        self.evaluate(first, &mut states, &mut Troubles::default())?;
+        self.evaluate(first, &mut states, &mut Warnings::default())?;
         let world = |parent: Option<usize>| {
             parent.map_or(DAffine3::IDENTITY, |parent| states[parent].world())
         };

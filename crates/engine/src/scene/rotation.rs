@@ -1,14 +1,12 @@
 //! Turning between the keys of a track.
 
-use glam::{DQuat, DVec3};
+use glam::DQuat;
 
 use super::keys::quaternion;
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
-use crate::math::quaternion::{angle, continue_sign, exp, log};
+use crate::math::quaternion::{angle, continue_sign, continue_signs, exp, log};
 use crate::path::Tcb;
-use crate::path::quaternion_spline::{
-    bezier, bezier_control, end_velocity, key_velocities, mean_velocity, normalized,
-};
+use crate::path::quaternion_spline::{bezier, normalized, tcb_section};
 
 /// Below this angle an arc is as good as straight.
 const STRAIGHT: f64 = 1e-12;
@@ -24,13 +22,13 @@ pub(super) struct Turns {
 #[derive(Debug, Clone, PartialEq)]
 enum Sections {
     None,
-    Arcs(Vec<Arc>),
+    Arcs(Vec<GreatArc>),
     Beziers(Vec<[DQuat; 4]>),
 }
 
 /// A great arc by the shorter way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Arc {
+struct GreatArc {
     from: DQuat,
     to: DQuat,
     angle: f64,
@@ -63,7 +61,7 @@ impl Turns {
             Between::Keys => Sections::None,
             Between::Arcs => {
                 let mut arcs = vec_with_room(keys.len().saturating_sub(1))?;
-                arcs.extend(keys.windows(2).map(|pair| Arc::new(pair[0], pair[1])));
+                arcs.extend(keys.windows(2).map(|pair| GreatArc::new(pair[0], pair[1])));
                 Sections::Arcs(arcs)
             }
             Between::Smooth => Sections::Beziers(smooth(frames, &keys, tcb)?),
@@ -93,7 +91,7 @@ impl Turns {
     }
 }
 
-impl Arc {
+impl GreatArc {
     fn new(from: DQuat, to: DQuat) -> Self {
         let (to, _) = continue_sign(from, to);
         let angle = angle(from, to);
@@ -133,38 +131,11 @@ pub(super) fn unit(q: DQuat) -> Result<DQuat> {
 fn smooth(frames: &[f64], keys: &[DQuat], tcb: impl Fn(usize) -> Tcb) -> Result<Vec<[DQuat; 4]>> {
     let count = keys.len();
     let mut signed: Vec<DQuat> = vec_with_room(count)?;
-    for &key in keys {
-        let before = signed.last().copied();
-        signed.push(before.map_or(key, |before| continue_sign(before, key).0));
-    }
-    let step = |i: usize| frames[i + 1] - frames[i];
-    let mean = |i: usize| mean_velocity(signed[i], signed[i + 1], step(i));
-    let inner =
-        |k: usize, tcb: Tcb| key_velocities(tcb, mean(k - 1), mean(k), step(k - 1), step(k));
-    let end = |k: usize, section: usize, neighbour: usize| {
-        if count == 2 {
-            mean(section)
-        } else {
-            end_velocity(
-                tcb(k).tension,
-                mean(section),
-                inner(neighbour, Tcb::default()).0,
-            )
-        }
-    };
+    signed.extend_from_slice(keys);
+    continue_signs(&mut signed);
     let mut sections = vec_with_room(count.saturating_sub(1))?;
-    for i in 0..count.saturating_sub(1) {
-        let leave: DVec3 = if i == 0 {
-            end(0, 0, 1)
-        } else {
-            inner(i, tcb(i)).1
-        };
-        let reach = if i + 2 == count {
-            end(i + 1, i, i)
-        } else {
-            inner(i + 1, tcb(i + 1)).0
-        };
-        let control = bezier_control(signed[i], signed[i + 1], leave, reach, step(i));
+    for section in 0..count.saturating_sub(1) {
+        let control = tcb_section(&signed, frames, &tcb, section);
         if !control.iter().all(|q| q.is_finite()) {
             return Err(OutOfRange::KeyDistance.into());
         }

@@ -50,7 +50,11 @@ impl Scene {
     pub fn of_path(path: CameraPath) -> Result<Self> {
         let space = path.space;
         let mut camera = Node::new("camera", Kind::Camera(super::Camera::default()));
-        camera.set_path(Some(FollowPath::new(path, 1.0, super::Beyond::Hold)?))?;
+        camera.set_path(Some(FollowPath::new(
+            path,
+            1.0,
+            super::Extrapolation::Hold,
+        )?))?;
         let mut scene = Self {
             space,
             ..Self::new()
@@ -498,7 +502,7 @@ impl Scene {
 
     /// About how many bytes a copy takes: to be checked before making one, which would abort.
     #[must_use]
-    pub fn weight(&self) -> usize {
+    pub fn heap_size(&self) -> usize {
         let nodes = self.nodes.iter().map(|node| {
             let path = node.path().map_or(0, |path| {
                 let points = &path.path().points;
@@ -506,7 +510,7 @@ impl Scene {
                 600 + 400 * points.len() + 200 * turns
             });
             let object = match &node.kind {
-                Kind::Object(object) => object.weight(),
+                Kind::Object(object) => object.heap_size(),
                 _ => 0,
             };
             // What is prepared of keys is at most four times as much.

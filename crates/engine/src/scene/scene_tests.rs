@@ -3,7 +3,9 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::path::{Pose, SupportPoint, Target, Timeline};
-use crate::scene::{Beyond, Camera, Interpolation, Light, NodeState, Object, Troubles, Values};
+use crate::scene::{
+    Camera, Extrapolation, Interpolation, Light, NodeState, Object, Values, Warnings,
+};
 
 fn group(name: &str, parent: Option<usize>) -> Node {
     Node {
@@ -18,9 +20,9 @@ fn camera(name: &str) -> Node {
 
 fn states(scene: &Scene, frame: f64) -> Vec<NodeState> {
     let mut states = vec![NodeState::default(); scene.nodes().len()];
-    let mut troubles = Troubles::default();
-    scene.evaluate(frame, &mut states, &mut troubles).unwrap();
-    assert!(troubles.first().is_none());
+    let mut warnings = Warnings::default();
+    scene.evaluate(frame, &mut states, &mut warnings).unwrap();
+    assert!(warnings.first().is_none());
     states
 }
 
@@ -149,13 +151,13 @@ fn path_and_keys_do_not_both_move_a_node() {
         .unwrap();
     scene.set_path(0, None).unwrap();
     scene.set_track(0, position).unwrap();
-    let path = || FollowPath::new(CameraPath::default(), 1.0, Beyond::Hold).unwrap();
+    let path = || FollowPath::new(CameraPath::default(), 1.0, Extrapolation::Hold).unwrap();
     assert!(said(scene.set_path(0, Some(path()))).contains("has a track of its position"));
     scene.remove_track(0, &Channel::Position).unwrap();
     scene.set_path(0, Some(path())).unwrap();
-    let offset = FollowPath::new(CameraPath::default(), 1.0, Beyond::Offset);
+    let offset = FollowPath::new(CameraPath::default(), 1.0, Extrapolation::Offset);
     assert!(said(offset).contains("no repeat with offset"));
-    assert!(FollowPath::new(CameraPath::default(), f64::NAN, Beyond::Hold).is_err());
+    assert!(FollowPath::new(CameraPath::default(), f64::NAN, Extrapolation::Hold).is_err());
     assert!(
         said(scene.set_track(0, track("intensity", "step", &[1.0], &[1.0])))
             .contains("a camera has no channel \"intensity\"")
@@ -198,7 +200,8 @@ proptest! {
         let sampler = crate::path::Sampler::new(&path, &timeline).unwrap();
         let last = sampler.frame_count() as f64;
         let mut scene = Scene::of_path(path.clone()).unwrap();
-        scene.set_path(0, Some(FollowPath::new(path, start, Beyond::Repeat).unwrap())).unwrap();
+        let follow = FollowPath::new(path, start, Extrapolation::Repeat).unwrap();
+        scene.set_path(0, Some(follow)).unwrap();
         let (first, end) = scene.frame_range();
         prop_assert_eq!(first, start);
         // The sum in one order or the other.
@@ -406,7 +409,7 @@ fn an_object_changes_by_its_tracks_as_by_single_values() {
     let vertices = |scene: &Scene, frame| {
         let mut out = vec![DVec3::ZERO; 50];
         scene
-            .vertices(node, frame, &mut out, &mut Troubles::default())
+            .vertices(node, frame, &mut out, &mut Warnings::default())
             .unwrap();
         out
     };
@@ -445,12 +448,12 @@ fn an_object_changes_by_its_tracks_as_by_single_values() {
         .unwrap();
     scene.add_shape(node, shape("low", -3.0)).unwrap();
     assert_eq!(vertices(&scene, 5.0)[7].z, 2.0);
-    let mut troubles = Troubles::default();
-    let colours = scene.vertex_colours(node, 5.0, &mut troubles).unwrap();
+    let mut warnings = Warnings::default();
+    let colours = scene.vertex_colours(node, 5.0, &mut warnings).unwrap();
     assert_eq!(colours[3], [60, 20, 30]);
     assert_eq!(
         scene
-            .value(node, &Channel::Weights, 5.0, &mut troubles)
+            .value(node, &Channel::Weights, 5.0, &mut warnings)
             .unwrap(),
         [0.5, 0.0]
     );
@@ -496,7 +499,7 @@ fn single_states_are_those_of_the_whole_scene() {
     for node in 0..3 {
         let mut some = [NodeState::default(); 20];
         scene
-            .sample(node, 1.0, 0.5, &mut some, &mut Troubles::default())
+            .sample(node, 1.0, 0.5, &mut some, &mut Warnings::default())
             .unwrap();
         for (at, state) in some.iter().enumerate() {
             assert_eq!(*state, states(&scene, 1.0 + 0.5 * at as f64)[node]);
@@ -507,7 +510,7 @@ fn single_states_are_those_of_the_whole_scene() {
             arm,
             &Channel::parse(name).unwrap(),
             frame,
-            &mut Troubles::default(),
+            &mut Warnings::default(),
         )
     };
     assert_eq!(value("value:heat", 2.0).unwrap(), [1.0, 3.0]);
@@ -539,9 +542,9 @@ fn a_host_function_that_is_missing_leaves_the_rest() {
         )
         .unwrap();
     let mut states = vec![NodeState::default(); 2];
-    let mut troubles = Troubles::default();
-    scene.evaluate(1.5, &mut states, &mut troubles).unwrap();
-    let (node, message) = troubles.first().unwrap();
+    let mut warnings = Warnings::default();
+    scene.evaluate(1.5, &mut states, &mut warnings).unwrap();
+    let (node, message) = warnings.first().unwrap();
     assert_eq!(node, 0);
     assert_eq!(
         message.to_string(),
@@ -585,10 +588,10 @@ fn numbers_that_nobody_can_compute_with_are_named() {
     }
     let scene = Scene::from_nodes(nodes).unwrap();
     let mut states = vec![NodeState::default(); 60];
-    let mut troubles = Troubles::default();
-    scene.evaluate(1.0, &mut states, &mut troubles).unwrap();
+    let mut warnings = Warnings::default();
+    scene.evaluate(1.0, &mut states, &mut warnings).unwrap();
     assert!(
-        troubles
+        warnings
             .first()
             .unwrap()
             .1

@@ -38,12 +38,12 @@ impl NodeState {
 
 /// What went wrong while the rest went on; the first of it is kept.
 #[derive(Debug, Default)]
-pub struct Troubles {
+pub struct Warnings {
     pub(super) node: usize,
     first: Option<(usize, Invalid)>,
 }
 
-impl Troubles {
+impl Warnings {
     pub(super) fn add(&mut self, what: impl FnOnce() -> Invalid) {
         if self.first.is_none() {
             self.first = Some((self.node, what()));

@@ -2,7 +2,7 @@
 
 /// How a motion goes on beyond its own frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Beyond {
+pub enum Extrapolation {
     /// The first or the last value stays.
     #[default]
     Hold,
@@ -14,7 +14,7 @@ pub enum Beyond {
     Offset,
 }
 
-impl Beyond {
+impl Extrapolation {
     /// Its name in files.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -30,26 +30,34 @@ impl Beyond {
     #[must_use]
     pub fn parse(name: &str) -> Option<Self> {
         let all = [Self::Hold, Self::Repeat, Self::PingPong, Self::Offset];
-        all.into_iter().find(|beyond| beyond.name() == name)
+        all.into_iter()
+            .find(|extrapolation| extrapolation.name() == name)
     }
 }
 
-/// The frame in `first`…`last` shown at `frame`, and for [`Beyond::Offset`] the rounds before it.
+/// The frame in `first`…`last` shown at `frame`, and for [`Extrapolation::Offset`] the rounds
+/// before it.
 #[must_use]
-pub fn within(frame: f64, first: f64, last: f64, before: Beyond, after: Beyond) -> (f64, f64) {
+pub fn local_frame(
+    frame: f64,
+    first: f64,
+    last: f64,
+    before: Extrapolation,
+    after: Extrapolation,
+) -> (f64, f64) {
     if frame >= first && frame <= last {
         return (frame, 0.0);
     }
-    let beyond = if frame < first { before } else { after };
+    let extrapolation = if frame < first { before } else { after };
     let period = last - first;
     let held = if frame < first { first } else { last };
-    if beyond == Beyond::Hold || !(period > 0.0) {
+    if extrapolation == Extrapolation::Hold || !(period > 0.0) {
         return (held, 0.0);
     }
     let into = frame - first;
-    match beyond {
-        Beyond::Hold => (held, 0.0),
-        Beyond::PingPong => {
+    match extrapolation {
+        Extrapolation::Hold => (held, 0.0),
+        Extrapolation::PingPong => {
             let place = into.rem_euclid(2.0 * period);
             let place = if place > period {
                 2.0 * period - place
@@ -58,14 +66,14 @@ pub fn within(frame: f64, first: f64, last: f64, before: Beyond, after: Beyond) 
             };
             ((first + place).clamp(first, last), 0.0)
         }
-        Beyond::Repeat | Beyond::Offset => {
+        Extrapolation::Repeat | Extrapolation::Offset => {
             let place = into.rem_euclid(period);
             let local = if place == 0.0 {
                 last
             } else {
                 (first + place).min(last)
             };
-            let rounds = if beyond == Beyond::Offset {
+            let rounds = if extrapolation == Extrapolation::Offset {
                 ((into - (local - first)) / period).round()
             } else {
                 0.0
@@ -78,21 +86,21 @@ pub fn within(frame: f64, first: f64, last: f64, before: Beyond, after: Beyond) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Beyond::{Hold, Offset, PingPong, Repeat};
+    use Extrapolation::{Hold, Offset, PingPong, Repeat};
 
     #[test]
     fn inside_nothing_changes() {
         for beyond in [Hold, Repeat, PingPong, Offset] {
             for frame in [10.0, 12.5, 20.0] {
-                assert_eq!(within(frame, 10.0, 20.0, beyond, beyond), (frame, 0.0));
+                assert_eq!(local_frame(frame, 10.0, 20.0, beyond, beyond), (frame, 0.0));
             }
-            assert_eq!(within(7.0, 3.0, 3.0, beyond, beyond), (3.0, 0.0));
+            assert_eq!(local_frame(7.0, 3.0, 3.0, beyond, beyond), (3.0, 0.0));
         }
     }
 
     #[test]
     fn beyond_the_ends() {
-        let at = |frame, beyond| within(frame, 10.0, 20.0, beyond, beyond);
+        let at = |frame, beyond| local_frame(frame, 10.0, 20.0, beyond, beyond);
         assert_eq!(at(-3.0, Hold), (10.0, 0.0));
         assert_eq!(at(33.0, Hold), (20.0, 0.0));
         // 17, 27, 37 are one place; the seams at 0, 30, 40 show the last frame.
@@ -114,15 +122,15 @@ mod tests {
 
     #[test]
     fn each_side_has_its_own() {
-        assert_eq!(within(5.0, 10.0, 20.0, PingPong, Hold), (15.0, 0.0));
-        assert_eq!(within(25.0, 10.0, 20.0, PingPong, Hold), (20.0, 0.0));
+        assert_eq!(local_frame(5.0, 10.0, 20.0, PingPong, Hold), (15.0, 0.0));
+        assert_eq!(local_frame(25.0, 10.0, 20.0, PingPong, Hold), (20.0, 0.0));
     }
 
     #[test]
     fn names_lead_back() {
         for beyond in [Hold, Repeat, PingPong, Offset] {
-            assert_eq!(Beyond::parse(beyond.name()), Some(beyond));
+            assert_eq!(Extrapolation::parse(beyond.name()), Some(beyond));
         }
-        assert_eq!(Beyond::parse("loop"), None);
+        assert_eq!(Extrapolation::parse("loop"), None);
     }
 }

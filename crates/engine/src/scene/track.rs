@@ -8,10 +8,10 @@ use super::channel::Channel;
 use super::host::{self, Question};
 use super::keys::{quaternion, wxyz};
 use super::motion::check_frame;
-use super::prepare::{self, NumberKeys};
 use super::rotation::{Between, Turns, unit};
-use super::state::Troubles;
-use super::time::{Beyond, within};
+use super::state::Warnings;
+use super::tangents::{self, NumberKeys};
+use super::time::{Extrapolation, local_frame};
 use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
 use crate::limits::{MAX_COORDINATE, MAX_KEYS, MAX_TANGENT};
 use crate::math::euler::EulerAngles;
@@ -101,8 +101,8 @@ pub struct Track {
     frames: Vec<f64>,
     values: Vec<f64>,
     shape: Vec<f64>,
-    before: Beyond,
-    after: Beyond,
+    before: Extrapolation,
+    after: Extrapolation,
     width: usize,
     prepared: Prepared,
 }
@@ -137,8 +137,8 @@ impl Track {
             frames,
             values,
             shape,
-            before: Beyond::Hold,
-            after: Beyond::Hold,
+            before: Extrapolation::Hold,
+            after: Extrapolation::Hold,
             prepared: Prepared::Nothing,
         };
         track
@@ -151,9 +151,14 @@ impl Track {
     /// The same track with what is shown before its first and after its last key.
     ///
     /// # Errors
-    /// [`Error::Argument`] for [`Channel::Visible`] with [`Beyond::Offset`], [`Error::Memory`].
-    pub fn with_beyond(mut self, before: Beyond, after: Beyond) -> Result<Self> {
-        if self.channel == Channel::Visible && [before, after].contains(&Beyond::Offset) {
+    /// [`Error::Argument`] for [`Channel::Visible`] with [`Extrapolation::Offset`];
+    /// [`Error::Memory`].
+    pub fn with_extrapolation(
+        mut self,
+        before: Extrapolation,
+        after: Extrapolation,
+    ) -> Result<Self> {
+        if self.channel == Channel::Visible && [before, after].contains(&Extrapolation::Offset) {
             let error = Error::Argument(Invalid::SwitchWithOffset);
             return Err(self.at_channel(error));
         }
@@ -200,7 +205,7 @@ impl Track {
 
     /// What is shown before the first and after the last key.
     #[must_use]
-    pub const fn beyond(&self) -> (Beyond, Beyond) {
+    pub const fn extrapolation(&self) -> (Extrapolation, Extrapolation) {
         (self.before, self.after)
     }
 
@@ -255,7 +260,7 @@ impl Track {
             wide(&self.values)?,
             shape,
         )?
-        .with_beyond(self.before, self.after)
+        .with_extrapolation(self.before, self.after)
     }
 
     fn check(&self) -> Result<()> {
@@ -307,14 +312,10 @@ impl Track {
         if !fits {
             return Err(Invalid::NotInterpolated((&self.interpolation).into()).into());
         }
-        let width = match self.channel {
-            Channel::Rotation if self.interpolation.euler() => 3,
-            Channel::Rotation => 4,
-            Channel::Position | Channel::Scale | Channel::Colour => 3,
-            Channel::Cone => 2,
-            Channel::Value { width, .. } => width,
-            Channel::Weights | Channel::Deformation { .. } => self.width,
-            _ => 1,
+        let width = if self.interpolation.euler() {
+            3
+        } else {
+            self.channel.own_width().unwrap_or(self.width)
         };
         if width != self.width {
             return Err(OutOfRange::KeyWidth {
@@ -414,14 +415,14 @@ impl Track {
                 Prepared::Turns(turns)
             }
             Interpolation::CatmullRom | Interpolation::EulerCatmullRom => {
-                Prepared::Slopes(prepare::tcb(keys, plain)?)
+                Prepared::Slopes(tangents::tcb(keys, plain)?)
             }
-            Interpolation::Tcb => Prepared::Slopes(prepare::tcb(keys, tcb)?),
+            Interpolation::Tcb => Prepared::Slopes(tangents::tcb(keys, tcb)?),
             Interpolation::Cubic => {
                 let ends = self.values.len() - self.width;
-                let repeats = [self.before, self.after].contains(&Beyond::Repeat);
+                let repeats = [self.before, self.after].contains(&Extrapolation::Repeat);
                 let periodic = repeats && self.values[..self.width] == self.values[ends..];
-                Prepared::Slopes(prepare::cubic(keys, periodic)?)
+                Prepared::Slopes(tangents::cubic(keys, periodic)?)
             }
             _ => Prepared::Nothing,
         };
@@ -443,14 +444,26 @@ impl Track {
         matches!(self.interpolation, Interpolation::Host(_))
     }
 
+    /// The numbers at any finite frame, as many as a key has.
+    #[inline]
+    pub(super) fn value<const WIDTH: usize>(
+        &self,
+        frame: f64,
+        warnings: &mut Warnings,
+    ) -> [f64; WIDTH] {
+        let mut numbers = [0.0; WIDTH];
+        self.numbers(frame, &mut numbers, warnings);
+        numbers
+    }
+
     /// The numbers at any finite frame; `out` has the width of a key.
     // Inlined, so that loops over three numbers are unrolled.
     #[inline]
-    pub fn numbers(&self, frame: f64, out: &mut [f64], troubles: &mut Troubles) {
+    pub fn numbers(&self, frame: f64, out: &mut [f64], warnings: &mut Warnings) {
         let (first, last) = self.ends();
-        let (local, rounds) = within(frame, first, last, self.before, self.after);
+        let (local, rounds) = local_frame(frame, first, last, self.before, self.after);
         let (section, u) = self.locate(local);
-        self.between(local, section, u, out, troubles);
+        self.between(local, section, u, out, warnings);
         if rounds != 0.0 {
             let ends = self.values.len() - self.width;
             for (at, number) in out.iter_mut().enumerate() {
@@ -466,12 +479,12 @@ impl Track {
         section: usize,
         u: f64,
         out: &mut [f64],
-        troubles: &mut Troubles,
+        warnings: &mut Warnings,
     ) {
         let width = out.len();
         let from = &self.values[section * width..][..width];
         if let Interpolation::Host(name) = &self.interpolation {
-            if !self.ask(name, frame, out, troubles) {
+            if !self.ask(name, frame, out, warnings) {
                 out.copy_from_slice(from);
             }
             return;
@@ -518,9 +531,9 @@ impl Track {
         }
     }
 
-    fn ask(&self, name: &str, frame: f64, out: &mut [f64], troubles: &mut Troubles) -> bool {
+    fn ask(&self, name: &str, frame: f64, out: &mut [f64], warnings: &mut Warnings) -> bool {
         let Some(function) = host::function(name) else {
-            troubles.add(|| Invalid::NotRegistered {
+            warnings.add(|| Invalid::NotRegistered {
                 channel: (&self.channel).into(),
                 name: name.into(),
             });
@@ -537,7 +550,7 @@ impl Track {
         if answered && out.iter().all(usable) {
             return true;
         }
-        troubles.add(|| {
+        warnings.add(|| {
             let (channel, name) = ((&self.channel).into(), name.into());
             match answered {
                 true => Invalid::InterpolationGave { channel, name },
@@ -549,24 +562,22 @@ impl Track {
 
     /// The orientation of a rotation track at any finite frame, of length 1.
     #[must_use]
-    pub fn rotation(&self, frame: f64, troubles: &mut Troubles) -> DQuat {
+    pub fn rotation(&self, frame: f64, warnings: &mut Warnings) -> DQuat {
         let Prepared::Turns(turns) = &self.prepared else {
-            let mut angles = [0.0; 3];
-            self.numbers(frame, &mut angles, troubles);
-            let [yaw, pitch, roll] = angles.map(f64::to_radians);
+            let [yaw, pitch, roll] = self.value(frame, warnings).map(f64::to_radians);
             return EulerAngles { yaw, pitch, roll }.quaternion().normalize();
         };
         let (first, last) = self.ends();
-        let (local, rounds) = within(frame, first, last, self.before, self.after);
+        let (local, rounds) = local_frame(frame, first, last, self.before, self.after);
         let (section, u) = self.locate(local);
         let host = matches!(self.interpolation, Interpolation::Host(_));
         let q = if host || (u != 0.0 && self.interpolation == Interpolation::Hermite) {
             let mut numbers = wxyz(turns.key(section));
-            self.between(local, section, u, &mut numbers, troubles);
+            self.between(local, section, u, &mut numbers, warnings);
             // Through zero there is no direction: the key before holds.
             unit(quaternion(&numbers)).unwrap_or_else(|_| {
                 if host {
-                    troubles.add(|| Invalid::RotationZero);
+                    warnings.add(|| Invalid::RotationZero);
                 }
                 turns.key(section)
             })

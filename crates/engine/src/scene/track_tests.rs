@@ -20,7 +20,7 @@ fn track(
 
 fn number(track: &Track, frame: f64) -> f64 {
     let mut out = [0.0];
-    track.numbers(frame, &mut out, &mut Troubles::default());
+    track.numbers(frame, &mut out, &mut Warnings::default());
     out[0]
 }
 
@@ -62,7 +62,11 @@ fn what_is_no_track_is_refused_with_channel_and_key() {
     assert!(refused(track("roll", "cubic", &near, &rough, &[])).contains("too close"));
     assert!(track("roll", "linear", &near, &rough, &[]).is_ok());
     let offset = track("visible", "step", &two, &[0.0, 1.0], &[]).unwrap();
-    assert!(offset.with_beyond(Beyond::Hold, Beyond::Offset).is_err());
+    assert!(
+        offset
+            .with_extrapolation(Extrapolation::Hold, Extrapolation::Offset)
+            .is_err()
+    );
     for name in ["", "Linear", "host:", "spline"] {
         assert!(Interpolation::parse(name).is_err());
     }
@@ -72,13 +76,13 @@ fn what_is_no_track_is_refused_with_channel_and_key() {
 fn one_key_is_a_track() {
     for name in ["step", "linear", "ramp", "catmull-rom", "cubic"] {
         for beyond in [
-            Beyond::Hold,
-            Beyond::Repeat,
-            Beyond::PingPong,
-            Beyond::Offset,
+            Extrapolation::Hold,
+            Extrapolation::Repeat,
+            Extrapolation::PingPong,
+            Extrapolation::Offset,
         ] {
             let one = track("roll", name, &[5.0], &[7.0], &[]).unwrap();
-            let one = one.with_beyond(beyond, beyond).unwrap();
+            let one = one.with_extrapolation(beyond, beyond).unwrap();
             for frame in [-3.0, 5.0, 9.5] {
                 assert_eq!(number(&one, frame), 7.0);
             }
@@ -89,16 +93,20 @@ fn one_key_is_a_track() {
 #[test]
 fn offsets_go_on_from_the_end() {
     let steps = track("roll", "linear", &[0.0, 10.0], &[5.0, 8.0], &[]).unwrap();
-    let steps = steps.with_beyond(Beyond::Offset, Beyond::Offset).unwrap();
+    let steps = steps
+        .with_extrapolation(Extrapolation::Offset, Extrapolation::Offset)
+        .unwrap();
     assert!((number(&steps, 25.0) - 12.5).abs() < 1e-12);
     assert!((number(&steps, -5.0) - 3.5).abs() < 1e-12);
     // A quarter turn about y in each round.
     let half = std::f64::consts::FRAC_1_SQRT_2;
     let values = [1.0, 0.0, 0.0, 0.0, half, 0.0, half, 0.0];
     let turn = track("rotation", "linear", &[0.0, 10.0], &values, &[]).unwrap();
-    let turn = turn.with_beyond(Beyond::Offset, Beyond::Offset).unwrap();
+    let turn = turn
+        .with_extrapolation(Extrapolation::Offset, Extrapolation::Offset)
+        .unwrap();
     for frame in [-35.0, -5.0, 3.0, 17.0, 44.0] {
-        let q = turn.rotation(frame, &mut Troubles::default());
+        let q = turn.rotation(frame, &mut Warnings::default());
         let want = DQuat::from_rotation_y(frame * std::f64::consts::FRAC_PI_2 / 10.0);
         assert!(q.dot(want).abs() > 1.0 - 1e-14, "{frame}");
     }
@@ -114,7 +122,7 @@ fn a_wheel_turns_more_than_once() {
         &[],
     )
     .unwrap();
-    let q = wheel.rotation(1.0, &mut Troubles::default());
+    let q = wheel.rotation(1.0, &mut Warnings::default());
     let want = DQuat::from_rotation_x(std::f64::consts::FRAC_PI_2);
     assert!(q.dot(want).abs() > 1.0 - 1e-15);
 }
@@ -126,10 +134,10 @@ fn a_hosts_function_that_fails_lets_the_track_step() {
         track("roll", &name, &[0.0, 10.0], &[1.0, 3.0], &[]).unwrap()
     };
     let said = |track: &Track, want: f64| {
-        let (mut out, mut troubles) = ([0.0], Troubles::default());
-        track.numbers(5.0, &mut out, &mut troubles);
+        let (mut out, mut warnings) = ([0.0], Warnings::default());
+        track.numbers(5.0, &mut out, &mut warnings);
         assert_eq!(out[0], want);
-        troubles.first().map(|(_, message)| message.to_string())
+        warnings.first().map(|(_, message)| message.to_string())
     };
     let missing = make("test-missing");
     assert!(
@@ -205,8 +213,9 @@ proptest! {
             for (frame, value) in frames.iter().zip(&values) {
                 prop_assert_eq!(number(&plain, *frame).to_bits(), value.to_bits());
             }
-            for beyond in [Beyond::Hold, Beyond::Repeat, Beyond::PingPong, Beyond::Offset] {
-                let track = plain.clone().with_beyond(beyond, beyond).unwrap();
+            use Extrapolation::{Hold, Offset, PingPong, Repeat};
+            for beyond in [Hold, Repeat, PingPong, Offset] {
+                let track = plain.clone().with_extrapolation(beyond, beyond).unwrap();
                 prop_assert!(number(&track, frame).is_finite());
             }
         }
@@ -231,7 +240,7 @@ proptest! {
         let last = values.len() - 1;
         values[last] = values[0];
         let track = track("roll", "cubic", &frames, &values, &[]).unwrap();
-        let track = track.with_beyond(Beyond::Hold, Beyond::Repeat).unwrap();
+        let track = track.with_extrapolation(Extrapolation::Hold, Extrapolation::Repeat).unwrap();
         let (end, h) = (frames[last], 0.02);
         for order in [1, 2] {
             let after = derivative(&track, end, h, order);
@@ -255,7 +264,7 @@ proptest! {
             q = (DQuat::from_scaled_axis(turn.into()) * q).normalize();
         }
         let track = track("rotation", "catmull-rom", &frames, &values, &[]).unwrap();
-        let at = |frame| track.rotation(frame, &mut Troubles::default());
+        let at = |frame| track.rotation(frame, &mut Warnings::default());
         for &frame in &frames[1..frames.len() - 1] {
             let velocity = |h: f64| {
                 let turn = |h: f64| (at(frame + h) * at(frame).conjugate()).to_scaled_axis() / h;
@@ -287,7 +296,7 @@ fn rotations_follow_the_numbers_of_their_kind() {
         (a * ((1.0 - t) * angle).sin() + b * (t * angle).sin()) * angle.sin().recip()
     };
     let same = |a: DQuat, b: DQuat| 1.0 - a.dot(b).abs() < 1e-12;
-    let troubles = &mut Troubles::default();
+    let warnings = &mut Warnings::default();
     for kind in ["step", "ramp", "sine", "parabolic"] {
         let turned = track("rotation", kind, &frames, &values, &[]).unwrap();
         for key in 0..2 {
@@ -296,7 +305,7 @@ fn rotations_follow_the_numbers_of_their_kind() {
             for part in 0..20 {
                 let frame = ends[0] + (ends[1] - ends[0]) * f64::from(part) / 20.0;
                 let wanted = slerp(units[key], units[key + 1], number(&share, frame));
-                let found = turned.rotation(frame, troubles);
+                let found = turned.rotation(frame, warnings);
                 assert!(same(found, wanted), "{kind} {frame}: {found} {wanted}");
             }
         }
@@ -307,12 +316,31 @@ fn rotations_follow_the_numbers_of_their_kind() {
     for part in 0..=58 {
         let frame = 1.0 + 0.5 * f64::from(part);
         let mut now = [0.0; 3];
-        plain.numbers(frame, &mut now, troubles);
+        plain.numbers(frame, &mut now, warnings);
         let still = track("rotation", "euler-linear", &[1.0], &now, &[]).unwrap();
         let (found, wanted) = (
-            turned.rotation(frame, troubles),
-            still.rotation(frame, troubles),
+            turned.rotation(frame, warnings),
+            still.rotation(frame, warnings),
         );
         assert!(same(found, wanted), "{frame}: {found} {wanted}");
+    }
+}
+
+/// Two keys: of numbers the tension acts (the cubic with both slopes (1 − t)·mean, by Hermite's
+/// basis), a rotation goes by the great arc as a path does.
+#[test]
+fn between_two_keys_tension_acts_on_numbers_alone() {
+    let (frames, shape) = ([1.0, 11.0], [0.75, 0.5, -0.5, 0.75, 0.5, -0.5]);
+    let tense = track("roll", "tcb", &frames, &[0.0, 1.0], &shape).unwrap();
+    let [from, to] = [DQuat::IDENTITY, DQuat::from_rotation_y(2.0)];
+    let values = [wxyz(from), wxyz(to)].concat();
+    let turned = track("rotation", "tcb", &frames, &values, &shape).unwrap();
+    for part in 0..=10 {
+        let (u, frame) = (f64::from(part) / 10.0, f64::from(part + 1));
+        let slopes = 0.25 * u * (1.0 - u) * (1.0 - 2.0 * u);
+        let wanted = u * u * (3.0 - 2.0 * u) + slopes;
+        assert!((number(&tense, frame) - wanted).abs() < 1e-14, "{u}");
+        let q = turned.rotation(frame, &mut Warnings::default());
+        assert!(q.abs_diff_eq(DQuat::from_rotation_y(2.0 * u), 1e-14), "{u}");
     }
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::channel::Channel;
 use super::mesh::{Object, Shape};
 use super::node::{Kind, Node};
-use super::state::Troubles;
+use super::state::Warnings;
 use crate::deform::Deformation;
 use crate::error::{Invalid, Result, vec_with_room};
 
@@ -21,7 +21,7 @@ pub struct Form<'a> {
 }
 
 impl<'a> Form<'a> {
-    pub(super) fn at(node: &'a Node, frame: f64, troubles: &mut Troubles) -> Result<Self> {
+    pub(super) fn at(node: &'a Node, frame: f64, warnings: &mut Warnings) -> Result<Self> {
         let Kind::Object(object) = &node.kind else {
             return Err(Invalid::NoObject((&node.name).into()).into());
         };
@@ -37,11 +37,11 @@ impl<'a> Form<'a> {
         }
         for track in node.keys.tracks() {
             match track.channel() {
-                Channel::Weights => track.numbers(frame, &mut form.weights, troubles),
+                Channel::Weights => track.numbers(frame, &mut form.weights, warnings),
                 Channel::Deformation { at, parameter } => {
                     let deformation = form.deformations.get_mut(*at);
                     if let Some(numbers) = deformation.and_then(|d| d.channel_mut(parameter)) {
-                        track.numbers(frame, numbers, troubles);
+                        track.numbers(frame, numbers, warnings);
                     }
                 }
                 _ => {}

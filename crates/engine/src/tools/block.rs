@@ -4,11 +4,12 @@
 //! their tangents. So a block has exactly its shape in another path, and so has that path.
 
 use std::collections::HashSet;
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{DMat4, DQuat, DVec3};
 
-use super::keep::{self, check_upright, keep_tangents, no_point, shape_in, tangents};
+use super::keep::{self, check_upright, keep_tangents, shape_in, tangents};
 use super::transform::transform;
 use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, can_allocate, vec_with_room};
 use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
@@ -18,6 +19,9 @@ use crate::path::{
     CameraPath, CurveKind, CurveParameters, Ease, Orientation, Pace, PacePart, SupportPoint,
     Tangents, Tcb, TurningPart, Up, UpVector, Velocities, Whole, alignment,
 };
+
+/// Half sizes of the space that a length must have to tell a direction.
+const LEAST: f64 = 1e-9;
 
 /// How a block is put in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -54,7 +58,7 @@ pub struct Inserted {
 pub fn extract(path: &CameraPath, first: usize, last: usize) -> Result<CameraPath> {
     let count = path.points.len();
     if let Some(&point) = [first, last].iter().find(|&&point| point >= count) {
-        return Err(no_point(path, point));
+        return Err(path.no_point(point));
     }
     if first > last && !path.closed {
         return Err(OutOfRange::PointOrder.into());
@@ -126,7 +130,7 @@ fn travel(path: &CameraPath, at: usize) -> Result<DVec3> {
     let own = crate::path::curve::tangents(path, at);
     let first = at == 0 && !path.closed;
     let tangent = if first { own.after } else { own.before };
-    let found = if tangent.length() > 1e-9 {
+    let found = if tangent.length() > LEAST * path.space.half_size {
         tangent
     } else {
         direction(path, at, first)
@@ -172,7 +176,8 @@ fn placing(path: &CameraPath, at: usize, block: &CameraPath, fit: Fit) -> Result
             }
             let way = path.points[next % path.points.len()].position - place;
             let chord = block.points[block.points.len() - 1].position - start;
-            if !(way.length() > 1e-9 && chord.length() > 1e-9) {
+            let least = [path, block].map(|path| LEAST * path.space.half_size);
+            if !(way.length() > least[0] && chord.length() > least[1]) {
                 return Err(no_direction());
             }
             about(
@@ -195,130 +200,178 @@ pub fn insert(
     with_targets: bool,
 ) -> Result<Inserted> {
     if at >= path.points.len() {
-        return Err(no_point(path, at));
+        return Err(path.no_point(at));
     }
     block.check()?;
     check_upright(&[path, block])?;
-    let mut block = opened(block)?;
-    block.space = path.space;
-    let matrix = placing(path, at, &block, fit)?;
-    let mut all = vec_with_room(block.points.len())?;
-    all.extend(0..block.points.len());
-    let placed = transform(&block, &all, &matrix, with_targets)?;
-    for (number, point) in placed {
-        block.points[number] = point;
-    }
-    let (merges, ends) = (fit != Fit::None, fit == Fit::Scale);
-    let from = usize::from(merges);
-    let to = block.points.len() - usize::from(ends);
-    let count = to - from;
+    let block = placed(path, at, block, fit, with_targets)?;
+    let put = usize::from(fit != Fit::None)..block.points.len() - usize::from(fit == Fit::Scale);
+    let count = put.len();
     if path.points.len() + count > MAX_POINTS {
         return Err(TooMany::SupportPoints.into());
     }
-
-    let (old, mine) = (tangents(path)?, tangents(&block)?);
-    let total = path.points.len() + count;
-    let mut points: Vec<SupportPoint> = vec_with_room(total)?;
-    let mut wanted: Vec<Option<Tangents>> = vec_with_room(total)?;
-    let straight = path.curve == CurveKind::Linear;
-    let mut names = Names::of(path)?;
-    for (number, point) in path.points.iter().enumerate() {
-        points.push(point.try_clone()?);
-        wanted.push(old[number].filter(|_| !straight || point.tangents.is_some()));
-        if number != at {
-            continue;
-        }
-        for k in from..to {
-            let mut new = block.points[k].try_clone()?;
-            new.curve = shape_in(path, &block, new.curve);
-            new.name = match new.name {
-                Some(name) => Some(names.unique(name)?),
-                None => None,
-            };
-            points.push(new);
-            wanted.push(mine[k]);
-        }
-    }
-    let joint = &mut wanted[at];
-    let first = at == 0 && !path.closed;
-    match (fit, *joint, mine[0]) {
-        (Fit::None, ..) => {}
-        (_, Some(there), Some(block)) => {
-            *joint = Some(joined(there.before, block.after, first, fit))
-        }
-        _ => {}
-    }
-    let behind = (at + count + 1) % total;
-    if let (true, Some(there), Some(block)) =
-        (ends, wanted[behind], mine.get(to).copied().flatten())
-    {
-        wanted[behind] = Some(joined(block.before, there.after, false, fit));
-    }
-    if let (Fit::None, Some(Some(own))) = (fit, wanted.get_mut(at + 1)) {
-        own.before = own.after;
-    }
-    if !ends && let Some(Some(own)) = wanted.get_mut(at + count) {
-        own.after = if count > 0 { own.before } else { own.after };
-    }
-
-    // The pace of the way that began here goes on behind the block.
-    let pace = block.points[0].orientations.last().filter(|_| merges);
-    let begin = points[at].orientations.last_mut();
-    let mut rest = None;
-    if let Some(begin) = begin {
-        let mut own = begin.own.with(|own| {
-            own.frames = 0;
-            own.turning = None;
-            own.velocities = None;
-        })?;
-        if let Some(pace) = pace {
-            rest = Some((begin.speeds, own.pace.clone()));
-            begin.speeds = pace.speeds;
-            own = own.with(|own| {
-                own.pace = pace.own.pace.clone();
-                own.frames = pace.own.frames;
-            })?;
-        }
-        begin.own = own;
-    }
-    if let (false, Some((speeds, pace)), true) = (ends, rest, count > 0) {
-        let end = points[at + count].orientations.last_mut();
-        if let Some(end) = end {
-            end.speeds = speeds;
-            end.own = end.own.with(|own| {
-                own.pace = pace;
-                own.frames = 0;
-            })?;
-        }
-    }
-    let mut path_of_all = CameraPath { points, ..*path };
-    path_of_all.check()?;
-    keep_tangents(&mut path_of_all, &wanted)?;
-    check_ups(&path_of_all)?;
-    if alignment::any(&path_of_all) {
-        let (old, mine) = (alignment::ups(path)?, alignment::ups(&block)?);
-        let orientations = |points: &[SupportPoint]| -> usize {
-            points.iter().map(|point| point.orientations.len()).sum()
-        };
-        let split = orientations(&path.points[..=at]);
-        let put = orientations(&block.points[..from])..orientations(&block.points[..to]);
-        let all = [&old[..split], &mine[put], &old[split..]].concat();
-        let all: Vec<Option<DVec3>> = all.into_iter().map(Some).collect();
-        alignment::keep_ups(&mut path_of_all, &all)?;
-    }
+    let merge = Merge {
+        path,
+        at,
+        block: &block,
+        put,
+        fit,
+    };
+    let mut points = merge.points()?;
+    merge.hand_on_pace(&mut points)?;
+    let mut whole = CameraPath { points, ..*path };
+    whole.check()?;
+    keep_tangents(&mut whole, &merge.tangents()?)?;
+    check_ups(&whole)?;
+    merge.keep_ups(&mut whole)?;
     let mut changed = vec_with_room(path.points.len())?;
     for (number, old) in path.points.iter().enumerate() {
         let new = number + if number > at { count } else { 0 };
-        if path_of_all.points[new] != *old {
+        if whole.points[new] != *old {
             changed.push(new);
         }
     }
     Ok(Inserted {
-        path: path_of_all,
+        path: whole,
         at: at + 1,
         count,
         changed,
     })
+}
+
+/// A block in the path's space, opened and brought to its place behind point `at`.
+fn placed(
+    path: &CameraPath,
+    at: usize,
+    block: &CameraPath,
+    fit: Fit,
+    with_targets: bool,
+) -> Result<CameraPath> {
+    let mut block = opened(block)?;
+    let matrix = placing(path, at, &block, fit)?;
+    block.space = path.space;
+    let mut all = vec_with_room(block.points.len())?;
+    all.extend(0..block.points.len());
+    for (number, point) in transform(&block, &all, &matrix, with_targets)? {
+        block.points[number] = point;
+    }
+    Ok(block)
+}
+
+/// Two paths that become one.
+struct Merge<'a> {
+    path: &'a CameraPath,
+    /// The point behind which the block is put.
+    at: usize,
+    block: &'a CameraPath,
+    /// The points of the block that are put in; its others are points of the path.
+    put: Range<usize>,
+    fit: Fit,
+}
+
+impl Merge<'_> {
+    fn points(&self) -> Result<Vec<SupportPoint>> {
+        let (before, after) = self.path.points.split_at(self.at + 1);
+        let mut points = vec_with_room(self.path.points.len() + self.put.len())?;
+        for point in before {
+            points.push(point.try_clone()?);
+        }
+        let mut names = Names::of(self.path)?;
+        for point in &self.block.points[self.put.clone()] {
+            let mut new = point.try_clone()?;
+            new.curve = shape_in(self.path, self.block, new.curve);
+            new.name = new.name.map(|name| names.unique(name)).transpose()?;
+            points.push(new);
+        }
+        for point in after {
+            points.push(point.try_clone()?);
+        }
+        Ok(points)
+    }
+
+    /// The tangents that all points had, joined where the two meet.
+    fn tangents(&self) -> Result<Vec<Option<Tangents>>> {
+        let (path, at, fit, count) = (self.path, self.at, self.fit, self.put.len());
+        let (mut old, mine) = (tangents(path)?, tangents(self.block)?);
+        if path.curve == CurveKind::Linear {
+            for (old, point) in old.iter_mut().zip(&path.points) {
+                *old = old.filter(|_| point.tangents.is_some());
+            }
+        }
+        let mut wanted = vec_with_room(old.len() + count)?;
+        wanted.extend_from_slice(&old[..=at]);
+        wanted.extend_from_slice(&mine[self.put.clone()]);
+        wanted.extend_from_slice(&old[at + 1..]);
+        let first = at == 0 && !path.closed;
+        if let (true, Some(there), Some(block)) = (fit != Fit::None, wanted[at], mine[0]) {
+            wanted[at] = Some(joined(there.before, block.after, first, fit));
+        }
+        let next = (at + count + 1) % wanted.len();
+        let end = mine.get(self.put.end).copied().flatten();
+        if let (true, Some(there), Some(block)) = (fit == Fit::Scale, wanted[next], end) {
+            wanted[next] = Some(joined(block.before, there.after, false, fit));
+        }
+        if let (Fit::None, Some(Some(own))) = (fit, wanted.get_mut(at + 1)) {
+            own.before = own.after;
+        }
+        if fit != Fit::Scale
+            && let Some(Some(own)) = wanted.get_mut(at + count)
+        {
+            own.after = if count > 0 { own.before } else { own.after };
+        }
+        Ok(wanted)
+    }
+
+    /// The pace of the way that began at the joint goes on behind the block.
+    fn hand_on_pace(&self, points: &mut [SupportPoint]) -> Result<()> {
+        let Some(begin) = points[self.at].orientations.last_mut() else {
+            return Ok(());
+        };
+        begin.own = begin.own.with(|own| {
+            own.frames = 0;
+            own.turning = None;
+            own.velocities = None;
+        })?;
+        let pace = self.block.points[0].orientations.last();
+        let Some(pace) = pace.filter(|_| self.fit != Fit::None) else {
+            return Ok(());
+        };
+        let (speeds, rest) = (begin.speeds, begin.own.pace.clone());
+        begin.speeds = pace.speeds;
+        begin.own = begin.own.with(|own| {
+            own.pace = pace.own.pace.clone();
+            own.frames = pace.own.frames;
+        })?;
+        let count = self.put.len();
+        if self.fit != Fit::Scale
+            && count > 0
+            && let Some(end) = points[self.at + count].orientations.last_mut()
+        {
+            end.speeds = speeds;
+            end.own = end.own.with(|own| {
+                own.pace = rest;
+                own.frames = 0;
+            })?;
+        }
+        Ok(())
+    }
+
+    fn keep_ups(&self, whole: &mut CameraPath) -> Result<()> {
+        if !alignment::any(whole) {
+            return Ok(());
+        }
+        let (old, mine) = (alignment::ups(self.path)?, alignment::ups(self.block)?);
+        let orientations = |points: &[SupportPoint]| -> usize {
+            points.iter().map(|point| point.orientations.len()).sum()
+        };
+        let split = orientations(&self.path.points[..=self.at]);
+        let [from, to] =
+            [self.put.start, self.put.end].map(|k| orientations(&self.block.points[..k]));
+        let all = [&old[..split], &mine[from..to], &old[split..]].concat();
+        let all: Vec<Option<DVec3>> = all.into_iter().map(Some).collect();
+        alignment::keep_ups(whole, &all)?;
+        Ok(())
+    }
 }
 
 /// Tangents of a point at which two ways meet: one direction, each its length.

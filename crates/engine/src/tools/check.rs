@@ -9,7 +9,7 @@ use super::clearance::Clearance;
 use super::parameter::{Parameter, Unit};
 use crate::deform::Bounds;
 use crate::error::{Invalid, Result, vec_with_room};
-use crate::limits::{BASE_SPEED, MAX_COORDINATE};
+use crate::limits::{BASE_SPEED, MAX_COORDINATE, MIN_SPEED};
 use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::{angle, continue_sign, log};
 use crate::path::arc_length::ArcLength;
@@ -18,22 +18,56 @@ use crate::path::{
 };
 
 /// A kind of fault that is looked for.
-#[derive(Debug)]
-pub struct Kind {
-    /// Its name, and the limit beyond which it is reported.
-    pub limit: Parameter,
-    /// What helps.
-    pub remedy: &'static str,
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FindingKind {
+    /// The camera is outside the space.
+    Space,
+    /// The curve or the pace nearly stops within a section.
+    Cusp,
+    /// The speed jumps at a key.
+    SpeedJump,
+    /// The camera accelerates too much.
+    Acceleration,
+    /// The view jumps.
+    ViewJump,
+    /// The view turns too fast.
+    Turning,
+    /// The turning accelerates too much.
+    TurningAcceleration,
+    /// A half turn might go either way.
+    HalfTurn,
+    /// The view is nearly straight up or down.
+    Pole,
+    /// The target is too near.
+    Target,
+    /// The object is too near.
+    Clearance,
+    /// The way leads through the object.
+    Through,
+    /// Nothing of the object is in the picture.
+    NothingToSee,
+    /// The zoom is too fast.
+    Zoom,
+    /// Several keys stand where one would do.
+    Redundant,
+    /// The way turns too much at a point.
+    Corner,
 }
 
-const fn kind(
-    name: &'static str,
-    does: &'static str,
+/// Number of kinds.
+pub const COUNT: usize = 16;
+
+/// A kind, the limit beyond which it is reported, under the kind's name, and what helps.
+type Row = (FindingKind, Parameter, &'static str);
+
+const fn row(
+    kind: FindingKind,
+    [name, does]: [&'static str; 2],
     unit: Unit,
     most: f64,
     default: f64,
     remedy: &'static str,
-) -> Kind {
+) -> Row {
     let limit = Parameter {
         name,
         does,
@@ -43,48 +77,84 @@ const fn kind(
         most,
         default,
     };
-    Kind { limit, remedy }
+    (kind, limit, remedy)
 }
 
-/// Number of kinds.
-pub const COUNT: usize = 16;
-
-/// All that is looked for.
+/// All that is looked for, in the order of the kinds.
 #[rustfmt::skip]
-pub const KINDS: [Kind; COUNT] = [
-    kind("space", "the camera is so far outside the space", Unit::Length, MAX_COORDINATE, 0.0,
-        "move or scale the points: vides transform"),
-    kind("cusp", "the curve or the pace nearly stops within a section, to such a share of its mean",
+static ROWS: [Row; COUNT] = [
+    row(FindingKind::Space, ["space", "the camera is so far outside the space"], Unit::Length,
+        MAX_COORDINATE, 0.0, "move or scale the points: vides transform"),
+    row(FindingKind::Cusp, ["cusp",
+        "the curve or the pace nearly stops within a section, to such a share of its mean"],
         Unit::One, 1.0, 0.02, "draw the points apart or give them tangents"),
-    kind("speed-jump", "the speed jumps at a key by such a share of the mean speed", Unit::One,
-        1000.0, 0.5, "ease the section"),
-    kind("acceleration", "the camera accelerates more, in half sizes a second squared", Unit::One,
-        MAX_COORDINATE, 10.0, "ease the section or give it more frames"),
-    kind("view-jump", "the view jumps by so much", Unit::Degrees, 180.0, 1.0,
-        "look ahead by a distance, or round off the corner"),
-    kind("turning", "the view turns faster, in degrees a second", Unit::Degrees, 1e6, 60.0,
+    row(FindingKind::SpeedJump, ["speed-jump",
+        "the speed jumps at a key by such a share of the mean speed"], Unit::One, 1000.0, 0.5,
+        "ease the section"),
+    row(FindingKind::Acceleration, ["acceleration",
+        "the camera accelerates more, in half sizes a second squared"], Unit::One, MAX_COORDINATE,
+        10.0, "ease the section or give it more frames"),
+    row(FindingKind::ViewJump, ["view-jump", "the view jumps by so much"], Unit::Degrees, 180.0,
+        1.0, "look ahead by a distance, or round off the corner"),
+    row(FindingKind::Turning, ["turning", "the view turns faster, in degrees a second"],
+        Unit::Degrees, 1e6, 60.0, "give the section more frames"),
+    row(FindingKind::TurningAcceleration, ["turning-acceleration",
+        "the turning accelerates more, in degrees a second squared"], Unit::Degrees, 1e9, 300.0,
+        "ease the section"),
+    row(FindingKind::HalfTurn, ["half-turn", "a half turn might go either way"], Unit::One, 1.0,
+        0.0, "put a view between the two"),
+    row(FindingKind::Pole, ["pole", "the view is so near to straight up or down"], Unit::Degrees,
+        90.0, 3.0, "lead the way aside"),
+    row(FindingKind::Target, ["target", "the target is nearer"], Unit::Length, MAX_COORDINATE,
+        0.05, "lead the way aside"),
+    row(FindingKind::Clearance, ["clearance", "the object is nearer"], Unit::Length,
+        MAX_COORDINATE, 0.02, "lead the way aside"),
+    row(FindingKind::Through, ["through", "the way leads through the object"], Unit::One, 1.0, 0.0,
+        "lead the way aside"),
+    row(FindingKind::NothingToSee, ["nothing-to-see",
+        "nothing of the object is in the picture for longer"], Unit::Seconds, 1e6, 1.0,
+        "turn the views towards the object"),
+    row(FindingKind::Zoom, ["zoom", "the zoom is faster, in mm a second"], Unit::Zoom, 1e6, 30.0,
         "give the section more frames"),
-    kind("turning-acceleration", "the turning accelerates more, in degrees a second squared",
-        Unit::Degrees, 1e9, 300.0, "ease the section"),
-    kind("half-turn", "a half turn might go either way", Unit::One, 1.0, 0.0,
-        "put a view between the two"),
-    kind("pole", "the view is so near to straight up or down", Unit::Degrees, 90.0, 3.0,
-        "lead the way aside"),
-    kind("target", "the target is nearer", Unit::Length, MAX_COORDINATE, 0.05,
-        "lead the way aside"),
-    kind("clearance", "the object is nearer", Unit::Length, MAX_COORDINATE, 0.02,
-        "lead the way aside"),
-    kind("through", "the way leads through the object", Unit::One, 1.0, 0.0,
-        "lead the way aside"),
-    kind("nothing-to-see", "nothing of the object is in the picture for longer", Unit::Seconds,
-        1e6, 1.0, "turn the views towards the object"),
-    kind("zoom", "the zoom is faster, in mm a second", Unit::Zoom, 1e6, 30.0,
-        "give the section more frames"),
-    kind("redundant", "several keys stand where one would do", Unit::One, 1.0, 0.0,
-        "remove the orientation or the point"),
-    kind("corner", "the way turns at a point by more", Unit::Degrees, 180.0, 60.0,
-        "give the point tangents"),
+    row(FindingKind::Redundant, ["redundant", "several keys stand where one would do"], Unit::One,
+        1.0, 0.0, "remove the orientation or the point"),
+    row(FindingKind::Corner, ["corner", "the way turns at a point by more"], Unit::Degrees, 180.0,
+        60.0, "give the point tangents"),
 ];
+
+impl FindingKind {
+    /// All of them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        ROWS.iter().map(|row| row.0)
+    }
+
+    /// The limit beyond which it is reported; its name is that of the kind.
+    #[must_use]
+    pub const fn limit(self) -> &'static Parameter {
+        &ROWS[self as usize].1
+    }
+
+    /// Its name: small letters, words joined by `-`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        self.limit().name
+    }
+
+    /// What helps.
+    #[must_use]
+    pub const fn remedy(self) -> &'static str {
+        ROWS[self as usize].2
+    }
+
+    /// The kind of this name.
+    ///
+    /// # Errors
+    /// [`crate::Error::Argument`] if there is none.
+    pub fn parse(name: &str) -> Result<Self> {
+        let found = Self::all().find(|kind| kind.name() == name);
+        found.ok_or_else(|| Invalid::NoCheck(name.into()).into())
+    }
+}
 
 /// The limits of all kinds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -92,52 +162,45 @@ pub struct Limits([f64; COUNT]);
 
 impl Default for Limits {
     fn default() -> Self {
-        Self(std::array::from_fn(|k| KINDS[k].limit.default))
+        Self(ROWS.map(|row| row.1.default))
     }
 }
 
 impl Limits {
-    fn find(name: &str) -> Result<usize> {
-        let found = KINDS.iter().position(|kind| kind.limit.name == name);
-        found.ok_or_else(|| Invalid::NoCheck(name.into()).into())
-    }
-
-    /// A limit by its name.
-    ///
-    /// # Errors
-    /// [`crate::Error::Argument`] if there is none.
-    pub fn get(&self, name: &str) -> Result<f64> {
-        Ok(self.0[Self::find(name)?])
+    /// The limit of a kind.
+    #[must_use]
+    pub const fn get(&self, kind: FindingKind) -> f64 {
+        self.0[kind as usize]
     }
 
     /// Sets a limit.
     ///
     /// # Errors
     /// [`crate::Error::Argument`] or [`crate::Error::Range`]; nothing is changed then.
-    pub fn set(&mut self, name: &str, limit: f64) -> Result<()> {
-        let at = Self::find(name)?;
-        KINDS[at].limit.check(limit)?;
-        self.0[at] = limit;
+    pub fn set(&mut self, kind: FindingKind, limit: f64) -> Result<()> {
+        kind.limit().check(limit, 1.0)?;
+        self.0[kind as usize] = limit;
         Ok(())
     }
 
-    /// Those that differ from the defaults, by name.
-    pub fn own(&self) -> impl Iterator<Item = (&'static str, f64)> {
-        let all = KINDS.iter().zip(self.0);
-        all.filter(|(kind, limit)| kind.limit.default.to_bits() != limit.to_bits())
-            .map(|(kind, limit)| (kind.limit.name, limit))
+    /// Those that differ from the defaults.
+    pub fn changed(&self) -> impl Iterator<Item = (FindingKind, f64)> {
+        FindingKind::all()
+            .zip(self.0)
+            .filter(|(kind, limit)| kind.limit().default.to_bits() != limit.to_bits())
     }
+}
 
-    fn of(&self, name: &str) -> f64 {
-        self.get(name).unwrap_or(f64::INFINITY)
-    }
+/// Whether a value is beyond a limit by more than rounding.
+fn beyond(value: f64, limit: f64) -> bool {
+    value - limit > 1e-9 * limit.max(1.0)
 }
 
 /// Something that was found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Finding {
-    /// The name of its kind.
-    pub kind: &'static str,
+    /// What it is.
+    pub kind: FindingKind,
     /// The first frame, from 1.
     pub first_frame: f64,
     /// The last frame.
@@ -208,7 +271,7 @@ pub fn check(path: &CameraPath, against: &Against<'_>) -> Result<Vec<Finding>> {
             before = [before[1], Some(here)];
         }
     }
-    for kind in 0..COUNT {
+    for kind in FindingKind::all() {
         scan.close(kind)?;
     }
     let mut found = scan.found;
@@ -218,13 +281,9 @@ pub fn check(path: &CameraPath, against: &Against<'_>) -> Result<Vec<Finding>> {
 
 /// The first own frame of each section that has some, with the section.
 fn sections(timeline: &Timeline, sampler: &Sampler) -> Result<Vec<(usize, Section)>> {
-    let count = timeline.section_count();
-    let mut sections = vec_with_room(count)?;
-    sections.extend(
-        (0..count)
-            .map(|k| (sampler.first_frame(k), timeline.section(k)))
-            .filter(|(_, section)| section.change != Change::Nothing),
-    );
+    let mut sections = vec_with_room(timeline.section_count())?;
+    let moving = timeline.moving();
+    sections.extend(moving.map(|k| (sampler.first_frame(k), timeline.section(k))));
     Ok(sections)
 }
 
@@ -273,14 +332,14 @@ impl Scan<'_> {
         Ok(())
     }
 
-    fn close(&mut self, kind: usize) -> Result<()> {
-        let Some(mut finding) = self.open[kind].take() else {
+    fn close(&mut self, kind: FindingKind) -> Result<()> {
+        let Some(mut finding) = self.open[kind as usize].take() else {
             return Ok(());
         };
-        if finding.kind == "nothing-to-see" {
+        if kind == FindingKind::NothingToSee {
             let frames = finding.last_frame - finding.first_frame + 1.0;
             finding.value = frames / self.against.fps;
-            if finding.value <= finding.limit {
+            if !beyond(finding.value, finding.limit) {
                 return Ok(());
             }
         }
@@ -290,18 +349,15 @@ impl Scan<'_> {
     /// Opens, extends or closes the finding of a kind; the greatest value counts if `worst` > 0.
     fn see(
         &mut self,
-        name: &str,
+        kind: FindingKind,
         (from, to): (usize, usize),
         value: Option<f64>,
         worst: f64,
     ) -> Result<()> {
-        let Ok(kind) = Limits::find(name) else {
-            return Ok(());
-        };
         let Some(value) = value else {
             return self.close(kind);
         };
-        if let Some(open) = &mut self.open[kind] {
+        if let Some(open) = &mut self.open[kind as usize] {
             open.last_frame = to as f64;
             open.value = if worst > 0.0 {
                 open.value.max(value)
@@ -310,28 +366,38 @@ impl Scan<'_> {
             };
             return Ok(());
         }
-        let section = self.section_at(to);
-        let (point, orientation) = section.map_or((0, 0), |s| (s.point, s.orientation));
-        self.open[kind] = Some(Finding {
-            kind: KINDS[kind].limit.name,
-            first_frame: from as f64,
-            last_frame: to as f64,
-            point,
-            orientation,
-            value,
-            limit: self.against.limits.0[kind],
-        });
+        let frames = [from as f64, to as f64];
+        self.open[kind as usize] = Some(self.finding(kind, frames, self.section_at(to), value));
         Ok(())
     }
 
-    fn above(&mut self, name: &str, frames: (usize, usize), value: f64) -> Result<()> {
-        let there = value > self.against.limits.of(name) + 1e-9;
-        self.see(name, frames, there.then_some(value), 1.0)
+    fn finding(
+        &self,
+        kind: FindingKind,
+        [first_frame, last_frame]: [f64; 2],
+        section: Option<&Section>,
+        value: f64,
+    ) -> Finding {
+        let (point, orientation) = section.map_or((0, 0), |s| (s.point, s.orientation));
+        Finding {
+            kind,
+            first_frame,
+            last_frame,
+            point,
+            orientation,
+            value,
+            limit: self.against.limits.get(kind),
+        }
     }
 
-    fn below(&mut self, name: &str, frames: (usize, usize), value: f64) -> Result<()> {
-        let there = value < self.against.limits.of(name);
-        self.see(name, frames, there.then_some(value), -1.0)
+    fn above(&mut self, kind: FindingKind, frames: (usize, usize), value: f64) -> Result<()> {
+        let there = beyond(value, self.against.limits.get(kind));
+        self.see(kind, frames, there.then_some(value), 1.0)
+    }
+
+    fn below(&mut self, kind: FindingKind, frames: (usize, usize), value: f64) -> Result<()> {
+        let there = beyond(self.against.limits.get(kind), value);
+        self.see(kind, frames, there.then_some(value), -1.0)
     }
 
     fn frame(&mut self, here: &Frame, before: [Option<Frame>; 2]) -> Result<()> {
@@ -340,7 +406,7 @@ impl Scan<'_> {
         let at = (number, number);
         if let Some(space) = self.against.space {
             let out = (here.place - space.max()).max(space.min() - here.place);
-            self.above("space", at, out.max_element() / size)?;
+            self.above(FindingKind::Space, at, out.max_element() / size)?;
         }
         let view = self.path.space.up.upright(here.pose.vpn.into());
         let pole = view.x.hypot(view.z).atan2(view.y.abs()).to_degrees();
@@ -350,21 +416,21 @@ impl Scan<'_> {
         });
         // Another up than the axis does not spin there.
         let level = begin.is_none_or(|begin| begin.own.up == UpVector::Axis);
-        if level {
-            self.below("pole", at, pole)?;
-        } else {
-            self.see("pole", at, None, -1.0)?;
-        }
-        if let Some(Target::Absolute(target)) = begin.map(|begin| begin.target) {
-            self.below("target", at, (target - here.place).length() / size)?;
-        } else {
-            self.see("target", at, None, -1.0)?;
-        }
+        let pole = if level { pole } else { f64::INFINITY };
+        let target = match begin.map(|begin| begin.target) {
+            Some(Target::Absolute(target)) => (target - here.place).length() / size,
+            _ => f64::INFINITY,
+        };
+        self.below(FindingKind::Pole, at, pole)?;
+        self.below(FindingKind::Target, at, target)?;
         if let Some(object) = self.against.object {
-            let near = object.distance(here.place, size * self.against.limits.of("clearance"));
-            self.see("clearance", at, near.map(|near| near / size), -1.0)?;
+            let least = self.against.limits.get(FindingKind::Clearance);
+            let near = object.distance(here.place, size * least);
+            let near = near.map(|near| near / size);
+            let near = near.filter(|near| beyond(least, *near));
+            self.see(FindingKind::Clearance, at, near, -1.0)?;
             let seen = object.is_seen(&picture(&here.pose));
-            self.see("nothing-to-see", at, (!seen).then_some(0.0), 1.0)?;
+            self.see(FindingKind::NothingToSee, at, (!seen).then_some(0.0), 1.0)?;
         }
         let Some(last) = before[1] else {
             return Ok(());
@@ -372,27 +438,35 @@ impl Scan<'_> {
         let pair = (number - 1, number);
         if let Some(object) = self.against.object {
             let crossed = object.is_crossed(last.place, here.place);
-            self.see("through", pair, crossed.then_some(0.0), 1.0)?;
+            self.see(FindingKind::Through, pair, crossed.then_some(0.0), 1.0)?;
         }
         let turned = 2.0 * angle(last.turn, here.turn);
-        if turned > SUSPECT {
-            let jump = self.jump(number)?.to_degrees();
-            self.above("view-jump", pair, jump)?;
+        let jump = if turned > SUSPECT {
+            self.jump(number)?.to_degrees()
         } else {
-            self.see("view-jump", pair, None, 1.0)?;
-        }
-        self.above("turning", pair, turned.to_degrees() * fps)?;
-        self.above("zoom", pair, (here.pose.zoom - last.pose.zoom).abs() * fps)?;
+            0.0
+        };
+        self.above(FindingKind::ViewJump, pair, jump)?;
+        self.above(FindingKind::Turning, pair, turned.to_degrees() * fps)?;
+        self.above(
+            FindingKind::Zoom,
+            pair,
+            (here.pose.zoom - last.pose.zoom).abs() * fps,
+        )?;
         let Some(first) = before[0] else {
             return Ok(());
         };
         let three = (number - 2, number);
         let bend = here.place - 2.0 * last.place + first.place;
-        self.above("acceleration", three, bend.length() / size * fps * fps)?;
+        self.above(
+            FindingKind::Acceleration,
+            three,
+            bend.length() / size * fps * fps,
+        )?;
         let rate = |a: &Frame, b: &Frame| 2.0 * log(b.turn * a.turn.conjugate());
         let change = (rate(&last, here) - rate(&first, &last)).length();
         self.above(
-            "turning-acceleration",
+            FindingKind::TurningAcceleration,
             three,
             change.to_degrees() * fps * fps,
         )
@@ -426,31 +500,24 @@ impl Scan<'_> {
         let section = timeline.section(number);
         let first = self.sampler.first_frame(number);
         let limits = &self.against.limits;
-        let finding = |name: &'static str, frames: [f64; 2], value: f64| Finding {
-            kind: name,
-            first_frame: frames[0],
-            last_frame: frames[1],
-            point: section.point,
-            orientation: section.orientation,
-            value,
-            limit: limits.of(name),
-        };
         let begin = (first as f64 - 1.0).max(1.0);
         let end = begin + section.frames as f64;
         if section.change == Change::Nothing {
-            return self.add(finding("redundant", [first as f64; 2], 1.0));
+            let frames = [first as f64; 2];
+            return self.add(self.finding(FindingKind::Redundant, frames, Some(&section), 1.0));
         }
         if ambiguity(self.path, timeline, number) == Some(Ambiguity::HalfTurn) {
-            self.add(finding("half-turn", [begin, end], 180.0))?;
+            let frames = [begin, end];
+            self.add(self.finding(FindingKind::HalfTurn, frames, Some(&section), 180.0))?;
         }
         let timing = timeline.timing(self.path, number)?;
-        let mut least = (limits.of("cusp"), None);
+        let mut least = (limits.get(FindingKind::Cusp), None);
         // The pace, and where there is a way its tangent, away from the ends.
         let places = |k: i32| 0.05 + 0.9 * f64::from(k) / 256.0;
         for u in (0..=256).map(places) {
             let speed = timing.speed(u) / BASE_SPEED;
-            // Half of the least speed: a section all at the least one is slow, but has no cusp.
-            if speed < least.0.min(0.5 / BASE_SPEED) {
+            // A section all at the least speed is slow, but has no cusp.
+            if speed < least.0.min(0.5 * MIN_SPEED / BASE_SPEED) {
                 least = (speed, Some(u));
             }
         }
@@ -469,7 +536,7 @@ impl Scan<'_> {
         }
         if let (value, Some(u)) = least {
             let frame = begin + u * section.frames as f64;
-            self.add(finding("cusp", [frame; 2], value))?;
+            self.add(self.finding(FindingKind::Cusp, [frame; 2], Some(&section), value))?;
         }
         Ok(())
     }
@@ -490,21 +557,16 @@ impl Scan<'_> {
             let leave = (place(begin + BESIDE)? - place(begin)?) / BESIDE;
             let rests = begin > end;
             let (a, b) = (reach.length(), leave.length());
-            let jump = if rests { a.max(b) } else { (a - b).abs() } / mean.max(f64::MIN_POSITIVE);
+            let change = if rests { a.max(b) } else { (a - b).abs() };
+            let jump = change / mean.max(f64::MIN_POSITIVE);
             let turned = reach.angle_between(leave).to_degrees();
             let corner = if a.min(b) > 1e-3 * mean { turned } else { 0.0 };
-            for (name, value) in [("speed-jump", jump), ("corner", corner)] {
-                let limit = self.against.limits.of(name);
-                if value > limit {
-                    self.add(Finding {
-                        kind: name,
-                        first_frame: end,
-                        last_frame: begin,
-                        point: after.point,
-                        orientation: after.orientation,
-                        value,
-                        limit,
-                    })?;
+            for (kind, value) in [
+                (FindingKind::SpeedJump, jump),
+                (FindingKind::Corner, corner),
+            ] {
+                if beyond(value, self.against.limits.get(kind)) {
+                    self.add(self.finding(kind, [end, begin], Some(&after), value))?;
                 }
             }
         }

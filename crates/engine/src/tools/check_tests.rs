@@ -21,7 +21,7 @@ fn found_against(path: &CameraPath, against: &Against<'_>) -> Vec<&'static str> 
     let mut kinds: Vec<_> = check(path, against)
         .unwrap()
         .iter()
-        .map(|f| f.kind)
+        .map(|f| f.kind.name())
         .collect();
     kinds.dedup();
     kinds
@@ -57,6 +57,14 @@ fn a_quiet_flight_has_nothing() {
 }
 
 #[test]
+fn kinds_stand_in_their_order_and_have_names() {
+    for (at, kind) in FindingKind::all().enumerate() {
+        assert_eq!(kind as usize, at);
+        assert_eq!(FindingKind::parse(kind.name()).unwrap(), kind);
+    }
+}
+
+#[test]
 fn space() {
     let space = Bounds::new(DVec3::splat(-1.0), DVec3::ONE).unwrap();
     let against = Against {
@@ -68,7 +76,7 @@ fn space() {
     assert!(found_against(&path, &against).is_empty());
     path.points[2].position.x = 1.01;
     let all = check(&path, &against).unwrap();
-    assert_eq!(all[0].kind, "space");
+    assert_eq!(all[0].kind, FindingKind::Space);
     assert_eq!(all[0].point, 1);
     assert!((all[0].value - 0.01).abs() < 1e-12 && all[0].last_frame > 140.0);
 }
@@ -115,7 +123,7 @@ fn speed_jump() {
     let mut path = path(&LINE);
     path.points[1].orientations[0].hold = 10;
     let all = check(&path, &plain()).unwrap();
-    assert_eq!(all[0].kind, "speed-jump");
+    assert_eq!(all[0].kind, FindingKind::SpeedJump);
     assert!(
         (all[0].first_frame, all[0].last_frame) == (51.0, 61.0),
         "{:?}",
@@ -165,11 +173,14 @@ fn view_jump_and_corner() {
     corner.curve = crate::path::CurveKind::Linear;
     ahead(&mut corner, 0.0);
     let all = check(&corner, &plain()).unwrap();
-    let jump = all.iter().find(|f| f.kind == "view-jump").unwrap();
+    let jump = all
+        .iter()
+        .find(|f| f.kind == FindingKind::ViewJump)
+        .unwrap();
     assert!((jump.value - 90.0).abs() < 1e-6, "{jump:?}");
     assert!(
         all.iter()
-            .any(|f| f.kind == "corner" && (f.value - 90.0).abs() < 1e-3)
+            .any(|f| f.kind == FindingKind::Corner && (f.value - 90.0).abs() < 1e-3)
     );
     ahead(&mut corner, 0.2);
     assert!(!found(&corner).contains(&"view-jump"));
@@ -189,7 +200,7 @@ fn turning_and_its_acceleration() {
     };
     assert!(found(&turn(59.0, 25)).is_empty());
     let all = check(&turn(61.0, 25), &plain()).unwrap();
-    assert_eq!(all[0].kind, "turning");
+    assert_eq!(all[0].kind, FindingKind::Turning);
     assert!((all[0].value - 61.0).abs() < 1e-6);
     let mut rest = turn(50.0, 25);
     rest.points[0].orientations[0].hold = 5;
@@ -284,7 +295,7 @@ fn zoom_and_redundant_keys() {
     let all = check(&path, &plain()).unwrap();
     assert!(
         all.iter()
-            .any(|f| f.kind == "redundant" && (f.point, f.orientation) == (1, 0))
+            .any(|f| f.kind == FindingKind::Redundant && (f.point, f.orientation) == (1, 0))
     );
     again.roll = 1.0;
     path.points[1].orientations[1] = again;
@@ -294,10 +305,44 @@ fn zoom_and_redundant_keys() {
 #[test]
 fn limits_are_set_by_name() {
     let mut limits = Limits::default();
-    assert_eq!(limits.get("turning").unwrap(), 60.0);
-    limits.set("turning", 90.0).unwrap();
-    assert_eq!(limits.own().collect::<Vec<_>>(), [("turning", 90.0)]);
-    assert!(limits.set("turning", f64::NAN).is_err());
-    assert!(limits.set("turning", -1.0).is_err());
-    assert!(limits.set("tuning", 1.0).is_err() && limits.get("").is_err());
+    assert_eq!(limits.get(FindingKind::Turning), 60.0);
+    limits.set(FindingKind::Turning, 90.0).unwrap();
+    assert_eq!(
+        limits.changed().collect::<Vec<_>>(),
+        [(FindingKind::Turning, 90.0)]
+    );
+    assert!(limits.set(FindingKind::Turning, f64::NAN).is_err());
+    assert!(limits.set(FindingKind::Turning, -1.0).is_err());
+    assert!(FindingKind::parse("tuning").is_err() && FindingKind::parse("").is_err());
+}
+
+/// Neither a least nor a greatest value at its limit is beyond it, whatever rounding says.
+#[test]
+fn at_its_limit_nothing_is_found() {
+    let space = crate::path::Space::default();
+    let made = |name: &str, numbers: &[f64]| {
+        let known = crate::tools::moves::Move::named(name).unwrap();
+        known.path(numbers, space, 25.0).unwrap()
+    };
+    let mut against = plain();
+    for tilt in 1..87 {
+        let tilt = f64::from(tilt);
+        let path = made("pan", &[0.0, 0.0, 0.0, -10.0, 10.0, tilt]);
+        against.limits.set(FindingKind::Pole, 90.0 - tilt).unwrap();
+        assert!(!found_against(&path, &against).contains(&"pole"), "{tilt}");
+        let path = made("crane", &[0.0, 0.0, 0.0, 0.01 * tilt, -1.0, 1.0]);
+        against
+            .limits
+            .set(FindingKind::Target, 0.01 * tilt)
+            .unwrap();
+        assert!(
+            !found_against(&path, &against).contains(&"target"),
+            "{tilt}"
+        );
+        against
+            .limits
+            .set(FindingKind::Target, 0.01 * tilt + 1e-6)
+            .unwrap();
+        assert!(found_against(&path, &against).contains(&"target"), "{tilt}");
+    }
 }

@@ -14,7 +14,7 @@ const LEAF: usize = 4;
 struct Primitive([DVec3; 3]);
 
 #[derive(Debug, Clone, Copy)]
-struct Node {
+struct BoxNode {
     min: DVec3,
     max: DVec3,
     /// First primitive of a leaf, else the second child; the first one follows.
@@ -27,7 +27,7 @@ struct Node {
 #[derive(Debug)]
 pub struct Clearance {
     primitives: Vec<Primitive>,
-    nodes: Vec<Node>,
+    nodes: Vec<BoxNode>,
 }
 
 impl Clearance {
@@ -58,7 +58,7 @@ impl Clearance {
     #[must_use]
     pub fn distance(&self, place: DVec3, most: f64) -> Option<f64> {
         let mut best = most * most;
-        let reach = |node: &Node| (place.clamp(node.min, node.max) - place).length_squared();
+        let reach = |node: &BoxNode| (place.clamp(node.min, node.max) - place).length_squared();
         let mut found = false;
         self.walk(&mut |node, primitives| {
             if reach(node) > best {
@@ -143,7 +143,7 @@ impl Clearance {
     }
 
     /// Walks the tree; `look` gets a node with a leaf's primitives and tells whether to go deeper.
-    fn walk(&self, look: &mut dyn FnMut(&Node, &[Primitive]) -> bool) {
+    fn walk(&self, look: &mut dyn FnMut(&BoxNode, &[Primitive]) -> bool) {
         // Deeper than a tree of 2⁶⁰ primitives, split at the median.
         let mut stack = [0_u32; 64];
         let mut depth = 1;
@@ -168,12 +168,12 @@ impl Clearance {
 
 /// The nodes over some primitives, which begin at `first` among all.
 #[allow(clippy::cast_possible_truncation)]
-fn build(primitives: &mut [Primitive], first: usize, nodes: &mut Vec<Node>) {
+fn build(primitives: &mut [Primitive], first: usize, nodes: &mut Vec<BoxNode>) {
     let all = primitives.iter().flat_map(|primitive| primitive.0);
     let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     let (min, max) = all.fold(start, |(min, max), p| (min.min(p), max.max(p)));
     let here = nodes.len();
-    nodes.push(Node {
+    nodes.push(BoxNode {
         min,
         max,
         at: first as u32,

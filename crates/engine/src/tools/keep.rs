@@ -1,6 +1,6 @@
 //! What tools share: points picked out of a path, and curves that stay while points change.
 
-use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
+use crate::error::{Invalid, Result, vec_with_room};
 use crate::path::{CameraPath, CurveKind, CurveParameters, Tangents, alignment, curve};
 use glam::DVec3;
 
@@ -20,7 +20,7 @@ pub(super) fn picked(path: &CameraPath, points: &[usize]) -> Result<Vec<bool>> {
     let mut picked = vec_with_room(count)?;
     picked.resize(count, false);
     for &point in points {
-        *picked.get_mut(point).ok_or_else(|| no_point(path, point))? = true;
+        *picked.get_mut(point).ok_or_else(|| path.no_point(point))? = true;
     }
     Ok(picked)
 }
@@ -50,14 +50,6 @@ pub(super) fn ups(path: &CameraPath) -> Result<Vec<Vec<Option<DVec3>>>> {
         found.push(ups);
     }
     Ok(found)
-}
-
-pub(super) fn no_point(path: &CameraPath, point: usize) -> Error {
-    OutOfRange::NoPoint {
-        point,
-        last: path.points.len() - 1,
-    }
-    .into()
 }
 
 pub(super) fn tangents(path: &CameraPath) -> Result<Vec<Option<Tangents>>> {

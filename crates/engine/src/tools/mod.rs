@@ -17,3 +17,6 @@ mod smooth;
 pub mod transform;
 
 pub use parameter::{Parameter, Unit};
+
+#[cfg(test)]
+mod space_tests;

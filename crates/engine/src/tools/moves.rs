@@ -11,7 +11,7 @@ use glam::DVec3;
 use super::parameter::{Parameter, Unit};
 use crate::deform::Bounds;
 use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
-use crate::limits::{BASE_SPEED, MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
+use crate::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
 use crate::path::fit_frames::fit_frames;
 use crate::path::{
     BaseSpeeds, CameraPath, CurveParameters, Orientation, Space, SupportPoint, Tangents, Target,
@@ -335,7 +335,7 @@ impl Move {
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn defaults(&self, object: Option<&Bounds>, space: Space) -> Result<Vec<f64>> {
-        let mut numbers = Parameter::numbers(self.parameters, &[])?;
+        let mut numbers = Parameter::numbers(self.parameters, &[], space.half_size)?;
         let (mut middle, mut size) = (space.centre, space.half_size);
         if let Some(bounds) = object {
             middle = 0.5 * (bounds.min() + bounds.max());
@@ -349,7 +349,8 @@ impl Move {
             if parameter.width == 3 {
                 numbers[start..start + 3].copy_from_slice(&middle.to_array());
             } else if parameter.unit == Unit::Length {
-                numbers[start] = (numbers[start] * size).clamp(parameter.least, parameter.most);
+                let [least, most] = [parameter.least, parameter.most].map(|k| k * space.half_size);
+                numbers[start] = (parameter.default * size).clamp(least, most);
             }
             start += parameter.width;
         }
@@ -361,7 +362,7 @@ impl Move {
     /// # Errors
     /// What is wrong with the numbers; [`crate::Error::Limit`], [`crate::Error::Memory`].
     pub fn path(&self, given: &[f64], space: Space, fps: f64) -> Result<CameraPath> {
-        self.path_at(given, space, fps, BaseSpeeds::default())
+        self.path_with_speeds(given, space, fps, BaseSpeeds::default())
     }
 
     /// The same with base speeds, which count where `seconds` is 0: as long as its way.
@@ -369,14 +370,14 @@ impl Move {
     /// # Errors
     /// As [`Move::path`].
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    pub fn path_at(
+    pub fn path_with_speeds(
         &self,
         given: &[f64],
         space: Space,
         fps: f64,
         speeds: BaseSpeeds,
     ) -> Result<CameraPath> {
-        let numbers = Parameter::numbers(self.parameters, given)?;
+        let numbers = Parameter::numbers(self.parameters, given, space.half_size)?;
         let given = Given {
             parameters: self.parameters,
             numbers: &numbers,
@@ -394,8 +395,7 @@ impl Move {
             let timeline = Timeline::new(&path)?;
             let last = path.points.len() - 1;
             for fixed in fit_frames(&path, &timeline, 0, last, frames)? {
-                let orientation = &mut path.points[fixed.point].orientations[fixed.orientation];
-                orientation.own = orientation.own.with(|own| own.frames = fixed.frames)?;
+                fixed.apply(&mut path)?;
             }
         }
         if self.name == "dolly-zoom" {
@@ -406,10 +406,8 @@ impl Move {
 }
 
 /// Lets both keys own the slope between them, so that the size stays also within a longer path.
-#[allow(clippy::cast_precision_loss)]
 fn keep_zoom_linear(path: &mut CameraPath) -> Result<()> {
-    let section = Timeline::new(path)?.section(0);
-    let duration = section.frames as f64 * section.mean_speed / BASE_SPEED;
+    let duration = Timeline::new(path)?.section(0).duration();
     let rise = path.points[1].orientations[0].zoom - path.points[0].orientations[0].zoom;
     for point in &mut path.points {
         let orientation = &mut point.orientations[0];
@@ -505,7 +503,7 @@ fn pan(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
         let angle = from + (to - from) * (k as f64 / segments);
         let mut point = SupportPoint::try_new(given.place("at"))?;
         let view = tilt.cos() * heading(angle) + tilt.sin() * DVec3::Y;
-        point.orientations[0].target = Target::Relative(given.space.up.world(view));
+        point.orientations[0].target = Target::Relative(given.space.offset(view));
         point.orientations[0].zoom = given.number("zoom");
         points.push(point);
     }

@@ -54,11 +54,11 @@ pub struct Parameter {
     pub unit: Unit,
     /// 1; 3 for x, y and z; 192 for a lattice.
     pub width: usize,
-    /// The least that it may be.
+    /// The least that it may be; of a length, in half sizes of the space.
     pub least: f64,
-    /// The most that it may be.
+    /// The most that it may be; of a length, in half sizes.
     pub most: f64,
-    /// What each of its numbers is unless told.
+    /// What each of its numbers is unless told; of a length, in half sizes.
     pub default: f64,
 }
 
@@ -101,25 +101,37 @@ impl Parameter {
         all.iter().map(|parameter| parameter.width).sum()
     }
 
-    /// Checks one of its numbers.
+    /// What its bounds and its default are in, in a space of such a half size.
+    #[must_use]
+    pub fn scale(&self, half_size: f64) -> f64 {
+        if self.unit == Unit::Length {
+            half_size
+        } else {
+            1.0
+        }
+    }
+
+    /// Checks one of its numbers for a space of such a half size.
     ///
     /// # Errors
     /// [`crate::Error::Argument`] if it is not finite, [`crate::Error::Range`].
-    pub fn check(&self, number: f64) -> Result<()> {
+    pub fn check(&self, number: f64, half_size: f64) -> Result<()> {
         if !number.is_finite() {
             return Err(Invalid::NumberNotFinite(self.name).into());
         }
-        if !(self.least..=self.most).contains(&number) {
-            return Err(OutOfRange::NumberBetween(self.name, self.least, self.most).into());
+        let [least, most] = [self.least, self.most].map(|bound| bound * self.scale(half_size));
+        if !(least..=most).contains(&number) {
+            return Err(OutOfRange::NumberBetween(self.name, least, most).into());
         }
         Ok(())
     }
 
-    /// All numbers of a tool, checked: those given, in the order of its table, then defaults.
+    /// All numbers of a tool in a space of such a half size, checked: those given, in the order of
+    /// its table, then defaults.
     ///
     /// # Errors
     /// As [`Parameter::check`]; [`crate::Error::Range`] for too many; [`crate::Error::Memory`].
-    pub fn numbers(all: &[Self], given: &[f64]) -> Result<Vec<f64>> {
+    pub fn numbers(all: &[Self], given: &[f64], half_size: f64) -> Result<Vec<f64>> {
         let count = Self::count(all);
         if given.len() > count {
             return Err(OutOfRange::NumbersGiven {
@@ -134,11 +146,11 @@ impl Parameter {
         for parameter in all {
             let end = start + parameter.width;
             while numbers.len() < end {
-                numbers.push(parameter.default);
+                numbers.push(parameter.default * parameter.scale(half_size));
             }
             numbers[start..end]
                 .iter()
-                .try_for_each(|number| parameter.check(*number))?;
+                .try_for_each(|number| parameter.check(*number, half_size))?;
             start = end;
         }
         Ok(numbers)

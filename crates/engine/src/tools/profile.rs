@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
+use super::check::FindingKind;
 use super::clearance::Clearance;
 use crate::math::orientation::roll_from_up;
 use crate::path::{Pose, Sampler, Up};
@@ -53,21 +54,19 @@ impl Quantity {
 
     /// The kinds of findings ([`super::check`]) that are seen in it.
     #[must_use]
-    pub const fn findings(self) -> &'static [&'static str] {
+    pub const fn findings(self) -> &'static [FindingKind] {
+        use FindingKind::{
+            Acceleration, Clearance, Corner, Cusp, HalfTurn, NothingToSee, Pole, Redundant, Space,
+            SpeedJump, Target, Through, Turning, TurningAcceleration, ViewJump, Zoom,
+        };
         match self {
             Self::Distance => &[],
-            Self::Speed => &["speed-jump", "cusp", "corner", "space"],
-            Self::Acceleration => &["acceleration"],
-            Self::Turning => &[
-                "turning",
-                "turning-acceleration",
-                "view-jump",
-                "half-turn",
-                "pole",
-            ],
-            Self::Roll => &["redundant"],
-            Self::Zoom => &["zoom"],
-            Self::Clearance => &["clearance", "through", "nothing-to-see", "target"],
+            Self::Speed => &[SpeedJump, Cusp, Corner, Space],
+            Self::Acceleration => &[Acceleration],
+            Self::Turning => &[Turning, TurningAcceleration, ViewJump, HalfTurn, Pole],
+            Self::Roll => &[Redundant],
+            Self::Zoom => &[Zoom],
+            Self::Clearance => &[Clearance, Through, NothingToSee, Target],
         }
     }
 

@@ -9,12 +9,15 @@ use crate::deform::{Bounds, Deformation};
 use crate::error::{Invalid, Place, Result, vec_with_room};
 use crate::math::orientation::{roll_from_up, unit, up_from_roll, wrap_degrees};
 use crate::path::{
-    CameraPath, Orientation, SupportPoint, Tangents, Target, Up, UpPathPoint, UpVector, Velocities,
-    ahead, alignment,
+    CameraPath, Orientation, SupportPoint, Tangents, Target, Up, UpVector, Velocities, ahead,
+    alignment,
 };
 
 /// Columns of a matrix without shear are at right angles within this.
 const SQUARE: f64 = 1e-9;
+
+/// A side pressed to this share of another is pressed flat.
+const FLAT: f64 = 1e-12;
 
 /// Step of the differences, in the largest side of the box.
 const STEP: f64 = 1e-3;
@@ -47,7 +50,8 @@ pub fn check_matrix(matrix: &DMat4) -> Result<()> {
     }
     let [x, y, z] = [0, 1, 2].map(|k| matrix.col(k).truncate());
     let square = |a: DVec3, b: DVec3| a.dot(b).abs() <= SQUARE * a.length() * b.length();
-    let flat = [x, y, z].iter().any(|column| column.length() < 1e-12);
+    let lengths = DVec3::new(x.length(), y.length(), z.length());
+    let flat = !(lengths.min_element() > FLAT * lengths.max_element());
     let row = matrix.row(3).to_array();
     if flat || row != [0.0, 0.0, 0.0, 1.0] || !square(x, y) || !square(y, z) || !square(z, x) {
         return Err(Invalid::Matrix.into());
@@ -100,7 +104,8 @@ pub fn deform(
         place[0]
     };
     let derivative = |at: DVec3| {
-        let columns = [0, 1, 2].map(|axis| slope(&place, &bounds, at, axis));
+        let columns =
+            [0, 1, 2].map(|axis| slope(&place, &bounds, 1e-3 * path.space.half_size, at, axis));
         DMat3::from_cols_array_2d(&columns.map(|column| column.to_array()))
     };
     let map = Map {
@@ -112,10 +117,17 @@ pub fn deform(
 }
 
 /// How the image of a place changes along an axis. At a side of the box a deformation may have an
-/// edge, and the outermost points lie there: it is the slope on their own side.
-fn slope(place: &impl Fn(DVec3) -> DVec3, bounds: &Bounds, at: DVec3, axis: usize) -> DVec3 {
+/// edge, and the outermost points lie there: it is the slope on their own side. A box counts as at
+/// least so large.
+fn slope(
+    place: &impl Fn(DVec3) -> DVec3,
+    bounds: &Bounds,
+    least: f64,
+    at: DVec3,
+    axis: usize,
+) -> DVec3 {
     let size = bounds.max() - bounds.min();
-    let mut step = STEP * size.max_element().max(1e-3);
+    let mut step = STEP * size.max_element().max(least);
     if size[axis] > 0.0 {
         step = step.min(size[axis] / 8.0);
     }
@@ -198,22 +210,6 @@ fn turn_ups(path: &CameraPath, map: &Map<'_>, changed: &mut Changed) -> Result<(
     Ok(())
 }
 
-/// An up vector that goes along.
-fn moved(up: &UpVector, map: &Map<'_>) -> Result<UpVector> {
-    Ok(match up {
-        UpVector::Point(place) => UpVector::Point((map.place)(*place)),
-        UpVector::Path(path) => UpVector::Path(path.map(|point| {
-            let derivative = (map.derivative)(point.position);
-            UpPathPoint {
-                position: (map.place)(point.position),
-                before: derivative * point.before,
-                after: derivative * point.after,
-            }
-        })?),
-        other => other.clone(),
-    })
-}
-
 /// An orientation whose camera goes along: target, roll, velocities.
 fn seen(
     old: &Orientation,
@@ -230,7 +226,8 @@ fn seen(
         }
     };
     if old.own.up != UpVector::Axis {
-        let up = moved(&old.own.up, map)?;
+        let direction = |at, v| (map.derivative)(at) * v;
+        let up = old.own.up.map(map.place, direction)?;
         new.own = new.own.with(|own| own.up = up)?;
     }
     let scale = derivative.x_axis.length();

@@ -13,7 +13,7 @@ use crate::editor::HostView;
 use crate::path::{CameraPath, Pose};
 use crate::x11::News;
 use crate::{Gone, Host, Id, Reason, change, close, command, dispatch, is_open, look, wait};
-use vides_engine::scene::{Beyond, FollowPath, Kind, Node, Scene};
+use vides_engine::scene::{Extrapolation, FollowPath, Kind, Node, Scene};
 
 /// What a host does when it is told of a view.
 type OnView = Box<dyn FnMut(Id)>;
@@ -348,7 +348,8 @@ fn windows_are_closed_all_at_once() {
 
 /// A scene with a camera on a path from frame 11 on, and a car on another path.
 fn two_paths() -> Scene {
-    let follow = |start| FollowPath::new(CameraPath::default(), start, Beyond::Hold).unwrap();
+    let follow =
+        |start| FollowPath::new(CameraPath::default(), start, Extrapolation::Hold).unwrap();
     let mut scene = Scene::new();
     let mut car = Node::new("car", Kind::Group);
     car.set_path(Some(follow(1.0))).unwrap();

@@ -3,6 +3,7 @@
 //! `hermite`: for each key those before it, then those after it.
 
 use crate::error::{OutOfRange, Result, vec_with_room};
+use crate::math::tridiagonal::{Row, solve, solve_periodic};
 use crate::path::Tcb;
 
 #[derive(Clone, Copy)]
@@ -74,7 +75,6 @@ pub(super) fn tcb(keys: NumberKeys<'_>, tcb: impl Fn(usize) -> Tcb) -> Result<Ve
 }
 
 /// Velocities of the C² spline with natural ends, or periodic where the last values are the first.
-/// Elimination needs no pivots: the rows are diagonally dominant.
 pub(super) fn cubic(keys: NumberKeys<'_>, periodic: bool) -> Result<Vec<f64>> {
     let (count, width) = (keys.count(), keys.width);
     let mut slopes = zeros(2 * width * count)?;
@@ -82,49 +82,28 @@ pub(super) fn cubic(keys: NumberKeys<'_>, periodic: bool) -> Result<Vec<f64>> {
         return Ok(slopes);
     }
     let last = count - 1;
-    let mut rows: Vec<Row> = vec_with_room(count)?;
+    let mut rows: Vec<Row<f64>> = vec_with_room(count)?;
     for at in 0..width {
         rows.clear();
-        let inner = |k: usize, before: usize| Row {
-            lower: keys.step(k),
-            diagonal: 2.0 * (keys.step(before) + keys.step(k)),
-            upper: keys.step(before),
-            right: 3.0
-                * (keys.step(k) * keys.mean(before, at) + keys.step(before) * keys.mean(k, at)),
-            share: 0.0,
+        let inner = |k: usize, before: usize| {
+            let (h, next) = (keys.step(before), keys.step(k));
+            let right = 3.0 * (next * keys.mean(before, at) + h * keys.mean(k, at));
+            Row::new([next, 2.0 * (h + next), h], right)
         };
+        let mut set = |k: usize, slope: f64| slopes[2 * width * k + at] = slope;
         if !periodic {
-            let end = |section| Row {
-                lower: 1.0,
-                diagonal: 2.0,
-                upper: 1.0,
-                right: 3.0 * keys.mean(section, at),
-                share: 0.0,
-            };
+            let end = |section| Row::new([1.0, 2.0, 1.0], 3.0 * keys.mean(section, at));
             rows.push(end(0));
             rows.extend((1..last).map(|k| inner(k, k - 1)));
             rows.push(end(last - 1));
             solve(&mut rows);
-            for (k, row) in rows.iter().enumerate() {
-                slopes[2 * width * k + at] = row.right;
-            }
+            (0..).zip(&rows).for_each(|(k, row)| set(k, row.right));
         } else if last > 1 {
-            // The joint is beside both ends of the others: first these, but for its share, then it.
             rows.extend((1..last).map(|k| inner(k, k - 1)));
-            let chain = rows.len();
-            rows[0].share -= rows[0].lower;
-            rows[chain - 1].share -= rows[chain - 1].upper;
-            solve(&mut rows);
-            let joint = inner(0, last - 1);
-            let (first, end) = (&rows[0], &rows[chain - 1]);
-            let right = joint.right - joint.upper * first.right - joint.lower * end.right;
-            let diagonal = joint.diagonal + joint.upper * first.share + joint.lower * end.share;
-            let joint = right / diagonal;
-            slopes[at] = joint;
-            slopes[2 * width * last + at] = joint;
-            for (k, row) in rows.iter().enumerate() {
-                slopes[2 * width * (k + 1) + at] = row.right + joint * row.share;
-            }
+            let joint = solve_periodic(&mut rows, inner(0, last - 1));
+            set(0, joint);
+            set(last, joint);
+            (1..).zip(&rows).for_each(|(k, row)| set(k, row.right));
         }
     }
     for both in slopes.chunks_exact_mut(2 * width) {
@@ -132,33 +111,6 @@ pub(super) fn cubic(keys: NumberKeys<'_>, periodic: bool) -> Result<Vec<f64>> {
         leave.copy_from_slice(reach);
     }
     finite(slopes)
-}
-
-/// One equation for three neighbouring velocities; `share` is a second right side.
-struct Row {
-    lower: f64,
-    diagonal: f64,
-    upper: f64,
-    right: f64,
-    share: f64,
-}
-
-/// Puts the unknowns in the places of the right sides.
-fn solve(rows: &mut [Row]) {
-    for k in 1..rows.len() {
-        let (done, rest) = rows.split_at_mut(k);
-        let (above, row) = (&done[k - 1], &mut rest[0]);
-        let factor = row.lower / above.diagonal;
-        row.diagonal -= factor * above.upper;
-        row.right -= factor * above.right;
-        row.share -= factor * above.share;
-    }
-    let (mut right, mut share) = (0.0, 0.0);
-    for row in rows.iter_mut().rev() {
-        right = (row.right - row.upper * right) / row.diagonal;
-        share = (row.share - row.upper * share) / row.diagonal;
-        (row.right, row.share) = (right, share);
-    }
 }
 
 fn zeros(count: usize) -> Result<Vec<f64>> {
