@@ -42,7 +42,7 @@ impl Window {
             }
             Event::ButtonPress(event) if event.event == ours => {
                 self.button(event, true);
-                self.claim_keyboard()?;
+                self.claim_focus()?;
             }
             Event::ButtonRelease(event) if event.event == ours => self.button(event, false),
             Event::EnterNotify(event) if event.event == ours => self.crossed(event, true),
@@ -119,7 +119,7 @@ impl Window {
         if enters {
             self.pointer.entered(pos, &mut self.events);
         } else {
-            self.leave_keyboard();
+            self.stop_claiming_focus();
             self.pointer.left(&mut self.events);
         }
         // Without a focused window, the keyboard goes to the one under the pointer.
@@ -184,14 +184,8 @@ impl Window {
             self.scale = scale;
             self.pos = pixels / scale;
             self.news.input = true;
-            let set = window::set_sizes(
-                &self.connection,
-                self.frame.window,
-                self.smallest,
-                scale,
-                self.size,
-            );
-            set.map_err(|error| self.connection.lost(error))?;
+            let (connection, window) = (&self.connection, self.frame.window);
+            window::set_sizes(connection, window, self.smallest, scale, self.size)?;
         }
         Ok(())
     }

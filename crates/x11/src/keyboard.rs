@@ -54,9 +54,7 @@ struct Release {
 
 impl Keyboard {
     pub(super) fn new(connection: &Connection) -> Result<Self> {
-        let found = connection
-            .extension_information(xkb::X11_EXTENSION_NAME)
-            .map_err(|error| connection.lost(error))?;
+        let found = connection.sent(connection.extension_information(xkb::X11_EXTENSION_NAME))?;
         if found.is_some() {
             // Enables XKB, after which event states include the group. The reply is of no use.
             drop(connection.xkb_use_extension(1, 0));

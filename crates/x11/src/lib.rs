@@ -255,12 +255,8 @@ impl Window {
     fn drain(&mut self) -> Result<()> {
         let now = Instant::now();
         self.clipboard.tick(&self.connection, now)?;
-        self.look_for_keyboard(now)?;
-        let pushed = self.connection.stream().push();
-        pushed.map_err(|error| {
-            self.connection
-                .lost(x11rb::errors::ConnectionError::from(error))
-        })?;
+        self.recheck_focus(now)?;
+        self.connection.push()?;
         // Handling an event may wait for a reply, which can bring further events into x11rb's queue
         // that the descriptor does not show.
         let mut left = MOST_EVENTS;
@@ -284,7 +280,7 @@ impl Window {
                 self.news.input = true;
             }
             self.surface.go_on(&self.connection)?;
-            self.send()?;
+            self.connection.flush()?;
             self.news.more = left == 0;
             if !any || left == 0 {
                 return Ok(());
@@ -324,9 +320,9 @@ impl Window {
     }
 
     /// When to call [`Window::poll`] even if the connection stays quiet: a clipboard transfer times
-    /// out, or the keyboard is to be checked.
+    /// out, or the focus is to be checked.
     pub fn deadline(&self) -> Option<Instant> {
-        let due = [self.clipboard.deadline(), self.keyboard_look()];
+        let due = [self.clipboard.deadline(), self.focus_check()];
         due.into_iter().flatten().min()
     }
 
@@ -414,13 +410,8 @@ impl Window {
     /// `ErrorKind::Display` if the server or the window is gone.
     pub fn flush(&mut self) -> Result<()> {
         self.alive()?;
-        let result = self.send();
+        let result = self.connection.flush();
         self.noted(result)
-    }
-
-    fn send(&self) -> Result<()> {
-        let sent = self.connection.flush();
-        sent.map_err(|error| self.connection.lost(error))
     }
 
     /// Requests the text of a selection, which may be our own.
@@ -428,6 +419,11 @@ impl Window {
         let out = &mut self.events;
         self.clipboard
             .request(&self.connection, which, time, place, out)
+    }
+
+    /// The connection's socket, for questions about it; do not read from it.
+    pub fn socket(&self) -> BorrowedFd<'_> {
+        self.connection.socket()
     }
 
     fn visible(&self) -> bool {
@@ -498,13 +494,6 @@ impl Drop for Window {
             self.clipboard.hand_over(&self.connection, HAND_OVER).ok();
         }
         self.close_pane().ok();
-    }
-}
-
-impl Window {
-    /// The connection's socket, for questions about it; do not read from it.
-    pub fn socket(&self) -> BorrowedFd<'_> {
-        self.connection.socket()
     }
 }
 
