@@ -7,10 +7,10 @@ use glam::DVec3;
 use super::border::border;
 use super::path::{edit, edit_by, read};
 use super::pointers::{
-    Growing, GrowingOut, Out, count, index, init, read_growing, read_vector, text,
+    Growing, GrowingOut, Out, count, index, init, optional, read_growing, read_vector, text,
 };
 use super::points::point;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use super::types::{V_ORIENTATION, V_PATH};
 use crate::document::{Document, Edit, no_longer_ahead};
 use crate::error::{Invalid, OutOfRange};
@@ -135,8 +135,7 @@ pub unsafe extern "C" fn v_path_orientation_count(
             self::count(self::point(document, point)?.1.orientations.len())
         })?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(orientations) };
-        Ok(V_OK)
+        unsafe { out.answer(orientations) }
     })
 }
 
@@ -154,12 +153,8 @@ pub unsafe extern "C" fn v_path_insert_orientation(
     o: *const V_ORIENTATION,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let orientation = if o.is_null() {
-            None
-        } else {
-            // SAFETY: a struct as its size says, as the header demands.
-            Some(unsafe { read_orientation(o) }?)
-        };
+        // SAFETY: a struct as its size says, as the header demands.
+        let orientation = optional(o, |o| unsafe { read_orientation(o) })?;
         let (point, at) = (index(point)?, index(at)?);
         edit(
             path,
@@ -227,8 +222,7 @@ pub unsafe extern "C" fn v_path_get_orientation(
         let out = unsafe { GrowingOut::new(o) }?;
         let values = read(path, |document| Ok(to_c(orientation(document, point, at)?)))?;
         // SAFETY: as above.
-        unsafe { out.write(values) };
-        Ok(V_OK)
+        unsafe { out.answer(values) }
     })
 }
 

@@ -238,8 +238,7 @@ pub unsafe extern "C" fn v_path_get_frames(
             Ok(orientation(document, point, at)?.own.frames as usize)
         })?;
         // SAFETY: room for a size_t, as the header says.
-        unsafe { out.write(frames) };
-        Ok(V_OK)
+        unsafe { out.answer(frames) }
     })
 }
 
@@ -277,8 +276,7 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
             Ok(orientation(document, point, at)?.own.locked)
         })?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(c_int::from(locked)) };
-        Ok(V_OK)
+        unsafe { out.answer(c_int::from(locked)) }
     })
 }
 

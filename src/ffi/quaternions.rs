@@ -67,8 +67,7 @@ pub unsafe extern "C" fn v_quat_slerp(a: *const f64, b: *const f64, t: f64, q: *
         }
         let q = slerp_shortest(normalized(from_c(a))?, normalized(from_c(b))?, t).normalize();
         // SAFETY: room for four doubles, as the header says.
-        unsafe { out.write(to_c(q)) };
-        Ok(V_OK)
+        unsafe { out.answer(to_c(q)) }
     })
 }
 
@@ -85,8 +84,7 @@ pub unsafe extern "C" fn v_quat_from_view(vpn: *const f64, vup: *const f64, q: *
         let (view, up) = view(vpn, vup)?;
         let q = quaternion_from_view(view, up);
         // SAFETY: room for four doubles, as the header says.
-        unsafe { out.write(to_c(q)) };
-        Ok(V_OK)
+        unsafe { out.answer(to_c(q)) }
     })
 }
 

@@ -113,8 +113,7 @@ pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_i
         let out = Out::new(closed)?;
         let closed = read(path, |document| Ok(document.path().closed))?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(c_int::from(closed)) };
-        Ok(V_OK)
+        unsafe { out.answer(c_int::from(closed)) }
     })
 }
 
@@ -173,7 +172,8 @@ pub unsafe extern "C" fn v_path_get_modes(
 pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let title = unsafe { text(title, "the title is not UTF-8") }?.to_owned();
+        let title = unsafe { text(title, "the title is not UTF-8") }?;
+        let title = title.to_owned();
         edit_info(path, |info| info.title = title)
     })
 }
@@ -205,7 +205,8 @@ pub unsafe extern "C" fn v_path_get_title(
 pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let comment = unsafe { text(comment, "the comment is not UTF-8") }?.to_owned();
+        let comment = unsafe { text(comment, "the comment is not UTF-8") }?;
+        let comment = comment.to_owned();
         edit_info(path, |info| info.comment = comment)
     })
 }
@@ -244,8 +245,7 @@ pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c
         let out = Out::new(fps)?;
         let fps = read(path, |document| Ok(document.info().fps))?;
         // SAFETY: room for a double, as the header says.
-        unsafe { out.write(fps) };
-        Ok(V_OK)
+        unsafe { out.answer(fps) }
     })
 }
 
@@ -268,8 +268,7 @@ pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mu
         let out = Out::new(number)?;
         let number = read(path, |document| Ok(document.info().first_frame))?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(number) };
-        Ok(V_OK)
+        unsafe { out.answer(number) }
     })
 }
 

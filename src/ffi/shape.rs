@@ -4,7 +4,7 @@ use std::ffi::{c_char, c_int};
 
 use super::border::border;
 use super::path::{edit, edit_and, read};
-use super::pointers::{Out, count, index, name, read_vector};
+use super::pointers::{Out, bytes, count, index, read_vector};
 use super::points::point;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
 use super::types::V_PATH;
@@ -39,7 +39,7 @@ fn curve_kind(name: &[u8]) -> Answer<CurveKind> {
 pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let kind = curve_kind(unsafe { name(kind) }?)?;
+        let kind = curve_kind(unsafe { bytes(kind) }?)?;
         edit(path, Edit::SetCurveKind(kind))
     })
 }
@@ -54,8 +54,7 @@ pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const
         let kind = read(path, |document| Ok(document.path().curve))?;
         let found = KINDS.iter().find(|(known, _)| *known == kind);
         // SAFETY: room for a pointer, as the header says.
-        unsafe { out.write(found.map_or(c"tcb", |(_, text)| text).as_ptr()) };
-        Ok(V_OK)
+        unsafe { out.answer(found.map_or(c"tcb", |(_, text)| text).as_ptr()) }
     })
 }
 
@@ -144,7 +143,6 @@ pub unsafe extern "C" fn v_path_insert_on_curve(
         let edit = Edit::InsertOnCurve { frame };
         let new = edit_and(path, edit, |document| count(document.selection().point))??;
         // SAFETY: room for an int, as the header says.
-        unsafe { at.write(new) };
-        Ok(V_OK)
+        unsafe { at.answer(new) }
     })
 }

@@ -119,7 +119,6 @@ pub unsafe extern "C" fn v_orientation_from_pose(
         result.roll = axes.roll_from_up(view, up).to_degrees();
         result.zoom = pose.zoom;
         // SAFETY: as above.
-        unsafe { out.write(result) };
-        Ok(V_OK)
+        unsafe { out.answer(result) }
     })
 }

@@ -111,7 +111,12 @@ impl Failure {
             },
             Self::NotFinite { .. } => V_ERR_ARGUMENT,
             Self::TooMany { .. } => V_ERR_LIMIT,
-            _ => V_ERR_RANGE,
+            Self::NoPoint { .. }
+            | Self::NoOrientation { .. }
+            | Self::NoSegment { .. }
+            | Self::NoSection(_)
+            | Self::NoPoses { .. }
+            | Self::NotBetween { .. } => V_ERR_RANGE,
         }
     }
 }

@@ -5,10 +5,10 @@ use std::ffi::{c_char, c_int};
 use glam::DMat4;
 
 use super::border::border;
-use super::path::{edit, keep, read};
-use super::pointers::{Out, how_many, index, read_array, slice, text};
+use super::path::{edit, insert, insert_new, read};
+use super::pointers::{NAME_NOT_UTF8, Out, how_many, index, optional, read_array, slice, text};
 use super::scene_tracks::{bounds, deformation};
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE};
 use super::types::V_PATH;
 use crate::document::{Document, Edit, Info};
 use crate::error::{OutOfRange, can_allocate, vec_with_room};
@@ -28,16 +28,9 @@ pub const V_FIT_MOVE: c_int = 1;
 pub const V_FIT_TURN: c_int = 2;
 pub const V_FIT_SCALE: c_int = 3;
 
-const NO_NAME: &str = "a name is not UTF-8";
-
-/// A handle for a new path with default information.
-fn new_path(path: CameraPath) -> Answer<*mut V_PATH> {
-    keep(Document::from_parts(path, Info::default())?.without_history())
-}
-
-/// A copy of a handle's path, to use while others are locked.
-fn copy(path: *const V_PATH) -> Answer<CameraPath> {
-    read(path, |document| Ok(document.path().try_clone()?))
+/// A copy of what a handle stands for, to use while others are locked.
+fn copy(path: *const V_PATH) -> Answer<Document> {
+    read(path, |document| Ok(document.try_clone()?))
 }
 
 /// The points from `first` to `last`.
@@ -102,7 +95,7 @@ pub unsafe extern "C" fn v_path_from_move(
     border(V_ERR_INTERNAL, || {
         let out = Out::new(path)?;
         // SAFETY: a text ended by zero, as the header says.
-        let found = Move::named(unsafe { text(r#move, NO_NAME) }?)?;
+        let found = Move::named(unsafe { text(r#move, NAME_NOT_UTF8) }?)?;
         if count > Parameter::count(found.parameters) {
             return Err(Failure::Border(
                 V_ERR_RANGE,
@@ -115,10 +108,10 @@ pub unsafe extern "C" fn v_path_from_move(
             // SAFETY: so many doubles, as the header says.
             unsafe { slice(parameters, count) }?
         };
-        let made = new_path(found.path(given, Space::default(), Info::default().fps)?)?;
+        let fps = Info::default().fps;
+        let made = insert_new(found.path(given, Space::default(), fps)?, fps)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
@@ -173,12 +166,8 @@ pub unsafe extern "C" fn v_path_deform(
     border(V_ERR_INTERNAL, || {
         // SAFETY: as the header says of v_deform().
         let deformation = unsafe { deformation(kind, parameters, count) }?;
-        let bounds = if r#box.is_null() {
-            None
-        } else {
-            // SAFETY: six doubles, as the header says.
-            Some(bounds(unsafe { read_array(r#box) }?)?)
-        };
+        // SAFETY: six doubles, as the header says.
+        let bounds = optional(r#box, |corners| unsafe { bounds(corners) })?;
         let deform = Edit::DeformPoints {
             points: range(first_point, last_point)?,
             deformation,
@@ -204,20 +193,13 @@ pub unsafe extern "C" fn v_path_extract(
     border(V_ERR_INTERNAL, || {
         let out = Out::new(block)?;
         let (first, last) = (index(first_point)?, index(last_point)?);
-        let taken = read(path, |document| {
-            Ok((
-                block::extract(document.path(), first, last)?,
-                document.info().fps,
-            ))
+        let (taken, fps) = read(path, |document| {
+            let taken = block::extract(document.path(), first, last)?;
+            Ok((taken, document.info().fps))
         })?;
-        let info = Info {
-            fps: taken.1,
-            ..Info::default()
-        };
-        let made = keep(Document::from_parts(taken.0, info)?.without_history())?;
+        let made = insert_new(taken, fps)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
@@ -249,7 +231,7 @@ pub unsafe extern "C" fn v_path_insert_path(
                 ));
             }
         };
-        let block = copy(block)?;
+        let (block, _) = copy(block)?.into_parts();
         can_allocate(size_of::<CameraPath>())?;
         let insert = Edit::InsertPath {
             at: index(at)?,
@@ -312,11 +294,11 @@ pub unsafe extern "C" fn v_path_blend(
             copies.push(copy(handle)?);
         }
         let mut all = vec_with_room(count)?;
-        all.extend(&copies);
-        let made = new_path(blend::blend(&all, weights)?)?;
+        all.extend(copies.iter().map(Document::path));
+        let path = blend::blend(&all, weights)?;
+        let made = insert(Document::from_parts(path, Info::default())?)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
