@@ -5,11 +5,14 @@ use std::ffi::{c_char, c_int};
 use super::border::border;
 use super::object::wireframe;
 use super::path::{edit, edit_info, read};
-use super::pointers::{Out, TextOut, text};
+use super::pointers::{Out, TextOut, copied, text};
 use super::scene_types::V_MESH;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
 use super::types::V_PATH;
 use crate::document::Edit;
+use crate::error::{Place, TooMany};
+use crate::limits::MAX_COMMENT_BYTES;
+use crate::path::camera_path::check_name;
 use crate::path::{BaseSpeeds, OrientationMode, ZoomMode};
 
 /// ==== Modes, see v_path_set_modes() ====
@@ -173,7 +176,9 @@ pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_cha
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
         let title = unsafe { text(title, "the title is not UTF-8") }?;
-        let title = title.to_owned();
+        // Before it is copied: nobody knows how long it is.
+        check_name(title).map_err(|error| error.at(Place::Title))?;
+        let title = copied(title)?;
         edit_info(path, |info| info.title = title)
     })
 }
@@ -206,7 +211,10 @@ pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
         let comment = unsafe { text(comment, "the comment is not UTF-8") }?;
-        let comment = comment.to_owned();
+        if comment.len() > MAX_COMMENT_BYTES {
+            return Err(TooMany::CommentBytes.into());
+        }
+        let comment = copied(comment)?;
         edit_info(path, |info| info.comment = comment)
     })
 }

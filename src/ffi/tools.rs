@@ -296,7 +296,9 @@ pub unsafe extern "C" fn v_path_blend(
         let mut all = vec_with_room(count)?;
         all.extend(copies.iter().map(Document::path));
         let path = blend::blend(&all, weights)?;
-        let made = insert(Document::from_parts(path, Info::default())?)?;
+        let heaviest = (0..count).max_by(|&a, &b| weights[a].total_cmp(&weights[b]));
+        let info = heaviest.map(|at| copies.swap_remove(at).into_parts().1);
+        let made = insert(Document::from_parts(path, info.unwrap_or_default())?)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { out.answer(made) }
     })
@@ -308,8 +310,39 @@ const MOST_PATHS: usize = 1_000;
 #[cfg(test)]
 mod tests {
     use std::fmt::Write as _;
+    use std::ptr::null_mut;
 
+    use crate::ffi::path::{v_path_clone, v_path_free, v_path_new};
+    use crate::ffi::settings::{
+        v_path_get_fps, v_path_get_title, v_path_set_fps, v_path_set_title,
+    };
+    use crate::ffi::status::V_OK;
     use crate::tools::moves::MOVES;
+
+    /// "All else is that of the path with the greatest weight."
+    #[test]
+    fn a_blend_plays_as_fast_as_the_path_that_weighs_most() {
+        let (mut paths, mut blend) = ([null_mut(); 2], null_mut());
+        let (mut fps, mut title, mut length) = (0.0, [0; 8], 0);
+        // SAFETY: room for handles, a number and a text; handles and texts ended by zero.
+        unsafe {
+            assert_eq!(v_path_new(&raw mut paths[0]), V_OK);
+            assert_eq!(v_path_clone(paths[0], &raw mut paths[1]), V_OK);
+            assert_eq!(v_path_set_fps(paths[0], 50.0), V_OK);
+            assert_eq!(v_path_set_fps(paths[1], 60.0), V_OK);
+            assert_eq!(v_path_set_title(paths[1], c"heavy".as_ptr()), V_OK);
+            let weights = [0.25, 0.75];
+            let status = super::v_path_blend(paths.as_ptr(), weights.as_ptr(), 2, &raw mut blend);
+            assert_eq!(status, V_OK);
+            assert_eq!(v_path_get_fps(blend, &raw mut fps), V_OK);
+            let status = v_path_get_title(blend, title.as_mut_ptr(), 8, &raw mut length);
+            assert_eq!(status, V_OK);
+            for path in [paths[0], paths[1], blend] {
+                v_path_free(path);
+            }
+        }
+        assert_eq!((fps, title[..length].len()), (60.0, "heavy".len()));
+    }
 
     /// The header's comment is the engine's table.
     #[test]
