@@ -249,11 +249,11 @@ impl Clipboard {
     }
 
     fn owner(&mut self, connection: &Connection) -> Result<Option<Window>> {
-        if self.owner.is_none() {
-            if let Some(window) = connection.excuse(connection.generate_id())? {
-                incoming::create(connection, window, EventMask::NO_EVENT)?;
-                self.owner = Some(window);
-            }
+        if self.owner.is_none()
+            && let Some(window) = connection.excuse(connection.generate_id())?
+        {
+            incoming::create(connection, window, EventMask::NO_EVENT)?;
+            self.owner = Some(window);
         }
         Ok(self.owner)
     }

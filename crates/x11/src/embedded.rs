@@ -86,7 +86,7 @@ impl Window {
                     && event.response_type & SENT == 0 =>
             {
                 let (new, size) =
-                    Home::enter(connection, event.parent).map_err(|_| Error::PutOut)?;
+                    Home::enter(connection, event.parent).map_err(|_| Error::Reparented)?;
                 *home = new;
                 size
             }

@@ -201,8 +201,8 @@ impl Keyboard {
         self.state = state;
         self.tell_modifiers(out);
         let meaning = self.keymap.as_ref().map(|map| map.meaning(keycode, state));
-        let place = self.held.iter().position(|(held, _)| *held == keycode);
-        let before = place.map(|place| self.held.swap_remove(place).1);
+        let at = self.held.iter().position(|(held, _)| *held == keycode);
+        let before = at.map(|at| self.held.swap_remove(at).1);
         if let Some(meaning) = meaning
             && self.held.len() < MOST_HELD
         {
@@ -284,8 +284,8 @@ impl Keyboard {
     }
 
     fn let_go(&mut self, keycode: u8, out: &mut Vec<Input>) {
-        if let Some(place) = self.held.iter().position(|(held, _)| *held == keycode) {
-            let (_, key) = self.held.swap_remove(place);
+        if let Some(at) = self.held.iter().position(|(held, _)| *held == keycode) {
+            let (_, key) = self.held.swap_remove(at);
             up(key, self.modifiers(), out);
         }
         self.hold(keycode, false, out);

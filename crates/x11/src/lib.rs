@@ -89,7 +89,7 @@ const MOST_EVENTS: usize = 256;
 /// How long to wait for a clipboard manager when the window closes.
 const HAND_OVER: Duration = Duration::from_millis(300);
 
-/// How to open a window.
+/// How to open a window. By default it is one pixel large: set [`Options::size`].
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// The display's name; `None` uses the environment variable `DISPLAY`.
@@ -326,8 +326,9 @@ impl Window {
         due.into_iter().flatten().min()
     }
 
-    /// The pixels to paint into; `None` while a frame is in flight or the window is not visible.
-    /// [`News::shown`] tells when to ask again.
+    /// The pixels to paint into; `None` while a frame is in flight, the window is not visible or
+    /// waits for a buffer of another size, or the connection is lost. [`News::shown`] or
+    /// [`News::new_buffer`] tells when to ask again.
     pub fn target(&mut self) -> Option<Target<'_>> {
         let fits = self.surface.size() == self.size;
         if !self.visible() || !fits || self.lost.is_some() {
@@ -456,7 +457,7 @@ fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
     }
     let mut written = false;
     let mut end = events.len();
-    for (place, event) in events.iter().enumerate() {
+    for (at, event) in events.iter().enumerate() {
         let (begins, ends) = match event {
             Text(_) => {
                 written = true;
@@ -466,7 +467,7 @@ fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
             Key {
                 pressed, repeat, ..
             } => {
-                let writes = matches!(events.get(place + 1), Some(Text(_)));
+                let writes = matches!(events.get(at + 1), Some(Text(_)));
                 let deed = *pressed && !writes;
                 (deed, deed && !repeat)
             }
@@ -475,11 +476,11 @@ fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
             _ => (false, false),
         };
         if begins && written {
-            end = place;
+            end = at;
             break;
         }
         if ends {
-            end = place + 1;
+            end = at + 1;
             break;
         }
     }

@@ -24,7 +24,9 @@ struct Pool {
     free: Vec<u32>,
 }
 
-/// All pools, and the process that made them: after `fork` the child has none.
+/// All pools, and the process that made them: after `fork` the child has none. Locked while a
+/// server is asked, so a silent one keeps the panes of other threads waiting, too: a second for
+/// each question at most.
 static POOLS: Mutex<(u32, Vec<Pool>)> = Mutex::new((0, Vec::new()));
 
 fn pools() -> MutexGuard<'static, (u32, Vec<Pool>)> {
