@@ -30,7 +30,7 @@ fn cubic(document: &Document, number: c_int) -> Answer<Cubic> {
 }
 
 /// A finite number between 0 and `end`.
-fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
+pub(super) fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
     if (0.0..=end).contains(&value) {
         Ok(value)
     } else if value.is_finite() {

@@ -19,8 +19,7 @@ use super::pointers::{
 };
 use super::space::up_from_c;
 use super::status::{
-    Answer, Failure, V_ERR_ARGUMENT, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_ERR_RANGE, V_OK,
-    clear_last_error,
+    Answer, Failure, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_OK, clear_last_error,
 };
 use super::types::{V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_UP_Y};
 use crate::document::{Document, Edit, Info};
@@ -245,8 +244,7 @@ fn document_of(
     warnings: &mut editor::Warnings,
 ) -> Answer<Document> {
     match (file, path.is_null()) {
-        (Some(_), false) => Err(Failure::Border(
-            V_ERR_ARGUMENT,
+        (Some(_), false) => Err(Failure::argument(
             "a window starts with a file or with a path, not with both",
         )),
         (None, true) => Ok(Document::try_new()?),
@@ -263,10 +261,7 @@ fn language_of(name: &[u8]) -> Answer<Language> {
     match name {
         b"de" => Ok(Language::German),
         b"en" => Ok(Language::English),
-        _ => Err(Failure::Border(
-            V_ERR_ARGUMENT,
-            "the language is not \"de\" or \"en\"",
-        )),
+        _ => Err(Failure::argument("the language is not \"de\" or \"en\"")),
     }
 }
 
@@ -309,9 +304,8 @@ unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answ
 
 /// An X window of the host's; 0 is none.
 fn x_window(id: c_ulong) -> Answer<Option<u32>> {
-    let id = u32::try_from(id).map_err(|_| {
-        Failure::Border(V_ERR_RANGE, "the number of an X window has at most 32 bits")
-    })?;
+    let id = u32::try_from(id)
+        .map_err(|_| Failure::range("the number of an X window has at most 32 bits"))?;
     Ok((id != 0).then_some(id))
 }
 

@@ -14,7 +14,7 @@ use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use super::types::{V_ORIENTATION, V_PATH};
 use crate::document::{Document, Edit, no_longer_ahead};
 use crate::error::{Invalid, OutOfRange};
-use crate::path::{MayOwn, Orientation, Target, Tcb, UpPath, UpVector};
+use crate::path::{MayOwn, Orientation, Own, Target, Tcb, UpPath, UpVector};
 
 fn to_c(orientation: &Orientation) -> V_ORIENTATION {
     let (absolute, target) = match orientation.target {
@@ -72,7 +72,7 @@ fn from_c(o: &V_ORIENTATION) -> Answer<Orientation> {
 }
 
 /// Changes an orientation named by C's indices.
-pub(super) fn change(
+fn change(
     path: *mut V_PATH,
     point: c_int,
     at: c_int,
@@ -86,6 +86,19 @@ pub(super) fn change(
             at: index(at)?,
             orientation,
         })
+    })
+}
+
+/// Changes what an orientation owns beyond the plain rules.
+pub(super) fn change_own(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+    set: impl FnOnce(&mut Own),
+) -> Answer<c_int> {
+    change(path, point, at, |orientation| {
+        orientation.own = orientation.own.with(set)?;
+        Ok(())
     })
 }
 
@@ -322,15 +335,6 @@ pub unsafe extern "C" fn v_path_set_up(
             "path" => UpVector::Path(read(up_path, |document| Ok(UpPath::of(document.path())?))?),
             other => return Err(Invalid::NoUp(other.into()).into()),
         };
-        edit_by(path, |document| {
-            let mut new = orientation(document, point, at)?.clone();
-            let (point, at) = (index(point)?, index(at)?);
-            new.own = new.own.with(|own| own.up = up)?;
-            Ok(Edit::SetOrientation {
-                point,
-                at,
-                orientation: new,
-            })
-        })
+        change_own(path, point, at, |own| own.up = up)
     })
 }

@@ -9,13 +9,10 @@ use std::ptr;
 
 use glam::DVec3;
 
-use super::status::{Answer, Failure, V_ERR_ARGUMENT, V_ERR_NULL, V_ERR_RANGE, V_ERR_SIZE, V_OK};
+use super::status::{Answer, Failure, V_ERR_NULL, V_ERR_SIZE, V_OK};
 
 pub(super) const NULL: Failure = Failure::Border(V_ERR_NULL, "a pointer is NULL that must not be");
-const UNALIGNED: Failure = Failure::Border(
-    V_ERR_ARGUMENT,
-    "a pointer is not aligned for what it points to",
-);
+const UNALIGNED: Failure = Failure::argument("a pointer is not aligned for what it points to");
 
 pub(super) fn check<T>(pointer: *const T) -> Answer<()> {
     if pointer.is_null() {
@@ -99,7 +96,7 @@ pub(super) unsafe fn slice_mut<'a, T>(pointer: *mut T, count: usize) -> Answer<&
 fn check_extent<T>(count: usize) -> Answer<()> {
     match count.checked_mul(size_of::<T>()) {
         Some(bytes) if isize::try_from(bytes).is_ok() => Ok(()),
-        _ => Err(Failure::Border(V_ERR_RANGE, "a count is impossibly large")),
+        _ => Err(Failure::range("a count is impossibly large")),
     }
 }
 
@@ -274,8 +271,7 @@ impl TextOut {
 /// `text` is NULL or points to a zero-terminated text, unchanged during `'a`.
 pub(super) unsafe fn text<'a>(text: *const c_char, not_utf8: &'static str) -> Answer<&'a str> {
     // SAFETY: as required of the caller.
-    std::str::from_utf8(unsafe { bytes(text) }?)
-        .map_err(|_| Failure::Border(V_ERR_ARGUMENT, not_utf8))
+    std::str::from_utf8(unsafe { bytes(text) }?).map_err(|_| Failure::argument(not_utf8))
 }
 
 pub(super) const TEXT_NOT_UTF8: &str = "a text is not UTF-8";
@@ -322,19 +318,17 @@ pub(super) unsafe fn bytes<'a>(text: *const c_char) -> Answer<&'a [u8]> {
 
 /// Converts an index, which must not be negative.
 pub(super) fn index(value: c_int) -> Answer<usize> {
-    usize::try_from(value)
-        .map_err(|_| Failure::Border(V_ERR_RANGE, "an index must not be negative"))
+    usize::try_from(value).map_err(|_| Failure::range("an index must not be negative"))
 }
 
 /// Converts a count, which must not be negative.
 pub(super) fn how_many(value: c_int) -> Answer<usize> {
-    usize::try_from(value).map_err(|_| Failure::Border(V_ERR_RANGE, "a count must not be negative"))
+    usize::try_from(value).map_err(|_| Failure::range("a count must not be negative"))
 }
 
 /// Converts a count for C. The limits of a path keep every count below `INT_MAX`.
 pub(super) fn count(value: usize) -> Answer<c_int> {
-    c_int::try_from(value)
-        .map_err(|_| Failure::Border(V_ERR_RANGE, "a count is too large for an int"))
+    c_int::try_from(value).map_err(|_| Failure::range("a count is too large for an int"))
 }
 
 /// A struct that begins with its size and may grow at its end within version 1.

@@ -136,14 +136,8 @@ pub unsafe extern "C" fn v_path_set_tcb(
     bias: f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let tcb = Tcb::new(tension, continuity, bias);
-        edit(
-            path,
-            Edit::SetOwn {
-                at: index(at)?,
-                tcb,
-            },
-        )
+        let (at, tcb) = (index(at)?, Tcb::new(tension, continuity, bias));
+        edit(path, Edit::SetOwn { at, tcb })
     })
 }
 

@@ -16,8 +16,7 @@ use super::pointers::{
 };
 use super::scene_types::*;
 use super::status::{
-    Answer, Failure, V_ERR_ARGUMENT, V_ERR_BUSY, V_ERR_INTERNAL, V_ERR_RANGE, V_OK,
-    clear_last_error, set_last_error,
+    Answer, Failure, V_ERR_BUSY, V_ERR_INTERNAL, V_OK, clear_last_error, set_last_error,
 };
 use super::types::V_PATH;
 use crate::document::{Info, SceneDocument};
@@ -139,10 +138,7 @@ pub(super) fn beyond(after: c_int) -> Answer<Beyond> {
         V_AFTER_REPEAT => Ok(Beyond::Repeat),
         V_AFTER_PINGPONG => Ok(Beyond::PingPong),
         V_AFTER_OFFSET => Ok(Beyond::Offset),
-        _ => Err(Failure::Border(
-            V_ERR_RANGE,
-            "after must be one of V_AFTER_...",
-        )),
+        _ => Err(Failure::range("after must be one of V_AFTER_...")),
     }
 }
 
@@ -151,10 +147,7 @@ fn light(light: c_int) -> Answer<Light> {
         V_LIGHT_DIRECTIONAL => Ok(Light::Directional),
         V_LIGHT_POINT => Ok(Light::Point),
         V_LIGHT_SPOT => Ok(Light::Spot),
-        _ => Err(Failure::Border(
-            V_ERR_RANGE,
-            "a light must be one of V_LIGHT_...",
-        )),
+        _ => Err(Failure::range("a light must be one of V_LIGHT_...")),
     }
 }
 
@@ -169,10 +162,7 @@ fn node(given: &V_NODE) -> Answer<Node> {
             far: given.far_plane,
         }),
         _ => {
-            return Err(Failure::Border(
-                V_ERR_RANGE,
-                "a node's kind must be one of V_NODE_...",
-            ));
+            return Err(Failure::range("a node's kind must be one of V_NODE_..."));
         }
     };
     let [w, x, y, z] = given.rotation;
@@ -545,7 +535,7 @@ pub unsafe extern "C" fn v_scene_get_path(
                 .scene
                 .node(node)?
                 .path()
-                .ok_or(Failure::Border(V_ERR_ARGUMENT, "this node follows no path"))?;
+                .ok_or(Failure::argument("this node follows no path"))?;
             crate::error::can_allocate(document.scene.weight())?;
             Ok(found.path().clone())
         })?;

@@ -12,7 +12,7 @@ use super::pointers::{
 };
 use super::scene::{beyond, change, copied_name, edit, read, thread_text, within_callback};
 use super::scene_types::*;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_ERR_SIZE, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK};
 use crate::deform::{Bounds, Deformation};
 use crate::document::load_mesh;
 use crate::error::{can_allocate, vec_with_room};
@@ -137,8 +137,7 @@ pub unsafe extern "C" fn v_scene_set_track(
 /// The continuation before and after the keys, from C's one number.
 fn both(after: c_int) -> Answer<(Beyond, Beyond)> {
     if !(0..64).contains(&after) {
-        return Err(Failure::Border(
-            V_ERR_RANGE,
+        return Err(Failure::range(
             "after must be one of V_AFTER_..., with one of V_BEFORE_... at most",
         ));
     }
@@ -398,8 +397,7 @@ unsafe fn indices<const N: usize>(from: *const u32, count: usize) -> Answer<Vec<
     // SAFETY: as required of the caller.
     let (groups, rest) = unsafe { slice(from, count) }?.as_chunks::<N>();
     if !rest.is_empty() {
-        return Err(Failure::Border(
-            V_ERR_RANGE,
+        return Err(Failure::range(
             "indices of lines come in twos, of triangles in threes",
         ));
     }

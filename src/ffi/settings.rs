@@ -7,7 +7,7 @@ use super::object::wireframe;
 use super::path::{edit, edit_info, read};
 use super::pointers::{Out, TextOut, copied, text};
 use super::scene_types::V_MESH;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::Edit;
 use crate::error::{Place, TooMany};
@@ -33,10 +33,7 @@ fn orientation_mode(number: c_int) -> Answer<OrientationMode> {
         V_ORIENTATION_TCB => Ok(OrientationMode::Tcb),
         V_ORIENTATION_BARRY_GOLDMAN => Ok(OrientationMode::BarryGoldman),
         V_ORIENTATION_SLERP => Ok(OrientationMode::Slerp),
-        _ => Err(Failure::Border(
-            V_ERR_RANGE,
-            "there is no such orientation mode",
-        )),
+        _ => Err(Failure::range("there is no such orientation mode")),
     }
 }
 
@@ -44,7 +41,7 @@ fn zoom_mode(number: c_int) -> Answer<ZoomMode> {
     match number {
         V_ZOOM_SMOOTH => Ok(ZoomMode::Smooth),
         V_ZOOM_LINEAR => Ok(ZoomMode::Linear),
-        _ => Err(Failure::Border(V_ERR_RANGE, "there is no such zoom mode")),
+        _ => Err(Failure::range("there is no such zoom mode")),
     }
 }
 

@@ -6,7 +6,7 @@ use super::border::border;
 use super::path::{edit, edit_and, read};
 use super::pointers::{Out, bytes, count, index, read_vector};
 use super::points::point;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::Edit;
 use crate::path::{CurveKind, Tangents, curve};
@@ -19,12 +19,9 @@ const KINDS: [(CurveKind, &std::ffi::CStr); 3] = [
 
 fn curve_kind(name: &[u8]) -> Answer<CurveKind> {
     let found = KINDS.iter().find(|(_, text)| text.to_bytes() == name);
-    found.map(|(kind, _)| *kind).ok_or({
-        Failure::Border(
-            V_ERR_RANGE,
-            "the kind of a curve is \"tcb\", \"cubic\" or \"linear\"",
-        )
-    })
+    found.map(|(kind, _)| *kind).ok_or(Failure::range(
+        "the kind of a curve is \"tcb\", \"cubic\" or \"linear\"",
+    ))
 }
 
 /// ==== Kind of the curve, tangents ====

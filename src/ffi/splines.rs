@@ -5,6 +5,7 @@ use std::ffi::c_int;
 use glam::DQuat;
 
 use super::border::border;
+use super::curve::between;
 use super::pointers::{Out, check, how_many, optional, read_array, read_optional, slice};
 use super::quaternions::{from_c, to_c};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_LIMIT, V_OK};
@@ -136,15 +137,7 @@ pub unsafe extern "C" fn v_speed_curve(
                 read_optional(after)?,
             )
         };
-        if !u.is_finite() {
-            return Err(Failure::NotFinite { name: "u" });
-        }
-        if !(0.0..=1.0).contains(&u) {
-            return Err(Failure::NotBetween {
-                name: "u",
-                end: 1.0,
-            });
-        }
+        let u = between(u, 1.0, "u")?;
         for value in speed.into_iter().chain(before).chain(after) {
             check_speed(value)?;
         }

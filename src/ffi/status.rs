@@ -97,6 +97,16 @@ pub(super) enum Failure {
 pub(super) type Answer<T> = Result<T, Failure>;
 
 impl Failure {
+    /// A value outside its range.
+    pub(super) const fn range(sentence: &'static str) -> Self {
+        Self::Border(V_ERR_RANGE, sentence)
+    }
+
+    /// A value that makes no sense.
+    pub(super) const fn argument(sentence: &'static str) -> Self {
+        Self::Border(V_ERR_ARGUMENT, sentence)
+    }
+
     pub(super) fn status(&self) -> c_int {
         match self {
             Self::Border(status, _) => *status,

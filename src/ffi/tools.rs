@@ -8,7 +8,7 @@ use super::border::border;
 use super::path::{edit, insert, insert_new, read};
 use super::pointers::{NAME_NOT_UTF8, Out, how_many, index, optional, read_array, slice, text};
 use super::scene_tracks::{bounds, deformation};
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE};
+use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use super::types::V_PATH;
 use crate::document::{Document, Edit, Info};
 use crate::error::{OutOfRange, can_allocate, vec_with_room};
@@ -41,7 +41,7 @@ fn range(first: c_int, last: c_int) -> Answer<Vec<usize>> {
     }
     let count = (last - first).saturating_add(1);
     if count > crate::limits::MAX_POINTS {
-        return Err(Failure::Border(V_ERR_RANGE, "there are not so many points"));
+        return Err(Failure::range("there are not so many points"));
     }
     let mut points = vec_with_room(count)?;
     points.extend(first..=last);
@@ -97,10 +97,7 @@ pub unsafe extern "C" fn v_path_from_move(
         // SAFETY: a text ended by zero, as the header says.
         let found = Move::named(unsafe { text(r#move, NAME_NOT_UTF8) }?)?;
         if count > Parameter::count(found.parameters) {
-            return Err(Failure::Border(
-                V_ERR_RANGE,
-                "the move does not take so many numbers",
-            ));
+            return Err(Failure::range("the move does not take so many numbers"));
         }
         let given = if count == 0 {
             &[][..]
@@ -225,10 +222,7 @@ pub unsafe extern "C" fn v_path_insert_path(
             V_FIT_TURN => Fit::Turn,
             V_FIT_SCALE => Fit::Scale,
             _ => {
-                return Err(Failure::Border(
-                    V_ERR_RANGE,
-                    "there is no such way to put a path in",
-                ));
+                return Err(Failure::range("there is no such way to put a path in"));
             }
         };
         let (block, _) = copy(block)?.into_parts();
@@ -282,10 +276,7 @@ pub unsafe extern "C" fn v_path_blend(
     border(V_ERR_INTERNAL, || {
         let out = Out::new(blend)?;
         if count > MOST_PATHS {
-            return Err(Failure::Border(
-                V_ERR_RANGE,
-                "so many paths cannot be blended",
-            ));
+            return Err(Failure::range("so many paths cannot be blended"));
         }
         // SAFETY: so many handles and doubles, as the header says.
         let (handles, weights) = unsafe { (slice(paths, count)?, slice(weights, count)?) };
