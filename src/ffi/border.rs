@@ -74,9 +74,7 @@ mod tests {
 
     #[test]
     fn a_failure_is_told_and_a_success_clears_it() {
-        let failed = border(V_ERR_INTERNAL, || {
-            Err(Failure::Border(V_ERR_RANGE, "too far"))
-        });
+        let failed = border(V_ERR_INTERNAL, || Err(Failure::range("too far")));
         assert_eq!((failed, last()), (V_ERR_RANGE, "too far"));
         assert_eq!(border(V_ERR_INTERNAL, || Ok(V_OK)), V_OK);
         assert_eq!(last(), "");

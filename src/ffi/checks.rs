@@ -3,18 +3,16 @@
 use std::ffi::{CStr, c_char, c_int};
 
 use super::border::border;
-use super::path::{edit_by, keep, read};
-use super::pointers::{Out, check, count, slice, slice_mut, text};
+use super::path::{edit_by, insert_new, read};
+use super::pointers::{ArrayOut, NAME_NOT_UTF8, Out, count, optional, slice, text};
 use super::scene_tracks::mesh;
 use super::scene_types::V_MESH;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK};
+use super::status::{Answer, V_ERR_INTERNAL};
 use super::types::{V_PATH, V_POSE};
-use crate::document::{Document, Edit, Info};
+use crate::document::Edit;
 use crate::path::Pose;
 use crate::tools::check::{COUNT, Finding, FindingKind};
 use crate::tools::fit::{self, Tolerance};
-
-const NO_NAME: &str = "a name is not UTF-8";
 
 /// Something that v_path_check() found. It does not grow.
 #[repr(C)]
@@ -95,25 +93,16 @@ pub unsafe extern "C" fn v_path_fit_poses(
         let out = Out::new(path)?;
         // SAFETY: so many poses, as the header says; the layouts are one.
         let poses = unsafe { slice(poses.cast::<Pose>(), count) }?;
-        let seconds = if seconds.is_null() {
-            None
-        } else {
-            // SAFETY: so many doubles, as the header says.
-            Some(unsafe { slice(seconds, count) }?)
-        };
+        // SAFETY: so many doubles, as the header says.
+        let seconds = optional(seconds, |seconds| unsafe { slice(seconds, count) })?;
         let tolerance = Tolerance {
             position: tolerance,
             angle,
         };
         let fitted = fit::fit(poses, seconds, fps, tolerance, &mut |_, _| true)?;
-        let info = Info {
-            fps,
-            ..Info::default()
-        };
-        let made = keep(Document::from_parts(fitted, info)?.without_history())?;
+        let made = insert_new(fitted, fps)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
@@ -155,35 +144,24 @@ pub unsafe extern "C" fn v_path_check(
     count: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(count)?;
-        if !findings.is_null() || capacity != 0 {
-            check(findings)?;
-        }
-        let object = if object.is_null() {
-            None
-        } else {
-            // SAFETY: a mesh, as the header says.
-            Some(unsafe { mesh(object) }?)
-        };
+        let out = ArrayOut::new(findings, capacity, count)?;
+        // SAFETY: a mesh, as the header says.
+        let object = optional(object, |object| unsafe { mesh(object) })?;
         let found = read(path, |document| Ok(document.check(object.as_ref())?))?;
-        if !findings.is_null() && capacity >= found.len() {
-            // SAFETY: room for so many, as the header says; any bits make one.
-            let room = unsafe { slice_mut(findings, found.len()) }?;
-            for (room, found) in room.iter_mut().zip(&found) {
-                *room = finding(found)?;
+        // SAFETY: room for so many and a size_t, as the header says; any bits make a finding.
+        unsafe {
+            if out.wants(found.len(), TOO_SMALL)? {
+                for (room, found) in out.room(found.len())?.iter_mut().zip(&found) {
+                    *room = finding(found)?;
+                }
             }
+            out.answer(found.len())
         }
-        // SAFETY: room for a size_t, as the header says.
-        unsafe { out.write(found.len()) };
-        if findings.is_null() || capacity >= found.len() {
-            return Ok(V_OK);
-        }
-        Err(Failure::Border(
-            V_ERR_SIZE,
-            "the array is too small for the findings; the count tells how many there are",
-        ))
     })
 }
+
+const TOO_SMALL: &str =
+    "the array is too small for the findings; the count tells how many there are";
 
 /// Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
@@ -196,7 +174,7 @@ pub unsafe extern "C" fn v_path_set_limit(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let kind = unsafe { text(kind, NO_NAME) }?;
+        let kind = unsafe { text(kind, NAME_NOT_UTF8) }?;
         edit_by(path, |document| {
             let mut info = document.info().clone();
             info.limits.set(FindingKind::parse(kind)?, limit)?;
@@ -216,13 +194,12 @@ pub unsafe extern "C" fn v_path_get_limit(
     border(V_ERR_INTERNAL, || {
         let out = Out::new(limit)?;
         // SAFETY: a text ended by zero, as the header says.
-        let kind = unsafe { text(kind, NO_NAME) }?;
+        let kind = unsafe { text(kind, NAME_NOT_UTF8) }?;
         let limit = read(path, |document| {
             Ok(document.info().limits.get(FindingKind::parse(kind)?))
         })?;
         // SAFETY: room for a double, as the header says.
-        unsafe { out.write(limit) };
-        Ok(V_OK)
+        unsafe { out.answer(limit) }
     })
 }
 

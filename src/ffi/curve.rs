@@ -5,7 +5,7 @@ use std::ffi::c_int;
 use super::border::border;
 use super::path::read;
 use super::pointers::{Out, index};
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use super::types::V_PATH;
 use crate::document::Document;
 use crate::path::arc_length::ArcLength;
@@ -30,7 +30,7 @@ fn cubic(document: &Document, number: c_int) -> Answer<Cubic> {
 }
 
 /// A finite number between 0 and `end`.
-fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
+pub(super) fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
     if (0.0..=end).contains(&value) {
         Ok(value)
     } else if value.is_finite() {
@@ -50,8 +50,7 @@ pub unsafe extern "C" fn v_path_length(path: *const V_PATH, length: *mut f64) ->
         let out = Out::new(length)?;
         let length = read(path, |document| Ok(document.timeline(|t| t.length())?))?;
         // SAFETY: room for a double, as the header says.
-        unsafe { out.write(length) };
-        Ok(V_OK)
+        unsafe { out.answer(length) }
     })
 }
 
@@ -72,8 +71,7 @@ pub unsafe extern "C" fn v_path_segment_length(
             Ok(document.timeline(|timeline| timeline.segment_length(segment))?)
         })?;
         // SAFETY: room for a double, as the header says.
-        unsafe { out.write(length) };
-        Ok(V_OK)
+        unsafe { out.answer(length) }
     })
 }
 
@@ -94,8 +92,7 @@ pub unsafe extern "C" fn v_path_curve_point(
         let curve = read(path, |document| cubic(document, segment))?;
         let point = curve.point(between(t, 1.0, "t")?);
         // SAFETY: room for three doubles, as the header says.
-        unsafe { xyz.write(point.to_array()) };
-        Ok(V_OK)
+        unsafe { xyz.answer(point.to_array()) }
     })
 }
 
@@ -127,7 +124,6 @@ pub unsafe extern "C" fn v_path_point_at_length(
         };
         let point = curve.point(t);
         // SAFETY: room for three doubles, as the header says.
-        unsafe { xyz.write(point.to_array()) };
-        Ok(V_OK)
+        unsafe { xyz.answer(point.to_array()) }
     })
 }

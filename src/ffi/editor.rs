@@ -1,34 +1,32 @@
 //! Editor windows by handles.
 
-use std::cell::{Cell, RefCell};
-use std::ffi::{c_char, c_int, c_ulong, c_void};
+use std::ffi::{c_int, c_ulong};
 use std::mem::offset_of;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::ptr;
 use std::rc::Rc;
 use std::sync::OnceLock;
 
 use super::border::border;
+use super::callbacks::Callbacks;
 use super::counted::Counted;
 use super::handles::{Handles, KIND_EDITOR};
 use super::host_loop;
 use super::object::wireframe;
-use super::path::{keep, read};
-use super::pointers::{self, Growing, Out, check, file_name, init, read_growing};
+use super::path::{insert, read};
+use super::pointers::{
+    Growing, Out, bytes, file_name, init, optional, optional_text, read_growing,
+};
 use super::space::up_from_c;
 use super::status::{
-    Answer, Failure, V_ERR_ARGUMENT, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_ERR_RANGE, V_OK,
-    clear_last_error,
+    Answer, Failure, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_OK, clear_last_error,
 };
-use super::types::{
-    V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_POSE, V_UP_Y, V_VIEW_EDITED, V_VIEW_PLAYED,
-    V_VIEW_RESTED, V_VIEW_SCRUBBED, V_VIEW_SELECTED,
-};
-use crate::document::{Document, Edit, Poses};
+use super::types::{V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_UP_Y};
+use crate::document::{Document, Edit, Info};
 use crate::editor::{self, Language};
-use crate::error::{Refused, Result, complain, vec_with_room};
-use crate::instance::{self, Gone, Host, Id, Reason};
-use crate::path::{BaseSpeeds, Pose, Space};
+use crate::error::{Refused, Result};
+use crate::instance::{self, Gone, Id};
+use crate::path::{BaseSpeeds, Space};
 
 /// All windows that C holds.
 static EDITORS: Handles<Opened, V_EDITOR> = Handles::new(KIND_EDITOR);
@@ -59,11 +57,15 @@ fn gone(why: Gone) -> Failure {
 const OTHER_THREAD: Failure =
     Failure::Border(V_ERR_HANDLE, "this window belongs to another thread");
 
+/// Notes why the window of a handle is gone.
+pub(super) fn closed(editor: *const V_EDITOR, why: Gone) {
+    if let Ok(opened) = EDITORS.get(editor) {
+        let _ = opened.gone.set(why);
+    }
+}
+
 /// The window of a handle, if it is open and belongs to the calling thread.
 pub(super) fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
-    if editor.is_null() {
-        check(editor)?;
-    }
     let found = EDITORS.get(editor)?;
     if let Some(&why) = found.gone.get() {
         return Err(gone(why));
@@ -162,28 +164,18 @@ pub unsafe extern "C" fn v_editor_open(
         let options = unsafe { options_of(options) }?;
         // SAFETY: as above for what they point to.
         let beginning = unsafe { begin(&options) }?;
-        let opened = open(
-            beginning,
-            Callbacks {
-                handle: Cell::new(ptr::null_mut()),
-                poses: RefCell::default(),
-                on: options,
-            },
-        )?;
+        let opened = open(beginning, Callbacks::new(options))?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(opened) };
-        Ok(V_OK)
+        unsafe { out.answer(opened) }
     })
 }
 
 /// # Safety
 /// `options` is NULL or points to a size and, if that is valid, to the options.
 unsafe fn options_of(options: *const V_EDITOR_OPTIONS) -> Answer<V_EDITOR_OPTIONS> {
-    if options.is_null() {
-        return Ok(V_EDITOR_OPTIONS::DEFAULTS);
-    }
     // SAFETY: as required of the caller.
-    unsafe { read_growing(options) }
+    let given = optional(options, |options| unsafe { read_growing(options) })?;
+    Ok(given.unwrap_or(V_EDITOR_OPTIONS::DEFAULTS))
 }
 
 /// Everything needed to open a window.
@@ -201,26 +193,83 @@ struct Beginning {
 /// # Safety
 /// Every pointer in the options is NULL or as the header says.
 unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
-    let mut file = None;
     let mut warnings = editor::Warnings::default();
-    let mut document = match (options.file.is_null(), options.path.is_null()) {
-        (false, false) => {
-            return Err(Failure::Border(
-                V_ERR_ARGUMENT,
-                "a window starts with a file or with a path, not with both",
-            ));
-        }
-        (true, true) => Document::try_new()?,
-        (true, false) => read(options.path, |document| Ok(document.try_clone()?))?,
-        (false, true) => {
-            // SAFETY: as required of the caller.
-            let name = unsafe { file_name(options.file) }?;
-            file = Some(PathBuf::from(name));
+    // SAFETY: as required of the caller.
+    let file = optional(options.file, |file| unsafe { file_name(file) })?;
+    let mut document = document_of(file, options.path, &mut warnings)?;
+    // SAFETY: as required of the caller.
+    let fixed_speeds = unsafe { configure(&mut document, options) }?;
+    // SAFETY: as required of the caller, for all texts.
+    let (title, display, language, application, host_name) = unsafe {
+        (
+            optional_text(options.title, "the title is not UTF-8")?,
+            optional_text(options.display, "the display's name is not UTF-8")?,
+            optional(options.language, |language| language_of(bytes(language)?))?,
+            optional_text(options.application, "the application's name is not UTF-8")?,
+            optional_text(
+                options.host_name,
+                "the name of the host's view is not UTF-8",
+            )?,
+        )
+    };
+    Ok(Beginning {
+        editor: editor::Options {
+            // The window's own undo history begins here.
+            document: document.as_opened(),
+            file: file.map(PathBuf::from),
+            title,
+            language,
+            hand_over: options.on_poses.is_some(),
+            fixed_speeds,
+            folders: editor::Folders::of_environment(),
+            program: program(options, application.as_deref()),
+            host_view: editor::HostView {
+                name: host_name,
+                captures: options.on_capture.is_some(),
+                fills_pane: options.on_pane.is_some(),
+            },
+        },
+        warnings,
+        display,
+        application,
+        parent: x_window(options.parent)?,
+        transient_for: x_window(options.transient_for)?,
+    })
+}
+
+/// What is edited: that of a file, a copy of a path, or a new path.
+fn document_of(
+    file: Option<&Path>,
+    path: *const V_PATH,
+    warnings: &mut editor::Warnings,
+) -> Answer<Document> {
+    match (file, path.is_null()) {
+        (Some(_), false) => Err(Failure::argument(
+            "a window starts with a file or with a path, not with both",
+        )),
+        (None, true) => Ok(Document::try_new()?),
+        (None, false) => read(path, |document| Ok(document.try_clone()?)),
+        (Some(name), true) => {
             let (document, meshes) = instance::document_of(name)?;
             warnings.add_meshes(meshes);
-            document
+            Ok(document)
         }
-    };
+    }
+}
+
+fn language_of(name: &[u8]) -> Answer<Language> {
+    match name {
+        b"de" => Ok(Language::German),
+        b"en" => Ok(Language::English),
+        _ => Err(Failure::argument("the language is not \"de\" or \"en\"")),
+    }
+}
+
+/// Gives the document the options' space, object and base speeds. Whether there are speeds.
+///
+/// # Safety
+/// As for [`begin`].
+unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answer<bool> {
     // A scene that edits no path keeps its own space and speeds.
     if options.space_half_size != 0.0 && document.edits_path() {
         let space = Space {
@@ -250,60 +299,13 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
     if !unset && document.edits_path() {
         document.apply(Edit::SetSpeeds(speeds))?;
     }
-    // SAFETY: as required of the caller, for all texts.
-    let (title, display, language, application, host_name) = unsafe {
-        (
-            text(options.title, "the title is not UTF-8")?,
-            text(options.display, "the display's name is not UTF-8")?,
-            text(options.language, "the language is not \"de\" or \"en\"")?,
-            text(options.application, "the application's name is not UTF-8")?,
-            text(
-                options.host_name,
-                "the name of the host's view is not UTF-8",
-            )?,
-        )
-    };
-    let language = match language.as_deref() {
-        None => None,
-        Some("de") => Some(Language::German),
-        Some("en") => Some(Language::English),
-        Some(_) => {
-            return Err(Failure::Border(
-                V_ERR_ARGUMENT,
-                "the language is not \"de\" or \"en\"",
-            ));
-        }
-    };
-    Ok(Beginning {
-        editor: editor::Options {
-            // The window's own undo history begins here.
-            document: document.as_opened(),
-            file,
-            title,
-            language,
-            hand_over: options.on_poses.is_some(),
-            fixed_speeds: !unset,
-            folders: editor::Folders::of_environment(),
-            program: program(options, application.as_deref()),
-            host_view: editor::HostView {
-                name: host_name,
-                captures: options.on_capture.is_some(),
-                fills_pane: options.on_pane.is_some(),
-            },
-        },
-        warnings,
-        display,
-        application,
-        parent: x_window(options.parent)?,
-        transient_for: x_window(options.transient_for)?,
-    })
+    Ok(!unset)
 }
 
 /// An X window of the host's; 0 is none.
 fn x_window(id: c_ulong) -> Answer<Option<u32>> {
-    let id = u32::try_from(id).map_err(|_| {
-        Failure::Border(V_ERR_RANGE, "the number of an X window has at most 32 bits")
-    })?;
+    let id = u32::try_from(id)
+        .map_err(|_| Failure::range("the number of an X window has at most 32 bits"))?;
     Ok((id != 0).then_some(id))
 }
 
@@ -315,18 +317,6 @@ fn program(options: &V_EDITOR_OPTIONS, application: Option<&str>) -> editor::Pro
         name.clone_into(&mut program.name);
     }
     program
-}
-
-/// Copies a text of the host's; NULL is none.
-///
-/// # Safety
-/// `text` is NULL or points to a zero-terminated text.
-pub(super) unsafe fn text(text: *const c_char, not_utf8: &'static str) -> Answer<Option<String>> {
-    if text.is_null() {
-        return Ok(None);
-    }
-    // SAFETY: as required of the caller.
-    unsafe { pointers::text(text, not_utf8) }.map(|text| Some(text.to_owned()))
 }
 
 /// Opens the window and creates its handle.
@@ -399,10 +389,9 @@ pub unsafe extern "C" fn v_editor_get_path(
         let out = Out::new(path)?;
         let window = opened(editor)?.window;
         let copy = instance::read(window, Document::shown_path).ok_or(CLOSED)??;
-        let made = keep(copy.without_history())?;
+        let made = insert(copy)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
@@ -427,19 +416,30 @@ pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V
     })
 }
 
-/// Replaces the path in one undo step.
+/// Replaces the path.
 fn replace(document: &mut Document, by: Document, fixed_speeds: bool) -> Result<()> {
-    let (mut path, mut info) = by.into_parts();
+    let (mut path, info) = by.into_parts();
     if fixed_speeds {
         path.speeds = document.path().speeds;
     }
+    replace_with(document, info, |document| {
+        edit_shown(document)?;
+        document.apply(Edit::ReplacePath(Box::new(path)))
+    })
+}
+
+/// Replaces what is edited by `contents`, and the information with it, in one undo step. An object
+/// that is shown stays if there is no other.
+pub(super) fn replace_with(
+    document: &mut Document,
+    mut info: Info,
+    contents: impl FnOnce(&mut Document) -> Result<()>,
+) -> Result<()> {
     if info.object.is_empty() {
         info.object = document.info().object.clone();
     }
     document.begin_step();
-    let done = edit_shown(document)
-        .and_then(|()| document.apply(Edit::ReplacePath(Box::new(path))))
-        .and_then(|()| document.apply(Edit::SetInfo(Box::new(info))));
+    let done = contents(document).and_then(|()| document.apply(Edit::SetInfo(Box::new(info))));
     match done {
         Ok(()) => document.end_step(),
         Err(_) => document.cancel_step(),
@@ -454,153 +454,4 @@ fn edit_shown(document: &mut Document) -> Result<()> {
     };
     let shown = around.scene().shown_camera().ok_or(Refused::NoCamera)?;
     document.apply(Edit::EditNode(Some(shown)))
-}
-
-fn reason_for_c(reason: Reason) -> c_int {
-    match reason {
-        Reason::Selected => V_VIEW_SELECTED,
-        Reason::Edited => V_VIEW_EDITED,
-        Reason::Scrubbed => V_VIEW_SCRUBBED,
-        Reason::Played => V_VIEW_PLAYED,
-        Reason::Rested => V_VIEW_RESTED,
-    }
-}
-
-/// The host's callbacks.
-struct Callbacks {
-    handle: Cell<*mut V_EDITOR>,
-    /// The poses prepared for the hand-over.
-    poses: RefCell<Vec<Pose>>,
-    /// Only its callbacks and their `user` are used.
-    on: V_EDITOR_OPTIONS,
-}
-
-impl Host for Callbacks {
-    fn prepare(&self, _: Id, poses: &Poses<'_>) -> Result<()> {
-        let mut all = vec_with_room(poses.frame_count())?;
-        all.resize(poses.frame_count(), Pose::default());
-        poses.sample(1, &mut all)?;
-        self.poses.replace(all);
-        Ok(())
-    }
-
-    fn hand_over(&self, _: Id) {
-        if let Some(on_poses) = self.on.on_poses {
-            let (handle, poses) = (self.handle.get(), self.poses.take());
-            // SAFETY: the host's function; the poses live until it returns, and both pose types
-            // have one layout.
-            unsafe {
-                enter!("on_poses", on_poses(
-                    handle => *mut V_EDITOR,
-                    poses.as_ptr().cast() => *const V_POSE,
-                    poses.len() => usize,
-                    self.on.user => *mut c_void,
-                ) -> ());
-            }
-        }
-    }
-
-    fn watches(&self) -> bool {
-        let on = &self.on;
-        on.on_view.is_some() || on.on_frame.is_some() || on.on_change.is_some()
-    }
-
-    fn view(&self, _: Id, pose: &Pose, frame: f64, reason: Reason) {
-        let Some(on_view) = self.on.on_view else {
-            return;
-        };
-        // SAFETY: as for `on_poses`.
-        unsafe {
-            enter!("on_view", on_view(
-                self.handle.get() => *mut V_EDITOR,
-                ptr::from_ref(pose).cast() => *const V_POSE,
-                frame => f64,
-                reason_for_c(reason) => c_int,
-                self.on.user => *mut c_void,
-            ) -> ());
-        }
-    }
-
-    fn frame(&self, _: Id, frame: f64, reason: Reason) {
-        if let Some(on_frame) = self.on.on_frame {
-            // SAFETY: the host's function.
-            unsafe {
-                enter!("on_frame", on_frame(
-                    self.handle.get() => *mut V_EDITOR,
-                    frame => f64,
-                    reason_for_c(reason) => c_int,
-                    self.on.user => *mut c_void,
-                ) -> ());
-            }
-        }
-    }
-
-    fn changed(&self, _: Id) {
-        if let Some(on_change) = self.on.on_change {
-            // SAFETY: the host's function.
-            unsafe {
-                enter!("on_change", on_change(
-                    self.handle.get() => *mut V_EDITOR,
-                    self.on.user => *mut c_void,
-                ) -> ());
-            }
-        }
-    }
-
-    fn capture(&self, _: Id) -> Option<Pose> {
-        let on_capture = self.on.on_capture?;
-        let mut pose = Pose::default();
-        // SAFETY: the host's function may write the pose until it returns; any bits are valid, and
-        // both pose types have one layout.
-        let given = unsafe {
-            enter!("on_capture", on_capture(
-                self.handle.get() => *mut V_EDITOR,
-                ptr::from_mut(&mut pose).cast() => *mut V_POSE,
-                self.on.user => *mut c_void,
-            ) -> c_int)
-        };
-        (given != 0).then_some(pose)
-    }
-
-    fn may_close(&self, _: Id) -> bool {
-        let (handle, user) = (self.handle.get(), self.on.user);
-        self.on.on_close.is_none_or(|on_close| {
-            // SAFETY: the host's function.
-            let answer = unsafe {
-                enter!("on_close", on_close(
-                    handle => *mut V_EDITOR,
-                    user => *mut c_void,
-                ) -> c_int)
-            };
-            answer != 0
-        })
-    }
-
-    fn pane(&self, _: Id, pane: u32, size: [u32; 2]) {
-        let Some(on_pane) = self.on.on_pane else {
-            return;
-        };
-        let (handle, user) = (self.handle.get(), self.on.user);
-        let [width, height] = size.map(|side| c_int::try_from(side).unwrap_or(c_int::MAX));
-        // SAFETY: the host's function.
-        unsafe {
-            enter!("on_pane", on_pane(
-                handle => *mut V_EDITOR,
-                c_ulong::from(pane) => c_ulong,
-                width => c_int,
-                height => c_int,
-                user => *mut c_void,
-            ) -> ());
-        }
-    }
-
-    fn lost(&self, why: &str) {
-        complain(why);
-    }
-
-    fn closed(&self, _: Id, why: Gone) {
-        if let Ok(opened) = EDITORS.get(self.handle.get()) {
-            let _ = opened.gone.set(why);
-        }
-    }
 }

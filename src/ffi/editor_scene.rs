@@ -3,9 +3,9 @@
 use std::ffi::c_int;
 
 use super::border::border;
-use super::editor::{CLOSED, opened};
+use super::editor::{CLOSED, opened, replace_with};
 use super::pointers::Out;
-use super::scene::{keep, read};
+use super::scene::{insert, read};
 use super::scene_types::V_SCENE;
 use super::status::{V_ERR_INTERNAL, V_OK};
 use super::types::V_EDITOR;
@@ -26,10 +26,9 @@ pub unsafe extern "C" fn v_editor_get_scene(
         let out = Out::new(scene)?;
         let window = opened(editor)?.window;
         let copy = instance::read(window, Document::scene_document).ok_or(CLOSED)??;
-        let made = keep(copy)?;
+        let made = insert(copy)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
@@ -53,25 +52,14 @@ pub unsafe extern "C" fn v_editor_set_scene(editor: *mut V_EDITOR, scene: *const
     })
 }
 
-/// Replaces the contents by a scene in one undo step.
+/// Replaces the contents by a scene.
 fn replace(document: &mut Document, by: SceneDocument, fixed_speeds: bool) -> Result<()> {
-    let SceneDocument {
-        scene, mut info, ..
-    } = by;
     let speeds = document.path().speeds;
-    if info.object.is_empty() {
-        info.object = document.info().object.clone();
-    }
-    document.begin_step();
-    let mut done = document
-        .apply(Edit::ReplaceScene(Box::new(scene)))
-        .and_then(|()| document.apply(Edit::SetInfo(Box::new(info))));
-    if done.is_ok() && fixed_speeds && document.edits_path() {
-        done = document.apply(Edit::SetSpeeds(speeds));
-    }
-    match done {
-        Ok(()) => document.end_step(),
-        Err(_) => document.cancel_step(),
-    }
-    done
+    replace_with(document, by.info, |document| {
+        document.apply(Edit::ReplaceScene(Box::new(by.scene)))?;
+        if fixed_speeds && document.edits_path() {
+            document.apply(Edit::SetSpeeds(speeds))?;
+        }
+        Ok(())
+    })
 }

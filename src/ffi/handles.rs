@@ -9,6 +9,7 @@ use std::marker::PhantomData;
 use std::sync::{PoisonError, RwLock};
 
 use super::counted::Counted;
+use super::pointers::NULL;
 use super::status::{Answer, Failure, V_ERR_HANDLE, V_ERR_LIMIT};
 use crate::error::Error;
 
@@ -95,6 +96,9 @@ impl<T, C> Handles<T, C> {
     /// The object of a handle. Stays alive while the result is held, even if another thread frees
     /// the handle.
     pub(super) fn get(&self, handle: *const C) -> Answer<Counted<T>> {
+        if handle.is_null() {
+            return Err(NULL);
+        }
         let table = self.table.read().unwrap_or_else(PoisonError::into_inner);
         let number = self.slot_of(handle, &table)?;
         table.slots[number].object.clone().ok_or(INVALID)

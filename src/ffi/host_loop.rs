@@ -6,8 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::border::border;
 use super::pointers::check;
 use super::status::{
-    Answer, Failure, V_ERR_ARGUMENT, V_ERR_BUSY, V_ERR_DISPLAY, V_ERR_INTERNAL, V_OK,
-    set_last_error,
+    Answer, Failure, V_ERR_BUSY, V_ERR_DISPLAY, V_ERR_INTERNAL, V_OK, set_last_error,
 };
 use crate::error::panic_said;
 use crate::instance::{self, Lost, Refusal};
@@ -130,13 +129,9 @@ pub extern "C" fn v_set_app_context(app_context: *mut c_void) -> c_int {
 fn set_app_context(app_context: *mut c_void) -> Answer<c_int> {
     match instance::set_app_context(app_context)? {
         Ok(()) => Ok(V_OK),
-        Err(Refusal::NoXt) => Err(Failure::Border(
-            V_ERR_ARGUMENT,
+        Err(Refusal::NoXt) => Err(Failure::argument(
             "there is no Xt in this program, or its functions cannot be found",
         )),
-        Err(Refusal::NoContext) => Err(Failure::Border(
-            V_ERR_ARGUMENT,
-            "Xt has no such application context",
-        )),
+        Err(Refusal::NoContext) => Err(Failure::argument("Xt has no such application context")),
     }
 }

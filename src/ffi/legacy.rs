@@ -10,7 +10,7 @@ use super::host_loop;
 use super::list;
 use super::object::{object, speeds};
 use super::pointers::check;
-use super::status::{Answer, Failure, V_ERR_ARGUMENT, add_last_error, with_last_error};
+use super::status::{Answer, Failure, add_last_error, with_last_error};
 use super::types::{V_KAMERAPAR, V_OBJEKT_LIST};
 use crate::document::{Document, Edit, Object, Poses};
 use crate::editor::{self, Warning, Warnings};
@@ -263,8 +263,7 @@ pub unsafe extern "C" fn v_free_liste(first: *mut V_KAMERAPAR) {
         if unsafe { list::free(first) } {
             return Ok(());
         }
-        Err(Failure::Border(
-            V_ERR_ARGUMENT,
+        Err(Failure::argument(
             "this list was not made by VIDES, or was changed; nothing was freed",
         ))
     });

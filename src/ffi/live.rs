@@ -4,9 +4,9 @@
 use std::ffi::{c_char, c_double, c_int};
 
 use super::border::border;
-use super::editor::{CLOSED, opened, text};
+use super::editor::{CLOSED, opened};
 use super::object::wireframe;
-use super::pointers::{Out, file_name, index, read_optional};
+use super::pointers::{Out, file_name, index, optional, optional_text, read_optional};
 use super::scene_types::V_MESH;
 use super::status::{Answer, Failure, V_ERR_BUSY, V_ERR_INTERNAL, V_ERR_REFUSED, V_OK};
 use super::types::{V_EDITOR, V_POSE};
@@ -68,8 +68,7 @@ pub unsafe extern "C" fn v_editor_get_frame(
         let window = opened(editor)?.window;
         let at = instance::look(window, Editor::frame).ok_or(CLOSED)??;
         // SAFETY: room for a double, as the header says.
-        unsafe { out.write(at) };
-        Ok(V_OK)
+        unsafe { out.answer(at) }
     })
 }
 
@@ -140,7 +139,7 @@ pub unsafe extern "C" fn v_editor_set_object(
 pub unsafe extern "C" fn v_editor_set_title(editor: *mut V_EDITOR, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text, as the header says.
-        let title = unsafe { text(title, "the title is not UTF-8") }?;
+        let title = unsafe { optional_text(title, "the title is not UTF-8") }?;
         command(editor, |editor| {
             editor.set_title(title);
             Ok(())
@@ -161,8 +160,7 @@ pub unsafe extern "C" fn v_editor_is_modified(
         let window = opened(editor)?.window;
         let unsaved = instance::look(window, Editor::is_unsaved).ok_or(CLOSED)?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(c_int::from(unsaved)) };
-        Ok(V_OK)
+        unsafe { out.answer(c_int::from(unsaved)) }
     })
 }
 
@@ -175,12 +173,8 @@ pub unsafe extern "C" fn v_editor_is_modified(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_save(editor: *mut V_EDITOR, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let file = if file.is_null() {
-            None
-        } else {
-            // SAFETY: a text, as the header says.
-            Some(unsafe { file_name(file) }?)
-        };
+        // SAFETY: a text, as the header says.
+        let file = optional(file, |file| unsafe { file_name(file) })?;
         command(editor, |editor| editor.save_as(file))
     })
 }

@@ -25,6 +25,7 @@ mod curve;
 // Defines `enter!` for the modules below.
 #[macro_use]
 mod enter;
+mod callbacks;
 mod editor;
 mod editor_scene;
 mod handles;

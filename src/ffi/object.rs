@@ -4,7 +4,7 @@ use std::ffi::c_int;
 
 use glam::DVec3;
 
-use super::pointers::slice;
+use super::pointers::{optional, slice};
 use super::scene_types::V_MESH;
 use super::status::Answer;
 use super::types::V_OBJEKT_LIST;
@@ -59,12 +59,9 @@ pub(super) unsafe fn object(
 /// # Safety
 /// `mesh` is NULL or points to a mesh whose arrays are as long as it says.
 pub(super) unsafe fn wireframe(mesh: *const V_MESH) -> Answer<Object> {
-    if mesh.is_null() {
-        return Ok(Object::default());
-    }
     // SAFETY: the caller's word.
-    let mesh = unsafe { super::scene_tracks::mesh(mesh) }?;
-    Ok(Object::of_mesh(&mesh)?)
+    let mesh = optional(mesh, |mesh| unsafe { super::scene_tracks::mesh(mesh) })?;
+    Ok(mesh.map_or_else(|| Ok(Object::default()), |mesh| Object::of_mesh(&mesh))?)
 }
 
 /// The host's base speeds: move, orient, zoom, winkel (roll). Invalid ones are replaced, with a

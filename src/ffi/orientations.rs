@@ -7,14 +7,14 @@ use glam::DVec3;
 use super::border::border;
 use super::path::{edit, edit_by, read};
 use super::pointers::{
-    Growing, GrowingOut, Out, count, index, init, read_growing, read_vector, text,
+    Growing, GrowingOut, Out, count, index, init, optional, read_growing, read_vector, text,
 };
 use super::points::point;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use super::types::{V_ORIENTATION, V_PATH};
 use crate::document::{Document, Edit, no_longer_ahead};
 use crate::error::{Invalid, OutOfRange};
-use crate::path::{MayOwn, Orientation, Target, Tcb, UpPath, UpVector};
+use crate::path::{MayOwn, Orientation, Own, Target, Tcb, UpPath, UpVector};
 
 fn to_c(orientation: &Orientation) -> V_ORIENTATION {
     let (absolute, target) = match orientation.target {
@@ -72,7 +72,7 @@ fn from_c(o: &V_ORIENTATION) -> Answer<Orientation> {
 }
 
 /// Changes an orientation named by C's indices.
-pub(super) fn change(
+fn change(
     path: *mut V_PATH,
     point: c_int,
     at: c_int,
@@ -86,6 +86,19 @@ pub(super) fn change(
             at: index(at)?,
             orientation,
         })
+    })
+}
+
+/// Changes what an orientation owns beyond the plain rules.
+pub(super) fn change_own(
+    path: *mut V_PATH,
+    point: c_int,
+    at: c_int,
+    set: impl FnOnce(&mut Own),
+) -> Answer<c_int> {
+    change(path, point, at, |orientation| {
+        orientation.own = orientation.own.with(set)?;
+        Ok(())
     })
 }
 
@@ -135,8 +148,7 @@ pub unsafe extern "C" fn v_path_orientation_count(
             self::count(self::point(document, point)?.1.orientations.len())
         })?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(orientations) };
-        Ok(V_OK)
+        unsafe { out.answer(orientations) }
     })
 }
 
@@ -154,12 +166,8 @@ pub unsafe extern "C" fn v_path_insert_orientation(
     o: *const V_ORIENTATION,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let orientation = if o.is_null() {
-            None
-        } else {
-            // SAFETY: a struct as its size says, as the header demands.
-            Some(unsafe { read_orientation(o) }?)
-        };
+        // SAFETY: a struct as its size says, as the header demands.
+        let orientation = optional(o, |o| unsafe { read_orientation(o) })?;
         let (point, at) = (index(point)?, index(at)?);
         edit(
             path,
@@ -227,8 +235,7 @@ pub unsafe extern "C" fn v_path_get_orientation(
         let out = unsafe { GrowingOut::new(o) }?;
         let values = read(path, |document| Ok(to_c(orientation(document, point, at)?)))?;
         // SAFETY: as above.
-        unsafe { out.write(values) };
-        Ok(V_OK)
+        unsafe { out.answer(values) }
     })
 }
 
@@ -328,15 +335,6 @@ pub unsafe extern "C" fn v_path_set_up(
             "path" => UpVector::Path(read(up_path, |document| Ok(UpPath::of(document.path())?))?),
             other => return Err(Invalid::NoUp(other.into()).into()),
         };
-        edit_by(path, |document| {
-            let mut new = orientation(document, point, at)?.clone();
-            let (point, at) = (index(point)?, index(at)?);
-            new.own = new.own.with(|own| own.up = up)?;
-            Ok(Edit::SetOrientation {
-                point,
-                at,
-                orientation: new,
-            })
-        })
+        change_own(path, point, at, |own| own.up = up)
     })
 }

@@ -3,10 +3,11 @@
 use std::ffi::c_int;
 
 use super::border::border;
-use super::orientations::{change, orientation};
+use super::curve::between;
+use super::orientations::{change_own, orientation};
 use super::path::{edit, read};
 use super::pointers::{Out, index, slice};
-use super::status::{Answer, Failure, V_ERR_ARGUMENT, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::Edit;
 use crate::error::OutOfRange;
@@ -24,10 +25,7 @@ fn ease_kind(kind: c_int) -> Answer<EaseKind> {
     match kind {
         V_EASE_SINE => Ok(EaseKind::Sine),
         V_EASE_PARABOLIC => Ok(EaseKind::Parabolic),
-        _ => Err(Failure::Border(
-            V_ERR_RANGE,
-            "there is no such kind of easing",
-        )),
+        _ => Err(Failure::range("there is no such kind of easing")),
     }
 }
 
@@ -35,10 +33,7 @@ fn finite(numbers: &[f64]) -> Answer<()> {
     if numbers.iter().all(|number| number.is_finite()) {
         return Ok(());
     }
-    Err(Failure::Border(
-        V_ERR_ARGUMENT,
-        "each number must be finite",
-    ))
+    Err(Failure::argument("each number must be finite"))
 }
 
 /// ==== Pace ====
@@ -72,12 +67,7 @@ pub unsafe extern "C" fn v_ease(
             cruise: BASE_SPEED,
         };
         ease.check()?;
-        if !(0.0..=1.0).contains(&t) {
-            return Err(Failure::NotBetween {
-                name: "t",
-                end: 1.0,
-            });
-        }
+        let t = between(t, 1.0, "t")?;
         // SAFETY: room for a double each, as the header says.
         unsafe {
             distance.write(ease.distance(t));
@@ -118,14 +108,7 @@ pub unsafe extern "C" fn v_path_set_ease(
                 cruise,
             })
         };
-        set_pace(path, point, at, pace)
-    })
-}
-
-fn set_pace(path: *mut V_PATH, point: c_int, at: c_int, pace: Pace) -> Answer<c_int> {
-    change(path, point, at, |orientation| {
-        orientation.own = orientation.own.with(|own| own.pace = pace)?;
-        Ok(())
+        change_own(path, point, at, |own| own.pace = pace)
     })
 }
 
@@ -196,7 +179,7 @@ pub unsafe extern "C" fn v_path_set_distance(
             let numbers = unsafe { slice(time_way, 2 * keys) }?;
             own::distance(numbers.as_chunks().0)?
         };
-        set_pace(path, point, at, pace)
+        change_own(path, point, at, |own| own.pace = pace)
     })
 }
 
@@ -216,10 +199,7 @@ pub unsafe extern "C" fn v_path_set_frames(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let frames = u32::try_from(frames).map_err(|_| OutOfRange::SectionFrames)?;
-        change(path, point, at, |orientation| {
-            orientation.own = orientation.own.with(|own| own.frames = frames)?;
-            Ok(())
-        })
+        change_own(path, point, at, |own| own.frames = frames)
     })
 }
 
@@ -238,8 +218,7 @@ pub unsafe extern "C" fn v_path_get_frames(
             Ok(orientation(document, point, at)?.own.frames as usize)
         })?;
         // SAFETY: room for a size_t, as the header says.
-        unsafe { out.write(frames) };
-        Ok(V_OK)
+        unsafe { out.answer(frames) }
     })
 }
 
@@ -255,10 +234,7 @@ pub unsafe extern "C" fn v_path_set_frames_locked(
     locked: c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        change(path, point, at, |orientation| {
-            orientation.own = orientation.own.with(|own| own.locked = locked != 0)?;
-            Ok(())
-        })
+        change_own(path, point, at, |own| own.locked = locked != 0)
     })
 }
 
@@ -277,8 +253,7 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
             Ok(orientation(document, point, at)?.own.locked)
         })?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(c_int::from(locked)) };
-        Ok(V_OK)
+        unsafe { out.answer(c_int::from(locked)) }
     })
 }
 

@@ -5,11 +5,12 @@ use std::sync::RwLock;
 
 use super::border::border;
 use super::handles::{Handles, KIND_PATH};
-use super::pointers::{Out, check, file_name, slice};
+use super::pointers::{Out, file_name, slice};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit, Info};
 use crate::inject;
+use crate::path::CameraPath;
 
 /// All paths that C holds.
 static PATHS: Handles<RwLock<Document>, V_PATH> = Handles::new(KIND_PATH);
@@ -19,14 +20,21 @@ const SPOILED: Failure = Failure::Border(
     "this path is unusable since a fault inside the library",
 );
 
-pub(super) fn keep(document: Document) -> Answer<*mut V_PATH> {
-    PATHS.insert(RwLock::new(document))
+/// A handle for a path, which from now on has no history.
+pub(super) fn insert(document: Document) -> Answer<*mut V_PATH> {
+    PATHS.insert(RwLock::new(document.without_history()))
+}
+
+/// A handle for a path made just now.
+pub(super) fn insert_new(path: CameraPath, fps: f64) -> Answer<*mut V_PATH> {
+    let info = Info {
+        fps,
+        ..Info::default()
+    };
+    insert(Document::from_parts(path, info)?)
 }
 
 pub(super) fn read<R>(path: *const V_PATH, look: impl FnOnce(&Document) -> Answer<R>) -> Answer<R> {
-    if path.is_null() {
-        check(path)?;
-    }
     let document = PATHS.get(path)?;
     let document = document.read().map_err(|_| SPOILED)?;
     inject::point(inject::Place::Path);
@@ -35,9 +43,6 @@ pub(super) fn read<R>(path: *const V_PATH, look: impl FnOnce(&Document) -> Answe
 
 /// Works on a path with exclusive access.
 fn change<R>(path: *mut V_PATH, work: impl FnOnce(&mut Document) -> Answer<R>) -> Answer<R> {
-    if path.is_null() {
-        check(path)?;
-    }
     let document = PATHS.get(path)?;
     let mut document = document.write().map_err(|_| SPOILED)?;
     inject::point(inject::Place::Path);
@@ -92,10 +97,9 @@ pub(super) fn edit_info(path: *mut V_PATH, change: impl FnOnce(&mut Info)) -> An
 pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
         let path = Out::new(path)?;
-        let made = keep(Document::try_new()?.without_history())?;
+        let made = insert(Document::try_new()?)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { path.write(made) };
-        Ok(V_OK)
+        unsafe { path.answer(made) }
     })
 }
 
@@ -107,10 +111,9 @@ pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
 pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
         let copy = Out::new(copy)?;
-        let made = keep(read(path, |document| Ok(document.try_clone()?))?)?;
+        let made = insert(read(path, |document| Ok(document.try_clone()?))?)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { copy.write(made) };
-        Ok(V_OK)
+        unsafe { copy.answer(made) }
     })
 }
 
@@ -142,10 +145,9 @@ pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH
         let path = Out::new(path)?;
         // SAFETY: a text ended by zero, as the header says.
         let document = Document::load_shown(unsafe { file_name(file) }?)?;
-        let made = keep(document.without_history())?;
+        let made = insert(document)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { path.write(made) };
-        Ok(V_OK)
+        unsafe { path.answer(made) }
     })
 }
 
@@ -165,10 +167,9 @@ pub unsafe extern "C" fn v_path_load_from_memory(
         // SAFETY: as many bytes, as the header says.
         let mut text = unsafe { slice(text.cast::<u8>(), size) }?;
         let document = Document::load_shown_from(&mut text, "memory")?;
-        let made = keep(document.without_history())?;
+        let made = insert(document)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { path.write(made) };
-        Ok(V_OK)
+        unsafe { path.answer(made) }
     })
 }
 

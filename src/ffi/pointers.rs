@@ -2,19 +2,17 @@
 //! size of the memory, no concurrent writes) the header makes the host responsible.
 
 use std::ffi::{CStr, OsStr, c_char, c_int};
+use std::mem::MaybeUninit;
 use std::os::unix::ffi::OsStrExt;
 use std::path::Path;
 use std::ptr;
 
 use glam::DVec3;
 
-use super::status::{Answer, Failure, V_ERR_ARGUMENT, V_ERR_NULL, V_ERR_RANGE, V_ERR_SIZE, V_OK};
+use super::status::{Answer, Failure, V_ERR_NULL, V_ERR_SIZE, V_OK};
 
-const NULL: Failure = Failure::Border(V_ERR_NULL, "a pointer is NULL that must not be");
-const UNALIGNED: Failure = Failure::Border(
-    V_ERR_ARGUMENT,
-    "a pointer is not aligned for what it points to",
-);
+pub(super) const NULL: Failure = Failure::Border(V_ERR_NULL, "a pointer is NULL that must not be");
+const UNALIGNED: Failure = Failure::argument("a pointer is not aligned for what it points to");
 
 pub(super) fn check<T>(pointer: *const T) -> Answer<()> {
     if pointer.is_null() {
@@ -59,11 +57,16 @@ pub(super) unsafe fn read_vector(xyz: *const f64) -> Answer<DVec3> {
 /// # Safety
 /// `pointer` is NULL or points to a readable `T`.
 pub(super) unsafe fn read_optional<T: Copy>(pointer: *const T) -> Answer<Option<T>> {
-    if pointer.is_null() {
-        return Ok(None);
-    }
     // SAFETY: as required of the caller.
-    unsafe { read(pointer) }.map(Some)
+    optional(pointer, |pointer| unsafe { read(pointer) })
+}
+
+/// What `read` makes of a pointer; `None` for NULL.
+pub(super) fn optional<T, R>(
+    pointer: *const T,
+    read: impl FnOnce(*const T) -> Answer<R>,
+) -> Answer<Option<R>> {
+    (!pointer.is_null()).then(|| read(pointer)).transpose()
 }
 
 /// Borrows `count` elements during the call.
@@ -93,7 +96,7 @@ pub(super) unsafe fn slice_mut<'a, T>(pointer: *mut T, count: usize) -> Answer<&
 fn check_extent<T>(count: usize) -> Answer<()> {
     match count.checked_mul(size_of::<T>()) {
         Some(bytes) if isize::try_from(bytes).is_ok() => Ok(()),
-        _ => Err(Failure::Border(V_ERR_RANGE, "a count is impossibly large")),
+        _ => Err(Failure::range("a count is impossibly large")),
     }
 }
 
@@ -127,6 +130,16 @@ impl<T: Copy> Out<T> {
             unsafe { self.0.write(value) };
         }
     }
+
+    /// Writes the only result of a call.
+    ///
+    /// # Safety
+    /// As for [`Self::write`].
+    pub(super) unsafe fn answer(self, value: T) -> Answer<c_int> {
+        // SAFETY: as required of the caller.
+        unsafe { self.write(value) };
+        Ok(V_OK)
+    }
 }
 
 impl<T: Copy, const N: usize> Out<[T; N]> {
@@ -138,6 +151,71 @@ impl<T: Copy, const N: usize> Out<[T; N]> {
     /// An optional array; NULL if unwanted.
     pub(super) fn optional_array(pointer: *mut T) -> Answer<Self> {
         Self::optional(pointer.cast())
+    }
+}
+
+/// The destination of an array: the host's memory, and the number of elements.
+pub(super) struct ArrayOut<T> {
+    array: *mut T,
+    capacity: usize,
+    count: Out<usize>,
+}
+
+impl<T: Copy> ArrayOut<T> {
+    /// A NULL array with capacity 0 only asks for the count.
+    pub(super) fn new(array: *mut T, capacity: usize, count: *mut usize) -> Answer<Self> {
+        let count = Out::new(count)?;
+        if !array.is_null() || capacity != 0 {
+            check(array)?;
+        }
+        Ok(Self {
+            array,
+            capacity,
+            count,
+        })
+    }
+
+    /// Also the count may be unwanted, and a NULL array have any capacity.
+    pub(super) fn optional(array: *mut T, capacity: usize, count: *mut usize) -> Answer<Self> {
+        let count = Out::optional(count)?;
+        Out::optional(array)?;
+        Ok(Self {
+            array,
+            capacity,
+            count,
+        })
+    }
+
+    /// Whether the elements are wanted. If there is too little room for `count`, writes that.
+    ///
+    /// # Safety
+    /// There is room for the count.
+    pub(super) unsafe fn wants(&self, count: usize, too_small: &'static str) -> Answer<bool> {
+        let wants = !self.array.is_null();
+        if wants && count > self.capacity {
+            // SAFETY: as required of the caller.
+            unsafe { self.count.write(count) };
+            return Err(Failure::Border(V_ERR_SIZE, too_small));
+        }
+        Ok(wants)
+    }
+
+    /// The room for elements that are wanted.
+    ///
+    /// # Safety
+    /// As for [`slice_mut`], with the capacity.
+    pub(super) unsafe fn room<'a>(&self, count: usize) -> Answer<&'a mut [T]> {
+        // SAFETY: as required of the caller.
+        unsafe { slice_mut(self.array, count) }
+    }
+
+    /// Writes the count, after the elements.
+    ///
+    /// # Safety
+    /// There is room for it.
+    pub(super) unsafe fn answer(self, count: usize) -> Answer<c_int> {
+        // SAFETY: as required of the caller.
+        unsafe { self.count.answer(count) }
     }
 }
 
@@ -192,11 +270,31 @@ impl TextOut {
 /// # Safety
 /// `text` is NULL or points to a zero-terminated text, unchanged during `'a`.
 pub(super) unsafe fn text<'a>(text: *const c_char, not_utf8: &'static str) -> Answer<&'a str> {
-    check(text)?;
-    // SAFETY: not NULL, and else as required of the caller.
-    let text = unsafe { CStr::from_ptr(text) };
-    text.to_str()
-        .map_err(|_| Failure::Border(V_ERR_ARGUMENT, not_utf8))
+    // SAFETY: as required of the caller.
+    std::str::from_utf8(unsafe { bytes(text) }?).map_err(|_| Failure::argument(not_utf8))
+}
+
+pub(super) const TEXT_NOT_UTF8: &str = "a text is not UTF-8";
+pub(super) const NAME_NOT_UTF8: &str = "a name is not UTF-8";
+
+/// Copies a host's text, with `None` for NULL.
+///
+/// # Safety
+/// `text` is NULL or points to a zero-terminated text.
+pub(super) unsafe fn optional_text(
+    text: *const c_char,
+    not_utf8: &'static str,
+) -> Answer<Option<String>> {
+    // SAFETY: as required of the caller.
+    optional(text, |text| copied(unsafe { self::text(text, not_utf8) }?))
+}
+
+/// Copies a text, which may be long; fails with `ErrorKind::Memory`.
+pub(super) fn copied(text: &str) -> Answer<String> {
+    let mut copy = String::new();
+    copy.try_reserve_exact(text.len())?;
+    copy.push_str(text);
+    Ok(copy)
 }
 
 /// A file name, whose bytes may have any encoding.
@@ -204,17 +302,15 @@ pub(super) unsafe fn text<'a>(text: *const c_char, not_utf8: &'static str) -> An
 /// # Safety
 /// `file` is NULL or points to a zero-terminated text, unchanged during `'a`.
 pub(super) unsafe fn file_name<'a>(file: *const c_char) -> Answer<&'a Path> {
-    check(file)?;
-    // SAFETY: not NULL, and else as required of the caller.
-    let text = unsafe { CStr::from_ptr(file) };
-    Ok(Path::new(OsStr::from_bytes(text.to_bytes())))
+    // SAFETY: as required of the caller.
+    Ok(Path::new(OsStr::from_bytes(unsafe { bytes(file) }?)))
 }
 
-/// The bytes of a short text, such as a keyword.
+/// The bytes of a text.
 ///
 /// # Safety
 /// `text` is NULL or points to a zero-terminated text, unchanged during `'a`.
-pub(super) unsafe fn name<'a>(text: *const c_char) -> Answer<&'a [u8]> {
+pub(super) unsafe fn bytes<'a>(text: *const c_char) -> Answer<&'a [u8]> {
     check(text)?;
     // SAFETY: not NULL, and else as required of the caller.
     Ok(unsafe { CStr::from_ptr(text) }.to_bytes())
@@ -222,31 +318,30 @@ pub(super) unsafe fn name<'a>(text: *const c_char) -> Answer<&'a [u8]> {
 
 /// Converts an index, which must not be negative.
 pub(super) fn index(value: c_int) -> Answer<usize> {
-    usize::try_from(value)
-        .map_err(|_| Failure::Border(V_ERR_RANGE, "an index must not be negative"))
+    usize::try_from(value).map_err(|_| Failure::range("an index must not be negative"))
 }
 
 /// Converts a count, which must not be negative.
 pub(super) fn how_many(value: c_int) -> Answer<usize> {
-    usize::try_from(value).map_err(|_| Failure::Border(V_ERR_RANGE, "a count must not be negative"))
+    usize::try_from(value).map_err(|_| Failure::range("a count must not be negative"))
 }
 
 /// Converts a count for C. The limits of a path keep every count below `INT_MAX`.
 pub(super) fn count(value: usize) -> Answer<c_int> {
-    c_int::try_from(value)
-        .map_err(|_| Failure::Border(V_ERR_RANGE, "a count is too large for an int"))
+    c_int::try_from(value).map_err(|_| Failure::range("a count is too large for an int"))
 }
 
 /// A struct that begins with its size and may grow at its end within version 1.
 ///
 /// # Safety
 /// The type is `repr(C)`, its first field is `size: usize`, and any bits are valid for the fields
-/// up to `FIRST`.
+/// up to `FIRST`, zeroes for all.
 pub(super) unsafe trait Growing: Copy {
     /// Its `sizeof` in version 1.0.
     const FIRST: usize;
     /// Values for fields the host does not know.
-    const DEFAULTS: Self;
+    // SAFETY: zeroes are valid for all fields.
+    const DEFAULTS: Self = unsafe { MaybeUninit::zeroed().assume_init() };
 }
 
 /// The size in a host's struct, which tells the fields the host knows. One below that of version
@@ -323,5 +418,15 @@ impl<T: Growing> GrowingOut<T> {
                 self.size,
             );
         }
+    }
+
+    /// Writes the only result of a call.
+    ///
+    /// # Safety
+    /// As for [`Self::new`], still.
+    pub(super) unsafe fn answer(self, value: T) -> Answer<c_int> {
+        // SAFETY: as required of the caller.
+        unsafe { self.write(value) };
+        Ok(V_OK)
     }
 }

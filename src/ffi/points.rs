@@ -32,8 +32,7 @@ pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_i
         let out = Out::new(count)?;
         let points = read(path, |document| self::count(document.path().points.len()))?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(points) };
-        Ok(V_OK)
+        unsafe { out.answer(points) }
     })
 }
 
@@ -118,8 +117,7 @@ pub unsafe extern "C" fn v_path_get_position(
         let xyz = Out::array(xyz)?;
         let position = read(path, |document| Ok(point(document, at)?.1.position))?;
         // SAFETY: room for three doubles, as the header says.
-        unsafe { xyz.write(position.to_array()) };
-        Ok(V_OK)
+        unsafe { xyz.answer(position.to_array()) }
     })
 }
 
@@ -138,14 +136,8 @@ pub unsafe extern "C" fn v_path_set_tcb(
     bias: f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let tcb = Tcb::new(tension, continuity, bias);
-        edit(
-            path,
-            Edit::SetOwn {
-                at: index(at)?,
-                tcb,
-            },
-        )
+        let (at, tcb) = (index(at)?, Tcb::new(tension, continuity, bias));
+        edit(path, Edit::SetOwn { at, tcb })
     })
 }
 
@@ -226,7 +218,6 @@ pub unsafe extern "C" fn v_path_get_preset(
             Ok(*preset.ok_or(OutOfRange::Between(Quantity::Preset, 0.0, 9.0))?)
         })?;
         // SAFETY: room for three doubles, as the header says.
-        unsafe { tcb.write([values.tension, values.continuity, values.bias]) };
-        Ok(V_OK)
+        unsafe { tcb.answer([values.tension, values.continuity, values.bias]) }
     })
 }

@@ -6,8 +6,8 @@ use std::io::{self, Write};
 use super::border::border;
 use super::list;
 use super::path::read;
-use super::pointers::{Out, TextOut, check, file_name, index, slice_mut};
-use super::status::{Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK};
+use super::pointers::{ArrayOut, Out, TextOut, check, file_name, index, slice_mut};
+use super::status::{Failure, V_ERR_INTERNAL, V_OK};
 use super::types::{V_KAMERAPAR, V_PATH, V_POSE};
 use crate::document::ascii;
 use crate::error::EngineError;
@@ -28,8 +28,7 @@ pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c
             super::pointers::count(sections)
         })?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(sections) };
-        Ok(V_OK)
+        unsafe { out.answer(sections) }
     })
 }
 
@@ -83,8 +82,7 @@ pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut us
             Ok(document.timeline(|timeline| timeline.frame_count())??)
         })?;
         // SAFETY: room for a size_t, as the header says.
-        unsafe { out.write(frames) };
-        Ok(V_OK)
+        unsafe { out.answer(frames) }
     })
 }
 
@@ -102,25 +100,18 @@ pub unsafe extern "C" fn v_path_sample(
     count: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let count = Out::new(count)?;
-        if !poses.is_null() || capacity != 0 {
-            check(poses)?;
-        }
+        let out = ArrayOut::new(poses.cast::<Pose>(), capacity, count)?;
         read(path, |document| {
             let sampler = document.sampler()?;
             let needed = sampler.frame_count();
             // SAFETY: room for a size_t and `capacity` poses, as the header says; any bits are
             // valid.
             unsafe {
-                if !poses.is_null() && capacity >= needed {
-                    sampler.sample(1, slice_mut(poses.cast::<Pose>(), needed)?)?;
+                if out.wants(needed, TOO_SMALL)? {
+                    sampler.sample(1, out.room(needed)?)?;
                 }
-                count.write(needed);
+                out.answer(needed)
             }
-            if poses.is_null() || capacity >= needed {
-                return Ok(V_OK);
-            }
-            Err(TOO_SMALL)
         })
     })
 }
@@ -157,10 +148,7 @@ pub unsafe extern "C" fn v_path_sample_range(
     })
 }
 
-const TOO_SMALL: Failure = Failure::Border(
-    V_ERR_SIZE,
-    "the array is too small for the poses; the count tells how many there are",
-);
+const TOO_SMALL: &str = "the array is too small for the poses; the count tells how many there are";
 
 /// The pose at one frame, 1 to the count of v_path_frame_count(); between two
 /// frames also, as 1.5.
@@ -172,8 +160,7 @@ pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut
         let out = Out::new(pose.cast::<Pose>())?;
         let pose = read(path, |document| Ok(document.sampler()?.pose(frame)?))?;
         // SAFETY: room for a pose, as the header says.
-        unsafe { out.write(pose) };
-        Ok(V_OK)
+        unsafe { out.answer(pose) }
     })
 }
 

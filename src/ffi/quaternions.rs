@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3};
 
 use super::border::border;
 use super::pointers::{Out, read_array, read_vector};
-use super::status::{Answer, Failure, V_ERR_ARGUMENT, V_ERR_INTERNAL, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use crate::error::Invalid;
 use crate::math::orientation::{quaternion_from_view, unit, view_from_quaternion};
 use crate::math::quaternion::slerp_shortest;
@@ -28,10 +28,7 @@ pub(super) fn to_c(q: DQuat) -> [f64; 4] {
 /// Normalizes a direction from C.
 fn direction(v: DVec3) -> Answer<DVec3> {
     if !v.is_finite() || v == DVec3::ZERO {
-        return Err(Failure::Border(
-            V_ERR_ARGUMENT,
-            "a direction must be finite and not zero",
-        ));
+        return Err(Failure::argument("a direction must be finite and not zero"));
     }
     Ok(unit(v))
 }
@@ -67,8 +64,7 @@ pub unsafe extern "C" fn v_quat_slerp(a: *const f64, b: *const f64, t: f64, q: *
         }
         let q = slerp_shortest(normalized(from_c(a))?, normalized(from_c(b))?, t).normalize();
         // SAFETY: room for four doubles, as the header says.
-        unsafe { out.write(to_c(q)) };
-        Ok(V_OK)
+        unsafe { out.answer(to_c(q)) }
     })
 }
 
@@ -85,8 +81,7 @@ pub unsafe extern "C" fn v_quat_from_view(vpn: *const f64, vup: *const f64, q: *
         let (view, up) = view(vpn, vup)?;
         let q = quaternion_from_view(view, up);
         // SAFETY: room for four doubles, as the header says.
-        unsafe { out.write(to_c(q)) };
-        Ok(V_OK)
+        unsafe { out.answer(to_c(q)) }
     })
 }
 

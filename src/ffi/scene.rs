@@ -1,28 +1,30 @@
 //! Scenes as handles, and their nodes.
 
 use std::cell::{Cell, UnsafeCell};
-use std::ffi::{CStr, c_char, c_int};
+use std::ffi::{c_char, c_int};
 use std::sync::RwLock;
 
 use glam::{DQuat, DVec3};
 
 use super::border::border;
+use super::counted::Counted;
 use super::handles::{Handles, KIND_SCENE};
 use super::path;
 use super::pointers::{
-    self, Growing, GrowingOut, Out, check, file_name, index, init, read_growing,
+    self, Growing, GrowingOut, Out, TEXT_NOT_UTF8, copied, file_name, index, init, optional,
+    read_growing, text,
 };
 use super::scene_types::*;
 use super::status::{
-    Answer, Failure, V_ERR_ARGUMENT, V_ERR_BUSY, V_ERR_INTERNAL, V_ERR_RANGE, V_OK,
-    clear_last_error, set_last_error,
+    Answer, Failure, V_ERR_BUSY, V_ERR_INTERNAL, V_OK, clear_last_error, set_last_error,
 };
 use super::types::V_PATH;
-use crate::document::{Document, Info, SceneDocument};
-use crate::error::{Invalid, Result};
+use crate::document::{Info, SceneDocument};
+use crate::error::Invalid;
 use crate::inject;
 use crate::limits::MAX_NAME_BYTES;
-use crate::scene::{Camera, Extrapolation, FollowPath, Kind, Light, Node, Object, Values};
+use crate::path::camera_path::check_name;
+use crate::scene::{Camera, Extrapolation, FollowPath, Kind, Light, Node, Object, Scene, Values};
 
 /// All scenes that C holds.
 static SCENES: Handles<RwLock<SceneDocument>, V_SCENE> = Handles::new(KIND_SCENE);
@@ -40,27 +42,25 @@ const BUSY: Failure = Failure::Border(
 thread_local! {
     /// How many of the host's interpolations run on this thread. Each runs while the scene is
     /// read-locked, so using a scene in it could deadlock.
-    static ASKED: Cell<u32> = const { Cell::new(0) };
+    static CALLBACKS: Cell<u32> = const { Cell::new(0) };
 }
 
-pub(super) fn asked<R>(run: impl FnOnce() -> R) -> R {
-    struct Out;
-    impl Drop for Out {
+/// Runs an interpolation of the host's, within which no scene may be used.
+pub(super) fn within_callback<R>(run: impl FnOnce() -> R) -> R {
+    struct Guard;
+    impl Drop for Guard {
         fn drop(&mut self) {
-            ASKED.set(ASKED.get() - 1);
+            CALLBACKS.set(CALLBACKS.get() - 1);
         }
     }
-    ASKED.set(ASKED.get() + 1);
-    let _out = Out;
+    CALLBACKS.set(CALLBACKS.get() + 1);
+    let _guard = Guard;
     run()
 }
 
-fn found(scene: *const V_SCENE) -> Answer<super::counted::Counted<RwLock<SceneDocument>>> {
-    if scene.is_null() {
-        check(scene)?;
-    }
+fn lookup(scene: *const V_SCENE) -> Answer<Counted<RwLock<SceneDocument>>> {
     let found = SCENES.get(scene)?;
-    if ASKED.get() > 0 {
+    if CALLBACKS.get() > 0 {
         return Err(BUSY);
     }
     Ok(found)
@@ -70,7 +70,7 @@ pub(super) fn read<R>(
     scene: *const V_SCENE,
     look: impl FnOnce(&SceneDocument) -> Answer<R>,
 ) -> Answer<R> {
-    let scene = found(scene)?;
+    let scene = lookup(scene)?;
     let scene = scene.read().map_err(|_| SPOILED)?;
     inject::point(inject::Place::Path);
     look(&scene)
@@ -80,42 +80,41 @@ pub(super) fn edit<R>(
     scene: *mut V_SCENE,
     change: impl FnOnce(&mut SceneDocument) -> Answer<R>,
 ) -> Answer<R> {
-    let scene = found(scene)?;
+    let scene = lookup(scene)?;
     let mut scene = scene.write().map_err(|_| SPOILED)?;
     inject::point(inject::Place::Path);
     change(&mut scene)
 }
 
-pub(super) fn keep(scene: SceneDocument) -> Answer<*mut V_SCENE> {
+/// Makes one change of a scene.
+pub(super) fn change<R>(
+    scene: *mut V_SCENE,
+    change: impl FnOnce(&mut Scene) -> vides_engine::Result<R>,
+) -> Answer<c_int> {
+    edit(scene, |document| Ok(change(&mut document.scene)?))?;
+    Ok(V_OK)
+}
+
+/// A handle for a scene.
+pub(super) fn insert(scene: SceneDocument) -> Answer<*mut V_SCENE> {
     SCENES.insert(RwLock::new(scene))
 }
 
-///
-/// # Safety
-/// `text` is NULL or points to a zero-terminated text, unchanged during `'a`.
-pub(super) unsafe fn text<'a>(text: *const c_char) -> Answer<&'a str> {
-    check(text)?;
-    // SAFETY: not NULL, and else as required of the caller.
-    let text = unsafe { CStr::from_ptr(text) };
-    text.to_str()
-        .map_err(|_| Failure::Border(V_ERR_ARGUMENT, "a text is not UTF-8"))
-}
-
 /// Room for the name of a node or an interpolation, zero-terminated.
-const LENT_BYTES: usize = MAX_NAME_BYTES + 16;
+const TEXT_BYTES: usize = MAX_NAME_BYTES + 16;
 
 /// Copies a text into a thread's buffer for C, valid until the next call. No allocation.
-pub(super) fn lend(text: &str) -> *const c_char {
+pub(super) fn thread_text(text: &str) -> *const c_char {
     thread_local! {
-        static LENT: UnsafeCell<[u8; LENT_BYTES]> = const { UnsafeCell::new([0; LENT_BYTES]) };
+        static TEXT: UnsafeCell<[u8; TEXT_BYTES]> = const { UnsafeCell::new([0; TEXT_BYTES]) };
     }
-    LENT.with(|lent| {
+    TEXT.with(|buffer| {
         // SAFETY: the cell belongs to this thread, and the reference ends here.
-        let lent = unsafe { &mut *lent.get() };
-        let length = text.len().min(LENT_BYTES - 1);
-        lent[..length].copy_from_slice(&text.as_bytes()[..length]);
-        lent[length] = 0;
-        lent.as_ptr().cast()
+        let buffer = unsafe { &mut *buffer.get() };
+        let length = text.len().min(TEXT_BYTES - 1);
+        buffer[..length].copy_from_slice(&text.as_bytes()[..length]);
+        buffer[length] = 0;
+        buffer.as_ptr().cast()
     })
 }
 
@@ -139,10 +138,7 @@ pub(super) fn beyond(after: c_int) -> Answer<Extrapolation> {
         V_AFTER_REPEAT => Ok(Extrapolation::Repeat),
         V_AFTER_PINGPONG => Ok(Extrapolation::PingPong),
         V_AFTER_OFFSET => Ok(Extrapolation::Offset),
-        _ => Err(Failure::Border(
-            V_ERR_RANGE,
-            "after must be one of V_AFTER_...",
-        )),
+        _ => Err(Failure::range("after must be one of V_AFTER_...")),
     }
 }
 
@@ -151,10 +147,7 @@ fn light(light: c_int) -> Answer<Light> {
         V_LIGHT_DIRECTIONAL => Ok(Light::Directional),
         V_LIGHT_POINT => Ok(Light::Point),
         V_LIGHT_SPOT => Ok(Light::Spot),
-        _ => Err(Failure::Border(
-            V_ERR_RANGE,
-            "a light must be one of V_LIGHT_...",
-        )),
+        _ => Err(Failure::range("a light must be one of V_LIGHT_...")),
     }
 }
 
@@ -169,10 +162,7 @@ fn node(given: &V_NODE) -> Answer<Node> {
             far: given.far_plane,
         }),
         _ => {
-            return Err(Failure::Border(
-                V_ERR_RANGE,
-                "a node's kind must be one of V_NODE_...",
-            ));
+            return Err(Failure::range("a node's kind must be one of V_NODE_..."));
         }
     };
     let [w, x, y, z] = given.rotation;
@@ -264,10 +254,9 @@ pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
 pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
         let out = Out::new(scene)?;
-        let made = keep(SceneDocument::try_new()?)?;
+        let made = insert(SceneDocument::try_new()?)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
@@ -290,10 +279,9 @@ pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SC
         if let Some(warning) = document.warnings().first() {
             set_last_error(format_args!("{warning}"));
         }
-        let made = keep(document)?;
+        let made = insert(document)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
@@ -320,10 +308,9 @@ pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char
 pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
         let out = Out::new(copy)?;
-        let made = keep(read(scene, |document| Ok(document.try_clone()?))?)?;
+        let made = insert(read(scene, |document| Ok(document.try_clone()?))?)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
@@ -351,8 +338,7 @@ pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c
             pointers::count(document.scene.nodes().len())
         })?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(nodes) };
-        Ok(V_OK)
+        unsafe { out.answer(nodes) }
     })
 }
 
@@ -371,24 +357,20 @@ pub unsafe extern "C" fn v_scene_add_node(
     border(V_ERR_INTERNAL, || {
         let out = Out::optional(node)?;
         // SAFETY: a text ended by zero and a node, as the header says.
-        let (name, given) = unsafe { (text(name)?, read_growing(values)?) };
+        let (name, given) = unsafe { (text(name, TEXT_NOT_UTF8)?, read_growing(values)?) };
         let mut made = self::node(&given)?;
-        made.name = copy(name)?;
+        made.name = copied_name(name)?;
         let number = edit(scene, |document| Ok(document.scene.add(made)?))?;
         let number = pointers::count(number)?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(number) };
-        Ok(V_OK)
+        unsafe { out.answer(number) }
     })
 }
 
 /// Checks a name and copies it; may fail with `ErrorKind::Memory`.
-pub(super) fn copy(text: &str) -> Result<String> {
-    crate::path::camera_path::check_name(text)?;
-    let mut copy = String::new();
-    copy.try_reserve_exact(text.len())?;
-    copy.push_str(text);
-    Ok(copy)
+pub(super) fn copied_name(text: &str) -> Answer<String> {
+    check_name(text)?;
+    copied(text)
 }
 
 /// Removes a node with all that is in it. The numbers behind move up; who aimed
@@ -399,8 +381,7 @@ pub(super) fn copy(text: &str) -> Result<String> {
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
         let node = index(node)?;
-        edit(scene, |document| Ok(document.scene.remove(node)?))?;
-        Ok(V_OK)
+        change(scene, |scene| scene.remove(node))
     })
 }
 
@@ -416,7 +397,7 @@ pub unsafe extern "C" fn v_scene_find_node(
     border(V_ERR_INTERNAL, || {
         let out = Out::new(node)?;
         // SAFETY: a text ended by zero, as the header says.
-        let name = unsafe { text(name) }?;
+        let name = unsafe { text(name, TEXT_NOT_UTF8) }?;
         let number = read(scene, |document| {
             let found = document
                 .scene
@@ -425,8 +406,7 @@ pub unsafe extern "C" fn v_scene_find_node(
             pointers::count(found)
         })?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(number) };
-        Ok(V_OK)
+        unsafe { out.answer(number) }
     })
 }
 
@@ -442,10 +422,11 @@ pub unsafe extern "C" fn v_scene_get_name(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let (out, node) = (Out::new(name)?, index(node)?);
-        let lent = read(scene, |document| Ok(lend(&document.scene.node(node)?.name)))?;
+        let lent = read(scene, |document| {
+            Ok(thread_text(&document.scene.node(node)?.name))
+        })?;
         // SAFETY: room for a pointer, as the header says.
-        unsafe { out.write(lent) };
-        Ok(V_OK)
+        unsafe { out.answer(lent) }
     })
 }
 
@@ -461,9 +442,8 @@ pub unsafe extern "C" fn v_scene_set_name(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let (name, node) = (unsafe { text(name) }?, index(node)?);
-        edit(scene, |document| Ok(document.scene.set_name(node, name)?))?;
-        Ok(V_OK)
+        let (name, node) = (unsafe { text(name, TEXT_NOT_UTF8) }?, index(node)?);
+        change(scene, |scene| scene.set_name(node, name))
     })
 }
 
@@ -481,8 +461,7 @@ pub unsafe extern "C" fn v_scene_get_node(
         let (out, node) = (unsafe { GrowingOut::new(values) }?, index(node)?);
         let found = read(scene, |document| node_for_c(document.scene.node(node)?))?;
         // SAFETY: as above.
-        unsafe { out.write(found) };
-        Ok(V_OK)
+        unsafe { out.answer(found) }
     })
 }
 
@@ -504,11 +483,10 @@ pub unsafe extern "C" fn v_scene_set_node(
         // SAFETY: a node, as the header says.
         let given = unsafe { read_growing(values) }?;
         let mut made = self::node(&given)?;
-        edit(scene, |document| {
-            made.rest.aim_weight = document.scene.node(node)?.rest.aim_weight;
-            Ok(document.scene.set_node(node, &made)?)
-        })?;
-        Ok(V_OK)
+        change(scene, |scene| {
+            made.rest.aim_weight = scene.node(node)?.rest.aim_weight;
+            scene.set_node(node, &made)
+        })
     })
 }
 
@@ -532,17 +510,11 @@ pub unsafe extern "C" fn v_scene_set_path(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let (node, after) = (index(node)?, beyond(after)?);
-        let follow = if path.is_null() {
-            None
-        } else {
-            let copy = path::read(path, |document| Ok(document.try_clone()?))?;
-            let (path, _) = copy.into_parts();
-            Some(FollowPath::new(path, start_frame, after)?)
-        };
-        edit(scene, |document| {
-            Ok(document.scene.set_path(node, follow)?)
+        let follow = optional(path, |path| {
+            let path = path::read(path, |document| Ok(document.path().try_clone()?))?;
+            Ok(FollowPath::new(path, start_frame, after)?)
         })?;
-        Ok(V_OK)
+        change(scene, |scene| scene.set_path(node, follow))
     })
 }
 
@@ -563,14 +535,13 @@ pub unsafe extern "C" fn v_scene_get_path(
                 .scene
                 .node(node)?
                 .path()
-                .ok_or(Failure::Border(V_ERR_ARGUMENT, "this node follows no path"))?;
+                .ok_or(Failure::argument("this node follows no path"))?;
             crate::error::can_allocate(document.scene.heap_size())?;
-            Ok(Document::from_parts(found.path().clone(), Info::default())?)
+            Ok(found.path().clone())
         })?;
-        let made = path::keep(copy.without_history())?;
+        let made = path::insert_new(copy, Info::default().fps)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
@@ -586,11 +557,8 @@ pub unsafe extern "C" fn v_scene_set_marker(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let name = unsafe { text(name) }?;
-        edit(scene, |document| {
-            Ok(document.scene.set_marker(name, frame)?)
-        })?;
-        Ok(V_OK)
+        let name = unsafe { text(name, TEXT_NOT_UTF8) }?;
+        change(scene, |scene| scene.set_marker(name, frame))
     })
 }
 
@@ -608,15 +576,8 @@ pub unsafe extern "C" fn v_scene_pin(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let (node, point) = (index(node)?, index(point)?);
-        let marker = if marker.is_null() {
-            None
-        } else {
-            // SAFETY: a text ended by zero, as the header says.
-            Some(unsafe { text(marker) }?)
-        };
-        edit(scene, |document| {
-            Ok(document.scene.pin(node, point, marker)?)
-        })?;
-        Ok(V_OK)
+        // SAFETY: a text ended by zero, as the header says.
+        let marker = optional(marker, |marker| unsafe { text(marker, TEXT_NOT_UTF8) })?;
+        change(scene, |scene| scene.pin(node, point, marker))
     })
 }

@@ -5,25 +5,20 @@ use std::ffi::{c_char, c_int};
 use glam::DVec3;
 
 use super::border::border;
-use super::pointers::{Out, index, slice_mut};
-use super::scene::{read, text};
+use super::pointers::{ArrayOut, Out, TEXT_NOT_UTF8, check, index, slice_mut, text};
+use super::scene::read;
 use super::scene_tracks::mesh_points;
 use super::scene_types::{V_NODE_STATE, V_SCENE};
-use super::status::{
-    Answer, Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK, clear_last_error, set_last_error,
-};
+use super::status::{V_ERR_INTERNAL, V_OK, clear_last_error, set_last_error};
 use crate::document::SceneDocument;
 use crate::error::vec_with_room;
 use crate::scene::{Channel, NodeState, Warnings};
 
-const SMALL: Failure = Failure::Border(
-    V_ERR_SIZE,
-    "the array is too small; the count tells how many there are",
-);
+const TOO_SMALL: &str = "the array is too small; the count tells how many there are";
 
 /// After a success: reports what a host's interpolation did wrong, in place of any error its own
 /// calls have left.
-fn tell(document: &SceneDocument, warnings: &Warnings) {
+fn report(document: &SceneDocument, warnings: &Warnings) {
     clear_last_error();
     if let Some((node, message)) = warnings.first() {
         let name = document
@@ -33,16 +28,6 @@ fn tell(document: &SceneDocument, warnings: &Warnings) {
             .map_or("", |node| &node.name);
         set_last_error(format_args!("node \"{name}\": {message}"));
     }
-}
-
-/// The host's memory as the engine's states.
-///
-/// # Safety
-/// `states` is NULL or points to room for `count` states.
-unsafe fn states<'a>(states: *mut V_NODE_STATE, count: usize) -> Answer<&'a mut [NodeState]> {
-    // SAFETY: the same layout (checked in `scene_types`), any bits of which are valid; else as
-    // required.
-    unsafe { slice_mut(states.cast::<NodeState>(), count) }
 }
 
 /// ==== The scene at a frame ====
@@ -87,42 +72,34 @@ pub unsafe extern "C" fn v_scene_evaluate(
     count: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::optional(count)?;
-        Out::optional(states)?;
+        // The layouts are one, see `scene_types`.
+        let out = ArrayOut::optional(states.cast::<NodeState>(), capacity, count)?;
         let nodes = read(scene, |document| {
-            let nodes = document.scene.nodes().len();
-            if states.is_null() || nodes == 0 {
+            let (scene, nodes) = (&document.scene, document.scene.nodes().len());
+            // SAFETY: room for a size_t, as the header says.
+            if nodes == 0 || !unsafe { out.wants(nodes, TOO_SMALL) }? {
                 crate::scene::motion::check_frame(frame)?;
                 return Ok(nodes);
             }
-            if nodes > capacity {
-                // SAFETY: room for a size_t, as the header says.
-                unsafe { out.write(nodes) };
-                return Err(SMALL);
-            }
-            document.scene.prepare(frame)?;
-            if document.scene.is_plain() {
-                // No host function is called: evaluate in place.
-                // SAFETY: room for so many states, as the header says.
-                let room = unsafe { self::states(states, nodes) }?;
-                let mut warnings = Warnings::default();
-                document.scene.evaluate(frame, room, &mut warnings)?;
-                tell(document, &warnings);
-                return Ok(nodes);
-            }
-            // Not in place: a host's function may fail half way or read the array.
-            let mut made = vec_with_room(nodes)?;
-            made.resize(nodes, NodeState::default());
+            scene.prepare(frame)?;
             let mut warnings = Warnings::default();
-            document.scene.evaluate(frame, &mut made, &mut warnings)?;
-            // SAFETY: room for so many states, as the header says.
-            unsafe { self::states(states, nodes) }?.copy_from_slice(&made);
-            tell(document, &warnings);
+            if scene.is_plain() {
+                // No host function is called: evaluate in place.
+                // SAFETY: room for so many states, as the header says; any bits make one.
+                scene.evaluate(frame, unsafe { out.room(nodes) }?, &mut warnings)?;
+            } else {
+                // Not in place: a host's function may fail half way or read the array.
+                let mut made = vec_with_room(nodes)?;
+                made.resize(nodes, NodeState::default());
+                scene.evaluate(frame, &mut made, &mut warnings)?;
+                // SAFETY: as above.
+                unsafe { out.room(nodes) }?.copy_from_slice(&made);
+            }
+            report(document, &warnings);
             Ok(nodes)
         })?;
         // SAFETY: room for a size_t, as the header says.
-        unsafe { out.write(nodes) };
-        Ok(V_OK)
+        unsafe { out.answer(nodes) }
     })
 }
 
@@ -142,7 +119,7 @@ pub unsafe extern "C" fn v_scene_sample(
     border(V_ERR_INTERNAL, || {
         let node = index(node)?;
         if count > 0 {
-            super::pointers::check(states)?;
+            check(states)?;
         }
         read(scene, |document| {
             document.scene.node(node)?;
@@ -154,10 +131,11 @@ pub unsafe extern "C" fn v_scene_sample(
                 .scene
                 .sample(node, first, frame_step, &mut made, &mut warnings)?;
             if count > 0 {
-                // SAFETY: room for so many states, as the header says.
-                unsafe { self::states(states, count) }?.copy_from_slice(&made);
+                // SAFETY: room for so many states, as the header says; the layouts are one (see
+                // `scene_types`), and any bits make a state.
+                unsafe { slice_mut(states.cast(), count) }?.copy_from_slice(&made);
             }
-            tell(document, &warnings);
+            report(document, &warnings);
             Ok(())
         })?;
         Ok(V_OK)
@@ -181,28 +159,22 @@ pub unsafe extern "C" fn v_scene_value(
     width: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (out, node) = (Out::optional(width)?, index(node)?);
-        Out::optional(values)?;
+        let (out, node) = (ArrayOut::optional(values, capacity, width)?, index(node)?);
         // SAFETY: a text ended by zero, as the header says.
-        let channel = Channel::parse(unsafe { text(channel) }?)?;
+        let channel = Channel::parse(unsafe { text(channel, TEXT_NOT_UTF8) }?)?;
         let numbers = read(scene, |document| {
             let mut warnings = Warnings::default();
             let value = document.scene.value(node, &channel, frame, &mut warnings)?;
-            tell(document, &warnings);
+            report(document, &warnings);
             Ok(value)
         })?;
-        if !values.is_null() {
-            if numbers.len() > capacity {
-                // SAFETY: room for a size_t, as the header says.
-                unsafe { out.write(numbers.len()) };
-                return Err(SMALL);
+        // SAFETY: room for so many numbers and a size_t, as the header says.
+        unsafe {
+            if out.wants(numbers.len(), TOO_SMALL)? {
+                out.room(numbers.len())?.copy_from_slice(&numbers);
             }
-            // SAFETY: room for so many numbers, as the header says.
-            unsafe { slice_mut(values, numbers.len()) }?.copy_from_slice(&numbers);
+            out.answer(numbers.len())
         }
-        // SAFETY: room for a size_t, as the header says.
-        unsafe { out.write(numbers.len()) };
-        Ok(V_OK)
     })
 }
 
@@ -223,28 +195,24 @@ pub unsafe extern "C" fn v_scene_vertices(
     points: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (out, node) = (Out::optional(points)?, index(node)?);
-        Out::optional(xyz)?;
+        const { assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == 8) };
+        let (xyz, node) = (xyz.cast::<DVec3>(), index(node)?);
+        let out = ArrayOut::optional(xyz, capacity, points)?;
         let count = read(scene, |document| {
             let count = mesh_points(&document.scene.node(node)?.kind);
-            if !xyz.is_null() && count > capacity {
-                // SAFETY: room for a size_t, as the header says.
-                unsafe { out.write(count) };
-                return Err(SMALL);
-            }
+            // SAFETY: room for a size_t, as the header says.
+            let wanted = unsafe { out.wants(count, TOO_SMALL) }?;
             let mut warnings = Warnings::default();
             let form = document.scene.form(node, frame, &mut warnings)?;
-            if !xyz.is_null() && count > 0 {
-                const { assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == 8) };
+            if wanted && count > 0 {
                 // SAFETY: room for so many points, as the header says; a point is three doubles,
                 // and no host function runs meanwhile.
-                form.points(unsafe { slice_mut(xyz.cast::<DVec3>(), count) }?);
+                form.points(unsafe { out.room(count) }?);
             }
-            tell(document, &warnings);
+            report(document, &warnings);
             Ok(count)
         })?;
         // SAFETY: room for a size_t, as the header says.
-        unsafe { out.write(count) };
-        Ok(V_OK)
+        unsafe { out.answer(count) }
     })
 }

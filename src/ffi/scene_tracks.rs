@@ -6,10 +6,13 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::border::border;
-use super::pointers::{Out, file_name, index, read_array, read_growing, slice, slice_mut};
-use super::scene::{asked, beyond, copy, edit, lend, read, text};
+use super::pointers::{
+    Out, TEXT_NOT_UTF8, file_name, index, optional, read_array, read_growing, slice, slice_mut,
+    text,
+};
+use super::scene::{beyond, change, copied_name, edit, read, thread_text, within_callback};
 use super::scene_types::*;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_ERR_SIZE, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK};
 use crate::deform::{Bounds, Deformation};
 use crate::document::load_mesh;
 use crate::error::{can_allocate, vec_with_room};
@@ -98,15 +101,12 @@ pub unsafe extern "C" fn v_scene_set_track(
     border(V_ERR_INTERNAL, || {
         let node = index(node)?;
         // SAFETY: a text ended by zero, as the header says.
-        let channel = Channel::parse(unsafe { text(channel) }?)?;
+        let channel = Channel::parse(unsafe { text(channel, TEXT_NOT_UTF8) }?)?;
         if keys == 0 {
-            edit(scene, |document| {
-                Ok(document.scene.remove_track(node, &channel)?)
-            })?;
-            return Ok(V_OK);
+            return change(scene, |scene| scene.remove_track(node, &channel));
         }
         // SAFETY: a text ended by zero, as the header says.
-        let interpolation = Interpolation::parse(unsafe { text(interpolation) }?)?;
+        let interpolation = Interpolation::parse(unsafe { text(interpolation, TEXT_NOT_UTF8) }?)?;
         let (before, after) = both(after)?;
         most(keys, MAX_KEYS, "keys")?;
         let euler = matches!(
@@ -130,18 +130,14 @@ pub unsafe extern "C" fn v_scene_set_track(
         };
         let track = Track::new(channel, interpolation, frames, values, shape)?;
         let track = track.with_extrapolation(before, after)?;
-        edit(scene, |document| {
-            Ok(document.scene.set_track(node, track)?)
-        })?;
-        Ok(V_OK)
+        change(scene, |scene| scene.set_track(node, track))
     })
 }
 
 /// The continuation before and after the keys, from C's one number.
 fn both(after: c_int) -> Answer<(Extrapolation, Extrapolation)> {
     if !(0..64).contains(&after) {
-        return Err(Failure::Border(
-            V_ERR_RANGE,
+        return Err(Failure::range(
             "after must be one of V_AFTER_..., with one of V_BEFORE_... at most",
         ));
     }
@@ -184,14 +180,14 @@ pub unsafe extern "C" fn v_scene_get_track(
             Out::optional(room)?;
         }
         // SAFETY: a text ended by zero, as the header says.
-        let channel = Channel::parse(unsafe { text(channel) }?)?;
+        let channel = Channel::parse(unsafe { text(channel, TEXT_NOT_UTF8) }?)?;
         read(scene, |document| {
             let node = document.scene.node(node)?;
             let Some(track) = node.keys().track(&channel) else {
                 channel.width(node)?;
                 // SAFETY: room for each result, as the header says.
                 unsafe {
-                    name.write(lend(""));
+                    name.write(thread_text(""));
                     count.write(0);
                     after.write(V_AFTER_HOLD);
                 }
@@ -218,10 +214,10 @@ pub unsafe extern "C" fn v_scene_get_track(
                 }
             }
             let (before, behind) = track.extrapolation();
-            let lent = lend(&track.interpolation().to_string());
+            let text = thread_text(&track.interpolation().to_string());
             // SAFETY: room for each result, as the header says.
             unsafe {
-                name.write(lent);
+                name.write(text);
                 count.write(track.frames().len());
                 after.write(number_of(behind) | number_of(before) << 4);
             }
@@ -268,7 +264,7 @@ unsafe impl Sync for Host {}
 
 impl Host {
     fn ask(&self, question: host::Question<'_>, value: &mut [f64]) -> bool {
-        let status = asked(|| {
+        let status = within_callback(|| {
             let function = self.function;
             // SAFETY: the host's own function, with arrays as the header says.
             unsafe {
@@ -302,7 +298,7 @@ pub unsafe extern "C" fn v_register_interpolation(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let name = unsafe { text(name) }?;
+        let name = unsafe { text(name, TEXT_NOT_UTF8) }?;
         let name = name.strip_prefix("host:").unwrap_or(name);
         let function = match function {
             None => None,
@@ -338,8 +334,7 @@ pub unsafe extern "C" fn v_scene_set_geometry(
         let node = index(node)?;
         // SAFETY: a mesh, as the header says.
         let mesh = unsafe { self::mesh(mesh) }?;
-        edit(scene, |document| Ok(document.scene.set_mesh(node, mesh)?))?;
-        Ok(V_OK)
+        change(scene, |scene| scene.set_mesh(node, mesh))
     })
 }
 
@@ -358,15 +353,10 @@ pub unsafe extern "C" fn v_scene_load_geometry(
         let node = index(node)?;
         // SAFETY: a text ended by zero, as the header says.
         let file = unsafe { file_name(file) }?;
-        read(scene, |document| {
-            Ok(document.scene.node(node).map(|_| ())?)
-        })?;
+        read(scene, |document| Ok(document.scene.node(node).map(drop)?))?;
         // The lock is not held while the file is read.
         let (source, mesh) = load_mesh(file)?;
-        edit(scene, |document| {
-            Ok(document.scene.set_mesh_of(node, source, mesh)?)
-        })?;
-        Ok(V_OK)
+        change(scene, |scene| scene.set_mesh_of(node, source, mesh))
     })
 }
 
@@ -407,8 +397,7 @@ unsafe fn indices<const N: usize>(from: *const u32, count: usize) -> Answer<Vec<
     // SAFETY: as required of the caller.
     let (groups, rest) = unsafe { slice(from, count) }?.as_chunks::<N>();
     if !rest.is_empty() {
-        return Err(Failure::Border(
-            V_ERR_RANGE,
+        return Err(Failure::range(
             "indices of lines come in twos, of triangles in threes",
         ));
     }
@@ -436,15 +425,12 @@ pub unsafe extern "C" fn v_scene_add_shape(
         // SAFETY: a text ended by zero and so many points, as the header says.
         let shape = unsafe {
             Shape {
-                name: copy(text(name)?)?,
+                name: copied_name(text(name, TEXT_NOT_UTF8)?)?,
                 points: self::points(xyz, points)?,
                 colours: Vec::new(),
             }
         };
-        edit(scene, |document| {
-            Ok(document.scene.add_shape(node, shape)?)
-        })?;
-        Ok(V_OK)
+        change(scene, |scene| scene.add_shape(node, shape))
     })
 }
 
@@ -459,13 +445,18 @@ pub(super) unsafe fn deformation(
 ) -> Answer<Deformation> {
     most(count, 3 * crate::deform::LATTICE, "parameters")?;
     // SAFETY: as required of the caller.
-    let (kind, parameters) = unsafe { (text(kind)?, slice(parameters, count)?) };
+    let (kind, parameters) = unsafe { (text(kind, TEXT_NOT_UTF8)?, slice(parameters, count)?) };
     Ok(Deformation::new(kind, parameters)?)
 }
 
-pub(super) fn bounds(corners: [f64; 6]) -> vides_engine::Result<Bounds> {
-    let [a, b, c, d, e, f] = corners;
-    Bounds::new(DVec3::new(a, b, c), DVec3::new(d, e, f))
+/// A box from C.
+///
+/// # Safety
+/// `corners` is NULL or points to six readable doubles.
+pub(super) unsafe fn bounds(corners: *const f64) -> Answer<Bounds> {
+    // SAFETY: as required of the caller.
+    let [a, b, c, d, e, f] = unsafe { read_array(corners) }?;
+    Ok(Bounds::new(DVec3::new(a, b, c), DVec3::new(d, e, f))?)
 }
 
 /// Adds a deformation (see v_deform()) to an object, behind the others; *at is
@@ -488,19 +479,14 @@ pub unsafe extern "C" fn v_scene_add_deformation(
         let (out, node) = (Out::optional(at)?, index(node)?);
         // SAFETY: as the header says.
         let deformation = unsafe { deformation(kind, parameters, count) }?;
-        let bounds = if r#box.is_null() {
-            None
-        } else {
-            // SAFETY: six doubles, as the header says.
-            Some(bounds(unsafe { read_array(r#box) }?)?)
-        };
+        // SAFETY: six doubles, as the header says.
+        let bounds = optional(r#box, |corners| unsafe { bounds(corners) })?;
         let number = edit(scene, |document| {
             Ok(document.scene.add_deformation(node, deformation, bounds)?)
         })?;
         let number = super::pointers::count(number)?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(number) };
-        Ok(V_OK)
+        unsafe { out.answer(number) }
     })
 }
 
@@ -516,10 +502,7 @@ pub unsafe extern "C" fn v_scene_remove_deformation(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let (node, at) = (index(node)?, index(at)?);
-        edit(scene, |document| {
-            Ok(document.scene.remove_deformation(node, at)?)
-        })?;
-        Ok(V_OK)
+        change(scene, |scene| scene.remove_deformation(node, at))
     })
 }
 
@@ -553,7 +536,7 @@ pub unsafe extern "C" fn v_deform(
         // SAFETY: as the header says.
         let deformation = unsafe { deformation(kind, parameters, count) }?;
         // SAFETY: six doubles, as the header says.
-        let bounds = bounds(unsafe { read_array(r#box) }?)?;
+        let bounds = unsafe { bounds(r#box) }?;
         // SAFETY: so many points, as the header says.
         let mut deformed = unsafe { self::points(xyz, points) }?;
         for &point in &deformed {

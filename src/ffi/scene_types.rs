@@ -4,7 +4,6 @@
 
 use std::ffi::{c_int, c_uchar, c_uint};
 use std::mem::offset_of;
-use std::ptr;
 
 use super::pointers::Growing;
 use super::types::V_POSE;
@@ -143,41 +142,11 @@ pub type V_MESH = v_mesh;
 // SAFETY: `repr(C)` with `size` first; numbers only.
 unsafe impl Growing for V_NODE {
     const FIRST: usize = size_of::<V_NODE>();
-    /// Overwritten whole, since all fields exist since version 1.0; see v_node_init().
-    const DEFAULTS: Self = Self {
-        size: size_of::<V_NODE>(),
-        kind: 0,
-        parent: -1,
-        visible: 1,
-        aim: -1,
-        pivot: [0.0; 3],
-        position: [0.0; 3],
-        rotation: [1.0, 0.0, 0.0, 0.0],
-        scale: [1.0; 3],
-        zoom: 24.0,
-        roll: 0.0,
-        light: 0,
-        colour: [1.0; 3],
-        intensity: 1.0,
-        cone: [0.0; 2],
-        near_plane: 0.0,
-        far_plane: 0.0,
-    };
 }
 
 // SAFETY: `repr(C)` with `size` first; pointers and numbers only.
 unsafe impl Growing for V_MESH {
     const FIRST: usize = size_of::<V_MESH>();
-    const DEFAULTS: Self = Self {
-        size: size_of::<V_MESH>(),
-        xyz: ptr::null(),
-        points: 0,
-        rgb: ptr::null(),
-        lines: ptr::null(),
-        line_ends: 0,
-        triangles: ptr::null(),
-        corners: 0,
-    };
 }
 
 // States are filled in place in the host's memory.

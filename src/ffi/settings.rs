@@ -5,11 +5,14 @@ use std::ffi::{c_char, c_int};
 use super::border::border;
 use super::object::wireframe;
 use super::path::{edit, edit_info, read};
-use super::pointers::{Out, TextOut, text};
+use super::pointers::{Out, TextOut, copied, text};
 use super::scene_types::V_MESH;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::Edit;
+use crate::error::{Place, TooMany};
+use crate::limits::MAX_COMMENT_BYTES;
+use crate::path::camera_path::check_name;
 use crate::path::{BaseSpeeds, OrientationMode, ZoomMode};
 
 /// ==== Modes, see v_path_set_modes() ====
@@ -30,10 +33,7 @@ fn orientation_mode(number: c_int) -> Answer<OrientationMode> {
         V_ORIENTATION_TCB => Ok(OrientationMode::Tcb),
         V_ORIENTATION_BARRY_GOLDMAN => Ok(OrientationMode::BarryGoldman),
         V_ORIENTATION_SLERP => Ok(OrientationMode::Slerp),
-        _ => Err(Failure::Border(
-            V_ERR_RANGE,
-            "there is no such orientation mode",
-        )),
+        _ => Err(Failure::range("there is no such orientation mode")),
     }
 }
 
@@ -41,7 +41,7 @@ fn zoom_mode(number: c_int) -> Answer<ZoomMode> {
     match number {
         V_ZOOM_SMOOTH => Ok(ZoomMode::Smooth),
         V_ZOOM_LINEAR => Ok(ZoomMode::Linear),
-        _ => Err(Failure::Border(V_ERR_RANGE, "there is no such zoom mode")),
+        _ => Err(Failure::range("there is no such zoom mode")),
     }
 }
 
@@ -113,8 +113,7 @@ pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_i
         let out = Out::new(closed)?;
         let closed = read(path, |document| Ok(document.path().closed))?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(c_int::from(closed)) };
-        Ok(V_OK)
+        unsafe { out.answer(c_int::from(closed)) }
     })
 }
 
@@ -173,7 +172,10 @@ pub unsafe extern "C" fn v_path_get_modes(
 pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let title = unsafe { text(title, "the title is not UTF-8") }?.to_owned();
+        let title = unsafe { text(title, "the title is not UTF-8") }?;
+        // Before it is copied: nobody knows how long it is.
+        check_name(title).map_err(|error| error.at(Place::Title))?;
+        let title = copied(title)?;
         edit_info(path, |info| info.title = title)
     })
 }
@@ -205,7 +207,11 @@ pub unsafe extern "C" fn v_path_get_title(
 pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let comment = unsafe { text(comment, "the comment is not UTF-8") }?.to_owned();
+        let comment = unsafe { text(comment, "the comment is not UTF-8") }?;
+        if comment.len() > MAX_COMMENT_BYTES {
+            return Err(TooMany::CommentBytes.into());
+        }
+        let comment = copied(comment)?;
         edit_info(path, |info| info.comment = comment)
     })
 }
@@ -244,8 +250,7 @@ pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c
         let out = Out::new(fps)?;
         let fps = read(path, |document| Ok(document.info().fps))?;
         // SAFETY: room for a double, as the header says.
-        unsafe { out.write(fps) };
-        Ok(V_OK)
+        unsafe { out.answer(fps) }
     })
 }
 
@@ -268,8 +273,7 @@ pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mu
         let out = Out::new(number)?;
         let number = read(path, |document| Ok(document.info().first_frame))?;
         // SAFETY: room for an int, as the header says.
-        unsafe { out.write(number) };
-        Ok(V_OK)
+        unsafe { out.answer(number) }
     })
 }
 

@@ -4,9 +4,9 @@ use std::ffi::{c_char, c_int};
 
 use super::border::border;
 use super::path::{edit, edit_and, read};
-use super::pointers::{Out, count, index, name, read_vector};
+use super::pointers::{Out, bytes, count, index, read_vector};
 use super::points::point;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::Edit;
 use crate::path::{CurveKind, Tangents, curve};
@@ -19,12 +19,9 @@ const KINDS: [(CurveKind, &std::ffi::CStr); 3] = [
 
 fn curve_kind(name: &[u8]) -> Answer<CurveKind> {
     let found = KINDS.iter().find(|(_, text)| text.to_bytes() == name);
-    found.map(|(kind, _)| *kind).ok_or({
-        Failure::Border(
-            V_ERR_RANGE,
-            "the kind of a curve is \"tcb\", \"cubic\" or \"linear\"",
-        )
-    })
+    found.map(|(kind, _)| *kind).ok_or(Failure::range(
+        "the kind of a curve is \"tcb\", \"cubic\" or \"linear\"",
+    ))
 }
 
 /// ==== Kind of the curve, tangents ====
@@ -39,7 +36,7 @@ fn curve_kind(name: &[u8]) -> Answer<CurveKind> {
 pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let kind = curve_kind(unsafe { name(kind) }?)?;
+        let kind = curve_kind(unsafe { bytes(kind) }?)?;
         edit(path, Edit::SetCurveKind(kind))
     })
 }
@@ -54,8 +51,7 @@ pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const
         let kind = read(path, |document| Ok(document.path().curve))?;
         let found = KINDS.iter().find(|(known, _)| *known == kind);
         // SAFETY: room for a pointer, as the header says.
-        unsafe { out.write(found.map_or(c"tcb", |(_, text)| text).as_ptr()) };
-        Ok(V_OK)
+        unsafe { out.answer(found.map_or(c"tcb", |(_, text)| text).as_ptr()) }
     })
 }
 
@@ -144,7 +140,6 @@ pub unsafe extern "C" fn v_path_insert_on_curve(
         let edit = Edit::InsertOnCurve { frame };
         let new = edit_and(path, edit, |document| count(document.selection().point))??;
         // SAFETY: room for an int, as the header says.
-        unsafe { at.write(new) };
-        Ok(V_OK)
+        unsafe { at.answer(new) }
     })
 }

@@ -8,7 +8,7 @@ use super::border::border;
 use super::path::{edit, read};
 use super::pointers::{self, GrowingOut, Out, read_growing, read_vector};
 use super::quaternions::view;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::{V_ORIENTATION, V_PATH, V_POSE, V_UP_Y, V_UP_Z};
 use crate::document::Edit;
 use crate::path::camera_path::check_zoom;
@@ -18,10 +18,7 @@ pub(super) fn up_from_c(up: c_int) -> Answer<Up> {
     match up {
         V_UP_Y => Ok(Up::Y),
         V_UP_Z => Ok(Up::Z),
-        _ => Err(Failure::Border(
-            V_ERR_RANGE,
-            "what stands upright is V_UP_Y or V_UP_Z",
-        )),
+        _ => Err(Failure::range("what stands upright is V_UP_Y or V_UP_Z")),
     }
 }
 
@@ -119,7 +116,6 @@ pub unsafe extern "C" fn v_orientation_from_pose(
         result.roll = axes.roll_from_up(view, up).to_degrees();
         result.zoom = pose.zoom;
         // SAFETY: as above.
-        unsafe { out.write(result) };
-        Ok(V_OK)
+        unsafe { out.answer(result) }
     })
 }

@@ -5,7 +5,8 @@ use std::ffi::c_int;
 use glam::DQuat;
 
 use super::border::border;
-use super::pointers::{Out, check, how_many, read_array, read_optional, slice};
+use super::curve::between;
+use super::pointers::{Out, check, how_many, optional, read_array, read_optional, slice};
 use super::quaternions::{from_c, to_c};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_LIMIT, V_OK};
 use crate::error::{OutOfRange, Quantity, vec_with_room};
@@ -63,8 +64,7 @@ pub unsafe extern "C" fn v_quat_spline(
         let (keys, times) = unsafe { keys_and_times(keys, key_times, count) }?;
         let q = quaternion_spline::barry_goldman(&keys, times, when)?;
         // SAFETY: room for four doubles, as the header says.
-        unsafe { out.write(to_c(q)) };
-        Ok(V_OK)
+        unsafe { out.answer(to_c(q)) }
     })
 }
 
@@ -89,17 +89,16 @@ pub unsafe extern "C" fn v_quat_tcb_spline(
         let out = Out::array(q)?;
         // SAFETY: as many doubles as the header says.
         let (keys, times) = unsafe { keys_and_times(keys, key_times, count) }?;
-        let mut parameters = vec_with_room(keys.len())?;
-        if !tcb.is_null() {
+        let tcb = optional(tcb.cast::<[f64; 3]>(), |tcb| {
             // SAFETY: as many doubles as the header says.
-            let values = unsafe { slice(tcb.cast::<[f64; 3]>(), keys.len()) }?;
+            let values = unsafe { slice(tcb, keys.len()) }?;
+            let mut parameters = vec_with_room(keys.len())?;
             parameters.extend(values.iter().map(|&[t, c, b]| Tcb::new(t, c, b)));
-        }
-        let tcb = (!tcb.is_null()).then_some(&parameters[..]);
-        let q = quaternion_spline::tcb(&keys, times, tcb, when)?;
+            Ok(parameters)
+        })?;
+        let q = quaternion_spline::tcb(&keys, times, tcb.as_deref(), when)?;
         // SAFETY: room for four doubles, as the header says.
-        unsafe { out.write(to_c(q)) };
-        Ok(V_OK)
+        unsafe { out.answer(to_c(q)) }
     })
 }
 
@@ -138,15 +137,7 @@ pub unsafe extern "C" fn v_speed_curve(
                 read_optional(after)?,
             )
         };
-        if !u.is_finite() {
-            return Err(Failure::NotFinite { name: "u" });
-        }
-        if !(0.0..=1.0).contains(&u) {
-            return Err(Failure::NotBetween {
-                name: "u",
-                end: 1.0,
-            });
-        }
+        let u = between(u, 1.0, "u")?;
         for value in speed.into_iter().chain(before).chain(after) {
             check_speed(value)?;
         }

@@ -97,6 +97,16 @@ pub(super) enum Failure {
 pub(super) type Answer<T> = Result<T, Failure>;
 
 impl Failure {
+    /// A value outside its range.
+    pub(super) const fn range(sentence: &'static str) -> Self {
+        Self::Border(V_ERR_RANGE, sentence)
+    }
+
+    /// A value that makes no sense.
+    pub(super) const fn argument(sentence: &'static str) -> Self {
+        Self::Border(V_ERR_ARGUMENT, sentence)
+    }
+
     pub(super) fn status(&self) -> c_int {
         match self {
             Self::Border(status, _) => *status,
@@ -111,7 +121,12 @@ impl Failure {
             },
             Self::NotFinite { .. } => V_ERR_ARGUMENT,
             Self::TooMany { .. } => V_ERR_LIMIT,
-            _ => V_ERR_RANGE,
+            Self::NoPoint { .. }
+            | Self::NoOrientation { .. }
+            | Self::NoSegment { .. }
+            | Self::NoSection(_)
+            | Self::NoPoses { .. }
+            | Self::NotBetween { .. } => V_ERR_RANGE,
         }
     }
 }

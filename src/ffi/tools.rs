@@ -5,10 +5,10 @@ use std::ffi::{c_char, c_int};
 use glam::DMat4;
 
 use super::border::border;
-use super::path::{edit, keep, read};
-use super::pointers::{Out, how_many, index, read_array, slice, text};
+use super::path::{edit, insert, insert_new, read};
+use super::pointers::{NAME_NOT_UTF8, Out, how_many, index, optional, read_array, slice, text};
 use super::scene_tracks::{bounds, deformation};
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_RANGE, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use super::types::V_PATH;
 use crate::document::{Document, Edit, Info};
 use crate::error::{OutOfRange, can_allocate, vec_with_room};
@@ -28,16 +28,9 @@ pub const V_FIT_MOVE: c_int = 1;
 pub const V_FIT_TURN: c_int = 2;
 pub const V_FIT_SCALE: c_int = 3;
 
-const NO_NAME: &str = "a name is not UTF-8";
-
-/// A handle for a new path with default information.
-fn new_path(path: CameraPath) -> Answer<*mut V_PATH> {
-    keep(Document::from_parts(path, Info::default())?.without_history())
-}
-
-/// A copy of a handle's path, to use while others are locked.
-fn copy(path: *const V_PATH) -> Answer<CameraPath> {
-    read(path, |document| Ok(document.path().try_clone()?))
+/// A copy of what a handle stands for, to use while others are locked.
+fn copy(path: *const V_PATH) -> Answer<Document> {
+    read(path, |document| Ok(document.try_clone()?))
 }
 
 /// The points from `first` to `last`.
@@ -48,7 +41,7 @@ fn range(first: c_int, last: c_int) -> Answer<Vec<usize>> {
     }
     let count = (last - first).saturating_add(1);
     if count > crate::limits::MAX_POINTS {
-        return Err(Failure::Border(V_ERR_RANGE, "there are not so many points"));
+        return Err(Failure::range("there are not so many points"));
     }
     let mut points = vec_with_room(count)?;
     points.extend(first..=last);
@@ -102,12 +95,9 @@ pub unsafe extern "C" fn v_path_from_move(
     border(V_ERR_INTERNAL, || {
         let out = Out::new(path)?;
         // SAFETY: a text ended by zero, as the header says.
-        let found = Move::named(unsafe { text(r#move, NO_NAME) }?)?;
+        let found = Move::named(unsafe { text(r#move, NAME_NOT_UTF8) }?)?;
         if count > Parameter::count(found.parameters) {
-            return Err(Failure::Border(
-                V_ERR_RANGE,
-                "the move does not take so many numbers",
-            ));
+            return Err(Failure::range("the move does not take so many numbers"));
         }
         let given = if count == 0 {
             &[][..]
@@ -115,10 +105,10 @@ pub unsafe extern "C" fn v_path_from_move(
             // SAFETY: so many doubles, as the header says.
             unsafe { slice(parameters, count) }?
         };
-        let made = new_path(found.path(given, Space::default(), Info::default().fps)?)?;
+        let fps = Info::default().fps;
+        let made = insert_new(found.path(given, Space::default(), fps)?, fps)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
@@ -173,12 +163,8 @@ pub unsafe extern "C" fn v_path_deform(
     border(V_ERR_INTERNAL, || {
         // SAFETY: as the header says of v_deform().
         let deformation = unsafe { deformation(kind, parameters, count) }?;
-        let bounds = if r#box.is_null() {
-            None
-        } else {
-            // SAFETY: six doubles, as the header says.
-            Some(bounds(unsafe { read_array(r#box) }?)?)
-        };
+        // SAFETY: six doubles, as the header says.
+        let bounds = optional(r#box, |corners| unsafe { bounds(corners) })?;
         let deform = Edit::DeformPoints {
             points: range(first_point, last_point)?,
             deformation,
@@ -204,20 +190,13 @@ pub unsafe extern "C" fn v_path_extract(
     border(V_ERR_INTERNAL, || {
         let out = Out::new(block)?;
         let (first, last) = (index(first_point)?, index(last_point)?);
-        let taken = read(path, |document| {
-            Ok((
-                block::extract(document.path(), first, last)?,
-                document.info().fps,
-            ))
+        let (taken, fps) = read(path, |document| {
+            let taken = block::extract(document.path(), first, last)?;
+            Ok((taken, document.info().fps))
         })?;
-        let info = Info {
-            fps: taken.1,
-            ..Info::default()
-        };
-        let made = keep(Document::from_parts(taken.0, info)?.without_history())?;
+        let made = insert_new(taken, fps)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
@@ -243,13 +222,10 @@ pub unsafe extern "C" fn v_path_insert_path(
             V_FIT_TURN => Fit::Turn,
             V_FIT_SCALE => Fit::Scale,
             _ => {
-                return Err(Failure::Border(
-                    V_ERR_RANGE,
-                    "there is no such way to put a path in",
-                ));
+                return Err(Failure::range("there is no such way to put a path in"));
             }
         };
-        let block = copy(block)?;
+        let (block, _) = copy(block)?.into_parts();
         can_allocate(size_of::<CameraPath>())?;
         let insert = Edit::InsertPath {
             at: index(at)?,
@@ -300,10 +276,7 @@ pub unsafe extern "C" fn v_path_blend(
     border(V_ERR_INTERNAL, || {
         let out = Out::new(blend)?;
         if count > MOST_PATHS {
-            return Err(Failure::Border(
-                V_ERR_RANGE,
-                "so many paths cannot be blended",
-            ));
+            return Err(Failure::range("so many paths cannot be blended"));
         }
         // SAFETY: so many handles and doubles, as the header says.
         let (handles, weights) = unsafe { (slice(paths, count)?, slice(weights, count)?) };
@@ -312,11 +285,13 @@ pub unsafe extern "C" fn v_path_blend(
             copies.push(copy(handle)?);
         }
         let mut all = vec_with_room(count)?;
-        all.extend(&copies);
-        let made = new_path(blend::blend(&all, weights)?)?;
+        all.extend(copies.iter().map(Document::path));
+        let path = blend::blend(&all, weights)?;
+        let heaviest = (0..count).max_by(|&a, &b| weights[a].total_cmp(&weights[b]));
+        let info = heaviest.map(|at| copies.swap_remove(at).into_parts().1);
+        let made = insert(Document::from_parts(path, info.unwrap_or_default())?)?;
         // SAFETY: room for a handle, as the header says.
-        unsafe { out.write(made) };
-        Ok(V_OK)
+        unsafe { out.answer(made) }
     })
 }
 
@@ -326,8 +301,39 @@ const MOST_PATHS: usize = 1_000;
 #[cfg(test)]
 mod tests {
     use std::fmt::Write as _;
+    use std::ptr::null_mut;
 
+    use crate::ffi::path::{v_path_clone, v_path_free, v_path_new};
+    use crate::ffi::settings::{
+        v_path_get_fps, v_path_get_title, v_path_set_fps, v_path_set_title,
+    };
+    use crate::ffi::status::V_OK;
     use crate::tools::moves::MOVES;
+
+    /// "All else is that of the path with the greatest weight."
+    #[test]
+    fn a_blend_plays_as_fast_as_the_path_that_weighs_most() {
+        let (mut paths, mut blend) = ([null_mut(); 2], null_mut());
+        let (mut fps, mut title, mut length) = (0.0, [0; 8], 0);
+        // SAFETY: room for handles, a number and a text; handles and texts ended by zero.
+        unsafe {
+            assert_eq!(v_path_new(&raw mut paths[0]), V_OK);
+            assert_eq!(v_path_clone(paths[0], &raw mut paths[1]), V_OK);
+            assert_eq!(v_path_set_fps(paths[0], 50.0), V_OK);
+            assert_eq!(v_path_set_fps(paths[1], 60.0), V_OK);
+            assert_eq!(v_path_set_title(paths[1], c"heavy".as_ptr()), V_OK);
+            let weights = [0.25, 0.75];
+            let status = super::v_path_blend(paths.as_ptr(), weights.as_ptr(), 2, &raw mut blend);
+            assert_eq!(status, V_OK);
+            assert_eq!(v_path_get_fps(blend, &raw mut fps), V_OK);
+            let status = v_path_get_title(blend, title.as_mut_ptr(), 8, &raw mut length);
+            assert_eq!(status, V_OK);
+            for path in [paths[0], paths[1], blend] {
+                v_path_free(path);
+            }
+        }
+        assert_eq!((fps, title[..length].len()), (60.0, "heavy".len()));
+    }
 
     /// The header's comment is the engine's table.
     #[test]

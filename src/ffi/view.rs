@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::border::border;
 use super::pointers::{self, Growing, GrowingOut, Out, read_growing};
-use super::status::{V_ERR_INTERNAL, V_OK};
+use super::status::V_ERR_INTERNAL;
 use super::types::{V_POSE, V_VIEW};
 use crate::math::view::{View, gl_matrix};
 
@@ -42,19 +42,6 @@ fn to_c(view: &View) -> V_VIEW {
 // SAFETY: `repr(C)` with `size` first; numbers only.
 unsafe impl Growing for V_VIEW {
     const FIRST: usize = size_of::<V_VIEW>();
-    /// Overwritten whole, since all fields exist since version 1.0.
-    const DEFAULTS: Self = Self {
-        size: size_of::<V_VIEW>(),
-        vrp: [0.0; 3],
-        normal: [0.0; 3],
-        up: [0.0; 3],
-        prp: [0.0; 3],
-        window: [0.0; 4],
-        front: 0.0,
-        back: 0.0,
-        distance: 0.0,
-        perspective: 0,
-    };
 }
 
 /// ==== Toolbox: views ====
@@ -76,8 +63,7 @@ pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_in
         let view = unsafe { read_growing(view) }?;
         let matrix = from_c(&view).matrix()?.transpose();
         // SAFETY: room for 16 doubles, as the header says.
-        unsafe { m.write(matrix.to_cols_array()) };
-        Ok(V_OK)
+        unsafe { m.answer(matrix.to_cols_array()) }
     })
 }
 
@@ -100,8 +86,7 @@ pub unsafe extern "C" fn v_view_from_pose(
         let [vrp, vpn, vup] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
         let view = View::from_pose(vrp, vpn, vup, pose.zoom, aspect, front, back)?;
         // SAFETY: as above.
-        unsafe { out.write(to_c(&view)) };
-        Ok(V_OK)
+        unsafe { out.answer(to_c(&view)) }
     })
 }
 
@@ -118,7 +103,6 @@ pub unsafe extern "C" fn v_pose_gl_matrix(pose: *const V_POSE, m: *mut f64) -> c
         let [vrp, vpn, vup] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
         let matrix = gl_matrix(vrp, vpn, vup)?;
         // SAFETY: room for 16 doubles, as the header says.
-        unsafe { m.write(matrix.to_cols_array()) };
-        Ok(V_OK)
+        unsafe { m.answer(matrix.to_cols_array()) }
     })
 }

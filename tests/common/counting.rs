@@ -1,4 +1,4 @@
-//! An allocator that counts, for tests of what something costs.
+//! An allocator that counts, and refuses, for tests of what something costs.
 #![allow(dead_code, missing_docs, unreachable_pub)]
 // Counting needs an allocator of its own, and an allocator is unsafe.
 #![allow(unsafe_code)]
@@ -12,12 +12,16 @@ thread_local! {
     static BYTES: Cell<usize> = const { Cell::new(0) };
     static LIVE: Cell<isize> = const { Cell::new(0) };
     static PEAK: Cell<isize> = const { Cell::new(0) };
+    static MOST: Cell<usize> = const { Cell::new(usize::MAX) };
 }
 
 // SAFETY: everything is handed on to the system's allocator; the counters are
 // plain cells without destructors, which may be used at any time of a thread.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        if layout.size() > MOST.get() {
+            return std::ptr::null_mut();
+        }
         BYTES.set(BYTES.get() + layout.size());
         LIVE.set(LIVE.get() + layout.size() as isize);
         PEAK.set(PEAK.get().max(LIVE.get()));
@@ -43,6 +47,14 @@ pub struct Cost {
     pub left: isize,
     /// How many more bytes than before were in use at once.
     pub peak: usize,
+}
+
+/// Runs `f` while this thread gets no more than `most` bytes at once.
+pub fn with_at_most<T>(most: usize, f: impl FnOnce() -> T) -> T {
+    MOST.set(most);
+    let result = f();
+    MOST.set(usize::MAX);
+    result
 }
 
 pub fn cost(f: impl FnOnce()) -> Cost {

@@ -62,7 +62,7 @@ impl Backdrop {
         self.pixels = None;
     }
 
-    pub(super) fn rest(&mut self) {
+    pub(super) fn trim(&mut self) {
         self.pixels = None;
     }
 }

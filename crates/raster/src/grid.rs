@@ -35,6 +35,12 @@ impl Tiles {
         self.width() * (self.y1 - self.y0)
     }
 
+    /// The tiles, row by row.
+    #[inline]
+    pub(super) fn each(self) -> impl Iterator<Item = (usize, usize)> {
+        (self.y0..self.y1).flat_map(move |y| (self.x0..self.x1).map(move |x| (x, y)))
+    }
+
     /// A tile's index among these, row by row.
     #[inline]
     pub(super) fn index(self, x: usize, y: usize) -> Option<usize> {

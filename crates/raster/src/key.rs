@@ -33,12 +33,12 @@ fn same(a: &Arc<dyn Any + Send + Sync>, b: &Arc<dyn Any + Send + Sync>) -> bool 
         a.downcast_ref::<RoundedRect>(),
         b.downcast_ref::<RoundedRect>(),
     ) {
-        return a.is(b);
+        return a.same_bits(b);
     }
     let (Some(a), Some(b)) = (a.downcast_ref::<Lines>(), b.downcast_ref::<Lines>()) else {
         return false;
     };
-    a.are(b)
+    a.same_bits(b)
 }
 
 impl PartialEq for Key {
@@ -62,14 +62,14 @@ impl Key {
         pixels_per_point: f32,
         target: PixelRect,
     ) -> Self {
-        let mut clip = cut(primitive.clip_rect, pixels_per_point, target);
+        let mut clip = to_pixels_clipped(primitive.clip_rect, pixels_per_point, target);
         let content = match &primitive.primitive {
             Primitive::Mesh(mesh) => match textures.get(mesh.texture_id) {
                 Some(_) => Content::Mesh(fingerprint(mesh)),
                 None => Content::Nothing,
             },
             Primitive::Callback(callback) => {
-                clip = clip.and(cut(callback.rect, pixels_per_point, target));
+                clip = clip.intersect(to_pixels_clipped(callback.rect, pixels_per_point, target));
                 Content::Ours(Arc::clone(&callback.callback))
             }
         };
@@ -141,7 +141,8 @@ fn fingerprint(mesh: &Mesh) -> u64 {
     state.into_iter().fold(counts, mix)
 }
 
-pub(super) fn cut(rect: Rect, pixels_per_point: f32, target: PixelRect) -> PixelRect {
+/// The pixels of a rectangle in points, clipped to the target.
+pub(super) fn to_pixels_clipped(rect: Rect, pixels_per_point: f32, target: PixelRect) -> PixelRect {
     let pixel = |at: f32| (at * pixels_per_point).round();
     let within = |at: f32, end: i32| at.clamp(0.0, end as f32) as i32;
     PixelRect {

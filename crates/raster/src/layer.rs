@@ -5,7 +5,7 @@ use egui::{ClippedPrimitive, Color32, Mesh, Rect};
 
 use super::grid::{Tiles, pixels_of};
 use super::hash::{bits, mix, pair};
-use super::key::{Key, cut};
+use super::key::{Key, to_pixels_clipped};
 use super::lines::Lines;
 use super::quad::Quad;
 use super::rounded_rect::RoundedRect;
@@ -74,13 +74,13 @@ pub(super) struct Part {
     pub(super) items: bool,
 }
 
-pub(super) enum Kind<'a> {
+pub(super) enum Shape<'a> {
     Mesh(&'a Mesh),
     Lines(&'a Lines),
     RoundedRect(&'a RoundedRect),
 }
 
-impl<'a> Kind<'a> {
+impl<'a> Shape<'a> {
     pub(super) fn of(primitive: &'a ClippedPrimitive) -> Option<Self> {
         match &primitive.primitive {
             Primitive::Mesh(mesh) => Some(Self::Mesh(mesh)),
@@ -104,14 +104,14 @@ fn hash_of(hash: u64, corner: &Corner) -> u64 {
 /// A pixel rectangle that contains the whole primitive.
 fn extent(primitive: &ClippedPrimitive, pixels_per_point: f32, target: PixelRect) -> PixelRect {
     let mut extent = Rect::NOTHING;
-    match Kind::of(primitive) {
+    match Shape::of(primitive) {
         None => {}
-        Some(Kind::Mesh(mesh)) => {
+        Some(Shape::Mesh(mesh)) => {
             for vertex in &mesh.vertices {
                 extent.extend_with(vertex.pos);
             }
         }
-        Some(Kind::Lines(lines)) => {
+        Some(Shape::Lines(lines)) => {
             let mut widest = 0.0_f32;
             for line in &lines.lines {
                 extent.extend_with(line.from);
@@ -120,10 +120,10 @@ fn extent(primitive: &ClippedPrimitive, pixels_per_point: f32, target: PixelRect
             }
             extent = extent.expand(0.5 * widest);
         }
-        Some(Kind::RoundedRect(rounded_rect)) => extent = rounded_rect.rect,
+        Some(Shape::RoundedRect(rounded_rect)) => extent = rounded_rect.rect,
     }
     // A line is at least a pixel wide, and its bounds are rounded outwards.
-    cut(
+    to_pixels_clipped(
         extent.expand(4.0 / pixels_per_point),
         pixels_per_point,
         target,
@@ -144,7 +144,10 @@ impl Layer {
         links.clear();
         cells.clear();
         // Cells cover only the primitive's extent: most layers fill a small part of their clip.
-        let tiles = Tiles::of(key.clip().and(extent(primitive, pixels_per_point, target)));
+        let tiles = Tiles::of(
+            key.clip()
+                .intersect(extent(primitive, pixels_per_point, target)),
+        );
         cells.resize(tiles.count(), Cell::EMPTY);
         let mut layer = Self {
             key: key.settled(),
@@ -152,15 +155,15 @@ impl Layer {
             cells,
             links,
         };
-        match Kind::of(primitive) {
+        match Shape::of(primitive) {
             None => {}
-            Some(Kind::Mesh(mesh)) => {
+            Some(Shape::Mesh(mesh)) => {
                 if let Some(texture) = textures.get(mesh.texture_id) {
                     layer.sort_mesh(mesh, texture, pixels_per_point, target);
                 }
             }
-            Some(Kind::Lines(lines)) => layer.sort_lines(lines, pixels_per_point),
-            Some(Kind::RoundedRect(rounded_rect)) => {
+            Some(Shape::Lines(lines)) => layer.sort_lines(lines, pixels_per_point),
+            Some(Shape::RoundedRect(rounded_rect)) => {
                 layer.sort_rounded_rect(rounded_rect, pixels_per_point, target)
             }
         }
@@ -200,7 +203,7 @@ impl Layer {
                 continue;
             }
             known = Some(following);
-            let bounds = self.key.clip().and(triangle::bounds(&this));
+            let bounds = self.key.clip().intersect(triangle::bounds(&this));
             if bounds.is_empty() {
                 continue;
             }
@@ -210,30 +213,25 @@ impl Layer {
             let hash = this.iter().fold(texture.generation, hash_of);
             let tiles = Tiles::of(bounds);
             let single = tiles.count() == 1;
-            for y in tiles.y0..tiles.y1 {
-                for x in tiles.x0..tiles.x1 {
-                    let within = bounds.and(pixels_of(x, y));
-                    if single || edges.iter().all(|edge| edge.touches(within)) {
-                        self.add(x, y, number as u32, hash);
-                    }
+            for (x, y) in tiles.each() {
+                let within = bounds.intersect(pixels_of(x, y));
+                if single || edges.iter().all(|edge| edge.touches(within)) {
+                    self.add(x, y, number as u32, hash);
                 }
             }
         }
     }
 
     fn add_quad(&mut self, item: u32, quad: &Quad, texture: &Texture, target: PixelRect) {
-        let bounds = self.key.clip().and(quad.bounds());
+        let bounds = self.key.clip().intersect(quad.bounds());
         let hash = hash_of(hash_of(texture.generation ^ 1, &quad.low), &quad.high);
-        let tiles = Tiles::of(bounds);
         let ground = quad.ink(texture).and_then(|ink| ink.opaque());
-        for y in tiles.y0..tiles.y1 {
-            for x in tiles.x0..tiles.x1 {
-                match ground {
-                    Some(color) if bounds.holds(pixels_of(x, y).and(target)) => {
-                        self.hide(x, y, color);
-                    }
-                    _ => self.add(x, y, item, hash),
+        for (x, y) in Tiles::of(bounds).each() {
+            match ground {
+                Some(color) if bounds.contains(pixels_of(x, y).intersect(target)) => {
+                    self.hide(x, y, color);
                 }
+                _ => self.add(x, y, item, hash),
             }
         }
     }
@@ -247,22 +245,19 @@ impl Layer {
         let Some(painter) = RoundedRectPainter::new(rounded_rect, pixels_per_point) else {
             return;
         };
-        let bounds = self.key.clip().and(painter.bounds());
+        let bounds = self.key.clip().intersect(painter.bounds());
         let hash = painter.hash();
         let ground = Ink::new(painter.fill()).opaque();
-        let tiles = Tiles::of(bounds);
-        for y in tiles.y0..tiles.y1 {
-            for x in tiles.x0..tiles.x1 {
-                let within = bounds.and(pixels_of(x, y));
-                if !painter.fills(within) {
-                    self.add(x, y, 0, hash);
-                } else if let Some(color) = ground
-                    && within == pixels_of(x, y).and(target)
-                {
-                    self.hide(x, y, color);
-                } else if painter.fill() != Color32::TRANSPARENT {
-                    self.add(x, y, 0, hash);
-                }
+        for (x, y) in Tiles::of(bounds).each() {
+            let within = bounds.intersect(pixels_of(x, y));
+            if !painter.fills(within) {
+                self.add(x, y, 0, hash);
+            } else if let Some(color) = ground
+                && within == pixels_of(x, y).intersect(target)
+            {
+                self.hide(x, y, color);
+            } else if painter.fill() != Color32::TRANSPARENT {
+                self.add(x, y, 0, hash);
             }
         }
     }
@@ -288,7 +283,7 @@ impl Layer {
             let Some(stroke) = Stroke::new(line, joints, pixels_per_point) else {
                 continue;
             };
-            let bounds = self.key.clip().and(stroke.bounds());
+            let bounds = self.key.clip().intersect(stroke.bounds());
             if bounds.is_empty() {
                 continue;
             }
@@ -308,11 +303,9 @@ impl Layer {
                 self.add(tiles.x0, tiles.y0, item, hash);
                 continue;
             }
-            for y in tiles.y0..tiles.y1 {
-                for x in tiles.x0..tiles.x1 {
-                    if stroke.touches(bounds.and(pixels_of(x, y))) {
-                        self.add(x, y, item, hash);
-                    }
+            for (x, y) in tiles.each() {
+                if stroke.touches(bounds.intersect(pixels_of(x, y))) {
+                    self.add(x, y, item, hash);
                 }
             }
         }
@@ -328,7 +321,7 @@ impl Layer {
         let cell = &mut self.cells[index];
         if cell.first == END {
             // How the clip cuts this tile is part of its look.
-            let within = self.key.clip().and(pixels_of(x, y));
+            let within = self.key.clip().intersect(pixels_of(x, y));
             cell.hash = mix(cell.hash, word(within.x0, within.y0));
             cell.hash = mix(cell.hash, word(within.x1, within.y1));
             cell.first = link;
@@ -341,20 +334,16 @@ impl Layer {
 
     /// Marks the target's tiles that this layer contributes to.
     pub(super) fn note(&self, all: Tiles, touched: &mut [bool]) {
-        let mut cells = self.cells.iter();
-        for y in self.tiles.y0..self.tiles.y1 {
-            for x in self.tiles.x0..self.tiles.x1 {
-                if let Some(cell) = cells.next()
-                    && (cell.first != END || cell.ground.is_some())
-                    && let Some(touched) = all.index(x, y).and_then(|at| touched.get_mut(at))
-                {
-                    *touched = true;
-                }
+        for (cell, (x, y)) in self.cells.iter().zip(self.tiles.each()) {
+            if (cell.first != END || cell.ground.is_some())
+                && let Some(touched) = all.index(x, y).and_then(|at| touched.get_mut(at))
+            {
+                *touched = true;
             }
         }
     }
 
-    pub(super) fn rest(&mut self) {
+    pub(super) fn trim(&mut self) {
         self.cells.shrink_to_fit();
         self.links.shrink_to_fit();
     }
@@ -385,16 +374,16 @@ impl Layer {
         let Some(index) = self.tiles.index(x, y) else {
             return;
         };
-        let within = self.key.clip().and(pixels_of(x, y));
+        let within = self.key.clip().intersect(pixels_of(x, y));
         let mut next = self.cells[index].first;
         let items = std::iter::from_fn(|| {
             let link = self.links.get(next as usize)?;
             next = link.next;
             Some(link.item)
         });
-        match Kind::of(primitive) {
+        match Shape::of(primitive) {
             None => {}
-            Some(Kind::Mesh(mesh)) => {
+            Some(Shape::Mesh(mesh)) => {
                 let Some(texture) = textures.get(mesh.texture_id) else {
                     return;
                 };
@@ -419,7 +408,7 @@ impl Layer {
                     }
                 }
             }
-            Some(Kind::Lines(lines)) => {
+            Some(Shape::Lines(lines)) => {
                 for item in items {
                     let joints = JOINED.map(|end| item & end != 0);
                     let number = (item & !(JOINED[0] | JOINED[1])) as usize;
@@ -430,7 +419,7 @@ impl Layer {
                     }
                 }
             }
-            Some(Kind::RoundedRect(rounded_rect)) => {
+            Some(Shape::RoundedRect(rounded_rect)) => {
                 if next != END
                     && let Some(painter) = RoundedRectPainter::new(rounded_rect, pixels_per_point)
                 {

@@ -139,9 +139,9 @@ impl Raster {
     }
 
     /// Frees caches that speed up animation; call when nothing moves any more.
-    pub fn rest(&mut self) {
-        self.backdrop.iter_mut().for_each(Backdrop::rest);
-        self.layers.iter_mut().for_each(Layer::rest);
+    pub fn trim(&mut self) {
+        self.backdrop.iter_mut().for_each(Backdrop::trim);
+        self.layers.iter_mut().for_each(Layer::trim);
     }
 
     /// Applies egui's texture changes. Call with every output of egui, before [`Raster::paint`].
@@ -161,22 +161,9 @@ impl Raster {
     ) -> Vec<Area> {
         // On an early return, what the target shows is no longer known.
         let shown_for = self.shown_for.take();
-        let (Ok(x1), Ok(y1)) = (i32::try_from(target.width), i32::try_from(target.height)) else {
+        let Some(whole) = target.whole() else {
             return Vec::new();
         };
-        let whole = PixelRect {
-            x0: 0,
-            y0: 0,
-            x1,
-            y1,
-        };
-        let rows_above = target
-            .stride
-            .saturating_mul(target.height.max(1) as usize - 1);
-        let room = rows_above.saturating_add(target.width as usize);
-        if whole.is_empty() || target.stride < target.width as usize || target.pixels.len() < room {
-            return Vec::new();
-        }
         let tiles = Tiles::of(whole);
         let now = Some((target.width, target.height, pixels_per_point));
         let anew = shown_for != now;
@@ -193,18 +180,11 @@ impl Raster {
         }
         self.backdrop.resize_with(tiles.count(), Backdrop::default);
         let mut areas = Areas::default();
-        let mut each = self
-            .shown
-            .iter_mut()
-            .zip(&self.touched)
-            .zip(&mut self.backdrop);
+        let mut indices = 0..tiles.count();
         for y in tiles.y0..tiles.y1 {
             self.row.clear();
-            for x in tiles.x0..tiles.x1 {
-                let Some(((shown, touched), backdrop)) = each.next() else {
-                    continue;
-                };
-                if !touched && !anew {
+            for (x, index) in (tiles.x0..tiles.x1).zip(&mut indices) {
+                if !self.touched[index] && !anew {
                     continue;
                 }
                 if self.row.is_empty() {
@@ -212,41 +192,50 @@ impl Raster {
                     let reach = numbered.filter(|(_, layer)| layer.reaches(y));
                     self.row.extend(reach.map(|(number, _)| number));
                 }
-                let (ground, bare) = steps(&self.layers, &self.row, (x, y), &mut self.steps);
+                let ground = steps(&self.layers, &self.row, (x, y), &mut self.steps);
                 let hash = self.steps.last().map_or(0, |step| step.hash);
-                if *shown == hash && !anew {
+                if std::mem::replace(&mut self.shown[index], hash) == hash && !anew {
                     continue;
                 }
-                *shown = hash;
-                let cut = pixels_of(x, y).and(whole);
+                let cut = pixels_of(x, y).intersect(whole);
                 areas.add(cut);
-                let ground = ground.unwrap_or_else(|| tile::pixel(self.background));
-                if bare {
-                    backdrop.pass_over();
-                    target.fill(cut, ground);
-                    continue;
-                }
-                (self.tile.x, self.tile.y) = (cut.x0, cut.y0);
-                let (painted, keep) = backdrop.begin(&self.steps, ground, &mut self.tile);
-                for (at, step) in self.steps.iter().enumerate().skip(painted) {
-                    let number = step.layer as usize;
-                    let textures = &self.textures;
-                    self.layers[number].paint(
-                        (x, y),
-                        &primitives[number],
-                        textures,
-                        pixels_per_point,
-                        &mut self.tile,
-                    );
-                    if keep == Some(at + 1) {
-                        backdrop.keep(step.hash, &mut self.tile);
-                    }
-                }
-                target.put(cut, &self.tile);
+                self.paint_tile(index, cut, ground, primitives, pixels_per_point, target);
             }
             areas.end_row();
         }
         areas.into_areas()
+    }
+
+    /// Paints a tile, whose pixels are `cut`, from its `steps`; `ground` is what they began with.
+    fn paint_tile(
+        &mut self,
+        index: usize,
+        cut: PixelRect,
+        (ground, bare): (Option<u32>, bool),
+        primitives: &[ClippedPrimitive],
+        pixels_per_point: f32,
+        target: &mut Target<'_>,
+    ) {
+        let backdrop = &mut self.backdrop[index];
+        let ground = ground.unwrap_or_else(|| tile::pixel(self.background));
+        if bare {
+            backdrop.pass_over();
+            target.fill(cut, ground);
+            return;
+        }
+        let at = (cut.x0 as usize / SIDE, cut.y0 as usize / SIDE);
+        let (textures, tile) = (&self.textures, &mut self.tile);
+        (tile.x, tile.y) = (cut.x0, cut.y0);
+        let (painted, keep) = backdrop.begin(&self.steps, ground, tile);
+        for (count, step) in (1..).zip(&self.steps).skip(painted) {
+            let number = step.layer as usize;
+            let primitive = &primitives[number];
+            self.layers[number].paint(at, primitive, textures, pixels_per_point, tile);
+            if keep == Some(count) {
+                backdrop.keep(step.hash, tile);
+            }
+        }
+        target.put(cut, tile);
     }
 
     /// Updates `layers` from the primitives and returns whether any changed. Marks the tiles that
@@ -340,6 +329,20 @@ fn steps(
 }
 
 impl Target<'_> {
+    /// All its pixels; `None` if there are none, or fewer than it claims.
+    fn whole(&self) -> Option<PixelRect> {
+        let (width, rows) = (self.width as usize, (self.height as usize).checked_sub(1)?);
+        let room = self.stride.saturating_mul(rows).saturating_add(width);
+        let whole = PixelRect {
+            x0: 0,
+            y0: 0,
+            x1: self.width.try_into().ok()?,
+            y1: self.height.try_into().ok()?,
+        };
+        let sound = width > 0 && self.stride >= width && self.pixels.len() >= room;
+        sound.then_some(whole)
+    }
+
     fn rows(&mut self, cut: PixelRect) -> impl Iterator<Item = &mut [u32]> {
         let rows = self.pixels.chunks_mut(self.stride).skip(cut.y0 as usize);
         let rows = rows.take((cut.y1 - cut.y0) as usize);

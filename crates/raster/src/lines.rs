@@ -36,7 +36,7 @@ impl Lines {
     }
 
     /// Bitwise equality.
-    pub(super) fn are(&self, others: &Self) -> bool {
+    pub(super) fn same_bits(&self, others: &Self) -> bool {
         // egui's comparison rejects NaN.
         let bits_of = |line: &Line| {
             let Line { from, to, .. } = line;

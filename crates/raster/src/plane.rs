@@ -54,7 +54,7 @@ pub(super) fn tinted(color: Color32, texel: [f32; 4]) -> Color32 {
 }
 
 /// A triangle's interpolated colours and texture.
-pub(super) struct Surface<'a> {
+pub(super) struct Shader<'a> {
     texture: &'a Texture,
     filter: TextureFilter,
     colors: [Plane; 4],
@@ -62,7 +62,7 @@ pub(super) struct Surface<'a> {
     v: Plane,
 }
 
-impl<'a> Surface<'a> {
+impl<'a> Shader<'a> {
     pub(super) fn new(corners: &[Corner; 3], area: f64, texture: &'a Texture) -> Self {
         let plane = |of: &dyn Fn(&Corner) -> f32| {
             let [a, b, c] = corners;

@@ -4,7 +4,7 @@
 
 use egui::{Color32, Mesh};
 
-use super::plane::{self, Surface};
+use super::plane::{self, Shader};
 use super::texture::{Texels, Texture};
 use super::tile::{self, FULL, Ink, PixelRect, Tile};
 use super::triangle::{self, Corner, STEPS};
@@ -122,7 +122,7 @@ impl Quad {
 
     /// Paints its pixels within `cut`, which lies in the tile.
     pub(super) fn paint(&self, tile: &mut Tile, texture: &Texture, cut: PixelRect) {
-        let cut = cut.and(self.bounds());
+        let cut = cut.intersect(self.bounds());
         if cut.is_empty() {
             return;
         }
@@ -159,10 +159,10 @@ impl Quad {
             corner(true, false),
             corner(false, true),
         ];
-        let surface = Surface::new(&half, triangle::twice_area(&half) as f64, texture);
+        let shader = Shader::new(&half, triangle::twice_area(&half) as f64, texture);
         for y in cut.y0..cut.y1 {
             for (x, pixel) in (cut.x0..cut.x1).zip(tile.span(y, cut.x0, cut.x1)) {
-                *pixel = tile::over_exact(*pixel, surface.color(x, y));
+                *pixel = tile::over_exact(*pixel, shader.color(x, y));
             }
         }
     }

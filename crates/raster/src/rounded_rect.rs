@@ -96,7 +96,7 @@ fn seen(stroke: Stroke) -> Stroke {
 
 impl RoundedRect {
     /// Bitwise equality.
-    pub(super) fn is(&self, other: &Self) -> bool {
+    pub(super) fn same_bits(&self, other: &Self) -> bool {
         // egui's comparison rejects NaN.
         let bits = |rounded_rect: &Self| {
             let Rect { min, max } = rounded_rect.rect;

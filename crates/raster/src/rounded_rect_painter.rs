@@ -197,7 +197,7 @@ impl RoundedRectPainter {
 
     /// Paints its pixels within `cut`, which lies in the tile.
     pub(super) fn paint(&self, tile: &mut Tile, cut: PixelRect) {
-        let cut = cut.and(self.bounds());
+        let cut = cut.intersect(self.bounds());
         if cut.is_empty() {
             return;
         }

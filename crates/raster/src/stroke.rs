@@ -13,7 +13,7 @@ use egui::Color32;
 use glam::Vec4;
 
 use super::lines::Line;
-use super::tile::{FULL, Ink, Kind, PixelRect, SIDE, Tile};
+use super::tile::{Blend, FULL, Ink, PixelRect, SIDE, Tile};
 
 /// Slices per pixel.
 const SLICES: usize = 4;
@@ -127,7 +127,7 @@ impl Stroke {
     }
 
     pub(super) fn paint(&self, tile: &mut Tile, cut: PixelRect) {
-        let cut = cut.and(self.bounds());
+        let cut = cut.intersect(self.bounds());
         if cut.is_empty() {
             return;
         }
@@ -160,10 +160,10 @@ impl Stroke {
     fn paint_band(&self, band: &Band, tile: &mut Tile, cut: PixelRect, along: Along) {
         let ink = Ink::new(self.color);
         let pixels = tile.pixels();
-        match ink.kind() {
-            Kind::Opaque => band.paint(pixels, cut, along, |a, b| ink.over_opaque(a, b)),
-            Kind::Clear => band.paint(pixels, cut, along, |a, b| ink.over_clear(a, b)),
-            Kind::Glowing => band.paint_glowing(pixels, cut, along, &ink),
+        match ink.blend() {
+            Blend::Opaque => band.paint(pixels, cut, along, |a, b| ink.over_opaque(a, b)),
+            Blend::Translucent => band.paint(pixels, cut, along, |a, b| ink.over_translucent(a, b)),
+            Blend::Additive => band.paint_additive(pixels, cut, along, &ink),
         }
     }
 
@@ -286,14 +286,14 @@ impl Band {
 
     /// Not inlined, because colours that add light are rare.
     #[inline(never)]
-    fn paint_glowing(
+    fn paint_additive(
         &self,
         pixels: &mut [u32; SIDE * SIDE],
         cut: PixelRect,
         along: Along,
         ink: &Ink,
     ) {
-        self.paint(pixels, cut, along, |a, b| ink.over_glowing(a, b));
+        self.paint(pixels, cut, along, |a, b| ink.over_additive(a, b));
     }
 
     #[inline(always)]

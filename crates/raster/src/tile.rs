@@ -18,7 +18,7 @@ pub(super) struct PixelRect {
 }
 
 impl PixelRect {
-    pub(super) fn and(self, other: Self) -> Self {
+    pub(super) fn intersect(self, other: Self) -> Self {
         Self {
             x0: self.x0.max(other.x0),
             y0: self.y0.max(other.y0),
@@ -31,7 +31,7 @@ impl PixelRect {
         self.x0 >= self.x1 || self.y0 >= self.y1
     }
 
-    pub(super) fn holds(self, other: Self) -> bool {
+    pub(super) fn contains(self, other: Self) -> bool {
         self.x0 <= other.x0 && self.y0 <= other.y0 && self.x1 >= other.x1 && self.y1 >= other.y1
     }
 }
@@ -95,17 +95,17 @@ pub(super) struct Ink {
     /// Opacity in parts of 65536, rounded up.
     alpha: u32,
     /// A channel exceeds alpha: the colour adds light and must saturate at white.
-    glows: bool,
+    additive: bool,
     /// The pixel, if the colour is opaque.
     opaque: Option<u32>,
 }
 
 #[derive(Clone, Copy)]
-pub(super) enum Kind {
+pub(super) enum Blend {
     Opaque,
-    /// Ordinary alpha blending.
-    Clear,
-    Glowing,
+    Translucent,
+    /// The colour adds light.
+    Additive,
 }
 
 /// One half in each channel of a product, for rounding.
@@ -131,7 +131,7 @@ impl Ink {
         Self {
             color: spread(pixel(color)),
             alpha: (u32::from(a) * 65_536).div_ceil(255),
-            glows: r > a || g > a || b > a,
+            additive: r > a || g > a || b > a,
             opaque: (a == 255).then(|| pixel(color)),
         }
     }
@@ -141,26 +141,27 @@ impl Ink {
     }
 
     #[inline]
-    pub(super) fn kind(&self) -> Kind {
-        if self.glows {
-            Kind::Glowing
+    pub(super) fn blend(&self) -> Blend {
+        if self.additive {
+            Blend::Additive
         } else if self.opaque.is_some() {
-            Kind::Opaque
+            Blend::Opaque
         } else {
-            Kind::Clear
+            Blend::Translucent
         }
     }
 
-    /// Blends over a pixel, weight up to [`FULL`]; only for [`Kind::Opaque`]. Off by at most one.
+    /// Blends over a pixel, weight up to [`FULL`]; only for [`Blend::Opaque`]. Off by at most one.
     #[inline(always)]
     pub(super) fn over_opaque(&self, below: u32, weight: u32) -> u32 {
         let mixed = spread(below) * u64::from(FULL - weight) + self.color * u64::from(weight);
         gathered((mixed + HALVES) >> 8)
     }
 
-    /// Blends over a pixel, weight up to [`FULL`]; not for [`Kind::Glowing`]. Off by less than two.
+    /// Blends over a pixel, weight up to [`FULL`]; not for [`Blend::Additive`]. Off by less than
+    /// two.
     #[inline(always)]
-    pub(super) fn over_clear(&self, below: u32, weight: u32) -> u32 {
+    pub(super) fn over_translucent(&self, below: u32, weight: u32) -> u32 {
         // Channels do not exceed alpha, so no sum overflows 16 bits: 255·(256 − hidden) +
         // channel·weight + 128 ≤ 65 535.
         let hidden = (self.alpha * weight + 0x8000) >> 16;
@@ -168,9 +169,9 @@ impl Ink {
         gathered((mixed + HALVES) >> 8)
     }
 
-    /// Blends over a pixel with a weight up to [`FULL`], for every kind.
+    /// Blends over a pixel with a weight up to [`FULL`], for every [`Blend`].
     #[inline]
-    pub(super) fn over_glowing(&self, below: u32, weight: u32) -> u32 {
+    pub(super) fn over_additive(&self, below: u32, weight: u32) -> u32 {
         let hidden = (self.alpha * weight + 0x8000) >> 16;
         let below = spread(below);
         let mixed = [0, 16, 32].map(|shift| {
@@ -205,10 +206,12 @@ impl Ink {
     #[inline(always)]
     pub(super) fn lay(&self, pixels: &mut [u32], weights: impl Iterator<Item = u32>) {
         let pairs = pixels.iter_mut().zip(weights);
-        match self.kind() {
-            Kind::Opaque => pairs.for_each(|(p, weight)| *p = self.over_opaque(*p, weight)),
-            Kind::Clear => pairs.for_each(|(p, weight)| *p = self.over_clear(*p, weight)),
-            Kind::Glowing => pairs.for_each(|(p, weight)| *p = self.over_glowing(*p, weight)),
+        match self.blend() {
+            Blend::Opaque => pairs.for_each(|(p, weight)| *p = self.over_opaque(*p, weight)),
+            Blend::Translucent => {
+                pairs.for_each(|(p, weight)| *p = self.over_translucent(*p, weight))
+            }
+            Blend::Additive => pairs.for_each(|(p, weight)| *p = self.over_additive(*p, weight)),
         }
     }
 }

@@ -165,7 +165,7 @@ impl Paint {
 }
 
 pub(super) fn paint(tile: &mut Tile, corners: &[Corner; 3], texture: &Texture, cut: PixelRect) {
-    let cut = cut.and(bounds(corners));
+    let cut = cut.intersect(bounds(corners));
     let area = twice_area(corners);
     if cut.is_empty() || area == 0 {
         return;
@@ -209,10 +209,10 @@ pub(super) fn paint(tile: &mut Tile, corners: &[Corner; 3], texture: &Texture, c
             }
         }
         Paint::Textured => {
-            let surface = plane::Surface::new(corners, area, texture);
+            let shader = plane::Shader::new(corners, area, texture);
             for (y, x0, x1) in spans.rows() {
                 for (x, pixel) in (x0..x1).zip(tile.span(y, x0, x1)) {
-                    *pixel = tile::over_exact(*pixel, surface.color(x, y));
+                    *pixel = tile::over_exact(*pixel, shader.color(x, y));
                 }
             }
         }

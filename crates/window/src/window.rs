@@ -339,7 +339,7 @@ impl Window {
         inject::point(Place::Paint);
         let areas = self.raster.paint(&primitives, scale, &mut target);
         if self.resting {
-            self.raster.rest();
+            self.raster.trim();
         }
         if areas.is_empty() {
             return Ok(false);

@@ -92,14 +92,10 @@ impl Clipboard {
             return Ok(());
         };
         let selection = atom(connection, which);
-        connection
-            .set_selection_owner(owner, selection, time)
-            .map_err(|error| connection.lost(error))?
-            .ignore_error();
-        let asked = connection.get_selection_owner(selection);
-        let now = connection.answer(asked)?;
+        connection.sent_quietly(connection.set_selection_owner(owner, selection, time))?;
+        let now = connection.answer(connection.get_selection_owner(selection))?;
         let ours = now.is_some_and(|now| now.owner == owner);
-        *self.place(which) = ours.then(|| Owned {
+        *self.owned(which) = ours.then(|| Owned {
             text: text.as_bytes().into(),
             latin: OnceCell::new(),
             time,
@@ -118,7 +114,7 @@ impl Clipboard {
         place: Option<Pos2>,
         out: &mut Vec<Input>,
     ) -> Result<()> {
-        if let Some(owned) = self.place(which) {
+        if let Some(owned) = self.owned(which) {
             let text = String::from_utf8_lossy(&owned.text).into_owned();
             out.push(pasted(text, place));
             return Ok(());
@@ -144,7 +140,7 @@ impl Clipboard {
             self.incoming.remove(late).finish(connection)?;
         }
         while let Some(late) = self.outgoing.iter().position(|one| one.deadline() <= now) {
-            self.stop_sending(connection, late, true)?;
+            self.stop_sending(connection, late)?;
         }
         Ok(())
     }
@@ -159,58 +155,38 @@ impl Clipboard {
         let now = Instant::now();
         match event {
             Event::SelectionNotify(event) => {
-                let Some(place) = self.receiving(event.requestor) else {
-                    return Ok(false);
-                };
-                let step = match self.incoming.get_mut(place) {
-                    Some(incoming) => incoming.answered(connection, event, now)?,
-                    None => Step::Underway,
-                };
-                self.step(connection, place, step, out)?;
+                return self.receive(connection, event.requestor, out, |incoming| {
+                    incoming.answered(connection, event, now)
+                });
             }
             Event::PropertyNotify(event) if event.state == Property::NEW_VALUE => {
-                let Some(place) = self.receiving(event.window) else {
-                    return Ok(false);
-                };
-                let step = match self.incoming.get_mut(place) {
-                    Some(incoming) => incoming.written(connection, event.atom, now)?,
-                    None => Step::Underway,
-                };
-                self.step(connection, place, step, out)?;
+                return self.receive(connection, event.window, out, |incoming| {
+                    incoming.written(connection, event.atom, now)
+                });
             }
             Event::PropertyNotify(event) => {
-                let Some(place) = self.sending(event.window, event.atom) else {
+                let Some(at) = self.sending(event.window, event.atom) else {
                     return Ok(self.receiving(event.window).is_some());
                 };
-                if let Some(outgoing) = self.outgoing.get_mut(place)
-                    && outgoing.taken(connection, now)?
-                {
-                    self.stop_sending(connection, place, true)?;
+                if self.outgoing[at].taken(connection, now)? {
+                    self.stop_sending(connection, at)?;
                 }
             }
             Event::DestroyNotify(event) => {
-                let gone = |one: &Outgoing| one.requestor() == event.window;
-                let Some(mut place) = self.outgoing.iter().position(gone) else {
-                    return Ok(false);
-                };
-                loop {
-                    self.stop_sending(connection, place, false)?;
-                    match self.outgoing.iter().position(gone) {
-                        Some(next) => place = next,
-                        None => break,
-                    }
-                }
+                let before = self.outgoing.len();
+                self.outgoing.retain(|one| one.requestor() != event.window);
+                return Ok(self.outgoing.len() < before);
             }
             Event::SelectionRequest(event) if Some(event.owner) == self.owner => {
                 self.asked(connection, event, now)?;
             }
             Event::SelectionClear(event) if Some(event.owner) == self.owner => {
-                if let Some(which) = which(connection, event.selection) {
+                if let Some(which) = selection_of(connection, event.selection) {
                     // A late event: the selection may be ours again.
                     let asked = connection.get_selection_owner(event.selection);
                     let now = connection.answer(asked)?;
                     if now.is_none_or(|now| Some(now.owner) != self.owner) {
-                        *self.place(which) = None;
+                        *self.owned(which) = None;
                     }
                 }
             }
@@ -228,37 +204,26 @@ impl Clipboard {
         };
         let time = owned.time;
         let atoms = connection.atoms();
-        let asked = connection.get_selection_owner(atoms.CLIPBOARD_MANAGER);
-        if connection
-            .answer(asked)?
-            .is_none_or(|manager| manager.owner == NONE)
-        {
+        let manager = connection.get_selection_owner(atoms.CLIPBOARD_MANAGER);
+        let manager = connection.answer(manager)?;
+        if manager.is_none_or(|manager| manager.owner == NONE) {
             return Ok(());
         }
         let list = texts(connection);
         let property = atoms._VIDES_SELECTION;
-        connection
-            .change_property32(PropMode::REPLACE, owner, property, AtomEnum::ATOM, &list)
-            .map_err(|error| connection.lost(error))?
-            .ignore_error();
-        connection
-            .convert_selection(
-                owner,
-                atoms.CLIPBOARD_MANAGER,
-                atoms.SAVE_TARGETS,
-                property,
-                time,
-            )
-            .map_err(|error| connection.lost(error))?
-            .ignore_error();
+        let (replace, kind) = (PropMode::REPLACE, AtomEnum::ATOM);
+        let asked = connection.change_property32(replace, owner, property, kind, &list);
+        connection.sent_quietly(asked)?;
+        let (manager, save) = (atoms.CLIPBOARD_MANAGER, atoms.SAVE_TARGETS);
+        let asked = connection.convert_selection(owner, manager, save, property, time);
+        connection.sent_quietly(asked)?;
         let mut unheard = Vec::new();
         while Instant::now() < end && self.clipboard.is_some() {
-            connection.flush().map_err(|error| connection.lost(error))?;
-            let pushed = connection.stream().push();
-            pushed.map_err(|error| connection.lost(ConnectionError::from(error)))?;
+            connection.flush()?;
+            connection.push()?;
             match connection.next()? {
                 Some(Event::SelectionNotify(event))
-                    if event.requestor == owner && event.target == atoms.SAVE_TARGETS =>
+                    if event.requestor == owner && event.target == save =>
                 {
                     break;
                 }
@@ -268,7 +233,7 @@ impl Clipboard {
                 None => {
                     let rest = end.saturating_duration_since(Instant::now());
                     let waited = wait(connection.as_fd(), PollFlags::IN, rest);
-                    waited.map_err(|error| connection.lost(ConnectionError::from(error)))?;
+                    connection.sent(waited.map_err(ConnectionError::from))?;
                 }
             }
             unheard.clear();
@@ -276,7 +241,7 @@ impl Clipboard {
         Ok(())
     }
 
-    fn place(&mut self, which: Selection) -> &mut Option<Owned> {
+    fn owned(&mut self, which: Selection) -> &mut Option<Owned> {
         match which {
             Selection::Clipboard => &mut self.clipboard,
             Selection::Primary => &mut self.primary,
@@ -284,12 +249,11 @@ impl Clipboard {
     }
 
     fn owner(&mut self, connection: &Connection) -> Result<Option<Window>> {
-        if self.owner.is_none() {
-            let window = connection.generate_id();
-            if let Some(window) = connection.excuse(window)? {
-                incoming::create(connection, window, EventMask::NO_EVENT)?;
-                self.owner = Some(window);
-            }
+        if self.owner.is_none()
+            && let Some(window) = connection.excuse(connection.generate_id())?
+        {
+            incoming::create(connection, window, EventMask::NO_EVENT)?;
+            self.owner = Some(window);
         }
         Ok(self.owner)
     }
@@ -303,27 +267,30 @@ impl Clipboard {
         self.outgoing.iter().position(same)
     }
 
-    fn step(
+    /// Takes a transfer to `window` a step on; false if there is none.
+    fn receive(
         &mut self,
         connection: &Connection,
-        place: usize,
-        step: Step,
+        window: Window,
         out: &mut Vec<Input>,
-    ) -> Result<()> {
-        let Step::Over(text) = step else {
-            return Ok(());
+        step: impl FnOnce(&mut Incoming) -> Result<Step>,
+    ) -> Result<bool> {
+        let Some(at) = self.receiving(window) else {
+            return Ok(false);
         };
-        let incoming = self.incoming.remove(place);
-        let text = text.filter(|text| incoming.place.is_none() || !text.is_empty());
-        out.extend(text.map(|text| pasted(text, incoming.place)));
-        incoming.finish(connection)
+        if let Step::Over(text) = step(&mut self.incoming[at])? {
+            let incoming = self.incoming.remove(at);
+            let text = text.filter(|text| incoming.place.is_none() || !text.is_empty());
+            out.extend(text.map(|text| pasted(text, incoming.place)));
+            incoming.finish(connection)?;
+        }
+        Ok(true)
     }
 
-    /// Drops a transfer; deselects the requestor's events if it exists (`there`) and gets no other.
-    fn stop_sending(&mut self, connection: &Connection, place: usize, there: bool) -> Result<()> {
-        let outgoing = self.outgoing.swap_remove(place);
-        let window = outgoing.requestor();
-        if there && self.outgoing.iter().all(|one| one.requestor() != window) {
+    /// Drops a transfer; deselects the requestor's events if it gets no other.
+    fn stop_sending(&mut self, connection: &Connection, at: usize) -> Result<()> {
+        let window = self.outgoing.swap_remove(at).requestor();
+        if self.outgoing.iter().all(|one| one.requestor() != window) {
             outgoing::listen(connection, window, false)?;
         }
         Ok(())
@@ -341,9 +308,9 @@ impl Clipboard {
             property => property,
         };
         let to = (event.requestor, property);
-        let which = which(connection, event.selection);
+        let which = selection_of(connection, event.selection);
         let known = which.is_some_and(|which| {
-            let owned = self.place(which).as_ref();
+            let owned = self.owned(which).as_ref();
             owned.is_some_and(|owned| !is_before(event.time, owned.time))
         });
         // Selecting events on a window of ours would replace the mask it has.
@@ -367,11 +334,8 @@ impl Clipboard {
             target: event.target,
             property: if done { property } else { NONE },
         };
-        connection
-            .send_event(false, event.requestor, EventMask::NO_EVENT, answer)
-            .map_err(|error| connection.lost(error))?
-            .ignore_error();
-        Ok(())
+        let (to, nobody) = (event.requestor, EventMask::NO_EVENT);
+        connection.sent_quietly(connection.send_event(false, to, nobody, answer))
     }
 
     /// Converts the targets of a MULTIPLE request, replacing those that fail by None.
@@ -384,16 +348,11 @@ impl Clipboard {
     ) -> Result<bool> {
         let asked =
             connection.get_property(false, requestor, property, AtomEnum::ANY, 0, 2 * MOST_PAIRS);
-        let Some(list) = connection.answer(asked)? else {
+        let list = (connection.answer(asked)?).filter(|list| list.bytes_after == 0);
+        let Some(mut list) = list.and_then(|list| Some(list.value32()?.collect::<Vec<Atom>>()))
+        else {
             return Ok(false);
         };
-        if list.bytes_after > 0 {
-            return Ok(false);
-        }
-        let Some(list) = list.value32() else {
-            return Ok(false);
-        };
-        let mut list: Vec<Atom> = list.collect();
         for pair in list.chunks_exact_mut(2) {
             if let [target, into] = pair
                 && (*into == NONE
@@ -404,10 +363,9 @@ impl Clipboard {
             }
         }
         let kind = connection.atoms().ATOM_PAIR;
-        connection
-            .change_property32(PropMode::REPLACE, requestor, property, kind, &list)
-            .map_err(|error| connection.lost(error))?
-            .ignore_error();
+        let replace = PropMode::REPLACE;
+        let asked = connection.change_property32(replace, requestor, property, kind, &list);
+        connection.sent_quietly(asked)?;
         Ok(true)
     }
 
@@ -454,16 +412,14 @@ impl Clipboard {
                 return Ok(true);
             }
         };
-        written
-            .map_err(|error| connection.lost(error))?
-            .ignore_error();
+        connection.sent_quietly(written)?;
         Ok(true)
     }
 
     fn value(&mut self, connection: &Connection, which: Selection, target: Atom) -> Option<Value> {
         let atoms = connection.atoms();
         let string = Atom::from(AtomEnum::STRING);
-        let owned = self.place(which).as_ref()?;
+        let owned = self.owned(which).as_ref()?;
         Some(if target == atoms.TARGETS {
             let mut list = vec![atoms.TARGETS, atoms.MULTIPLE, atoms.TIMESTAMP];
             if which == Selection::Clipboard {
@@ -527,7 +483,7 @@ fn atom(connection: &Connection, which: Selection) -> Atom {
     }
 }
 
-fn which(connection: &Connection, selection: Atom) -> Option<Selection> {
+fn selection_of(connection: &Connection, selection: Atom) -> Option<Selection> {
     [Selection::Clipboard, Selection::Primary]
         .into_iter()
         .find(|which| atom(connection, *which) == selection)

@@ -109,6 +109,10 @@ impl Connection {
         self.raw.stream()
     }
 
+    pub(super) fn socket(&self) -> BorrowedFd<'_> {
+        self.raw.stream().socket()
+    }
+
     /// The next queued event, without waiting. Events that cannot be parsed are skipped.
     pub(super) fn next(&self) -> Result<Option<Event>> {
         loop {
@@ -160,6 +164,29 @@ impl Connection {
         }
     }
 
+    /// The result of sending a request; what the server has against it arrives as an event.
+    pub(super) fn sent<T>(&self, result: Result<T, impl Into<ReplyOrIdError>>) -> Result<T> {
+        result.map_err(|error| self.lost(error))
+    }
+
+    /// As [`Connection::sent`], with no word of an error of the server's.
+    pub(super) fn sent_quietly(
+        &self,
+        request: Result<VoidCookie<'_, Raw>, ConnectionError>,
+    ) -> Result<()> {
+        self.sent(request).map(VoidCookie::ignore_error)
+    }
+
+    /// Sends as much queued output as the socket takes.
+    pub(super) fn flush(&self) -> Result<()> {
+        self.sent(self.raw.flush())
+    }
+
+    /// As [`Connection::flush`], of what the socket did not take before.
+    pub(super) fn push(&self) -> Result<()> {
+        self.sent(self.stream().push().map_err(ConnectionError::from))
+    }
+
     pub(super) fn unfit(&self, cause: Cause) -> Error {
         Error::Display {
             display: (&self.display).into(),
@@ -177,12 +204,6 @@ impl Deref for Connection {
 
     fn deref(&self) -> &Raw {
         &self.raw
-    }
-}
-
-impl Connection {
-    pub(super) fn socket(&self) -> BorrowedFd<'_> {
-        self.raw.stream().socket()
     }
 }
 

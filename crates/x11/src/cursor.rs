@@ -40,10 +40,7 @@ impl Cursors {
         }
         let cursor = self.cursor(connection, resources, icon)?;
         let aux = ChangeWindowAttributesAux::new().cursor(cursor);
-        connection
-            .change_window_attributes(window, &aux)
-            .map_err(|error| connection.lost(error))?
-            .ignore_error();
+        connection.sent_quietly(connection.change_window_attributes(window, &aux))?;
         self.shown = Some(icon);
         Ok(())
     }
@@ -115,27 +112,13 @@ fn from_font(connection: &Connection, glyph: u16) -> Result<Cursor> {
         return Ok(NONE);
     };
     const WHITE: u16 = u16::MAX;
-    let lost = |error| connection.lost(error);
-    let opened = connection.open_font(font, b"cursor").map_err(lost)?;
-    opened.ignore_error();
+    connection.sent_quietly(connection.open_font(font, b"cursor"))?;
     // A glyph's mask is the next glyph.
-    let made = connection
-        .create_glyph_cursor(
-            cursor,
-            font,
-            font,
-            glyph,
-            glyph + 1,
-            0,
-            0,
-            0,
-            WHITE,
-            WHITE,
-            WHITE,
-        )
-        .map_err(lost)?;
-    let made = connection.done(Ok(made))?;
-    connection.close_font(font).map_err(lost)?.ignore_error();
+    let mask = glyph + 1;
+    let made = connection.done(connection.create_glyph_cursor(
+        cursor, font, font, glyph, mask, 0, 0, 0, WHITE, WHITE, WHITE,
+    ))?;
+    connection.sent_quietly(connection.close_font(font))?;
     Ok(if made { cursor } else { NONE })
 }
 
@@ -146,35 +129,24 @@ fn invisible(connection: &Connection) -> Result<Cursor> {
     ) else {
         return Ok(NONE);
     };
-    let lost = |error| connection.lost(error);
     let root = connection.screen().root;
-    connection
-        .create_pixmap(1, pixmap, root, 1, 1)
-        .map_err(lost)?
-        .ignore_error();
+    connection.sent_quietly(connection.create_pixmap(1, pixmap, root, 1, 1))?;
     let Some(gc) = connection.excuse(connection.generate_id())? else {
         return Ok(NONE);
     };
-    connection
-        .create_gc(gc, pixmap, &CreateGCAux::new().foreground(0))
-        .map_err(lost)?
-        .ignore_error();
+    let black = CreateGCAux::new().foreground(0);
+    connection.sent_quietly(connection.create_gc(gc, pixmap, &black))?;
     let whole = Rectangle {
         x: 0,
         y: 0,
         width: 1,
         height: 1,
     };
-    connection
-        .poly_fill_rectangle(pixmap, gc, &[whole])
-        .map_err(lost)?
-        .ignore_error();
-    let made = connection
-        .create_cursor(cursor, pixmap, pixmap, 0, 0, 0, 0, 0, 0, 0, 0)
-        .map_err(lost)?;
-    let made = connection.done(Ok(made))?;
-    connection.free_gc(gc).map_err(lost)?.ignore_error();
-    connection.free_pixmap(pixmap).map_err(lost)?.ignore_error();
+    connection.sent_quietly(connection.poly_fill_rectangle(pixmap, gc, &[whole]))?;
+    let made = connection.create_cursor(cursor, pixmap, pixmap, 0, 0, 0, 0, 0, 0, 0, 0);
+    let made = connection.done(made)?;
+    connection.sent_quietly(connection.free_gc(gc))?;
+    connection.sent_quietly(connection.free_pixmap(pixmap))?;
     Ok(if made { cursor } else { NONE })
 }
 

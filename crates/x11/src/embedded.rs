@@ -15,9 +15,9 @@ use super::events::SENT;
 use crate::error::{Error, Result};
 
 /// How long after taking the focus to check it: a toolkit may take it back (GTK 3 does).
-const LOOK_AGAIN: Duration = Duration::from_millis(60);
+const CHECK_AFTER: Duration = Duration::from_millis(60);
 
-const LOOKS: u32 = 4;
+const CHECKS: u32 = 4;
 
 /// The most ancestors searched for the host's top-level window.
 const MOST_ANCESTORS: usize = 64;
@@ -26,7 +26,7 @@ const MOST_ANCESTORS: usize = 64;
 pub(super) struct Home {
     parent: u32,
     /// When to check the focus, and how many checks are left.
-    look: Option<(Instant, u32)>,
+    check: Option<(Instant, u32)>,
 }
 
 impl Home {
@@ -49,14 +49,16 @@ impl Home {
         }
         // Select events before reading the size, so that no change is missed.
         let listen = ChangeWindowAttributesAux::new().event_mask(EventMask::STRUCTURE_NOTIFY);
-        let asked = connection.change_window_attributes(parent, &listen);
-        asked.map_err(|error| connection.lost(error))?;
+        connection.sent(connection.change_window_attributes(parent, &listen))?;
         let geometry = connection.answer(connection.get_geometry(parent))?;
         let geometry = geometry.ok_or_else(|| unfit("does not exist"))?;
         if geometry.root != root {
             return Err(unfit("is on another screen"));
         }
-        let home = Self { parent, look: None };
+        let home = Self {
+            parent,
+            check: None,
+        };
         Ok((home, (geometry.width.into(), geometry.height.into())))
     }
 
@@ -84,63 +86,65 @@ impl Window {
                     && event.response_type & SENT == 0 =>
             {
                 let (new, size) =
-                    Home::enter(connection, event.parent).map_err(|_| Error::PutOut)?;
+                    Home::enter(connection, event.parent).map_err(|_| Error::Reparented)?;
                 *home = new;
                 size
             }
             _ => return Ok(()),
         };
         let fill = ConfigureWindowAux::new().width(size.0).height(size.1);
-        let asked = connection.configure_window(ours, &fill);
-        asked.map(drop).map_err(|error| connection.lost(error))
+        connection
+            .sent(connection.configure_window(ours, &fill))
+            .map(drop)
     }
 
     /// Takes the focus after a click, and checks it for a while.
-    pub(super) fn claim_keyboard(&mut self) -> Result<()> {
+    pub(super) fn claim_focus(&mut self) -> Result<()> {
         let Some(home) = &mut self.home else {
             return Ok(());
         };
-        home.look = Some((Instant::now() + LOOK_AGAIN, LOOKS));
-        self.take_keyboard(self.time)
+        home.check = Some((Instant::now() + CHECK_AFTER, CHECKS));
+        self.take_focus(self.time)
     }
 
     /// Stops claiming the focus once the user has gone elsewhere.
-    pub(super) fn leave_keyboard(&mut self) {
+    pub(super) fn stop_claiming_focus(&mut self) {
         if let Some(home) = &mut self.home {
-            home.look = None;
+            home.check = None;
         }
     }
 
-    pub(super) fn keyboard_look(&self) -> Option<Instant> {
-        Some(self.home.as_ref()?.look?.0)
+    /// When to check the focus.
+    pub(super) fn focus_check(&self) -> Option<Instant> {
+        Some(self.home.as_ref()?.check?.0)
     }
 
     /// Takes the focus again if it was taken back just after the click.
-    pub(super) fn look_for_keyboard(&mut self, now: Instant) -> Result<()> {
-        let Some((due, left)) = self.home.as_ref().and_then(|home| home.look) else {
+    pub(super) fn recheck_focus(&mut self, now: Instant) -> Result<()> {
+        let Some((due, left)) = self.home.as_ref().and_then(|home| home.check) else {
             return Ok(());
         };
         if now < due {
             return Ok(());
         }
         let lost = !self.focus.own;
-        if lost && !self.host_has_keyboard()? {
+        if lost && !self.focus_is_in_host()? {
             // A dialog of the host's or another program has it, and keeps it.
-            self.leave_keyboard();
+            self.stop_claiming_focus();
             return Ok(());
         }
         if let Some(home) = &mut self.home {
-            home.look = (left > 1).then(|| (now + LOOK_AGAIN, left - 1));
+            home.check = (left > 1).then(|| (now + CHECK_AFTER, left - 1));
         }
         if !lost {
             return Ok(());
         }
         // CurrentTime, to be later than whatever took it.
-        self.take_keyboard(x11rb::CURRENT_TIME)
+        self.take_focus(x11rb::CURRENT_TIME)
     }
 
     /// Whether the focus is somewhere in the host's top-level window, or nowhere.
-    fn host_has_keyboard(&self) -> Result<bool> {
+    fn focus_is_in_host(&self) -> Result<bool> {
         let connection = &self.connection;
         let focus = connection
             .answer(connection.get_input_focus())?
@@ -149,10 +153,10 @@ impl Window {
         Ok(nobody.contains(&focus) || self.above(focus)? == self.top_level()?)
     }
 
-    fn take_keyboard(&self, time: u32) -> Result<()> {
+    fn take_focus(&self, time: u32) -> Result<()> {
         let (connection, ours) = (&self.connection, self.frame.window);
         let asked = connection.set_input_focus(InputFocus::PARENT, ours, time);
-        asked.map(drop).map_err(|error| connection.lost(error))
+        connection.sent(asked).map(drop)
     }
 
     /// The top-level window that window managers know: ours, or the host's around it.

@@ -46,7 +46,7 @@ pub enum Error {
     },
     /// The host reparented the window out of its parent.
     #[error("the host has put the window out of its own")]
-    PutOut,
+    Reparented,
     /// The server refused to create the window.
     #[error("the X server makes no window")]
     NoWindow,

@@ -42,13 +42,13 @@ impl Window {
             }
             Event::ButtonPress(event) if event.event == ours => {
                 self.button(event, true);
-                self.claim_keyboard()?;
+                self.claim_focus()?;
             }
             Event::ButtonRelease(event) if event.event == ours => self.button(event, false),
-            Event::EnterNotify(event) if event.event == ours => self.crossed(event, true),
-            Event::LeaveNotify(event) if event.event == ours => self.crossed(event, false),
-            Event::FocusIn(event) if event.event == ours => self.focus(event, true),
-            Event::FocusOut(event) if event.event == ours => self.focus(event, false),
+            Event::EnterNotify(event) if event.event == ours => self.crossed(event, true)?,
+            Event::LeaveNotify(event) if event.event == ours => self.crossed(event, false)?,
+            Event::FocusIn(event) if event.event == ours => self.focus(event, true)?,
+            Event::FocusOut(event) if event.event == ours => self.focus(event, false)?,
             Event::Expose(event) if event.window == ours => self.expose(event)?,
             Event::ConfigureNotify(event) if event.window == ours => self.configured(event),
             Event::MapNotify(event) if event.window == ours => {
@@ -58,10 +58,9 @@ impl Window {
             }
             Event::UnmapNotify(event) if event.window == ours => {
                 self.mapped = false;
-                let modifiers = self.keyboard.modifiers();
-                let pos = self.pos;
+                let (pos, modifiers) = (self.pos, self.keyboard.modifiers());
                 self.pointer.lost(pos, modifiers, &mut self.events);
-                self.keyboard.release_all(&mut self.events);
+                self.keyboard.leave(&self.connection, &mut self.events)?;
             }
             Event::VisibilityNotify(event) if event.window == ours => {
                 self.covered = event.state == Visibility::FULLY_OBSCURED;
@@ -110,47 +109,49 @@ impl Window {
         }
     }
 
-    fn crossed(&mut self, event: &EnterNotifyEvent, enters: bool) {
+    fn crossed(&mut self, event: &EnterNotifyEvent, enters: bool) -> Result<()> {
         if event.detail == NotifyDetail::INFERIOR {
-            return;
+            return Ok(());
         }
         self.time = event.time;
         let pos = self.moved(event.event_x, event.event_y);
         if enters {
             self.pointer.entered(pos, &mut self.events);
         } else {
-            self.leave_keyboard();
+            self.stop_claiming_focus();
             self.pointer.left(&mut self.events);
         }
-        // Without a focused window, the keyboard goes to the one under the pointer.
-        const HAS_KEYBOARD: u8 = 1;
-        let keyboard = event.same_screen_focus & HAS_KEYBOARD != 0;
-        self.focus.by_pointer = enters && keyboard;
-        self.tell_focus();
+        // Without a focused window, keys go to the one under the pointer.
+        const HAS_FOCUS: u8 = 1;
+        let focused = event.same_screen_focus & HAS_FOCUS != 0;
+        self.focus.by_pointer = enters && focused;
+        self.tell_focus()
     }
 
-    fn focus(&mut self, event: &FocusInEvent, gained: bool) {
-        // A grab takes the keyboard only for a short time.
+    fn focus(&mut self, event: &FocusInEvent, gained: bool) -> Result<()> {
+        // A grab takes the keys, which `Keyboard` sees to, but only for a short time: the widgets
+        // keep the focus.
         if matches!(event.mode, NotifyMode::GRAB | NotifyMode::UNGRAB) {
-            return;
+            return Ok(());
         }
         match event.detail {
             NotifyDetail::POINTER => self.focus.by_pointer = gained,
             NotifyDetail::POINTER_ROOT | NotifyDetail::NONE => {}
             _ => self.focus.own = gained,
         }
-        self.tell_focus();
+        self.tell_focus()
     }
 
-    fn tell_focus(&mut self) {
+    fn tell_focus(&mut self) -> Result<()> {
         let focused = self.focus.own || self.focus.by_pointer;
         if focused != self.focus.told {
             self.focus.told = focused;
             self.events.push(egui::Event::WindowFocused(focused));
             if !focused {
-                self.keyboard.release_all(&mut self.events);
+                self.keyboard.leave(&self.connection, &mut self.events)?;
             }
         }
+        Ok(())
     }
 
     fn expose(&mut self, event: &ExposeEvent) -> Result<()> {
@@ -184,14 +185,8 @@ impl Window {
             self.scale = scale;
             self.pos = pixels / scale;
             self.news.input = true;
-            let set = window::set_sizes(
-                &self.connection,
-                self.frame.window,
-                self.smallest,
-                scale,
-                self.size,
-            );
-            set.map_err(|error| self.connection.lost(error))?;
+            let (connection, window) = (&self.connection, self.frame.window);
+            window::set_sizes(connection, window, self.smallest, scale, self.size)?;
         }
         Ok(())
     }

@@ -18,13 +18,13 @@ use crate::error::Result;
 use crate::limits::MAX_CLIPBOARD_BYTES;
 
 /// How long to wait for the other program's next step.
-const PATIENCE: Duration = Duration::from_secs(5);
+pub(super) const STEP_TIMEOUT: Duration = Duration::from_secs(5);
 
 /// How long a transfer may take in all.
-const WHOLE: Duration = Duration::from_secs(60);
+const TRANSFER_TIMEOUT: Duration = Duration::from_secs(60);
 
 /// How long the server may take to deliver one available piece.
-const READING: Duration = Duration::from_secs(2);
+const READ_TIMEOUT: Duration = Duration::from_secs(2);
 
 /// The length of one property read, in 32-bit words (256 KB).
 const PIECE: u32 = 1 << 16;
@@ -41,7 +41,7 @@ pub(super) struct Incoming {
     pieces: bool,
     kind: Atom,
     bytes: Vec<u8>,
-    patience: Instant,
+    step_end: Instant,
     end: Instant,
 }
 
@@ -85,8 +85,8 @@ impl Incoming {
             pieces: false,
             kind: NONE,
             bytes: Vec::new(),
-            patience: now + PATIENCE,
-            end: now + WHOLE,
+            step_end: now + STEP_TIMEOUT,
+            end: now + TRANSFER_TIMEOUT,
         };
         incoming.ask(connection)?;
         Ok(Some(incoming))
@@ -97,7 +97,7 @@ impl Incoming {
     }
 
     pub(super) fn deadline(&self) -> Instant {
-        self.patience.min(self.end)
+        self.step_end.min(self.end)
     }
 
     pub(super) fn answered(
@@ -110,7 +110,7 @@ impl Incoming {
         if self.pieces || event.selection != self.selection || Some(event.target) != asked {
             return Ok(Step::Underway);
         }
-        self.patience = now + PATIENCE;
+        self.step_end = now + STEP_TIMEOUT;
         if event.property == NONE {
             self.target += 1;
             if self.target >= targets(connection).len() {
@@ -147,7 +147,7 @@ impl Incoming {
             Read::Bytes(_, 0) => Ok(Step::Over(self.text(connection))),
             Read::Bytes(kind, _) if self.kind == NONE || self.kind == kind => {
                 self.kind = kind;
-                self.patience = now + PATIENCE;
+                self.step_end = now + STEP_TIMEOUT;
                 Ok(Step::Underway)
             }
             Read::Bytes(..) | Read::Pieces(_) | Read::Useless => Ok(Step::Over(None)),
@@ -156,11 +156,7 @@ impl Incoming {
 
     /// Destroys the window; whatever is still sent goes nowhere.
     pub(super) fn finish(self, connection: &Connection) -> Result<()> {
-        let destroyed = connection.destroy_window(self.window);
-        destroyed
-            .map_err(|error| connection.lost(error))?
-            .ignore_error();
-        Ok(())
+        connection.sent_quietly(connection.destroy_window(self.window))
     }
 
     fn ask(&self, connection: &Connection) -> Result<()> {
@@ -168,16 +164,18 @@ impl Incoming {
             return Ok(());
         };
         let property = connection.atoms()._VIDES_SELECTION;
-        connection
-            .convert_selection(self.window, self.selection, target, property, self.time)
-            .map_err(|error| connection.lost(error))?
-            .ignore_error();
-        Ok(())
+        connection.sent_quietly(connection.convert_selection(
+            self.window,
+            self.selection,
+            target,
+            property,
+            self.time,
+        ))
     }
 
     fn read(&mut self, connection: &Connection) -> Result<Read> {
         let property = connection.atoms()._VIDES_SELECTION;
-        let end = Instant::now() + READING;
+        let end = Instant::now() + READ_TIMEOUT;
         let mut words = 0;
         let mut read = 0;
         loop {
@@ -258,26 +256,24 @@ fn clean(text: &str) -> String {
     clean
 }
 
+/// Creates an invisible window for transfers.
 pub(super) fn create(connection: &Connection, window: Window, events: EventMask) -> Result<()> {
     let root = connection.screen().root;
     let aux = CreateWindowAux::new().event_mask(events);
-    connection
-        .create_window(
-            COPY_DEPTH_FROM_PARENT,
-            window,
-            root,
-            0,
-            0,
-            1,
-            1,
-            0,
-            WindowClass::INPUT_ONLY,
-            COPY_FROM_PARENT,
-            &aux,
-        )
-        .map_err(|error| connection.lost(error))?
-        .ignore_error();
-    Ok(())
+    let (depth, class) = (COPY_DEPTH_FROM_PARENT, WindowClass::INPUT_ONLY);
+    connection.sent_quietly(connection.create_window(
+        depth,
+        window,
+        root,
+        0,
+        0,
+        1,
+        1,
+        0,
+        class,
+        COPY_FROM_PARENT,
+        &aux,
+    ))
 }
 
 #[cfg(test)]

@@ -6,10 +6,13 @@ use std::process::{Child, Stdio};
 use std::time::Instant;
 
 use egui::{CursorIcon, Modifiers, PointerButton as PointerButtonKind, pos2};
+use x11rb::CURRENT_TIME;
 use x11rb::connection::{Connection as _, RequestConnection as _};
 use x11rb::errors::ParseError;
+use x11rb::protocol::xproto::{ConnectionExt as _, GrabMode, InputFocus};
 use x11rb::x11_utils::TryParse;
 
+use super::connection::Connection;
 use super::testing::{PATIENCE, Server, until};
 use super::{MOST_EVENTS, Options, Window, first_deed};
 
@@ -278,5 +281,64 @@ fn the_pointer_has_the_wanted_shape() {
         if let x11rb::protocol::Event::Error(error) = event {
             panic!("{error:?}");
         }
+    }
+}
+
+/// A grab takes the keys, those too that are held, and leaves the focus.
+#[test]
+fn a_grab_leaves_the_focus_and_lets_the_keys_go() {
+    let server = Server::start();
+    let mut fixture = Fixture::new(&server);
+    fixture.xdotool(&[
+        "mousemove",
+        "100",
+        "20",
+        "click",
+        "1",
+        "keydown",
+        "ctrl",
+        "keydown",
+        "k",
+    ]);
+    let down = |fixture: &mut Fixture<'_>| fixture.egui.input(|input| input.keys_down.len());
+    fixture.until("the keys", |fixture| down(fixture) == 2);
+    let other = Connection::open(Some(server.display())).unwrap();
+    let (root, mode) = (other.screen().root, GrabMode::ASYNC);
+    let grab = other.grab_keyboard(false, root, CURRENT_TIME, mode, mode);
+    grab.unwrap().reply().unwrap();
+    fixture.until("the loss of the keys", |fixture| down(fixture) == 0);
+    assert_eq!(fixture.window.keyboard.modifiers(), Modifiers::NONE);
+    fixture.xdotool(&["keyup", "k", "keyup", "ctrl"]);
+    other
+        .ungrab_keyboard(CURRENT_TIME)
+        .unwrap()
+        .check()
+        .unwrap();
+    fixture.xdotool(&["key", "a"]);
+    fixture.holds(0, "a");
+    assert!(fixture.window.focus.told && down(&mut fixture) == 0);
+}
+
+#[test]
+fn without_the_focus_no_shift_wakes_the_window() {
+    let server = Server::start();
+    let mut fixture = Fixture::new(&server);
+    // The focus follows the pointer, into the window and out of it.
+    let connection = &fixture.window.connection;
+    let follow = connection.set_input_focus(InputFocus::NONE, InputFocus::POINTER_ROOT, 0_u32);
+    follow.unwrap().check().unwrap();
+    fixture.xdotool(&["mousemove", "100", "20", "click", "1", "key", "a"]);
+    fixture.holds(0, "a");
+    fixture.xdotool(&["mousemove", "900", "700"]);
+    fixture.until("the loss", |fixture| !fixture.window.focus.told);
+    server.run("xdotool", &["key", "shift"]);
+    let connection = &fixture.window.connection;
+    // After this reply every event is there.
+    connection.get_input_focus().unwrap().reply().unwrap();
+    while let Some(event) = connection.poll_for_event().unwrap() {
+        assert!(
+            !matches!(event, x11rb::protocol::Event::XkbStateNotify(_)),
+            "{event:?}"
+        );
     }
 }

@@ -13,7 +13,7 @@ use x11rb::protocol::xkb::{
     self, ConnectionExt as _, EventType, MapPart, NKNDetail, PerClientFlag, SelectEventsAux,
     SelectEventsAuxNewKeyboardNotify, SelectEventsAuxStateNotify, StatePart,
 };
-use x11rb::protocol::xproto::{KeyPressEvent, Mapping, NotifyDetail};
+use x11rb::protocol::xproto::{KeyPressEvent, Mapping, ModMask, NotifyMode};
 
 use super::compose::{Compose, Fed};
 use super::connection::Connection;
@@ -54,9 +54,7 @@ struct Release {
 
 impl Keyboard {
     pub(super) fn new(connection: &Connection) -> Result<Self> {
-        let found = connection
-            .extension_information(xkb::X11_EXTENSION_NAME)
-            .map_err(|error| connection.lost(error))?;
+        let found = connection.sent(connection.extension_information(xkb::X11_EXTENSION_NAME))?;
         if found.is_some() {
             // Enables XKB, after which event states include the group. The reply is of no use.
             drop(connection.xkb_use_extension(1, 0));
@@ -125,25 +123,22 @@ impl Keyboard {
             Event::KeyRelease(event) => self.release(event, out),
             Event::XkbStateNotify(event) => {
                 if self.watching {
-                    let group = u16::from(u8::from(event.group)) & 3;
-                    self.state = u16::from(event.mods) & 0xFF | group << 13;
+                    self.state = event_state(event.mods, event.group);
                     self.tell_modifiers(out);
                 }
             }
             Event::XkbNewKeyboardNotify(_) | Event::XkbMapNotify(_) => self.stale = true,
             Event::MappingNotify(event) => self.stale |= event.request != Mapping::POINTER,
+            // A grab takes the keys, and the releases of those that are held, whoever has the focus.
             Event::FocusIn(event) => {
-                if !is_passing(event.detail) {
+                if event.mode != NotifyMode::GRAB {
                     self.watch(connection, true)?;
                     self.tell_modifiers(out);
                 }
                 return Ok(false);
             }
-            Event::FocusOut(event) => {
-                if !is_passing(event.detail) {
-                    self.watch(connection, false)?;
-                    self.release_all(out);
-                }
+            Event::FocusOut(_) => {
+                self.leave(connection, out)?;
                 return Ok(false);
             }
             Event::ButtonPress(event) | Event::ButtonRelease(event) => {
@@ -168,7 +163,9 @@ impl Keyboard {
         Ok(())
     }
 
-    pub(super) fn release_all(&mut self, out: &mut Vec<Input>) {
+    /// The keys go elsewhere: releases all, since nobody tells of it, and follows no modifiers.
+    pub(super) fn leave(&mut self, connection: &Connection, out: &mut Vec<Input>) -> Result<()> {
+        self.watch(connection, false)?;
         self.waiting = None;
         self.compose.reset();
         let modifiers = self.modifiers();
@@ -177,6 +174,7 @@ impl Keyboard {
         }
         self.state &= !0xFF;
         self.tell_modifiers(out);
+        Ok(())
     }
 
     fn press(
@@ -203,8 +201,8 @@ impl Keyboard {
         self.state = state;
         self.tell_modifiers(out);
         let meaning = self.keymap.as_ref().map(|map| map.meaning(keycode, state));
-        let place = self.held.iter().position(|(held, _)| *held == keycode);
-        let before = place.map(|place| self.held.swap_remove(place).1);
+        let at = self.held.iter().position(|(held, _)| *held == keycode);
+        let before = at.map(|at| self.held.swap_remove(at).1);
         if let Some(meaning) = meaning
             && self.held.len() < MOST_HELD
         {
@@ -286,8 +284,8 @@ impl Keyboard {
     }
 
     fn let_go(&mut self, keycode: u8, out: &mut Vec<Input>) {
-        if let Some(place) = self.held.iter().position(|(held, _)| *held == keycode) {
-            let (_, key) = self.held.swap_remove(place);
+        if let Some(at) = self.held.iter().position(|(held, _)| *held == keycode) {
+            let (_, key) = self.held.swap_remove(at);
             up(key, self.modifiers(), out);
         }
         self.hold(keycode, false, out);
@@ -378,24 +376,19 @@ impl Keyboard {
             asked.ignore_error();
         }
         if watch && let Some(now) = connection.answer(connection.xkb_get_state(KEYBOARD))? {
-            let group = u16::from(u8::from(now.group)) & 3;
-            self.state = u16::from(now.mods) & 0xFF | group << 13;
+            self.state = event_state(now.mods, now.group);
         }
         Ok(())
     }
 }
 
+/// XKB's modifiers and group in the layout of an event's state.
+fn event_state(modifiers: ModMask, group: xkb::Group) -> u16 {
+    u16::from(modifiers) & 0xFF | (u16::from(u8::from(group)) & 3) << 13
+}
+
 /// The most keys tracked as held, more than a keyboard sends.
 const MOST_HELD: usize = 256;
-
-/// Focus events that do not concern this window: focus follows the pointer, or goes to or from a
-/// child of ours.
-fn is_passing(detail: NotifyDetail) -> bool {
-    matches!(
-        detail,
-        NotifyDetail::POINTER | NotifyDetail::POINTER_ROOT | NotifyDetail::INFERIOR
-    )
-}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Shortcut {

@@ -450,3 +450,42 @@ fn without_the_keyboard_no_key_is_held() {
         assert_eq!(fixture.keyboard.modifiers(), Modifiers::NONE);
     }
 }
+
+#[test]
+fn a_child_with_the_focus_has_the_keys() {
+    let mut fixture = Fixture::new("us", true);
+    let connection = &fixture.connection;
+    let child = connection.generate_id().unwrap();
+    let (depth, class) = (COPY_DEPTH_FROM_PARENT, WindowClass::INPUT_ONLY);
+    let none = CreateWindowAux::new();
+    let parent = fixture.window;
+    connection
+        .create_window(
+            depth,
+            child,
+            parent,
+            0,
+            0,
+            9,
+            9,
+            0,
+            class,
+            COPY_FROM_PARENT,
+            &none,
+        )
+        .unwrap();
+    connection.map_window(child).unwrap();
+    fixture.type_with(&["keydown", "ctrl", "keydown", "k"]);
+    let asked = (fixture.connection).set_input_focus(InputFocus::PARENT, child, CURRENT_TIME);
+    asked.unwrap().check().unwrap();
+    until("the loss", || {
+        fixture.poll();
+        (fixture.keyboard.modifiers() == Modifiers::NONE).then_some(())
+    });
+    // What is done with them there wakes nobody here.
+    let before = fixture.heard.len();
+    let keys = ["keyup", "k", "keyup", "ctrl", "key", "shift"];
+    fixture.server.run("xdotool", &keys);
+    fixture.poll();
+    assert_eq!(fixture.heard.len(), before);
+}

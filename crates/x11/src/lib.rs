@@ -89,7 +89,7 @@ const MOST_EVENTS: usize = 256;
 /// How long to wait for a clipboard manager when the window closes.
 const HAND_OVER: Duration = Duration::from_millis(300);
 
-/// How to open a window.
+/// How to open a window. By default it is one pixel large: set [`Options::size`].
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// The display's name; `None` uses the environment variable `DISPLAY`.
@@ -255,12 +255,8 @@ impl Window {
     fn drain(&mut self) -> Result<()> {
         let now = Instant::now();
         self.clipboard.tick(&self.connection, now)?;
-        self.look_for_keyboard(now)?;
-        let pushed = self.connection.stream().push();
-        pushed.map_err(|error| {
-            self.connection
-                .lost(x11rb::errors::ConnectionError::from(error))
-        })?;
+        self.recheck_focus(now)?;
+        self.connection.push()?;
         // Handling an event may wait for a reply, which can bring further events into x11rb's queue
         // that the descriptor does not show.
         let mut left = MOST_EVENTS;
@@ -284,7 +280,7 @@ impl Window {
                 self.news.input = true;
             }
             self.surface.go_on(&self.connection)?;
-            self.send()?;
+            self.connection.flush()?;
             self.news.more = left == 0;
             if !any || left == 0 {
                 return Ok(());
@@ -324,14 +320,15 @@ impl Window {
     }
 
     /// When to call [`Window::poll`] even if the connection stays quiet: a clipboard transfer times
-    /// out, or the keyboard is to be checked.
+    /// out, or the focus is to be checked.
     pub fn deadline(&self) -> Option<Instant> {
-        let due = [self.clipboard.deadline(), self.keyboard_look()];
+        let due = [self.clipboard.deadline(), self.focus_check()];
         due.into_iter().flatten().min()
     }
 
-    /// The pixels to paint into; `None` while a frame is in flight or the window is not visible.
-    /// [`News::shown`] tells when to ask again.
+    /// The pixels to paint into; `None` while a frame is in flight, the window is not visible or
+    /// waits for a buffer of another size, or the connection is lost. [`News::shown`] or
+    /// [`News::new_buffer`] tells when to ask again.
     pub fn target(&mut self) -> Option<Target<'_>> {
         let fits = self.surface.size() == self.size;
         if !self.visible() || !fits || self.lost.is_some() {
@@ -414,13 +411,8 @@ impl Window {
     /// `ErrorKind::Display` if the server or the window is gone.
     pub fn flush(&mut self) -> Result<()> {
         self.alive()?;
-        let result = self.send();
+        let result = self.connection.flush();
         self.noted(result)
-    }
-
-    fn send(&self) -> Result<()> {
-        let sent = self.connection.flush();
-        sent.map_err(|error| self.connection.lost(error))
     }
 
     /// Requests the text of a selection, which may be our own.
@@ -428,6 +420,11 @@ impl Window {
         let out = &mut self.events;
         self.clipboard
             .request(&self.connection, which, time, place, out)
+    }
+
+    /// The connection's socket, for questions about it; do not read from it.
+    pub fn socket(&self) -> BorrowedFd<'_> {
+        self.connection.socket()
     }
 
     fn visible(&self) -> bool {
@@ -460,7 +457,7 @@ fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
     }
     let mut written = false;
     let mut end = events.len();
-    for (place, event) in events.iter().enumerate() {
+    for (at, event) in events.iter().enumerate() {
         let (begins, ends) = match event {
             Text(_) => {
                 written = true;
@@ -470,7 +467,7 @@ fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
             Key {
                 pressed, repeat, ..
             } => {
-                let writes = matches!(events.get(place + 1), Some(Text(_)));
+                let writes = matches!(events.get(at + 1), Some(Text(_)));
                 let deed = *pressed && !writes;
                 (deed, deed && !repeat)
             }
@@ -479,11 +476,11 @@ fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
             _ => (false, false),
         };
         if begins && written {
-            end = place;
+            end = at;
             break;
         }
         if ends {
-            end = place + 1;
+            end = at + 1;
             break;
         }
     }
@@ -498,13 +495,6 @@ impl Drop for Window {
             self.clipboard.hand_over(&self.connection, HAND_OVER).ok();
         }
         self.close_pane().ok();
-    }
-}
-
-impl Window {
-    /// The connection's socket, for questions about it; do not read from it.
-    pub fn socket(&self) -> BorrowedFd<'_> {
-        self.connection.socket()
     }
 }
 

@@ -2,7 +2,7 @@
 //! requestor has deleted the one before.
 
 use std::rc::Rc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use x11rb::connection::RequestConnection as _;
 use x11rb::protocol::xproto::{
@@ -11,9 +11,8 @@ use x11rb::protocol::xproto::{
 use x11rb::wrapper::ConnectionExt as _;
 
 use super::connection::Connection;
+use super::incoming::STEP_TIMEOUT;
 use crate::error::Result;
-
-const PATIENCE: Duration = Duration::from_secs(5);
 
 /// The largest piece, in bytes; small enough not to delay other traffic.
 const PIECE: usize = 256 << 10;
@@ -27,7 +26,7 @@ pub(super) struct Outgoing {
     kind: Atom,
     bytes: Rc<[u8]>,
     sent: usize,
-    patience: Instant,
+    step_end: Instant,
 }
 
 pub(super) fn piece(connection: &Connection) -> usize {
@@ -46,17 +45,16 @@ impl Outgoing {
         listen(connection, requestor, true)?;
         let size = u32::try_from(bytes.len()).unwrap_or(u32::MAX);
         let incr = connection.atoms().INCR;
-        connection
-            .change_property32(PropMode::REPLACE, requestor, property, incr, &[size])
-            .map_err(|error| connection.lost(error))?
-            .ignore_error();
+        let replace = PropMode::REPLACE;
+        let asked = connection.change_property32(replace, requestor, property, incr, &[size]);
+        connection.sent_quietly(asked)?;
         Ok(Self {
             requestor,
             property,
             kind,
             bytes,
             sent: 0,
-            patience: now + PATIENCE,
+            step_end: now + STEP_TIMEOUT,
         })
     }
 
@@ -69,24 +67,21 @@ impl Outgoing {
     }
 
     pub(super) fn deadline(&self) -> Instant {
-        self.patience
+        self.step_end
     }
 
     /// The requestor took a piece: writes the next one, an empty one at the end. True when done.
     pub(super) fn taken(&mut self, connection: &Connection, now: Instant) -> Result<bool> {
-        self.patience = now + PATIENCE;
+        self.step_end = now + STEP_TIMEOUT;
         let rest = self.bytes.get(self.sent..).unwrap_or_default();
         let next = rest.get(..piece(connection)).unwrap_or(rest);
-        connection
-            .change_property8(
-                PropMode::REPLACE,
-                self.requestor,
-                self.property,
-                self.kind,
-                next,
-            )
-            .map_err(|error| connection.lost(error))?
-            .ignore_error();
+        connection.sent_quietly(connection.change_property8(
+            PropMode::REPLACE,
+            self.requestor,
+            self.property,
+            self.kind,
+            next,
+        ))?;
         self.sent += next.len();
         Ok(next.is_empty())
     }
@@ -99,9 +94,5 @@ pub(super) fn listen(connection: &Connection, window: Window, listen: bool) -> R
         false => EventMask::NO_EVENT,
     };
     let aux = ChangeWindowAttributesAux::new().event_mask(events);
-    connection
-        .change_window_attributes(window, &aux)
-        .map_err(|error| connection.lost(error))?
-        .ignore_error();
-    Ok(())
+    connection.sent_quietly(connection.change_window_attributes(window, &aux))
 }

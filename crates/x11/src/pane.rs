@@ -78,20 +78,17 @@ impl Window {
             return Ok(false);
         };
         // As its parent we hear when it is destroyed.
-        let lost = |error| connection.lost(error);
         let ours = self.frame.window;
         for (window, mask) in [
             (pane, EventMask::SUBSTRUCTURE_NOTIFY),
             (ours, window::events() | EventMask::SUBSTRUCTURE_NOTIFY),
         ] {
             let listen = ChangeWindowAttributesAux::new().event_mask(mask);
-            connection
-                .change_window_attributes(window, &listen)
-                .map_err(lost)?;
+            connection.sent(connection.change_window_attributes(window, &listen))?;
         }
         pane_pool::save_in(connection, pane, SaveSetMode::INSERT)?;
         let [x, y] = corner(place.area);
-        connection.reparent_window(pane, ours, x, y).map_err(lost)?;
+        connection.sent(connection.reparent_window(pane, ours, x, y))?;
         let mut made = Pane {
             window: pane,
             place: PanePlace::default(),
@@ -113,8 +110,7 @@ impl Window {
         };
         let connection = &self.connection;
         let deaf = ChangeWindowAttributesAux::new().event_mask(EventMask::NO_EVENT);
-        let asked = connection.change_window_attributes(pane.window, &deaf);
-        asked.map_err(|error| connection.lost(error))?;
+        connection.sent(connection.change_window_attributes(pane.window, &deaf))?;
         let forgotten = pane_pool::save_in(connection, pane.window, SaveSetMode::DELETE);
         // Wait until the server has handled all requests for the pane.
         let done = forgotten.and_then(|()| connection.answer(connection.get_input_focus()));
@@ -163,26 +159,16 @@ impl Pane {
         if self.place == *place {
             return Ok(());
         }
-        let lost = |error| connection.lost(error);
         let (old, new) = (self.place.area, place.area);
         if old != new {
             let [x, y] = corner(new).map(i32::from);
             let area = ConfigureWindowAux::new().x(x).y(y).width(new.width);
-            connection
-                .configure_window(self.window, &area.height(new.height))
-                .map_err(lost)?;
+            let area = area.height(new.height);
+            connection.sent(connection.configure_window(self.window, &area))?;
         }
-        connection
-            .shape_rectangles(
-                SO::SET,
-                SK::BOUNDING,
-                ClipOrdering::UNSORTED,
-                self.window,
-                0,
-                0,
-                &visible(place),
-            )
-            .map_err(lost)?;
+        let (set, bounding, any) = (SO::SET, SK::BOUNDING, ClipOrdering::UNSORTED);
+        let (pane, parts) = (self.window, visible(place));
+        connection.sent(connection.shape_rectangles(set, bounding, any, pane, 0, 0, &parts))?;
         self.place.clone_from(place);
         if (old.width, old.height) != (new.width, new.height) {
             for &child in &self.children {
@@ -206,7 +192,7 @@ impl Pane {
         let Area { width, height, .. } = self.place.area;
         let size = ConfigureWindowAux::new().x(0).y(0);
         let asked = connection.configure_window(child, &size.width(width).height(height));
-        asked.map(drop).map_err(|error| connection.lost(error))
+        connection.sent(asked).map(drop)
     }
 }
 

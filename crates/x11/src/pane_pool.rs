@@ -24,7 +24,9 @@ struct Pool {
     free: Vec<u32>,
 }
 
-/// All pools, and the process that made them: after `fork` the child has none.
+/// All pools, and the process that made them: after `fork` the child has none. Locked while a
+/// server is asked, so a silent one keeps the panes of other threads waiting, too: a second for
+/// each question at most.
 static POOLS: Mutex<(u32, Vec<Pool>)> = Mutex::new((0, Vec::new()));
 
 fn pools() -> MutexGuard<'static, (u32, Vec<Pool>)> {
@@ -72,7 +74,7 @@ pub(super) fn park(display: &str, pane: u32) {
 pub(super) fn save(display: &str, window: u32, mode: SaveSetMode) {
     with(display, |pool| {
         save_in(&pool.connection, window, mode)?;
-        pool.flush()
+        pool.connection.flush()
     });
 }
 
@@ -81,7 +83,7 @@ pub(super) fn save(display: &str, window: u32, mode: SaveSetMode) {
 pub(super) fn save_in(connection: &Connection, window: u32, mode: SaveSetMode) -> Result<()> {
     let (target, map) = (SaveSetTarget::ROOT, SaveSetMapping::UNMAP);
     let asked = connection.xfixes_change_save_set(mode, target, map, window);
-    asked.map(drop).map_err(|error| connection.lost(error))
+    connection.sent(asked).map(drop)
 }
 
 /// Whether the server has what panes need: XFIXES save-sets with a target, and SHAPE. Query before
@@ -89,10 +91,11 @@ pub(super) fn save_in(connection: &Connection, window: u32, mode: SaveSetMode) -
 pub(super) fn can(connection: &Connection) -> Result<bool> {
     let shape = x11rb::protocol::shape::X11_EXTENSION_NAME;
     for name in [xfixes::X11_EXTENSION_NAME, shape] {
-        match connection.extension_information(name) {
-            Ok(Some(_)) => {}
-            Ok(None) => return Ok(false),
-            Err(error) => return Err(connection.lost(error)),
+        if connection
+            .sent(connection.extension_information(name))?
+            .is_none()
+        {
+            return Ok(false);
         }
     }
     let version = connection.answer(connection.xfixes_query_version(1, 0))?;
@@ -120,11 +123,6 @@ impl Pool {
         Ok(())
     }
 
-    fn flush(&self) -> Result<()> {
-        let flushed = self.connection.flush();
-        flushed.map_err(|error| self.connection.lost(error))
-    }
-
     fn take(&mut self) -> Result<Option<u32>> {
         // A parked pane may have been destroyed by another client.
         while let Some(pane) = self.free.pop() {
@@ -138,8 +136,7 @@ impl Pool {
 
     fn make(&self) -> Result<Option<u32>> {
         let connection = &self.connection;
-        let pane = connection.generate_id();
-        let pane = pane.map_err(|error| connection.lost(error))?;
+        let pane = connection.sent(connection.generate_id())?;
         let screen = connection.screen();
         // Window managers ignore override-redirect windows while on the root.
         let attributes = CreateWindowAux::new()
@@ -164,15 +161,12 @@ impl Pool {
 
     fn park(&mut self, pane: u32) -> Result<()> {
         let connection = &self.connection;
-        let lost = |error| connection.lost(error);
         let root = connection.screen().root;
-        connection.unmap_window(pane).map_err(lost)?;
+        connection.sent(connection.unmap_window(pane))?;
         let inside = connection.answer(connection.query_tree(pane))?;
         for child in inside.map_or_else(Vec::new, |tree| tree.children) {
-            connection.unmap_window(child).map_err(lost)?;
-            connection
-                .reparent_window(child, root, 0, 0)
-                .map_err(lost)?;
+            connection.sent(connection.unmap_window(child))?;
+            connection.sent(connection.reparent_window(child, root, 0, 0))?;
             save_in(connection, child, SaveSetMode::DELETE)?;
         }
         if connection.done(connection.reparent_window(pane, root, AWAY, AWAY))? {

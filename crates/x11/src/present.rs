@@ -9,7 +9,6 @@
 use std::collections::VecDeque;
 
 use x11rb::connection::{Connection as _, RequestConnection as _};
-use x11rb::errors::ReplyOrIdError;
 use x11rb::protocol::shm::{self, ConnectionExt as _};
 use x11rb::protocol::xproto::{
     ClientMessageEvent, ConnectionExt as _, EventMask, ImageFormat, PUT_IMAGE_REQUEST,
@@ -106,18 +105,13 @@ impl Surface {
         if !connection.is_local() {
             return Ok(());
         }
-        let known = connection
-            .extension_information(shm::X11_EXTENSION_NAME)
-            .map_err(|error| connection.lost(error))?;
+        let known = connection.sent(connection.extension_information(shm::X11_EXTENSION_NAME))?;
         if known.is_none() {
             return Ok(());
         }
         let version = connection.answer(connection.shm_query_version())?;
         // Attaching by file descriptor came with version 1.2.
-        let Some(version) = version else {
-            return Ok(());
-        };
-        if (version.major_version, version.minor_version) < (1, 2) {
+        if version.is_none_or(|version| (version.major_version, version.minor_version) < (1, 2)) {
             return Ok(());
         }
         let Ok((_, file)) = Memory::new(1) else {
@@ -191,8 +185,7 @@ impl Surface {
         let Some(id) = connection.excuse(connection.generate_id())? else {
             return Ok(None);
         };
-        let asked = connection.shm_attach_fd(id, file, true);
-        asked.map_err(|error| connection.lost(error))?;
+        connection.sent(connection.shm_attach_fd(id, file, true))?;
         Ok(Some(Segment { id, memory }))
     }
 
@@ -277,15 +270,13 @@ impl Surface {
                 shmseg: segment.id,
                 offset: 0,
             };
-            let asked = connection.send_trait_request_without_reply(request);
-            asked.map_err(|error| connection.lost(error))?;
+            connection.sent(connection.send_trait_request_without_reply(request))?;
         }
         self.flight = Flight::Shared;
         Ok(())
     }
 
     fn send_pieces(&mut self, connection: &Connection) -> Result<()> {
-        let lost = |error| connection.lost(ReplyOrIdError::ConnectionError(error));
         let Flight::Pieces { under_way, rest } = &mut self.flight else {
             return Ok(());
         };
@@ -313,13 +304,13 @@ impl Surface {
                 self.depth,
                 &self.scratch,
             );
-            asked.map_err(lost)?;
+            connection.sent(asked)?;
             // A message to ourselves comes back when the image has been drawn.
             self.serial = self.serial.wrapping_add(1);
             let kind = connection.atoms()._VIDES_SHOWN;
             let message = ClientMessageEvent::new(32, self.window, kind, [self.serial, 0, 0, 0, 0]);
             let asked = connection.send_event(false, self.window, EventMask::NO_EVENT, message);
-            asked.map_err(lost)?;
+            connection.sent(asked)?;
             *under_way += 1;
         }
         if *under_way == 0 {
@@ -358,9 +349,7 @@ impl Surface {
     /// Handles an error that concerns images: the frame is given up, and after one from shared
     /// memory everything is sent again as images. True if a frame was in flight.
     pub(super) fn failed(&mut self, connection: &Connection, error: &X11Error) -> Result<bool> {
-        let known = connection
-            .extension_information(shm::X11_EXTENSION_NAME)
-            .map_err(|error| connection.lost(error))?;
+        let known = connection.sent(connection.extension_information(shm::X11_EXTENSION_NAME))?;
         let busy = !self.is_free();
         if known.is_some_and(|known| known.major_opcode == error.major_opcode) {
             self.flight = Flight::None;
@@ -431,8 +420,7 @@ fn fits(length: usize, needed: usize) -> bool {
 }
 
 fn detach(connection: &Connection, segment: u32) -> Result<()> {
-    let asked = connection.shm_detach(segment);
-    asked.map(drop).map_err(|error| connection.lost(error))
+    connection.sent(connection.shm_detach(segment)).map(drop)
 }
 
 #[cfg(test)]

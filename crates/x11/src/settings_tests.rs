@@ -14,7 +14,7 @@ use x11rb::rust_connection::RustConnection;
 use x11rb::wrapper::ConnectionExt as _;
 
 use super::settings::tests::settings;
-use super::stream::{PATIENCE, wait};
+use super::stream::{REPLY_TIMEOUT, wait};
 use super::testing::{Server, until};
 use super::{Options, Window};
 
@@ -278,7 +278,7 @@ fn what_is_not_answered_changes_nothing() {
     }
     let time = start.elapsed();
     assert!(
-        time >= PATIENCE && time < 2 * PATIENCE,
+        time >= REPLY_TIMEOUT && time < 2 * REPLY_TIMEOUT,
         "it was asked once: {time:?}"
     );
     connection.ungrab_server().unwrap();

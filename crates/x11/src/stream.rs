@@ -3,7 +3,7 @@
 //! x11rb's own stream will not do: writing to a server that is gone must not raise SIGPIPE in the
 //! host, and a server that does not answer must not block it. Writes never wait: what the socket
 //! does not take is queued, and [`Stream::watch`] becomes readable when it can be sent. Only
-//! replies are waited for, at most for [`PATIENCE`].
+//! replies are waited for, at most for [`REPLY_TIMEOUT`].
 
 use std::cell::{Cell, RefCell};
 use std::collections::VecDeque;
@@ -21,11 +21,11 @@ use x11rb::utils::RawFdContainer;
 
 /// How long to wait for a reply once the window is open, whatever else arrives. After a timeout
 /// there is no waiting until the server speaks again.
-pub(super) const PATIENCE: Duration = Duration::from_secs(1);
+pub(super) const REPLY_TIMEOUT: Duration = Duration::from_secs(1);
 
 /// How long not to wait after a server that sent events did not reply, perhaps because it is
 /// grabbed by another client. This blocks the host for at most one second in six.
-const REST: Duration = Duration::from_secs(5);
+const BACKOFF: Duration = Duration::from_secs(5);
 
 /// Bytes read while waiting for replies before events must be handled: about 130,000 events, six
 /// times the bytes once in x11rb's queue. Replies are far smaller.
@@ -46,13 +46,13 @@ pub(super) struct Stream {
     /// An epoll descriptor that watches the socket.
     watch: OwnedFd,
     waiting: RefCell<Waiting>,
-    /// The deadline for all replies; `None` allows [`PATIENCE`] for each.
+    /// The deadline for all replies; `None` allows [`REPLY_TIMEOUT`] for each.
     deadline: Cell<Option<Instant>>,
     awaited: Cell<Option<Awaited>>,
     /// A reply timed out, and nothing was received since.
     silent: Cell<bool>,
     /// No waiting until then, because input came but no reply.
-    rest: Cell<Option<Instant>>,
+    backoff_until: Cell<Option<Instant>>,
     /// Bytes read since x11rb was last told that there is no more.
     taken: Cell<usize>,
     /// Bytes read but not yet handled.
@@ -87,7 +87,7 @@ impl Stream {
             deadline: Cell::new(Some(deadline)),
             awaited: Cell::new(None),
             silent: Cell::new(false),
-            rest: Cell::new(None),
+            backoff_until: Cell::new(None),
             taken: Cell::new(0),
             ahead: Cell::new(0),
         })
@@ -176,26 +176,26 @@ impl Stream {
         Ok(length)
     }
 
-    fn patience(&self) -> Duration {
+    fn reply_timeout(&self) -> Duration {
         match self.deadline.get() {
             Some(deadline) => deadline.saturating_duration_since(Instant::now()),
-            None if self.silent.get() || self.rests() => Duration::ZERO,
-            None => PATIENCE,
+            None if self.silent.get() || self.backs_off() => Duration::ZERO,
+            None => REPLY_TIMEOUT,
         }
     }
 
-    fn rests(&self) -> bool {
-        (self.rest.get()).is_some_and(|end| Instant::now() < end)
+    fn backs_off(&self) -> bool {
+        (self.backoff_until.get()).is_some_and(|end| Instant::now() < end)
     }
 
     fn give_up(&self, awaited: Awaited) -> Error {
         self.awaited.set(None);
-        if self.rests() {
+        if self.backs_off() {
             // There was no waiting, so this says nothing about the server.
         } else if awaited.taken == 0 {
             self.silent.set(true);
         } else {
-            self.rest.set(Some(Instant::now() + REST));
+            self.backoff_until.set(Some(Instant::now() + BACKOFF));
         }
         ErrorKind::TimedOut.into()
     }
@@ -208,7 +208,7 @@ impl x11rb::rust_connection::Stream for Stream {
             return Ok(());
         }
         let awaited = self.awaited.get().unwrap_or_else(|| Awaited {
-            end: Instant::now() + self.patience(),
+            end: Instant::now() + self.reply_timeout(),
             taken: 0,
         });
         self.awaited.set(Some(awaited));
@@ -353,16 +353,16 @@ mod tests {
         assert_eq!(late(&stream), ErrorKind::TimedOut);
         stream.settle();
         assert_eq!(
-            stream.patience(),
+            stream.reply_timeout(),
             Duration::ZERO,
             "it was silent while it opened"
         );
         theirs.write_all(b"x").unwrap();
         stream.poll(PollMode::Readable).unwrap();
         assert_eq!(stream.read(&mut [0; 8], &mut Vec::new()).unwrap(), 1);
-        assert_eq!(stream.patience(), PATIENCE);
+        assert_eq!(stream.reply_timeout(), REPLY_TIMEOUT);
         assert_eq!(late(&stream), ErrorKind::TimedOut);
-        assert_eq!(stream.patience(), Duration::ZERO);
+        assert_eq!(stream.reply_timeout(), Duration::ZERO);
     }
 
     /// Asks and waits as x11rb does, until `enough` has come; how much did.
@@ -409,17 +409,20 @@ mod tests {
             for _ in 0..2 {
                 let (result, time) = waited(usize::MAX);
                 assert_eq!(result, Err(ErrorKind::TimedOut));
-                assert!(time >= PATIENCE && time < 2 * PATIENCE, "{time:?}");
+                assert!(
+                    time >= REPLY_TIMEOUT && time < 2 * REPLY_TIMEOUT,
+                    "{time:?}"
+                );
                 // Whatever comes, and however often it is asked.
                 let start = Instant::now();
                 for _ in 0..100 {
                     thread::sleep(Duration::from_millis(2));
                     assert_eq!(waited(usize::MAX).0, Err(ErrorKind::TimedOut));
                 }
-                assert!(start.elapsed() < PATIENCE, "{:?}", start.elapsed());
-                let end = stream.rest.get().unwrap();
-                assert!(end <= start + REST, "a rest grows");
-                stream.rest.set(Some(Instant::now())); // as if it were over
+                assert!(start.elapsed() < REPLY_TIMEOUT, "{:?}", start.elapsed());
+                let end = stream.backoff_until.get().unwrap();
+                assert!(end <= start + BACKOFF, "a rest grows");
+                stream.backoff_until.set(Some(Instant::now())); // as if it were over
             }
             // What is answered at last, in time, is waited for.
             for _ in 0..3 {
@@ -445,7 +448,7 @@ mod tests {
         stream.ahead.set(MOST_BEFORE_ANSWER);
         let start = Instant::now();
         assert!(stream.poll(PollMode::Readable).is_err());
-        assert!(start.elapsed() < PATIENCE / 2);
+        assert!(start.elapsed() < REPLY_TIMEOUT / 2);
     }
 
     /// What is read for answers and not looked at lies in memory.
@@ -467,7 +470,7 @@ mod tests {
                     while stream.poll(PollMode::Readable).is_ok() {
                         got += read();
                     }
-                    stream.rest.set(None); // as if it were over
+                    stream.backoff_until.set(None); // as if it were over
                 }
                 let most = MOST_BEFORE_ANSWER..MOST_BEFORE_ANSWER + 2 * MOST_AT_ONCE;
                 assert!(most.contains(&got), "{got} bytes");

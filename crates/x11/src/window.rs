@@ -3,9 +3,9 @@
 use x11rb::connection::Connection as _;
 use x11rb::properties::{WmHints, WmHintsState, WmSizeHints, WmSizeHintsSpecification};
 use x11rb::protocol::xproto::{
-    AtomEnum, ChangeWindowAttributesAux, ClientMessageEvent, ColormapAlloc, ConfigureWindowAux,
-    ConnectionExt as _, CreateGCAux, CreateWindowAux, EventMask, Gravity, InputFocus, PropMode,
-    StackMode, WindowClass,
+    Atom, AtomEnum, ChangeWindowAttributesAux, ClientMessageEvent, ColormapAlloc,
+    ConfigureWindowAux, ConnectionExt as _, CreateGCAux, CreateWindowAux, EventMask, Gravity,
+    InputFocus, PropMode, StackMode, WindowClass,
 };
 use x11rb::wrapper::ConnectionExt as _;
 
@@ -49,7 +49,7 @@ pub(super) fn watch_desktop(connection: &Connection) -> Result<()> {
     let mask = EventMask::PROPERTY_CHANGE | EventMask::STRUCTURE_NOTIFY;
     let watch = ChangeWindowAttributesAux::new().event_mask(mask);
     let asked = connection.change_window_attributes(scale::root(connection), &watch);
-    asked.map(drop).map_err(|error| connection.lost(error))
+    connection.sent(asked).map(drop)
 }
 
 pub(super) fn create(
@@ -64,10 +64,9 @@ pub(super) fn create(
         Some(window) => Some(group_of(connection, window)?),
     };
     let frame = make(connection, visual, options, scale, home)?;
-    let lost = |error| connection.lost(error);
-    describe(connection, frame, options, scale, group).map_err(lost)?;
+    describe(connection, frame, options, scale, group)?;
     set_title(connection, frame.window, &options.title)?;
-    connection.map_window(frame.window).map_err(lost)?;
+    connection.sent(connection.map_window(frame.window))?;
     Ok(frame)
 }
 
@@ -80,7 +79,7 @@ fn group_of(connection: &Connection, window: u32) -> Result<u32> {
             display: connection.display().into(),
         });
     }
-    let hints = WmHints::get(&**connection, window).map_err(|error| connection.lost(error))?;
+    let hints = connection.sent(WmHints::get(&**connection, window))?;
     let hints = connection.excuse(hints.reply().map_err(Into::into))?;
     let group = hints.flatten().and_then(|hints| hints.window_group);
     Ok(group.unwrap_or(window))
@@ -93,12 +92,7 @@ fn make(
     scale: f32,
     home: Option<(u32, (u32, u32))>,
 ) -> Result<Frame> {
-    let lost = |error| connection.lost(error);
-    let id = || {
-        connection
-            .generate_id()
-            .map_err(|error| connection.lost(error))
-    };
+    let id = || connection.sent(connection.generate_id());
     let screen = connection.screen();
     let most = (screen.width_in_pixels, screen.height_in_pixels);
     let (parent, (width, height)) = match home {
@@ -110,9 +104,8 @@ fn make(
     };
     let colormap = if visual.foreign {
         let colormap = id()?;
-        connection
-            .create_colormap(ColormapAlloc::NONE, colormap, screen.root, visual.id)
-            .map_err(lost)?;
+        let none = ColormapAlloc::NONE;
+        connection.sent(connection.create_colormap(none, colormap, screen.root, visual.id))?;
         colormap
     } else {
         screen.default_colormap
@@ -124,26 +117,22 @@ fn make(
         .colormap(colormap)
         .event_mask(events());
     let window = id()?;
-    let made = connection
-        .create_window(
-            visual.depth,
-            window,
-            parent,
-            0,
-            0,
-            width,
-            height,
-            0,
-            WindowClass::INPUT_OUTPUT,
-            visual.id,
-            &attributes,
-        )
-        .map_err(lost)?;
+    let made = connection.sent(connection.create_window(
+        visual.depth,
+        window,
+        parent,
+        0,
+        0,
+        width,
+        height,
+        0,
+        WindowClass::INPUT_OUTPUT,
+        visual.id,
+        &attributes,
+    ))?;
     let context = id()?;
     let values = CreateGCAux::new().graphics_exposures(0);
-    connection
-        .create_gc(context, window, &values)
-        .map_err(lost)?;
+    connection.sent(connection.create_gc(context, window, &values))?;
     if !connection.done(Ok(made))? {
         return Err(Error::NoWindow);
     }
@@ -170,88 +159,52 @@ fn describe(
     options: &Options,
     scale: f32,
     group: Option<u32>,
-) -> Result<(), x11rb::errors::ConnectionError> {
-    let atoms = connection.atoms();
-    let window = frame.window;
-    let replace = PropMode::REPLACE;
-    let string = AtomEnum::STRING;
-    let class = class(&options.application);
-    connection.change_property8(replace, window, AtomEnum::WM_CLASS, string, &class)?;
+) -> Result<()> {
+    let (atoms, window) = (connection.atoms(), frame.window);
+    let text =
+        |name: Atom, text: &[u8]| set_text(connection, window, name, AtomEnum::STRING.into(), text);
+    let set = |name: Atom, kind: AtomEnum, values: &[u32]| {
+        let replace = PropMode::REPLACE;
+        let asked = connection.change_property32(replace, window, name, kind, values);
+        connection.sent(asked).map(drop)
+    };
+    text(AtomEnum::WM_CLASS.into(), &class(&options.application))?;
     let protocols = [atoms.WM_DELETE_WINDOW, atoms._NET_WM_PING];
-    connection.change_property32(
-        replace,
-        window,
-        atoms.WM_PROTOCOLS,
-        AtomEnum::ATOM,
-        &protocols,
-    )?;
-    let machine = connect::host_name();
-    connection.change_property8(
-        replace,
-        window,
-        AtomEnum::WM_CLIENT_MACHINE,
-        string,
-        &machine,
-    )?;
-    let process = [std::process::id()];
-    connection.change_property32(
-        replace,
-        window,
-        atoms._NET_WM_PID,
-        AtomEnum::CARDINAL,
-        &process,
-    )?;
-    let locale = locale();
-    connection.change_property8(
-        replace,
-        window,
-        atoms.WM_LOCALE_NAME,
-        string,
-        locale.as_bytes(),
-    )?;
+    set(atoms.WM_PROTOCOLS, AtomEnum::ATOM, &protocols)?;
+    text(AtomEnum::WM_CLIENT_MACHINE.into(), &connect::host_name())?;
+    set(atoms._NET_WM_PID, AtomEnum::CARDINAL, &[std::process::id()])?;
+    text(atoms.WM_LOCALE_NAME, locale().as_bytes())?;
     let kind = [atoms._NET_WM_WINDOW_TYPE_NORMAL];
-    connection.change_property32(
-        replace,
-        window,
-        atoms._NET_WM_WINDOW_TYPE,
-        AtomEnum::ATOM,
-        &kind,
-    )?;
-    let icon = icon::icon();
-    connection.change_property32(
-        replace,
-        window,
-        atoms._NET_WM_ICON,
-        AtomEnum::CARDINAL,
-        &icon,
-    )?;
+    set(atoms._NET_WM_WINDOW_TYPE, AtomEnum::ATOM, &kind)?;
+    set(atoms._NET_WM_ICON, AtomEnum::CARDINAL, &icon::icon())?;
     if let Some(owner) = options.transient_for {
-        let kind = AtomEnum::WINDOW;
-        connection.change_property32(
-            replace,
-            window,
-            AtomEnum::WM_TRANSIENT_FOR,
-            kind,
+        set(
+            AtomEnum::WM_TRANSIENT_FOR.into(),
+            AtomEnum::WINDOW,
             &[owner],
         )?;
     }
     // Without a window of the host's, it leads a group of its own.
-    let leader = [window];
-    connection.change_property32(
-        replace,
-        window,
-        atoms.WM_CLIENT_LEADER,
-        AtomEnum::WINDOW,
-        &leader,
-    )?;
+    set(atoms.WM_CLIENT_LEADER, AtomEnum::WINDOW, &[window])?;
     let hints = WmHints {
         input: Some(true),
         initial_state: Some(WmHintsState::Normal),
         window_group: group.or(Some(window)),
         ..WmHints::new()
     };
-    hints.set(&**connection, window)?;
+    connection.sent(hints.set(&**connection, window))?;
     set_sizes(connection, window, options.smallest, scale, frame.size)
+}
+
+fn set_text(
+    connection: &Connection,
+    window: u32,
+    name: Atom,
+    kind: Atom,
+    text: &[u8],
+) -> Result<()> {
+    let asked = connection.change_property8(PropMode::REPLACE, window, name, kind, text);
+    connection.sent(asked).map(drop)
 }
 
 pub(super) fn set_sizes(
@@ -260,7 +213,7 @@ pub(super) fn set_sizes(
     smallest: [f32; 2],
     scale: f32,
     size: (u32, u32),
-) -> Result<(), x11rb::errors::ConnectionError> {
+) -> Result<()> {
     let screen = connection.screen();
     let most = (screen.width_in_pixels, screen.height_in_pixels);
     let (width, height) = in_pixels(smallest, scale, most);
@@ -271,30 +224,34 @@ pub(super) fn set_sizes(
         min_size: Some((width.into(), height.into())),
         ..WmSizeHints::new()
     };
-    sizes.set_normal_hints(&**connection, window).map(drop)
+    connection
+        .sent(sizes.set_normal_hints(&**connection, window))
+        .map(drop)
 }
 
 pub(super) fn set_title(connection: &Connection, window: u32, title: &str) -> Result<()> {
     let title = title.chars().filter(|c| !c.is_control());
     let title: String = title.take(LONGEST_TITLE).collect();
-    let old = latin1(&title);
-    let atoms = connection.atoms();
-    let set = || {
-        for name in [AtomEnum::WM_NAME, AtomEnum::WM_ICON_NAME] {
-            connection.change_property8(PropMode::REPLACE, window, name, AtomEnum::STRING, &old)?;
-        }
-        for name in [atoms._NET_WM_NAME, atoms._NET_WM_ICON_NAME] {
-            connection.change_property8(
-                PropMode::REPLACE,
-                window,
-                name,
-                atoms.UTF8_STRING,
-                title.as_bytes(),
-            )?;
-        }
-        Ok(())
-    };
-    set().map_err(|error: x11rb::errors::ConnectionError| connection.lost(error))
+    let (old, atoms) = (latin1(&title), connection.atoms());
+    for name in [AtomEnum::WM_NAME, AtomEnum::WM_ICON_NAME] {
+        set_text(
+            connection,
+            window,
+            name.into(),
+            AtomEnum::STRING.into(),
+            &old,
+        )?;
+    }
+    for name in [atoms._NET_WM_NAME, atoms._NET_WM_ICON_NAME] {
+        set_text(
+            connection,
+            window,
+            name,
+            atoms.UTF8_STRING,
+            title.as_bytes(),
+        )?;
+    }
+    Ok(())
 }
 
 /// WM_CLASS: the instance is the program, so that a desktop sees whose window it is; the class is
@@ -331,33 +288,33 @@ fn locale() -> String {
 /// Raises the window and asks for the focus. `top` is the top-level window around it, `time` that
 /// of the last user action.
 pub(super) fn raise(connection: &Connection, window: u32, top: u32, time: u32) -> Result<()> {
-    let lost = |error| connection.lost(error);
-    connection.map_window(window).map_err(lost)?;
+    connection.sent(connection.map_window(window))?;
     let above = ConfigureWindowAux::new().stack_mode(StackMode::ABOVE);
-    connection.configure_window(window, &above).map_err(lost)?;
+    connection.sent(connection.configure_window(window, &above))?;
     // Window managers act on the message; without one, the focus is set here. A window not yet
     // viewable cannot have it; the server's error about that is ignored.
     let data = [1, time, 0, 0, 0];
     let kind = connection.atoms()._NET_ACTIVE_WINDOW;
-    let message = ClientMessageEvent::new(32, top, kind, data);
-    let root = connection.screen().root;
-    let mask = EventMask::SUBSTRUCTURE_NOTIFY | EventMask::SUBSTRUCTURE_REDIRECT;
-    connection
-        .send_event(false, root, mask, message)
-        .map_err(lost)?;
+    tell_manager(connection, ClientMessageEvent::new(32, top, kind, data))?;
     let focus = connection.set_input_focus(InputFocus::PARENT, window, time);
-    focus.map(drop).map_err(lost)
+    connection.sent(focus).map(drop)
 }
 
 pub(super) fn answer_ping(connection: &Connection, question: &ClientMessageEvent) -> Result<()> {
-    let root = connection.screen().root;
     let answer = ClientMessageEvent {
-        window: root,
+        window: connection.screen().root,
         ..*question
     };
+    tell_manager(connection, answer)
+}
+
+/// Sends a message to the window manager.
+fn tell_manager(connection: &Connection, message: ClientMessageEvent) -> Result<()> {
+    let root = connection.screen().root;
     let mask = EventMask::SUBSTRUCTURE_NOTIFY | EventMask::SUBSTRUCTURE_REDIRECT;
-    let sent = connection.send_event(false, root, mask, answer);
-    sent.map(drop).map_err(|error| connection.lost(error))
+    connection
+        .sent(connection.send_event(false, root, mask, message))
+        .map(drop)
 }
 
 #[cfg(test)]
