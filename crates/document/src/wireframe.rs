@@ -40,7 +40,6 @@ impl Object {
     /// # Errors
     /// As [`Object::of_mesh`].
     pub fn features_of(mesh: &Mesh) -> Result<Self> {
-        mesh.check()?;
         of_lines(mesh, features(mesh)?)
     }
 }
@@ -78,9 +77,10 @@ fn of_lines(mesh: &Mesh, lines: impl IntoIterator<Item = [u32; 2]>) -> Result<Ob
 /// points as lines of length zero. Thinned evenly to some ten thousand.
 ///
 /// # Errors
-/// `ErrorKind::Memory`.
+/// As [`Mesh::check`]; `ErrorKind::Memory`.
 #[allow(clippy::cast_possible_truncation)]
 pub fn features(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
+    mesh.check()?;
     if mesh.lines.is_empty() && mesh.triangles.is_empty() {
         let every = mesh.points.len().div_ceil(MOST_LINES).max(1);
         let chosen = (0..mesh.points.len() as u32).step_by(every);
@@ -229,6 +229,18 @@ mod tests {
         }
         let found = features(&ball).unwrap().len();
         assert!((OF_SMOOTH / 2..=OF_SMOOTH).contains(&found), "{found}");
+    }
+
+    #[test]
+    fn a_mesh_whose_corners_are_missing_is_refused() {
+        for (lines, triangles) in [(vec![[0, 8]], vec![]), (vec![], vec![[0, 1, 8]])] {
+            let broken = Mesh {
+                lines,
+                triangles,
+                ..box_of(1.0)
+            };
+            assert!(features(&broken).is_err());
+        }
     }
 
     #[test]
