@@ -12,7 +12,9 @@ use super::editing::{Document, fresh_revision};
 use super::info::Info;
 use super::scene::SceneDocument;
 use super::vid;
-use crate::error::{EngineError, Refused, Result, can_allocate, vec_with_room};
+use crate::error::{
+    EngineError, OutOfRange, Refused, Result, TooMany, can_allocate, vec_with_room,
+};
 use crate::limits::MAX_FRAMES;
 use crate::path::fit_frames::frames_between;
 use crate::path::{CameraPath, Pose, Sampler};
@@ -328,7 +330,7 @@ impl Document {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let count = (last - first).floor() as usize + 1;
         if count > MAX_FRAMES {
-            return Err(crate::error::TooMany::SceneFrames.into());
+            return Err(TooMany::SceneFrames.into());
         }
         scene.prepare(first)?;
         Ok(Poses::Scene {
@@ -389,8 +391,12 @@ impl Poses<'_> {
                 scene,
                 camera,
                 first: start,
-                ..
+                count,
             } => {
+                let inside = (1..=count + 1).contains(&first);
+                if !inside || poses.len() > count + 1 - first {
+                    return Err(OutOfRange::FrameOfPath.into());
+                }
                 let mut states = vec_with_room(poses.len().min(BLOCK))?;
                 states.resize(poses.len().min(BLOCK), NodeState::default());
                 for (block, poses) in poses.chunks_mut(BLOCK).enumerate() {
