@@ -163,11 +163,8 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             at,
             absolute,
         } => {
-            let mut new = orientation(path, number, at)?.clone();
+            let mut new = no_longer_ahead(path, number, at)?;
             let position = path.points[number].position;
-            if new.own.ahead.is_some() {
-                new = no_longer_ahead(path, number, at)?;
-            }
             new.target = target::switched(new.target, position, absolute, path.space)?;
             Change::Orientation {
                 point: number,
@@ -320,12 +317,11 @@ fn bring_into_form(point: &mut SupportPoint) {
 /// The orientation with a view ahead along the path replaced by an equal relative target.
 ///
 /// # Errors
-/// `ErrorKind::Memory`.
+/// `ErrorKind::Range` if there is no such orientation; `ErrorKind::Memory`.
 pub fn no_longer_ahead(path: &CameraPath, point: usize, at: usize) -> Result<Orientation> {
-    let here = &path.points[point];
-    let mut new = here.orientations[at].clone();
+    let mut new = orientation(path, point, at)?.clone();
     if new.own.ahead.is_some() {
-        let far = new.target.offset_from(here.position).length();
+        let far = new.target.offset_from(path.points[point].position).length();
         new.target = Target::Relative(ahead::view(path, point, at) * far);
         new.own = new.own.with(|own| own.ahead = None)?;
     }
@@ -554,5 +550,21 @@ fn preset_number(preset: usize) -> Result<u8> {
     match u8::try_from(preset) {
         Ok(number) if preset < limits::PRESETS => Ok(number),
         _ => Err(OutOfRange::Between(Quantity::Preset, 0.0, 9.0).into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::ErrorKind;
+
+    #[test]
+    fn no_orientation_that_is_missing_looks_elsewhere() {
+        let path = CameraPath::default();
+        assert!(no_longer_ahead(&path, 1, 0).is_ok());
+        for (point, at) in [(2, 0), (0, 1), (usize::MAX, usize::MAX)] {
+            let error = no_longer_ahead(&path, point, at).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::Range);
+        }
     }
 }
