@@ -354,27 +354,9 @@ fn without_the_outdated(old: &Orientation, mut new: Orientation) -> Result<Orien
 /// The record of an inserted point that keeps the motion.
 fn on_curve(content: &Content, frame: f64) -> Result<(Change, Option<Selection>)> {
     check_room(content, 1, 1)?;
-    let Insertion {
-        at,
-        mut path,
-        changed,
-    } = insertion::on_curve(&content.path, frame)?;
-    let mut changes = vec_with_room(1 + changed.len())?;
-    let take = |points: &mut Vec<SupportPoint>, at: usize| {
-        std::mem::replace(&mut points[at], SupportPoint::nowhere())
-    };
-    let mut points = vec_with_room(1)?;
-    points.push(take(&mut path.points, at));
-    changes.push(Change::InsertPoints {
-        at,
-        points,
-        removal: 0,
-    });
-    for at in changed {
-        let point = take(&mut path.points, at);
-        changes.push(Change::Point { at, point });
-    }
-    Ok((Change::Several(changes), Some(Selection::at(at, 0))))
+    let Insertion { at, path, changed } = insertion::on_curve(&content.path, frame)?;
+    let count = 1;
+    put_in(content, block::Inserted { at, count, path, changed })
 }
 
 /// The record of mapping the path into another space.
