@@ -131,15 +131,28 @@ impl Around {
         Ok(())
     }
 
-    pub(super) fn pins(&self, path: &CameraPath) -> Vec<(usize, f64)> {
+    pub(super) fn pins(&self) -> Vec<(usize, f64)> {
         let there = self.pins.there();
-        let there = there.filter(|(point, _)| *point < path.points.len());
         let pins = there.filter_map(|(point, name)| Some((point, self.scene.marker(&name)?)));
         pins.collect()
     }
 
     pub(super) const fn pins_mut(&mut self) -> &mut Pins {
         &mut self.pins
+    }
+
+    /// The pins of a path of `count` points that takes the place of this one; `number` is the one
+    /// that a point gets in it. Pins of points that it lacks go.
+    pub(super) fn pins_in(&self, count: usize, number: impl Fn(usize) -> usize) -> Result<Pins> {
+        let mut pins = vec_with_room(self.pins.0.len())?;
+        let there = self.pins.there().map(|(point, marker)| Pinned {
+            point: number(point),
+            marker,
+            parked: 0,
+        });
+        pins.extend(there.filter(|pin| pin.point < count));
+        pins.sort_by_key(|pin: &Pinned| pin.point);
+        Ok(Pins(pins))
     }
 
     pub(super) fn with(&self, path: &CameraPath) -> Result<Scene> {
@@ -189,24 +202,14 @@ impl Pins {
 
     pub(super) fn insert_points(&mut self, at: usize, count: usize, removal: u64) {
         for pin in &mut self.0 {
-            if pin.parked == 0 && pin.point >= at {
-                pin.point += count;
-            } else if pin.parked == removal && removal != 0 {
-                pin.parked = 0;
-                pin.point += at;
-            }
+            vid::insert_points(&mut pin.point, &mut pin.parked, at, count, removal);
         }
         self.0.sort_by_key(|pin| pin.point);
     }
 
     pub(super) fn remove_points(&mut self, at: usize, count: usize, removal: u64) {
-        for pin in self.0.iter_mut().filter(|pin| pin.parked == 0) {
-            if pin.point >= at + count {
-                pin.point -= count;
-            } else if pin.point >= at {
-                pin.parked = removal;
-                pin.point -= at;
-            }
+        for pin in &mut self.0 {
+            vid::remove_points(&mut pin.point, &mut pin.parked, at, count, removal);
         }
     }
 }
@@ -255,7 +258,7 @@ impl Document {
         let Some(around) = self.around() else {
             return 1.0;
         };
-        let pins = around.pins(self.path());
+        let pins = around.pins();
         let before = |point| {
             self.timeline(|timeline| frames_between(self.path(), timeline, 0, point))
                 .ok()

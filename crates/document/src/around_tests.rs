@@ -264,6 +264,79 @@ fn pins_hold_whatever_is_done_to_the_path() {
     assert_eq!(document.scene().unwrap(), before);
 }
 
+/// The points of the first node that are pinned.
+fn pinned(document: &Document) -> Vec<usize> {
+    let scene = document.scene().unwrap();
+    let pins = scene.pins().iter().filter(|pin| pin.node == 0);
+    pins.map(|pin| pin.point).collect()
+}
+
+/// The scene of [`scene`] with its car edited, which has four points and meets "there" at one.
+fn pinned_at(point: usize) -> Document {
+    let mut document = document(&scene());
+    document.apply(Edit::EditNode(Some(0))).unwrap();
+    document
+        .apply(Edit::DivideSegment {
+            segment: 0,
+            points: 2,
+        })
+        .unwrap();
+    let mut scene = document.scene().unwrap();
+    scene.pin(0, point, Some("there")).unwrap();
+    document
+        .apply(Edit::ReplaceScene(Box::new(scene)))
+        .unwrap();
+    document.apply(Edit::EditNode(Some(0))).unwrap();
+    document
+}
+
+#[test]
+fn a_pin_stays_at_its_point_where_the_way_is_turned_round() {
+    let mut document = pinned_at(1);
+    assert_eq!(pinned(&document), [1]);
+    let place = document.path().points[1].position;
+    document.apply(Edit::Reverse).unwrap();
+    assert_eq!(pinned(&document), [2]);
+    assert_eq!(document.path().points[2].position, place);
+    assert_eq!(reached(&document), [5.0]);
+    document.undo();
+    assert_eq!((pinned(&document), reached(&document)), (vec![1], vec![5.0]));
+    document.redo();
+    assert_eq!(pinned(&document), [2]);
+    // A closed path still begins at its first point.
+    document.apply(Edit::SetClosed(true)).unwrap();
+    document.apply(Edit::MovePoint { from: 2, to: 1 }).unwrap();
+    document.apply(Edit::Reverse).unwrap();
+    assert_eq!(pinned(&document), [3]);
+    // Two would be met in the wrong order: refused, as wherever a marker comes too early.
+    let mut scene = document.scene().unwrap();
+    scene.set_marker("yonder", 1.0).unwrap();
+    scene.pin(0, 1, Some("yonder")).unwrap();
+    document
+        .apply(Edit::ReplaceScene(Box::new(scene.clone())))
+        .unwrap();
+    document.apply(Edit::EditNode(Some(0))).unwrap();
+    assert!(document.apply(Edit::Reverse).is_err());
+    assert_eq!(document.scene().unwrap(), scene);
+}
+
+#[test]
+fn pins_of_points_that_another_path_lacks_go_the_others_hold() {
+    let mut document = pinned_at(3);
+    let (long, short) = (document.path().clone(), CameraPath::default());
+    let replace = |path: &CameraPath| Edit::ReplacePath(Box::new(path.clone()));
+    document.apply(replace(&short)).unwrap();
+    assert_eq!(pinned(&document), [0; 0]);
+    document.apply(replace(&long)).unwrap();
+    assert_eq!(pinned(&document), [0; 0]);
+    while pinned(&document).is_empty() {
+        assert!(document.undo());
+    }
+    assert_eq!((pinned(&document), document.path()), (vec![3], &long));
+    document.apply(Edit::Repeat(2)).unwrap();
+    assert_eq!((pinned(&document), reached(&document)), (vec![3], vec![5.0]));
+}
+
 #[test]
 fn meshes_that_are_gone_broken_or_huge_leave_their_objects_empty_and_the_rest_as_it_is() {
     let folder = tempfile::tempdir().unwrap();

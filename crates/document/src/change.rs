@@ -1,9 +1,11 @@
-//! The records behind the edits. Applying a record swaps its values in and returns the record that
-//! undoes it, so that undo and redo are one operation and restore every bit.
+//! The records behind the edits. Applying a record exchanges its values with those of the document,
+//! so that it undoes itself: undo and redo are one operation and restore every bit.
+
+use std::mem::{swap, take};
 
 use glam::DVec3;
 
-use super::around::Around;
+use super::around::{Around, Pins};
 use super::info::Info;
 use super::vid::Comments;
 use crate::error::{Result, vec_with_room};
@@ -33,6 +35,31 @@ impl Content {
             orientations,
             comments: Comments::default(),
         }
+    }
+
+    /// Renumbers what is attached to points; see [`Comments::insert_points`].
+    fn points_inserted(&mut self, at: usize, count: usize, removal: u64) {
+        self.comments.insert_points(at, count, removal);
+        if let Some(around) = &mut self.around {
+            around.pins_mut().insert_points(at, count, removal);
+        }
+    }
+
+    /// The same for removed points; returns the number of the removal.
+    fn points_removed(&mut self, at: usize, count: usize) -> u64 {
+        let removal = self.comments.remove_points(at, count);
+        if let Some(around) = &mut self.around {
+            around.pins_mut().remove_points(at, count, removal);
+        }
+        removal
+    }
+
+    fn exchange_path(&mut self, path: &mut CameraPath, removal: &mut u64) {
+        let removed = self.comments.remove_points(0, self.path.points.len());
+        self.comments.insert_points(0, 0, *removal);
+        swap(&mut self.path, path);
+        self.orientations = count_orientations(&self.path.points);
+        *removal = removed;
     }
 }
 
@@ -107,9 +134,9 @@ pub(super) enum Change {
         at: usize,
     },
     Info(Box<Info>),
-    /// A path, and the removal that took its points away.
-    Path(Box<CameraPath>, u64),
-    /// As `Path`, with the scene around it.
+    /// A path, its pins, and the removal that took its points away.
+    Path(Box<CameraPath>, Pins, u64),
+    /// As `Path`, with the scene around it, which has the pins.
     Scene(Option<Box<Around>>, Box<CameraPath>, u64),
 }
 
@@ -203,110 +230,70 @@ impl Change {
         }
     }
 
-    pub(super) fn apply(self, content: &mut Content) -> Self {
+    /// Exchanges its values with those of the document; it then undoes itself.
+    pub(super) fn apply(&mut self, content: &mut Content, plan: &mut Plan) {
+        self.announce(plan);
+        self.exchange(content);
+    }
+
+    fn exchange(&mut self, content: &mut Content) {
         let path = &mut content.path;
         match self {
-            Self::Position { at, position } => Self::Position {
-                at,
-                position: std::mem::replace(&mut path.points[at].position, position),
-            },
-            Self::Name { at, name } => Self::Name {
-                at,
-                name: std::mem::replace(&mut path.points[at].name, name),
-            },
-            Self::Curve { at, curve } => Self::Curve {
-                at,
-                curve: std::mem::replace(&mut path.points[at].curve, curve),
-            },
+            Self::Position { at, position } => swap(&mut path.points[*at].position, position),
+            Self::Name { at, name } => swap(&mut path.points[*at].name, name),
+            Self::Curve { at, curve } => swap(&mut path.points[*at].curve, curve),
             Self::Orientation {
                 point,
                 at,
                 orientation,
-            } => Self::Orientation {
-                point,
-                at,
-                orientation: std::mem::replace(
-                    &mut path.points[point].orientations[at],
-                    orientation,
-                ),
-            },
-            Self::Preset { preset, tcb } => Self::Preset {
-                preset,
-                tcb: std::mem::replace(&mut path.presets[preset], tcb),
-            },
-            Self::Speeds(speeds) => Self::Speeds(std::mem::replace(&mut path.speeds, speeds)),
-            Self::Closed(closed) => Self::Closed(std::mem::replace(&mut path.closed, closed)),
-            Self::CurveKind(curve) => Self::CurveKind(std::mem::replace(&mut path.curve, curve)),
-            Self::Point { at, mut point } => {
-                let there = &mut path.points[at];
-                content.orientations += point.orientations.len();
-                content.orientations -= there.orientations.len();
-                std::mem::swap(there, &mut point);
-                Self::Point { at, point }
+            } => swap(&mut path.points[*point].orientations[*at], orientation),
+            Self::Preset { preset, tcb } => swap(&mut path.presets[*preset], tcb),
+            Self::Speeds(speeds) => swap(&mut path.speeds, speeds),
+            Self::Closed(closed) => swap(&mut path.closed, closed),
+            Self::CurveKind(curve) => swap(&mut path.curve, curve),
+            Self::Point { at, point } => {
+                swap(&mut path.points[*at], point);
+                content.orientations -= point.orientations.len();
+                content.orientations += path.points[*at].orientations.len();
             }
-            Self::Tangents { at, tangents } => Self::Tangents {
-                at,
-                tangents: std::mem::replace(&mut path.points[at].tangents, tangents),
-            },
-            Self::Several(mut changes) => {
-                for change in &mut changes {
-                    let one = std::mem::replace(change, Self::Closed(false));
-                    *change = one.apply(content);
-                }
+            Self::Tangents { at, tangents } => swap(&mut path.points[*at].tangents, tangents),
+            Self::Several(changes) => {
+                changes.iter_mut().for_each(|change| change.exchange(content));
                 changes.reverse();
-                Self::Several(changes)
             }
-            Self::Modes(orientation, zoom) => Self::Modes(
-                std::mem::replace(&mut path.orientation_mode, orientation),
-                std::mem::replace(&mut path.zoom_mode, zoom),
-            ),
-            Self::Space(space) => Self::Space(std::mem::replace(&mut path.space, space)),
+            Self::Modes(orientation, zoom) => {
+                swap(&mut path.orientation_mode, orientation);
+                swap(&mut path.zoom_mode, zoom);
+            }
+            Self::Space(space) => swap(&mut path.space, space),
             Self::InsertPoints {
                 at,
-                mut points,
+                points,
                 removal,
             } => {
-                let count = points.len();
-                content.comments.insert_points(at, count, removal);
-                if let Some(around) = &mut content.around {
-                    around.pins_mut().insert_points(at, count, removal);
-                }
-                content.orientations += count_orientations(&points);
-                path.points.splice(at..at, points.drain(..));
-                Self::RemovePoints {
-                    at,
-                    count,
-                    room: points,
-                }
+                let (at, count, mut room) = (*at, points.len(), take(points));
+                content.orientations += count_orientations(&room);
+                path.points.splice(at..at, room.drain(..));
+                content.points_inserted(at, count, *removal);
+                *self = Self::RemovePoints { at, count, room };
             }
-            Self::RemovePoints {
-                at,
-                count,
-                mut room,
-            } => {
-                room.extend(path.points.drain(at..at + count));
-                content.orientations -= count_orientations(&room);
-                let removal = content.comments.remove_points(at, count);
-                if let Some(around) = &mut content.around {
-                    around.pins_mut().remove_points(at, count, removal);
-                }
-                Self::InsertPoints {
+            Self::RemovePoints { at, count, room } => {
+                let (at, mut points) = (*at, take(room));
+                points.extend(path.points.drain(at..at + *count));
+                content.orientations -= count_orientations(&points);
+                *self = Self::InsertPoints {
                     at,
-                    points: room,
-                    removal,
-                }
+                    points,
+                    removal: content.points_removed(at, *count),
+                };
             }
             Self::MovePoint { from, to } => {
                 // The insertion reuses the room of the removed point.
-                let point = path.points.remove(from);
-                path.points.insert(to, point);
-                let removal = content.comments.remove_points(from, 1);
-                content.comments.insert_points(to, 1, removal);
-                if let Some(around) = &mut content.around {
-                    around.pins_mut().remove_points(from, 1, removal);
-                    around.pins_mut().insert_points(to, 1, removal);
-                }
-                Self::MovePoint { from: to, to: from }
+                let point = path.points.remove(*from);
+                path.points.insert(*to, point);
+                let removal = content.points_removed(*from, 1);
+                content.points_inserted(*to, 1, removal);
+                swap(from, to);
             }
             Self::InsertOrientation {
                 point,
@@ -314,43 +301,38 @@ impl Change {
                 orientation,
                 removal,
             } => {
-                content.comments.insert_orientation(point, at, removal);
-                path.points[point].orientations.insert(at, orientation);
+                let (point, at) = (*point, *at);
+                content.comments.insert_orientation(point, at, *removal);
+                let orientations = &mut path.points[point].orientations;
+                orientations.insert(at, take(orientation));
                 content.orientations += 1;
-                Self::RemoveOrientation { point, at }
+                *self = Self::RemoveOrientation { point, at };
             }
             Self::RemoveOrientation { point, at } => {
                 content.orientations -= 1;
-                Self::InsertOrientation {
-                    point,
-                    at,
-                    orientation: path.points[point].orientations.remove(at),
-                    removal: content.comments.remove_orientation(point, at),
+                *self = Self::InsertOrientation {
+                    point: *point,
+                    at: *at,
+                    orientation: path.points[*point].orientations.remove(*at),
+                    removal: content.comments.remove_orientation(*point, *at),
+                };
+            }
+            Self::Info(info) => swap(&mut content.info, info),
+            Self::Path(other, pins, removal) => {
+                if let Some(around) = &mut content.around {
+                    swap(around.pins_mut(), pins);
                 }
+                content.exchange_path(other, removal);
             }
-            Self::Info(mut info) => {
-                std::mem::swap(&mut content.info, &mut info);
-                Self::Info(info)
-            }
-            Self::Path(mut other, removal) => {
-                let old = content.comments.remove_points(0, path.points.len());
-                content.comments.insert_points(0, 0, removal);
-                std::mem::swap(path, &mut other);
-                content.orientations = count_orientations(&path.points);
-                Self::Path(other, old)
-            }
-            Self::Scene(mut around, path, removal) => {
-                std::mem::swap(&mut content.around, &mut around);
-                match Self::Path(path, removal).apply(content) {
-                    Self::Path(path, removal) => Self::Scene(around, path, removal),
-                    other => other,
-                }
+            Self::Scene(around, path, removal) => {
+                swap(&mut content.around, around);
+                content.exchange_path(path, removal);
             }
         }
     }
 
     /// Tells `plan` what applying it makes out of date.
-    pub(super) fn announce(&self, plan: &mut Plan) {
+    fn announce(&self, plan: &mut Plan) {
         match self {
             Self::Name { .. } | Self::Info(_) => {}
             Self::Position { at, .. } | Self::Curve { at, .. } | Self::Tangents { at, .. } => {
@@ -411,7 +393,7 @@ impl Change {
             Self::InsertPoints { points, .. } => weigh(points),
             Self::RemovePoints { room, .. } => room.capacity() * size_of::<SupportPoint>(),
             Self::Info(info) => info.title.len() + info.comment.len() + size_of_val(&*info.object),
-            Self::Path(path, _) => weigh(&path.points),
+            Self::Path(path, ..) => weigh(&path.points),
             Self::Scene(around, path, _) => {
                 weigh(&path.points) + around.as_ref().map_or(0, |around| around.weight())
             }

@@ -209,11 +209,10 @@ impl Document {
     /// Why the edit is impossible; the document is unchanged then.
     pub fn apply(&mut self, edit: Edit) -> Result<()> {
         let same_for_a_file = matches!(edit, Edit::EditNode(_));
-        let (change, selection) = prepare::prepare(&self.content, edit)?;
+        let (mut change, selection) = prepare::prepare(&self.content, edit)?;
         if change.is_idle(&self.content) {
             return Ok(());
         }
-        change.reserve(&mut self.content)?;
         let keeps_record = self.open.is_some() || self.history.keeps_any();
         let mut own = Step::new(self.selection, self.state);
         let step = self.open.as_mut().unwrap_or(&mut own);
@@ -222,37 +221,31 @@ impl Document {
             self.history.reserve()?;
         }
         change.reserve(&mut self.content)?;
-        change.announce(&mut self.plan);
         let shapes = change.may_undefine_ups();
-        let inverse = change.apply(&mut self.content);
-        if shapes && let Err(error) = check_ups(&self.content.path) {
-            inverse.announce(&mut self.plan);
-            inverse.apply(&mut self.content);
-            return Err(error.into());
-        }
-        let held = prepare::held_by_pins(&self.content, &self.plan).and_then(|held| {
+        change.apply(&mut self.content, &mut self.plan);
+        let mut check = || -> Result<_> {
+            if shapes {
+                check_ups(&self.content.path)?;
+            }
+            let held = prepare::held_by_pins(&self.content, &self.plan)?;
             if held.is_some() && keeps_record {
                 step.reserve_more(2)?;
             }
             Ok(held)
-        });
-        let held = match held {
+        };
+        let mut held = match check() {
             Ok(held) => held,
             Err(error) => {
-                inverse.announce(&mut self.plan);
-                inverse.apply(&mut self.content);
+                change.apply(&mut self.content, &mut self.plan);
                 return Err(error);
             }
         };
-        if keeps_record {
-            step.push(inverse);
+        if let Some(held) = &mut held {
+            held.apply(&mut self.content, &mut self.plan);
         }
-        if let Some(held) = held {
-            held.announce(&mut self.plan);
-            let inverse = held.apply(&mut self.content);
-            if keeps_record {
-                step.push(inverse);
-            }
+        if keeps_record {
+            step.push(change);
+            held.into_iter().for_each(|held| step.push(held));
         }
         if self.open.is_none() {
             own.close();
@@ -379,10 +372,7 @@ impl Document {
     }
 
     fn exchange(&mut self, step: &mut Step) {
-        step.exchange(|change| {
-            change.announce(&mut self.plan);
-            change.apply(&mut self.content)
-        });
+        step.exchange(|change| change.apply(&mut self.content, &mut self.plan));
         std::mem::swap(&mut step.selection, &mut self.selection);
         std::mem::swap(&mut step.state, &mut self.state);
         self.revision = fresh_revision();

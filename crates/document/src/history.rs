@@ -78,12 +78,9 @@ impl Step {
         self.changes.is_empty()
     }
 
-    /// Applies each record and keeps its inverse.
-    pub(super) fn exchange(&mut self, mut apply: impl FnMut(Change) -> Change) {
-        for change in &mut self.changes {
-            let taken = std::mem::replace(change, Change::Closed(false));
-            *change = apply(taken);
-        }
+    /// Applies each record, which then undoes itself.
+    pub(super) fn exchange(&mut self, apply: impl FnMut(&mut Change)) {
+        self.changes.iter_mut().for_each(apply);
         self.changes.reverse();
     }
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::around::{self, Around};
+use super::around::{self, Around, Pins};
 use super::change::{Change, Content, count_orientations};
 use super::edit::Edit;
 use super::editing::Selection;
@@ -189,7 +189,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             content.info.check(around.scene().space())?;
             return exchanged_scene(Some(around).filter(|around| !around.is_path_alone()), path);
         }
-        Edit::ReplacePath(path) => return replaced(content, *path),
+        Edit::ReplacePath(path) => return replaced(content, *path, |point| point),
         Edit::TransformPoints {
             points,
             matrix,
@@ -213,8 +213,16 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             fit,
             with_targets,
         } => return put_in(content, block::insert(path, at, &block, fit, with_targets)?),
-        Edit::Reverse => return replaced(content, block::reverse(path)?),
-        Edit::Repeat(times) => return replaced(content, block::repeat(path, times)?),
+        Edit::Reverse => {
+            let count = path.points.len();
+            // A closed path still begins at its first point.
+            let begin = if path.closed { count } else { count - 1 };
+            let number = |point| (begin - point) % count;
+            return replaced(content, block::reverse(path)?, number);
+        }
+        Edit::Repeat(times) => {
+            return replaced(content, block::repeat(path, times)?, |point| point);
+        }
         Edit::SetSpace { space, fit } => {
             space.check()?;
             content.info.check(space)?;
@@ -229,11 +237,21 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
     Ok((change, None))
 }
 
-fn replaced(content: &Content, mut path: CameraPath) -> Result<(Change, Option<Selection>)> {
+/// Another path, in which a point has this number.
+fn replaced(
+    content: &Content,
+    mut path: CameraPath,
+    number: impl Fn(usize) -> usize,
+) -> Result<(Change, Option<Selection>)> {
     normalise(&mut path)?;
     content.info.check(path.space)?;
+    let pins = match &content.around {
+        Some(around) => around.pins_in(path.points.len(), number)?,
+        None => Pins::default(),
+    };
     can_allocate(size_of::<CameraPath>())?;
-    Ok((Change::Path(Box::new(path), 0), Some(Selection::default())))
+    let change = Change::Path(Box::new(path), pins, 0);
+    Ok((change, Some(Selection::default())))
 }
 
 fn other_node(content: &Content, node: Option<usize>) -> Result<(Change, Option<Selection>)> {
@@ -382,7 +400,7 @@ fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result
 pub(super) fn held_by_pins(content: &Content, plan: &Plan) -> Result<Option<Change>> {
     let path = &content.path;
     let pins = match &content.around {
-        Some(around) => around.pins(path),
+        Some(around) => around.pins(),
         None => return Ok(None),
     };
     if pins.is_empty() {

@@ -48,7 +48,7 @@ use super::NotAFile;
 use crate::error::{EngineError, Error, Malformed, Result, can_allocate, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
 
-pub(super) use comments::Comments;
+pub(super) use comments::{Comments, insert_points, remove_points};
 pub(super) use read::{from_toml, scene_from_toml, shown_from_toml};
 pub(super) use scene_write::{alone, scene_to_toml};
 pub(super) use write::to_toml;
