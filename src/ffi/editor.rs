@@ -230,7 +230,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
         };
         // A new path is moved to the same place in the given space; others have coordinates of
         // their own.
-        let fit = options.path.is_null() && document.read_contents().is_none();
+        let fit = options.path.is_null() && document.fingerprint().is_none();
         document.apply(Edit::SetSpace { space, fit })?;
     }
     // SAFETY: as required of the caller.

@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::around;
 use super::change::Content;
-use super::contents::Contents;
 use super::edit::Edit;
+use super::fingerprint::Fingerprint;
 use super::history::{History, Step};
 use super::info::Info;
 use super::mesh_file;
@@ -55,8 +55,8 @@ pub struct Document {
     /// Unique to these contents within the process.
     revision: u64,
     plan: Plan,
-    /// Contents of the file it was read from.
-    read: Option<Contents>,
+    /// That of the file it was read from.
+    fingerprint: Option<Fingerprint>,
 }
 
 /// The next [`Document::revision`]: unique but unordered, so relaxed ordering is enough.
@@ -108,7 +108,7 @@ impl Document {
             saved: 0,
             revision: fresh_revision(),
             plan: Plan::new(),
-            read: None,
+            fingerprint: None,
         }
     }
 
@@ -116,16 +116,16 @@ impl Document {
     #[must_use]
     pub fn as_opened(self) -> Self {
         let mut opened = Self::with(self.content.path, self.content.info);
-        opened.read = self.read;
+        opened.fingerprint = self.fingerprint;
         opened.content.comments = self.content.comments;
         opened.content.around = self.content.around;
         opened
     }
 
-    /// Contents of the file the document was read from, if any.
+    /// That of the file the document was read from, if any, as it was then.
     #[must_use]
-    pub fn read_contents(&self) -> Option<Contents> {
-        self.read
+    pub fn fingerprint(&self) -> Option<Fingerprint> {
+        self.fingerprint
     }
 
     /// The same document without a history from now on: `undo` has nothing to take back.
@@ -144,7 +144,7 @@ impl Document {
         let path = self.content.path.try_clone()?;
         let mut copy = Self::with(path, self.content.info.try_clone()?);
         copy.selection = self.selection;
-        copy.read = self.read;
+        copy.fingerprint = self.fingerprint;
         copy.content.comments = self.content.comments.try_clone()?;
         copy.content.around.clone_from(&self.content.around);
         if !self.history.keeps_any() {
@@ -499,7 +499,7 @@ impl Document {
         let mut document = Self::from_parts(path, loaded.info)?;
         can_allocate(size_of_val(&around))?;
         document.content.around = Some(Box::new(around));
-        document.read = Some(Contents::of(text.as_bytes()));
+        document.fingerprint = Some(Fingerprint::of(text.as_bytes()));
         Ok((document, warnings))
     }
 
@@ -556,7 +556,7 @@ impl Document {
     }
 
     fn read_from(mut self, text: &str) -> Result<Self> {
-        self.read = Some(Contents::of(text.as_bytes()));
+        self.fingerprint = Some(Fingerprint::of(text.as_bytes()));
         self.content.comments = Comments::of(text)?;
         Ok(self)
     }

@@ -12,13 +12,13 @@ mod blocks;
 mod cage;
 mod change;
 mod check;
-mod contents;
 mod draw;
 mod edit;
 mod editing;
 pub mod error;
 pub mod export;
 mod export_node;
+mod fingerprint;
 mod history;
 mod info;
 mod mesh_file;
@@ -35,11 +35,11 @@ pub mod vid;
 mod wireframe;
 
 pub use around::{Around, Poses};
-pub use contents::Contents;
 pub use edit::Edit;
 pub use editing::{Document, Selection};
 pub use error::{Error, Result};
 pub use export_node::write_node;
+pub use fingerprint::Fingerprint;
 pub use info::{Info, Object, ObjectPoint};
 pub use mesh_file::{Watcher, load_mesh, load_object, watch_meshes};
 #[doc(hidden)]

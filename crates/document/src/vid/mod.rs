@@ -39,12 +39,10 @@ mod scene_write;
 mod weight;
 mod write;
 
-use std::fs::OpenOptions;
 use std::io::Read;
-use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
-use super::NotAFile;
+use super::not_a_file::open;
 use crate::error::{EngineError, Error, Malformed, Result, can_allocate, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
 
@@ -84,19 +82,13 @@ pub(crate) fn read_bytes(file: &Path, most: u64) -> Result<Vec<u8>> {
         place: file.display().to_string(),
         source,
     };
-    // Without O_NONBLOCK, opening a pipe without a writer would block forever.
-    let mut opened = OpenOptions::new()
-        .read(true)
-        .custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY)
-        .open(file)
-        .map_err(io)?;
-    let metadata = opened.metadata().map_err(io)?;
-    NotAFile::refuse(&metadata).map_err(io)?;
-    if metadata.len() > most {
+    let mut opened = open(file).map_err(io)?;
+    let size = opened.metadata().map_err(io)?.len();
+    if size > most {
         return Err(too_large(most));
     }
     // One byte more, so that reading to the end does not grow it.
-    let room = usize::try_from(metadata.len()).map_err(|_| EngineError::Memory)? + 1;
+    let room = usize::try_from(size).map_err(|_| EngineError::Memory)? + 1;
     read_all(&mut opened, &place, room, most)
 }
 
