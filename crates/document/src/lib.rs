@@ -46,7 +46,7 @@ pub use mesh_file::{Watcher, load_mesh, load_object, watch_meshes};
 pub use not_a_file::NotAFile;
 pub use wireframe::features;
 
-pub use poses::{Recorded, load_poses, poses_of_text};
+pub use poses::{Recorded, load_poses, load_poses_from, poses_of_text};
 pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;
 
