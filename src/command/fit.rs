@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let mut bar = io::stderr()
         .is_terminal()
-        .then(|| Bar::new(io::stderr(), "poses"));
+        .then(|| Bar::new(io::stderr(), Some("poses")));
     let path = fit(
         &poses,
         times.as_deref(),
