@@ -306,7 +306,8 @@ impl Document {
         Some(is_plain(&around.scene.nodes()[shown]))
     }
 
-    /// All present poses of the shown camera.
+    /// All present poses of the shown camera: those of its path's frames, or if it has none, of the
+    /// scene's. [`export::write`](crate::export::write) writes those of the scene's in any case.
     ///
     /// # Errors
     /// `ErrorKind::Argument` without a camera; `ErrorKind::Limit` for too many frames;

@@ -3,6 +3,7 @@ use vides_engine::scene::{Beyond, Camera, Marker};
 use super::*;
 use crate::Edit;
 use crate::error::ErrorKind;
+use crate::export::Format;
 use crate::path::Space;
 use glam::DVec3;
 
@@ -144,6 +145,23 @@ fn poses_are_those_of_the_camera_that_is_shown() {
     );
 }
 
+/// A program that takes the poses wants the flight; a file has the frames that all else is at.
+#[test]
+fn poses_begin_with_the_path_and_files_with_the_scene() {
+    let document = document(&scene());
+    let poses = document.poses().unwrap();
+    let mut first = [Pose::default()];
+    poses.sample(1, &mut first).unwrap();
+    let mut text = Vec::new();
+    crate::export::write(&document, Format::Csv, &mut text, &mut |_, _| {}).unwrap();
+    let lines = String::from_utf8(text).unwrap();
+    // The car goes from frame 1 on, the camera from frame 11 to the last.
+    assert_eq!(lines.lines().count(), 1 + 10 + poses.frame_count());
+    let (written, frames) = crate::poses_of_text(&lines).unwrap();
+    assert_eq!(frames.unwrap()[10], 11.0);
+    assert_eq!(written[10], first[0]);
+}
+
 #[test]
 fn poses_of_a_camera_that_moves_by_keys_are_those_of_the_scene() {
     let text = "version = 1\n[[node]]\nname = \"eye\"\nkind = \"camera\"\n[[node.track]]\n\
@@ -283,9 +301,7 @@ fn pinned_at(point: usize) -> Document {
         .unwrap();
     let mut scene = document.scene().unwrap();
     scene.pin(0, point, Some("there")).unwrap();
-    document
-        .apply(Edit::ReplaceScene(Box::new(scene)))
-        .unwrap();
+    document.apply(Edit::ReplaceScene(Box::new(scene))).unwrap();
     document.apply(Edit::EditNode(Some(0))).unwrap();
     document
 }
@@ -300,7 +316,10 @@ fn a_pin_stays_at_its_point_where_the_way_is_turned_round() {
     assert_eq!(document.path().points[2].position, place);
     assert_eq!(reached(&document), [5.0]);
     document.undo();
-    assert_eq!((pinned(&document), reached(&document)), (vec![1], vec![5.0]));
+    assert_eq!(
+        (pinned(&document), reached(&document)),
+        (vec![1], vec![5.0])
+    );
     document.redo();
     assert_eq!(pinned(&document), [2]);
     // A closed path still begins at its first point.
@@ -334,7 +353,10 @@ fn pins_of_points_that_another_path_lacks_go_the_others_hold() {
     }
     assert_eq!((pinned(&document), document.path()), (vec![3], &long));
     document.apply(Edit::Repeat(2)).unwrap();
-    assert_eq!((pinned(&document), reached(&document)), (vec![3], vec![5.0]));
+    assert_eq!(
+        (pinned(&document), reached(&document)),
+        (vec![3], vec![5.0])
+    );
 }
 
 #[test]

@@ -258,7 +258,9 @@ impl Change {
             }
             Self::Tangents { at, tangents } => swap(&mut path.points[*at].tangents, tangents),
             Self::Several(changes) => {
-                changes.iter_mut().for_each(|change| change.exchange(content));
+                changes
+                    .iter_mut()
+                    .for_each(|change| change.exchange(content));
                 changes.reverse();
             }
             Self::Modes(orientation, zoom) => {

@@ -374,7 +374,15 @@ fn on_curve(content: &Content, frame: f64) -> Result<(Change, Option<Selection>)
     check_room(content, 1, 1)?;
     let Insertion { at, path, changed } = insertion::on_curve(&content.path, frame)?;
     let count = 1;
-    put_in(content, block::Inserted { at, count, path, changed })
+    put_in(
+        content,
+        block::Inserted {
+            at,
+            count,
+            path,
+            changed,
+        },
+    )
 }
 
 /// The record of mapping the path into another space.
