@@ -463,9 +463,9 @@ impl Document {
     /// # Errors
     /// As [`Document::load`].
     pub fn load_scene(file: &Path) -> Result<(Self, Vec<Error>)> {
-        let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        Self::scene_from_toml(&text, &absolute_folder_of(file))
-            .map_err(|error| error.at(file.display()))
+        vid::load(file, |text| {
+            Self::scene_from_toml(text, &absolute_folder_of(file))
+        })
     }
 
     /// As [`Document::load_scene`], from `reader`, which messages call `name`. Mesh names are
@@ -474,8 +474,8 @@ impl Document {
     /// # Errors
     /// As [`Document::load`].
     pub fn load_scene_from(reader: &mut dyn Read, name: &str) -> Result<(Self, Vec<Error>)> {
-        let text = vid::read_from(reader, name)?;
-        Self::scene_from_toml(&text, Path::new(".")).map_err(|error| error.at(name))
+        let folder = Path::new(".");
+        vid::load_from(reader, name, |text| Self::scene_from_toml(text, folder))
     }
 
     /// As [`Document::load_scene`], from a text. Mesh names are relative to `folder`.
@@ -508,13 +508,7 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with file, line and reason.
     pub fn load(file: &Path) -> Result<Self> {
-        let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        let loaded = Self::from_toml(&text).and_then(|mut document| {
-            // Warnings are reported by `load_scene` only.
-            document.read_object(&absolute_folder_of(file))?;
-            Ok(document)
-        });
-        loaded.map_err(|error| error.at(file.display()))
+        vid::load(file, |text| Self::from_toml(text)?.with_object(file))
     }
 
     /// Reads the object's mesh file, if it has one; returns a warning.
@@ -523,17 +517,18 @@ impl Document {
         mesh_file::read_object(&mut self.content.info, space, folder)
     }
 
+    fn with_object(mut self, file: &Path) -> Result<Self> {
+        // Warnings are reported by `load_scene` only.
+        self.read_object(&absolute_folder_of(file))?;
+        Ok(self)
+    }
+
     /// As [`Document::load`], but of a scene it takes the shown camera's path and drops the rest.
     ///
     /// # Errors
     /// As [`Document::load`]; `ErrorKind::Argument` if the scene has no camera on a path.
     pub fn load_shown(file: &Path) -> Result<Self> {
-        let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        let shown = Self::shown(&text).and_then(|mut document| {
-            document.read_object(&absolute_folder_of(file))?;
-            Ok(document)
-        });
-        shown.map_err(|error| error.at(file.display()))
+        vid::load(file, |text| Self::shown(text)?.with_object(file))
     }
 
     /// As [`Document::load_shown`], from `reader`, which messages call `name`.
@@ -541,8 +536,7 @@ impl Document {
     /// # Errors
     /// As [`Document::load_shown`].
     pub fn load_shown_from(reader: &mut dyn Read, name: &str) -> Result<Self> {
-        let text = vid::read_from(reader, name)?;
-        Self::shown(&text).map_err(|error| error.at(name))
+        vid::load_from(reader, name, Self::shown)
     }
 
     fn shown(text: &str) -> Result<Self> {
@@ -555,6 +549,7 @@ impl Document {
         }
     }
 
+    /// With what else belongs to the text it was read from.
     fn read_from(mut self, text: &str) -> Result<Self> {
         self.fingerprint = Some(Fingerprint::of(text.as_bytes()));
         self.content.comments = Comments::of(text)?;
@@ -566,8 +561,7 @@ impl Document {
     /// # Errors
     /// As [`Document::load`].
     pub fn load_from(reader: &mut dyn Read, name: &str) -> Result<Self> {
-        let text = vid::read_from(reader, name)?;
-        Self::from_toml(&text).map_err(|error| error.at(name))
+        vid::load_from(reader, name, Self::from_toml)
     }
 
     /// The document in the text of a `.vid` file.
@@ -602,11 +596,7 @@ impl Document {
             return vid::to_toml(&content.path, &content.info, &content.comments, folder);
         };
         let scene = around.with(&content.path)?;
-        let text = vid::scene_to_toml(&scene, &content.info, &content.comments, folder)?;
-        if text.len() as u64 > limits::MAX_FILE_BYTES {
-            return Err(Error::FileTooLarge(limits::MAX_FILE_BYTES >> 20));
-        }
-        Ok(text)
+        vid::scene_to_toml(&scene, &content.info, &content.comments, folder)
     }
 
     /// Saves atomically and durably ([`super::save`]); see [`Document::mark_saved`].

@@ -3,9 +3,8 @@
 use std::io::Read;
 use std::path::Path;
 
-use super::vid::{read_from, read_text};
+use super::vid;
 use crate::error::{Error, Key, Malformed, Result, Value};
-use crate::limits::MAX_FILE_BYTES;
 use crate::path::Pose;
 
 /// Poses, and their frame numbers if each has one.
@@ -18,8 +17,7 @@ const POSE: usize = 10;
 /// # Errors
 /// [`Error::Io`]; those of [`poses_of_text`] with the file.
 pub fn load_poses(file: &Path) -> Result<Recorded> {
-    let text = read_text(file, MAX_FILE_BYTES)?;
-    poses_of_text(&text).map_err(|error| error.at(file.display()))
+    vid::load(file, poses_of_text)
 }
 
 /// As [`load_poses`], from `reader`, which messages call `name`.
@@ -27,8 +25,7 @@ pub fn load_poses(file: &Path) -> Result<Recorded> {
 /// # Errors
 /// As [`load_poses`].
 pub fn load_poses_from(reader: &mut dyn Read, name: &str) -> Result<Recorded> {
-    let text = read_from(reader, name)?;
-    poses_of_text(&text).map_err(|error| error.at(name))
+    vid::load_from(reader, name, poses_of_text)
 }
 
 /// The poses in a text, numbers separated by commas or blanks; a heading on line 1 is skipped.

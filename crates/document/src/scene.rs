@@ -7,7 +7,6 @@ use super::info::Info;
 use super::mesh_file;
 use super::vid::{self, Comments};
 use crate::error::{Error, Result, can_allocate};
-use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
 use vides_engine::scene::{FollowPath, Scene};
 
@@ -63,10 +62,9 @@ impl SceneDocument {
     /// # Errors
     /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with file, line and reason.
     pub fn load(file: &Path) -> Result<Self> {
-        let text = vid::read_text(file, MAX_FILE_BYTES)?;
-        Self::from_toml(&text)
-            .and_then(|document| document.with_meshes(folder_of(file)))
-            .map_err(|error| error.at(file.display()))
+        vid::load(file, |text| {
+            Self::from_toml(text)?.with_meshes(folder_of(file))
+        })
     }
 
     /// As [`SceneDocument::load`], from `reader`, which messages call `name`.
@@ -74,10 +72,9 @@ impl SceneDocument {
     /// # Errors
     /// As [`SceneDocument::load`].
     pub fn load_from(reader: &mut dyn Read, name: &str) -> Result<Self> {
-        let text = vid::read_from(reader, name)?;
-        Self::from_toml(&text)
-            .and_then(|document| document.with_meshes(Path::new("")))
-            .map_err(|error| error.at(name))
+        vid::load_from(reader, name, |text| {
+            Self::from_toml(text)?.with_meshes(Path::new(""))
+        })
     }
 
     fn with_meshes(mut self, folder: &Path) -> Result<Self> {
@@ -121,11 +118,7 @@ impl SceneDocument {
     }
 
     fn text(&self, folder: Option<&Path>) -> Result<String> {
-        let text = vid::scene_to_toml(&self.scene, &self.info, &self.comments, folder)?;
-        if text.len() as u64 > MAX_FILE_BYTES {
-            return Err(Error::FileTooLarge(MAX_FILE_BYTES >> 20));
-        }
-        Ok(text)
+        vid::scene_to_toml(&self.scene, &self.info, &self.comments, folder)
     }
 
     /// Saves as a `.vid` file, atomically and durably ([`super::save`]).

@@ -190,6 +190,18 @@ impl<'a> Field<'a> {
         }
     }
 
+    /// The value that one of these names stands for.
+    pub fn one_of<T, const N: usize>(
+        &self,
+        names: &'static [&'static str; N],
+        values: [T; N],
+    ) -> Result<T> {
+        let name = self.text()?;
+        let mut known = names.iter().zip(values);
+        let found = known.find_map(|(known, value)| (*known == name).then_some(value));
+        found.ok_or_else(|| self.error(Malformed::OneOf(names)))
+    }
+
     /// The fields of a table.
     pub fn fields(&self) -> Result<impl Iterator<Item = Field<'a>> + use<'a>> {
         match self.value {

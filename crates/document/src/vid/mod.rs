@@ -57,10 +57,21 @@ const VERSION: i64 = 1;
 /// For names, messages and the like: the standard library aborts if it cannot allocate them.
 const ROOM: usize = 32 << 10;
 
-/// The text from a reader, to its end.
-pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
+/// What `parse` makes of the text of a file; all errors name it.
+pub(super) fn load<T>(file: &Path, parse: impl FnOnce(&str) -> Result<T>) -> Result<T> {
+    let text = read_text(file, MAX_FILE_BYTES)?;
+    parse(&text).map_err(|error| error.at(file.display()))
+}
+
+/// The same of a reader, to its end, which errors call `name`.
+pub(super) fn load_from<T>(
+    reader: &mut dyn Read,
+    name: &str,
+    parse: impl FnOnce(&str) -> Result<T>,
+) -> Result<T> {
     read_all(reader, name, 0, MAX_FILE_BYTES)
         .and_then(text_of)
+        .and_then(|text| parse(&text))
         .map_err(|error| error.at(name))
 }
 

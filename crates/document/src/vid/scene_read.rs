@@ -5,9 +5,7 @@ use glam::{DQuat, DVec3};
 use super::field::{Field, Source, at_line};
 use super::mesh_source;
 use super::own::SoFar;
-use super::read::{
-    base_speeds, curve_kind, one_line, orientation_mode, points, presets, space, zoom_mode,
-};
+use super::read::{one_line, points, read_setting, space};
 use crate::error::{EngineError, Error, Invalid, Malformed, Place, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::path::{CameraPath, Space};
@@ -270,7 +268,8 @@ fn draft(table: Field<'_>, so_far: &mut SoFar, space: Space) -> Result<Draft> {
                 let Kind::Light(light) = &mut node.kind else {
                     return Err(misplaced(&field, &node.kind));
                 };
-                *light = light_kind(field)?;
+                let kinds = [Light::Directional, Light::Point, Light::Spot];
+                *light = field.one_of(&["directional", "point", "spot"], kinds)?;
             }
             "mesh" => {
                 let (source, mesh) = mesh(field)?;
@@ -321,21 +320,13 @@ fn kind(table: Field<'_>) -> Result<Kind> {
     let Some(field) = table.find("kind")? else {
         return Err(table.error(Malformed::NoKind));
     };
-    match field.text()? {
-        "group" => Ok(Kind::Group),
-        "object" => Ok(Kind::Object(Object::default())),
-        "light" => Ok(Kind::Light(Light::default())),
-        "camera" => Ok(Kind::Camera(Camera::default())),
-        _ => Err(field.error(Malformed::OneOf(&["group", "object", "light", "camera"]))),
-    }
-}
-
-fn light_kind(field: Field<'_>) -> Result<Light> {
-    let name = field.text()?;
-    [Light::Directional, Light::Point, Light::Spot]
-        .into_iter()
-        .find(|light| light.name() == name)
-        .ok_or_else(|| field.error(Malformed::OneOf(&["directional", "point", "spot"])))
+    let kinds = [
+        Kind::Group,
+        Kind::Object(Object::default()),
+        Kind::Light(Light::default()),
+        Kind::Camera(Camera::default()),
+    ];
+    field.one_of(&["group", "object", "light", "camera"], kinds)
 }
 
 fn beyond(field: Field<'_>) -> Result<Beyond> {
@@ -509,12 +500,6 @@ fn path(
         match field.key {
             "start_frame" => start = field.number()?,
             "beyond" => after = beyond(field)?,
-            "closed" => path.closed = field.boolean()?,
-            "curve" => path.curve = curve_kind(field)?,
-            "orientation_mode" => path.orientation_mode = orientation_mode(field)?,
-            "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
-            "base_speeds" => path.speeds = base_speeds(field)?,
-            "presets" => presets(field, &mut path.presets)?,
             "point" => points(field, &mut path.points, so_far, path.space)?,
             "space" => {}
             "pins" => {
@@ -522,6 +507,7 @@ fn path(
                     pins.push(pin(element)?);
                 }
             }
+            _ if read_setting(field, &mut path)? => {}
             _ => {
                 return Err(field.unknown(&[
                     "start_frame",
