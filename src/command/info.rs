@@ -72,7 +72,7 @@ fn summary(
     let length = timeline.length();
     let places = decimals([length].into_iter());
     let first = i64::from(info.first_frame);
-    let speeds = path.speeds;
+    let speeds = path.base_frames;
 
     entry("File", &one_line(&input::name(file)));
     entry(

@@ -102,7 +102,7 @@ impl Speeds {
     }
 
     fn apply(&self, document: &mut Document) -> vides::Result<()> {
-        let mut speeds = document.path().speeds;
+        let mut speeds = document.path().base_frames;
         for (given, speed) in [
             (self.move_frames, &mut speeds.movement),
             (self.turn_frames, &mut speeds.turning),
@@ -113,7 +113,7 @@ impl Speeds {
                 *speed = given;
             }
         }
-        document.apply(Edit::SetSpeeds(speeds))
+        document.apply(Edit::SetBaseFrames(speeds))
     }
 }
 

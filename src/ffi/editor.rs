@@ -28,7 +28,7 @@ use crate::document::{Document, Edit, Poses};
 use crate::editor::{self, Language};
 use crate::error::{Refused, Result, complain, vec_with_room};
 use crate::instance::{self, Gone, Host, Id, Reason};
-use crate::path::{BaseSpeeds, Pose, Space};
+use crate::path::{BaseFrames, Pose, Space};
 
 /// All windows that C holds.
 static EDITORS: Handles<Opened, V_EDITOR> = Handles::new(KIND_EDITOR);
@@ -240,7 +240,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
         info.object = object;
         document.apply(Edit::SetInfo(Box::new(info)))?;
     }
-    let speeds = BaseSpeeds {
+    let speeds = BaseFrames {
         movement: options.move_frames,
         turning: options.turn_frames,
         zoom: options.zoom_frames,
@@ -248,7 +248,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
     };
     let unset = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling] == [0.0; 4];
     if !unset && document.edits_path() {
-        document.apply(Edit::SetSpeeds(speeds))?;
+        document.apply(Edit::SetBaseFrames(speeds))?;
     }
     // SAFETY: as required of the caller, for all texts.
     let (title, display, language, application, host_name) = unsafe {
@@ -431,7 +431,7 @@ pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V
 fn replace(document: &mut Document, by: Document, fixed_speeds: bool) -> Result<()> {
     let (mut path, mut info) = by.into_parts();
     if fixed_speeds {
-        path.speeds = document.path().speeds;
+        path.base_frames = document.path().base_frames;
     }
     if info.object.is_empty() {
         info.object = document.info().object.clone();
@@ -449,10 +449,10 @@ fn replace(document: &mut Document, by: Document, fixed_speeds: bool) -> Result<
 
 /// Makes the shown camera's path the one being edited.
 fn edit_shown(document: &mut Document) -> Result<()> {
-    let Some(around) = document.around() else {
+    let Some(edited) = document.edited_scene() else {
         return Ok(());
     };
-    let shown = around.scene().shown_camera().ok_or(Refused::NoCamera)?;
+    let shown = edited.scene().shown_camera().ok_or(Refused::NoCamera)?;
     document.apply(Edit::EditNode(Some(shown)))
 }
 

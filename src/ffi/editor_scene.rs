@@ -58,7 +58,7 @@ fn replace(document: &mut Document, by: SceneDocument, fixed_speeds: bool) -> Re
     let SceneDocument {
         scene, mut info, ..
     } = by;
-    let speeds = document.path().speeds;
+    let speeds = document.path().base_frames;
     if info.object.is_empty() {
         info.object = document.info().object.clone();
     }
@@ -67,7 +67,7 @@ fn replace(document: &mut Document, by: SceneDocument, fixed_speeds: bool) -> Re
         .apply(Edit::ReplaceScene(Box::new(scene)))
         .and_then(|()| document.apply(Edit::SetInfo(Box::new(info))));
     if done.is_ok() && fixed_speeds && document.edits_path() {
-        done = document.apply(Edit::SetSpeeds(speeds));
+        done = document.apply(Edit::SetBaseFrames(speeds));
     }
     match done {
         Ok(()) => document.end_step(),

@@ -5,32 +5,32 @@ use std::mem::{swap, take};
 
 use glam::DVec3;
 
-use super::around::{Around, Pins};
+use super::edited_scene::{EditedScene, Pins};
 use super::info::Info;
 use super::vid::Comments;
 use crate::error::{Result, vec_with_room};
 use crate::path::{
-    BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Own, Plan,
+    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Own, Plan,
     Space, SupportPoint, Tangents, Target, Tcb, UpVector, ZoomMode,
 };
 
 /// The state that records change.
 #[derive(Debug)]
-pub(super) struct Content {
+pub(super) struct State {
     pub(super) path: CameraPath,
-    pub(super) around: Option<Box<Around>>,
+    pub(super) edited_scene: Option<Box<EditedScene>>,
     pub(super) info: Info,
     /// Number of orientations of all points.
     pub(super) orientations: usize,
     pub(super) comments: Comments,
 }
 
-impl Content {
+impl State {
     pub(super) fn new(path: CameraPath, info: Info) -> Self {
         let orientations = count_orientations(&path.points);
         Self {
             path,
-            around: None,
+            edited_scene: None,
             info,
             orientations,
             comments: Comments::default(),
@@ -40,16 +40,16 @@ impl Content {
     /// Renumbers what is attached to points; see [`Comments::insert_points`].
     fn points_inserted(&mut self, at: usize, count: usize, removal: u64) {
         self.comments.insert_points(at, count, removal);
-        if let Some(around) = &mut self.around {
-            around.pins_mut().insert_points(at, count, removal);
+        if let Some(edited) = &mut self.edited_scene {
+            edited.pins_mut().insert_points(at, count, removal);
         }
     }
 
     /// The same for removed points; returns the number of the removal.
     fn points_removed(&mut self, at: usize, count: usize) -> u64 {
         let removal = self.comments.remove_points(at, count);
-        if let Some(around) = &mut self.around {
-            around.pins_mut().remove_points(at, count, removal);
+        if let Some(edited) = &mut self.edited_scene {
+            edited.pins_mut().remove_points(at, count, removal);
         }
         removal
     }
@@ -91,7 +91,7 @@ pub(super) enum Change {
         preset: usize,
         tcb: Tcb,
     },
-    Speeds(BaseSpeeds),
+    BaseFrames(BaseFrames),
     Closed(bool),
     CurveKind(CurveKind),
     /// A whole point, orientations included.
@@ -136,8 +136,8 @@ pub(super) enum Change {
     Info(Box<Info>),
     /// A path, its pins, and the removal that took its points away.
     Path(Box<CameraPath>, Pins, u64),
-    /// As `Path`, with the scene around it, which has the pins.
-    Scene(Option<Box<Around>>, Box<CameraPath>, u64),
+    /// As `Path`, with its scene, which has the pins.
+    Scene(Option<Box<EditedScene>>, Box<CameraPath>, u64),
 }
 
 impl Change {
@@ -169,8 +169,8 @@ impl Change {
     }
 
     /// Reserves memory for applying. Undo and redo need none, since vectors of a path never shrink.
-    pub(super) fn reserve(&self, content: &mut Content) -> Result<()> {
-        let points = &mut content.path.points;
+    pub(super) fn reserve(&self, state: &mut State) -> Result<()> {
+        let points = &mut state.path.points;
         match self {
             Self::InsertPoints { points: new, .. } => points.try_reserve(new.len())?,
             Self::InsertOrientation { point, .. } => {
@@ -179,7 +179,7 @@ impl Change {
             // Only the first one inserts; the others exchange values.
             Self::Several(changes) => {
                 if let Some(first) = changes.first() {
-                    first.reserve(content)?;
+                    first.reserve(state)?;
                 }
             }
             _ => {}
@@ -187,8 +187,8 @@ impl Change {
         Ok(())
     }
 
-    pub(super) fn is_idle(&self, content: &Content) -> bool {
-        let path = &content.path;
+    pub(super) fn is_idle(&self, state: &State) -> bool {
+        let path = &state.path;
         match self {
             Self::Position { at, position } => same_vector(path.points[*at].position, *position),
             Self::Name { at, name } => path.points[*at].name == *name,
@@ -203,8 +203,8 @@ impl Change {
                 orientation,
             } => same_orientation(&path.points[*point].orientations[*at], orientation),
             Self::Preset { preset, tcb } => same_tcb(path.presets[*preset], *tcb),
-            // Base speeds are > 0, so there is no −0.
-            Self::Speeds(speeds) => path.speeds == *speeds,
+            // Frames are > 0, so there is no −0.
+            Self::BaseFrames(frames) => path.base_frames == *frames,
             Self::Closed(closed) => path.closed == *closed,
             Self::CurveKind(curve) => path.curve == *curve,
             Self::Tangents { at, tangents } => same_tangents(path.points[*at].tangents, *tangents),
@@ -218,7 +218,7 @@ impl Change {
                     && there.orientations.len() == point.orientations.len()
                     && views.all(|(a, b)| same_orientation(a, b))
             }
-            Self::Several(changes) => changes.iter().all(|change| change.is_idle(content)),
+            Self::Several(changes) => changes.iter().all(|change| change.is_idle(state)),
             Self::Modes(orientation, zoom) => {
                 path.orientation_mode == *orientation && path.zoom_mode == *zoom
             }
@@ -231,13 +231,13 @@ impl Change {
     }
 
     /// Exchanges its values with those of the document; it then undoes itself.
-    pub(super) fn apply(&mut self, content: &mut Content, plan: &mut Plan) {
+    pub(super) fn apply(&mut self, state: &mut State, plan: &mut Plan) {
         self.announce(plan);
-        self.exchange(content);
+        self.exchange(state);
     }
 
-    fn exchange(&mut self, content: &mut Content) {
-        let path = &mut content.path;
+    fn exchange(&mut self, state: &mut State) {
+        let path = &mut state.path;
         match self {
             Self::Position { at, position } => swap(&mut path.points[*at].position, position),
             Self::Name { at, name } => swap(&mut path.points[*at].name, name),
@@ -248,19 +248,17 @@ impl Change {
                 orientation,
             } => swap(&mut path.points[*point].orientations[*at], orientation),
             Self::Preset { preset, tcb } => swap(&mut path.presets[*preset], tcb),
-            Self::Speeds(speeds) => swap(&mut path.speeds, speeds),
+            Self::BaseFrames(frames) => swap(&mut path.base_frames, frames),
             Self::Closed(closed) => swap(&mut path.closed, closed),
             Self::CurveKind(curve) => swap(&mut path.curve, curve),
             Self::Point { at, point } => {
                 swap(&mut path.points[*at], point);
-                content.orientations -= point.orientations.len();
-                content.orientations += path.points[*at].orientations.len();
+                state.orientations -= point.orientations.len();
+                state.orientations += path.points[*at].orientations.len();
             }
             Self::Tangents { at, tangents } => swap(&mut path.points[*at].tangents, tangents),
             Self::Several(changes) => {
-                changes
-                    .iter_mut()
-                    .for_each(|change| change.exchange(content));
+                changes.iter_mut().for_each(|change| change.exchange(state));
                 changes.reverse();
             }
             Self::Modes(orientation, zoom) => {
@@ -274,27 +272,27 @@ impl Change {
                 removal,
             } => {
                 let (at, count, mut room) = (*at, points.len(), take(points));
-                content.orientations += count_orientations(&room);
+                state.orientations += count_orientations(&room);
                 path.points.splice(at..at, room.drain(..));
-                content.points_inserted(at, count, *removal);
+                state.points_inserted(at, count, *removal);
                 *self = Self::RemovePoints { at, count, room };
             }
             Self::RemovePoints { at, count, room } => {
                 let (at, mut points) = (*at, take(room));
                 points.extend(path.points.drain(at..at + *count));
-                content.orientations -= count_orientations(&points);
+                state.orientations -= count_orientations(&points);
                 *self = Self::InsertPoints {
                     at,
                     points,
-                    removal: content.points_removed(at, *count),
+                    removal: state.points_removed(at, *count),
                 };
             }
             Self::MovePoint { from, to } => {
                 // The insertion reuses the room of the removed point.
                 let point = path.points.remove(*from);
                 path.points.insert(*to, point);
-                let removal = content.points_removed(*from, 1);
-                content.points_inserted(*to, 1, removal);
+                let removal = state.points_removed(*from, 1);
+                state.points_inserted(*to, 1, removal);
                 swap(from, to);
             }
             Self::InsertOrientation {
@@ -304,31 +302,31 @@ impl Change {
                 removal,
             } => {
                 let (point, at) = (*point, *at);
-                content.comments.insert_orientation(point, at, *removal);
+                state.comments.insert_orientation(point, at, *removal);
                 let orientations = &mut path.points[point].orientations;
                 orientations.insert(at, take(orientation));
-                content.orientations += 1;
+                state.orientations += 1;
                 *self = Self::RemoveOrientation { point, at };
             }
             Self::RemoveOrientation { point, at } => {
-                content.orientations -= 1;
+                state.orientations -= 1;
                 *self = Self::InsertOrientation {
                     point: *point,
                     at: *at,
                     orientation: path.points[*point].orientations.remove(*at),
-                    removal: content.comments.remove_orientation(*point, *at),
+                    removal: state.comments.remove_orientation(*point, *at),
                 };
             }
-            Self::Info(info) => swap(&mut content.info, info),
+            Self::Info(info) => swap(&mut state.info, info),
             Self::Path(other, pins, removal) => {
-                if let Some(around) = &mut content.around {
-                    swap(around.pins_mut(), pins);
+                if let Some(edited) = &mut state.edited_scene {
+                    swap(edited.pins_mut(), pins);
                 }
-                content.exchange_path(other, removal);
+                state.exchange_path(other, removal);
             }
-            Self::Scene(around, path, removal) => {
-                swap(&mut content.around, around);
-                content.exchange_path(path, removal);
+            Self::Scene(scene, path, removal) => {
+                swap(&mut state.edited_scene, scene);
+                state.exchange_path(path, removal);
             }
         }
     }
@@ -361,7 +359,7 @@ impl Change {
                     point: q, at: b, ..
                 },
             ) => (p, a) == (q, b),
-            (Self::Speeds(_), Self::Speeds(_))
+            (Self::BaseFrames(_), Self::BaseFrames(_))
             | (Self::Closed(_), Self::Closed(_))
             | (Self::CurveKind(_), Self::CurveKind(_))
             | (Self::Modes(..), Self::Modes(..))
@@ -396,8 +394,8 @@ impl Change {
             Self::RemovePoints { room, .. } => room.capacity() * size_of::<SupportPoint>(),
             Self::Info(info) => info.title.len() + info.comment.len() + size_of_val(&*info.object),
             Self::Path(path, ..) => weigh(&path.points),
-            Self::Scene(around, path, _) => {
-                weigh(&path.points) + around.as_ref().map_or(0, |around| around.weight())
+            Self::Scene(scene, path, _) => {
+                weigh(&path.points) + scene.as_ref().map_or(0, |scene| scene.weight())
             }
             Self::Point { point, .. } => weigh(std::slice::from_ref(point)),
             Self::Several(changes) => changes.iter().map(Self::weight).sum(),

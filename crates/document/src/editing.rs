@@ -4,9 +4,9 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use super::around;
-use super::change::Content;
+use super::change::State;
 use super::edit::Edit;
+use super::edited_scene;
 use super::fingerprint::Fingerprint;
 use super::history::{History, Step};
 use super::info::Info;
@@ -43,13 +43,13 @@ impl Selection {
 /// Reading takes `&self` and may happen on several threads at once.
 #[derive(Debug)]
 pub struct Document {
-    content: Content,
+    state: State,
     selection: Selection,
     history: History,
     /// The open step, which collects edits.
     open: Option<Step>,
     /// Number of the present state; each edit makes a new one.
-    state: u64,
+    number: u64,
     newest: u64,
     saved: u64,
     /// Unique to these contents within the process.
@@ -99,11 +99,11 @@ impl Document {
 
     fn with(path: CameraPath, info: Info) -> Self {
         Self {
-            content: Content::new(path, info),
+            state: State::new(path, info),
             selection: Selection::default(),
             history: History::new(limits::MAX_HISTORY_STEPS),
             open: None,
-            state: 0,
+            number: 0,
             newest: 0,
             saved: 0,
             revision: fresh_revision(),
@@ -115,10 +115,10 @@ impl Document {
     /// The same document as if just opened: unmodified, without a history.
     #[must_use]
     pub fn as_opened(self) -> Self {
-        let mut opened = Self::with(self.content.path, self.content.info);
+        let mut opened = Self::with(self.state.path, self.state.info);
         opened.fingerprint = self.fingerprint;
-        opened.content.comments = self.content.comments;
-        opened.content.around = self.content.around;
+        opened.state.comments = self.state.comments;
+        opened.state.edited_scene = self.state.edited_scene;
         opened
     }
 
@@ -141,42 +141,42 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Memory`.
     pub fn try_clone(&self) -> Result<Self> {
-        let path = self.content.path.try_clone()?;
-        let mut copy = Self::with(path, self.content.info.try_clone()?);
+        let path = self.state.path.try_clone()?;
+        let mut copy = Self::with(path, self.state.info.try_clone()?);
         copy.selection = self.selection;
         copy.fingerprint = self.fingerprint;
-        copy.content.comments = self.content.comments.try_clone()?;
-        copy.content.around.clone_from(&self.content.around);
+        copy.state.comments = self.state.comments.try_clone()?;
+        copy.state.edited_scene.clone_from(&self.state.edited_scene);
         if !self.history.keeps_any() {
             copy = copy.without_history();
         }
         if self.is_modified() {
-            copy.state = 1;
+            copy.number = 1;
             copy.newest = 1;
         }
         Ok(copy)
     }
 
-    pub(super) fn content(&self) -> &Content {
-        &self.content
+    pub(super) fn state(&self) -> &State {
+        &self.state
     }
 
     /// The path and the info, without the rest.
     #[must_use]
     pub fn into_parts(self) -> (CameraPath, Info) {
-        (self.content.path, self.content.info)
+        (self.state.path, self.state.info)
     }
 
     /// The path.
     #[must_use]
     pub fn path(&self) -> &CameraPath {
-        &self.content.path
+        &self.state.path
     }
 
     /// What the file holds besides the path.
     #[must_use]
     pub fn info(&self) -> &Info {
-        &self.content.info
+        &self.state.info
     }
 
     /// The current point and orientation.
@@ -198,7 +198,7 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Range` if there is no such point or orientation.
     pub fn select(&mut self, point: usize, orientation: usize) -> Result<()> {
-        prepare::orientation(&self.content.path, point, orientation)?;
+        prepare::orientation(&self.state.path, point, orientation)?;
         self.selection = Selection::at(point, orientation);
         Ok(())
     }
@@ -209,25 +209,25 @@ impl Document {
     /// Why the edit is impossible; the document is unchanged then.
     pub fn apply(&mut self, edit: Edit) -> Result<()> {
         let same_for_a_file = matches!(edit, Edit::EditNode(_));
-        let (mut change, selection) = prepare::prepare(&self.content, edit)?;
-        if change.is_idle(&self.content) {
+        let (mut change, selection) = prepare::prepare(&self.state, edit)?;
+        if change.is_idle(&self.state) {
             return Ok(());
         }
         let keeps_record = self.open.is_some() || self.history.keeps_any();
-        let mut own = Step::new(self.selection, self.state);
+        let mut own = Step::new(self.selection, self.number);
         let step = self.open.as_mut().unwrap_or(&mut own);
         if keeps_record {
             step.reserve()?;
             self.history.reserve()?;
         }
-        change.reserve(&mut self.content)?;
+        change.reserve(&mut self.state)?;
         let shapes = change.may_undefine_ups();
-        change.apply(&mut self.content, &mut self.plan);
+        change.apply(&mut self.state, &mut self.plan);
         let mut check = || -> Result<_> {
             if shapes {
-                check_ups(&self.content.path)?;
+                check_ups(&self.state.path)?;
             }
-            let held = prepare::held_by_pins(&self.content, &self.plan)?;
+            let held = prepare::held_by_pins(&self.state, &self.plan)?;
             if held.is_some() && keeps_record {
                 step.reserve_more(2)?;
             }
@@ -236,12 +236,12 @@ impl Document {
         let mut held = match check() {
             Ok(held) => held,
             Err(error) => {
-                change.apply(&mut self.content, &mut self.plan);
+                change.apply(&mut self.state, &mut self.plan);
                 return Err(error);
             }
         };
         if let Some(held) = &mut held {
-            held.apply(&mut self.content, &mut self.plan);
+            held.apply(&mut self.state, &mut self.plan);
         }
         if keeps_record {
             step.push(change);
@@ -256,7 +256,7 @@ impl Document {
         }
         if !same_for_a_file {
             self.newest += 1;
-            self.state = self.newest;
+            self.number = self.newest;
         }
         self.revision = fresh_revision();
         Ok(())
@@ -296,7 +296,7 @@ impl Document {
     /// Opens a step, such as a drag: all edits until [`Document::end_step`]. Ends an open one.
     pub fn begin_step(&mut self) {
         self.end_step();
-        self.open = Some(Step::new(self.selection, self.state));
+        self.open = Some(Step::new(self.selection, self.number));
     }
 
     /// Whether a step is open; see [`Document::begin_step`].
@@ -372,22 +372,22 @@ impl Document {
     }
 
     fn exchange(&mut self, step: &mut Step) {
-        step.exchange(|change| change.apply(&mut self.content, &mut self.plan));
+        step.exchange(|change| change.apply(&mut self.state, &mut self.plan));
         std::mem::swap(&mut step.selection, &mut self.selection);
-        std::mem::swap(&mut step.state, &mut self.state);
+        std::mem::swap(&mut step.number, &mut self.number);
         self.revision = fresh_revision();
     }
 
     /// Whether there are unsaved changes. False again after undoing back to the saved state.
     #[must_use]
     pub fn is_modified(&self) -> bool {
-        self.state != self.saved
+        self.number != self.saved
     }
 
     /// Number of the present state: new after each edit, the old one again after undo.
     #[must_use]
     pub fn state_number(&self) -> u64 {
-        self.state
+        self.number
     }
 
     /// Marks every state, past and present, as unsaved.
@@ -397,7 +397,7 @@ impl Document {
 
     /// Marks the present state as the saved one.
     pub fn mark_saved(&mut self) {
-        self.saved = self.state;
+        self.saved = self.number;
     }
 
     /// Calls `f` with the current lengths and frame counts.
@@ -405,7 +405,7 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Memory`.
     pub fn timeline<R>(&self, f: impl FnOnce(&Timeline) -> R) -> Result<R> {
-        Ok(self.plan.timeline(&self.content.path, f)?)
+        Ok(self.plan.timeline(&self.state.path, f)?)
     }
 
     /// The camera's up at an orientation, roll included: a unit vector in world coordinates,
@@ -428,7 +428,7 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Memory`; `ErrorKind::Limit` for more than [`limits::MAX_FRAMES`] frames.
     pub fn sampler(&self) -> Result<&Sampler> {
-        Ok(self.plan.sampler(&self.content.path)?)
+        Ok(self.plan.sampler(&self.state.path)?)
     }
 
     /// The smallest space that holds the object, with a tenth to spare.
@@ -436,7 +436,7 @@ impl Document {
     /// # Errors
     /// As [`Space::around`].
     pub fn space_around_object(&self) -> Result<Space> {
-        let object = self.content.info.object.iter();
+        let object = self.state.info.object.iter();
         Ok(Space::around(
             object.map(|point| point.position),
             self.path().space.up,
@@ -495,10 +495,10 @@ impl Document {
         let mut warnings = mesh_file::read_meshes(&mut loaded.scene, folder)?;
         let space = loaded.scene.space();
         warnings.extend(mesh_file::read_object(&mut loaded.info, space, folder)?);
-        let (around, path) = around::as_shown(loaded.scene)?;
+        let (edited, path) = edited_scene::as_shown(loaded.scene)?;
         let mut document = Self::from_parts(path, loaded.info)?;
-        can_allocate(size_of_val(&around))?;
-        document.content.around = Some(Box::new(around));
+        can_allocate(size_of_val(&edited))?;
+        document.state.edited_scene = Some(Box::new(edited));
         document.fingerprint = Some(Fingerprint::of(text.as_bytes()));
         Ok((document, warnings))
     }
@@ -513,8 +513,8 @@ impl Document {
 
     /// Reads the object's mesh file, if it has one; returns a warning.
     fn read_object(&mut self, folder: &Path) -> Result<Option<Error>> {
-        let space = self.content.path.space;
-        mesh_file::read_object(&mut self.content.info, space, folder)
+        let space = self.state.path.space;
+        mesh_file::read_object(&mut self.state.info, space, folder)
     }
 
     fn with_object(mut self, file: &Path) -> Result<Self> {
@@ -552,7 +552,7 @@ impl Document {
     /// With what else belongs to the text it was read from.
     fn read_from(mut self, text: &str) -> Result<Self> {
         self.fingerprint = Some(Fingerprint::of(text.as_bytes()));
-        self.content.comments = Comments::of(text)?;
+        self.state.comments = Comments::of(text)?;
         Ok(self)
     }
 
@@ -591,12 +591,12 @@ impl Document {
     }
 
     fn text_in(&self, folder: Option<&Path>) -> Result<String> {
-        let content = &self.content;
-        let Some(around) = &content.around else {
-            return vid::to_toml(&content.path, &content.info, &content.comments, folder);
+        let state = &self.state;
+        let Some(edited) = &state.edited_scene else {
+            return vid::to_toml(&state.path, &state.info, &state.comments, folder);
         };
-        let scene = around.with(&content.path)?;
-        vid::scene_to_toml(&scene, &content.info, &content.comments, folder)
+        let scene = edited.with(&state.path)?;
+        vid::scene_to_toml(&scene, &state.info, &state.comments, folder)
     }
 
     /// Saves atomically and durably ([`super::save`]); see [`Document::mark_saved`].

@@ -58,7 +58,7 @@ pub fn write(
     out: &mut dyn Write,
     progress: Progress<'_>,
 ) -> Result<()> {
-    if document.around().is_some() {
+    if document.edited_scene().is_some() {
         let scene = document.scene_document()?;
         let shown = scene.scene.shown_camera().ok_or(Refused::NoCamera)?;
         return write_node(&scene, shown, format, out, progress);

@@ -16,16 +16,16 @@ pub(super) struct Step {
     /// The selection on the other side.
     pub(super) selection: Selection,
     /// Number of the state on the other side.
-    pub(super) state: u64,
+    pub(super) number: u64,
     pub(super) name: Option<&'static str>,
 }
 
 impl Step {
-    pub(super) fn new(selection: Selection, state: u64) -> Self {
+    pub(super) fn new(selection: Selection, number: u64) -> Self {
         Self {
             changes: Vec::new(),
             selection,
-            state,
+            number,
             name: None,
         }
     }

@@ -6,7 +6,6 @@
 
 #![forbid(unsafe_code)]
 
-mod around;
 pub mod ascii;
 mod blocks;
 mod cage;
@@ -14,6 +13,7 @@ mod change;
 mod check;
 mod draw;
 mod edit;
+mod edited_scene;
 mod editing;
 pub mod error;
 pub mod export;
@@ -34,8 +34,8 @@ pub mod tool;
 pub mod vid;
 mod wireframe;
 
-pub use around::{Around, Poses};
 pub use edit::Edit;
+pub use edited_scene::{EditedScene, Poses};
 pub use editing::{Document, Selection};
 pub use error::{Error, Result};
 pub use export_node::write_node;

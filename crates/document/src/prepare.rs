@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::around::{self, Around, Pins};
-use super::change::{Change, Content, count_orientations};
+use super::change::{Change, State, count_orientations};
 use super::edit::Edit;
+use super::edited_scene::{self, EditedScene, Pins};
 use super::editing::Selection;
 use super::place;
 use super::target;
@@ -14,7 +14,7 @@ use crate::error::{
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::ahead;
-use crate::path::camera_path::check_speeds;
+use crate::path::camera_path::check_base_frames;
 use crate::path::fit_frames::{Fixed, fit_frames};
 use crate::path::insertion::{self, Insertion};
 use crate::path::space::Move;
@@ -25,12 +25,12 @@ use crate::tools::{block, transform};
 use vides_engine::scene::pins::pinned;
 
 /// The record of an edit, and the selection it sets, if any.
-pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<Selection>)> {
-    let path = &content.path;
-    if content
-        .around
+pub(super) fn prepare(state: &State, edit: Edit) -> Result<(Change, Option<Selection>)> {
+    let path = &state.path;
+    if state
+        .edited_scene
         .as_ref()
-        .is_some_and(|around| around.node().is_none())
+        .is_some_and(|edited| edited.node().is_none())
         && !matches!(
             edit,
             Edit::EditNode(_) | Edit::ReplaceScene(_) | Edit::SetInfo(_)
@@ -47,25 +47,25 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
                 }
                 .into());
             }
-            let points = copies(content, at.saturating_sub(1), &[position])?;
+            let points = copies(state, at.saturating_sub(1), &[position])?;
             return Ok(inserted(at, points));
         }
         Edit::AppendAfterLast => {
             let position = place::beyond(path, End::Last)?;
             let count = path.points.len();
-            let points = copies(content, count - 1, &[position])?;
+            let points = copies(state, count - 1, &[position])?;
             return Ok(inserted(count, points));
         }
         Edit::PrependBeforeFirst => {
             let position = place::beyond(path, End::First)?;
-            return Ok(inserted(0, copies(content, 0, &[position])?));
+            return Ok(inserted(0, copies(state, 0, &[position])?));
         }
         Edit::DivideSegment { segment, points } => {
             let mut room = [DVec3::ZERO; limits::MAX_DIVISION];
             let positions = place::divide(path, segment, points, &mut room)?;
-            return Ok(inserted(segment + 1, copies(content, segment, positions)?));
+            return Ok(inserted(segment + 1, copies(state, segment, positions)?));
         }
-        Edit::InsertOnCurve { frame } => return on_curve(content, frame),
+        Edit::InsertOnCurve { frame } => return on_curve(state, frame),
         Edit::SetTangents { at, tangents } => {
             point(path, at)?;
             if let Some(tangents) = tangents {
@@ -127,7 +127,7 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             at,
             orientation,
         } => {
-            let orientation = new_orientation(content, point, at, orientation)?;
+            let orientation = new_orientation(state, point, at, orientation)?;
             let change = Change::InsertOrientation {
                 point,
                 at,
@@ -172,9 +172,9 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
                 orientation: new,
             }
         }
-        Edit::SetSpeeds(speeds) => {
-            check_speeds(speeds)?;
-            Change::Speeds(speeds)
+        Edit::SetBaseFrames(frames) => {
+            check_base_frames(frames)?;
+            Change::BaseFrames(frames)
         }
         Edit::SetClosed(closed) => Change::Closed(closed),
         Edit::SetModes(orientation, zoom) => Change::Modes(orientation, zoom),
@@ -183,13 +183,13 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             info.normalise();
             Change::Info(info)
         }
-        Edit::EditNode(node) => return other_node(content, node),
+        Edit::EditNode(node) => return other_node(state, node),
         Edit::ReplaceScene(scene) => {
-            let (around, path) = around::as_shown(*scene)?;
-            content.info.check(around.scene().space())?;
-            return exchanged_scene(Some(around).filter(|around| !around.is_path_alone()), path);
+            let (edited, path) = edited_scene::as_shown(*scene)?;
+            state.info.check(edited.scene().space())?;
+            return exchanged_scene(Some(edited).filter(|edited| !edited.is_path_alone()), path);
         }
-        Edit::ReplacePath(path) => return replaced(content, *path, |point| point),
+        Edit::ReplacePath(path) => return replaced(state, *path, |point| point),
         Edit::TransformPoints {
             points,
             matrix,
@@ -212,20 +212,20 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             block,
             fit,
             with_targets,
-        } => return put_in(content, block::insert(path, at, &block, fit, with_targets)?),
+        } => return put_in(state, block::insert(path, at, &block, fit, with_targets)?),
         Edit::Reverse => {
             let count = path.points.len();
             // A closed path still begins at its first point.
             let begin = if path.closed { count } else { count - 1 };
             let number = |point| (begin - point) % count;
-            return replaced(content, block::reverse(path)?, number);
+            return replaced(state, block::reverse(path)?, number);
         }
         Edit::Repeat(times) => {
-            return replaced(content, block::repeat(path, times)?, |point| point);
+            return replaced(state, block::repeat(path, times)?, |point| point);
         }
         Edit::SetSpace { space, fit } => {
             space.check()?;
-            content.info.check(space)?;
+            state.info.check(space)?;
             if fit && path.space != space {
                 moved(path, space)?
             } else {
@@ -239,14 +239,14 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
 
 /// Another path, in which a point has this number.
 fn replaced(
-    content: &Content,
+    state: &State,
     mut path: CameraPath,
     number: impl Fn(usize) -> usize,
 ) -> Result<(Change, Option<Selection>)> {
     normalise(&mut path)?;
-    content.info.check(path.space)?;
-    let pins = match &content.around {
-        Some(around) => around.pins_in(path.points.len(), number)?,
+    state.info.check(path.space)?;
+    let pins = match &state.edited_scene {
+        Some(edited) => edited.pins_in(path.points.len(), number)?,
         None => Pins::default(),
     };
     can_allocate(size_of::<CameraPath>())?;
@@ -254,27 +254,27 @@ fn replaced(
     Ok((change, Some(Selection::default())))
 }
 
-fn other_node(content: &Content, node: Option<usize>) -> Result<(Change, Option<Selection>)> {
-    let Some(around) = &content.around else {
+fn other_node(state: &State, node: Option<usize>) -> Result<(Change, Option<Selection>)> {
+    let Some(edited) = &state.edited_scene else {
         return match node {
             Some(0) => Ok((Change::Several(Vec::new()), None)),
             _ => Err(Refused::NoScene.into()),
         };
     };
-    if around.node() == node {
+    if edited.node() == node {
         return Ok((Change::Several(Vec::new()), None));
     }
-    let (around, path) = around::around(around.with(&content.path)?, node)?;
-    exchanged_scene(Some(around), path)
+    let (edited, path) = edited_scene::edit(edited.with(&state.path)?, node)?;
+    exchanged_scene(Some(edited), path)
 }
 
 fn exchanged_scene(
-    around: Option<Around>,
+    edited: Option<EditedScene>,
     mut path: CameraPath,
 ) -> Result<(Change, Option<Selection>)> {
     normalise(&mut path)?;
-    can_allocate(size_of::<CameraPath>() + size_of::<Around>())?;
-    let change = Change::Scene(around.map(Box::new), Box::new(path), 0);
+    can_allocate(size_of::<CameraPath>() + size_of::<EditedScene>())?;
+    let change = Change::Scene(edited.map(Box::new), Box::new(path), 0);
     Ok((change, Some(Selection::default())))
 }
 
@@ -286,15 +286,15 @@ fn exchanged(points: transform::Changed) -> Result<Change> {
     Ok(Change::Several(changes))
 }
 
-fn put_in(content: &Content, inserted: block::Inserted) -> Result<(Change, Option<Selection>)> {
+fn put_in(state: &State, inserted: block::Inserted) -> Result<(Change, Option<Selection>)> {
     let block::Inserted {
         at,
         count,
         mut path,
         changed,
     } = inserted;
-    let orientations = count_orientations(&path.points) - content.orientations;
-    check_room(content, count, orientations)?;
+    let orientations = count_orientations(&path.points) - state.orientations;
+    check_room(state, count, orientations)?;
     let mut take = |at: usize| std::mem::replace(&mut path.points[at], SupportPoint::nowhere());
     let mut changes = vec_with_room(1 + changed.len())?;
     if count > 0 {
@@ -370,12 +370,12 @@ fn without_the_outdated(old: &Orientation, mut new: Orientation) -> Result<Orien
 }
 
 /// The record of an inserted point that keeps the motion.
-fn on_curve(content: &Content, frame: f64) -> Result<(Change, Option<Selection>)> {
-    check_room(content, 1, 1)?;
-    let Insertion { at, path, changed } = insertion::on_curve(&content.path, frame)?;
+fn on_curve(state: &State, frame: f64) -> Result<(Change, Option<Selection>)> {
+    check_room(state, 1, 1)?;
+    let Insertion { at, path, changed } = insertion::on_curve(&state.path, frame)?;
     let count = 1;
     put_in(
-        content,
+        state,
         block::Inserted {
             at,
             count,
@@ -405,10 +405,10 @@ fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result
 }
 
 /// The frame counts that the path's pins require; none if they already hold.
-pub(super) fn held_by_pins(content: &Content, plan: &Plan) -> Result<Option<Change>> {
-    let path = &content.path;
-    let pins = match &content.around {
-        Some(around) => around.pins(),
+pub(super) fn held_by_pins(state: &State, plan: &Plan) -> Result<Option<Change>> {
+    let path = &state.path;
+    let pins = match &state.edited_scene {
+        Some(edited) => edited.pins(),
         None => return Ok(None),
     };
     if pins.is_empty() {
@@ -435,11 +435,11 @@ fn with_frames(path: &CameraPath, fixed: Vec<Fixed>) -> Result<Change> {
     Ok(Change::Several(changes))
 }
 
-fn check_room(content: &Content, points: usize, orientations: usize) -> Result<()> {
-    if content.path.points.len() + points > limits::MAX_POINTS {
+fn check_room(state: &State, points: usize, orientations: usize) -> Result<()> {
+    if state.path.points.len() + points > limits::MAX_POINTS {
         return Err(TooMany::SupportPoints.into());
     }
-    check_all_orientations(content.orientations + orientations)
+    check_all_orientations(state.orientations + orientations)
 }
 
 /// Inserts new points; the first becomes current.
@@ -455,19 +455,19 @@ fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>)
 }
 
 /// New points at `positions` with the properties of point `from`.
-fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<SupportPoint>> {
-    let source = &content.path.points[from];
+fn copies(state: &State, from: usize, positions: &[DVec3]) -> Result<Vec<SupportPoint>> {
+    let source = &state.path.points[from];
     let orientations = positions.len() * source.orientations.len();
-    check_room(content, positions.len(), orientations)?;
+    check_room(state, positions.len(), orientations)?;
     let mut points = vec_with_room(positions.len())?;
     for &position in positions {
-        content.path.space.check_place(position)?;
+        state.path.space.check_place(position)?;
         let mut orientations = vec_with_room(source.orientations.len())?;
         for old in &source.orientations {
             let mut new = old.clone();
             if new.target == Target::Absolute(position) {
                 new.target =
-                    target::switched(old.target, source.position, false, content.path.space)?;
+                    target::switched(old.target, source.position, false, state.path.space)?;
             }
             new.own = old.own.for_a_copy()?;
             orientations.push(new);
@@ -486,12 +486,12 @@ fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<Sup
 }
 
 fn new_orientation(
-    content: &Content,
+    state: &State,
     number: usize,
     at: usize,
     given: Option<Orientation>,
 ) -> Result<Orientation> {
-    let point = point(&content.path, number)?;
+    let point = point(&state.path, number)?;
     let count = point.orientations.len();
     if at > count {
         return Err(Refused::NewOrientation { at, last: count }.into());
@@ -499,10 +499,10 @@ fn new_orientation(
     if count == limits::MAX_ORIENTATIONS {
         return Err(TooMany::Orientations.into());
     }
-    check_all_orientations(content.orientations + 1)?;
+    check_all_orientations(state.orientations + 1)?;
     match given {
         None => Ok(point.orientations[at.saturating_sub(1)].clone()),
-        Some(orientation) => checked(orientation, point.position, content.path.space),
+        Some(orientation) => checked(orientation, point.position, state.path.space),
     }
 }
 

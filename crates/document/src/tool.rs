@@ -451,7 +451,7 @@ impl Tool {
         Ok(Some(match (self.kind, material) {
             (Kind::Move(known), _) => {
                 let fps = document.info().fps;
-                put(known.path_at(first, path.space, fps, path.speeds)?)
+                put(known.path_at(first, path.space, fps, path.base_frames)?)
             }
             (Kind::Draw, Material::Stroke(places)) => {
                 put(drawn(document, places, given.number("tolerance"))?)
@@ -500,7 +500,7 @@ impl Tool {
                 };
                 let (fps, seconds) = (document.info().fps, seconds.as_deref());
                 let mut made = fit(poses, seconds, fps, tolerance, &mut |_, _| true)?;
-                made.speeds = path.speeds;
+                made.base_frames = path.base_frames;
                 // The fit computes rolls for an upright y.
                 made.space = Space {
                     up: Up::Y,

@@ -16,7 +16,7 @@ use crate::path::camera_path::{
     check_base_speed, check_hold, check_name, check_shape, check_speed, check_zoom,
 };
 use crate::path::{
-    BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space,
+    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space,
     SupportPoint, Target, Tcb, Up, ZoomMode, space,
 };
 use vides_engine::scene::Scene;
@@ -243,15 +243,15 @@ pub(super) fn read_setting(field: Field<'_>, path: &mut CameraPath) -> Result<bo
             let modes = [ZoomMode::Smooth, ZoomMode::Linear];
             path.zoom_mode = field.one_of(&["smooth", "linear"], modes)?;
         }
-        "base_speeds" => path.speeds = base_speeds(field)?,
+        "base_speeds" => path.base_frames = base_speeds(field)?,
         "presets" => presets(field, &mut path.presets)?,
         _ => return Ok(false),
     }
     Ok(true)
 }
 
-fn base_speeds(table: Field<'_>) -> Result<BaseSpeeds> {
-    let mut speeds = BaseSpeeds::default();
+fn base_speeds(table: Field<'_>) -> Result<BaseFrames> {
+    let mut speeds = BaseFrames::default();
     for field in table.fields()? {
         let speed = match field.key {
             "move_frames" => &mut speeds.movement,

@@ -77,7 +77,7 @@ pub(super) fn shape_and_modes(out: &mut Text, path: &CameraPath) -> fmt::Result 
 }
 
 pub(super) fn base_speeds(out: &mut Text, path: &CameraPath) -> fmt::Result {
-    let speeds = path.speeds;
+    let speeds = path.base_frames;
     writeln!(out, "move_frames = {:?}", speeds.movement)?;
     writeln!(out, "turn_frames = {:?}", speeds.turning)?;
     writeln!(out, "zoom_frames = {:?}", speeds.zoom)?;

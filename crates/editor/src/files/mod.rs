@@ -222,7 +222,7 @@ impl Editor {
             return Ok((loaded, warnings));
         }
         if loaded.edits_path() {
-            loaded.apply(Edit::SetSpeeds(self.document.path().speeds))?;
+            loaded.apply(Edit::SetBaseFrames(self.document.path().base_frames))?;
         }
         if !self.document.info().object.is_empty() {
             let mut info = loaded.info().clone();

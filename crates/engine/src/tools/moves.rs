@@ -14,7 +14,7 @@ use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
 use crate::path::fit_frames::fit_frames;
 use crate::path::{
-    BaseSpeeds, CameraPath, CurveParameters, Orientation, Space, SupportPoint, Tangents, Target,
+    BaseFrames, CameraPath, CurveParameters, Orientation, Space, SupportPoint, Tangents, Target,
     Timeline,
 };
 
@@ -361,7 +361,7 @@ impl Move {
     /// # Errors
     /// What is wrong with the numbers; [`crate::Error::Limit`], [`crate::Error::Memory`].
     pub fn path(&self, given: &[f64], space: Space, fps: f64) -> Result<CameraPath> {
-        self.path_at(given, space, fps, BaseSpeeds::default())
+        self.path_at(given, space, fps, BaseFrames::default())
     }
 
     /// The same with base speeds, which count where `seconds` is 0: as long as its way.
@@ -374,7 +374,7 @@ impl Move {
         given: &[f64],
         space: Space,
         fps: f64,
-        speeds: BaseSpeeds,
+        speeds: BaseFrames,
     ) -> Result<CameraPath> {
         let numbers = Parameter::numbers(self.parameters, given)?;
         let given = Given {
@@ -386,7 +386,7 @@ impl Move {
         let mut path = CameraPath::try_new()?;
         path.points = points;
         path.space = space;
-        path.speeds = speeds;
+        path.base_frames = speeds;
         path.check()?;
         let seconds = given.number("seconds");
         if seconds > 0.0 {

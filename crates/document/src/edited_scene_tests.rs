@@ -41,7 +41,7 @@ fn move_first(document: &mut Document) {
 fn what_is_edited_goes_back_into_the_scene_and_nothing_else_changes() {
     let before = scene();
     let mut document = document(&before);
-    assert_eq!(document.around().unwrap().node(), Some(1));
+    assert_eq!(document.edited_scene().unwrap().node(), Some(1));
     assert_eq!(document.scene().unwrap(), before);
     move_first(&mut document);
     let after = document.scene().unwrap();
@@ -66,7 +66,7 @@ fn a_file_of_a_scene_has_all_of_it_again() {
     // A path alone is the document of that path.
     let text = Document::new().to_toml().unwrap();
     let (alone, _) = Document::scene_from_toml(&text, "".as_ref()).unwrap();
-    assert!(alone.around().is_none());
+    assert!(alone.edited_scene().is_none());
 }
 
 #[test]
@@ -75,7 +75,7 @@ fn another_node_is_edited_and_that_is_no_change_of_the_file() {
     let mut document = document(&before);
     document.apply(Edit::EditNode(Some(0))).unwrap();
     assert!(!document.is_modified());
-    assert_eq!(document.around().unwrap().node(), Some(0));
+    assert_eq!(document.edited_scene().unwrap().node(), Some(0));
     assert_eq!(document.frame_of_scene(3.0), 3.0);
     move_first(&mut document);
     document.apply(Edit::EditNode(Some(1))).unwrap();
@@ -117,14 +117,14 @@ fn a_scene_takes_the_place_of_a_path_and_the_other_way_round() {
     let old = document.path().clone();
     let edit = Edit::ReplaceScene(Box::new(scene()));
     document.apply(edit).unwrap();
-    assert!(document.is_modified() && document.around().is_some());
+    assert!(document.is_modified() && document.edited_scene().is_some());
     let alone = Scene::of_path(CameraPath::default()).unwrap();
     document.apply(Edit::ReplaceScene(Box::new(alone))).unwrap();
-    assert!(document.around().is_none());
+    assert!(document.edited_scene().is_none());
     document.undo();
     assert_eq!(document.scene().unwrap(), scene());
     document.undo();
-    assert!(document.around().is_none() && *document.path() == old);
+    assert!(document.edited_scene().is_none() && *document.path() == old);
 }
 
 #[test]
