@@ -84,7 +84,7 @@ impl<'a> Field<'a> {
     }
 
     /// Its byte offset in the file.
-    pub fn place(&self) -> usize {
+    pub fn offset(&self) -> usize {
         self.source.start + self.offset
     }
 
