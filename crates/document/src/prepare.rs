@@ -25,17 +25,16 @@ use crate::tools::{block, transform};
 use vides_engine::scene::pins::pinned;
 
 /// The record of an edit, and the selection it sets, if any.
-pub(super) fn prepare(state: &State, edit: Edit) -> Result<(Change, Option<Selection>)> {
+pub(super) type Prepared = (Change, Option<Selection>);
+
+pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     let path = &state.path;
-    if state
-        .edited_scene
-        .as_ref()
-        .is_some_and(|edited| edited.node().is_none())
-        && !matches!(
-            edit,
-            Edit::EditNode(_) | Edit::ReplaceScene(_) | Edit::SetInfo(_)
-        )
-    {
+    let none_edited = matches!(&state.edited_scene, Some(edited) if edited.node().is_none());
+    let needs_path = !matches!(
+        edit,
+        Edit::EditNode(_) | Edit::ReplaceScene(_) | Edit::SetInfo(_)
+    );
+    if none_edited && needs_path {
         return Err(Refused::NoPathEdited.into());
     }
     let change = match edit {
@@ -126,50 +125,43 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<(Change, Option<Selec
             point,
             at,
             orientation,
-        } => {
-            let orientation = new_orientation(state, point, at, orientation)?;
-            let change = Change::InsertOrientation {
-                point,
-                at,
-                orientation,
-                removal: 0,
-            };
-            return Ok((change, Some(Selection::at(point, at))));
-        }
-        Edit::RemoveOrientation { point: number, at } => {
-            orientation(path, number, at)?;
-            if path.points[number].orientations.len() == 1 {
+        } => return new_orientation(state, point, at, orientation),
+        Edit::RemoveOrientation { point, at } => {
+            orientation(path, point, at)?;
+            if path.points[point].orientations.len() == 1 {
                 return Err(Refused::OneOrientationRemains.into());
             }
-            let change = Change::RemoveOrientation { point: number, at };
-            let selection = Selection::at(number, at.saturating_sub(1));
+            let change = Change::RemoveOrientation { point, at };
+            let selection = Selection::at(point, at.saturating_sub(1));
             return Ok((change, Some(selection)));
         }
         Edit::SetOrientation {
-            point: number,
+            point,
             at,
             orientation: new,
         } => {
-            let old = orientation(path, number, at)?;
-            let new = checked(new, path.points[number].position, path.space)?;
+            let old = orientation(path, point, at)?;
+            let new = checked(new, path.points[point].position, path.space)?;
+            let orientation = without_the_outdated(old, new)?;
             Change::Orientation {
-                point: number,
+                point,
                 at,
-                orientation: without_the_outdated(old, new)?,
+                orientation,
             }
         }
         Edit::SetAbsolute {
-            point: number,
+            point,
             at,
             absolute,
         } => {
-            let mut new = no_longer_ahead(path, number, at)?;
-            let position = path.points[number].position;
-            new.target = target::switched(new.target, position, absolute, path.space)?;
+            let mut orientation = no_longer_ahead(path, point, at)?;
+            let position = path.points[point].position;
+            let target = target::switched(orientation.target, position, absolute, path.space)?;
+            orientation.target = target;
             Change::Orientation {
-                point: number,
+                point,
                 at,
-                orientation: new,
+                orientation,
             }
         }
         Edit::SetBaseFrames(frames) => {
@@ -242,7 +234,7 @@ fn replaced(
     state: &State,
     mut path: CameraPath,
     number: impl Fn(usize) -> usize,
-) -> Result<(Change, Option<Selection>)> {
+) -> Result<Prepared> {
     normalise(&mut path)?;
     state.info.check(path.space)?;
     let pins = match &state.edited_scene {
@@ -254,7 +246,7 @@ fn replaced(
     Ok((change, Some(Selection::default())))
 }
 
-fn other_node(state: &State, node: Option<usize>) -> Result<(Change, Option<Selection>)> {
+fn other_node(state: &State, node: Option<usize>) -> Result<Prepared> {
     let Some(edited) = &state.edited_scene else {
         return match node {
             Some(0) => Ok((Change::Several(Vec::new()), None)),
@@ -268,10 +260,7 @@ fn other_node(state: &State, node: Option<usize>) -> Result<(Change, Option<Sele
     exchanged_scene(Some(edited), path)
 }
 
-fn exchanged_scene(
-    edited: Option<EditedScene>,
-    mut path: CameraPath,
-) -> Result<(Change, Option<Selection>)> {
+fn exchanged_scene(edited: Option<EditedScene>, mut path: CameraPath) -> Result<Prepared> {
     normalise(&mut path)?;
     can_allocate(size_of::<CameraPath>() + size_of::<EditedScene>())?;
     let change = Change::Scene(edited.map(Box::new), Box::new(path), 0);
@@ -286,7 +275,7 @@ fn exchanged(points: transform::Changed) -> Result<Change> {
     Ok(Change::Several(changes))
 }
 
-fn put_in(state: &State, inserted: block::Inserted) -> Result<(Change, Option<Selection>)> {
+fn put_in(state: &State, inserted: block::Inserted) -> Result<Prepared> {
     let block::Inserted {
         at,
         count,
@@ -370,7 +359,7 @@ fn without_the_outdated(old: &Orientation, mut new: Orientation) -> Result<Orien
 }
 
 /// The record of an inserted point that keeps the motion.
-fn on_curve(state: &State, frame: f64) -> Result<(Change, Option<Selection>)> {
+fn on_curve(state: &State, frame: f64) -> Result<Prepared> {
     check_room(state, 1, 1)?;
     let Insertion { at, path, changed } = insertion::on_curve(&state.path, frame)?;
     let count = 1;
@@ -443,7 +432,7 @@ fn check_room(state: &State, points: usize, orientations: usize) -> Result<()> {
 }
 
 /// Inserts new points; the first becomes current.
-fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>) {
+fn inserted(at: usize, points: Vec<SupportPoint>) -> Prepared {
     (
         Change::InsertPoints {
             at,
@@ -490,7 +479,7 @@ fn new_orientation(
     number: usize,
     at: usize,
     given: Option<Orientation>,
-) -> Result<Orientation> {
+) -> Result<Prepared> {
     let point = point(&state.path, number)?;
     let count = point.orientations.len();
     if at > count {
@@ -500,10 +489,17 @@ fn new_orientation(
         return Err(TooMany::Orientations.into());
     }
     check_all_orientations(state.orientations + 1)?;
-    match given {
-        None => Ok(point.orientations[at.saturating_sub(1)].clone()),
-        Some(orientation) => checked(orientation, point.position, state.path.space),
-    }
+    let orientation = match given {
+        None => point.orientations[at.saturating_sub(1)].clone(),
+        Some(orientation) => checked(orientation, point.position, state.path.space)?,
+    };
+    let change = Change::InsertOrientation {
+        point: number,
+        at,
+        orientation,
+        removal: 0,
+    };
+    Ok((change, Some(Selection::at(number, at))))
 }
 
 /// Checks an orientation and wraps its roll into (−180, 180].
