@@ -21,6 +21,7 @@ mod export_node;
 mod fingerprint;
 mod history;
 mod info;
+mod loading;
 mod mesh_file;
 mod not_a_file;
 mod place;
